@@ -14,13 +14,13 @@ namespace {
 using markdown::cell;
 using Rows = std::vector<std::vector<std::string>>;
 
-/// `end_rule` reads "end rule".
+/// Title of a group: "end_rule" becomes "end rule".
 std::string group_title(std::string group) {
   std::replace(group.begin(), group.end(), '_', ' ');
   return markdown::words(group);
 }
 
-/// The checks that touch a requirement: of each case the first few by name, and how many more.
+/// The checks that cover a requirement: for each case the names of the first few, and the number of the others.
 std::string shown_by(const Results& results, const Requirement& requirement) {
   constexpr std::size_t named = 2;
   std::string text;
@@ -36,7 +36,7 @@ std::string shown_by(const Results& results, const Requirement& requirement) {
   return text;
 }
 
-/// The number of checks that touch a requirement.
+/// Number of checks that cover a requirement.
 std::size_t check_count(const Requirement& requirement) {
   std::size_t count = 0;
   for (const ShownBy& shown : requirement.shown_by)
@@ -55,7 +55,7 @@ std::string perturbed_references(const Results& results) {
   for (const Record& record : results.records) {
     for (const Check& check : record.checks) {
       if (!check.pass) continue;
-      // |error -+ 1.5 bounds| is beyond the bound in both directions where the error is less than half of it.
+      // error -+ 1.5 bounds| exceeds the bound in both directions if the error is less than half of it.
       const bool either = check.bound == 0.0 || check.margin < 0.5;
       Count& of_kind = counts[name_of(check.kind)];
       for (Count* const count : {&of_kind, &all})

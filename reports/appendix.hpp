@@ -1,4 +1,4 @@
-/// The long tables at the report's end. All results are Markdown.
+/// The long tables at the end of the report. All results are Markdown.
 #pragma once
 
 #include <string>
@@ -7,11 +7,11 @@
 
 namespace talus::reports {
 
-/// Each requirement and the checks that touch it, group by group; those without a case are named.
+/// Each requirement with the checks that cover it, group by group; requirements without a case are marked.
 [[nodiscard]] std::string traceability(const Results& results);
 
-/// How many checks, by the kind of their bounds, would turn red if their reference were wrong by 1.5 bounds: in either
-/// direction, or in one.
+/// Number of checks, by the kind of their bounds, that would fail if their reference were wrong by 1.5 bounds: in
+/// either direction, or in one.
 [[nodiscard]] std::string perturbed_references(const Results& results);
 
 /// Revision, compiler, machine and libraries of the run.

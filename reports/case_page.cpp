@@ -14,7 +14,7 @@ using markdown::cell;
 using markdown::Column;
 using Rows = std::vector<std::vector<std::string>>;
 
-/// The checks that stand for a case on the first pages: those the case marks, else the failed ones and the first few.
+/// Main checks of a case for the first pages: those marked by the case, else the failed ones and the first few.
 std::vector<Check> main_checks(const Record& record) {
   std::vector<Check> chosen;
   const auto marked = [](const Check& check) { return check.main; };
@@ -35,7 +35,7 @@ std::string main_check_table(const Record& record) {
                          rows, "");
 }
 
-/// The checks of a case, and below them the arguments of their bounds, each once: alike checks share one.
+/// The checks of a case, and below them the justifications of their bounds; equal justifications are listed once.
 std::string check_table(const Record& record) {
   Rows rows;
   std::vector<std::string> arguments;
@@ -67,7 +67,7 @@ std::string control_margin(const Control& control) {
   return records::margin_text(control.error / control.bound, control.observed == Colour::green, 2);
 }
 
-/// The planted faults, and what the check that each must turn red said to it.
+/// The planted faults, and the result of the check that each must turn red.
 std::string control_table(const Record& record) {
   Rows rows;
   for (const Control& control : record.controls) {
@@ -89,7 +89,7 @@ std::string control_table(const Record& record) {
                          rows, "");
 }
 
-/// What a reader without the picture is told: its title as plain text, no maths.
+/// Alternative text of a picture: its title as plain text, without maths.
 std::string alternative_text(const Figure& figure) {
   std::string text = figure.title + ": " + figure.y.label + " against " + figure.x.label;
   const auto mark = [](char letter) { return std::string("$`\"\\{}").find(letter) != std::string::npos; };
@@ -97,10 +97,10 @@ std::string alternative_text(const Figure& figure) {
   return text;
 }
 
-/// Where a figure stands: over its caption, as wide as the text, or to the left of it, in the small size of the pages.
+/// Position of a figure: above its caption, as wide as the text, or to the left of it, in the small size of the pages.
 enum class Place { over_caption, beside_caption };
 
-/// Figures from `first` on, before `last`.
+/// Figures from `first` up to, but not including, `last`.
 std::string figures(const Record& record, std::size_t chapter, const Drawn& drawn, std::size_t first, std::size_t last,
                     Place place) {
   std::string text;
@@ -143,7 +143,7 @@ std::string tables(const Record& record, std::size_t chapter) {
   return text;
 }
 
-/// Of the case's section in the appendix.
+/// Heading of the case's section in the appendix.
 std::string details_heading(const Record& record) { return "Details of " + record.id; }
 
 }  // namespace

@@ -15,7 +15,7 @@ struct Stop {
 };
 constexpr std::array<Stop, 4> one_hue{
     {{0.0, {254.0, 196.0, 79.0}}, {0.35, {254.0, 127.0, 45.0}}, {0.7, {215.0, 25.0, 28.0}}, {1.0, {103.0, 0.0, 31.0}}}};
-// Blue against red, of which no eye takes one for the other.
+// Blue and red, which are distinguishable with any colour vision deficiency.
 constexpr std::array<Stop, 5> two_hues_apart{{{0.0, {5.0, 48.0, 97.0}},
                                               {0.25, {84.0, 151.0, 196.0}},
                                               {0.5, {247.0, 247.0, 247.0}},

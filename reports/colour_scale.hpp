@@ -3,13 +3,14 @@
 
 namespace talus::reports {
 
-/// The range of values that colours show; values beyond it have the colour of its end.
+/// A range of values mapped to colours; values beyond it have the colour of the nearer end.
 struct ColourScale {
   double min{};
   double max{1.0};
-  bool two_hues{};  ///< from dark blue over white to dark red; else yellow, orange, red to dark red, ever darker
+  bool two_hues{};  ///< from dark blue over white to dark red; else from yellow over orange and red to dark red,
+                    ///< increasingly dark
 
-  /// The colour 0xRRGGBB of a value, in as many steps as the 256 colours of a GIF have room for.
+  /// Colour 0xRRGGBB of a value, in as many steps as fit into the 256 colours of a GIF.
   [[nodiscard]] long colour(double value) const;
 };
 

@@ -1,4 +1,4 @@
-/// What others use: common formulas and the checks of other codes. All results are Markdown.
+/// Comparisons with others: common formulas and the checks of other codes. All results are Markdown.
 #pragma once
 
 #include <string>
@@ -7,13 +7,14 @@
 
 namespace talus::reports {
 
-/// The tables of the cases that set a common formula against what is exact (their names begin with "common_formula").
+/// The tables of the cases that compare a common formula with the exact result (their names begin with
+/// "common_formula").
 [[nodiscard]] std::string common_formulas(const Results& results);
 
-/// What other codes and benchmark sets check, and the cases that show the same.
+/// The checks of other codes and benchmark sets, with the cases that cover the same.
 [[nodiscard]] std::string checks_of_peers(const Results& results);
 
-/// What the sources print, and what it must be.
+/// Errata: the printed values of the sources, and the correct ones.
 [[nodiscard]] std::string errata(const Results& results);
 
 }  // namespace talus::reports

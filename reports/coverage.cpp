@@ -57,7 +57,7 @@ std::string spaced(std::string name) {
   return cell(name);
 }
 
-/// How many checks there are of something, and how many mutants they noticed where that is known.
+/// Number of checks of a feature, and of the mutants they detected if known.
 class Counter {
  public:
   explicit Counter(const records::Mutants* mutants) : known_{mutants != nullptr} {
@@ -90,7 +90,7 @@ class Counter {
   std::map<std::pair<std::string, std::string>, std::set<std::string>> noticed_;
 };
 
-/// A row a law, all its regimes with the number of their checks.
+/// One row per law, with its regimes and the number of their checks.
 std::string regimes(const Results& results, const Counter& counter) {
   std::vector<std::pair<std::string, std::string>> laws;
   for (const Requirement* regime : group(results, "regime")) {
@@ -106,7 +106,7 @@ std::string regimes(const Results& results, const Counter& counter) {
   return markdown::table({{"law"}, {"regimes, and how many checks run in each"}}, rows, "");
 }
 
-/// The checks of both of two requirements.
+/// Checks that cover both requirements.
 Checks common(const Requirement& a, const Requirement& b) {
   const Checks of_a = checks_of(a), of_b = checks_of(b);
   Checks both;
@@ -114,7 +114,7 @@ Checks common(const Requirement& a, const Requirement& b) {
   return both;
 }
 
-/// Laws of contacts against end rules and methods.
+/// Table of contact laws against end rules and methods.
 std::string contact_laws(const Results& results, const Counter& counter) {
   std::vector<const Requirement*> across = group(results, "end_rule");
   for (const Requirement* method : group(results, "method"))
@@ -142,9 +142,9 @@ const Check* find(const Results& results, const std::string& case_id, const std:
   return nullptr;
 }
 
-/// The orders measured of an integrator, by the whole number next to them. A check counts that names the method: one
-/// that its case merely runs with it measures another order, that of a stiffness say; nor does one that shows a false
-/// order on purpose.
+/// Measured orders of an integrator, grouped by the nearest integer. Only checks that name the method count: a check
+/// whose case merely uses the method measures another order, for example with stiffness; checks that show a false order
+/// on purpose are excluded.
 std::map<int, std::vector<double>> measured_orders(const Results& results, const Requirement& integrator) {
   std::string name = last_part(integrator);
   if (name.rfind("odeint_", 0) == 0) name.erase(0, 7);
@@ -189,7 +189,7 @@ std::string integrators(const Results& results, const Counter& counter) {
                          rows, "");
 }
 
-/// Pairs of shapes: above the diagonal, since a pair has no first.
+/// Pairs of shapes, only above the diagonal because pairs are unordered.
 std::string pairs(const Results& results, const Counter& counter) {
   std::vector<std::string> names;
   std::map<std::pair<std::string, std::string>, std::string> counts;
@@ -218,7 +218,7 @@ std::string pairs(const Results& results, const Counter& counter) {
   return markdown::table(columns, rows, "");
 }
 
-/// The sums of the energy balance.
+/// Terms of the energy balance.
 std::string mechanisms(const Results& results, const Counter& counter) {
   Rows rows;
   for (const Requirement* mechanism : group(results, "mechanism"))
@@ -226,10 +226,10 @@ std::string mechanisms(const Results& results, const Counter& counter) {
   return markdown::table({{"energy lost by"}, {"checks", true}}, rows, "");
 }
 
-/// The family of cases that run the program and read what it leaves.
+/// Family of the cases that run the program and read its output.
 constexpr const char* program = "G: the program";
 
-/// Files and texts that users get, as the checks of the program's cases name them: "history.csv: rows".
+/// Output files and texts, as named by the checks of the program's cases: "history.csv: rows".
 std::string outputs(const Results& results, const Counter& counter) {
   std::map<std::pair<std::string, std::string>, Checks> files;
   for (const Record& record : results.records) {

@@ -1,4 +1,4 @@
-/// What the cases cover, and what they do not. All results are Markdown.
+/// Coverage of the solver's features by the cases. All results are Markdown.
 #pragma once
 
 #include <string>
@@ -8,9 +8,9 @@
 
 namespace talus::reports {
 
-/// Laws and their regimes, laws with end rules and methods, integrators and orders, pairs of shapes in contact, sums of the
-/// energy balance and outputs of the program: the number of checks of each, by the requirements that the cases claim;
-/// empty cells say "none". With `mutants`, which may be null, also how many of them these checks noticed.
+/// Number of checks for each of: laws and their regimes, laws with end rules and methods, integrators and orders, pairs
+/// of shapes in contact, terms of the energy balance and outputs of the program, by the requirements that the cases
+/// claim; empty cells read "none". With `mutants` (may be null), also the number of mutants that these checks detected.
 [[nodiscard]] std::string coverage(const Results& results, const records::Mutants* mutants);
 
 }  // namespace talus::reports

@@ -14,7 +14,7 @@
 namespace talus::reports {
 namespace {
 
-/// Raw TeX and HTML are off: a record's text must look the same in every format. Citations are off: `@` is a letter.
+/// Raw TeX and HTML are off: a record's text must look the same in every format. Citations are off: `@` is a character.
 constexpr const char* dialect =
     "markdown-raw_tex-raw_html-raw_attribute-native_divs-native_spans-citations-example_lists"
     "-yaml_metadata_block-pandoc_title_block+gfm_auto_identifiers";
@@ -48,7 +48,7 @@ std::set<std::uint32_t> declared_in(const std::string& header) {
   return codes;
 }
 
-/// LaTeX's own inputenc knows Latin-1, most of Latin Extended-A, and the marks of typography.
+/// LaTeX's inputenc supports Latin-1, most of Latin Extended-A, and typographic marks.
 bool known_to_latex(std::uint32_t code) {
   static const std::set<std::uint32_t> marks{0x2013, 0x2014, 0x2018, 0x2019, 0x201C, 0x201D, 0x2026, 0x2022, 0x20AC};
   // A control character ends LaTeX with an error.
@@ -60,7 +60,7 @@ std::map<std::string, std::string> fixed_time(const Document& document) {
   return {{"SOURCE_DATE_EPOCH", fmt::format("{}", document.epoch)}, {"FORCE_SOURCE_DATE", "1"}, {"LC_ALL", "C.UTF-8"}};
 }
 
-/// Not all of a log helps: what TeX complains about starts with `!`.
+/// Extracts the error from a log: TeX's error messages start with `!`.
 std::string complaint_in(const std::string& log) {
   const std::size_t place = log.find("\n!");
   return place == std::string::npos ? log.substr(log.size() > 1500 ? log.size() - 1500 : 0)
@@ -175,7 +175,7 @@ std::string make_latex(const Document& d) {
       .messages;
 }
 
-/// A file of contents with a blank line for each section of a LaTeX document.
+/// A table of contents file with a blank line for each section of a LaTeX document.
 std::string blank_contents(const std::string& latex) {
   std::string contents;
   for (std::size_t at = latex.find("\\section{"); at != std::string::npos; at = latex.find("\\section{", at + 1))
@@ -198,7 +198,7 @@ void make_pdf(const Document& d) {
     return finished.output;
   };
   if (d.has_contents) {
-    // With a list of contents of its final length the first pass finds the pages' numbers; it need not write pictures.
+    // With a table of contents of its final length the first pass finds the page numbers; it need not write pictures.
     records::write_whole(d.folder / (d.stem + ".toc"),
                          blank_contents(records::read_whole(d.folder / (d.stem + ".tex"))));
     Command draft = latex;

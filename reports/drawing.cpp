@@ -13,7 +13,7 @@
 namespace talus::reports {
 namespace {
 
-/// Where cairo writes the clock's time in a kind of picture, and in what form (of strftime).
+/// Where cairo writes the current time in a file format, and its format (of strftime).
 struct DateField {
   const char* extension;
   const char* mark;
@@ -29,7 +29,7 @@ std::string date_text(const char* form, std::time_t time) {
   return {text, std::strftime(text, sizeof text, form, &parts)};
 }
 
-/// gnuplot says so of each GIF, on the channel of its warnings.
+/// True for the message that gnuplot prints to stderr for each GIF.
 bool counts_frames(const std::string& said) {
   const std::size_t text = said.find_first_not_of("0123456789 \n");
   return text != std::string::npos && said.substr(text) == "frames in animation sequence\n";

@@ -1,5 +1,4 @@
-/// What can go wrong in a report, by whose hands it must be mended. Exit codes of talus_report: 2 for RecordError, 4
-/// for FileError and OutputError.
+/// Errors in making a report, by cause. Exit codes of talus_report: 2 for RecordError, 4 for FileError and OutputError.
 #pragma once
 
 #include <stdexcept>
@@ -11,7 +10,7 @@ namespace talus::reports {
 using records::FileError;
 using records::RecordError;
 
-/// A folder cannot be made, or a tool (gnuplot, pandoc, pdflatex) is absent or failed.
+/// A folder cannot be created, or a tool (gnuplot, pandoc, pdflatex) is absent or failed.
 class OutputError : public std::runtime_error {
  public:
   using std::runtime_error::runtime_error;

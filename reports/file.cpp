@@ -18,7 +18,7 @@ namespace {
 
 constexpr std::string_view prefix = ".partial-";
 
-/// Removes the folders of processes that were killed.
+/// Removes the folders left by killed processes.
 void remove_abandoned(const fs::path& target) {
   std::error_code ignored;
   std::vector<fs::path> abandoned;
@@ -55,7 +55,7 @@ StagingFolder::~StagingFolder() {
 void StagingFolder::publish(const std::string& name) const {
   std::error_code failure;
   const fs::path target = target_ / name;
-  // A folder cannot replace a folder by renaming: the old one steps aside first.
+  // Renaming cannot replace a folder by a folder: the old one is moved away first.
   if (fs::is_directory(target)) fs::rename(target, folder_ / (name + ".old"), failure);
   if (!failure) fs::rename(folder_ / name, target, failure);
   if (failure) throw OutputError(fmt::format("{}: {}", target.string(), failure.message()));

@@ -1,4 +1,4 @@
-/// Files that are whole or absent.
+/// Files that are either complete or absent.
 #pragma once
 
 #include <filesystem>
@@ -6,12 +6,12 @@
 
 namespace talus::reports {
 
-/// A new folder beside the results-to-be, removed with all it holds at the end of its scope. What is finished is
-/// moved out of it by publish(), so that a reader of the target never sees half a file.
+/// A temporary folder inside the target folder, deleted with its contents at the end of its scope. Finished files are
+/// moved out of it by publish(), so that a reader of the target never sees an incomplete file.
 class StagingFolder {
  public:
-  /// Makes `target` (with its parents) and a fresh folder in it, and removes those that killed processes left there; throws
-  /// OutputError when that cannot be.
+  /// Creates `target` (with its parents) and a new folder in it, and removes those left there by killed processes;
+  /// throws OutputError if that fails.
   explicit StagingFolder(std::filesystem::path target);
   ~StagingFolder();
   StagingFolder(const StagingFolder&) = delete;
@@ -19,7 +19,7 @@ class StagingFolder {
 
   [[nodiscard]] const std::filesystem::path& folder() const { return folder_; }
 
-  /// Moves a finished file or folder into the target, in the place of an older one of that name.
+  /// Moves a finished file or folder into the target, replacing an older one of that name.
   void publish(const std::string& name) const;
 
  private:

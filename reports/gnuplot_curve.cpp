@@ -18,7 +18,7 @@ std::string data_block(const std::string& name, const std::string& rows) {
   return fmt::format("{} << END\n{}END\n", name, rows);
 }
 
-/// Rows of a curve; of outlines with an empty one behind each that is closed.
+/// Rows of a curve; outlines have an empty row after each closed one.
 std::string line_rows(const Curve& curve) {
   std::string text;
   const Point* first = nullptr;
@@ -44,7 +44,7 @@ std::string shape_rows(const Curve& curve, const ColourScale& scale) {
   return text;
 }
 
-/// Rows of a grid with red, green and blue of each value.
+/// Rows of a grid with the red, green and blue components of each value.
 std::string heat_rows(const Curve& curve, const ColourScale& scale) {
   std::string text;
   for (const Point& point : curve.points) {
@@ -54,7 +54,7 @@ std::string heat_rows(const Curve& curve, const ColourScale& scale) {
   return text;
 }
 
-/// Shapes are never in the key of their own panel: the page explains them. Filled ones are drawn one after the other
+/// Shapes never appear in the key of their own panel: the page explains them. Filled ones are drawn one after the other
 /// with their borders, so that those in front cover those behind.
 std::string shape_command(const Curve& curve, const std::string& block) {
   const Look& look = curve.look;
@@ -85,11 +85,11 @@ std::string line_command(const Curve& curve, const std::string& block, std::size
                      title);
 }
 
-/// Corners enough that none is seen: a circle a hundredth of the picture wide has 18, a tenth 40.
+/// Number of corners, enough to be invisible: a circle of 1/100 of the picture width has 18, of 1/10 has 40.
 int corners(double radius, double width) { return std::clamp(16 + static_cast<int>(500.0 * radius / width), 16, 48); }
 
-/// Circles one after the other, each closed, as polygons: gnuplot's own have so many corners that 3000 discs make an
-/// SVG of 11 MB.
+/// Circles one after the other, each closed, as polygons: gnuplot's circles have so many corners that 3000 discs make
+/// an SVG of 11 MB.
 std::string circle_rows(const std::vector<Point>& circles, double width) {
   std::string text;
   for (const Point& circle : circles) {
@@ -104,7 +104,7 @@ std::string circle_rows(const std::vector<Point>& circles, double width) {
   return text;
 }
 
-/// Circles of one colour are drawn together: gnuplot fills a curve in one.
+/// Draws all circles of one colour together, because gnuplot fills each curve with one colour.
 CurveScript circles_script(const Curve& curve, const std::string& block, const ColourScale& scale) {
   const Look& look = curve.look;
   std::map<long, std::vector<Point>> by_colour;

@@ -1,4 +1,4 @@
-/// One curve of a figure in gnuplot's language.
+/// One curve of a figure as gnuplot commands.
 #pragma once
 
 #include <string>
@@ -8,14 +8,14 @@
 
 namespace talus::reports {
 
-/// What draws it.
+/// Script of one curve.
 struct CurveScript {
-  std::string data;     ///< its numbers, as data blocks
-  std::string command;  ///< what `plot` is given
+  std::string data;     ///< its numbers as data blocks
+  std::string command;  ///< argument of `plot`
 };
 
-/// `block`: name of its data block, or how those of several begin; `index`: of the curve in its figure, from 0;
-/// `scale` turns values into colours. Only curves of lines and points with a label stand in the panel's key.
+/// `block`: name of the curve's data block, or prefix of several; `index`: of the curve in its figure, from 0; `scale`
+/// maps values to colours. Only lines and points with a label appear in the panel's key.
 [[nodiscard]] CurveScript curve_script(const Curve& curve, const std::string& block, std::size_t index,
                                        const ColourScale& scale);
 

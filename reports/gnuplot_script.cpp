@@ -12,7 +12,7 @@
 namespace talus::reports {
 namespace {
 
-/// The part of a power law that lies in the plot: a third of the x axis to each side of its point, clipped.
+/// Part of a power law within the plot: a third of the x axis to each side of its point, clipped.
 std::array<Point, 2> slope_ends(const Slope& slope, const Plot& plot) {
   const double reach = std::pow(plot.x.high / plot.x.low, 1.0 / 3.0);
   std::array<Point, 2> ends;
@@ -43,7 +43,7 @@ std::string slope_commands(const Plot& plot, std::string& curves) {
     text += fmt::format("$slope{} << END\n{:.9g} {:.9g}\n{:.9g} {:.9g}\nEND\n", index, ends[0].x, ends[0].y, ends[1].x,
                         ends[1].y);
     const std::string label = slope.label.empty() ? fmt::format("slope {:g}", slope.order) : slope.label;
-    // Beside the end that has more room to the border.
+    // The label is placed beside the end with more room to the border.
     const double width = std::log(plot.x.high / plot.x.low);
     const bool at_low = std::log(ends[0].x / plot.x.low) / width >= std::log(plot.x.high / ends[1].x) / width;
     const Point& end = ends[at_low ? 0 : 1];
@@ -58,7 +58,7 @@ std::string line_commands(const Plot& plot) {
   std::string text;
   for (const Line& line : plot.figure.lines) {
     const Extent& extent = line.axis == 'x' ? plot.x : plot.y;
-    if (line.at < extent.low || line.at > extent.high) continue;  // the record's own limits leave it out
+    if (line.at < extent.low || line.at > extent.high) continue;  // outside the record's limits
     const std::string from = line.axis == 'x' ? fmt::format("first {:.9g}, graph 0", line.at)
                                               : fmt::format("graph 0, first {:.9g}", line.at);
     const std::string to = line.axis == 'x' ? fmt::format("first {:.9g}, graph 1", line.at)
@@ -107,7 +107,7 @@ std::size_t longest_label(const Plot& plot) {
   return longest;
 }
 
-/// Columns of the key that fit side by side below the plot, from the longest label.
+/// Number of key columns that fit side by side below the plot, from the longest label.
 std::size_t key_columns(const Plot& plot, const Canvas& canvas) {
   const auto letters = static_cast<std::size_t>(3.2 * canvas.width / canvas.letters.paper);
   return std::clamp<std::size_t>(letters / (longest_label(plot) + 7), 1, 4);
@@ -119,7 +119,7 @@ std::string log_tics(char axis, const Extent& extent) {
   const int first = static_cast<int>(std::ceil(std::log10(extent.low) - 1e-9));
   const int last = static_cast<int>(std::floor(std::log10(extent.high) + 1e-9));
   std::string places;
-  // Each place is written out: gnuplot's own series would start at the axis' end, whatever number stands there.
+  // Each position is listed explicitly: gnuplot's series would start at the end of the axis, whatever its value.
   const auto add = [&](const std::string& label, double digit, int decade, const char* level) {
     const double value = digit * std::pow(10.0, decade);
     if (value < extent.low * (1.0 - 1e-9) || value > extent.high * (1.0 + 1e-9)) return;
@@ -169,7 +169,7 @@ Panel panel_of(const Plot& plot, const std::string& prefix, const ColourScale& s
   Panel panel;
   for (std::size_t i = 0; i < plot.curves.size(); ++i) {
     const Curve& curve = plot.curves[i];
-    if (curve.points.empty()) continue;  // nothing of it fits a log axis; the caption counts such points
+    if (curve.points.empty()) continue;  // no point fits a log axis; the caption counts such points
     const std::string block = fmt::format("${}{}", prefix, i + 1);
     const CurveScript script = curve_script(curve, block, i, scale);
     panel.settings += script.data;
@@ -189,7 +189,7 @@ std::string figure_script(const Plot& plot, const Canvas& canvas, const std::str
   const Panel panel = panel_of(plot, "curve", {}, canvas);
   const std::string text = fmt::format("load {}\n", gnuplot_quoted(canvas.preamble.string())) + panel.settings;
   const auto rows = static_cast<double>(panel.key_rows);
-  // gnuplot counts each letter as wide as a digit, and leaves out columns that it thinks too wide: an eighth too many.
+  // gnuplot counts each letter as wide as a digit, an eighth too wide, and omits columns that seem too wide.
   const std::string key = fmt::format(
       "set key at screen 0.5, char 0.4 center bottom maxrows {} width {:.1f}\nset bmargin {:.2f}\n",
       std::max<std::size_t>(panel.key_rows, 1), -0.125 * static_cast<double>(longest_label(plot)), 4.3 + 1.15 * rows);

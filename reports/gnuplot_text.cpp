@@ -10,7 +10,7 @@ namespace {
 
 bool letter_or_digit(char letter) { return std::isalnum(static_cast<unsigned char>(letter)) != 0; }
 
-/// Length of what `^` or `_` applies to, from `place`: {...}, (...), a signed number, or a short word; 0 if nothing.
+/// Length of the argument of `^` or `_` at `place`: {...}, (...), a signed number, or a short word; 0 if none.
 std::size_t script_length(const std::string& text, std::size_t place) {
   if (place >= text.size()) return 0;
   if (text[place] == '{' || text[place] == '(') {
@@ -28,7 +28,7 @@ std::size_t script_length(const std::string& text, std::size_t place) {
   return length > sign && length <= 5 ? length : 0;
 }
 
-/// `_` is a subscript's mark only after a symbol of one letter, so that names such as two_cable stay names.
+/// `_` marks a subscript only after a symbol of one letter, so that names such as two_cable are unchanged.
 bool follows_symbol(const std::string& text, std::size_t place) {
   if (place == 0) return false;
   const bool ascii = static_cast<unsigned char>(text[place - 1]) < 0x80;
@@ -37,7 +37,7 @@ bool follows_symbol(const std::string& text, std::size_t place) {
          (place == 1 || (!letter_or_digit(text[place - 2]) && text[place - 2] != '_'));
 }
 
-/// Without the two marks around each formula, where pandoc sees one.
+/// Removes the two marks around each formula, by pandoc's rules.
 std::string without_formula_marks(const std::string& text) {
   const auto space = [&](std::size_t i) { return std::isspace(static_cast<unsigned char>(text[i])) != 0; };
   const auto digit = [&](std::size_t i) {
@@ -63,7 +63,7 @@ std::string without_formula_marks(const std::string& text) {
   return result;
 }
 
-/// A deck's title may hold tabs.
+/// Replaces control characters, for example tabs in a deck's title.
 std::string without_control(std::string text) {
   for (char& letter : text)
     if (std::iscntrl(static_cast<unsigned char>(letter)) != 0) letter = ' ';
@@ -92,7 +92,8 @@ std::string gnuplot_quoted(const std::string& text) {
 }
 
 std::string gnuplot_verbatim(const std::string& text, std::size_t most) {
-  const auto begins = [](char byte) { return (static_cast<unsigned char>(byte) & 0xC0U) != 0x80U; };  // of UTF-8
+  const auto begins = [](char byte) { return (static_cast<unsigned char>(byte) & 0xC0U) != 0x80U; };  // start of a
+                                                                                                      // UTF-8 character
   std::string shown;
   std::size_t characters = 0;
   for (const char byte : without_control(text)) {

@@ -1,4 +1,4 @@
-/// Texts in gnuplot's language.
+/// Texts as gnuplot strings.
 #pragma once
 
 #include <cstddef>
@@ -6,13 +6,13 @@
 
 namespace talus::reports {
 
-/// A label for gnuplot's enhanced text, in single quotes. Words as in a record: the two `$` around a formula are dropped
-/// (the first has no space after it, the second none before it and no digit after it), `^` followed by a number or letters
-/// raises them, `_` after a single letter lowers what follows (`k_n`); any other mark stands for itself.
+/// A label for gnuplot's enhanced text, in single quotes. Text as in a record: the two `$` around a formula are dropped
+/// (the first has no space after it, the second none before it and no digit after it), `^` followed by a number or
+/// letters is a superscript, `_` after a single letter a subscript (`k_n`); any other mark is printed literally.
 [[nodiscard]] std::string gnuplot_text(const std::string& words);
 
-/// Text as it is for gnuplot's enhanced text, in single quotes: a title or name that a user gave. What is longer than `most`
-/// characters is cut and ends in three dots.
+/// Literal text for gnuplot's enhanced text, in single quotes: a title or name given by the user. Text longer than
+/// `most` characters is cut and ends in three dots.
 [[nodiscard]] std::string gnuplot_verbatim(const std::string& text, std::size_t most = std::string::npos);
 
 /// Text as a single-quoted gnuplot string, for file names.

@@ -27,7 +27,7 @@ std::set<std::string> killers_of(const MutantRecord& mutant) {
 
 Interval wilson(std::size_t successes, std::size_t all) {
   if (all == 0) return {0.0, 1.0};
-  constexpr double z = 1.959963984540054;  // of the normal distribution: 2.5 % lie above
+  constexpr double z = 1.959963984540054;  // quantile of the normal distribution: 2.5 % lie above
   const double n = static_cast<double>(all);
   const double p = static_cast<double>(successes) / n;
   const double middle = (p + z * z / (2.0 * n)) / (1.0 + z * z / n);

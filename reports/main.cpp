@@ -1,4 +1,4 @@
-/// talus_report: records in; Markdown, HTML, PDF and pictures out.
+/// talus_report: reads records and writes Markdown, HTML, PDF and pictures.
 
 #include <fmt/format.h>
 
@@ -44,13 +44,13 @@ void describe(CLI::App& app, Options& options) {
       ->check(CLI::Range(1U, 1024U));
 }
 
-/// Writes to stderr, behind all that was printed: both streams may go to one file.
+/// Writes to stderr after flushing stdout: both streams may go to one file.
 void print_errors(const std::string& words) {
   std::fflush(stdout);
-  std::fputs(words.c_str(), stderr);  // a stderr that takes nothing costs the message only
+  std::fputs(words.c_str(), stderr);  // if stderr cannot be written, only the message is lost
 }
 
-/// Prints the files and what could not be made; returns the exit code.
+/// Prints the files and the parts that could not be made; returns the exit code.
 int print(const talus::reports::Made& made) {
   print_errors(made.warnings);
   for (const auto& file : made.files)

@@ -15,7 +15,7 @@ constexpr std::array kinds{std::pair{Kind::truncation, "truncation"}, std::pair{
                            std::pair{Kind::model, "model"}, std::pair{Kind::interval, "interval"},
                            std::pair{Kind::exact, "exact"}};
 
-/// Smallest error/bound drawn to scale; smaller ones stand at the axis' left end.
+/// Smallest error/bound drawn to scale; smaller ones are drawn at the left end of the axis.
 constexpr double least_margin = 1e-5;
 constexpr double strip_of_zero = least_margin / 10.0;
 constexpr double strip_of_infinity = 300.0;
@@ -26,7 +26,7 @@ double place_of(const Check& check) {
   return std::max(check.margin, least_margin);
 }
 
-/// The dots of one kind: place on the axis, row of the case; the checks of a case spread over its row.
+/// The dots of one kind: position on the axis, row of the case; the checks of a case are spread over its row.
 std::string dots(const Results& results, Kind kind, bool passed, bool& some) {
   std::string text;
   for (std::size_t row = 0; row < results.records.size(); ++row) {
@@ -90,8 +90,8 @@ std::string margin_script(const Results& results, const Canvas& canvas, const st
                             i + 1, passed ? "" : " pt 2 ps 1.3 lw 3", kinds[i].second, passed ? "" : " (failed)");
     }
   }
-  if (curves.empty()) curves = "NaN notitle";  // no check at all: the frame and the cases' names still tell that
-  if (in_key > kinds.size()) text += "set key maxrows 2\nset bmargin 6.3\n";  // one row would be cut at both ends
+  if (curves.empty()) curves = "NaN notitle";  // no check: draw the frame and the names of the cases
+  if (in_key > kinds.size()) text += "set key maxrows 2\nset bmargin 6.3\n";  // a single row would be cut at both ends
   const double height = 3.4 + 0.9 * static_cast<double>(rows);
   return text + drawn_in_each_format(canvas, stem, "plot " + curves, height);
 }

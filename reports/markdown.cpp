@@ -31,7 +31,7 @@ std::string escaped(const std::string& text, bool in_cell) {
   for (std::size_t i = 0; i < text.size(); ++i) {
     if (const std::size_t length = span_length(text, i); length > 0) {
       for (const char letter : text.substr(i, length)) {
-        // A bar would end the cell; in maths \vert is the same sign.
+        // A bar would end the cell; in maths \vert prints the same character.
         if (letter == '|' && in_cell) {
           result += text[i] == '$' ? "\\vert " : "\\|";
         } else {
@@ -43,7 +43,7 @@ std::string escaped(const std::string& text, bool in_cell) {
       if (!result.empty() && result.back() != ' ') result += ' ';
     } else {
       if (is_mark(text[i])) result += '\\';
-      // Three points and two dashes would be changed by smart typography, a list mark at the start by the block rules.
+      // Smart typography would change three points and two dashes, the block rules a list mark at the start.
       if ((text[i] == '.' || text[i] == '-') && i + 1 < text.size() && text[i + 1] == text[i]) result += '\\';
       if (result.empty() && (text[i] == '-' || text[i] == '+' || text[i] == ':')) result += '\\';
       result += text[i];
@@ -54,7 +54,7 @@ std::string escaped(const std::string& text, bool in_cell) {
   return result;
 }
 
-/// What is read of a cell: links without their targets, marks without their escapes.
+/// Visible text of a cell: links without their targets, marks without their escapes.
 std::string visible(const std::string& text) {
   std::string result;
   for (std::size_t i = 0; i < text.size(); ++i) {
@@ -67,7 +67,7 @@ std::string visible(const std::string& text) {
   return result;
 }
 
-/// Letters, not bytes: continuation bytes of UTF-8 do not count.
+/// Length in characters, not bytes: continuation bytes of UTF-8 do not count.
 std::size_t length_of(const std::string& text) {
   return static_cast<std::size_t>(
       std::count_if(text.begin(), text.end(), [](char c) { return (static_cast<unsigned char>(c) & 0xC0) != 0x80; }));
@@ -82,7 +82,8 @@ std::size_t longest_word(const std::string& text) {
   return longest;
 }
 
-/// Dashes for each column: room for its longest word, then shares of what is left by the length of its longest cells.
+/// Dashes for each column: room for its longest word, and a fraction of the remaining width by the length of its
+/// longest cells.
 std::vector<std::size_t> widths_of(const std::vector<Column>& columns,
                                    const std::vector<std::vector<std::string>>& rows) {
   constexpr std::size_t whole = 112;
@@ -106,7 +107,7 @@ std::vector<std::size_t> widths_of(const std::vector<Column>& columns,
   }
   const double spare = taken < whole ? static_cast<double>(whole - taken) : 0.0;
   for (std::size_t c = 0; c < columns.size(); ++c) {
-    // What nobody wishes for is left over: a small table stays small.
+    // Spare width is used only as required: a small table stays small.
     const double share = wished > spare ? spare / wished : 1.0;
     least[c] += static_cast<std::size_t>(share * static_cast<double>(wish[c]));
   }

@@ -33,7 +33,7 @@ std::vector<std::string> score_row(const std::string& name, const Score& score) 
           percent(score.share())};
 }
 
-/// One row for each name, and the sum.
+/// One row per name, and a total.
 std::string score_table(const char* heading, const std::map<std::string, Score>& scores, const Score& all) {
   Rows rows;
   for (const auto& [name, score] : scores)
@@ -44,7 +44,7 @@ std::string score_table(const char* heading, const std::map<std::string, Score>&
       rows, "");
 }
 
-/// Share of the counted mutants killed by the first cases of the greedy order.
+/// Fraction of the counted mutants killed by the first cases of the greedy order.
 Figure greedy_figure(const Mutants& mutants) {
   const auto of = generated(mutants);
   const double counted = static_cast<double>(score_of(of).counted());
@@ -101,7 +101,7 @@ Figure tolerance_figure(const Mutants& mutants) {
   return figure;
 }
 
-/// A row for each mutant, a column for each case.
+/// Matrix with a row per mutant and a column per case.
 Figure matrix_figure(const Mutants& mutants) {
   Figure figure;
   figure.name = "matrix";
@@ -192,7 +192,7 @@ std::string joined(const std::map<std::string, std::size_t>& counts, const Resul
   return text;
 }
 
-/// Which cases kill alone, and which none.
+/// Lists of the cases that are the only ones to kill a mutant, and of those that kill none.
 std::string who_kills(const Mutants& mutants, const Results& results) {
   std::vector<const MutantRecord*> all;
   for (const MutantRecord& mutant : mutants.mutants)

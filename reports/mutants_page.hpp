@@ -1,4 +1,4 @@
-/// The report's chapter on mutants: which small bugs the cases notice.
+/// The report's chapter on mutants: which small bugs the cases detect.
 #pragma once
 
 #include <string>
@@ -10,10 +10,10 @@
 namespace talus::reports {
 
 /// Its figures: the matrix of mutants and cases, the score against the number of cases, and against the tolerance; the
-/// last two only of a whole matrix. They are drawn as figures/mutants-NAME.
+/// last two only for a whole matrix. They are drawn as figures/mutants-NAME.
 [[nodiscard]] std::vector<Figure> mutants_figures(const records::Mutants& mutants);
 
-/// The chapter without its heading, as Markdown; with its figures if there are `pictures`.
+/// The chapter as Markdown, without its heading; with its figures if `pictures`.
 [[nodiscard]] std::string mutants_text(const records::Mutants& mutants, const Results& results, bool pictures);
 
 }  // namespace talus::reports

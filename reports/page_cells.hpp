@@ -1,4 +1,4 @@
-/// Parts that several tables and pages of the report share. All results are Markdown.
+/// Elements shared by several tables and pages of the report. All results are Markdown.
 #pragma once
 
 #include <filesystem>
@@ -9,8 +9,8 @@
 
 namespace talus::reports {
 
-/// The template in the file filled with the values; `{{x}}` is escaped as words, `{{{x}}}` is taken as it is. Throws
-/// OutputError when the template is missing or wrong.
+/// The template file filled with the values; `{{x}}` is escaped as text, `{{{x}}}` is inserted literally. Throws
+/// OutputError when the template is missing or invalid.
 [[nodiscard]] std::string filled(const std::filesystem::path& file, const kainjow::mustache::data& values);
 
 /// Heading of a case's page, as plain text: "id: title".
@@ -19,22 +19,22 @@ namespace talus::reports {
 /// The case's id, linked to its page.
 [[nodiscard]] std::string case_link(const Record& record);
 
-/// The case of that id, linked to its page; the bare id if it has no record.
+/// Link to the page of the case with that id; the bare id if it has no record.
 [[nodiscard]] std::string link_of(const Results& results, const std::string& id);
 
-/// Such links, with commas between them.
+/// Links to several cases, separated by commas.
 [[nodiscard]] std::string joined_links(const Results& results, const std::vector<std::string>& ids);
 
 /// The case's status, bold unless it passed.
 [[nodiscard]] std::string status_word(const Record& record);
 
-// Cells of a check's row. Digits: as many as tell measured and reference apart, up to a limit (the error is beside).
+// Cells of a check's row. Enough digits to distinguish measured and reference, up to a limit (the error is beside).
 [[nodiscard]] std::string name_with_unit(const Check& check);
 [[nodiscard]] std::string measured_text(const Check& check, int most_digits = 8);
 [[nodiscard]] std::string reference_text(const Check& check, int most_digits = 8);
 [[nodiscard]] std::string error_text(const Check& check);
 [[nodiscard]] std::string margin_text(const Check& check);
 [[nodiscard]] std::string kind_text(const Check& check);
-[[nodiscard]] std::string reason(const Check& check);  ///< kind, and why the bound holds
+[[nodiscard]] std::string reason(const Check& check);  ///< kind, and justification of the bound
 
 }  // namespace talus::reports

@@ -13,26 +13,26 @@
 namespace talus::reports {
 namespace {
 
-/// Characters of a title that fit beside each other on a page.
+/// Number of characters of a title that fit in one line on a page.
 constexpr std::size_t characters_wide = 95;
 
 // All lengths in centimetres.
 constexpr double line_high = 0.44;
 constexpr double tallest_panel = 11.0;
 
-/// Smaller than in a figure of its own: a panel has less room.
+/// Font size of panels; smaller than in a separate figure.
 constexpr Letters panel_letters{0.385, 10.4};
 
-/// The part of a page that one panel's axes enclose.
+/// Rectangle of a page inside the axes of one panel.
 struct Frame {
   double left{}, right{}, bottom{}, top{};
 };
 
-/// Room around and between panels.
+/// Space around and between panels.
 struct Layout {
-  bool shared{};    ///< inner panels have no words at their axes
+  bool shared{};    ///< inner panels have no axis labels
   double height{};  ///< of the page
-  double legend{};  ///< upper edge of the legend, from the page's lower edge
+  double legend{};  ///< upper edge of the legend, from the lower edge of the page
   std::vector<Frame> frames;
 };
 
@@ -59,7 +59,7 @@ std::vector<const Curve*> explained(const PagePlot& page) {
   return entries;
 }
 
-/// Width and height of a panel; one with equal units is drawn as large as its column lets it.
+/// Width and height of a panel; one with equal units is as large as fits into its column.
 std::pair<double, double> panel_size(const Plot& plot, const PagePlot& page, double room) {
   if (!plot.figure.equal) return {room, page.panel_high.value_or(room > 9.0 ? 5.6 : 4.4)};
   const double shape = (plot.y.high - plot.y.low) / (plot.x.high - plot.x.low);
@@ -78,7 +78,7 @@ Layout layout_of(const PagePlot& page, const std::vector<Panel>& panels, double 
   const double above = titled ? 0.62 : 0.2;
   const auto per_row = static_cast<double>(columns);
   const double room = (centimetres_wide - left - right - gap * (per_row - 1.0)) / per_row;
-  // From the upper edge down; turned over at the end, when the height is known.
+  // Measured from the upper edge downwards; inverted at the end, when the height is known.
   double y = page.page.title.empty() ? 0.0 : 0.85;
   for (std::size_t first = 0; first < panels.size(); first += columns) {
     const std::size_t end = std::min(first + columns, panels.size());
@@ -102,14 +102,14 @@ Layout layout_of(const PagePlot& page, const std::vector<Panel>& panels, double 
   return layout;
 }
 
-/// The round number nearest to a part.
+/// Round number (1, 2 or 5 times a power of ten) nearest to a step.
 double round_step(double wanted) {
   const double decade = std::pow(10.0, std::floor(std::log10(wanted)));
   const double part = wanted / decade;
   return decade * (part <= 1.5 ? 1.0 : part <= 3.5 ? 2.0 : part <= 7.5 ? 5.0 : 10.0);
 }
 
-/// Round numbers, as many as have room on the axis.
+/// Tics at round numbers, as many as fit on the axis.
 std::string tics(char axis, const Extent& extent, double length) {
   const double parts = std::max(2.0, length / (axis == 'x' ? 1.25 : 0.8));
   return fmt::format("set {}tics {:.6g}\n", axis, round_step((extent.high - extent.low) / parts));
@@ -146,17 +146,17 @@ std::string legend_entry(const Curve& curve) {
                      look.dashed ? "(6,4)" : "1", colour, label);
 }
 
-/// The colours of a page's values.
+/// Colour scale of a page's values.
 ColourScale colours_of(const PagePlot& page) {
   const auto& scale = page.page.scale;
   return scale ? ColourScale{scale->min, scale->max, page.two_hues} : ColourScale{};
 }
 
-/// The bar of colours with its numbers, `top` its upper edge.
+/// Colour bar with its numbers; `top` is its upper edge.
 std::string bar_commands(const Scale& scale, const ColourScale& colours, double top, double height) {
   constexpr double left = 0.60;
   constexpr double width = 0.35;
-  constexpr int parts = 96;  // each reaches into the next: no seams
+  constexpr int parts = 96;  // each overlaps the next, to avoid seams
   const auto up = [&](double centimetres) { return (top - centimetres) / height; };
   std::string text;
   for (int i = 0; i < parts; ++i) {
@@ -166,7 +166,7 @@ std::string bar_commands(const Scale& scale, const ColourScale& colours, double 
         left + width * i / parts, up(0.35), std::min(left + width * (i + 2) / parts, left + width), up(0.1),
         colours.colour(scale.min + (i + 0.5) / parts * (scale.max - scale.min)));
   }
-  // Numbers of six digits are as wide as two of three.
+  // A number of six digits is as wide as two numbers of three.
   const double parts_of_bar = std::max(std::abs(scale.min), std::abs(scale.max)) >= 1e5 ? 2.0 : 4.0;
   const double step = round_step((scale.max - scale.min) / parts_of_bar);
   const long last = std::lround(std::floor(scale.max / step + 1e-9));
@@ -181,10 +181,10 @@ std::string bar_commands(const Scale& scale, const ColourScale& colours, double 
                             left + 0.5 * width, up(1.05));
 }
 
-/// Entries of the key that stand one below the other beside the bar, so that its columns do not reach into it.
+/// Number of key rows beside the colour bar, chosen so that the key's columns do not overlap it.
 std::size_t rows_beside_bar(std::size_t entries) { return entries == 3 ? 3 : 2; }
 
-/// Bar of the scale and key of the shapes, below all panels.
+/// Colour bar and key of the shapes, below all panels.
 std::string legend_commands(const PagePlot& page, const std::vector<const Curve*>& entries, const Layout& layout) {
   if (entries.empty() && !page.page.scale) return {};
   const double h = layout.height;
@@ -199,7 +199,7 @@ std::string legend_commands(const PagePlot& page, const std::vector<const Curve*
               : fmt::format("set key at screen {:.6f}, screen {:.6f} {} top maxrows {} samplen 2.2 reverse Left\n",
                             bar ? 0.06 : 0.5, (layout.legend - 0.1) / h, bar ? "left" : "center",
                             bar ? rows_beside_bar(entries.size()) : 1);
-  // A point outside the axes: gnuplot draws a key only beside something that it plots.
+  // A point outside the axes, because gnuplot draws a key only together with a plot.
   text += "plot '+' using (2):(2) with points notitle";
   for (const Curve* curve : entries)
     text += ", " + legend_entry(*curve);
@@ -276,7 +276,7 @@ std::string film_script(const std::vector<PagePlot>& pages, double delay, const 
     bodies += body + "\n";
     tallest = std::max(tallest, height);
   }
-  // A GIF counts in hundredths of a second; most viewers slow down what is quicker than two of them.
+  // A GIF counts in hundredths of a second; most viewers slow down delays shorter than two of them.
   const auto hundredths = std::max(2L, std::lround(100.0 * delay));
   return fmt::format(
              "set terminal gif animate delay {} loop 0 enhanced font 'DejaVu Sans,11' size {:.0f},{:.0f}\n"

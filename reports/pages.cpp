@@ -19,7 +19,7 @@ namespace talus::reports {
 namespace {
 
 namespace mustache = kainjow::mustache;
-/// When and from what, in a line; the appendix has all of it.
+/// Date, tier and revision of the run in one line; the appendix has all details.
 std::string run_in_words(const Results& results) {
   const Provenance& p = results.provenance;
   return fmt::format("Run of {}, tier {}, revision {}{}.", p.date, name_of(results.tier), p.revision.substr(0, 10),

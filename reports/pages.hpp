@@ -19,32 +19,32 @@ inline constexpr double text_wide = 17.4;
 /// Width of each of the four figures of the first page [cm].
 inline constexpr double front_figure_wide = 8.4;
 
-/// Width of the figure on a case's page [cm]. Its caption stands beside it.
+/// Width of the figure on a case's page [cm]. The caption is beside it.
 inline constexpr double page_figure_wide = 10.4;
 
-/// What is known of the pictures when the text is written.
+/// State of the pictures when the text is written.
 struct Drawn {
-  std::string no_pictures;                     ///< why there are none at all; empty if there are
-  std::map<std::string, std::string> undrawn;  ///< "case/figure" -> why there is no picture of it
-  std::map<std::string, std::size_t> hidden;   ///< "case/figure" -> points that a log axis cannot show
+  std::string no_pictures;                     ///< reason why there are no pictures; empty if there are
+  std::map<std::string, std::string> undrawn;  ///< "case/figure" -> reason why it is not drawn
+  std::map<std::string, std::size_t> hidden;   ///< "case/figure" -> number of points that a log axis cannot show
 };
 
-/// The file stem of a figure's picture in the report's folder figures/.
+/// File stem of a figure's picture in the report's folder figures/.
 [[nodiscard]] std::string picture_stem(const Record& record, const Figure& figure);
 
-/// The page of one case, the chapter of that number (figures and tables are numbered within it): its text, its main
-/// checks (of a case that marks none the failed ones and the first few) and its first figure.
+/// The page of one case, as chapter number `chapter` (figures and tables are numbered within it): its text, its main
+/// checks (for a case that marks none, the failed ones and the first few) and its first figure.
 [[nodiscard]] std::string case_page(const Record& record, std::size_t chapter, const Drawn& drawn,
                                     const std::filesystem::path& templates);
 
-/// The rest of the case, for the appendix: all checks, controls, tables, further figures, notes.
+/// Details of the case for the appendix: all checks, controls, tables, further figures, notes.
 [[nodiscard]] std::string case_details(const Record& record, std::size_t chapter, const Drawn& drawn,
                                        const std::filesystem::path& templates);
 
-/// What is measured of the cases apart from the run that the report is about; absent if it was not.
+/// Further results on the cases, obtained outside the reported run; absent if not measured.
 struct Trials {
-  std::optional<records::Mutants> mutants{};  ///< the cases with mutants
-  RoundedResults rounded{};                   ///< the cases under other roundings
+  std::optional<records::Mutants> mutants{};  ///< results of the cases on mutants
+  RoundedResults rounded{};                   ///< results of the cases under other rounding modes
 };
 
 /// A page of the report: of a case, or of a chapter. On paper its two texts are in two volumes, in the site they follow

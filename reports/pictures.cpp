@@ -14,7 +14,7 @@ void demand_file_name(const std::string& kind, const std::string& name) {
   throw RecordError(fmt::format("name of a {}: found '{}'; it must be a plain file name", kind, name));
 }
 
-/// What throws RecordError about a part of a picture.
+/// Returns a function that throws RecordError about a part of a picture.
 records::Complain complaint_about(const std::string& picture) {
   return [picture](const std::string& part, const std::string& fault) {
     throw RecordError(fmt::format("{}{}{}: {}", picture, part.empty() ? "" : ": ", part, fault));

@@ -1,4 +1,4 @@
-/// What is drawn of a run, as values: figures that hold their points, pages and films of them, and players.
+/// The pictures of a run, as values: figures with their points, pages and animations, and players.
 #pragma once
 
 #include <optional>
@@ -9,30 +9,30 @@
 
 namespace talus::reports {
 
-/// Figures side by side, row by row, under one title. Shapes with a label are explained once, below all panels.
+/// Figures in rows and columns under one title. Shapes with a label are explained once, below all panels.
 struct Page {
   std::string name;  ///< File stem.
   std::string title;
   int columns = 1;
   std::vector<Figure> panels;
-  std::optional<Scale> scale{};  ///< Of the values of shapes and circles.
+  std::optional<Scale> scale{};  ///< Scale of the values of shapes and circles.
 };
 
-/// Pages one after the other as one picture that moves.
+/// Pages shown one after the other as an animation.
 struct Film {
   std::string name;    ///< File stem.
-  double delay = 0.0;  ///< From page to page [s] > 0.
+  double delay = 0.0;  ///< Time per page [s] > 0.
   std::vector<Page> pages;
 };
 
-/// A page for a browser that plays a run.
+/// An HTML page that plays a run.
 struct Player {
   std::string name;  ///< File stem.
   std::string title;
-  std::string data;  ///< What it plays, as JSON.
+  std::string data;  ///< Data to play, as JSON.
 };
 
-/// All that is drawn at a time. A figure outside of pages is one picture, with the name of the figure.
+/// All pictures drawn together. A figure outside of pages becomes one picture, with the name of the figure.
 struct Pictures {
   std::vector<Figure> figures{};
   std::vector<Page> pages{};
@@ -40,8 +40,9 @@ struct Pictures {
   std::vector<Player> players{};
 };
 
-/// Demands names that cannot lead out of a folder, at least one panel on a page and one page in a film, 1 to 12 columns,
-/// a delay > 0, and what records::demand_sound() demands of figures and scales. Throws RecordError naming the picture.
+/// Checks that names cannot lead out of a folder, that a page has at least one panel and 1 to 12 columns, a film at
+/// least one page and a delay > 0, and the demands of records::demand_sound() on figures and scales. Throws RecordError
+/// with the name of the picture.
 void demand_sound(const Pictures& pictures);
 
 }  // namespace talus::reports

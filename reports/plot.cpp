@@ -11,14 +11,14 @@
 namespace talus::reports {
 namespace {
 
-/// A curve beyond this many points is finer than a page can show.
+/// A curve with more points is finer than a page can resolve.
 constexpr std::size_t most_points = 3000;
 
 bool drawable(const Point& point, const Figure& figure) {
   return !(figure.x.log && point.x <= 0.0) && !(figure.y.log && point.y <= 0.0);
 }
 
-/// The number of a point, or a substitute where the series has no such numbers.
+/// The number of a point, or `substitute` if the series has no such numbers.
 double number(const std::vector<double>& numbers, std::size_t i, double substitute) {
   return numbers.empty() ? substitute : numbers[i];
 }
@@ -33,7 +33,7 @@ void demand_finite(const Series& series, const std::string& figure) {
   }
 }
 
-/// The curve of a series, whose points it takes.
+/// Curve of a series; moves the points out of the series.
 Curve curve_of(Series& series, const Figure& figure, std::size_t& undrawn) {
   demand_finite(series, figure.name);
   Curve curve{series.label, series.style, {}, series.look, coloured_by_value(series)};
@@ -50,7 +50,7 @@ Curve curve_of(Series& series, const Figure& figure, std::size_t& undrawn) {
       ++undrawn;
       continue;
     }
-    // A bar that reaches to zero or below ends at the lower edge of a log axis: shown down to a tenth of its value.
+    // An error bar that reaches to zero or below cannot end on a log axis: it is drawn down to a tenth of the value.
     if (figure.y.log && point.low <= 0.0) point.low = 0.1 * point.y;
     curve.points.push_back(point);
   }

@@ -20,8 +20,8 @@ extern "C" char** environ;
 namespace talus::reports {
 namespace {
 
-/// A pipe whose ends close by themselves. They are closed on exec from the start: a child that another thread starts
-/// meanwhile must not hold them, or reading would wait for its end.
+/// A pipe that closes both ends in its destructor. They are close-on-exec from the start: a child started meanwhile by
+/// another thread must not inherit them, or reading would wait for its end.
 struct Pipe {
   std::array<int, 2> ends{-1, -1};
   Pipe() {
@@ -82,7 +82,7 @@ void drain(Pipe& out, Pipe& err, Finished& finished) {
   }
 }
 
-/// Debian's packages of the programs that reports and pictures need.
+/// Debian packages of the programs needed for reports and pictures.
 const std::map<std::string, std::string> packages{
     {"gnuplot", "gnuplot-nox"}, {"pandoc", "pandoc"}, {"pdflatex", "texlive-latex-recommended and lmodern"}};
 

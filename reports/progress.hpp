@@ -1,4 +1,4 @@
-/// How far something long has come, for people at a terminal.
+/// Progress of a long task, shown on a terminal.
 #pragma once
 
 #include <atomic>
@@ -10,17 +10,17 @@
 
 namespace talus::reports {
 
-/// A line on a terminal's stderr, from the second second on and wiped at the end: what is done, how much of it, and the
-/// time that it has taken. Where stderr is no terminal it shows nothing. Nothing may be printed while it lives.
+/// A line on stderr, shown from the second second on and erased at the end: the task, the completed fraction, and the
+/// elapsed time. Shows nothing if stderr is not a terminal. Nothing may be printed during its lifetime.
 class Progress {
  public:
-  /// `what`: "drawing"; `all`: parts that it has, 0 if there is nothing to count.
+  /// `what`: name of the task, such as "drawing"; `all`: number of its parts, 0 if they are not counted.
   Progress(std::string what, std::size_t all);
   Progress(const Progress&) = delete;
   Progress& operator=(const Progress&) = delete;
   ~Progress();
 
-  /// One more part is done; by any thread.
+  /// Counts one more completed part; callable from any thread.
   void add() { ++done_; }
 
  private:

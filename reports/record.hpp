@@ -1,6 +1,5 @@
-/// The records that a verification run leaves, as values. Texts in them are of two sorts: *Markdown* (`page`, `notes`),
-/// taken as it is, and *words* (everything else), plain text in which only `$maths$` and `` `code` `` spans mean
-/// anything.
+/// The records of a verification run, as values. Their texts are of two kinds: *Markdown* (`page`, `notes`), inserted
+/// literally, and *words* (all others), plain text in which only `$maths$` and `` `code` `` spans have a meaning.
 #pragma once
 
 #include "verification/record/plots.hpp"

@@ -25,7 +25,7 @@ namespace talus::reports {
 namespace fs = std::filesystem;
 namespace {
 
-/// Calls the tasks side by side, on up to `jobs` threads. Errors: what the first in the list that threw has thrown.
+/// Runs the tasks in parallel on up to `jobs` threads. Rethrows the exception of the first task in the list that threw.
 void in_parallel(const std::vector<std::function<void()>>& tasks, unsigned jobs) {
   parallel_for(tasks.size(), jobs, [&](std::size_t i) { tasks[i](); });
 }
@@ -85,7 +85,7 @@ std::vector<Drawing> drawings_of(const Results& results, const Trials& trials, c
   return drawings;
 }
 
-/// Reads verify/mutants.json and verify/rounding/MODE/results.json, those that are there.
+/// Reads verify/mutants.json and verify/rounding/MODE/results.json, if they exist.
 Trials read_trials(const fs::path& verify) {
   Trials trials;
   if (fs::exists(verify / "mutants.json")) trials.mutants = records::read_mutants(verify / "mutants.json");
@@ -142,7 +142,7 @@ std::string tool_versions() {
   return fmt::format("Tools: {}; {}; {}.", gnuplot, pandoc, version("pdflatex"));
 }
 
-/// Why a part of the report could not be made, a line; empty if it was. Errors other than those of tools are thrown.
+/// Reason why a part of the report could not be made, one line; empty if it was made. Only OutputError is caught.
 std::string failure_of(const std::function<void()>& make) {
   try {
     make();
@@ -152,7 +152,7 @@ std::string failure_of(const std::function<void()>& make) {
   return {};
 }
 
-/// Without gnuplot: every figure is named with the reason in its place.
+/// Without gnuplot: marks every figure as not drawn, with the reason.
 void undraw_all(const Results& results, const std::string& why, Drawn& drawn) {
   drawn.no_pictures = why;
   for (const Record& record : results.records)
@@ -252,7 +252,7 @@ Made make_report(const fs::path& verify, const fs::path& report, const ToolPaths
       staging.publish(name);
       if (name != "figures" && name != "data") made.files.push_back(report / (named.empty() ? name : named));
     } else {
-      fs::remove_all(report / name);  // of an earlier report
+      fs::remove_all(report / name);  // left by an earlier report
     }
   };
   publish("figures", undrawn.empty());

@@ -1,4 +1,4 @@
-/// What this floor makes: the verification report, and pictures and sheet of a run.
+/// Entry points of this library: the verification report, and pictures and sheet of a run.
 #pragma once
 
 #include <filesystem>
@@ -10,18 +10,18 @@
 
 namespace talus::reports {
 
-/// How reports are made, apart from what is in them.
+/// Resources and settings for making reports.
 struct ToolPaths {
-  std::filesystem::path resources;  ///< holds templates/, gnuplot/ and pandoc/
-  unsigned jobs{1};                 ///< processes at a time
+  std::filesystem::path resources;  ///< contains templates/, gnuplot/ and pandoc/
+  unsigned jobs{1};                 ///< maximum number of processes at a time
 };
 
-/// Where templates/, gnuplot/ and pandoc/ are: share/talus beside the folder of the executable when installed, else
-/// the source tree it was built from. Throws OutputError when neither holds them.
+/// Folder that contains templates/, gnuplot/ and pandoc/: share/talus beside the executable's folder when installed,
+/// else the source tree of the build. Throws OutputError when neither contains them.
 [[nodiscard]] std::filesystem::path find_resources();
 
-/// Files that were made, the warnings of the tools that made them, and a line for each tool that is missing or failed,
-/// without which the other files were not made.
+/// Files that were made, the warnings of the tools, and a line for each tool that is missing or failed and for which
+/// files could not be made.
 struct Made {
   std::vector<std::filesystem::path> files;
   std::string warnings;
@@ -34,22 +34,23 @@ struct Made {
 /// earlier one removed: pictures without gnuplot (text and tables then say so), HTML and PDF without pandoc, PDF
 /// without pdflatex. Throws RecordError when a record is wrong, OutputError when a folder is, FileError.
 ///
-/// A figure that cannot be drawn is an error, except in a case that broke off (error, timeout, missing): there the
-/// page says why.
+/// A figure that cannot be drawn is an error, except in an interrupted case (error, timeout, missing): then the page
+/// gives the reason.
 Made make_report(const std::filesystem::path& verify, const std::filesystem::path& report, const ToolPaths& tools);
 
-/// Draws into `target`: figures and pages in each of the formats (ps, pdf, svg, png), films as GIF, players as HTML.
-/// Players need no tool: without gnuplot they are made alone. Throws RecordError as demand_sound() and plot_of() do,
-/// OutputError when a tool fails and nothing is made, FileError when a file cannot be written.
+/// Draws into `target`: figures and pages in each of the formats (ps, pdf, svg, png), animations as GIF, players as
+/// HTML. Players need no tool: without gnuplot only they are made. Throws RecordError as demand_sound() and plot_of()
+/// do, OutputError if a tool fails and nothing is made, FileError if a file cannot be written.
 Made make_pictures(Pictures pictures, const std::filesystem::path& target, const std::set<std::string>& formats,
                    const ToolPaths& tools);
 
-/// Draws the figures that run/plot.json describes, with the points of the CSV files beside it; else as make_pictures().
+/// Draws the figures described by run/plot.json, with the points of the CSV files beside it; otherwise as
+/// make_pictures().
 Made make_plots(const std::filesystem::path& run, const std::filesystem::path& target,
                 const std::set<std::string>& formats, const ToolPaths& tools);
 
-/// Makes run/sheet.pdf and run/sheet.html, one page each, from run/sheet.json; without gnuplot both without pictures,
-/// without pdflatex the HTML alone. Throws as make_report() does.
+/// Makes run/sheet.pdf and run/sheet.html, one page each, from run/sheet.json; without gnuplot both have no pictures,
+/// without pdflatex only the HTML is made. Throws as make_report() does.
 Made make_sheet(const std::filesystem::path& run, const ToolPaths& tools);
 
 /// Makes target/NAME.html from each NAME.md, the first as index.html, with contents and search on every page; `title`,

@@ -35,7 +35,7 @@ bool holds(const Check* check) { return check != nullptr && check->pass; }
 }  // namespace
 
 std::string rounding_text(const Results& nearest, const RoundedResults& rounded) {
-  std::map<std::string, std::map<std::string, std::size_t>> failed;  // by kind and rounding
+  std::map<std::string, std::map<std::string, std::size_t>> failed;  // by kind and rounding mode
   std::map<std::string, std::size_t> all;
   std::vector<markdown::Column> columns{{"case"}, {"check"}, {"kind"}, {"nearest", true}};
   for (const auto& [rounding, results] : rounded)

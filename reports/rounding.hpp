@@ -1,4 +1,4 @@
-/// The report's table of checks under other roundings.
+/// The report's table of checks under other rounding modes.
 #pragma once
 
 #include <map>
@@ -8,11 +8,11 @@
 
 namespace talus::reports {
 
-/// Results of the same cases by the rounding that they were run with: "upward", "downward", "toward_zero".
+/// Results of the same cases by rounding mode of the run: "upward", "downward", "toward_zero".
 using RoundedResults = std::map<std::string, Results>;
 
-/// For each kind of bound how many checks fail under each rounding, and those checks with their error/bound.
-/// `nearest`: the run that the report is about.
+/// For each kind of bound the number of checks that fail under each rounding mode, and these checks with their
+/// error/bound. `nearest`: results of the reported run.
 [[nodiscard]] std::string rounding_text(const Results& nearest, const RoundedResults& rounded);
 
 }  // namespace talus::reports

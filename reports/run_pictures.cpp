@@ -18,7 +18,7 @@ namespace {
 
 namespace mustache = kainjow::mustache;
 
-/// JSON as it may stand in a script of a page: no text in it can end the script.
+/// JSON for embedding in a script of a page: no text in it can end the script.
 std::string within_script(const std::string& json) {
   std::string text;
   text.reserve(json.size());
@@ -43,7 +43,7 @@ std::string player_page(const Player& player, const fs::path& resources) {
   return text;
 }
 
-/// Scripts of all that gnuplot draws, and the names of the files to come. Takes the points.
+/// Scripts for all gnuplot pictures, and the names of the resulting files. Moves the points out of `pictures`.
 std::vector<Drawing> drawings_of(Pictures& pictures, const Canvas& canvas, std::vector<std::string>& files) {
   std::vector<Drawing> drawings;
   const auto add = [&](const std::string& kind, const std::string& name, std::string script) {
@@ -91,7 +91,7 @@ Made make_pictures(Pictures pictures, const fs::path& target, const std::set<std
     records::write_whole(staging.folder() / names.back(), player_page(player, tools.resources));
   }
   for (const std::string& name : names) {
-    // A run has no date of its own; the same numbers still give the same bytes.
+    // A run has no date; the same numbers must give the same bytes.
     date_picture(staging.folder() / name, 0);
     staging.publish(name);
     made.files.push_back(target / name);

@@ -21,7 +21,7 @@ namespace {
 
 namespace mustache = kainjow::mustache;
 
-/// Text with each letter that means something to the format written so that it shows.
+/// Escapes the characters that have a meaning in the output format.
 using Escape = std::function<std::string(const std::string&)>;
 
 std::string replaced_letters(const std::string& text, const std::map<char, std::string>& marks) {
@@ -57,7 +57,7 @@ std::string latex_text(const std::string& text) {
                                  {'>', "\\textgreater{}"}});
 }
 
-/// Groups of neighbouring heads: name and number of columns.
+/// Groups of adjacent heads: name and number of columns.
 std::vector<std::pair<std::string, int>> groups(const SheetTable& table) {
   std::vector<std::pair<std::string, int>> found;
   for (const SheetHead& head : table.heads) {
@@ -120,7 +120,7 @@ std::string latex_table(const SheetTable& table) {
 }
 
 std::string html_table(const SheetTable& table) {
-  // Names and other text to the left, numbers to the right, each head as its column.
+  // Names and other text left-aligned, numbers right-aligned, each head as its column.
   const auto side = [&](std::size_t column) {
     return column == 0 || table.heads.at(column).text ? " class=\"text\"" : "";
   };
@@ -150,7 +150,7 @@ std::string html_table(const SheetTable& table) {
   return text;
 }
 
-/// The tables of one place, each written by `write`.
+/// The tables at one position, each written by `write`.
 template <class Write>
 std::string tables_at(SheetTable::Place place, const std::vector<SheetTable>& tables, Write&& write) {
   std::string text;
@@ -160,7 +160,7 @@ std::string tables_at(SheetTable::Place place, const std::vector<SheetTable>& ta
   return text;
 }
 
-/// The page of a template; `write` makes a table of its format. `phone_picture` is for narrow screens.
+/// A page from a template; `write` formats a table. `phone_picture` is for narrow screens.
 template <class Write>
 std::string rendered(const fs::path& page, const SheetRecord& record, const Escape& escape, Write&& write,
                      const std::string& picture, const std::string& phone_picture = "") {
@@ -252,7 +252,7 @@ Made make_sheet(const fs::path& run, const ToolPaths& tools) {
               .epoch = 0,
               .has_contents = false});
   });
-  fs::remove(run / "sheet.pdf");  // an earlier one, if this one could not be made
+  fs::remove(run / "sheet.pdf");  // an earlier one, in case this one could not be made
   for (const char* name : {"sheet.html", "sheet.pdf"}) {
     if (!set && std::string{name} == "sheet.pdf") continue;
     staging.publish(name);

@@ -14,7 +14,7 @@ namespace {
 /// Grey, blue and vermilion of the preamble: start, largest travel, end.
 constexpr std::array colours{"#999999", "#0072B2", "#D55E00"};
 
-/// Poly lines as one gnuplot data block; an empty line ends a poly line.
+/// Polylines as one gnuplot data block; an empty line ends a polyline.
 class Block {
  public:
   explicit Block(std::string name) : name_{std::move(name)} {}
@@ -57,12 +57,12 @@ std::string style(std::size_t state, double width) { return fmt::format("lc rgb 
 
 std::string state_title(const SheetState& state) { return fmt::format("{}, {:.4g} s", state.name, state.time); }
 
-/// Whether a state stands where a later one does, and would only be drawn over.
+/// True if a later state has the same time and would be drawn over this one.
 bool hidden(const SheetRecord& record, std::size_t state) {
   return state + 1 < record.states.size() && record.states[state].time == record.states[state + 1].time;
 }
 
-/// Whether a column stands at the middle of the fence: in front of it the side view shows what is hit.
+/// True for a column in the middle of the fence: in front of it the side view shows the impact.
 bool central(const SheetRecord& record, const std::string& name) {
   double least = record.span;
   for (const SheetColumn& column : record.columns)
@@ -100,7 +100,7 @@ View side_view(const SheetRecord& record) {
   return panel;
 }
 
-/// Seen across the fence; a half model is shown with its mirror image.
+/// View across the fence; a half model is shown with its mirror image.
 View front_view(const SheetRecord& record) {
   View panel;
   const std::vector<double> sides = record.half_model ? std::vector{1.0, -1.0} : std::vector{1.0};
@@ -151,7 +151,7 @@ View force_chart(const SheetRecord& record) {
   return panel;
 }
 
-/// Height of the ground's line at x.
+/// Height of the ground line at x.
 double ground_below(const SheetRecord& record, double x) {
   const auto next = std::find_if(record.ground.begin(), record.ground.end(), [x](Pair p) { return p[0] > x; });
   if (record.ground.empty()) return 0.0;
@@ -160,35 +160,35 @@ double ground_below(const SheetRecord& record, double x) {
   return a[1] + (x - a[0]) / (b[0] - a[0]) * (b[1] - a[1]);
 }
 
-/// Limits of an axis with a little room.
+/// Limits of an axis with a small margin.
 std::string range(char axis, const std::vector<double>& values) {
   const auto [low, high] = std::minmax_element(values.begin(), values.end());
   const double room = 0.04 * std::max(*high - *low, 0.1);
   return fmt::format("set {}range [{:.6g}:{:.6g}]\n", axis, *low - room, *high + room);
 }
 
-/// Where the parts of the drawing stand, and how large their letters are.
+/// Positions of the parts of the drawing, and font sizes.
 struct SheetLayout {
   struct Frame {
-    double left, right, bottom, top;  ///< shares of the drawing
+    double left, right, bottom, top;  ///< fractions of the drawing
     std::string margins() const {
       return fmt::format(
           "set lmargin at screen {}\nset rmargin at screen {}\nset bmargin at screen {}\nset tmargin at screen {}\n",
           left, right, bottom, top);
     }
   };
-  double tics, titles;  ///< sizes of letters
+  double tics, titles;  ///< font sizes
   Frame side, front, forces;
   std::string states_key;  ///< options of gnuplot's key
   std::string forces_key;
-  double forces_title;   ///< its height, a share of the drawing
+  double forces_title;   ///< its height, as a fraction of the drawing
   const char* mirrored;  ///< title of the view along the fence of a half model
   double width, height;  ///< [cm]
 };
 
 SheetLayout sheet_layout(const SheetRecord& record, SheetMedium medium) {
   if (medium == SheetMedium::phone) {
-    // 364 pixels: a phone's 390 less the page's margins.
+    // 364 pixels: the phone's 390 minus the margins of the page.
     return {.tics = 11.5,
             .titles = 12.0,
             .side = {0.13, 0.53, 0.68, 0.955},
@@ -202,7 +202,7 @@ SheetLayout sheet_layout(const SheetRecord& record, SheetMedium medium) {
             .height = 14.6};
   }
   const bool paper = medium == SheetMedium::paper;
-  // Long tables leave it less of the page.
+  // Long tables reduce the space for the drawing.
   const bool long_tables = record.rocks.size() + record.columns.size() > 9;
   return {.tics = paper ? 10.0 : 11.5,
           .titles = paper ? 11.0 : 12.0,
@@ -226,7 +226,7 @@ std::string sheet_script(const SheetRecord& record, const Canvas& canvas, const 
   Block ground{"ground"};
   for (const Pair p : record.ground)
     ground.add(p[0], p[1]);
-  // Along the fence it is level: as high as below the place where the columns hang.
+  // Along the fence the ground is drawn level, at its height below the columns.
   const double level = ground_below(record, 0.0);
   side.y.push_back(level), front.y.push_back(level);
   std::string body = fmt::format(

@@ -92,7 +92,7 @@ SheetHeight height(const Node& node) {
           node.at("end").finite()};
 }
 
-/// Energies that are there: their change; losses that are not zero; the closure.
+/// Changes of the energies that are present, non-zero losses, and the energy balance error.
 std::vector<SheetEnergy> energies(const Node& sheet) {
   if (sheet.at("energy").json().is_string()) return {};
   const Node node = sheet.at("energy");
@@ -105,7 +105,7 @@ std::vector<SheetEnergy> energies(const Node& sheet) {
     const double change = node.at("end").at(key).finite() - node.at("start").at(key).finite();
     if (std::abs(change) > 1e-9 * node.at("scale").finite()) lines.push_back({words, change});
   }
-  std::map<std::string, double> losses;  // in the order of their names
+  std::map<std::string, double> losses;  // sorted by name
   for (const auto& [mechanism, lost] : node.at("lost").members())
     losses[mechanism] = lost.finite();
   for (const auto& [mechanism, lost] : losses) {

@@ -1,5 +1,5 @@
-/// The engineer's sheet of a fence as `talus run --sheet` writes it. All in SI; a direction or place is x across the
-/// fence, y up, z along it.
+/// The engineer's sheet of a fence as written by `talus run --sheet`. All in SI; directions and positions are x across
+/// the fence, y up, z along it.
 #pragma once
 
 #include <array>
@@ -65,13 +65,13 @@ struct SheetEvent {
   std::string part, what;
 };
 
-/// One line of the ledger; the change from start to end, or what was lost.
+/// One line of the energy ledger: the change from start to end, or a loss.
 struct SheetEnergy {
   std::string name;
   double value{};
 };
 
-/// What stood where at one time.
+/// Positions of all bodies and cables at one time.
 struct SheetState {
   struct Body {
     std::string name;
@@ -89,18 +89,18 @@ struct SheetState {
   std::vector<Segment> cables;
 };
 
-/// How far the run can be trusted.
+/// Quality of the run.
 struct SheetQuality {
   bool usable{};
-  std::string flaw;  ///< why it is not usable
+  std::string flaw;  ///< reason why it is not usable
   std::string step;
-  std::optional<double> balance;        ///< error of the energy balance over the largest energy
-  std::optional<double> contact_steps;  ///< steps in the shortest contact
+  std::optional<double> balance;        ///< energy balance error over the largest energy
+  std::optional<double> contact_steps;  ///< number of steps in the shortest contact
   std::optional<std::string> touching;  ///< contact that still acts at the end
   struct Repeat {
-    double change{};  ///< relative, of the rocks' speed
+    double change{};  ///< relative change of the rocks' speed
     std::string failure, verdict;
-    double cable_change{};  ///< relative, of the largest tension
+    double cable_change{};  ///< relative change of the largest tension
   };
   std::optional<Repeat> repeat;
   struct Repair {
@@ -113,7 +113,7 @@ struct SheetQuality {
 struct SheetRecord {
   std::string title, outcome, integrator;
   std::string verdict;
-  bool us_units{};  ///< of the scene
+  bool us_units{};  ///< units of the scene
   SheetQuality quality;
   double end{}, step{};
   int steps{};
@@ -126,15 +126,15 @@ struct SheetRecord {
   std::vector<SheetSegment> segments;
   std::vector<SheetAnchor> anchors;
   std::vector<SheetEvent> events;
-  std::vector<SheetEnergy> energies;  ///< empty when the run kept no ledger
-  std::vector<Pair> ground;           ///< its line, from left to right
+  std::vector<SheetEnergy> energies;  ///< empty if the run had no energy ledger
+  std::vector<Pair> ground;           ///< ground line, from left to right
   double column_half_width{};
   std::vector<SheetState> states;
   std::vector<std::string> history_columns;
   std::vector<std::vector<double>> history;
 };
 
-/// Reads sheet.json. Throws RecordError naming file and field.
+/// Reads sheet.json. Throws RecordError with file and field.
 [[nodiscard]] SheetRecord read_sheet(const std::filesystem::path& file);
 
 }  // namespace talus::reports

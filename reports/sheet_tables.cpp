@@ -11,7 +11,8 @@
 namespace talus::reports {
 namespace {
 
-/// Rows of the tables, so that the sheet stays one page: of rocks and anchors, and of rocks and hangers together.
+/// Maximum rows of the tables, so that the sheet fits one page: of rocks and anchors, and of rocks and hangers
+/// together.
 constexpr std::size_t longest = 5, longest_together = 12;
 
 using Row = std::vector<std::string>;
@@ -19,12 +20,12 @@ using Row = std::vector<std::string>;
 std::string seconds(double value) { return fmt::format("{:.4f}", value); }
 std::string per_cent(double share) { return fmt::format("{:.1f}", 100.0 * share); }
 
-/// A quantity in both systems, the scene's first: "213 (47.9)".
+/// A quantity in both unit systems, the scene's first: "213 (47.9)".
 std::string both(const SheetRecord& record, double value, const SheetUnits& units) {
   const std::string si = digits(value / units.si), us = digits(value / units.us);
   return record.us_units ? fmt::format("{} ({})", us, si) : fmt::format("{} ({})", si, us);
 }
-/// Head of a column of such.
+/// Head of a column of such quantities.
 SheetHead head(const SheetRecord& record, std::string group, const SheetUnits& units) {
   return {std::move(group), record.us_units ? fmt::format("{} ({})", units.us_name, units.si_name)
                                             : fmt::format("{} ({})", units.si_name, units.us_name)};
@@ -130,7 +131,7 @@ SheetTable height_table(const SheetRecord& record) {
   return table;
 }
 
-/// The part that comes nearest to its limit, in words; empty when nothing has one.
+/// The part that is closest to its limit, as text; empty if no part has a limit.
 std::string nearest_to_limit(const SheetRecord& record) {
   double margin = 0.0;
   std::string name;

@@ -1,4 +1,4 @@
-/// The tables on a fence's sheet, in the scene's units with the others in brackets.
+/// The tables on a fence's sheet, in the scene's units with the other system in brackets.
 #pragma once
 
 #include <string>
@@ -8,25 +8,25 @@
 
 namespace talus::reports {
 
-/// Head of a column: its unit or name below its group; neighbours of the same group share one head.
+/// Head of a column: its unit or name below its group; adjacent columns of the same group share one head.
 struct SheetHead {
   std::string group;
   std::string unit{};
-  bool text{};  ///< set to the left, as the first column is; numbers are set to the right
+  bool text{};  ///< left-aligned, as the first column is; numbers are right-aligned
 };
 
 struct SheetTable {
-  enum class Place { page, left, right };  ///< over the whole page, or in one of two columns below
+  enum class Place { page, left, right };  ///< over the full page width, or in one of two columns below
 
   std::string title;
   Place place{Place::page};
   std::vector<SheetHead> heads;
   std::vector<std::vector<std::string>> rows;
-  std::string note{};  ///< below it; may be empty
+  std::string note{};  ///< printed below the table; may be empty
 };
 
-/// What the rocks did; and, in their order, hangers and cables, heights, anchors, order of yields and breaks,
-/// energy. A long list is cut, and its note says so.
+/// Table of the rocks; and, in this order, tables of hangers and cables, heights, anchors, sequence of yields and
+/// breaks, energy. A long list is cut, and its note says so.
 [[nodiscard]] SheetTable rock_table(const SheetRecord& record);
 [[nodiscard]] std::vector<SheetTable> fence_tables(const SheetRecord& record);
 

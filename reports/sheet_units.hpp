@@ -6,7 +6,7 @@
 
 namespace talus::reports {
 
-/// SI size of what the US columns count in; exact by definition (1959; CGPM 1901 for g_n).
+/// SI size of the US units; exact by definition (1959; CGPM 1901 for g_n).
 inline constexpr double foot = 0.3048;
 inline constexpr double pound = 0.45359237;
 inline constexpr double pound_force = pound * 9.80665;
@@ -24,7 +24,7 @@ inline constexpr SheetUnits force_units{1e3, kip, "kN", "kip"};
 inline constexpr SheetUnits impulse_units{1e3, kip, "kN s", "kip s"};
 inline constexpr SheetUnits energy_units{1e3, foot* kip, "kJ", "kip ft"};
 
-/// Four digits, without an exponent where that is shorter.
+/// Number with four digits, without an exponent where that is shorter.
 [[nodiscard]] std::string digits(double value);
 
 }  // namespace talus::reports

@@ -24,7 +24,7 @@ std::string colour(const std::string& verdict) {
 std::string as_per_cent(double ratio) { return fmt::format("{:.3g} %", 100.0 * ratio); }
 std::string at(double time) { return fmt::format("at {:.4f} s", time); }
 
-/// A quantity in the scene's units, and in the others in brackets.
+/// A quantity in the scene's units, followed by the other units in brackets.
 std::string with_units(const SheetRecord& record, double value, const SheetUnits& units) {
   const bool us = record.us_units;
   return fmt::format("{} {} ({} {})", digits(value / (us ? units.us : units.si)), us ? units.us_name : units.si_name,
@@ -47,7 +47,7 @@ std::string passage(const SheetRecord& record, const SheetRock& rock) {
   return text;
 }
 
-/// How many rocks came to what.
+/// Number of rocks for each verdict.
 std::string counts(const SheetRecord& record) {
   std::string text;
   for (const char* verdict : {"broke_through", "passed_over", "passed_under", "undecided", "stopped"}) {
@@ -57,7 +57,7 @@ std::string counts(const SheetRecord& record) {
   return text;
 }
 
-/// The part that is closest to its limit, if it is not the one of the largest force.
+/// The part that is closest to its limit, if it is not the one with the largest force.
 template <class Parts>
 std::string closest(const Parts& parts, const typename Parts::value_type& named) {
   const auto found = std::ranges::max_element(parts, {}, [](const auto& part) { return part.margin; });

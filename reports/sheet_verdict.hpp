@@ -1,4 +1,4 @@
-/// The top of a fence's sheet: the verdict with its forces, and how far the run can be trusted.
+/// The top of a fence's sheet: the verdict with its forces, and the quality of the run.
 #pragma once
 
 #include <string>
@@ -8,7 +8,7 @@
 
 namespace talus::reports {
 
-/// A fact with the name that stands before it.
+/// A fact with its label.
 struct SheetFact {
   std::string name, text;
 };

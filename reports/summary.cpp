@@ -18,7 +18,7 @@ using Rows = std::vector<std::vector<std::string>>;
 bool passes(const Check& check) { return check.pass; }
 bool passes(const Control& control) { return control.pass(); }
 
-/// How many of a list pass.
+/// Number of passing items in a list.
 struct Share {
   std::size_t passed{}, all{};
 
@@ -34,7 +34,7 @@ struct Share {
   }
 };
 
-/// The largest error/bound of a case's checks. One that failed counts as larger than all that passed, NaN as infinite.
+/// Largest error/bound of a case's checks. A failed check counts as larger than all that passed, NaN as infinite.
 std::string worst_margin(const Record& record) {
   const auto badness = [](const Check& check) {
     return std::pair{!check.pass, std::isnan(check.margin) ? HUGE_VAL : check.margin};
@@ -57,7 +57,7 @@ std::vector<std::string> row_of(const Record& record) {
           fmt::format("{:.2f}", record.seconds)};
 }
 
-/// The rows of one family, with the family's sums above them; nothing if no case belongs to it.
+/// Rows of one family, with the family's totals above them; nothing if no case belongs to it.
 void append_family(Rows& rows, const std::string& family, const Results& results) {
   const std::size_t head = rows.size();
   Share checks, controls;

@@ -1,4 +1,4 @@
-/// The report's first pages. All results are Markdown.
+/// The first pages of the report. All results are Markdown.
 #pragma once
 
 #include <string>
@@ -7,10 +7,10 @@
 
 namespace talus::reports {
 
-/// Checks that failed, controls that did not turn red, and cases that broke off; empty if there are none.
+/// Checks that failed, controls that did not turn red, and interrupted cases; empty if there are none.
 [[nodiscard]] std::string failures(const Results& results);
 
-/// One row a case, family by family, with the sums of each family above its cases.
+/// One row per case, family by family, with the totals of each family above its cases.
 [[nodiscard]] std::string summary_by_family(const Results& results);
 
 }  // namespace talus::reports

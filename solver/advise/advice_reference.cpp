@@ -9,19 +9,19 @@
 namespace talus {
 namespace {
 
-/// Rungs of the search for the value: two to an octave or decade.
+/// Height of a rung in the search for the value: two rungs per octave or decade.
 constexpr double rung_height = 0.5;
-/// Share of the accuracy within which the last values of one method must lie.
+/// Fraction of the accuracy within which the last values of one method must agree with each other.
 constexpr double own_agreement = 0.1;
-/// Share of it within which the last values of another must lie about those.
+/// Fraction of the accuracy within which the last values of a second method must agree with the value of the first.
 constexpr double other_agreement = 0.25;
-/// How many those are: over an octave or decade.
+/// Number of last values that must agree: they span an octave or decade.
 constexpr std::size_t agreeing = 3;
-/// Tolerance from which on a method tells what small differences grow to, whether or not it has agreed with another.
+/// Tolerance from which on the growth of small differences is measured, even if no two methods agree yet.
 constexpr double fine = 1e-10;
 
-/// Whether two methods have hardly an error in common: their orders differ, and one chooses its own steps. (All
-/// leapfrog methods go through the same places.)
+/// Whether the errors of two methods are independent: their orders differ, and at least one has step control (all
+/// leapfrog methods pass through the same positions).
 bool differ(const RunMethod& a, const RunMethod& b) {
   return integrator_traits(a.integrator).order != integrator_traits(b.integrator).order &&
          (a.tolerance != 0.0 || b.tolerance != 0.0);
@@ -37,20 +37,21 @@ ReferenceSearch::ReferenceSearch(PilotRuns& runs, const AdviceRules& rules, long
   }
 }
 
-/// One rung further up. Outputs draw together with the tolerance: extremes between them must settle too.
+/// Runs the next finer rung. Output intervals shrink with the tolerance: extremes between outputs must converge, too.
 void ReferenceSearch::climb(Climb& climb) {
   const double height = rung_height * climb.rungs++;
   const long outputs = std::lround(static_cast<double>(resolving_) * std::exp2(0.5 * height));
   climb.method = climb.ladder.at(climb.ladder.by_tolerance ? height + 1.0 : height, outputs);
   climb.last = runs_->run(climb.method, std::min(rules_->evaluations - runs_->evaluations(), most_of(climb.next_cost)));
   if (rules_->progress) rules_->progress(runs_->evaluations());
-  // Steps that cost no evaluation, of closed forms, cost their time.
+  // Closed-form steps take no force evaluation, but computing time: each counts as one.
   const long cost = std::max(climb.last.evaluations, climb.ladder.by_tolerance ? 1L : climb.method.steps);
   climb.next_cost =
       static_cast<long>(static_cast<double>(cost) * (climb.ladder.by_tolerance ? 1.2 : std::exp2(rung_height))) + 1;
   if (!climb.last.failure.empty()) {
     climb.values.clear();
-    // What a method refuses it refuses at every rung; a tolerance that cannot be kept will not be when it is finer.
+    // A method that rejects the scene (no evaluations) does so at every rung; a tolerance that failed three times will
+    // not be met when it is finer.
     const bool refused = climb.last.evaluations == 0;
     if (refused || ++climb.failures == 3) climb.failures = refused || climb.ladder.by_tolerance ? 3 : 2;
     return;
@@ -59,7 +60,7 @@ void ReferenceSearch::climb(Climb& climb) {
   if (climb.method.steps >= resolving_) climb.values.push_back(climb.last.between);
 }
 
-/// Largest distance of a climb's last values from a value, as a share of it; none before there are enough.
+/// Largest relative deviation of a climb's last values from a value; nothing while there are too few values.
 std::optional<double> ReferenceSearch::distance(const Climb& climb, double value) const {
   if (climb.values.size() < agreeing) return {};
   double largest = 0.0;
@@ -68,7 +69,7 @@ std::optional<double> ReferenceSearch::distance(const Climb& climb, double value
   return largest == 0.0 ? 0.0 : largest / std::abs(value);
 }
 
-/// Whether a method has come to a value and another of a different order to the same.
+/// Whether two methods of different orders have converged to the same value; stores it as the reference.
 bool ReferenceSearch::agreed() {
   for (const Climb& a : climbs_) {
     if (a.values.empty()) continue;
@@ -96,8 +97,9 @@ ReferenceSearch::Climb* ReferenceSearch::cheapest() {
   return best;
 }
 
-/// What a climb's next rung costs; of fixed steps until it agrees with itself, for their errors may fall no faster than
-/// their cost grows, where those of a tolerance fall by a factor of 3 at 1.2 times the cost.
+/// Estimated cost of a climb's next rung; for fixed steps, the cost until its values agree with each other, because
+/// their errors may fall no faster than their cost grows, whereas errors of methods with tolerance fall by a factor of
+/// 3 at 1.2 times the cost.
 double ReferenceSearch::hoped_cost(const Climb& climb) const {
   const double next = static_cast<double>(climb.next_cost);
   if (climb.ladder.by_tolerance || climb.values.empty()) return next;
@@ -105,7 +107,7 @@ double ReferenceSearch::hoped_cost(const Climb& climb) const {
   return next * std::clamp(own ? *own / (own_agreement * rules_->accuracy) : 1.0, 1.0, 100.0);
 }
 
-/// The climb that got furthest: by its tolerance, or else by its steps.
+/// The climb with values and the most rungs.
 const ReferenceSearch::Climb* ReferenceSearch::finest() const {
   const Climb* best = nullptr;
   for (const Climb& climb : climbs_) {
@@ -139,8 +141,8 @@ std::optional<Refusal> ReferenceSearch::find() {
   return {};
 }
 
-/// Runs the last rung of a climb again from starts that hardly differ. Refuses where the result differs by more than
-/// the accuracy though the starts differ by a millionth, or by a billionth, of it.
+/// Repeats the last rung of a climb from slightly different starts. Returns a refusal if the result differs by more
+/// than the accuracy although the starts differ by only 1e-6 or 1e-9 of the accuracy.
 std::optional<Refusal> ReferenceSearch::follow_differences(const Climb& climb) {
   followed_ = true;
   if (!rules_->follows_differences) return {};
@@ -153,7 +155,7 @@ std::optional<Refusal> ReferenceSearch::follow_differences(const Climb& climb) {
   const Pilot from = run(0.0, 1);
   if (!from.failure.empty()) return {};
   if (auto refusal = vanishing(from.between, from.size)) return refusal;
-  // Less than 1e-13 is what the arithmetic itself leaves after some thousand operations.
+  // Differences below 1e-13 are comparable to round-off after some thousand operations.
   const std::array shares{std::max(1e-13, 1e-9 * rules_->accuracy), std::max(1e-13, 1e-6 * rules_->accuracy)};
   for (const double share : shares) {
     for (const int direction : {1, 2}) {
@@ -170,7 +172,7 @@ std::optional<Refusal> ReferenceSearch::follow_differences(const Climb& climb) {
   return {};
 }
 
-/// Refuses a value that is zero, or as good as zero beside what it is during the run.
+/// Returns a refusal for a value that is zero or negligible compared with the largest magnitude during the run.
 std::optional<Refusal> ReferenceSearch::vanishing(double value, double size) const {
   constexpr double nothing = 1e-9;
   if (std::abs(value) > nothing * size) return {};
@@ -180,7 +182,7 @@ std::optional<Refusal> ReferenceSearch::vanishing(double value, double size) con
                   runs_->quantity().name, value, nothing)};
 }
 
-/// Why not even two methods came to values that can be compared.
+/// Refusal if fewer than two methods gave enough values for a comparison.
 Refusal ReferenceSearch::too_dear() const {
   const bool all_failed = std::ranges::all_of(climbs_, [](const Climb& climb) { return climb.failures != 0; });
   if (all_failed) {
@@ -193,7 +195,7 @@ Refusal ReferenceSearch::too_dear() const {
                       resolving_, agreeing, rules_->evaluations)};
 }
 
-/// What was reached, of methods that did not agree.
+/// Refusal if no two methods agreed; reports the two methods that came closest to convergence.
 Refusal ReferenceSearch::unsettled() const {
   std::vector<const Climb*> climbs;
   for (const Climb& climb : climbs_) {

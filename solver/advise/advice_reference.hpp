@@ -11,60 +11,61 @@
 
 namespace talus {
 
-/// By what rules a method is advised.
+/// Rules for the choice of a method.
 struct AdviceRules {
-  double accuracy{1e-3};             ///< relative error that is asked for, in [1e-10, .5]
-  long evaluations{2'000'000};       ///< force evaluations that the search may take in all
+  double accuracy{1e-3};             ///< required relative error, in [1e-10, 0.5]
+  long evaluations{2'000'000};       ///< maximum number of force evaluations of the whole search
   std::vector<std::string> among{};  ///< integrators to choose from; empty: all
-  double kept{0.5};                  ///< share of the accuracy that the errors of pilots may take
-  int in_a_row{9};                   ///< rungs of a ladder, six to an octave or decade, that must all be as good
-  int beside{8};                     ///< runs beside the coarsest of them that must be as good, too
-  bool follows_differences{true};    ///< whether small differences of the start are followed
-  bool allows_warnings{false};       ///< whether runs that the watch warns of are good enough
-  bool judges_as_printed{true};      ///< whether errors are those of what `talus run` prints
-  std::function<void(long evaluations)> progress{};  ///< told after each pilot what all have taken
+  double kept{0.5};                  ///< errors of pilot runs must be below this fraction of the accuracy
+  int in_a_row{9};                   ///< consecutive rungs (six per octave or decade) that must satisfy this bound
+  int beside{8};                     ///< runs next to the coarsest of these rungs that must satisfy it, too
+  bool follows_differences{true};    ///< whether the growth of small initial differences is measured
+  bool allows_warnings{false};       ///< whether runs with warnings of RunMonitor are accepted
+  bool judges_as_printed{true};      ///< whether errors are those of the value that `talus run` prints
+  std::function<void(long evaluations)> progress{};  ///< called after each pilot run with the evaluations so far
 };
 
-/// Why no method is advised.
+/// Reason why no method is advised.
 struct Refusal {
   enum class Kind {
-    chaotic,    ///< small differences of the start grow to more than the accuracy
-    unsettled,  ///< no two methods come to the same value
-    stiff,      ///< the fastest spring takes more steps than may be spent
-    vanishing,  ///< the quantity is zero: there is no relative accuracy of it
-    unreached,  ///< the value is known, but none of the methods to choose from comes as near
+    chaotic,    ///< small initial differences grow to more than the accuracy
+    unsettled,  ///< no two methods converge to the same value
+    stiff,      ///< resolving the fastest spring takes more steps than allowed
+    vanishing,  ///< the quantity is zero, so a relative accuracy is undefined
+    unreached,  ///< the value is known, but none of the available methods reaches the accuracy
   };
   Kind kind{};
   std::string words;
 };
 
-/// A value that two methods of different orders agree upon.
+/// A value on which two methods of different orders agree.
 struct Reference {
   double value{};
   double size{};               ///< largest magnitude of its column in the run
-  double spread{};             ///< largest difference of the other method's last values, as a share of the value
-  RunMethod method;            ///< that gave it
-  std::string other;           ///< the integrator that agreed
-  std::vector<double> values;  ///< of the column at each step of the method
+  double spread{};             ///< largest deviation of the other method's last values from `value`, relative
+  RunMethod method;            ///< method that gave the value
+  std::string other;           ///< integrator of the method that agreed
+  std::vector<double> values;  ///< of the column at each step of `method`
 };
 
-/// What differences of the start grow to by the end.
+/// Growth of small initial differences until the end of the run.
 struct Growth {
-  double share{};   ///< of the largest speed, that velocities at the start differ by
-  double result{};  ///< share of the quantity that they make in the end
+  double share{};   ///< initial velocity differences, relative to the largest speed
+  double result{};  ///< resulting relative difference of the quantity
 };
 
-/// Looks for the value of a quantity.
+/// Search for the reference value of a quantity.
 class ReferenceSearch {
  public:
-  /// All must outlive it.
+  /// `runs` and `rules` must outlive this object.
   ReferenceSearch(PilotRuns& runs, const AdviceRules& rules, long resolving);
 
-  /// Climbs the ladders, the cheapest next rung first, until of two methods of different orders the last three values
-  /// each, and the last of both, lie within a tenth of the accuracy; and follows small differences of the start.
+  /// Refines the methods, the cheapest next run first, until two methods of different orders agree: the last three
+  /// values of one lie within 0.1 times the accuracy, and those of the other within 0.25 times the accuracy of the same
+  /// value. Also measures the growth of small initial differences.
   [[nodiscard]] std::optional<Refusal> find();
   const Reference& reference() const { return reference_; }
-  /// The largest growth measured; zero where none was followed.
+  /// The largest growth measured; zero if none was measured.
   const Growth& growth() const { return growth_; }
 
  private:
@@ -73,7 +74,7 @@ class ReferenceSearch {
     int rungs{};
     int failures{};
     long next_cost{};
-    std::vector<double> values{};  ///< one for each rung since the last failure that resolves the scene
+    std::vector<double> values{};  ///< of the rungs since the last failure that resolve the scene
     RunMethod method{};            ///< of the last rung
     Pilot last{};
   };

@@ -11,23 +11,24 @@
 namespace talus {
 namespace {
 
-/// Rungs of the search for the cheapest method, to an octave of steps or a decade of tolerance.
+/// Rungs per octave of steps or decade of tolerance in the search for the cheapest method.
 constexpr int rungs_of_unit = 6;
-/// Share of the accuracy that the times between outputs may take of an extreme.
+/// Fraction of the accuracy that the error of an extreme by the output interval may reach.
 constexpr double output_share = 0.25;
-/// By how much outputs are more than needed at most, otherwise from run to run, so that no extreme always falls on one.
+/// Maximum relative excess over the required number of outputs; it varies from run to run, so that an extreme does not
+/// always coincide with an output.
 constexpr double output_spread = 0.5;
-/// Most outputs of a run that are asked for the sake of its extremes.
+/// Maximum number of outputs of a run requested to resolve its extremes.
 constexpr long most_outputs = 2'000'000;
 
-/// Numbers in [0, 1) that lie evenly, in whatever number: multiples of the golden ratio.
+/// i-th number of a sequence in [0, 1) that is evenly distributed at any length: multiples of the golden ratio.
 double golden_share(int i) {
   const double x = 0.6180339887498949 * i;
   return x - std::floor(x);
 }
 
-/// Largest error that seeing every n-th value alone can make of an extreme: its two neighbours are as far off as can
-/// be, and no other extreme helps. The first and the last value are always seen.
+/// Largest error of an extreme that results from sampling only every n-th value, over all positions of the two samples
+/// around it and without help from another extreme. The first and the last value are always sampled.
 double error_of_every(std::size_t n, const Reference& reference, const Quantity& quantity) {
   const std::vector<double>& values = reference.values;
   const auto less = [&](double a, double b) { return quantity.of(a, a, a) < quantity.of(b, b, b); };
@@ -44,7 +45,7 @@ double error_of_every(std::size_t n, const Reference& reference, const Quantity&
   return worst;
 }
 
-/// How often a method that chooses its own steps must be looked at; nothing if that is too often.
+/// Number of outputs that a method with step control needs to resolve the extremes; nothing if that is too many.
 std::optional<long> outputs_needed(PilotRuns& runs, const AdviceRules& rules, Reference reference, long resolving) {
   if (runs.quantity().reduction == Reduction::end || !rules.judges_as_printed) return resolving;
   const double most = output_share * rules.accuracy;
@@ -64,15 +65,15 @@ std::optional<long> outputs_needed(PilotRuns& runs, const AdviceRules& rules, Re
   }
 }
 
-/// One ladder on the way up.
+/// State of the search on one ladder.
 struct Climb {
   MethodLadder ladder;
-  std::vector<TriedMethod> good{};  ///< the last rungs in a row that are good enough
+  std::vector<TriedMethod> good{};  ///< the last consecutive rungs that are accurate enough
   TriedMethod last{};
   int rung{};
   int refusals{};
-  double next_cost{};  ///< evaluations, about, of the next rung
-  bool confirmed{};    ///< runs beside the first of those in a row are good enough, too
+  double next_cost{};  ///< estimated evaluations of the next rung
+  bool confirmed{};    ///< runs next to the first of these rungs are accurate enough, too
   bool ended{};
 };
 
@@ -122,7 +123,7 @@ class MethodSearch {
     climb.last.verdict = std::move(verdict);
   }
 
-  /// Evaluations of what the ladder would be chosen for, if all goes well from here.
+  /// Evaluations of the method that the ladder would give if all following runs are accurate enough.
   double hoped_cost(const Climb& climb) const {
     return climb.good.empty() ? climb.next_cost : static_cast<double>(climb.good.front().evaluations);
   }
@@ -161,7 +162,7 @@ class MethodSearch {
     if (climb.good.size() >= static_cast<std::size_t>(rules_->in_a_row)) confirm(climb);
   }
 
-  /// Runs a method and puts down its error and cost; gives the words of a run that failed.
+  /// Runs a method and records its error and cost; returns the message of a failed run, else an empty string.
   std::string judge(TriedMethod& tried, double cost) {
     const long left = rules_->evaluations - runs_->evaluations();
     const Pilot pilot = runs_->run(tried.method, std::min(left, most_of(std::lround(cost))));
@@ -175,8 +176,8 @@ class MethodSearch {
 
   bool good_enough(const TriedMethod& tried) const { return tried.error <= rules_->kept * rules_->accuracy; }
 
-  /// Tries methods between the first of those in a row and a rung higher, which differ from it in nothing but chance;
-  /// if one is not good enough, the first was lucky, and the next is to show what it is worth.
+  /// Tries methods between the first of the consecutive rungs and the next, whose errors should be statistically alike.
+  /// If one is not accurate enough, the first rung was accurate by chance, and the next rung becomes the first.
   void confirm(Climb& climb) {
     TriedMethod& first = climb.good.front();
     for (int i = 1; i <= rules_->beside; ++i) {

@@ -13,7 +13,7 @@
 namespace talus {
 
 RunMethod MethodLadder::at(double height, long outputs) const {
-  // Two digits, so that a scene can say it.
+  // Two digits, so that the tolerance can be written in a scene.
   if (by_tolerance) return {integrator, std::stod(fmt::format("{:.1e}", std::pow(10.0, -1.0 - height))), outputs};
   return {integrator, 0.0, std::lround(static_cast<double>(coarsest) * std::exp2(height))};
 }

@@ -17,9 +17,9 @@
 namespace talus {
 namespace {
 
-/// The largest of evenly spaced values, and between them the vertices of parabolas: of those through the three values
-/// about each local maximum where the curve is smooth. Smooth means that values twice as far off lie four times as far
-/// below; at a jump (the onset of a dashpot) they lie once, at a corner twice as far.
+/// The largest of evenly spaced values and of the vertices of the parabolas through the three values around each local
+/// maximum where the curve is smooth. On a smooth curve the drop at twice the distance from the maximum is about 4
+/// times the drop (3 to 5 here); at a jump (the onset of a dashpot) the ratio is 1, at a corner 2.
 class LargestBetween {
  public:
   void operator()(double value) {
@@ -41,7 +41,7 @@ class LargestBetween {
   double largest_{-std::numeric_limits<double>::infinity()};
 };
 
-/// A share in [-1, 1], evenly spread over coordinates and directions (multiples of the golden ratio).
+/// A number in [-1, 1], evenly distributed over coordinates and directions (multiples of the golden ratio).
 double spread(std::size_t coordinate, int direction) {
   const double x = 0.6180339887498949 * static_cast<double>((coordinate + 1) * static_cast<std::size_t>(direction));
   return 2.0 * (x - std::floor(x)) - 1.0;
@@ -141,7 +141,7 @@ long PilotRuns::cost(const RunMethod& method) {
     try {
       static_cast<void>(simulate(system, scene.integrator, scene.initial, scene.plan));
     } catch (const TooManyEvaluations&) {
-      // So dear already: what is known is enough.
+      // The run is that expensive already; the estimate below suffices.
     }
     evaluations_ += system.evaluations();
     return method.steps / looked_at * std::max(1L, system.evaluations());

@@ -9,29 +9,29 @@
 
 namespace talus {
 
-/// How a scene is integrated: by which method, and in how many steps (intervals, where it chooses its own).
+/// Integration method of a scene: integrator and number of steps (of output intervals with step control).
 struct RunMethod {
   std::string integrator;
   double tolerance{};  ///< of its step control; 0: fixed steps
-  long steps{};        ///< equal parts of the whole run
+  long steps{};        ///< number of equal parts of the whole run
 };
 
-/// A scene integrated by another method: its integrator and step are those, its end and all else stay. The interval of
-/// the history becomes whole steps. Errors: InputError if the method does not go with the tolerance.
+/// The scene with another integrator and step; everything else is unchanged, except that the interval of the history is
+/// at least one step. Errors: InputError if the integrator does not accept the tolerance.
 [[nodiscard]] Scene with_method(Scene scene, const RunMethod& method);
 
-/// A small change of a run's start: each velocity by up to `share` of the largest speed of the run, in a direction of
-/// the state's space told by its number.
+/// A small change of a run's start: each velocity changes by up to `share` of the largest speed of the run, in the
+/// direction of state space that `direction` numbers.
 struct Nudge {
   double share{};
   int direction{};
   double speed{};  ///< [L/T]
 };
 
-/// What one run gives of a quantity.
+/// Result of one pilot run for a quantity.
 struct Pilot {
   double printed{};            ///< its value as `talus run` prints it: extremes over the steps
-  double between{};            ///< the same with extremes between the steps, by the parabola through three of them
+  double between{};            ///< its value with extremes between the steps, by the parabola through three of them
   double size{};               ///< largest magnitude of the column in the run
   double speed{};              ///< largest speed of a coordinate, as a length over time [L/T]
   long evaluations{};          ///< force evaluations
@@ -39,24 +39,23 @@ struct Pilot {
   std::vector<double> values;  ///< of the column at each step
 };
 
-/// What a pilot that should cost so many evaluations may take before it is given up: a tolerance that cannot be kept
-/// would else eat what others are to have.
+/// Maximum number of evaluations of a pilot run with this estimated cost; beyond, it is aborted. Without the limit, a
+/// tolerance that cannot be met would use up the evaluations of the other methods.
 constexpr long most_of(long cost) { return 64 * (cost + 100); }
 
-/// Runs of one scene by any method for the sake of one quantity. The accounts are kept where the scene keeps them, for
-/// they may cost evaluations; and the run is watched as `talus run` watches it: what that would end, or warn of, has
-/// failed.
+/// Pilot runs of one scene by any method, to evaluate one quantity. The energy balance is computed if the scene
+/// requires it, because it may cost evaluations. RunMonitor checks the runs as in `talus run`: a run that it would end
+/// or warn about has failed.
 class PilotRuns {
  public:
-  /// Both must outlive it.
-  /// `warned`: runs that the watch warns of count, too.
+  /// `scene` and `quantity` must outlive this object. `warned`: runs with warnings are accepted, too.
   PilotRuns(const Scene& scene, const Quantity& quantity, bool warned)
       : scene_{&scene}, quantity_{&quantity}, dynamics_{scene.model}, warned_{warned} {}
 
-  /// One run; given up where it would take more than `most` evaluations.
+  /// One run; aborted when it would take more than `most` evaluations.
   [[nodiscard]] Pilot run(const RunMethod& method, long most, const Nudge& nudge = {});
 
-  /// Force evaluations that a run takes, about: by its first steps.
+  /// Estimated force evaluations of a run, extrapolated from its first steps.
   [[nodiscard]] long cost(const RunMethod& method);
 
   const Scene& scene() const { return *scene_; }

@@ -31,7 +31,7 @@ struct AdviseOptions {
 
 std::string_view name_of(Refusal::Kind kind) { return Names<Refusal::Kind>::list[static_cast<std::size_t>(kind)]; }
 
-/// A method with what belongs to it, in words.
+/// A method with its tolerance and step, as text.
 std::string words(const RunMethod& method, double duration, const UnitSystem& units) {
   return fmt::format("{}{}, step {:.6g} {}", method.integrator,
                      method.tolerance == 0.0 ? "" : fmt::format(", tolerance {:.3g}", method.tolerance),
@@ -113,8 +113,8 @@ void print_json(const Scene& scene, const Quantity& quantity, const AdviceRules&
   fmt::print("{}\n", json.dump(2));
 }
 
-/// Where the advised scene goes: the file of --out, or NAME.advised.toml beside the scene. What is wrong with it must
-/// not cost the pilots.
+/// File for the advised scene: --out, or NAME.advised.toml beside the scene. It is checked before the pilot runs, so
+/// that an error does not waste them.
 fs::path target(const AdviseOptions& options) {
   const fs::path scene{options.scene};
   const fs::path file =
@@ -126,8 +126,8 @@ fs::path target(const AdviseOptions& options) {
   return file;
 }
 
-/// The scene whose limit of short steps is looked for: a fence without the half kick of 1993, which is as long as a
-/// step.
+/// The scene for which the limit of short steps is sought: a fence without the initial half kick of 1993, which depends
+/// on the step.
 SceneFile without_half_kick(SceneFile file) {
   if (!file.fence || file.fence->fence.options.start == scenes::FenceStart::plain) return file;
   scenes::Fence fence = file.fence->fence;

@@ -28,7 +28,7 @@ struct AnimateOptions {
   PictureOptions picture;
 };
 
-/// The states up to the time that is asked for.
+/// The states up to the time of --until; all without it.
 std::vector<GeometryFile> chosen_files(const RunFolder& run, const AnimateOptions& options) {
   std::vector<GeometryFile> files = state_files(run);
   if (options.until.empty()) return files;
@@ -42,7 +42,7 @@ std::vector<GeometryFile> chosen_files(const RunFolder& run, const AnimateOption
   return files;
 }
 
-/// A page for each frame: the side view, and beside it the view along the fence if there is one.
+/// One page for each frame: the side view, and beside it the view along the fence if positions along z differ.
 template <class Drawn>
 reports::Film film(const Drawn& drawn, const std::string& name, const std::string& title, const FrameStyle& side,
                    const FrameStyle& along, double seconds) {
@@ -59,7 +59,7 @@ reports::Film film(const Drawn& drawn, const std::string& name, const std::strin
   return made;
 }
 
-/// `drawn`: DrawnGeometry or DrawnDiscs.
+/// The GIF or HTML player, or both, as requested. `drawn`: DrawnGeometry or DrawnDiscs.
 template <class Drawn>
 DrawingRequest animation(const Drawn& drawn, const SavedRun& run, const AnimateOptions& options) {
   FrameStyle side{View::side, window_of(drawn, View::side), options.numbers, true, {}};

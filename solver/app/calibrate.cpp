@@ -21,7 +21,7 @@
 namespace talus::app {
 namespace {
 
-/// What a calibration without a scene finds; all in SI.
+/// Result of a calibration without a scene; all values in SI units.
 struct ImpactCalibration {
   LinearSpringDashpot law;
   double effective_mass{};
@@ -126,7 +126,7 @@ double damping_ratio_of(const Scene& scene, ContactId contact) {
   return advise_step(dynamics, scene.initial).springs[first].damping_ratio;
 }
 
-/// Laws with a dashpot have an end rule; those without cannot be calibrated.
+/// The end rule of a law with a dashpot; laws without one cannot be calibrated.
 EndRule end_rule_of(const ContactLaw& contact_law) {
   return std::visit(
       []<class L>(const L& law) {
@@ -136,10 +136,10 @@ EndRule end_rule_of(const ContactLaw& contact_law) {
       contact_law);
 }
 
-/// A contact of a scene as calibrated, in the scene's units.
+/// Calibration of a contact of a scene, in the scene's units.
 struct SceneCalibration {
   Calibration found;
-  Impact impact;  ///< the first impact with the damping found
+  Impact impact;  ///< the first impact with the calibrated damping
   double damping_ratio{};
   EndRule end_rule{};
 };
@@ -197,7 +197,7 @@ int calibrate_scene(const CalibrateOptions& options) {
   return ok;
 }
 
-/// The law of a calibration without a scene; what it has no use for is refused.
+/// Calibration without a scene, by the law of --law; rejects options that do not apply to the law.
 int calibrate_law(const CalibrateOptions& options) {
   if (options.law == LatchingSpring::name) return calibrate_latching(options);
   if (options.law != LinearSpringDashpot::name)
@@ -238,7 +238,7 @@ double effective_mass_of(const CalibrateOptions& options) {
     sides.back().arm = option_quantity(option, turning[1], dimension::length, si);
     sides.back().pinned = pinned;
   }
-  // A single body meets something that does not move: half of what it would have against its own mirror image, twice.
+  // A single body hits a fixed one: its effective mass is twice that against its own mirror image.
   return sides.size() == 1 ? 2.0 * effective_mass(sides[0], sides[0]) : effective_mass(sides[0], sides[1]);
 }
 

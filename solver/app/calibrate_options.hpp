@@ -5,7 +5,7 @@
 
 namespace talus::app {
 
-/// What `talus calibrate` was told.
+/// Options of `talus calibrate`.
 struct CalibrateOptions {
   std::string scene;
   std::string contact;
@@ -13,7 +13,7 @@ struct CalibrateOptions {
   std::string law{"linear_spring_dashpot"};
   std::vector<std::string> masses;
   std::string stiffness;
-  std::string end_rule{"clamped"};  ///< that of scenes
+  std::string end_rule{"clamped"};  ///< default as in scenes
   std::vector<std::string> pivot;
   std::vector<std::string> offset;
   std::string speed{"1 m/s"};
@@ -22,10 +22,10 @@ struct CalibrateOptions {
   std::string integrator{"velocity_verlet"};
   std::string units{"SI"};
   bool json{false};
-  std::vector<std::string> own_to_impact;  ///< options given that mean nothing beside a scene
+  std::vector<std::string> own_to_impact;  ///< given options that are not allowed with a scene
 };
 
-/// Inertia at the contact point [kg]: --masses, of which --pivot or --offset changes the last.
+/// Effective mass at the contact point [kg], from --masses; --pivot or --offset applies to the last of them.
 /// Errors: InputError naming the option.
 [[nodiscard]] double effective_mass_of(const CalibrateOptions& options);
 

@@ -44,7 +44,7 @@ struct CellRequest {
   std::vector<std::string> warnings;   ///< of the start
 };
 
-/// Names the choices of the command line, which a resumed run keeps, and the warnings.
+/// Serializes the choices of the command line, which a resumed run keeps, and the warnings.
 void serialize(Archive& archive, CellRequest& request) {
   CellChoices& choices = request.choices;
   std::string integrator = choices.integrator.value_or(""), units{choices.units ? choices.units->name : ""};
@@ -159,7 +159,7 @@ class RequestedCell final : public ResumableRun {
     return std::chrono::duration<double>(Clock::now() - start).count();
   }
 
-  /// How far, how fast, how much longer.
+  /// Shows the time reached, the step rate and the remaining computing time.
   void show(Progress& progress, double seconds) const {
     const double rate = static_cast<double>(run_.steps() - first_) / seconds;
     progress.show(fmt::format("t {:.4g} of {:.4g}, {:.3g} steps/s, {} left",
@@ -176,7 +176,7 @@ class RequestedCell final : public ResumableRun {
           "discs do not behave as hard ones: stiffer contacts, or less speed or load",
           run_.largest_overlap() / scene.cell.diameter, run_.largest_fraction(), CellRun::deepest, CellRun::fullest));
     }
-    // At first little work is done beside what is held, and moments count.
+    // Checked only once the work exceeds the energy held: before, momentary values dominate the ratio.
     const CellRun::Ledger ledger = run_.ledger();
     const double unaccounted = ledger.unaccounted();
     if (!scene.plan.historical && run_.failure().empty() && ledger.work() > ledger.held() &&
@@ -188,7 +188,7 @@ class RequestedCell final : public ResumableRun {
     }
   }
 
-  /// The time of the steps of this process, which is in no file: files are the same each time.
+  /// Computing time of the steps of this process. It is not written to files, so that these are reproducible.
   std::string cost() const {
     const long steps = run_.steps() - first_;
     if (steps == 0) return "took no step";
@@ -200,7 +200,7 @@ class RequestedCell final : public ResumableRun {
   CellRun run_;
   std::optional<CellFiles> files_;
   long first_;        ///< steps before this process
-  double seconds_{};  ///< of its steps
+  double seconds_{};  ///< computing time of this process's steps [s]
   CellOutcome outcome_;
 };
 

@@ -42,7 +42,7 @@ void CellFiles::write_end(CellRun& run) const {
 
 std::vector<std::string> CellFiles::names() const {
   std::vector<std::string> names;
-  // A run that fails before its first LOOP leaves none of them.
+  // A run that fails before its first LOOP writes neither RESTART.DAT nor PIC.DAT and states.
   if (!times_.empty()) names.emplace_back("RESTART.DAT");
   if (!times_.empty() && scene_->pictures) names.insert(names.end(), {"PIC.DAT", std::string{cell_states_folder}});
   if (scene_->pictures) names.emplace_back("cell.pvd");

@@ -9,17 +9,17 @@
 
 namespace talus::app {
 
-/// What a run of a cell leaves in its folder besides checkpoint and summary, each file whole or not at all.
+/// Output files of a cell's run, except checkpoint and summary; each file is written completely or not at all.
 class CellFiles {
  public:
-  /// The folder must be there. Errors: IoError.
+  /// The folder must exist; `scene` must outlive this object. Errors: IoError.
   CellFiles(std::filesystem::path folder, const CellScene& scene);
 
-  /// Of a run that starts from a RESTART.DAT: the cycles that it names.
+  /// Sets the number of cycles given by the RESTART.DAT from which the run starts; RESTART.DAT then counts on from it.
   void count_on(long cycles) { cycles_before_ = cycles; }
-  /// After each LOOP: RESTART.DAT, and with pictures PIC.DAT and a state of the series. Errors: IoError.
+  /// Call after each LOOP: writes RESTART.DAT, and with pictures PIC.DAT and a state of the series. Errors: IoError.
   void write_loop(CellRun& run);
-  /// At the end: history.csv, profile.csv, the series' index, plot.json. Errors: IoError.
+  /// Call at the end: writes history.csv, profile.csv, the series' index and plot.json. Errors: IoError.
   void write_end(CellRun& run) const;
   /// Names of the files, in the order in which they are written.
   std::vector<std::string> names() const;

@@ -6,10 +6,10 @@
 
 namespace talus::app {
 
-/// What a run of a cell gave, for the terminal.
+/// Summary of a cell's run as text for the terminal.
 [[nodiscard]] std::string cell_summary(const CellScene& scene, CellRun& run, const CellOutcome& outcome);
 
-/// What a cell carries and what its step is worth, before it is run.
+/// Summary of a cell before it is run: discs, law, contact time and step, expected cost and output.
 [[nodiscard]] std::string cell_check(const CellScene& scene);
 
 }  // namespace talus::app

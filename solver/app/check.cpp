@@ -26,17 +26,17 @@
 namespace talus::app {
 namespace {
 
-/// Coordinates of a scene whose frequencies are evaluated: it takes 2 s for this many, and grows with their cube.
+/// Maximum number of coordinates for which frequencies are evaluated: this many take 2 s; the time grows with the cube.
 constexpr std::size_t most_coordinates = 1000;
 
 std::string_view mobility_name(const Body& body) {
   return Names<Mobility>::list[static_cast<std::size_t>(body.mobility)];
 }
 
-/// Lines of a table that are printed; a table of more is cut.
+/// Maximum number of printed lines of a table.
 constexpr std::size_t most_lines = 100;
 
-/// Those of a list that are printed: the first ones.
+/// The items of a list that are printed: the first `most_lines`.
 template <class Item>
 std::span<const Item> shown(const std::vector<Item>& items) {
   return std::span{items}.first(std::min(items.size(), most_lines));
@@ -65,7 +65,7 @@ void print_bodies(const Scene& scene, const Dynamics& dynamics) {
              contact_instances, scene.model.cables.size());
 }
 
-/// A number, or a dash where there is none (a spring across which nothing can move has no frequency).
+/// The number as text, or a dash if it is not finite (a spring between immobile bodies has infinite effective mass).
 std::string number_or_dash(double value) { return std::isfinite(value) ? fmt::format("{:.5g}", value) : "-"; }
 
 void print_springs(const Scene& scene, const StepAdvice& advice) {
@@ -111,7 +111,7 @@ void print_step(const Scene& scene, const StepAdvice& advice) {
   }
 }
 
-/// Force evaluations of the first steps of a scene, on a copy: counted, not timed.
+/// Number of force evaluations in the first steps of a scene, on a copy of its state.
 double pilot_evaluations(const Scene& scene, const Dynamics& dynamics, long steps) {
   RigidBodySystem system{dynamics, scene.plan.ledger};
   Integrator integrator = scene.integrator;
@@ -122,16 +122,16 @@ double pilot_evaluations(const Scene& scene, const Dynamics& dynamics, long step
   return static_cast<double>(system.evaluations());
 }
 
-/// Force evaluations of a step once a method has started.
+/// Force evaluations per step, after the method's starting phase.
 double evaluations_per_step(const Scene& scene, const Dynamics& dynamics) {
   const ElapsedTime elapsed{"taking the first steps"};
   return (pilot_evaluations(scene, dynamics, 24) - pilot_evaluations(scene, dynamics, 16)) / 8.0;
 }
 
-/// Of a method that chooses its steps the first steps say nothing: the whole run is tried, as far as some evaluations
-/// reach.
+/// Cost of a run with step control, as text. Its first steps are not representative, so the run is tried as a whole, up
+/// to a limited number of evaluations.
 std::string chosen_cost(const Scene& scene, const Dynamics& dynamics) {
-  // About a second of a large scene.
+  // About a second for a large scene.
   const auto coordinates = std::max(1L, static_cast<long>(dynamics.layout().coordinates.size()));
   const long most = std::clamp(1'000'000L / coordinates, 100L, 20'000L);
   RigidBodySystem system{dynamics, scene.plan.ledger};
@@ -178,7 +178,7 @@ void print_overlaps(const Scene& scene, const Dynamics& dynamics) {
   print_rest(overlaps.size());
 }
 
-/// Errors of the files of --out are warnings here.
+/// Prints the expected output of --out; its errors become warnings.
 void print_output(const SceneFile& file, const Dynamics& dynamics, const std::filesystem::path& name,
                   std::vector<std::string>& warnings) {
   try {
@@ -189,7 +189,7 @@ void print_output(const SceneFile& file, const Dynamics& dynamics, const std::fi
   }
 }
 
-/// The verdict of a run on the step, in its words.
+/// Adds the warning that a run prints about its step, if the step is beyond the linear limit.
 void warn_of_step(const Scene& scene, const StepAdvice& advice, const std::string& file,
                   std::vector<std::string>& warnings) {
   const auto verdict = step_verdict(scene, advice);

@@ -68,7 +68,7 @@ std::vector<std::string> subcommand_names(const CLI::App& app) {
   return names;
 }
 
-/// What is wrong with a command line that CLI11 refused, in the words that this project uses for unknown names.
+/// Error message for a command line that CLI11 rejected, with unknown names reported as elsewhere in Talus.
 std::string words(const CLI::App& talus, const CLI::ParseError& error) {
   const CLI::App& app = active(talus);
   const std::vector<std::string> unexpected = talus.remaining(true);
@@ -82,7 +82,7 @@ std::string words(const CLI::App& talus, const CLI::ParseError& error) {
   return fmt::format("'{}' is one argument too many", first);
 }
 
-/// Refuses values that are empty, as one from a variable that is not set: none of the options means anything by it.
+/// Rejects empty option values, for example from an unset shell variable: no option has a meaning for them.
 void refuse_empty_values(CLI::App& app) {
   for (CLI::Option* option : app.get_options())
     if (option->get_items_expected_max() > 0)
@@ -102,7 +102,7 @@ int work(const std::vector<Command>& commands) {
         std::find_if(commands.begin(), commands.end(), [](const Command& command) { return command.app->parsed(); });
     TALUS_DEMAND(given != commands.end());
     const int code = given->work();
-    // What went to a full disk or a closed pipe was not said.
+    // Output to a full disk or a closed pipe is lost: report it.
     if (std::fflush(stdout) != 0) return report(io_failed, "standard output: cannot be written");
     return code;
   } catch (const InputError& error) {
@@ -110,7 +110,7 @@ int work(const std::vector<Command>& commands) {
   } catch (const IoError& error) {
     return report(io_failed, error.what());
   } catch (const std::system_error& error) {
-    // From a write to stdout, or from the file system or a thread that cannot be started.
+    // Thrown by a write to stdout, by the file system, or when a thread cannot be started.
     return report(io_failed, fmt::format("{}{}", std::ferror(stdout) != 0 ? "standard output: " : "", error.what()));
   }
 }
@@ -164,9 +164,9 @@ void print_failure(std::string_view words) {
     lines += fmt::format("{}{}{}{}\n", red ? "\033[31m" : "", help ? "" : "talus: ", line, red ? "\033[0m" : "");
     from = end + 1;
   }
-  // What stdout has must stand before it, and each of both in whole lines, if they go to the same file.
+  // Keeps the order and whole lines if stdout and stderr go to the same file.
   std::fflush(stdout);
-  // A stderr that is closed or full loses the message, not the run.
+  // Write errors of stderr are ignored: they lose the message, not the run.
   std::fputs(lines.c_str(), stderr);
   std::fflush(stderr);
 }
@@ -187,7 +187,7 @@ int run_command_line(int count, const char* const* arguments) {
   try {
     return parse_and_work(count, arguments);
   } catch (const std::bad_alloc&) {
-    std::fputs("talus: out of memory\n", stderr);  // without a format, which needs memory
+    std::fputs("talus: out of memory\n", stderr);  // no fmt::format: it allocates memory
     return io_failed;
   }
 }

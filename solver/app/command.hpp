@@ -14,13 +14,13 @@ class Validator;
 
 namespace talus::app {
 
-/// One subcommand: its options are bound to `app`; `work` does it and returns the exit code.
+/// One subcommand: its options are bound to `app`; `work` executes it and returns the exit code.
 struct Command {
   CLI::App* app{nullptr};
   std::function<int()> work;
 };
 
-/// Each adds its subcommand with options and help to `talus`.
+/// Add a subcommand with options and help to `talus`.
 [[nodiscard]] Command add_run(CLI::App& talus);
 [[nodiscard]] Command add_check(CLI::App& talus);
 [[nodiscard]] Command add_advise(CLI::App& talus);
@@ -31,22 +31,22 @@ struct Command {
 [[nodiscard]] Command add_study(CLI::App& talus);
 [[nodiscard]] Command add_list(CLI::App& talus);
 [[nodiscard]] Command add_new(CLI::App& talus);
-/// These send what they draw to the sink.
+/// Add a drawing subcommand, which sends its DrawingRequest to the sink.
 [[nodiscard]] Command add_plot(CLI::App& talus, const DrawingSink& sink);
 [[nodiscard]] Command add_snapshot(CLI::App& talus, const DrawingSink& sink);
 [[nodiscard]] Command add_animate(CLI::App& talus, const DrawingSink& sink);
 
-/// Of an option: a number between these. What is not a number is refused, which CLI::Range lets pass.
+/// Validator of an option: a number in [least, most]. It also rejects NaN, which CLI::Range accepts.
 [[nodiscard]] CLI::Validator number_between(double least, double most);
 
-/// Says what went wrong, or what is to be known, on stderr: in red on a terminal unless NO_COLOR is set.
+/// Prints an error or a warning to stderr, in red on a terminal unless NO_COLOR is set.
 void print_failure(std::string_view words);
 
-/// A word of a command that is printed, such that a shell reads it as it is: in quotes where it holds more than letters,
-/// digits, bytes of UTF-8 and `/ . _ - + , : = @ %`.
+/// A word of a printed command, quoted for a shell if it contains characters other than letters, digits, bytes of UTF-8
+/// and `/ . _ - + , : = @ %`.
 [[nodiscard]] std::string shell_word(const std::string& word);
 
-/// The whole program: parses the command line, does the command, turns errors into messages and exit codes.
+/// The whole program: parses the command line, executes the command, converts errors to messages and exit codes.
 [[nodiscard]] int run_command_line(int count, const char* const* arguments);
 
 }  // namespace talus::app

@@ -23,7 +23,7 @@ struct ConvertOptions {
   std::string after;
 };
 
-/// Adds what an earlier impact drew out of the cables.
+/// Adds the plastic stretch of the cables from an earlier run.
 void stretch(scenes::Fence& fence, const std::string& folder) {
   for (const scenes::StretchedCable& cable : read_stretched_cables(folder, fence.units)) {
     const auto same = std::ranges::find(fence.stretched_cables, cable.cable, &scenes::StretchedCable::cable);
@@ -33,7 +33,7 @@ void stretch(scenes::Fence& fence, const std::string& folder) {
       same->stretch += cable.stretch;
     }
   }
-  // A cable that the fence does not have is told now, not when it is run.
+  // A cable that the fence does not have is reported here, not only when the scene is run.
   static_cast<void>(scenes::fence_scene(fence));
 }
 

@@ -23,8 +23,8 @@ struct ExportOptions {
   bool dashpot{false};
 };
 
-/// The cell's law as LAMMPS has it. Errors: InputError for a law that LAMMPS does not have, unless --dashpot replaces
-/// it.
+/// The cell's law in the form available in LAMMPS. Errors: InputError for a law that LAMMPS does not have, unless
+/// --dashpot replaces it.
 LinearSpringDashpot linear_law(const ShearCell& cell, const ExportOptions& options) {
   if (const auto* linear = std::get_if<LinearSpringDashpot>(&cell.law)) return *linear;
   const double kept = cell.restitution();
@@ -40,12 +40,12 @@ LinearSpringDashpot linear_law(const ShearCell& cell, const ExportOptions& optio
   return law;
 }
 
-/// Steps of the cell's run, of which the first quarter has no part in its means (CellRun does the same).
+/// Steps of the cell's run; its means exclude the first quarter, as in CellRun.
 LammpsRun lammps_run(const CellScene& scene, const ExportOptions& options) {
   const CellPlan& plan = scene.plan;
   const long steps = options.steps.value_or(std::lround(plan.end / plan.step));
   LammpsRun run{.step = plan.step, .steps = steps, .skin = 0.3 * scene.cell.diameter};
-  constexpr long fewest = 100;  // for means of anything
+  constexpr long fewest = 100;  // minimum number of steps for means
   if (steps < fewest) return run;
   const ShearCell& cell = scene.cell;
   const long every = std::clamp(std::lround(plan.every / plan.step), 1L, std::max(steps / 10, 1L));

@@ -12,7 +12,7 @@ namespace {
 
 constexpr std::size_t columns = 110, name_columns = 19;
 
-/// Appends words to a text, in lines of at most `columns`, of which all but the first are indented.
+/// Appends words to a text, wrapped at `columns`; all lines except the first are indented.
 void append_wrapped(std::string& text, std::string_view words, std::size_t indent) {
   std::size_t used = text.size() - (text.rfind('\n') == std::string::npos ? 0 : text.rfind('\n') + 1);
   bool first = true;
@@ -58,7 +58,7 @@ std::string pair_words(const CatalogueField& field) {
   return fmt::format("{}, e.g. {}", kinds, either(pair(si), pair(us)));
 }
 
-/// How the value is written.
+/// Notation of the field's value.
 std::string form_words(const CatalogueField& field) {
   switch (field.form) {
     case FieldForm::quantity:
@@ -95,7 +95,7 @@ std::string form_words(const CatalogueField& field) {
   return "";
 }
 
-/// Where a field is required or allowed; empty if that is everywhere or nowhere.
+/// Condition under which a field is required or allowed; empty if there is none.
 std::string condition_words(const CatalogueField& field) {
   if (!field.alternative.empty()) return fmt::format("this or {}", field.alternative);
   std::string condition = field.condition;

@@ -5,8 +5,9 @@
 
 namespace talus::app {
 
-/// While it lives the first SIGINT, SIGTERM or SIGHUP (a terminal that is closed) is noted instead of ending the
-/// program; a second ends it as usual. SIGHUP stays ignored where it was, as under nohup.
+/// Signal handler scope: during the lifetime of an object, the first SIGINT, SIGTERM or SIGHUP (closed terminal) is
+/// recorded instead of ending the program; a second one of the same kind ends it as usual. SIGHUP stays ignored if it
+/// was ignored before, as under nohup.
 class Interruption {
  public:
   Interruption();
@@ -14,9 +15,9 @@ class Interruption {
   Interruption& operator=(const Interruption&) = delete;
   ~Interruption();
 
-  /// The signal that came; 0 if none did.
+  /// The recorded signal; 0 if none was received.
   int signal() const;
-  /// Its name, e.g. "SIGINT".
+  /// Name of the recorded signal, e.g. "SIGINT".
   const char* name() const;
 
  private:

@@ -17,19 +17,19 @@ namespace {
 
 constexpr int phases = 200;
 
-/// What a calibration finds; all in SI.
+/// Result of a calibration; all values in SI units.
 struct LatchingRatio {
   SteppedContact contact;
   bool default_discs{};
   double speed{};
   double by_formula{}, by_simulation{};
   SimulatedRestitution simulated;          ///< with the ratio by simulation
-  SimulatedRestitution simulated_formula;  ///< with that by formula
+  SimulatedRestitution simulated_formula;  ///< with the ratio by formula
 
   double largest_overlap() const { return speed * contact.step / contact.loading_angle(); }
 };
 
-/// A step with its unit; control files of 1989 have none, and neither needs a bare number.
+/// The step [s], from a text with unit or a bare number in s (control files of 1989 have no units).
 double step_of(const std::string& text) {
   if (text.empty()) throw InputError{"--step: it is missing; give e.g. --step \"1e-7 s\""};
   double bare = 0.0;
@@ -40,7 +40,7 @@ double step_of(const std::string& text) {
   return bare;
 }
 
-constexpr double most_steps = 2e5;  ///< in a contact that is simulated
+constexpr double most_steps = 2e5;  ///< maximum number of steps in a simulated contact
 
 void refuse_what_means_nothing(const CalibrateOptions& options) {
   for (const std::string& given : options.own_to_impact) {

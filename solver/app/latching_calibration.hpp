@@ -4,10 +4,10 @@
 
 namespace talus::app {
 
-/// `talus calibrate --law latching_spring`: K1/K2 for a restitution at a given step and method, by formula and by
-/// simulation of two discs. Without --masses and --stiffness the discs are of ice, 1 mm wide: m = 7.2e-7 kg, K1 =
-/// 1.7e4 N/m (a choice of ours: the thesis of 1989 is not known to say which). Returns the exit code. Errors:
-/// InputError naming the option.
+/// Executes `talus calibrate --law latching_spring`: K1/K2 for a restitution at a given step and method, by formula and
+/// by simulation of two discs. Without --masses and --stiffness the discs are of ice, 1 mm in diameter: m = 7.2e-7 kg,
+/// K1 = 1.7e4 N/m (values chosen for Talus; whether the thesis of 1989 gives any is unknown). Returns the exit code.
+/// Errors: InputError naming the option.
 [[nodiscard]] int calibrate_latching(const CalibrateOptions& options);
 
 }  // namespace talus::app

@@ -46,7 +46,7 @@ void resume(RunRequest& request, const RunOptions& options, const GivenOptions& 
                     file.string(), request.saved.scene_fnv1a, request.scene.string(), hash)};
 }
 
-/// Saves the run in its folder, from which it can be resumed.
+/// Saves the run in its folder, so that it can be resumed.
 void write_checkpoint(const RunRequest& request, ResumableRun& run) {
   Archive archive;
   run.serialize(archive);
@@ -55,11 +55,11 @@ void write_checkpoint(const RunRequest& request, ResumableRun& run) {
   checkpoint.scene_file = fs::absolute(request.scene).string();
   checkpoint.scene_fnv1a = fnv1a(request.text);
   checkpoint.memory = archive.items();
-  sync_folder(request.folder);  // the states that it counts on
+  sync_folder(request.folder);  // the checkpoint relies on the states written so far
   write_whole(request.folder / checkpoint_name, checkpoint_text(checkpoint, TALUS_VERSION));
 }
 
-/// Makes the folder, keeps it for this run, and removes what would vouch for a mixture of two runs.
+/// Creates and locks the folder of the run, and removes files of an earlier run, which would mix with the new ones.
 std::unique_ptr<FolderLock> prepare_folder(const RunRequest& request) {
   if (request.folder.empty()) return {};
   make_folder(request.folder);
@@ -69,7 +69,7 @@ std::unique_ptr<FolderLock> prepare_folder(const RunRequest& request) {
   return lock;
 }
 
-/// The run at its start, or where it was interrupted.
+/// The run at its start, or restored from its checkpoint.
 std::unique_ptr<ResumableRun> start_or_resume(const RunRequest& request,
                                               const std::function<std::unique_ptr<ResumableRun>()>& make) {
   std::unique_ptr<ResumableRun> run = make();
@@ -87,7 +87,7 @@ std::unique_ptr<ResumableRun> start_or_resume(const RunRequest& request,
 }
 
 /// Advances the run to its end or until it is interrupted; with a folder it is saved there every second, so that a
-/// crash loses no more.
+/// crash loses at most a second.
 Outcome advance(const RunRequest& request, ResumableRun& run, const std::optional<Interruption>& interruption) {
   using Clock = std::chrono::steady_clock;
   Progress progress;
@@ -111,13 +111,14 @@ Outcome advance(const RunRequest& request, ResumableRun& run, const std::optiona
 void write_files(const RunRequest& request, ResumableRun& run, bool resumable) {
   if (resumable) write_checkpoint(request, run);
   run.write();
-  // All at once: one by one they would take longer than the run.
+  // One sync for all files: separate syncs could take longer than the run.
   sync_folder(request.folder);
-  write_whole(request.folder / "summary.json", run.summary_json({}));  // last: it says that all is there
+  write_whole(request.folder / "summary.json", run.summary_json({}));  // last: it marks the output as complete
 }
 
-/// Draws what is made from the files of the run, and removes the checkpoint of a run that has ended, which is needed
-/// until then. Returns why it was not drawn; the run is not lost by that.
+/// Draws the pages made from the run's files, then removes the checkpoint of a run that has ended, which is needed
+/// until then. Returns the error message if drawing failed (the run's files are complete all the same), else an empty
+/// string.
 std::string draw(const RunRequest& request, const ResumableRun& run, bool resumable) {
   try {
     run.draw();
@@ -140,7 +141,7 @@ void print_result(const RunRequest& request, ResumableRun& run, bool resumable) 
   if (request.json) return;
   if (folder.empty()) return fmt::print("files: none; --out DIR writes {}\n", run.files_of_out());
   std::vector<std::string> files = run.file_names();
-  // Without pictures and pages that could not be drawn.
+  // Pictures and pages that could not be drawn are not listed.
   std::erase_if(files, [&](const std::string& name) { return !fs::exists(request.folder / name); });
   files.insert(files.begin(), "summary.json");
   if (resumable) files.emplace_back(checkpoint_name);
@@ -148,7 +149,7 @@ void print_result(const RunRequest& request, ResumableRun& run, bool resumable) 
   if (resumable) fmt::print("resume: {}\n", resume);
 }
 
-/// Prints the warnings from the `first` on; returns their count.
+/// Prints the warnings from index `first` on; returns the number of all warnings.
 std::size_t print_warnings(const ResumableRun& run, std::size_t first) {
   const std::vector<std::string> warnings = run.warnings();
   for (std::size_t i = first; i < warnings.size(); ++i)
@@ -171,9 +172,9 @@ std::optional<int> report_ended_run(const RunOptions& options, const GivenOption
   } catch (const IoError&) {
     return {};  // no run ended here; the missing checkpoint is reported where it is read
   } catch (const nlohmann::json::exception&) {
-    return {};  // the same for a file of another program
+    return {};  // likewise: summary.json of another program
   } catch (const InputError&) {
-    return {};  // and for one that is nested too deeply
+    return {};  // likewise: JSON nested too deeply
   }
   if (kind != "diverged" && kind != "finished") return {};
   for (const auto& [name, given] : others)
@@ -227,7 +228,7 @@ int live(const RunRequest& request, const std::function<std::unique_ptr<Resumabl
   const std::unique_ptr<ResumableRun> run = start_or_resume(request, make);
   std::size_t printed = print_warnings(*run, 0);
 
-  // A run without a folder cannot be saved: a signal then ends the program as usual.
+  // A run without a folder cannot be saved, so a signal ends the program as usual.
   std::optional<Interruption> interruption;
   if (lock) interruption.emplace();
   const auto signal = [&] { return interruption ? interruption->signal() : 0; };
@@ -249,7 +250,7 @@ int live(const RunRequest& request, const std::function<std::unique_ptr<Resumabl
   if (signal() == 0) return undrawn.empty() ? ok : io_failed;
   const std::string_view name = interruption->name();
   if (outcome.kind == Outcome::Kind::finished) {
-    // In time for the repeat of a fence's run, whose summary then reports it.
+    // The signal may have interrupted the repeat of a fence's run; the summary then reports it.
     print_failure(fmt::format("{} came when the run had finished", name));
   } else {
     print_failure(fmt::format("{}: the run was interrupted at t = {:.10g} and saved in {}; resume it by {}", name,

@@ -81,7 +81,7 @@ int list(const std::string& wanted) {
   bool found = false;
   for (const auto& topic : topics()) {
     if (!wanted.empty() && topic.first != wanted) continue;
-    if (wanted.empty() && topic.first == "fields") continue;  // those of laws and shapes stand there already
+    if (wanted.empty() && topic.first == "fields") continue;  // fields of laws and shapes are already listed
     topic.second();
     found = true;
   }

@@ -9,8 +9,8 @@
 
 namespace {
 
-/// Takes the numbers of standard streams that are closed, or a file that is opened would get one of them, and with it
-/// what is printed. Reading and writing them fails as before.
+/// Occupies the descriptors of closed standard streams; otherwise a file opened later would get one of them, and
+/// receive the printed output. Reading from and writing to these streams still fails.
 void occupy_closed_streams() {
   for (const int stream : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO})
     if (::fcntl(stream, F_GETFD) < 0) ::open("/dev/null", stream == STDIN_FILENO ? O_WRONLY : O_RDONLY);
@@ -20,8 +20,7 @@ void occupy_closed_streams() {
 
 int main(int count, char** arguments) {
   occupy_closed_streams();
-  // A limit on the size of files is an error of the write, with a message and nothing left behind, not the end of the
-  // program.
+  // Exceeding a file size limit then is a write error with a message and clean-up, instead of ending the program.
   std::signal(SIGXFSZ, SIG_IGN);
   return talus::app::run_command_line(count, arguments);
 }

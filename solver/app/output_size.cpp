@@ -20,17 +20,17 @@
 namespace talus::app {
 namespace {
 
-/// Bytes of a number in a CSV file with its comma: one that changes needs 17 digits; zero.
+/// Bytes of a number and its comma in a CSV file: a changing number (17 digits), and zero.
 constexpr double full = 19.0, zero = 2.0;
 /// Bytes of summary.json and plot.json for each column of the history, and of final_state.json for each body.
 constexpr double bytes_of_column = 255.0 + 165.0, bytes_of_body = 250.0;
 
-/// Multiples of a number of steps up to the last step, which always counts.
+/// Number of records of a run: one at the start, one every `every` steps, and one at the last step.
 long records(long steps, long every) { return steps / every + (steps % every == 0 ? 1 : 2); }
 
-/// The first steps of a run.
+/// Result of the first steps of a run.
 struct Pilot {
-  std::vector<double> row;  ///< of the history, at the end of them
+  std::vector<double> row;  ///< of the history, after these steps
   State state;
 };
 
@@ -48,7 +48,7 @@ Pilot pilot(const Scene& scene, const Dynamics& dynamics) {
   return made;
 }
 
-/// Bytes of the times of all rows on average: some are round.
+/// Mean bytes of a row's time; it is not `full`, because some times are round numbers.
 double bytes_of_time(const Scene& scene, long every) {
   constexpr int samples = 16;
   double sum = 0.0;
@@ -59,7 +59,7 @@ double bytes_of_time(const Scene& scene, long every) {
   return sum / samples;
 }
 
-/// Bytes of a column whose value was still zero after the first steps: of what may change later a part.
+/// Mean bytes of a column's number that is zero after the first steps: a fraction of `full` if it may change later.
 double bytes_of_zero(const SceneFile& file, std::string_view name) {
   const Model& model = file.scene.model;
   const auto ends = [&](std::initializer_list<std::string_view> parts) {
@@ -76,12 +76,12 @@ double bytes_of_zero(const SceneFile& file, std::string_view name) {
   if (name.starts_with("energy.")) return name == "energy.contacts" && !model.contacts.empty() ? partly(0.3) : zero;
   if (ends({".x", ".y", ".vx", ".vy", ".angle", ".spin"})) return partly(file.fence ? 1.0 : 0.3);
   if (ends({".tension"})) return partly(0.5);
-  // A body touches few others at a time.
+  // A body touches only few others at a time.
   if (ends({".force"})) return partly(0.3 / std::max<double>(1.0, static_cast<double>(model.contacts.size()) / 4.0));
   return full;
 }
 
-/// Bytes of what a fence leaves beside the files of every run.
+/// Bytes of the additional files of a fence's run.
 double fence_bytes(const FenceInput& input, const RunPlan& plan, const Dynamics& dynamics, long steps) {
   const FenceHistory history{input.fence, input.made, dynamics};
   const OutListing listing{input.fence, input.made, plan};
@@ -123,12 +123,12 @@ OutputSize expected_output(const SceneFile& file, const Dynamics& dynamics, cons
 }
 
 OutputSize expected_output(const CellScene& scene, CellRun& run) {
-  // Enough that discs have moved, and some touch.
+  // Enough steps for discs to move and some to touch.
   constexpr double pilot_steps = 1e7;
   constexpr long most_samples = 16;
   const long last =
       std::min(run.last_step(), 1 + static_cast<long>(pilot_steps / static_cast<double>(1 + run.cell().free_discs())));
-  // The contacts in a state are few or many by chance.
+  // Averaged over several states, because the number of contacts fluctuates.
   double of_state = 0.0;
   int samples = 0;
   while (run.steps() < last && run.failure().empty()) {

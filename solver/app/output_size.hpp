@@ -10,7 +10,7 @@
 
 namespace talus::app {
 
-/// What a run writes to the folder of --out.
+/// Size of a run's output in the folder of --out.
 struct OutputSize {
   long rows{};            ///< of history.csv
   std::size_t columns{};  ///< of history.csv
@@ -18,16 +18,16 @@ struct OutputSize {
   double bytes{};         ///< of all files together
 };
 
-/// The expected output of `talus run FILE --out DIR`, of a run to the plan's end: rows, columns and states are counted;
-/// bytes are estimated from a few steps, to some 20 %. `scene` names the files. Errors: InputError as such a run has,
-/// for histories that no element of a fence has.
+/// The expected output of `talus run FILE --out DIR` for a run to the plan's end: rows, columns and states are exact;
+/// bytes are estimated from a few steps, to about 20 %. `scene` is the scene's file, whose name the output files take.
+/// Errors: InputError, as in the run, for histories that no element of the fence has.
 [[nodiscard]] OutputSize expected_output(const SceneFile& file, const Dynamics& dynamics,
                                          const std::filesystem::path& scene);
 
-/// The same of `talus cell FILE --out DIR`; `run` is at its start and takes some steps.
+/// The expected output of `talus cell FILE --out DIR`; `run` must be at its start and is advanced by some steps.
 [[nodiscard]] OutputSize expected_output(const CellScene& scene, CellRun& run);
 
-/// "1001 history rows x 32 columns, 101 states of the geometry, about 1.15 MB".
+/// The size as text, e.g. "1001 history rows x 32 columns, 101 states of the geometry, about 1.15 MB".
 [[nodiscard]] std::string output_size_text(const OutputSize& size);
 
 }  // namespace talus::app

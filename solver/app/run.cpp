@@ -18,18 +18,18 @@
 namespace talus::app {
 namespace {
 
-/// Force evaluations of a fence's run up to which it is repeated without --sheet, too: some tenths of a second. (New
-/// fences take 5,000 to 25,000, a deck of 1993 as many as it has steps.)
+/// Maximum number of force evaluations of a fence's run for which it is repeated even without --sheet: some tenths of a
+/// second. New fences take 5,000 to 25,000, a deck of 1993 as many as it has steps.
 constexpr long most_repeated = 50'000;
 
-/// The command that takes the same run by steps chosen to a tolerance.
+/// The command for the same run with the integrator "auto", which has step control.
 std::string repair_command(const SceneOptions& options) {
   const std::string scene = options.scene.empty() ? "SCENE" : shell_word(options.scene);
   const std::string end = options.end.empty() ? "" : fmt::format(" --end \"{}\"", options.end);
   return fmt::format("talus run {} --integrator auto{}", scene, end);
 }
 
-/// The run of a scene, as `talus run` requests it.
+/// The run of a scene requested by `talus run`.
 class RequestedScene final : public ResumableRun {
  public:
   RequestedScene(const SceneOptions& options, const SceneRequest& request, long last_step)
@@ -92,7 +92,8 @@ class RequestedScene final : public ResumableRun {
  private:
   const Scene& scene() const { return request_->file.scene; }
 
-  /// Without the results of an unusable run, by located events; else with a small change, whether the verdict stays.
+  /// Repeats the run: with located events if its results are unusable, else with slightly changed initial velocities,
+  /// to test whether the verdict changes.
   void run_again(const StopCondition& stop) {
     if (!record_.quality.flaw.empty() && !chooses_steps(scene().integrator)) {
       record_.quality.repair = repair_run(request_->file, record_, stop);
@@ -105,7 +106,7 @@ class RequestedScene final : public ResumableRun {
   const SceneRequest* request_;
   SceneRun run_;
   long last_step_;
-  bool beyond_at_start_{run_.watch().step_is_beyond()};  ///< its step, of the linear limit
+  bool beyond_at_start_{run_.watch().step_is_beyond()};  ///< the step is beyond the linear limit at the start
   bool ends_early_{false};
   RunRecord record_;  ///< of the finished run
 };
@@ -117,7 +118,7 @@ int run(const SceneOptions& options) {
   if (const auto code = report_ended_run(options, others)) return *code;
   const SceneRequest request = scene_request(options);
   const long last = last_step(options, request);
-  // Missing tools must not cost a run; one that was begun with them ends.
+  // Missing tools are reported before the run, not after it; a resumed run is not refused for them.
   if (request.sheet && !request.run.resumes()) find_sheet_tools();
   return live(request.run, [&] { return std::make_unique<RequestedScene>(options, request, last); });
 }

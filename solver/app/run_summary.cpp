@@ -11,7 +11,7 @@
 namespace talus::app {
 namespace {
 
-/// Text that grows line by line.
+/// Text builder that appends lines.
 class Page {
  public:
   template <class... Values>
@@ -44,7 +44,7 @@ void head(Page& page, const RunRecord& record) {
             record.bodies.size(), record.coordinates, record.contacts, record.cables, record.laws);
 }
 
-/// Only of a run long enough to have been looked at.
+/// Printed only for runs that were long enough to be sampled.
 void step_parts(Page& page, const StepParts::Found& parts) {
   if (parts.looks == 0) return;
   page.line(
@@ -59,7 +59,7 @@ void step_parts(Page& page, const StepParts::Found& parts) {
       t.step, t.contacts, t.cables, t.bodies, t.integration, t.observers);
 }
 
-/// Not `all`: of a large scene the first bodies.
+/// Prints all bodies, or without `all` at most the first 20.
 void final_state(Page& page, const RunRecord& record, bool all) {
   const UnitSystem& units = record.units;
   const std::string length = symbol(units, dimension::length);
@@ -88,7 +88,7 @@ void extremes(Page& page, const RunRecord& record) {
   page.line("extremes over all steps");
   page.line("  {:<24}{:>14}{:>12}{:>16}{:>12}  unit", "quantity", "least", "at t", "largest", "at t");
   for (const ExtremeRecord& item : record.extremes) {
-    if (item.column.name.rfind("closure.", 0) == 0) continue;  // the ledger below says these
+    if (item.column.name.rfind("closure.", 0) == 0) continue;  // printed with the energy ledger below
     if (item.extreme.least == 0.0 && item.extreme.largest == 0.0) continue;
     page.line("  {:<24}{:>14.7g}{:>12.6g}{:>16.7g}{:>12.6g}  {}", item.column.name, item.extreme.least,
               item.extreme.least_time, item.extreme.largest, item.extreme.largest_time,

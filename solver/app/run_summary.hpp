@@ -8,7 +8,7 @@
 namespace talus::app {
 
 /// The summary of a run as text: verdict and quality, outcome, method and counts, final state, energy balance; with
-/// `all` also what a step cost, all bodies, and the extremes of every quantity.
+/// `all` also the computing time of a step, all bodies, and the extremes of every quantity.
 [[nodiscard]] std::string run_summary(const RunRecord& record, const StepParts::Found& parts, bool all);
 
 }  // namespace talus::app

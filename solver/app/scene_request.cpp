@@ -15,7 +15,7 @@
 namespace talus::app {
 namespace {
 
-/// Another end. A history that is as long as by default stays so, and so do the files of a fence.
+/// Changes the end of the run. A history with the default number of rows keeps that number; likewise a fence's files.
 void change_end(SceneFile& file, double end) {
   constexpr double usual_rows = 1000.0;
   RunPlan& plan = file.scene.plan;
@@ -36,7 +36,7 @@ void change_end(SceneFile& file, double end) {
   plan.interval = static_cast<double>(fence.history_every) * plan.step;
 }
 
-/// Changes the scene of a new run as the options say.
+/// Applies the options to the scene of a new run.
 void apply(const SceneOptions& options, SceneFile& file) {
   Scene& scene = file.scene;
   const UnitSystem& units = scene.model.units;
@@ -46,12 +46,12 @@ void apply(const SceneOptions& options, SceneFile& file) {
     const std::string_view method = options.integrator.empty() ? name(scene.integrator) : options.integrator;
     if (const auto known = integrator_choices(); std::ranges::find(known, method) == known.end())
       throw unknown_name("integrator", method, known);
-    // The scene's tolerance stays with it, under any method that takes one.
+    // The scene's tolerance is kept for any method that accepts one.
     const bool takes_one = method == automatic_integrator || has_step_control(method);
     const double given = options.tolerance != 0.0 ? options.tolerance : talus::tolerance(scene.integrator);
     const double tolerance = takes_one || options.tolerance != 0.0 ? given : 0.0;
     const IntegratorChoice chosen = choose_integrator(scene.model, method, tolerance);
-    // The step of a method that chooses its own is the time between two outputs, and no step for another.
+    // The step of a method with step control is its output interval; other methods cannot use it as their step.
     needs_step = chooses_steps(scene.integrator) && !chooses_steps(chosen.integrator);
     scene.integrator = chosen.integrator;
     scene.integrator_why = chosen.why;
@@ -64,7 +64,7 @@ void apply(const SceneOptions& options, SceneFile& file) {
   }
 }
 
-/// Whether the run of a checkpoint writes a sheet.
+/// Whether the interrupted run of a checkpoint was started with --sheet.
 bool holds_sheet(const ArchiveItems& memory) {
   const auto item = memory.find("sheet");
   if (item == memory.end()) return false;
@@ -122,7 +122,7 @@ long last_step(const SceneOptions& options, const SceneRequest& request) {
   const std::string unit = symbol(units, dimension::time);
   const double time = option_quantity("--until", options.until, dimension::time, units);
   const double stands = start + static_cast<double>(request.run.saved.steps) * plan.step;
-  // Not by steps: a time far beyond the end may be more of them than can be counted.
+  // Compares times first: the number of steps to a time far beyond the end may overflow.
   if (time > plan.end && (time > 2.0 * plan.end || steps_to(time) > all)) {
     throw InputError{fmt::format("--until: found \"{}\"; it must be at most {:.10g} {}, where the run ends",
                                  options.until, plan.end, unit)};

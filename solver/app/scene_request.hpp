@@ -8,36 +8,36 @@
 
 namespace talus::app {
 
-/// What the command line gives to `talus run`; empty where it gives nothing.
+/// Options of `talus run`; empty if not given.
 struct SceneOptions : RunOptions {
   std::string until;
   std::string end;
   std::string step;
   std::string integrator;
   double tolerance{};
-  bool all{false};    ///< all tables of the summary
-  bool sheet{false};  ///< the engineer's sheet
-  long frames{};      ///< states of the geometry; 0: as the scene says
+  bool all{false};    ///< print all tables of the summary
+  bool sheet{false};  ///< make the engineer's sheet
+  long frames{};      ///< states of the geometry; 0: default of the scene
 
-  /// The options that a resumed run keeps from its start, but --sheet.
+  /// The options that a resumed run keeps from its start, except --sheet.
   GivenOptions kept() const;
 };
 
-/// A scene's run as the command line requests it.
+/// A scene's run requested on the command line.
 struct SceneRequest {
   RunRequest run;
-  SceneFile file;  ///< changed by the options or, of a resumed run, by its checkpoint
-  bool sheet{};    ///< the engineer's sheet is wanted
+  SceneFile file;  ///< with changes by the options or, for a resumed run, by its checkpoint
+  bool sheet{};    ///< the engineer's sheet is requested
 
-  /// The scene's file when the run was started: names its files.
+  /// The scene's file at the start of the run; output files are named after it.
   std::filesystem::path name() const { return run.resumes() ? std::filesystem::path{run.saved.scene_file} : run.scene; }
 };
 
-/// The run that the options request. Errors: as run_request(); InputError for a scene that is refused.
+/// The run requested by the options. Errors: as run_request(); InputError for a scene that is rejected.
 [[nodiscard]] SceneRequest scene_request(const SceneOptions& options);
 
-/// The step after which --until stops the run; the plan's last without it. Errors: InputError for a time that the run
-/// has passed or never reaches.
+/// The step after which --until stops the run; without --until the plan's last step. Errors: InputError for a time that
+/// the run has passed or never reaches.
 [[nodiscard]] long last_step(const SceneOptions& options, const SceneRequest& request);
 
 }  // namespace talus::app

@@ -14,7 +14,7 @@
 namespace talus::app {
 namespace {
 
-/// Errors name the scene's file.
+/// The outputs of a run; adds the scene's file name to their errors.
 RunOutputs outputs_of(const OutputRequest& request, const std::filesystem::path& scene) {
   try {
     return RunOutputs{request};
@@ -109,7 +109,7 @@ Outcome SceneRun::proceed(const StopCondition& stop, Progress& progress) {
   Outcome outcome = simulate(system_, run_state_, scene_->plan, observers, stops, &seen_);
   parts_.ended(static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC, run_state_.step - first,
                run_state_.evaluations - evaluations);
-  // Nobody is asked whether to stop with the last step.
+  // simulate() does not call the stop condition after the last step, so that step is checked here.
   if (outcome.kind == Outcome::Kind::finished) look(seen_, ++step);
   if (outcome && broken()) return {Outcome::Kind::diverged, outcome.time, watch_.violation()};
   return outcome;
@@ -118,7 +118,7 @@ Outcome SceneRun::proceed(const StopCondition& stop, Progress& progress) {
 RunQuality SceneRun::quality(const Outcome& outcome) const {
   RunQuality found;
   if (const auto& ledger = recorder_.ledger()) {
-    // Of the ledger, not of the watch, which may be off.
+    // From the ledger, not from the run monitor, which may be off.
     const double scale = ledger->energy_scale();
     found.balance = scale > 0.0 ? ledger->largest_energy_closure() / scale : 0.0;
     found.balance_time = watch_.drift_time();

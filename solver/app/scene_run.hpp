@@ -18,35 +18,36 @@
 
 namespace talus::app {
 
-/// A scene's run with all that it leaves in a folder, which can be interrupted between two steps and resumed by another.
+/// A scene's run with its output files. It can be interrupted between two steps and resumed by another process.
 class SceneRun {
  public:
-  /// `folder` empty: nothing is written. `scene` is its file, whose name others take; `frames` and `sheet`: see
-  /// OutputRequest. The scene must outlive it. Errors: InputError, which names the scene's file; IoError.
+  /// With an empty `folder` nothing is written. `scene` is the scene's file, after which output files are named; for
+  /// `frames` and `sheet` see OutputRequest. `file` must outlive this object. Errors: InputError naming the scene's
+  /// file; IoError.
   SceneRun(const SceneFile& file, const std::filesystem::path& folder, const std::filesystem::path& scene, long frames,
            bool sheet);
 
-  /// Names all that the run carries from one step to the next; a run of the same scene goes on from it.
+  /// Saves or restores the complete state of the run; a run of the same scene continues from it.
   void serialize(Archive& archive);
-  /// After it was put back: brings what was written to the folder in which the run stood. Errors: IoError.
+  /// Copies the files written so far from the folder of the interrupted run; called after restoring. Errors: IoError.
   void bring_files(const std::filesystem::path& from);
 
-  /// Takes the run on to its plan's end or until `stop`, and shows how far it is. Errors: IoError.
+  /// Advances the run to its plan's end or until `stop`, and shows the progress. Errors: IoError.
   Outcome proceed(const StopCondition& stop, Progress& progress);
-  /// What was watched so far.
+  /// The monitor of the run, with its results so far.
   const RunMonitor& watch() const { return watch_; }
-  /// What is unlikely to be meant at the start: the first warnings of the record.
+  /// Warnings about a start that is probably not intended; the first warnings of the record.
   const std::vector<std::string>& start_warnings() const { return start_warnings_; }
 
   const RunState& run_state() const { return run_state_; }
   const Dynamics& dynamics() const { return dynamics_; }
-  /// What its steps carried and cost in this process.
+  /// Counts and computing times of the steps of this process.
   [[nodiscard]] StepParts::Found parts() const { return parts_.found(); }
-  /// The run as it is reported.
+  /// The record of the run, for reports.
   [[nodiscard]] RunRecord record(Outcome outcome) const;
-  /// Writes all files but summary.json. Errors: IoError.
+  /// Writes all files except summary.json. Errors: IoError.
   void write(const RunRecord& record) const { outputs_.write({record, seen_, fence_ ? &*fence_ : nullptr}); }
-  /// Names of the files that write() leaves.
+  /// Names of the files that write() creates.
   std::vector<std::string> file_names() const { return outputs_.files(); }
 
  private:
@@ -60,13 +61,13 @@ class SceneRun {
   RigidBodySystem system_;
   RunState run_state_;
   Snapshot seen_;               ///< of the last step
-  std::string integrator_why_;  ///< the scene's, or that of the resumed run
+  std::string integrator_why_;  ///< reason for the integrator; of the interrupted run if resumed, else of the scene
   Recorder recorder_;
   FailureLog failures_;
   RunMonitor watch_;
   std::vector<std::string> start_warnings_;
   RunOutputs outputs_;
-  std::optional<scenes::FenceMonitor> fence_;  ///< of a fence
+  std::optional<scenes::FenceMonitor> fence_;  ///< only for a fence
   bool sheet_{};
   StepParts parts_;
 };

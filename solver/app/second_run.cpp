@@ -10,7 +10,7 @@ namespace {
 
 constexpr const char* interrupted = "it was interrupted";
 
-/// The record of a run without files; empty where `stop` ended it. `most`: evaluations after which it is given up.
+/// The record of a run without files; nothing if `stop` ended it. The run is aborted after `most` evaluations.
 std::optional<RunRecord> record_of(const SceneFile& file, long most, const StopCondition& stop) {
   SceneRun run{file, {}, {}, 0, false};
   const Scene& scene = file.scene;

@@ -19,7 +19,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// GPLOT's dialogue as options.
+/// Options of `talus snapshot`, corresponding to GPLOT's dialogue.
 struct SnapshotOptions {
   std::string folder;
   std::vector<std::string> times;
@@ -34,7 +34,7 @@ struct SnapshotOptions {
   PictureOptions picture;
 };
 
-/// The file of the state nearest to a time.
+/// The file of the state nearest to the time `text`.
 GeometryFile nearest(const std::vector<GeometryFile>& files, const std::string& text, const RunFolder& run) {
   const double time = option_time("--times", text, run, false);
   const double first = files.front().time;
@@ -62,7 +62,7 @@ std::vector<GeometryFile> chosen_files(const std::vector<GeometryFile>& files, c
   return chosen;
 }
 
-/// Panels side by side so that the page is about as high as it is wide, and if that may be its last row is full.
+/// Number of panels side by side that makes the page about as high as wide, preferably with a full last row.
 int usual_columns(const Window& window, std::size_t panels) {
   const double shape = (window.top - window.bottom) / (window.right - window.left);
   const double wanted = std::clamp(std::sqrt(std::max(shape, 0.1) * static_cast<double>(panels)), 1.0, 5.0);
@@ -98,7 +98,7 @@ void add_pages(std::vector<reports::Page>& pages, const Drawn& drawn, View view,
   pages.push_back(std::move(page));
 }
 
-/// `drawn`: DrawnGeometry or DrawnDiscs.
+/// The pages of the chosen states. `drawn`: DrawnGeometry or DrawnDiscs.
 template <class Drawn>
 DrawingRequest snapshot(const Drawn& drawn, const SnapshotOptions& options) {
   if (options.view != "side" && !drawn.has_depth) {

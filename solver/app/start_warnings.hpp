@@ -9,14 +9,14 @@
 
 namespace talus::app {
 
-/// The warning of a step that is longer than its linear limit. `verdict`: the text of its StepVerdict; `command`: the
-/// same run by a method that chooses its steps.
+/// The warning for a step beyond its linear limit. `verdict`: the text of its StepVerdict; `command`: the command for
+/// the same run by a method with step control.
 [[nodiscard]] std::string step_warning(std::string_view verdict, std::string_view command);
 
-/// What is unlikely to be meant in the bodies of a scene at its start: overlaps in contacts.
+/// Warnings about overlaps of contacts at a scene's start, which are probably not intended.
 [[nodiscard]] std::vector<std::string> start_warnings(const SceneFile& file, const Dynamics& dynamics);
 
-/// What is unlikely to be meant in the geometry of a fence; nothing of other scenes.
+/// Warnings about geometry of a fence that is probably not intended; none for other scenes.
 [[nodiscard]] std::vector<std::string> geometry_warnings(const SceneFile& file);
 
 }  // namespace talus::app

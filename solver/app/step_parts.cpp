@@ -7,9 +7,9 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-/// So often is each part computed in a look, against the clock's own cost.
+/// Evaluations of each part in a look; averaging reduces the overhead of reading the clock.
 constexpr int repetitions = 8;
-/// After the first looks, at every second as many steps as before, there is one in so many steps.
+/// Largest number of steps between two looks. Before, a look comes whenever the number of steps has doubled.
 constexpr long rare = 4096;
 
 }  // namespace
@@ -17,7 +17,7 @@ constexpr long rare = 4096;
 StepParts::StepParts(const Dynamics& dynamics, bool ledger)
     : dynamics_{&dynamics}, ledger_{ledger}, work_{dynamics.workspace()}, rates_{rest_state(dynamics.model())} {}
 
-/// One of the repetitions.
+/// Time of one repetition.
 template <class Work>
 std::chrono::duration<double, std::nano> StepParts::time(Work&& work) {
   const Clock::time_point start = Clock::now();
@@ -27,7 +27,7 @@ std::chrono::duration<double, std::nano> StepParts::time(Work&& work) {
 }
 
 void StepParts::observed(Clock::duration taken) {
-  // A time much beyond those before it is that of another program, to which the machine has turned meanwhile.
+  // A time far above the mean so far is limited: another process probably ran in between.
   if (observed_ >= 16) taken = std::min(taken, 16 * observers_ / observed_);
   observers_ += taken;
   ++observed_;
@@ -40,13 +40,13 @@ void StepParts::look(const State& state, const StepInfo& info) {
   State copy = state;
   Rates* const accounts = ledger_ ? &rates_ : nullptr;
   evaluation_ += time([&] { dynamics_->evaluate(copy, work_, rates_, ledger_); });
-  // count() needs all paths, which rates alone leave out.
+  // count() needs all cable paths, which an evaluation for rates only does not compute.
   if (work_.pulled) {
     dynamics_->update(copy, work_);
     dynamics_->rates(copy, work_, rates_, ledger_);
   }
   count(copy);
-  // The parts are timed one by one, law calls included.
+  // The parts are timed separately, including the calls of the laws.
   work_.evaluated = Evaluated::geometry;
   contacts_ += time([&] {
     if (dynamics_->contacts().find(copy, work_)) dynamics_->contacts().update(copy, work_);
@@ -95,14 +95,14 @@ StepParts::Found StepParts::found() const {
   const auto looks = static_cast<double>(found.looks), steps = static_cast<double>(steps_);
   for (double* const sum : {&found.near, &found.touching, &found.awake, &found.taut})
     *sum /= looks;
-  const double each = static_cast<double>(evaluations_) / steps / looks;  // evaluations a step, of a mean look
+  const double each = static_cast<double>(evaluations_) / steps / looks;  // evaluations per step, divided by looks
   Times& times = found.times;
   times.step = (run_ - looking_).count() / steps;
   times.contacts = each * contacts_.count();
   times.cables = each * cables_.count();
   times.bodies = std::max(0.0, each * evaluation_.count() - times.contacts - times.cables);
   times.observers = std::chrono::duration<double, std::nano>{observers_}.count() / static_cast<double>(observed_);
-  // The parts are measured one by one, on states of their own: together they are no more than the step.
+  // The parts are measured separately, on sampled states: they are scaled so that their sum does not exceed the step.
   const double all = times.contacts + times.cables + times.bodies + times.observers;
   const double fit = all > 0.0 ? std::min(1.0, times.step / all) : 1.0;
   for (double* const part : {&times.contacts, &times.cables, &times.bodies, &times.observers})

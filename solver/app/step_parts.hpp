@@ -7,40 +7,39 @@
 
 namespace talus::app {
 
-/// What a run carries from step to step and what its steps cost, part by part, from looks at a few of them: a look
-/// computes the forces of the state once more, in a separate workspace, and changes nothing. Times are this
-/// machine's.
+/// Profile of a run's steps: counts of pairs and cables, and computing time by part, sampled at a few steps (looks). A
+/// look evaluates the forces of the state again in a separate workspace and does not change the run. Times depend on
+/// the machine.
 class StepParts {
  public:
   StepParts(const Dynamics& dynamics, bool ledger);
 
   /// Whether the observers of this step are timed.
   static bool timed(long step) { return step % 61 == 60; }
-  /// The observers of a step that is timed have taken so long.
+  /// Records the time that the observers took in a timed step.
   void observed(std::chrono::steady_clock::duration taken);
-  /// Looks at a state that a run has come to, at some of its steps.
+  /// Call after every step; samples the state at some of the steps.
   void look(const State& state, const StepInfo& info);
-  /// The run has taken so many steps and evaluations in so many seconds of the processor's time, looks and observers
-  /// included.
+  /// Records the processor time [s] of a run, including looks and observers, with its numbers of steps and evaluations.
   void ended(double seconds, long steps, long evaluations);
 
-  /// Nanoseconds a step.
+  /// Nanoseconds per step.
   struct Times {
-    double step{};  ///< all of it
+    double step{};  ///< total
     double contacts{}, cables{}, bodies{};
-    double integration{};  ///< what is left: the method, what it prepares for observers, and the watch
+    double integration{};  ///< the remainder: the method, its preparations for observers, and the run monitor
     double observers{};
   };
   /// Counts are means over the looks.
   struct Found {
     long looks{};
     std::size_t pairs{};  ///< of bodies that may touch
-    double near{};        ///< of these within reach, whose gaps are computed
-    double touching{};    ///< and with a law that acts
+    double near{};        ///< pairs within reach, whose gaps are computed
+    double touching{};    ///< pairs with an acting law
     std::size_t cables{};
     double awake{};        ///< cables that are computed
-    double taut{};         ///< and pull
-    std::size_t memory{};  ///< values that laws keep
+    double taut{};         ///< cables with tension
+    std::size_t memory{};  ///< number of values in the laws' memory
     Times times;
   };
   [[nodiscard]] Found found() const;

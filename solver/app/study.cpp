@@ -29,7 +29,7 @@ struct StudyOptions {
 
 int study(const StudyOptions& options) {
   StudyPlan plan = options.plan;
-  // At once: what the study takes long for is not lost then for want of a folder.
+  // Create and lock the folder first, so that no results of the long study are lost for lack of a folder.
   std::optional<FolderLock> folder;
   if (!options.folder.empty()) make_folder(options.folder), folder.emplace(options.folder);
   std::vector<StudyMean> means;

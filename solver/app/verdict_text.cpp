@@ -26,7 +26,7 @@ std::string_view verdict_text(Verdict verdict) {
   return "";
 }
 
-/// The lines of one record.
+/// Builds the lines of one record.
 class Lines {
  public:
   explicit Lines(const RunRecord& record) : record_{record} {}
@@ -86,7 +86,7 @@ class Lines {
     if (const auto* anchor = fence.largest_anchor())
       add("anchor", fmt::format("{} {}", value(anchor->force.peak, dimension::force), at(anchor->force.peak_time)));
     if (fence.segments.empty()) return;
-    // Names of cables and columns are in the lists that the record keeps in the order of the fence.
+    // Names of cables and columns are in the record's lists, which have the order of the fence.
     const scenes::SegmentRecord& cable = *fence.largest_segment();
     add("cable", fmt::format("{} {}, {}: {}", value(cable.peak, dimension::force), at(cable.peak_time),
                              cable_name(cable), margin(cable.margin())));
@@ -116,7 +116,7 @@ class Lines {
                             untouched());
   }
 
-  /// How many of several contacts never touched.
+  /// Text with the number of contacts that never touched; empty if there are none.
   std::string untouched() const {
     const auto count = std::ranges::count_if(record_.extremes, [](const ExtremeRecord& item) {
       return item.column.name.ends_with(".depth") && item.extreme.largest < 0.0;
@@ -124,7 +124,7 @@ class Lines {
     return count == 0 ? "" : fmt::format("; {} of {} contacts never touched{}", count, record_.contacts, closest());
   }
 
-  /// The pair that came closest without touching, by the recorded overlaps, which are gaps where they are negative.
+  /// Text with the pair that came closest without touching, from the recorded overlaps (negative overlaps are gaps).
   std::string closest() const {
     const ExtremeRecord* best = nullptr;
     for (const ExtremeRecord& item : record_.extremes) {

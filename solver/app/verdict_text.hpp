@@ -7,8 +7,8 @@
 
 namespace talus::app {
 
-/// What a run came to, in the scene's units: a fence's verdict with its largest forces, the last contact of another
-/// scene, and how far the results can be trusted. Each line begins with its subject, padded to a column.
+/// Result of a run in the scene's units: a fence's verdict with its largest forces, or another scene's last contact,
+/// and the quality of the results. Each line begins with its subject, padded to a column.
 [[nodiscard]] std::vector<std::string> verdict_lines(const RunRecord& record);
 
 }  // namespace talus::app

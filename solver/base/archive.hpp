@@ -12,44 +12,44 @@
 
 namespace talus {
 
-/// Numbers and texts by name: what a checkpoint holds.
+/// Named lists of numbers and texts: the content of a checkpoint.
 using ArchiveItems = std::map<std::string, std::variant<std::vector<double>, std::string>, std::less<>>;
 
-/// One pass over what an object carries from one step of a run to the next. The object names each part once, in a
-/// function `remember(Archive&, ...)`, and the pass either saves the parts or puts saved ones back:
+/// Saves or restores the state that an object carries from one step of a run to the next. The object names each part
+/// once, in a function `serialize(Archive&, ...)` that serves both directions:
 ///
-///   void remember(Archive& archive) { archive.number("internal_step", step_); archive.list("rates", rates_); }
+///   void serialize(Archive& archive) { archive.number("internal_step", step_); archive.list("rates", rates_); }
 ///
-/// What is put back is bit for bit what was saved. Errors when putting back: InputError naming the part, what was
+/// Restored values are bit-identical to the saved ones. Errors when restoring: InputError naming the part, what was
 /// found and what is allowed.
 class Archive {
  public:
-  /// A pass that saves.
+  /// An archive that saves.
   Archive() = default;
-  /// A pass that puts back. The items must outlive it.
+  /// An archive that restores. The items must outlive it.
   explicit Archive(const ArchiveItems& saved) : saved_{&saved} {}
 
   bool is_loading() const { return saved_ != nullptr; }
-  /// What a pass that saves has collected.
+  /// The items saved so far.
   const ArchiveItems& items() const { return items_; }
-  /// Items that a pass that puts back was not asked for.
+  /// Names of the items that have not been restored; empty when saving.
   std::vector<std::string> left_over() const;
 
   void number(std::string_view name, double& value) { numbers(name, {&value, 1}); }
-  /// A whole number >= 0, below 2^53.
+  /// A whole number from 0 to 2^53.
   void count(std::string_view name, long& value);
   void flag(std::string_view name, bool& value);
-  /// As many numbers as there is room for: the count is the object's, not the file's.
+  /// Exactly values.size() numbers: the object determines the count, not the file.
   void numbers(std::string_view name, std::span<double> values);
   void numbers(std::string_view name, std::span<std::uint16_t> values);
-  /// Numbers of any count.
+  /// A list of any length.
   void list(std::string_view name, std::vector<double>& values);
   /// The components of a vector.
   void vector(std::string_view name, Vec2& value);
   void vector(std::string_view name, Vec3& value);
   void text(std::string_view name, std::string& value);
 
-  /// A scope: `visit` names its parts, and "name." goes in front.
+  /// Calls `visit`; the names of the parts that it serializes get the prefix "name.".
   template <class Visit>
   void scope(std::string_view name, Visit&& visit) {
     const std::size_t length = prefix_.size();
@@ -65,7 +65,7 @@ class Archive {
   void demand_whole(std::string_view name, double value, double largest) const;
 
   const ArchiveItems* saved_{nullptr};
-  ArchiveItems items_;  ///< saved, or put back so far
+  ArchiveItems items_;  ///< saved so far; when restoring, the names of the items restored so far
   std::string prefix_;
 };
 

@@ -3,7 +3,7 @@
 namespace talus {
 
 /// Physical dimension as powers of mass M, length L and time T. Angles are pure numbers here; `angle` marks those that
-/// are given in rad or deg, so that a bare number or a length is refused where an angle belongs.
+/// are given in rad or deg, so that a bare number or a length is rejected where an angle is required.
 struct Dimension {
   int mass{};
   int length{};

@@ -13,8 +13,8 @@ namespace {
 
 constexpr char lower(char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; }
 
-/// Cost of turning `found` into `known` letter by letter (Levenshtein's row-by-row recurrence). A letter left out costs
-/// least, since names are more often cut short than filled up: "verlett" is nearest to velocity_verlet, not to rk4.
+/// Weighted edit distance from `found` to `known` (Levenshtein's row-by-row recurrence). A missing letter costs least,
+/// because names are more often abbreviated than extended: "verlett" is nearest to velocity_verlet, not to rk4.
 std::size_t edit_cost(std::string_view found, std::string_view known) {
   constexpr std::size_t left_out = 1, other_case = 1, wrong = 3, too_many = 3;
   std::vector<std::size_t> row(known.size() + 1);

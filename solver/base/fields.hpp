@@ -12,7 +12,7 @@ namespace talus {
 /// Values that a numeric field may take.
 enum class Range { any, positive, non_negative, fraction, positive_fraction };
 
-/// The words of an error message for a range: "it must be ...".
+/// Text of an error message for a range: "it must be ...".
 constexpr std::string_view words(Range range) {
   switch (range) {
     case Range::positive:
@@ -29,7 +29,7 @@ constexpr std::string_view words(Range range) {
   return "finite";
 }
 
-/// Whether `value` lies in the range (a number that is not finite never does: its difference from itself is NaN).
+/// Whether `value` lies in the range. A value that is not finite never does: its difference from itself is NaN.
 constexpr bool contains(Range range, double value) {
   switch (range) {
     case Range::positive:
@@ -46,18 +46,18 @@ constexpr bool contains(Range range, double value) {
   return value - value == 0.0;
 }
 
-/// One physical parameter of a value type T: the single place that states its name, dimension and range. Parsing, echo,
-/// report and conversion are derived from the table of a type's fields.
+/// Description of one physical parameter of a value type T: the only definition of its name, dimension and range.
+/// Parsing, echo, report and conversion are derived from the table of a type's fields.
 template <class T>
 struct Field {
   std::string_view name;     ///< as written in a scene
-  Dimension dimension;       ///< what a quantity must have to be accepted
-  double T::*member;         ///< where it is kept, in the scene's consistent units
-  Range range;               ///< values allowed
+  Dimension dimension;       ///< required of the quantity
+  double T::*member;         ///< member that stores the value, in the scene's consistent units
+  Range range;               ///< allowed values
   std::string_view meaning;  ///< one line: meaning, sign, frame
 };
 
-/// The name of a field of T, as written in a scene; empty for a member that is none.
+/// Name of the field that stores its value in `member`, as written in a scene; empty if there is none.
 template <class T>
 [[nodiscard]] constexpr std::string_view field_name(double T::*member) {
   for (const auto& field : T::fields())
@@ -65,12 +65,12 @@ template <class T>
   return {};
 }
 
-/// Two fields of T of which one is at least the other.
+/// Constraint between two fields of T: larger >= smaller.
 template <class T>
 struct FieldOrder {
   double T::*larger;
   double T::*smaller;
-  std::string_view why;  ///< in words, as the end of a message
+  std::string_view why;  ///< reason, as the end of a message
 };
 
 /// A vector parameter of T; the components may be any finite numbers.
@@ -82,7 +82,7 @@ struct VectorField {
   std::string_view meaning;
 };
 
-/// A parameter of T that is a whole number between `least` and `most`.
+/// A parameter of T that is a whole number from `least` to `most`.
 template <class T>
 struct CountField {
   std::string_view name;
@@ -92,11 +92,11 @@ struct CountField {
   std::string_view meaning;
 };
 
-/// A named set of values of an enum, in the enum's order: the closed list that parsing and messages go by.
+/// Names of all values of an enum, in the enum's order: the closed list that parsing and messages use.
 template <class Enum>
 struct Names;
 
-/// The name of a value in that list.
+/// Name of an enum value in Names<Enum>::list.
 template <class Enum>
 [[nodiscard]] constexpr std::string_view name_of(Enum value) {
   return Names<Enum>::list[static_cast<std::size_t>(value)];

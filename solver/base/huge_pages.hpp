@@ -10,8 +10,8 @@
 
 namespace talus {
 
-/// Archive for long arrays that are gone through again and again: large ones in pages of 2 MiB, where the system has
-/// them, so that it looks up fewer; small ones at the start of a line of the cache.
+/// Allocator for long arrays that are traversed repeatedly. Large arrays use pages of 2 MiB where the system provides
+/// them, which reduces page look-ups; small ones are aligned to cache lines.
 template <class T>
 struct HugePages {
   using value_type = T;
@@ -26,7 +26,7 @@ struct HugePages {
     void* const memory = std::aligned_alloc(page, bytes);
     if (memory == nullptr) throw std::bad_alloc{};
 #if defined(__linux__)
-    if (page == large) static_cast<void>(madvise(memory, bytes, MADV_HUGEPAGE));  // advice: may be left aside
+    if (page == large) static_cast<void>(madvise(memory, bytes, MADV_HUGEPAGE));  // the system may ignore it
 #endif
     return static_cast<T*>(memory);
   }

@@ -5,14 +5,13 @@
 
 namespace talus {
 
-/// Position of a body in Model::bodies. A type of its own, so that it cannot be mixed up with the index of anything
-/// else.
+/// Index of a body in Model::bodies. A distinct type, so that it cannot be confused with other indices.
 enum class BodyId : std::uint32_t {};
-/// Position of a cable in Model::cables.
+/// Index of a cable in Model::cables.
 enum class CableId : std::uint32_t {};
-/// Position of a contact in Model::contacts.
+/// Index of a contact in Model::contacts.
 enum class ContactId : std::uint32_t {};
-/// Position of a hanger in Model::hangers.
+/// Index of a hanger in Model::hangers.
 enum class HangerId : std::uint32_t {};
 
 /// The plain array index of an id.

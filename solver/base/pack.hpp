@@ -7,9 +7,9 @@
 #include <limits>
 #include <type_traits>
 
-// Marks a function that is compiled for several instruction sets, of which the loader takes the best that the
-// processor has: the same arithmetic on more lanes at once, and so the same bits. With TALUS_PORTABLE it is compiled
-// once, for every processor.
+// Marks a function that is compiled for several instruction sets; the loader selects the best one that the processor
+// supports. The variants perform the same arithmetic on more lanes at once, so results are bit-identical. With
+// TALUS_PORTABLE the function is compiled once, for every processor.
 #if defined(__x86_64__) && !defined(__clang__) && !defined(TALUS_PORTABLE)
 #define TALUS_CLONES [[gnu::target_clones("arch=x86-64-v4", "arch=x86-64-v3", "default")]]
 #else
@@ -18,12 +18,12 @@
 
 namespace talus {
 
-/// Four numbers that are computed side by side, each as it would be alone. Not eight: where a processor has registers of
-/// four, gcc 12 keeps packs of eight on the stack and copies them by twos.
+/// Four numbers computed in parallel, each with the same result as if computed alone. Four and not eight: for
+/// processors with registers of four numbers, gcc 12 keeps packs of eight on the stack and copies them in pairs.
 using Pack [[gnu::vector_size(32)]] = double;
 inline constexpr std::size_t pack_size = 4;
 
-/// The next numbers of a row of which `left` are left; zero in lanes beyond its end.
+/// Loads the next numbers of a row, of which `left` remain; lanes beyond its end are set to zero.
 [[gnu::always_inline]] inline void load(Pack& pack, const double* row, std::size_t left = pack_size) {
   if (left >= pack_size) {
     std::memcpy(&pack, row, sizeof(Pack));
@@ -33,7 +33,7 @@ inline constexpr std::size_t pack_size = 4;
   }
 }
 
-/// Puts them back.
+/// Stores a pack as the next numbers of a row, of which `left` remain; lanes beyond its end are dropped.
 [[gnu::always_inline]] inline void store(const Pack& pack, double* row, std::size_t left = pack_size) {
   if (left >= pack_size) {
     std::memcpy(row, &pack, sizeof(Pack));
@@ -42,8 +42,9 @@ inline constexpr std::size_t pack_size = 4;
   }
 }
 
-/// Calls visit(first, left) for packs from `first` on, until all of a row is visited; `left` is a whole pack, but of a
-/// row shorter than one. The last pack may overlap the one before: nothing may depend on how often it is visited.
+/// Calls visit(first, left) for packs that start at `first` until the whole row is visited; `left` is pack_size, or
+/// `count` for a row shorter than a pack. The last pack may overlap the one before it, so the result must not depend on
+/// how often a number is visited.
 template <class Visit>
 [[gnu::always_inline]] inline void for_packs(std::size_t count, Visit&& visit) {
   using Whole = std::integral_constant<std::size_t, pack_size>;
@@ -57,8 +58,8 @@ template <class Visit>
     visit(first, count);
 }
 
-/// The largest size in each lane so far. Sizes have the order of their bits as whole numbers, in which what is not a
-/// number is above all others, and stays.
+/// Largest magnitude so far in each lane, as the bits of the double. Magnitudes are ordered like their bits read as
+/// integers, where NaN is above all numbers and therefore persists.
 using Sizes [[gnu::vector_size(32)]] = std::int64_t;
 
 [[gnu::always_inline]] inline void raise(Sizes& most, const Sizes& other) { most = other > most ? other : most; }
@@ -68,7 +69,7 @@ using Sizes [[gnu::vector_size(32)]] = std::int64_t;
   raise(most, bits & std::numeric_limits<std::int64_t>::max());
 }
 
-/// The bits that are set in any lane.
+/// Bitwise OR of all lanes.
 [[gnu::always_inline]] inline std::int64_t bits_of_all(const Sizes& bits) {
   const Sizes all = bits | __builtin_shufflevector(bits, bits, 2, 3, 0, 1);
   return all[0] | all[1];
@@ -76,12 +77,12 @@ using Sizes [[gnu::vector_size(32)]] = std::int64_t;
 /// Whether any bit is set in any lane.
 [[gnu::always_inline]] inline bool any_bit(const Sizes& bits) { return bits_of_all(bits) != 0; }
 
-/// A bit for each lane, the first lowest: set where the lane is true, all of whose bits are set.
+/// Mask with one bit per lane, the lowest for the first: set where the lane is true, that is, has all bits set.
 [[gnu::always_inline]] inline std::size_t bits_of(const Sizes& is) {
   return static_cast<std::size_t>(bits_of_all(is & Sizes{1, 2, 4, 8}));
 }
 
-/// The largest of all lanes.
+/// Maximum over all lanes.
 [[gnu::always_inline]] inline double largest(const Sizes& sizes) {
   Sizes most = sizes;
   raise(most, __builtin_shufflevector(most, most, 2, 3, 0, 1));

@@ -14,7 +14,7 @@ using Clock = std::chrono::steady_clock;
 
 bool on_terminal() { return ::isatty(STDERR_FILENO) == 1; }
 
-/// Writes over the line of a terminal. A terminal that was closed takes nothing; the run continues.
+/// Overwrites the current line of the terminal. Output to a closed terminal is lost; the run continues.
 void overwrite(std::string_view words, std::size_t width, const char* end = "") {
   std::fputs(fmt::format("\r{:{}}{}", words, width, end).c_str(), stderr);
   std::fflush(stderr);
@@ -33,7 +33,7 @@ bool Progress::due() {
   if (!on_terminal_ || ++asked_ < stride_) return false;
   asked_ = 0;
   const Clock::time_point now = Clock::now();
-  // Between half a millisecond and two, as the questions come.
+  // The stride adapts to the rate of the calls: the clock is read every 0.5 to 2 ms.
   constexpr long longest = 4096;
   if (now - read_ < std::chrono::microseconds{500}) stride_ = std::min(2 * stride_, longest);
   if (now - read_ > std::chrono::milliseconds{2}) stride_ = std::max(stride_ / 2, 1L);

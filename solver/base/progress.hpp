@@ -9,8 +9,8 @@
 
 namespace talus {
 
-/// One line on a terminal's stderr that says how far something long has come, once it takes longer than a second; wiped
-/// at the end. Elsewhere nothing.
+/// Status line of a long operation on stderr: appears when the operation takes longer than a second and is erased at
+/// the end. Nothing is shown if stderr is not a terminal.
 class Progress {
  public:
   Progress();
@@ -18,8 +18,8 @@ class Progress {
   Progress& operator=(const Progress&) = delete;
   ~Progress();
 
-  /// Whether a line is to be shown now: five times a second at most. It may be asked at every step, for it reads the
-  /// clock only so often that the steps between two readings take a millisecond or so.
+  /// Whether a line is to be shown now: at most five times a second. Cheap enough to call at every step: the clock is
+  /// read only about once a millisecond.
   [[nodiscard]] bool due();
   void show(std::string_view words);
 
@@ -27,14 +27,14 @@ class Progress {
   bool on_terminal_;
   std::size_t width_{};  ///< of the longest line shown
   std::chrono::steady_clock::time_point next_, read_;
-  long stride_{1}, asked_{};  ///< the clock is read at every stride_-th question
+  long stride_{1}, asked_{};  ///< the clock is read at every stride_-th call of due()
 };
 
-/// Shows the time that something has taken, every second from the second on: for work that does not say how far it has
-/// come. Nothing may be printed while it lives. Where stderr is no terminal it shows nothing.
+/// Shows the elapsed time of an operation that reports no progress, every second from 2 s on. Nothing may be
+/// printed during its lifetime. Nothing is shown if stderr is not a terminal.
 class ElapsedTime {
  public:
-  /// `what`: "reading the states".
+  /// `what` names the operation: "reading the states".
   explicit ElapsedTime(std::string what);
   ElapsedTime(const ElapsedTime&) = delete;
   ElapsedTime& operator=(const ElapsedTime&) = delete;
@@ -47,10 +47,10 @@ class ElapsedTime {
   std::thread shows_;
 };
 
-/// A duration for people: "40 s", "3 min", "2.5 h".
+/// A duration as text, in s, min or h by its size: "40 s", "3 min", "2.5 h".
 [[nodiscard]] std::string duration_text(double seconds);
 
-/// The rest of some work and the whole, from the time that a fraction of it took: "20 s left of about 3 min".
+/// Remaining and total time, extrapolated from the time that a fraction of the work took: "20 s left of about 3 min".
 [[nodiscard]] std::string time_left_text(double elapsed, double fraction);
 
 }  // namespace talus

@@ -21,8 +21,7 @@ TALUS_CLONES void add_scaled(double* out, const double* x, double h, const doubl
 }
 
 TALUS_CLONES bool all_finite(const double* x, const double* y, std::size_t count) {
-  // A finite number less itself is zero, -0 where sums are rounded downward: no bit is set but the sign's. Any other is
-  // not a number.
+  // For finite x, x - x is zero, or -0 if sums are rounded downward: no bit but the sign is set. For other x it is NaN.
   Sizes found{};
   std::size_t i = 0;
   for (; i + pack_size <= count; i += pack_size) {
@@ -43,7 +42,7 @@ TALUS_CLONES bool all_finite(const double* x, const double* y, std::size_t count
 TALUS_CLONES void take_extremes(const double* x, double time, std::size_t count, double* least, double* least_time,
                                 double* largest, double* largest_time) {
   const Pack now = Pack{} + time;
-  // A value that is taken a second time, in a last pack that overlaps the one before, is beyond no extreme.
+  // A value visited twice, in a last pack that overlaps the one before it, changes no extreme the second time.
   for_packs(count, [&](std::size_t i, auto left) {
     Pack value, low, low_time, high, high_time;
     load(value, x + i, left);

@@ -11,8 +11,8 @@
 namespace talus {
 namespace {
 
-/// Looks before a thread sleeps: waking it takes longer than most waits between the parts of a step. Of more threads
-/// than processors who looks keeps others from their work.
+/// Number of polls before a thread sleeps: waking it takes longer than most waits between the parts of a step. With
+/// more threads than processors there is no polling, because a polling thread keeps others from working.
 constexpr int looks_alone = 1000;
 
 inline void pause() {
@@ -21,7 +21,7 @@ inline void pause() {
 #endif
 }
 
-/// Waits until the number is another; returns it.
+/// Waits until `number` differs from `than`, with `looks` polls before it sleeps; returns the new value.
 std::size_t await_other(const std::atomic<std::size_t>& number, std::size_t than, int looks) {
   for (int look = 0; look < looks; ++look) {
     const std::size_t now = number.load(std::memory_order_acquire);
@@ -35,10 +35,10 @@ std::size_t await_other(const std::atomic<std::size_t>& number, std::size_t than
 }  // namespace
 
 struct ThreadPool::Shared {
-  /// What `calls` becomes at the end.
+  /// Value of `calls` that makes the threads end.
   static constexpr std::size_t no_more = std::numeric_limits<std::size_t>::max();
 
-  /// Where the system starts no more threads, the caller does their parts.
+  /// If the system cannot start all threads, the calling thread does the parts of the missing ones.
   explicit Shared(std::size_t size)
       : looks{size <= std::thread::hardware_concurrency() ? looks_alone : 0}, taken(size), failures(size) {
     try {
@@ -56,8 +56,8 @@ struct ThreadPool::Shared {
   Shared(const Shared&) = delete;
   Shared& operator=(const Shared&) = delete;
 
-  /// Does a part of a call unless it is taken. A call ends when all its parts are done, and only then another begins:
-  /// who takes a part of it sees the work of this call, and who comes too late finds none.
+  /// Does part k of a call unless a thread has already taken it. A call ends when all its parts are done, and the next
+  /// one begins only then: a thread that takes a part sees the work of this call, and a late thread finds no part.
   void do_part(std::size_t k, std::size_t call) noexcept {
     std::size_t before = call - 1;
     if (!taken[k].compare_exchange_strong(before, call, std::memory_order_acq_rel)) return;
@@ -78,11 +78,11 @@ struct ThreadPool::Shared {
 
   int looks;
   const std::function<void(std::size_t)>* work{};
-  std::atomic<std::size_t> calls{};             ///< so far
-  std::vector<std::atomic<std::size_t>> taken;  ///< of each part, the last call in which somebody took it
-  std::atomic<std::size_t> left{};              ///< parts of the call that are not done
+  std::atomic<std::size_t> calls{};             ///< number of calls so far
+  std::vector<std::atomic<std::size_t>> taken;  ///< of each part: the last call in which a thread took it
+  std::atomic<std::size_t> left{};              ///< unfinished parts of the current call
   std::vector<std::exception_ptr> failures;
-  std::vector<std::thread> others;  ///< last: they use all that stands above
+  std::vector<std::thread> others;  ///< last member: the threads use all those above
 };
 
 ThreadPool::ThreadPool(std::size_t size) : shared_{std::make_unique<Shared>(size)} {}
@@ -96,8 +96,8 @@ void ThreadPool::each(const std::function<void(std::size_t)>& work) {
   shared.left.store(size(), std::memory_order_relaxed);
   const std::size_t call = shared.calls.fetch_add(1, std::memory_order_release) + 1;
   shared.calls.notify_all();
-  // Also the parts of threads that have not begun: where other programs keep the processors busy, a thread may have to
-  // wait for some milliseconds, in which the part would be done a hundred times.
+  // Includes the parts of threads that have not begun: if other programs keep the processors busy, a thread may wait
+  // for some milliseconds before it runs, about a hundred times as long as the part takes.
   for (std::size_t k = 0; k < size(); ++k)
     shared.do_part(k, call);
   for (std::size_t left = shared.left.load(std::memory_order_acquire); left != 0;)

@@ -6,18 +6,18 @@
 
 namespace talus {
 
-/// Threads that work together, again and again: this one and others that wait meanwhile.
+/// A pool of threads for repeated parallel calls: the calling thread and others, which wait between calls.
 class ThreadPool {
  public:
-  /// size >= 1: with this thread. Threads that the system cannot start are done without.
+  /// size >= 1, including the calling thread, which also does the parts of threads that the system cannot start.
   explicit ThreadPool(std::size_t size);
   ~ThreadPool();
   ThreadPool(const ThreadPool&) = delete;
   ThreadPool& operator=(const ThreadPool&) = delete;
 
-  /// Calls work(k) for 0 <= k < size, at once as far as the system lets the threads run, and returns when all calls
-  /// have ended. A call must not wait for another: the calling thread makes those that no thread has begun. Errors: what
-  /// work(k) throws, that of the smallest k.
+  /// Calls work(k) for 0 <= k < size(), in parallel as far as the system schedules the threads, and returns when all
+  /// calls have ended. A call must not wait for another one: the calling thread makes those that no thread has begun.
+  /// Errors: the exception of work(k); if there are several, that of the smallest k.
   void each(const std::function<void(std::size_t)>& work);
   std::size_t size() const;
 
@@ -26,14 +26,14 @@ class ThreadPool {
   std::unique_ptr<Shared> shared_;
 };
 
-/// Some of a number of things that follow each other.
+/// A contiguous range [begin, end) of items.
 struct IndexRange {
-  std::size_t number{};  ///< which part it is
+  std::size_t number{};  ///< index of the range among those of one call
   std::size_t begin{}, end{};
 };
 
-/// Calls work(part) for `count` things in as many even parts as the team has threads, as ThreadPool::each; without a team, for
-/// all of them in the calling thread.
+/// Divides `count` items evenly into as many ranges as the pool has threads and calls work(range) for each, as
+/// ThreadPool::each; without a pool, calls it once for all items, in the calling thread.
 template <class Work>
 void in_ranges(ThreadPool* pool, std::size_t count, Work&& work) {
   if (pool == nullptr) return work(IndexRange{0, 0, count});

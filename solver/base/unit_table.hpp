@@ -6,12 +6,12 @@
 
 #include "solver/base/dimension.hpp"
 
-/// The tables behind units.cpp: every unit with its exact size, and every dimension that has a name.
+/// The tables used by units.cpp: every unit with its exact size, and every dimension that has a name.
 namespace talus::unit_table {
 
-/// Size of a unit as numerator/denominator foot^foot pound^pound g_n^gravity in SI. The powers of the constants are
-/// kept apart so that equal ones cancel exactly: "14.92 slug" is 14.92 in a system whose unit of mass is the slug, to
-/// the last bit.
+/// Size of a unit in SI: numerator/denominator foot^foot pound^pound g_n^gravity. The exponents of the constants are
+/// stored separately so that equal factors cancel exactly: "14.92 slug" is 14.92 to the last bit in a system whose unit
+/// of mass is the slug.
 struct Size {
   double numerator{1.0};
   double denominator{1.0};
@@ -70,7 +70,8 @@ inline constexpr std::array units{
     Unit{"psi", dimension::pressure, {144.0, 1.0, -2, 1, 1}},
 };
 
-/// Words for a dimension, and how its consistent unit is written: M, L, T and F stand for the system's own symbols.
+/// Description of a dimension in messages, and the pattern of its consistent unit, in which M, L, T and F are replaced
+/// by the system's symbols.
 struct NamedDimension {
   Dimension dimension;
   std::string_view words;

@@ -34,7 +34,7 @@ double power(double base, int exponent) {
   return exponent < 0 ? 1.0 / result : result;
 }
 
-/// A product of units under way: its dimension and its size.
+/// Dimension and size of a product of units, accumulated while it is read.
 struct Product {
   Dimension dimension;
   Size size;
@@ -51,8 +51,8 @@ struct Product {
   }
 };
 
-/// `value` in a unit of that size, as a value in SI (or, once the system's own unit is divided out, in consistent
-/// units).
+/// Converts `value` in a unit of the given size to SI (or to consistent units, once the size is divided by that of the
+/// system's unit).
 double scaled(double value, const Size& size) {
   double numerator = size.numerator;
   double denominator = size.denominator;
@@ -90,7 +90,7 @@ class QuantityText {
 
   double value() { return times_units(read_number()); }
 
-  /// `number` of the units that follow.
+  /// `number` times the units that follow, in consistent units.
   double times_units(double number) {
     Product product;
     if (!at_end()) read_units(product);
@@ -147,7 +147,7 @@ class QuantityText {
 
   void read_unit(Product& product, int direction) {
     skip_blanks();
-    // "1/s": a one stands where no unit is multiplied.
+    // "1/s": a 1 takes the place of the missing unit before the slash.
     if (text_[at_] == '1' && text_.substr(at_ + 1).find_first_not_of(" \t") != std::string_view::npos &&
         text_[text_.find_first_not_of(" \t", at_ + 1)] == '/') {
       ++at_;

@@ -30,7 +30,8 @@ constexpr Vec2 cross(double w, Vec2 r) { return {-w * r.y, w * r.x}; }
 /// Euclidean length. sqrt is correctly rounded everywhere (hypot is not), which keeps results the same on all machines.
 inline double norm(Vec2 a) { return std::sqrt(dot(a, a)); }
 
-/// A point or vector in space: the plane of motion plus z, along the fence, which carries geometry but no motion.
+/// A point or vector in space: the plane of motion plus z along the fence, which enters only the geometry: nothing
+/// moves along z.
 struct Vec3 {
   double x{};
   double y{};

@@ -23,7 +23,7 @@
 namespace talus {
 namespace {
 
-/// Follows the first impact of a contact: watches the speed of its gap before, and after its law has ceased to act.
+/// Observes the first impact of a contact: the speed of its gap before, and after its law has ceased to act.
 class ImpactMonitor {
  public:
   ImpactMonitor(const Dynamics& dynamics, ContactId contact)
@@ -80,7 +80,7 @@ class ImpactMonitor {
   Impact impact_;
 };
 
-/// 2 sqrt(k m_eff) of a contact as the scene starts [F T/L]: the scale of dampings worth trying.
+/// Critical damping 2 sqrt(k m_eff) of a contact in the initial state [F T/L]: the scale of the search for a damping.
 double critical_damping(const Scene& scene, ContactId contact) {
   const Dynamics dynamics{scene.model};
   const std::size_t first = dynamics.layout().contact_slots[index(contact)].mode;
@@ -99,7 +99,7 @@ Followed follow_impact(const Scene& scene, ContactId contact) {
   ImpactMonitor watch{dynamics, contact};
   State state = scene.initial;
   system.begin(state);
-  // The judgement of a run: an impact that slips through, or overlaps too far, gives no restitution.
+  // Monitored like a run: an impact in which bodies slip through or overlap too far gives no restitution.
   std::optional<RunMonitor> monitor;
   long step = 0;
   if (scene.plan.watch.tunnelling != CheckAction::off) monitor.emplace(scene, dynamics, state);
@@ -119,7 +119,7 @@ Followed follow_impact(const Scene& scene, ContactId contact) {
   return {watch.impact(), {}};
 }
 
-/// An impact in closed form, as a law knows it. Errors: InputError for a law that does not.
+/// Closed-form properties of an impact under a law. Errors: InputError for a law without them.
 struct KnownImpact {
   double contact_time{};  ///< [T]
   double restitution{};
@@ -136,7 +136,8 @@ KnownImpact known_impact(const ContactLaw& law, double effective_mass, double sp
       law);
 }
 
-/// A particle of the effective mass on its way to a fixed plane. Errors: InputError if the contact never ends.
+/// Scene of a particle of the effective mass that approaches a fixed plane. Errors: InputError if the contact never
+/// ends.
 Scene impact_scene(const ContactLaw& law, double effective_mass, double speed, double step, double phase,
                    const Integrator& integrator) {
   const KnownImpact known = known_impact(law, effective_mass, speed);
@@ -144,7 +145,7 @@ Scene impact_scene(const ContactLaw& law, double effective_mass, double speed, d
   if (!std::isfinite(ending)) {
     throw InputError{"a contact damped beyond critical (damping ratio >= 1) never parts under the attractive end rule"};
   }
-  // So large that no overlap comes near the circle's size.
+  // Large enough that no overlap is comparable with the size of the circle.
   const double radius = 1e3 * known.largest_overlap;
   ModelBuilder builder;
   const BodyId ball = builder.add({.name = "ball",
@@ -159,18 +160,20 @@ Scene impact_scene(const ContactLaw& law, double effective_mass, double speed, d
   scene.initial = rest_state(scene.model);
   set_velocity(scene.model, scene.initial, ball, {0.0, -speed}, 0.0);
   scene.integrator = integrator;
-  // Coarse steps draw the contact out; three times its length and a few steps are enough for all that are of use.
+  // Coarse steps prolong the contact; three times its duration plus a few steps is enough for all steps of practical
+  // use.
   scene.plan = {step, 3.0 * ending + 4.0 * step, step, false, {CheckAction::off, CheckAction::off, CheckAction::off}};
   return scene;
 }
 
-/// Pairs of a phase of the touch and a phase of the end that a step is judged by, each evenly spread (the second by the
-/// golden ratio). At one step both phases move together: the errors of touch and end may then cancel at nearly all
-/// phases and add up in a narrow window that no sample hits (measured: .007 at 32 phases, .049 at a thirty-third).
+/// Number of pairs of a phase of first contact and a phase of separation by which a step is judged, each evenly spread
+/// (the second by the golden ratio). At a single step both phases change together: the errors of contact and separation
+/// may then cancel at nearly all phases and add up in a narrow window that no sample hits (measured: 0.007 at 32
+/// phases, 0.049 at a thirty-third).
 constexpr int pair_count = 64;
 constexpr double golden = 0.6180339887498949;
-/// The corner where both errors are largest is missed by up to an eighth in each phase; a fifth of the bound is kept
-/// for it.
+/// Fraction of the bound allowed at the samples. They miss the corner where both errors are largest by up to an eighth
+/// in each phase; a fifth of the bound is reserved for it.
 constexpr double kept = 0.8;
 
 }  // namespace
@@ -213,7 +216,7 @@ ImpactStep advise_impact_step(const ContactLaw& law, double effective_mass, doub
       const double step = time / (std::ldexp(1.0, n) + golden * (i + 0.5) - std::floor(golden * (i + 0.5)));
       const Followed followed =
           follow_impact(impact_scene(law, effective_mass, 1.0, step, phase, integrator), ContactId{0});
-      // A step so long that the contact does not end, or the run diverges, is no step to advise.
+      // A step so long that the contact does not end, or the run diverges, is rejected.
       const double error =
           followed.impact ? std::abs(followed.impact->restitution - exact) : std::numeric_limits<double>::infinity();
       found.largest_error = std::max(found.largest_error, error);
@@ -259,8 +262,8 @@ Calibration calibrate(const Scene& scene, ContactId contact, double e, double to
     low = high, at_low = at_high;
     high *= 2.0, at_high = excess(high);
   }
-  // The simulated e jumps a little where the end of the contact passes from one step to the next: the search stops at
-  // the asked tolerance in e, or when the bracket is as narrow as numbers allow.
+  // The simulated e jumps slightly when the end of the contact moves from one step to the next: the search stops at the
+  // required tolerance in e, or when the bracket is as narrow as floating-point numbers allow.
   std::uintmax_t most = 100;
   double best = high, best_excess = at_high;
   const auto watched = [&](double damping) {

@@ -20,7 +20,7 @@ namespace {
 
 std::string_view method_name(const SteppedContact& contact) { return traits(contact.method).name; }
 
-/// c pi w1 h.
+/// Growth exponent of loading, c pi w1 h.
 double gain_in_loading(const SteppedContact& contact) {
   return traits(contact.method).amplitude_growth_rate * std::numbers::pi * contact.loading_angle();
 }
@@ -39,7 +39,7 @@ InputError out_of_range(const SteppedContact& contact, double restitution, doubl
                   restitution, method_name(contact), contact.loading_angle(), least)};
 }
 
-/// Restitution of one impact of two discs. Lengths are such that the largest overlap is a sixteenth of a radius.
+/// Restitution of one impact of two discs. Lengths are scaled such that the largest overlap is 1/16 of a radius.
 double impact_restitution(const SteppedContact& contact, double ratio, double phase) {
   const double radius = 1.0, speed = contact.loading_angle() / contact.step / 16.0;
   DiscShapes shapes;
@@ -54,7 +54,7 @@ double impact_restitution(const SteppedContact& contact, double ratio, double ph
         system.begin(discs);
         method.start(system, discs, contact.step);
         const auto closing = [&] { return discs.vx[0] - discs.vx[1]; };
-        // After the force has gone they part at the speed that is left.
+        // When the force has ended, the discs separate at their remaining speed.
         const double part = 1.0 / (contact.loading_angle() * std::sqrt(ratio));
         const auto most = static_cast<long>(4.0 * contact.steps_in_contact(ratio) + 4.0 * part) + 10;
         for (long n = 0; n < most; ++n) {
@@ -90,8 +90,8 @@ double ratio_by_formula(const SteppedContact& contact, double restitution) {
   const double least = least_restitution(contact), gained = gain_in_loading(contact);
   if (!(restitution >= least && restitution <= 1.0)) throw out_of_range(contact, restitution, least);
   if (gained == 0.0) return restitution * restitution;
-  // With r the root of the ratio and z = c pi w1 h/r: e = r exp(c pi w1 h + z), so -z exp(-z) = -c pi w1 h exp(c pi w1
-  // h)/e, of which z < 1 is the principal branch.
+  // With r the square root of the ratio and z = c pi w1 h/r: e = r exp(c pi w1 h + z), so
+  // -z exp(-z) = -c pi w1 h exp(c pi w1 h)/e, whose solution with z < 1 is on the principal branch.
   const double argument = -gained * std::exp(gained) / restitution;
   const double root = -gained / boost::math::lambert_w0(std::max(argument, -1.0 / std::numbers::e));
   return std::min(1.0, root * root);
@@ -108,7 +108,7 @@ SimulatedRestitution simulated_restitution(const SteppedContact& contact, double
 }
 
 double ratio_by_simulation(const SteppedContact& contact, double restitution) {
-  // By roots: the restitution is nearly straight in them.
+  // The search is for the square root of the ratio, in which the restitution is nearly linear.
   const auto above = [&](double root) { return simulated_restitution(contact, root * root).mean - restitution; };
   double low = std::sqrt(ratio_by_formula(contact, restitution)), high = low;
   double at_low = above(low), at_high = at_low;

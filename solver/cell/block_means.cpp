@@ -11,7 +11,7 @@ namespace {
 
 constexpr int all_drawn = 400;
 
-/// Of a series about its mean, with that lag.
+/// Autocovariance of a series about its mean, at a lag.
 double autocovariance(std::span<const double> series, double mean, std::size_t lag) {
   double sum = 0.0;
   for (std::size_t k = 0; k + lag < series.size(); ++k)
@@ -27,12 +27,13 @@ std::size_t block_length(std::span<const double> series) {
   const double mean = std::accumulate(series.begin(), series.end(), 0.0) / count;
   const double variance = autocovariance(series, mean, 0);
   if (!(variance > 0.0)) return 1;
-  // The first lag behind which as many as these are within twice their own deviation, were the series drawn by lot.
+  // Finds the first lag after which `quiet` successive ones are within twice the standard deviation of an uncorrelated
+  // series.
   const auto quiet = static_cast<std::size_t>(std::max(5.0, std::ceil(std::sqrt(std::log10(count)))));
   const std::size_t furthest =
       std::min(series.size() - 1, static_cast<std::size_t>(std::ceil(std::sqrt(count))) + quiet);
   const double chance = 2.0 * std::sqrt(std::log10(count) / count) * variance;
-  std::size_t last = 0;  // that tells of the series
+  std::size_t last = 0;  // lag with a significant autocovariance
   for (std::size_t lag = 1; lag <= furthest && lag <= last + quiet; ++lag)
     if (std::abs(autocovariance(series, mean, lag)) >= chance) last = lag;
   const std::size_t window = std::min(2 * std::max<std::size_t>(last, 1), furthest);
@@ -42,7 +43,7 @@ std::size_t block_length(std::span<const double> series) {
     const double part = 2.0 * (share <= 0.5 ? 1.0 : 2.0 * (1.0 - share)) * autocovariance(series, mean, lag);
     spectrum += part, slope += part * static_cast<double>(lag);
   }
-  // Where what one block adds the next takes away, next to nothing is left at frequency 0.
+  // If successive blocks compensate each other, the spectrum nearly vanishes at frequency 0.
   const double most = std::max(1.0, std::min(3.0 * std::sqrt(count), count / 3.0));
   const double length = spectrum > 0.0 ? std::cbrt(1.5 * slope * slope / (spectrum * spectrum) * count) : most;
   return static_cast<std::size_t>(std::lround(std::clamp(length, 1.0, most)));
@@ -81,7 +82,7 @@ double BlockMeans::mean(std::size_t quantity, std::size_t first, std::size_t las
 }
 
 Estimate BlockMeans::estimate(std::size_t first, const std::function<double(const Means&)>& of) const {
-  // Of a run that has not ended, as far as it has come.
+  // A run that has not ended counts as far as it has come.
   const std::size_t last = std::max(first, reached()), count = last - first;
   std::vector<double> sums(quantities_);
   double time = 0.0;
@@ -94,7 +95,7 @@ Estimate BlockMeans::estimate(std::size_t first, const std::function<double(cons
     add(block, 1.0);
   const double value = of({sums, time});
   if (count < 2 || !std::isfinite(value)) return {value, 0.0};
-  // What each block does to the value is the series that tells how far blocks know of each other.
+  // The influence of each block on the value is the series whose correlation determines the block length.
   std::vector<double> without(count);
   const std::vector<double> all = sums;
   const double all_time = time;
@@ -119,7 +120,8 @@ Estimate BlockMeans::estimate(std::size_t first, const std::function<double(cons
   }
   if (told == 0.0) return {value, 0.0};
   mean /= told, squares /= told;
-  // About the mean of the blocks themselves, which is nearer to them than the true one by a share of a run's length.
+  // Deviations are from the mean of the blocks themselves, which is closer to them than the true mean: the variance
+  // lacks the fraction length/count.
   const double missing = static_cast<double>(count) / static_cast<double>(count - length);
   return {value, std::sqrt(std::max(0.0, squares - mean * mean) * missing)};
 }

@@ -18,32 +18,32 @@ struct Estimate {
   double error{};
 };
 
-/// How many neighbours of a series are to be drawn together by a circular block bootstrap of its mean, so that the
-/// error of the error is least: from its autocorrelations up to where they are no more than chance makes, by a flat-top
+/// Block length for a circular block bootstrap of the mean of a series that minimizes the error of the standard error.
+/// It is computed from the autocorrelations, up to the lag where they vanish within statistical scatter, by a flat-top
 /// window (Politis & White 2004, as corrected by Patton, Politis & White 2009); at most a third of the series.
 [[nodiscard]] std::size_t block_length(std::span<const double> series);
 
-/// Means over time of several quantities that are sampled together, in blocks of equal time, by which their errors are
-/// told: what is sampled in a flow at one moment tells little that the moment before did not.
+/// Time averages of several quantities that are sampled together, with standard errors from blocks of equal time,
+/// because successive samples are correlated.
 class BlockMeans {
  public:
-  /// quantities: how many; time [T]: of the whole run, of which each block is one part.
+  /// quantities: number of quantities; time [T]: duration of the run, which is divided into blocks.
   BlockMeans(std::size_t quantities, double time, std::size_t blocks);
 
-  /// Adds a sample that stands for `weight` > 0 of time [T] at time t since the start of the run.
+  /// Adds a sample at time t since the start of the run that represents `weight` > 0 of time [T].
   void add(double t, double weight, std::span<const double> values);
 
   std::size_t blocks() const { return weight_.size(); }
   bool seen(std::size_t block) const { return weight_[block] > 0.0; }
   /// The number of blocks up to the last one with a sample.
   std::size_t reached() const;
-  /// Mean in one block; 0 of a block without a sample.
+  /// Mean in one block; 0 for a block without a sample.
   double block_mean(std::size_t block, std::size_t quantity) const;
 
   /// Mean of a quantity over the blocks [first, last).
   double mean(std::size_t quantity, std::size_t first, std::size_t last) const;
 
-  /// Means over some blocks; of blocks without a sample not a number.
+  /// Means over some blocks; NaN if these have no sample.
   struct Means {
     std::span<const double> sums;
     double time{};
@@ -51,12 +51,12 @@ class BlockMeans {
       return time > 0.0 ? sums[quantity] / time : std::numeric_limits<double>::quiet_NaN();
     }
   };
-  /// What is made of the means over all blocks from `first` on, with the standard error of a circular block bootstrap
-  /// (Politis & Romano 1992): 400 series of as many blocks, drawn as stretches of neighbours from a fixed seed. The
-  /// length of a stretch follows from the correlation of the series (block_length). An undefined estimate, such as a
-  /// ratio to a mean that is zero, is NaN; series that give NaN do not count.
+  /// Function of the means over all blocks from `first` on, with the standard error from a circular block bootstrap
+  /// (Politis & Romano 1992): 400 series of the same number of blocks, drawn as sequences of neighbours from a fixed
+  /// seed. The length of a sequence follows from the correlation of the series (block_length). An undefined estimate,
+  /// such as a ratio to a mean that is zero, is NaN; series that give NaN do not count.
   Estimate estimate(std::size_t first, const std::function<double(const Means&)>& of) const;
-  /// Mean of a quantity; mean of one over mean of the other.
+  /// Mean of a quantity; ratio of the means of two quantities.
   Estimate estimate(std::size_t quantity, std::size_t first) const;
   Estimate ratio(std::size_t over, std::size_t under, std::size_t first) const;
 
@@ -67,7 +67,7 @@ class BlockMeans {
 
   std::size_t quantities_;
   double block_time_;
-  std::vector<double> weight_;  ///< of each block
+  std::vector<double> weight_;  ///< sampled time of each block [T]
   std::vector<double> sums_;    ///< of weight times value, block by block
 };
 

@@ -11,14 +11,14 @@ namespace talus {
 namespace {
 
 constexpr double most_outputs = 1e5, most_steps = 1e15;
-/// Of the way back, w2 h. In a triangular array of discs the stiffest motion is sqrt(3) times as fast as that of a pair
-/// (w^2 = 6 K/m), and a leapfrog is stable below 2.
+/// Largest w2 h on unloading. In a triangular array of discs the stiffest motion is sqrt(3) times as fast as that of a
+/// pair (w^2 = 6 K/m), and a leapfrog is stable below 2.
 constexpr double fastest_way_back = 1.0;
 
-/// Whether a method's steps do not change a restitution.
+/// Whether the steps of a method leave the restitution unchanged.
 bool is_leapfrog(const DiscMethod& method) { return traits(method).amplitude_growth_rate == 0.0; }
 
-/// Names of those methods.
+/// Names of the leapfrog methods.
 std::vector<std::string> leapfrogs() {
   std::vector<std::string> names = disc_method_names();
   std::erase_if(names, [](const std::string& name) { return !is_leapfrog(make_disc_method(name)); });

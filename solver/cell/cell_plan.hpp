@@ -11,32 +11,32 @@
 
 namespace talus {
 
-/// How discs act across the borders of a field that repeats itself.
+/// How discs interact across the borders of a periodic field.
 enum class Images {
-  nearest,        ///< of each pair the images that are nearest, from a list by cells
-  virtual_discs,  ///< as in 1989, by all pairs (VirtualDiscs): slow, a check of the other
+  nearest,        ///< nearest image of each pair, from a neighbour list
+  virtual_discs,  ///< as in 1989, over all pairs (VirtualDiscs): slow, for checking
 };
 template <>
 struct Names<Images> {
   static constexpr std::array<std::string_view, 2> list{"nearest", "virtual"};
 };
 
-/// How a cell is run; the names of CNTRL.DAT stand beside. Times [T].
+/// Plan of a cell's run. The names of CNTRL.DAT are given with the members. Times [T].
 struct CellPlan {
-  /// Discs of which all pairs may be tried at each step.
+  /// Maximum number of discs for which all pairs are tested at each step.
   static constexpr std::size_t most_virtual = 2000;
 
   std::string integrator{"central_difference"};
   double step{};      ///< STEP > 0
-  double every{};     ///< LOOP: what is written, is written so often; >= step
-  double end{};       ///< TIME >= every: how long it runs
-  bool historical{};  ///< a run as that of 1989 may have been: steps that change the restitution are not refused
+  double every{};     ///< LOOP: interval between outputs; >= step
+  double end{};       ///< TIME: duration of the run; >= every
+  bool historical{};  ///< imitates a run of 1989: steps that change the restitution are allowed
   bool jump{};        ///< whether time in which nothing can touch is passed at once
   Images images{};
 
-  /// Share of a LOOP that sums of steps may be off by.
+  /// Rounding allowance of summed steps, as a fraction of a LOOP.
   static constexpr double round_off = 1e-12;
-  /// LOOPs in the run, of which the last may not be whole.
+  /// Number of LOOPs in the run; the last may be incomplete.
   double outputs() const { return std::ceil(end / every * (1.0 - round_off)); }
 
   static constexpr std::array<Field<CellPlan>, 3> fields() {
@@ -46,10 +46,10 @@ struct CellPlan {
   }
 };
 
-/// All that keeps a cell from being run so. A leapfrog needs 10 steps in a contact, and of a
-/// latching spring one of at most 1/w2, w2 = sqrt(2 K2/m); Euler and Taylor may move the
-/// restitution by .05, in a historical run by any amount, which is known of the law of 1989 alone: other laws and
-/// friction go with leapfrogs.
+/// All errors that prevent a cell from being run with this plan. A leapfrog requires 10 steps in a contact and, with a
+/// latching spring, a step of at most 1/w2, w2 = sqrt(2 K2/m). Euler and Taylor may change the restitution by 0.05, in
+/// a historical run by any amount. This change is known only for the law of 1989: other laws and friction require
+/// leapfrogs.
 [[nodiscard]] std::vector<CellError> validation_errors(const ShearCell& cell, const CellPlan& plan);
 
 }  // namespace talus

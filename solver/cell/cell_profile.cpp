@@ -40,7 +40,7 @@ void CellProfile::look(double t, double weight) {
 
 void CellProfile::add(const Disc& disc) {
   const double low = (disc.y - disc.radius) / thickness_, high = (disc.y + disc.radius) / thickness_;
-  // What is no number is nowhere.
+  // A disc whose position is NaN is in no layer.
   const double first = std::max(0.0, std::floor(low)),
                last = std::min(std::ceil(high), static_cast<double>(most_layers));
   if (first < last && last > static_cast<double>(sums_.size() / of_layer))
@@ -64,7 +64,7 @@ std::vector<CellProfile::Layer> CellProfile::layers() const {
   };
   constexpr std::array members{&Values::velocity, &Values::temperature, &Values::spin, &Values::fraction};
   constexpr std::array estimates{&Layer::velocity, &Layer::temperature, &Layer::spin, &Layer::fraction};
-  // Of all blocks but one; blocks: of all.
+  // Values from all blocks except one; from all blocks if without == blocks.
   const auto values = [&](std::size_t layer, std::size_t without) {
     std::array<double, kept> sums{};
     double time = 0.0;
@@ -90,10 +90,11 @@ std::vector<CellProfile::Layer> CellProfile::layers() const {
                 .spin = {},
                 .fraction = {}};
     const Values all = values(k, blocks);
-    std::vector<Values> left_out;  // one of the blocks that have time; what all discs of a layer were in tells nothing
+    std::vector<Values> left_out;  // without each of the sampled blocks
     for (std::size_t block = 0; block < blocks; ++block) {
       if (!(times_[block] > 0.0)) continue;
       Values of = values(k, block);
+      // If the omitted block contained all discs of this layer, the others give no estimate of the means.
       if (of.fraction == 0.0) of = {all.velocity, all.temperature, all.spin, 0.0};
       left_out.push_back(of);
     }

@@ -13,10 +13,10 @@
 namespace talus {
 namespace {
 
-/// Share of a LOOP by which a sum of steps may fall short of it and still be all of it.
+/// Fraction of a LOOP by which a sum of steps may fall short of it and still count as the whole LOOP.
 constexpr double whole = CellPlan::round_off;
 
-/// Steps between two samples of what is known of contacts: half a contact, but no more than a LOOP.
+/// Steps between two samples of the contacts: half a contact time, but at most a LOOP.
 long steps_of_sample(const ShearCell& cell, const CellPlan& plan) {
   const double in_loop = std::floor(plan.every / plan.step * (1.0 + whole));
   return std::max(1L, std::lround(std::min(0.5 * cell.contact_time() / plan.step, in_loop)));
@@ -24,13 +24,13 @@ long steps_of_sample(const ShearCell& cell, const CellPlan& plan) {
 
 constexpr long samples_of_look = 8;
 
-/// Whole steps in a time; a time that is one but for its last digits counts as one.
+/// Number of steps in a time, at least 1; rounding makes errors in the last digits of either harmless.
 long steps_in(double time, double step) { return std::max(1L, std::lround(time / step)); }
 
 std::size_t at(CellQuantity quantity) { return static_cast<std::size_t>(quantity); }
 
-/// What a free fall of n steps is longer by than n^2/2 g h^2, in n/2 g h^2. The coordinates of a staggered method are
-/// half a step ahead, and move with the velocity of each step's end.
+/// Excess of a free fall of n steps over n^2/2 g h^2, in units of n/2 g h^2. The coordinates of a staggered method are
+/// half a step ahead, and move with the velocity at each step's end.
 double free_fall_offset(const IntegratorTraits& method) {
   return method.free_fall_error + (method.is_staggered ? 1.0 : 0.0);
 }
@@ -72,7 +72,7 @@ CellRun::CellRun(const ShearCell& cell, const CellPlan& plan, FilledCell start)
       [&](auto& method, auto& system) {
         if constexpr (requires { system.keep_work(); }) system.keep_work();
         system.begin(discs_);
-        system.update_modes(discs_);  // what touches from the start on stores energy
+        system.update_modes(discs_);  // discs in contact at the start store energy
         method.start(system, discs_, plan_.step);
       },
       method_, system_);
@@ -90,7 +90,7 @@ void CellRun::advance() {
   due_ = loops_ended(steps_) > loops_ended(before) || finished();
 }
 
-/// To the next sample, LOOP or the end.
+/// Steps to the next sample, the next LOOP or the end, whichever is first.
 long CellRun::steps_ahead() const {
   return std::min({sample_every_ - steps_ % sample_every_, next_loop() - steps_, last_step_ - steps_});
 }
@@ -117,21 +117,21 @@ void CellRun::take_steps(long steps) {
   if (steps_ % sample_every_ == 0 || finished()) sample(false);
 }
 
-/// LOOPs in so many steps.
+/// Number of LOOPs that end within `steps` steps.
 long CellRun::loops_ended(long steps) const {
   return static_cast<long>(static_cast<double>(steps) * plan_.step / plan_.every * (1.0 + whole));
 }
 
-/// The first step after the next LOOP.
+/// Number of steps at which the next LOOP has ended.
 long CellRun::next_loop() const {
   const double next = static_cast<double>(loops_ended(steps_) + 1) * plan_.every / plan_.step * (1.0 - whole);
   return std::max(steps_ + 1, static_cast<long>(std::ceil(next)));
 }
 
-/// As many steps as nothing can touch in: discs fly straight, the block falls. Of a pair with the block its way along
-/// the line of centres is at most |v| t + G t^2/2 (its true path would be a root of fourth degree). From one sample to
-/// another: were it from where contacts end, samples would stand to those that follow in the same way each time, and
-/// see too little of them.
+/// Number of steps in which nothing can touch: discs move along straight lines, the block falls freely. The approach of
+/// a disc and the block along the line of centres is at most |v| t + G t^2/2 (the exact time is the root of a quartic).
+/// Steps are counted from one sample to another: jumps that began where contacts end would give samples a fixed phase
+/// relative to the contacts that follow, and too few of these would be sampled.
 long CellRun::free_steps() const {
   if (acted_ || steps_ % sample_every_ != 0) return 0;
   const NeighbourList& list =
@@ -156,25 +156,25 @@ long CellRun::free_steps() const {
   const double left = list.left();
   time = std::min(time, left / (fastest + std::sqrt(fastest * fastest + cell_.gravity * left)));
   const auto free = static_cast<long>(std::clamp(time / plan_.step - 1.0, 0.0, 1e15));
-  // A flight is booked in one block.
+  // The time of a jump is recorded in a single block.
   constexpr long parts = blocks;
   const long next_block = ((steps_ * parts / last_step_ + 1) * last_step_ + parts - 1) / parts;
   return std::min({free, next_loop() - steps_, next_block - steps_, last_step_ - steps_}) / sample_every_ *
          sample_every_;
 }
 
-/// How far the block falls freely in so many steps [L].
+/// Displacement of the freely falling block along y in `steps` steps [L].
 double CellRun::block_way(long steps) const {
   const auto n = static_cast<double>(steps);
   const double h = plan_.step, fall = 0.5 * cell_.gravity * h * (n + free_fall_offset(traits(method_)));
   return n * h * (discs_.vy.back() - fall);
 }
 
-/// Of the block the height over the time is a parabola, of whose mean, and of its square's but for a term of fourth
-/// order, Simpson's rule leaves nothing out (but for half a step, if they are odd); discs are looked at in the middle
-/// of their way.
+/// Passes `steps` steps at once. The block's height is a parabola in time: Simpson's rule is exact for its mean, and
+/// for the mean of its square up to a fourth-order term (apart from half a step, if the number of steps is odd). Discs
+/// are sampled at the midpoint of the jump.
 void CellRun::jump(long steps) {
-  look_across(static_cast<double>(steps_) * plan_.step);  // for what was sampled before
+  look_across(static_cast<double>(steps_) * plan_.step);  // for the samples before the jump
   const auto height = [&] { return discs_.y[first_block_disc(cell_)] - discs_.y[cell_.free_discs()]; };
   const double sixth = static_cast<double>(steps) * plan_.step / 6.0, first = height();
   const long rest = steps - steps / 2;
@@ -187,7 +187,7 @@ void CellRun::jump(long steps) {
   fly(rest);
 }
 
-/// So many steps along straight lines, the block on its parabola.
+/// Moves the discs along straight lines for `steps` steps, and the block along its parabola.
 void CellRun::fly(long steps) {
   const double time = static_cast<double>(steps) * plan_.step, speed = discs_.vy.back();
   const auto block = discs_.vy.begin() + static_cast<std::ptrdiff_t>(first_block_disc(cell_));
@@ -197,7 +197,7 @@ void CellRun::fly(long steps) {
   discs_.t += time;
 }
 
-/// What is known at each step, of the forces of its evaluation.
+/// Accumulates the quantities that are known at each step, with the forces of its evaluation.
 void CellRun::add_walls(double time, Vec2 block, Vec2 base, double height) {
   on_block_ += time * block, on_base_ += time * base;
   const double forwards = std::signbit(cell_.block_speed) ? -1.0 : 1.0, area = cell_.width() * cell_.diameter;
@@ -219,8 +219,8 @@ void CellRun::sample(bool flown) {
   const auto value = [&](CellQuantity quantity) -> double& { return values[at(quantity)]; };
   const double forwards = std::signbit(cell_.block_speed) ? -1.0 : 1.0, area = cell_.width() * cell_.diameter;
   const std::size_t free = cell_.free_discs();
-  // Contacts that the last drift has begun or ended are as they are now. A method that ends its steps with an
-  // evaluation has evaluated them since, at other velocities, by which friction settles.
+  // Updates contacts that the last drift has begun or ended. A method that ends its steps with an evaluation has
+  // already updated them, with other velocities, on which friction depends.
   const auto settle = [&]<class Method>(const Method&, auto& system) {
     if constexpr (!traits_of<Method>.ends_with_evaluation) system.update_modes(discs_);
   };
@@ -254,14 +254,14 @@ void CellRun::sample(bool flown) {
   profile_waiting_ += waiting_;
   if (++profile_samples_ >= samples_of_look || flown || finished()) look_across(time), check_numbers();
   means_.add(time, waiting_, values);
-  // The last LOOP may be shorter than what the last sample stands for.
+  // The last LOOP may be shorter than the time that the last sample represents.
   intervals_.add(finished() ? static_cast<double>(steps_) * plan_.step * (1.0 - whole) : time, waiting_, values);
   walls_ = {};
   waiting_ = 0.0;
   check(fraction);
 }
 
-/// Free discs by height, for the time since the last look; after the start-up.
+/// Adds the free discs to the profile, for the time since its last sample; only after the start-up.
 void CellRun::look_across(double time) {
   if (time >= plan_.end * start_up / blocks && profile_waiting_ > 0.0) {
     const std::size_t free = cell_.free_discs();
@@ -350,12 +350,12 @@ double CellRun::interval_mean(std::size_t interval, CellQuantity quantity) const
 }
 
 double CellRun::drift(CellQuantity quantity) const {
-  constexpr std::size_t fewest = 16;  // blocks; an error that fewer tell is not known well
+  constexpr std::size_t fewest = 16;  // blocks; with fewer the error itself is not well known
   const std::size_t last = means_.reached();
   if (last < start_up + fewest) return 0.0;
   const std::size_t middle = (start_up + last) / 2;
   const double change = means_.mean(at(quantity), middle, last) - means_.mean(at(quantity), start_up, middle);
-  // Of means over halves the variance is twice that of the whole, of their difference four times.
+  // The mean over half the time has twice the variance of the whole mean, the difference of two such means four times.
   const double error = 2.0 * mean(quantity).error;
   return error > 0.0 ? change / error : 0.0;
 }
@@ -382,7 +382,7 @@ CellRun::Ledger CellRun::energies() {
 
 CellRun::Ledger CellRun::ledger() {
   Ledger ledger = energies();
-  // The block has one speed, so that what drives it does the work of its impulse.
+  // The block's speed is constant, so the work of the drive is its impulse times that speed.
   ledger.driven = -on_block_.x * cell_.block_speed;
   ledger.gained = ledger.held() + ledger.dissipated - ledger.driven - held_at_start_;
   return ledger;

@@ -24,14 +24,14 @@ void object(Objections& found, std::string_view field, double value, std::string
   found.push_back({std::string{field}, fmt::format("found {}; it must be {}", value, allowed)});
 }
 
-/// Stiffness of a contact that is pressed [F/L].
+/// Stiffness of a contact while it loads [F/L].
 template <Law L>
 double loading_stiffness(const L& law) {
   if constexpr (HasLinearPart<L>) return law.linear_part(std::array<double, L::memory_size>{}, 1).stiffness;
   return law.tangent().stiffness;
 }
 
-/// Objections to the law's parameters, for impacts of this effective mass [M].
+/// Adds the errors of the law's parameters, for impacts of this effective mass [M].
 template <Law L>
 void add_objections(Objections& found, const L& law, double effective_mass) {
   for (const auto& field : L::fields()) {
@@ -106,7 +106,7 @@ std::vector<CellError> validation_errors(const ShearCell& cell) {
                        ShearCell::most_discs / static_cast<std::size_t>(cell.columns), cell.columns,
                        ShearCell::most_discs));
   }
-  // Frequency and damping ratio of a contact hold the root of this product.
+  // The frequency and damping ratio of a contact contain the square root of this product.
   constexpr double least = std::numeric_limits<double>::min();
   if (found.empty() && !(cell.mass * cell.stiffness() >= least)) {
     demand(false, "stiffness", cell.stiffness(),

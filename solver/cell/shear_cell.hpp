@@ -14,42 +14,43 @@
 
 namespace talus {
 
-/// The shear cell of SNOFLO (Lacy 1989, chapter 3): discs between a base and a block, both rows of touching discs, the
-/// block with a mass and a weight and driven along x, the field periodic along x. The names of CNTRL.DAT stand beside.
-/// Gravity acts on the block alone.
+/// The shear cell of SNOFLO (Lacy 1989, chapter 3): discs between a base and a block, both of them rows of touching
+/// discs; the block has a mass and a weight and is driven along x; the field is periodic along x. The names of
+/// CNTRL.DAT are given with the members. Gravity acts on the block alone.
 struct ShearCell {
-  DiscLaw law;           ///< of 1989: a latching spring, K1 and K2
+  DiscLaw law;           ///< in 1989 a latching spring with K1 and K2
   double diameter{};     ///< D [L] > 0
   double mass{};         ///< M of a disc [M] > 0
   double gravity{};      ///< G [L/T^2] >= 0
   double block_mass{};   ///< MTOP [M] > 0
-  int rows{};            ///< NHT of the array that the free discs start in > 0
-  int columns{};         ///< NWID of it, in [1, TWID]
-  int wall_discs{};      ///< TWID in the base and in the block >= 3
+  int rows{};            ///< NHT > 0, rows of the array in which the free discs start
+  int columns{};         ///< NWID of that array, in [1, TWID]
+  int wall_discs{};      ///< TWID >= 3, discs in the base and in the block
   double block_speed{};  ///< VXT along x [L/T]
-  std::uint64_t seed{};  ///< of the first velocities along y
-  /// Where discs rub each other, and then turn, each as a solid disc does; those of the walls do not turn.
+  std::uint64_t seed{};  ///< of the initial velocities along y
+  /// Friction between discs, if any; free discs then turn, each with the inertia of a solid disc, but wall discs do
+  /// not.
   std::optional<CoulombFriction> friction{};
 
   double width() const { return wall_discs * diameter; }
-  static constexpr std::size_t most_discs = 10'000'000;  ///< free ones
+  static constexpr std::size_t most_discs = 10'000'000;  ///< maximum number of free discs
 
   std::size_t free_discs() const { return static_cast<std::size_t>(rows) * static_cast<std::size_t>(columns); }
   /// Overburden by the thesis's definition, MTOP G/(TWID D^2) [F/L^2] (Lacy 1989, "Data Input and Parameters").
   double overburden() const { return block_mass * gravity / (wall_discs * diameter * diameter); }
-  /// Stiffness of a contact that is pressed: K1, or k_n [F/L].
+  /// Stiffness of a contact while it loads: K1, or k_n [F/L].
   double stiffness() const;
-  /// Stiffness of its stiffest branch: K2 of a slow impact, or k_n [F/L].
+  /// Stiffness of the contact's stiffest branch: K2 of a slow impact, or k_n [F/L].
   double largest_stiffness() const;
-  /// Of two discs that touch, while they load [rad/T]: w1 = sqrt(2 K1/m).
+  /// Frequency of two discs in contact while they load [rad/T]: w1 = sqrt(2 K1/m).
   double loading_frequency() const;
-  /// How long a slow impact of two of its discs lasts [T], by the law.
+  /// Duration of a slow impact of two of its discs [T], by the law.
   double contact_time() const;
   /// Ratio of speeds after and before a slow head-on impact of two of its discs, by the law.
   double restitution() const;
-  /// Its law, if it is that of 1989: a latching spring that does not grow stiffer, without friction; else null.
+  /// The law, if it is that of 1989: a latching spring with zero growth, without friction; else null.
   const LatchingSpring* law_of_1989() const;
-  /// Of the material, discs as thick as they are wide: M/(pi D^3/4) [M/L^3].
+  /// Density of the material, for discs as thick as they are wide: M/(pi D^3/4) [M/L^3].
   double density() const;
 
   static constexpr std::array<Field<ShearCell>, 5> fields() {
@@ -68,26 +69,26 @@ struct ShearCell {
   }
 };
 
-/// What is wrong with a field, as a message goes on after its name: "found 3; it must be ...".
+/// Validation error of a field. The message continues after the field's name: "found 3; it must be ...".
 struct CellError {
-  std::string field;  ///< name among fields() and counts(), or of the law's
+  std::string field;  ///< name in fields() or counts(), or of a parameter of the law
   std::string words;
 };
-/// All that keeps a cell from being filled.
+/// All errors that prevent a cell from being filled; empty if there are none.
 [[nodiscard]] std::vector<CellError> validation_errors(const ShearCell& cell);
 
-/// Talus's own choice of a cell in SI units, for the thesis's numbers are not known: 80 discs of ice of a millimetre,
-/// e = .7, 8 rows of 10 between walls of 11, the block driven at `speed` diameters a second under `overburden` [Pa].
+/// Talus's choice of a cell in SI units, because the thesis's values are not known: 80 discs of ice of 1 mm, e = 0.7, 8
+/// rows of 10 between walls of 11, the block driven at `speed` diameters per second under `overburden` [Pa].
 [[nodiscard]] ShearCell ice_cell(double overburden, double speed, std::uint64_t seed = 1);
 
-/// Its walls among DiscShapes::walls, as wall_force() takes them.
+/// Wall numbers of base and block, as in DiscShapes::wall and for wall_force().
 inline constexpr std::size_t base_wall = 1, block_wall = 2;
 
-/// Discs, walls and first velocities: base at y = 0, free discs in a rectangular array above it with velocities along x
-/// that grow linearly with height to the block's, small random ones along y; block on top. What the thesis leaves open
-/// is ours: the array is spread over the width, rows are as far apart as columns but at least 1.05 D, random
-/// velocities are within a hundredth of the block's speed.
-/// Errors: InputError for what lies outside the ranges above.
+/// Discs, walls and initial velocities: the base at y = 0; above it the free discs in a rectangular array, with
+/// velocities along x that grow linearly with height to the block's, and small random ones along y; the block on top.
+/// Details that the thesis leaves open are chosen here: the array is spread over the width, rows are as far apart as
+/// columns but at least 1.05 D, random velocities are within 1 % of the block's speed.
+/// Errors: InputError for parameters outside the ranges above.
 struct FilledCell {
   DiscShapes shapes;
   Discs discs;
@@ -95,19 +96,19 @@ struct FilledCell {
 };
 [[nodiscard]] FilledCell fill(const ShearCell& cell);
 
-/// Where the block's discs begin among the discs: after the free ones and the base's.
+/// Index of the block's first disc: after the free discs and the base's.
 [[nodiscard]] std::size_t first_block_disc(const ShearCell& cell);
 /// Depth of the field: between the centre lines of base and block, less one diameter [L].
 [[nodiscard]] double depth(const ShearCell& cell, const Discs& discs);
 /// Area of the free discs over that of the field.
 [[nodiscard]] double solid_fraction(const ShearCell& cell, const Discs& discs);
 
-/// How far beyond contact a list of the cell's pairs is to reach [L]: as the table says (list_skin.hpp), in a narrow
-/// field as far as a disc meets no two images of another.
+/// How far a list of the cell's pairs reaches beyond contact [L]: from the table of list_skin.hpp, limited in a narrow
+/// field so that no disc meets two images of another.
 [[nodiscard]] double cell_skin(const ShearCell& cell);
 
-/// How well the free discs stand in six-fold order: the mean over them of |sum exp(6 i angle)|/n over the n discs of
-/// any kind within 1.3 D of their centre; 1 in a perfect triangular array, 0 for one with fewer than three (Nelson &
+/// Six-fold order of the free discs: the mean over them of |sum exp(6 i angle)|/n over the n discs of any kind within
+/// 1.3 D of their centre; 1 in a perfect triangular array, 0 for a disc with fewer than three neighbours (Nelson &
 /// Halperin 1979).
 [[nodiscard]] double sixfold_order(const ShearCell& cell, const FilledCell& filled, const Discs& discs);
 

@@ -9,7 +9,7 @@
 namespace talus::app {
 namespace {
 
-/// Calls draw(shift) for each whole number of periods by which what reaches from `left` to `right` is in the window.
+/// Calls draw(shift) for each periodic shift by which an object that spans `left` to `right` is in the window.
 template <class Draw>
 void for_images(double left, double right, double period, const Window& window, Draw draw) {
   const double last = std::floor((window.right - left) / period);
@@ -17,7 +17,7 @@ void for_images(double left, double right, double period, const Window& window, 
     draw(image * period);
 }
 
-/// Adds a bar of that width between two points.
+/// Adds a bar of the given width between two points.
 void add_bar(records::Series& bars, const Vec2& from, const Vec2& to, double width) {
   const Vec2 along = to - from;
   const double length = norm(along);
@@ -25,7 +25,7 @@ void add_bar(records::Series& bars, const Vec2& from, const Vec2& to, double wid
   add_polyline(bars, {from + side, to + side, to - side, from - side});
 }
 
-/// Adds the discs of a frame to the series of those of walls, or of the others, whose values colour them.
+/// Adds the discs of a frame to `walls` or to `discs`; the latter are coloured by their values.
 void add_discs(const DrawnDiscs& drawn, const DiscFrame& frame, records::Series& walls, records::Series& discs) {
   const std::vector<double> values = disc_values(frame, drawn.colour);
   for (std::size_t i = 0; i < frame.discs.size(); ++i) {
@@ -59,7 +59,7 @@ void add_borders(const DrawnDiscs& drawn, records::Series& borders) {
   });
 }
 
-/// Those behind first.
+/// The series of a frame, from back to front.
 std::vector<records::Series> series_of(const DrawnDiscs& drawn, const DiscFrame& frame) {
   using records::Style;
   records::Series walls = frame_series("disc of a wall", Style::circles, {"#5f6368", "#c4c7cb", 0.3});
@@ -78,7 +78,7 @@ std::vector<records::Series> series_of(const DrawnDiscs& drawn, const DiscFrame&
   records::Series bars =
       frame_series("contact, as wide as its force; widest " + largest, Style::shapes, {"#000000", "#000000", 0.3});
   add_contacts(drawn, frame, bars);
-  // On a white edge, which makes it visible on dark discs.
+  // A white edge makes the bars visible on dark discs.
   records::Series edges = bars;
   edges.label.clear();
   edges.look = {"#ffffff", "#ffffff", 1.0};

@@ -8,41 +8,40 @@
 
 namespace talus::app {
 
-/// What colours a disc that is none of a wall's.
+/// Quantity that colours the discs, except discs of walls.
 enum class DiscColour {
   speed,
   force,  ///< the sum of the forces of its contacts
 };
 
-/// The discs that a run left, as far as they are drawn, with positions in
-/// [-period/2, period/2) along x, as in PIC.DAT.
+/// Discs read from a run's output, for drawing, with positions in [-period/2, period/2) along x, as in PIC.DAT.
 struct DrawnDiscs {
   RunFolder run;
   std::vector<DiscFrame> frames;
   DiscColour colour{};
   double largest_force{};  ///< of a contact in all frames [F]
   double largest_radius{};
-  Window window{};  ///< the field with its walls in all frames, and a diameter beyond its borders
+  Window window{};  ///< the field with its walls in all frames, plus the largest diameter beyond its borders
   static constexpr bool has_depth = false;
 };
 
-/// Reads those frames. Errors: as read_discs.
+/// Reads the frames of the given files. Errors: as read_discs.
 [[nodiscard]] DrawnDiscs read_disc_frames(RunFolder run, const std::vector<GeometryFile>& files, DiscColour colour);
 
-/// What colours each disc of a frame [L/T] or [F]; of discs of walls too.
+/// Value that colours each disc of a frame [L/T] or [F]; includes discs of walls.
 [[nodiscard]] std::vector<double> disc_values(const DiscFrame& frame, DiscColour colour);
-/// The largest of them of free discs in all frames.
+/// The largest of these values over all frames, without discs of walls.
 [[nodiscard]] double largest_value(const DrawnDiscs& drawn, DiscColour colour);
-/// How wide the bar of the largest force is drawn; others in proportion [L].
+/// Width of the bar drawn for the largest contact force [L]; other bars are scaled in proportion.
 [[nodiscard]] double widest_bar(const DrawnDiscs& drawn);
 
-/// `drawn.window`; discs have the side view alone.
+/// `drawn.window`; discs have only the side view.
 [[nodiscard]] inline Window window_of(const DrawnDiscs& drawn, View) { return drawn.window; }
 
-/// A frame's discs, contacts and borders as a figure, with all images in `drawn.window`.
+/// A frame's discs, contacts and borders as a figure, with all periodic images in `drawn.window`.
 [[nodiscard]] records::Figure frame_figure(const DrawnDiscs& drawn, std::size_t frame, const FrameStyle& style);
 
-/// The scale of what colours discs, for a page; nothing if that is zero throughout.
+/// The colour scale of the discs, for a page; nothing if the quantity is zero throughout.
 [[nodiscard]] std::optional<records::Scale> colour_scale(const DrawnDiscs& drawn);
 
 }  // namespace talus::app

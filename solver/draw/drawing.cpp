@@ -53,7 +53,7 @@ reports::ToolPaths workplace() {
   return {reports::find_resources(), std::max(1U, std::thread::hardware_concurrency())};
 }
 
-/// Does it with the errors of reports/ as those of the solver.
+/// Calls work() and converts the errors of reports/ into those of the solver.
 template <class Work>
 auto with_own_errors(Work&& work) {
   try {
@@ -69,13 +69,13 @@ auto with_own_errors(Work&& work) {
   }
 }
 
-/// Writes to stderr, behind all that was printed: both streams may go to one file.
+/// Writes to stderr after flushing stdout, because both streams may go to one file.
 void print_warnings(const std::string& warnings) {
   std::fflush(stdout);
   std::fputs(warnings.c_str(), stderr);
 }
 
-/// The error for pictures or pages that were not made beside those that were.
+/// Throws an error that lists the pictures or pages that could not be made, if any.
 void throw_unmade(const reports::Made& made) {
   if (!made.unmade.empty()) throw IoError{made.unmade.substr(0, made.unmade.size() - 1)};
 }
@@ -85,7 +85,7 @@ void throw_unmade(const reports::Made& made) {
 void draw(DrawingRequest request) {
   for (const std::string& note : request.notes)
     fmt::print("{}\n", note);
-  std::fflush(stdout);  // who waits for the pictures may read them
+  std::fflush(stdout);  // the notes are visible while the pictures are drawn
   const reports::Made made = with_own_errors([&] {
     return reports::make_pictures(std::move(request.pictures), request.target,
                                   {request.formats.begin(), request.formats.end()}, workplace());

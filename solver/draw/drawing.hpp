@@ -14,13 +14,13 @@ class App;
 
 namespace talus::app {
 
-/// What all commands that draw ask of their pictures.
+/// Picture options of all drawing commands.
 struct PictureOptions {
   std::vector<std::string> formats{"svg", "pdf", "png"};
   std::string folder;  ///< empty: plots/ in the run's folder
-  std::string name;    ///< file stem; empty: the command's own
-  std::string title;   ///< empty: the run's
-  std::string colour;  ///< of discs: speed or force; empty: not asked for
+  std::string name;    ///< file stem; empty: the command's default
+  std::string title;   ///< empty: the run's title
+  std::string colour;  ///< of discs: speed or force; empty: option not given
 };
 
 /// Adds --format.
@@ -29,32 +29,32 @@ void add_format_option(CLI::App& app, PictureOptions& options);
 /// Adds --out, --name and --title.
 void add_picture_options(CLI::App& app, PictureOptions& options);
 
-/// Adds --colour, what colours discs.
+/// Adds --colour, the quantity that colours discs.
 void add_colour_option(CLI::App& app, PictureOptions& options);
 
-/// A time that an option gives, in the unit that the run named, or bare if it named none. Errors: InputError.
+/// Time given by an option, in the run's time unit, or as a bare number if the run has no units. Errors: InputError.
 [[nodiscard]] double option_time(const std::string& option, const std::string& text, const RunFolder& run,
                                  bool positive = true);
 
-/// Pictures that a command draws.
+/// The pictures to be drawn by a command.
 struct DrawingRequest {
   reports::Pictures pictures;
-  std::filesystem::path target;      ///< folder that receives them
+  std::filesystem::path target;      ///< folder that receives the pictures
   std::vector<std::string> formats;  ///< of figures and pages
-  std::vector<std::string> notes{};  ///< printed before: what is left out
+  std::vector<std::string> notes{};  ///< printed before drawing: curves that are omitted
 };
 
-/// Where commands send their requests: draw(), or a test.
+/// Receiver of the commands' requests: draw(), or a test.
 using DrawingSink = std::function<void(DrawingRequest)>;
 
-/// Prints the notes, draws the pictures and prints their files. Errors: InputError for what cannot be drawn; IoError if
-/// gnuplot is missing or fails, or a file cannot be written; no file is then half written.
+/// Prints the notes, draws the pictures and prints their file names. Errors: InputError for pictures that cannot be
+/// drawn; IoError if gnuplot is missing or fails, or if a file cannot be written; no file is left partially written.
 void draw(DrawingRequest request);
 
 /// Makes sheet.pdf and sheet.html in the folder of a run from its sheet.json. Errors: IoError.
 void draw_sheet(const std::filesystem::path& run);
 
-/// Finds what draw_sheet() needs besides the run. Errors: IoError naming what is missing.
+/// Checks that the tools that draw_sheet() needs exist. Errors: IoError naming the missing tool.
 void find_sheet_tools();
 
 }  // namespace talus::app

@@ -11,7 +11,7 @@
 namespace talus::app {
 namespace {
 
-/// Smallest and largest of a coordinate over a line's points.
+/// Minimum and maximum of a coordinate over a line's points.
 template <class Coordinate>
 std::pair<double, double> extent(const GeometryLine& line, Coordinate of) {
   double least = std::numeric_limits<double>::infinity();
@@ -23,7 +23,7 @@ std::pair<double, double> extent(const GeometryLine& line, Coordinate of) {
   return {least, largest};
 }
 
-/// Ground goes on for ever: its first and last piece are drawn far beyond what is seen.
+/// Extends the first and last segment of ground, which is unbounded, far beyond the window.
 void lengthen(GeometryLine& line) {
   constexpr double far = 50.0;
   const auto beyond = [](const Vec3& end, const Vec3& before) {
@@ -44,7 +44,7 @@ bool is_closed(const GeometryLine& line) { return line.points.size() > 2 && line
 
 Vec3 middle(const GeometryLine& line) {
   Vec3 sum;
-  const auto count = static_cast<double>(line.points.size() - 1);  // the first one stands at the end again
+  const auto count = static_cast<double>(line.points.size() - 1);  // the last point repeats the first
   for (std::size_t i = 0; i + 1 < line.points.size(); ++i)
     sum = {sum.x + line.points[i].x / count, sum.y + line.points[i].y / count, sum.z + line.points[i].z / count};
   return sum;
@@ -140,7 +140,7 @@ Window window_of(const DrawnGeometry& geometry, View view) {
   if (window.left > window.right) return {-1.0, -1.0, 1.0, 1.0};
   const double width = window.right - window.left;
   const double height = window.top - window.bottom;
-  // A flat scene gets some room: no window is ten times as wide as it is high, or the reverse.
+  // Flat scenes get a larger margin, so that the aspect ratio of the window stays below 10.
   const double margin = 0.05 * std::max(width, height);
   const double x = std::max(margin, 0.05 * height + 0.5 * (0.1 * height - width));
   const double y = std::max(margin, 0.05 * width + 0.5 * (0.1 * width - height));

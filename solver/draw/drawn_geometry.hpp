@@ -10,18 +10,18 @@
 
 namespace talus::app {
 
-/// The bodies and cables that a run left, read as far as it is drawn.
+/// Bodies and cables read from a run's output, for drawing.
 struct DrawnGeometry {
   RunFolder run;
   std::vector<GeometryFrame> frames;
   double largest_tension{};  ///< of all frames [F]
-  bool has_depth{};          ///< not all stands at the same place along the fence
+  bool has_depth{};          ///< positions along the fence (z) differ
 };
 
-/// Reads those frames. Errors: InputError if a frame names a body or cable that the run does not.
+/// Reads the frames of the given files. Errors: InputError if a frame names a body or cable that the run does not have.
 [[nodiscard]] DrawnGeometry read_frames(RunFolder run, const std::vector<GeometryFile>& files);
 
-/// The bar from a cable's joint to the outline of the body that it holds.
+/// The bar from a cable's joint to the outline of the body it is attached to.
 struct HangerBar {
   long body{};
   Vec3 joint;
@@ -30,25 +30,25 @@ struct HangerBar {
   friend bool operator==(const HangerBar&, const HangerBar&) = default;
 };
 
-/// Those of a frame: where a joint stands outside the outline of its body.
+/// Hanger bars of a frame, one for each joint that lies outside the outline of its body.
 [[nodiscard]] std::vector<HangerBar> hangers(const GeometryFrame& frame);
 
-/// A line's image behind z = 0, where the geometry is mirrored and the line is not there already; else none.
+/// A line's mirror image at z = 0, if the geometry is mirrored and the line is not in the plane z = 0; else nothing.
 [[nodiscard]] std::optional<GeometryLine> mirror_image(const DrawnGeometry& geometry, const GeometryLine& line);
 
-/// The smallest window that holds all bodies but half-planes and all cables in all frames, and a margin.
+/// The smallest window that contains all bodies except half-planes and all cables in all frames, plus a margin.
 [[nodiscard]] Window window_of(const DrawnGeometry& geometry, View view);
 
-/// The body that an outline is of, as pictures name it.
+/// The body of an outline, with the name used in pictures.
 [[nodiscard]] const DrawnBody& body_of(const DrawnGeometry& geometry, const GeometryLine& outline);
 
-/// Half of the width of a body at the start [L].
+/// Half the width of a body in the first frame [L].
 [[nodiscard]] double half_width(const DrawnGeometry& geometry, long body);
 
-/// Whether a line ends where it began, as the outlines of all bodies but ground do.
+/// Whether a line is closed (last point equal to the first), as the outlines of all bodies except ground are.
 [[nodiscard]] bool is_closed(const GeometryLine& line);
 
-/// The mean of a closed line's points.
+/// Mean of a closed line's points.
 [[nodiscard]] Vec3 middle(const GeometryLine& line);
 
 /// Lowest and highest point of a line [L].

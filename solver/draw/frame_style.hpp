@@ -10,18 +10,18 @@
 
 namespace talus::app {
 
-/// From where a scene is looked at.
+/// View of a scene.
 enum class View {
   side,   ///< x to the right, y up: the plane of motion
-  along,  ///< z to the right, y up: the fence as who stands before it sees it, with its mirror image if it is half
+  along,  ///< z to the right, y up: front view of the fence; a half fence is drawn with its mirror image
 };
 
-/// What a picture shows of the scene; ends in the scene's unit of length.
+/// The region of the scene that a picture shows; limits in the scene's unit of length.
 struct Window {
   double left{}, bottom{}, right{}, top{};
 };
 
-/// How a frame is drawn.
+/// Drawing options of a frame.
 struct FrameStyle {
   View view{View::side};
   Window window;
@@ -30,15 +30,15 @@ struct FrameStyle {
   std::vector<int> divisions;  ///< of the grid; empty: round numbers
 };
 
-/// Which frame a figure shows.
+/// The frame that a figure shows.
 struct ShownFrame {
   std::size_t number{};
   double time{};
   std::string abscissa{"x"};  ///< label of the axis to the right
 };
 
-/// A frame as a figure: equal axes over the style's window, titled by the time. Its name begins with the view's and
-/// ends with the frame's number.
+/// A frame as a figure, with equal axes over the style's window and the time as title. The figure's name is the view's
+/// name followed by the frame number.
 [[nodiscard]] records::Figure frame_figure(const RunFolder& run, const FrameStyle& style, const ShownFrame& frame,
                                            std::vector<records::Series> series, std::vector<records::Mark> marks);
 
@@ -48,7 +48,7 @@ struct ShownFrame {
 /// Adds a polyline to a series of shapes.
 void add_polyline(records::Series& shapes, const std::vector<Vec2>& points);
 
-/// Colours from 0 to the largest value for a page; nothing if that is zero.
+/// Colour scale from 0 to the largest value, for a page; nothing if the largest value is zero.
 [[nodiscard]] std::optional<records::Scale> colour_scale(const std::string& words, const std::string& unit,
                                                          double largest);
 

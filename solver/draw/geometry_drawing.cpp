@@ -13,7 +13,7 @@
 namespace talus::app {
 namespace {
 
-/// How the kinds of shapes are drawn, those behind first.
+/// Drawing style of each kind of shape, from back to front.
 struct Kind {
   const char* name;
   const char* words;
@@ -28,8 +28,8 @@ constexpr Kind kinds[] = {
     {"hanger", "", "#5b4a32", "", 1.0, false},          {"slack", "cable, slack", "#4b9ad6", "", 1.3, true},
     {"taut", "cable, taut", "", "", 2.6, false}};
 
-/// An outline as it is seen along the fence: rocks are taken as round, columns as upright cylinders as wide as at the
-/// start; of other bodies no thickness is known.
+/// An outline in the view along the fence: rocks are taken as round and columns as upright cylinders of their initial
+/// width; other bodies are drawn as lines, because their thickness is unknown.
 std::vector<Vec2> seen_along(const GeometryLine& line, const std::string& kind, double half_width) {
   std::vector<Vec2> points;
   const double z = line.points.front().z;
@@ -54,7 +54,7 @@ std::vector<Vec2> seen(const GeometryLine& line, View view) {
   return points;
 }
 
-/// The shapes of a frame as one view shows them: of each kind those that are there and their mirror images.
+/// The shapes of a frame in one view: for each kind, the actual shapes and their mirror images.
 class Shapes {
  public:
   Shapes(const DrawnGeometry& geometry, View view) : geometry_{geometry}, view_{view} {
@@ -80,13 +80,13 @@ class Shapes {
                  along ? seen_along(line, kind, half_width(geometry_, line.body)) : seen(line, view_));
   }
 
-  /// `z`: of the bar, in place of its joint's.
+  /// Adds a hanger bar at this z instead of the joint's.
   void add_hanger(const HangerBar& bar, double z, bool image) {
     const bool side = view_ == View::side;
     add_polyline(of_kind("hanger", image), {{side ? bar.joint.x : z, bar.joint.y}, {side ? bar.end.x : z, bar.end.y}});
   }
 
-  /// Those that are not empty, the ones behind first; images stand behind the middle of the fence.
+  /// The series that are not empty, from back to front; within a kind, mirror images come first (behind).
   [[nodiscard]] std::vector<records::Series> all() && {
     std::vector<records::Series> found;
     for (auto& [images, there] : series_) {
@@ -114,12 +114,12 @@ class Shapes {
 };
 
 std::vector<records::Series> series_of(const DrawnGeometry& geometry, const GeometryFrame& frame, View view) {
-  const bool along = view == View::along;  // mirror images are seen along the fence alone
+  const bool along = view == View::along;  // mirror images are drawn only in this view
   Shapes shapes{geometry, view};
   std::vector<const GeometryLine*> lines;
   for (const GeometryLine& line : frame.lines)
     lines.push_back(&line);
-  // The middle of the fence stands in front of its ends.
+  // The middle of the fence is drawn in front of its ends.
   std::stable_sort(lines.begin(), lines.end(), [](const GeometryLine* a, const GeometryLine* b) {
     return std::abs(a->points.front().z) > std::abs(b->points.front().z);
   });
@@ -135,7 +135,7 @@ std::vector<records::Series> series_of(const DrawnGeometry& geometry, const Geom
   return std::move(shapes).all();
 }
 
-/// Element numbers at the bodies' middles; those of one kind that would cover each other stand together.
+/// Element numbers at the bodies' centres; numbers of one kind that would overlap are combined in one mark.
 std::vector<records::Mark> marks(const DrawnGeometry& geometry, const GeometryFrame& frame, const FrameStyle& style) {
   struct Place {
     Vec2 p;

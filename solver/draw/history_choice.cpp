@@ -31,7 +31,7 @@ std::optional<int> whole_number(std::string_view text) {
   return value;
 }
 
-/// The history of 1993 that goes by that number, title or name; null if none does.
+/// The history of the 1993 code with this number, title or name; null if there is none.
 const FenceCode* code_of(std::string_view word) {
   const std::optional<int> number = whole_number(word);
   for (const FenceCode& code : fence_codes()) {
@@ -42,14 +42,14 @@ const FenceCode* code_of(std::string_view word) {
   return nullptr;
 }
 
-/// Accounts of the whole scene; what they hold is no element's.
+/// Whether a column belongs to the energy balance of the whole scene, not to an element.
 bool of_scene(const SavedColumn& column) {
   const std::string subject = column.subject();
   return subject == "energy" || subject == "lost" || subject == "closure";
 }
 
-/// Whether a column holds the quantity of some element. The histories of all scenes say angle and spin for what those
-/// of 1993 call theta and omega.
+/// Whether a column contains the quantity of some element. Columns named angle and spin also match theta and omega, the
+/// 1993 names.
 bool holds(const SavedColumn& column, const std::string& quantity) {
   if (column.subject().empty() || of_scene(column)) return false;
   const std::string own = column.quantity();
@@ -72,7 +72,7 @@ void add_new(Texts& texts, const std::string& text) {
   if (std::find(texts.begin(), texts.end(), text) == texts.end()) texts.push_back(text);
 }
 
-/// Each quantity that was kept, once; those of no subject of their own (energies) as whole columns.
+/// Names of the saved quantities without duplicates; quantities of the whole scene (energies) as full column names.
 std::vector<std::string> kept_quantities(const SavedRun& run) {
   std::vector<std::string> names;
   for (const KeptHistory& history : run.histories) {
@@ -95,7 +95,7 @@ InputError not_kept(const SavedRun& run, const std::string& word, const FenceCod
 
 using Found = std::pair<const KeptHistory*, std::vector<const SavedColumn*>>;
 
-/// The columns of a history, from the first file that holds any.
+/// The columns of a history, from the first file that contains any.
 Found columns_of(const SavedRun& run, const std::string& word) {
   const FenceCode* const code = code_of(word);
   if (code != nullptr && !code->refusal.empty()) {
@@ -112,7 +112,7 @@ Found columns_of(const SavedRun& run, const std::string& word) {
   throw not_kept(run, word, code);
 }
 
-/// Those of the elements that are asked for, in the order of asking.
+/// The columns of the requested elements, in the query's order.
 std::vector<const SavedColumn*> of_elements(const SavedRun& run, const Found& found, const CurveQuery& query) {
   std::vector<const SavedColumn*> kept;
   for (const std::string& element : query.elements) {

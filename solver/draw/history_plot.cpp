@@ -18,19 +18,19 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// One curve and the run that it is of.
+/// One curve and the name of its run.
 struct RunCurve {
   std::string run;
   SelectedCurve curve;
 };
 
-/// Curves that are drawn over each other.
+/// Curves drawn in one panel.
 struct CurvePanel {
-  std::string key;  ///< curves of another key belong elsewhere
+  std::string key;  ///< history or unit that all curves of the panel share
   std::vector<RunCurve> curves;
 };
 
-/// Names that tell the runs apart: their folders' own, or if those are equal the paths as given.
+/// Distinct names of the runs: their folder names, or the paths as given if two folder names are equal.
 std::vector<std::string> run_names(const std::vector<std::string>& folders) {
   if (folders.size() == 1) return {""};
   std::vector<std::string> names;
@@ -44,7 +44,7 @@ std::vector<std::string> run_names(const std::vector<std::string>& folders) {
   return distinct ? names : folders;
 }
 
-/// The curve up to a time.
+/// Truncates the curve at a time.
 void cut(SelectedCurve& curve, const std::vector<double>& times, double until) {
   const auto rows = static_cast<std::size_t>(
       std::count_if(times.begin(), times.end(), [until](double time) { return time <= until; }));
@@ -77,7 +77,8 @@ std::vector<CurvePanel> panels_of(const HistoryPlotOptions& options) {
   return panels;
 }
 
-/// Leaves the curves with the largest ranges: of several runs all of a quantity, or none. Notes what is left out.
+/// Keeps only the curves with the largest ranges; with several runs, a quantity is kept for all runs or for none. Adds
+/// a note about omitted curves.
 void limit(CurvePanel& panel, std::vector<std::string>& notes) {
   if (panel.curves.size() <= most_curves) return;
   using Quantity = std::pair<std::string, std::string>;
@@ -105,7 +106,7 @@ void limit(CurvePanel& panel, std::vector<std::string>& notes) {
   panel.curves = std::move(curves);
 }
 
-/// The word that all curves share; empty if they differ.
+/// The text that all curves share; empty if they differ.
 template <class Word>
 std::string shared(const std::vector<RunCurve>& curves, Word word) {
   const std::string first = word(curves.front());
@@ -117,7 +118,7 @@ std::string subject(const RunCurve& each) { return each.curve.y.subject; }
 std::string words(const RunCurve& each) { return each.curve.y.words; }
 std::string run_name(const RunCurve& each) { return each.run; }
 
-/// What tells a curve from the others of its panel.
+/// Label that distinguishes a curve from the others of its panel.
 std::string label(const RunCurve& each, const CurvePanel& panel) {
   std::vector<std::string> parts;
   if (shared(panel.curves, run_name).empty() && !each.run.empty()) parts.push_back(each.run);
@@ -148,7 +149,7 @@ void demand_one_unit(const CurvePanel& panel) {
   }
 }
 
-/// Takes the values of the panel's curves.
+/// The figure of a panel; moves the values out of the panel's curves.
 records::Figure figure(CurvePanel& panel, const HistoryPlotOptions& options, std::size_t place, bool alone) {
   demand_one_unit(panel);
   const SelectedCurve& first = panel.curves.front().curve;
@@ -174,7 +175,7 @@ records::Figure figure(CurvePanel& panel, const HistoryPlotOptions& options, std
   return made;
 }
 
-/// "top_tension" of one history asked for, else "histories".
+/// File stem: --name if given, "history_" and the history's name for a single history, else "histories".
 std::string file_stem(const HistoryPlotOptions& options) {
   if (!options.picture.name.empty()) return options.picture.name;
   if (options.histories.size() != 1) return "histories";

@@ -9,10 +9,10 @@
 
 namespace talus::app {
 
-/// Ends of an axis, in its own unit.
+/// Limits of an axis, in the axis's unit.
 using Limits = std::optional<std::pair<double, double>>;
 
-/// What `talus plot --history` is asked for: HPLOT's dialogue as options.
+/// Options of `talus plot --history`, corresponding to HPLOT's dialogue.
 struct HistoryPlotOptions {
   std::vector<std::string> folders;
   std::vector<std::string> histories;
@@ -20,8 +20,8 @@ struct HistoryPlotOptions {
   bool all{false};  ///< all curves of a panel, else at most `most_curves` if no elements are named
   std::string abscissa{"time"};
   std::string until;  ///< last time that is drawn
-  bool apart{false};  ///< a panel for each history; else for each unit
-  int columns{};      ///< panels side by side; 0: one, or two from three panels on
+  bool apart{false};  ///< one panel for each history; else one for each unit
+  int columns{};      ///< panels side by side; 0: automatic, two for three or more panels, else one
   std::string x_title;
   std::string y_title;
   Limits x_limits;
@@ -31,11 +31,11 @@ struct HistoryPlotOptions {
   PictureOptions picture;
 };
 
-/// The histories of one run, or of several over each other, as one page. Errors: InputError for what the runs did not
-/// keep; IoError.
+/// The histories of one run, or of several runs in the same panels, as one page. Errors: InputError for histories that
+/// the runs did not save; IoError.
 [[nodiscard]] DrawingRequest history_drawing(const HistoryPlotOptions& options);
 
-/// Prints what each run kept.
+/// Prints the saved histories of each run.
 [[nodiscard]] int list_histories(const std::vector<std::string>& folders);
 
 }  // namespace talus::app

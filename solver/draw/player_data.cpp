@@ -15,10 +15,10 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-/// Six digits: finer than a screen, and a file of a tenth of the size.
+/// Rounds to six digits: finer than a screen resolves, and the file is a tenth of the size.
 double rounded(double value) { return std::stod(fmt::format("{:.6g}", value)); }
 
-/// Where a body stands: the mean of its outline's points and the direction of the first one from there.
+/// Position of a body (mean of its outline's points) and its angle (direction from there to the first point).
 struct Place {
   Vec2 p;
   double angle{};
@@ -27,7 +27,7 @@ struct Place {
 Place place_of(const GeometryLine& line) {
   Vec2 sum;
   const bool closed = line.points.size() > 2 && line.points.front() == line.points.back();
-  const std::size_t count = line.points.size() - (closed ? 1 : 0);  // the first point stands at the end again
+  const std::size_t count = line.points.size() - (closed ? 1 : 0);  // the last point of a closed line repeats the first
   for (std::size_t i = 0; i < count; ++i)
     sum += in_plane(line.points[i]);
   const Vec2 p = (1.0 / static_cast<double>(count)) * sum;
@@ -35,7 +35,7 @@ Place place_of(const GeometryLine& line) {
   return {p, std::atan2(arm.y, arm.x)};
 }
 
-/// A point in the axes of a place.
+/// Coordinates of a point in the axes of a body.
 Vec2 within(const Place& place, const Vec3& point) {
   const double c = std::cos(place.angle);
   const double s = std::sin(place.angle);
@@ -67,7 +67,7 @@ Json body(const DrawnGeometry& geometry, const GeometryLine& line, const std::ve
           {"hangers", std::move(bars)}};
 }
 
-/// `bars` are those of the first frame: the bodies that have none of theirs any more are named.
+/// A frame as JSON. `bars` are the hangers of the first frame; bodies that have lost all of theirs count as broken.
 Json frame_json(const GeometryFrame& frame, const std::vector<HangerBar>& bars) {
   const std::vector<HangerBar> left = hangers(frame);
   Json broken = Json::array();
@@ -96,7 +96,7 @@ Json frame_json(const GeometryFrame& frame, const std::vector<HangerBar>& bars) 
           {"broken", std::move(broken)}};
 }
 
-/// Every so many rows of a long history; a screen shows no more.
+/// Every n-th row of a long history, at most 1000 rows; a screen shows no more.
 Json thinned(const std::vector<double>& values) {
   constexpr std::size_t most = 1000;
   const std::size_t stride = 1 + values.size() / most;
@@ -113,7 +113,7 @@ double reach(const SavedColumn& column) {
   return largest;
 }
 
-/// The columns that `belongs` names, but those that are zero throughout, rounding apart; null if there are none.
+/// A chart of the columns selected by `belongs`, without columns that are zero up to rounding; null if none remain.
 template <class Belongs>
 Json chart(const std::string& title, const KeptHistory& history, Belongs belongs) {
   constexpr double rounding = 1e-12;
@@ -132,7 +132,7 @@ Json chart(const std::string& title, const KeptHistory& history, Belongs belongs
       {"title", title}, {"unit", unit}, {"t", thinned(history.columns.front().values)}, {"series", std::move(series)}};
 }
 
-/// The curves of a run: energies and forces of bodies, stresses and shares of a cell.
+/// The curves of a run: energies and forces of bodies, stresses and contact fractions of a cell.
 Json charts(const KeptHistory& history) {
   const auto of = [](std::initializer_list<std::string_view> names) {
     return [names = std::vector<std::string_view>{names}](const SavedColumn& column) {
@@ -157,7 +157,7 @@ Json window_json(const Window& window) {
   return {rounded(window.left), rounded(window.bottom), rounded(window.right), rounded(window.top)};
 }
 
-/// What pages of all runs have in common.
+/// Page data common to all runs.
 Json page_json(const SavedRun& histories, const Window& side) {
   const RunFolder& run = histories.run;
   return {{"title", run.title},
@@ -167,10 +167,11 @@ Json page_json(const SavedRun& histories, const Window& side) {
             {"velocity", run.unit(dimension::velocity)},
             {"force", run.unit(dimension::force)}}},
           {"side", window_json(side)},
-          {"charts", charts(histories.histories.back())}};  // history.csv, which every run leaves
+          {"charts", charts(histories.histories.back())}};  // history.csv, which every run writes
 }
 
-/// Places in whole quanta, speeds and forces in thousandths of the largest: shorter than numbers with a point.
+/// A frame of discs as JSON: positions as integer multiples of `quantum`, speeds and forces in thousandths of the
+/// largest; integers are shorter than decimals.
 Json disc_frame_json(const DiscFrame& frame, double quantum, double speed, double force) {
   const auto thousandths = [](double value, double largest) {
     return largest > 0.0 ? std::lround(1000.0 * value / largest) : 0L;

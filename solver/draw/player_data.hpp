@@ -7,14 +7,13 @@
 
 namespace talus::app {
 
-/// What the HTML player plays, as JSON: outlines in the axes of their bodies, and for each frame the bodies' places and
-/// angles, the cables' ends and tensions; beside it the run's energies and forces as curves over time. Numbers have six
-/// digits.
+/// Input of the HTML player as JSON: outlines in body axes, and for each frame the bodies' positions and angles and the
+/// cables' ends and tensions; also the run's energies and forces as curves over time. Numbers have six digits.
 [[nodiscard]] std::string player_json(const DrawnGeometry& geometry, const SavedRun& histories, const Window& side,
                                       const Window& along);
 
-/// The same of discs: radii and walls, and for each frame places, speeds, and the pairs that push each other with their
-/// forces.
+/// Input of the HTML player for discs: radii and walls, and for each frame positions, speeds, and the pairs in contact
+/// with their forces; also curves over time, as for bodies.
 [[nodiscard]] std::string player_json(const DrawnDiscs& drawn, const SavedRun& histories, const Window& side,
                                       const Window& along);
 

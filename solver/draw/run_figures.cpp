@@ -19,10 +19,10 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// What a curve is of: "rock" of "rock.vx", "energy" of "energy.kinetic".
+/// Subject of a curve: "rock" for "rock.vx", "energy" for "energy.kinetic".
 std::string subject_of(const records::Series& series) { return series.label.substr(0, series.label.rfind('.')); }
 
-/// Leaves the curves of the elements. Errors: InputError for one that has none in any figure.
+/// Keeps only the curves of the given elements. Errors: InputError for an element without curves in any figure.
 void keep_elements(std::vector<records::Figure>& figures, const SavedRun& run,
                    const std::vector<std::string>& elements) {
   std::set<std::string> wanted;
@@ -45,7 +45,7 @@ void keep_elements(std::vector<records::Figure>& figures, const SavedRun& run,
   std::erase_if(figures, [](const records::Figure& figure) { return figure.series.empty(); });
 }
 
-/// Leaves the curves with the largest ranges. Notes what is left out.
+/// Keeps only the curves with the largest ranges. Adds a note about omitted curves.
 void keep_widest(records::Figure& figure, std::vector<std::string>& notes) {
   std::vector<double> ranges;
   for (const records::Series& curve : figure.series)
@@ -57,7 +57,7 @@ void keep_widest(records::Figure& figure, std::vector<std::string>& notes) {
   figure.series = std::move(kept);
 }
 
-/// The figures that the run describes, without their points. Errors: IoError, InputError.
+/// The figures described by the run's plot.json, without their points. Errors: IoError, InputError.
 std::vector<records::Figure> figures_of(const fs::path& file) {
   try {
     return records::read_plots(file);

@@ -7,8 +7,8 @@
 namespace talus {
 namespace {
 
-/// Books a force [F] from outside that acts at world point p of each of several identical bodies, and a moment [F L]
-/// beside it.
+/// Adds a force [F] from outside that acts at world point p of each of several identical bodies, and a moment [F L], to
+/// the rates of the impulse.
 void accumulate(Rates& out, double multiplicity, Vec2 p, Vec2 force, double moment) {
   out.impulse[0] += multiplicity * force.x;
   out.impulse[1] += multiplicity * force.y;
@@ -129,7 +129,7 @@ void BodyForces::place(const State& state, Workspace& work) const {
 }
 
 void BodyForces::rates(Workspace& work, Rates& out, bool ledger) const {
-  // Behind the last that is awake what was zero stays so.
+  // Behind the last awake body, rates that were zero remain zero.
   const std::size_t moving = work.active.moving;
   if (work.active.any_asleep) std::fill_n(out.v.begin(), std::min(std::max(out.moving, moving), out.v.size()), 0.0);
   out.moving = moving;
@@ -147,7 +147,7 @@ void BodyForces::rates(Workspace& work, Rates& out, bool ledger) const {
     const Vec2 force = wrench.force + body.load;
     out.v[body.first] = body.inverse_mass * force.x;
     out.v[body.first + 1] = body.inverse_mass * force.y;
-    // What keeps a particle from turning takes all moments on it, the applied one included.
+    // The support that prevents a particle from turning takes all moments on it, including the applied one.
     if (ledger) accumulate(out, body.multiplicity, work.poses[body.body].p_WB, body.load, -wrench.moment);
   }
   for (const Compiled& body : pinned_)
@@ -164,7 +164,7 @@ void BodyForces::rates(Workspace& work, Rates& out, bool ledger) const {
 }
 
 /// Moments about the pin, r from the pin to the centre of mass:  I_p alpha = M + r x F.
-/// The pin pushes the body with R = m a - F, where a = alpha x r - w^2 r is how the centre of mass must accelerate.
+/// The pin exerts R = m a - F, where a = alpha x r - w^2 r is the acceleration of the centre of mass.
 void BodyForces::pinned_rates(const Compiled& body, const Workspace& work, Rates& out, bool ledger) const {
   const Wrench wrench = work.wrenches[body.body];
   const Pose pose = work.poses[body.body];
@@ -191,7 +191,7 @@ void BodyForces::sliding_rates(const Compiled& body, const Workspace& work, Rate
 /// Along the guide m a = F. Across it the centre of mass is at r(theta) from the pin; with c = r . n for the unit n
 /// across, dc/dtheta = g and d2c/dtheta2 = -c, so that T = m c'^2/2 + I w^2/2 gives
 ///   (I + m g^2) alpha = M + g F_n + m g c w^2.
-/// The guide pushes the pin with R = m (g alpha - c w^2) - F_n.
+/// The guide exerts on the pin R = m (g alpha - c w^2) - F_n.
 void BodyForces::guided_rates(const Compiled& body, const Workspace& work, Rates& out, bool ledger) const {
   const Wrench wrench = work.wrenches[body.body];
   const Pose pose = work.poses[body.body];

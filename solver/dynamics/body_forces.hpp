@@ -10,38 +10,37 @@
 
 namespace talus {
 
-/// The bodies of a model, compiled into one array for each mobility: poses, weights, and the step from wrench to
-/// acceleration.
+/// The bodies of a model, compiled into one array for each mobility: poses, weights, and accelerations from wrenches.
 class BodyForces {
  public:
   BodyForces(const Model& model, const Layout& layout);
 
-  /// Poses of the bodies that cannot move: once, when the workspace is made.
+  /// Computes the poses of the bodies that cannot move: called once, when the workspace is made.
   void place_fixed(Workspace& work) const;
   /// Lists the free bodies that are awake.
   void list_awake(ActiveSet& active) const;
-  /// Poses of all others, or of those that are awake, but for the velocities of free bodies.
+  /// Computes the poses of all others, or of those that are awake, except for the velocities of free bodies.
   void place(const State& state, Workspace& work) const;
-  /// The velocities of the free bodies that place() places.
+  /// Computes the velocities of the free bodies that place() places.
   void place_velocities(const State& state, Workspace& work) const;
-  /// Both.
+  /// Calls place() and place_velocities().
   void update(const State& state, Workspace& work) const { place(state, work), place_velocities(state, work); }
-  /// Accelerations from the wrenches in `work` (contacts and cables), the weights and the applied forces; with `ledger`
-  /// also the impulse from outside: weights, applied forces and the reactions of whatever holds a body.
+  /// Computes the accelerations from the wrenches in `work` (contacts and cables), the weights and the applied forces;
+  /// with `ledger` also the impulse from outside: weights, applied forces and the reactions of supports.
   void rates(Workspace& work, Rates& out, bool ledger) const;
   /// Kinetic energy and the potentials of weights and applied forces.
   [[nodiscard]] Energies energies(const State& state, const Workspace& work) const;
   [[nodiscard]] Momenta momenta(const Workspace& work) const;
 
  private:
-  /// What an evaluation needs of one body.
+  /// Data of one body for an evaluation.
   struct Compiled {
     std::size_t body{};
     std::size_t first{};  ///< its first coordinate
     double mass{};
     double inertia{};  ///< about the centre of mass
     double inverse_mass{};
-    double inverse_inertia{};  ///< of the centre of mass, or of the pin
+    double inverse_inertia{};  ///< about the centre of mass, or about the pin
     Vec2 load;                 ///< weight and applied force [F]
     double moment{};           ///< applied moment [F L]
     Vec2 force;                ///< applied force alone [F]
@@ -50,14 +49,14 @@ class BodyForces {
     Rotation R_WB;             ///< the same
     Vec2 p_WPin;               ///< pin in the world [L]
     Vec2 p_PinB;               ///< from the pin to the centre of mass, body coordinates [L]
-    double multiplicity{1.0};  ///< identical bodies that this one stands for
-    bool along_x{};            ///< of a sliding or guided body: whether its guide is x, else y
+    double multiplicity{1.0};  ///< number of identical bodies that this one represents
+    bool along_x{};            ///< a sliding or guided body: whether its guide is along x, else y
   };
 
-  /// What the energies and momenta of one body need, side by side for all.
+  /// Data of one body for energies and momenta, contiguous for all bodies.
   struct Weighed {
     std::size_t body{};
-    std::size_t angle{};  ///< its coordinate; none for a body that does not turn
+    std::size_t angle{};  ///< its angle coordinate; `none` for a body that does not turn
     double kinetic{};     ///< multiplicity * m/2
     double turning{};     ///< multiplicity * I/2
     double weight{};      ///< multiplicity * m
@@ -83,15 +82,15 @@ class BodyForces {
 
   Vec2 gravity_;
   std::vector<Compiled> free_;
-  BodyConstants constants_;  ///< of the free ones
+  BodyConstants constants_;  ///< of the free bodies
   std::vector<BodySpan> free_runs_;
   std::vector<Compiled> particles_;
   std::vector<Compiled> pinned_;
   std::vector<Compiled> sliding_;
   std::vector<Compiled> guided_;
   std::vector<Compiled> fixed_;
-  std::vector<Weighed> weighed_;  ///< all that move, by mobility
-  bool only_free_{};              ///< none moves in another way
+  std::vector<Weighed> weighed_;  ///< all bodies that move, by mobility
+  bool only_free_{};              ///< all bodies that move are free
 };
 
 }  // namespace talus

@@ -11,7 +11,7 @@
 namespace talus {
 namespace {
 
-/// From (x, y, angle) of neighbouring bodies, one after the other, to a pack of each.
+/// Splits (x, y, angle) of consecutive bodies into a pack of each.
 [[gnu::always_inline]] inline void part(const double* threes, Pack& x, Pack& y, Pack& angle) {
   Pack a, b, c;
   load(a, threes), load(b, threes + pack_size), load(c, threes + 2 * pack_size);
@@ -23,7 +23,7 @@ namespace {
   angle = __builtin_shufflevector(angle_ab, c, 0, 1, 4, 7);
 }
 
-/// The other way round.
+/// Inverse of part().
 [[gnu::always_inline]] inline void join(const Pack& x, const Pack& y, const Pack& angle, double* threes) {
   const Pack first = __builtin_shufflevector(x, y, 0, 4, 0, 1);
   const Pack middle = __builtin_shufflevector(x, y, 5, 0, 2, 6);
@@ -33,7 +33,7 @@ namespace {
   store(__builtin_shufflevector(last, angle, 6, 1, 2, 7), threes + 2 * pack_size);
 }
 
-/// Accelerations of a pack of free bodies, at `place` among them.
+/// Computes the accelerations of a pack of free bodies, from index `place` among them.
 [[gnu::always_inline]] inline void accelerate_pack(std::size_t place, std::size_t body, const BodyConstants& constants,
                                                    const Wrenches& wrenches, double* a) {
   Pack inverse_mass, inverse_inertia, load_x, load_y, applied, x, y, moment;
@@ -44,7 +44,7 @@ namespace {
   join(inverse_mass * (x + load_x), inverse_mass * (y + load_y), inverse_inertia * (moment + applied), a);
 }
 
-/// Places of a pack of bodies, or of as many as there are.
+/// Computes positions and orientations of a pack of bodies, in the lanes `are`.
 [[gnu::always_inline]] inline void place_pack(const double* q, std::size_t body, const Sizes& are, Poses& poses) {
   Pack x, y, angle;
   part(q, x, y, angle);
@@ -78,12 +78,12 @@ namespace {
   }
 }
 
-/// Calls visit(threes, body, are) for each pack of neighbouring bodies, with their three numbers each, and which of its
-/// lanes there are. Some bodies may be visited twice.
+/// Calls visit(threes, body, are) for each pack of a span of bodies: their three numbers each, the first body, and the
+/// lanes that are used. Some bodies may be visited twice.
 template <class Visit>
 [[gnu::always_inline]] inline void for_body_packs(const BodySpan& run, const double* threes, Visit&& visit) {
   if (run.count < pack_size) {
-    // Behind the last body nothing may be read.
+    // Memory behind the last body must not be read.
     std::array<double, 3 * pack_size> few{};
     std::copy_n(threes, 3 * run.count, few.begin());
     Sizes are;
@@ -126,8 +126,8 @@ TALUS_CLONES bool any_exceeded_skin(const Poses& poses, const Places& places, co
     raise(bits, size);
     std::memcpy(&size, &bits, sizeof size);
   };
-  // Sizes are ordered as their bits are, as whole numbers, in which what is not a number is above all others: of the
-  // greater less the smaller the sign is set.
+  // Absolute values are ordered as their bits are, as integers, in which NaN is above all numbers: the sign bit of the
+  // limit minus the displacement is set where the limit is exceeded.
   Sizes moved{};
   for (std::size_t i = limits.first; i < limits.last; i += pack_size) {
     Pack x, y, cosine, sine, radius;
@@ -150,7 +150,8 @@ TALUS_CLONES void accelerate_bodies(const BodySpan& run, const BodyConstants& co
     std::copy_n(few.begin(), 3 * run.count, a);
     return;
   }
-  // The last pack first, some of which come once more: who reads the packs from the start finds each as it was stored.
+  // The last pack first; some of its bodies are computed again below, so that a reader that loads packs from the start
+  // finds each as it was stored.
   const std::size_t last = run.count - pack_size;
   if (last % pack_size != 0) accelerate_pack(run.place + last, run.body + last, constants, wrenches, a + 3 * last);
   for (std::size_t i = 0; i + pack_size <= run.count; i += pack_size)

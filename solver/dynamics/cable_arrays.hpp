@@ -11,25 +11,25 @@
 #include "solver/laws/law.hpp"
 #include "solver/model/layout.hpp"
 
-/// The arrays of the cables, one for each law, and how they are gone through.
+/// Arrays of the cables, one for each law, and functions that visit their elements.
 namespace talus {
 
 /// All cables of one law.
 template <class L>
 struct CableArray {
-  std::vector<std::size_t> cable;  ///< place of each in Workspace::paths
+  std::vector<std::size_t> cable;  ///< index of each in Workspace::paths
   std::vector<L> laws;
   std::vector<Slot> slots;
-  std::vector<CableSpan> runs;  ///< cables that follow each other in the model
+  std::vector<CableSpan> runs;  ///< cables that are consecutive in the model
 };
 
-/// Where one cable's law stands: in the list of laws, and in its array.
+/// Position of the law of one cable: in the list of laws, and in its array.
 struct CablePlace {
   std::size_t law{};
   std::size_t index{};
 };
 
-/// Calls visit(array, law's place in the list) for each law's cables.
+/// Calls visit(array, index of the law in the list) for the cables of each law.
 template <class Laws, class Visit>
 void for_each_array(const Laws& laws, Visit&& visit) {
   std::size_t law = 0;
@@ -45,7 +45,7 @@ void for_each_cable(const Laws& laws, Visit&& visit) {
   });
 }
 
-/// Calls visit(array, run) for each run of cables that are listed as awake.
+/// Calls visit(array, span) for each span of cables in the active set.
 template <class Laws, class ActiveSet, class Visit>
 void for_each_run(const Laws& laws, ActiveSet& active, Visit&& visit) {
   for_each_array(laws, [&](const auto& array, std::size_t law) {
@@ -54,7 +54,7 @@ void for_each_run(const Laws& laws, ActiveSet& active, Visit&& visit) {
   });
 }
 
-/// Calls visit(law, slot, cable) for each cable of a run.
+/// Calls visit(law, slot, cable) for each cable of a span.
 template <class Array, class Visit>
 void for_each_of(const Array& array, const CableSpan& run, Visit&& visit) {
   const auto* const laws = &array.laws[run.place];
@@ -63,7 +63,7 @@ void for_each_of(const Array& array, const CableSpan& run, Visit&& visit) {
     visit(laws[i], slots[i], cable + i);
 }
 
-/// Computes the straight lines of a run.
+/// Computes the linear branches of a span of cables.
 template <class L>
 [[gnu::noinline]] void make_lines(const CableArray<L>& array, const CableSpan& run, const State& state,
                                   CableLinearization& lines) {
@@ -75,13 +75,14 @@ template <class L>
   });
 }
 
-/// The same if modes or memories are not those that they stand for: asked at each evaluation, and hardly ever so.
+/// Computes the linear branches of a span if its modes or memories have changed since the last time: checked at each
+/// evaluation, and rarely true.
 template <class L>
 [[gnu::always_inline]] inline void keep_lines(const CableArray<L>& array, const CableSpan& run, const State& state,
                                               CableLinearization& lines) {
   const Slot first = array.slots[run.place];
   bool same = std::memcmp(&state.mode[first.mode], &lines.mode[run.cable], run.count * sizeof(Mode)) == 0;
-  // A state without memory has no array of it.
+  // The array z of a state without memory is empty.
   if constexpr (L::memory_size > 0) {
     const double* const kept = state.z.data() + first.memory;
     const std::size_t numbers = L::memory_size * run.count;

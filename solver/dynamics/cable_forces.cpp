@@ -65,7 +65,7 @@ CableForces::CableForces(const Model& model, const Layout& layout) {
 }
 
 void CableForces::list_awake(ActiveSet& active, const HangerTopology& topology) const {
-  std::vector<std::size_t> listed(joints_.size(), 0);  // how many cables end there
+  std::vector<std::size_t> listed(joints_.size(), 0);  // number of cables that end there
   const auto moves = [&](std::size_t j) { return joints_[j].on_body && active.awake[index(joints_[j].body)]; };
   const auto sleeps = [&](std::size_t j) { return joints_[j].on_body && !active.awake[index(joints_[j].body)]; };
   active.cables.resize(std::tuple_size_v<decltype(laws_)>);
@@ -98,7 +98,8 @@ void CableForces::list_awake(ActiveSet& active, const HangerTopology& topology) 
   }
 }
 
-/// Whether a run is a row, and where its joints on bodies are; `ends_at`: how many cables end at each joint.
+/// Finds whether a span is a row, and which of its joints are on bodies; `ends_at`: number of cables that end at each
+/// joint.
 void CableForces::find_row(CableSpan& run, const std::vector<std::size_t>& ends_at) const {
   if (run.b != run.a + 1 || ends_at[run.a] != 1 || ends_at[run.a + run.count] != 1) return;
   const Joint* const joints = &joints_[run.a];
@@ -133,7 +134,7 @@ void CableForces::update(const State& state, Workspace& work) const {
     work.active.on_linear_branch = work.active.on_linear_branch && run.on_linear_branch;
   });
   if (work.topology.chains.empty()) return;
-  // What goes on through broken hangers has other paths: then no run is quiet.
+  // Cables that continue through broken hangers have other paths: then no span is on its linear branch.
   work.active.on_linear_branch = false;
   for_each_run(laws_, work.active, [](const auto&, CableSpan& run) { run.on_linear_branch = false; });
   for (Chain& chain : work.topology.chains)
@@ -144,7 +145,7 @@ bool CableForces::pull_rows(const State& state, Workspace& work) const {
   ActiveSet& active = work.active;
   if (!active.rows_only || active.any_asleep || !hanger_joints_.empty()) return false;
   clear(work.wrenches, active.reached_bodies);
-  // All are awake, and so they are looked at in fewer pieces than they are pulled in.
+  // All cables are awake: check the spans of the arrays, which are fewer than the spans of the active set.
   for_each_array(laws_, [&]<class L>(const CableArray<L>& array, std::size_t) {
     if constexpr (HasLinearPiece<L>) {
       for (const CableSpan& run : array.runs)
@@ -180,7 +181,7 @@ void CableForces::update_modes(State& state, const Workspace& work) const {
 
 void CableForces::load(const State& state, Workspace& work, Rates* out) const {
   if (work.pulled) {
-    TALUS_ASSERT(!out);  // accounts need the joints, which were left as they were
+    TALUS_ASSERT(!out);  // the energy balance requires the joints, which were not updated
     return;
   }
   if (work.active.on_linear_branch) {
@@ -193,7 +194,8 @@ void CableForces::load(const State& state, Workspace& work, Rates* out) const {
     }
   }
   if (!out) return;
-  // Anchors take the pull: an impulse from outside. Those of sleeping cables keep the pull of their last evaluation.
+  // Anchors react to the cable forces: an impulse from outside. Anchors of sleeping cables keep the force of their last
+  // evaluation.
   for (std::size_t j = 0; j < joints_.size(); ++j) {
     if (joints_[j].on_body) continue;
     out->impulse[0] -= work.joints.force_x[j];
@@ -202,7 +204,8 @@ void CableForces::load(const State& state, Workspace& work, Rates* out) const {
   }
 }
 
-/// Tensions, law by law, and pulls at the joints of the cables that are in no row, or not quiet.
+/// Computes tensions, law by law, and forces at the joints, for cables that are in no row or not on their linear
+/// branch.
 void CableForces::sum_pulls(const State& state, Workspace& work, Rates* out) const {
   JointPoints& joints = work.joints;
   for_each_run(laws_, work.active, [&](const auto&, const CableSpan& run) {
@@ -225,7 +228,7 @@ void CableForces::sum_pulls(const State& state, Workspace& work, Rates* out) con
     joints.force_x[j] = joints.force_y[j] = 0.0;
 }
 
-/// Joint i of a chain takes the pull of cable i and of the one before it, in one sum.
+/// Joint i of a span receives the forces of cable i and of the one before it, in one sum.
 void CableForces::sum_pulls(const CableSpan& run, Workspace& work) const {
   const auto pull = [&](std::size_t i) { return work.paths.tension[run.cable + i] * work.paths.pull(run.cable + i); };
   const auto end_a = [&](std::size_t i) { return constants_.symmetry_weight_a[run.cable + i] * pull(i); };
@@ -317,7 +320,7 @@ double CableForces::stored_energy(const State& state, const Workspace& work) con
 void CableForces::tensions(const State& state, const Workspace& work, std::span<double> out) const {
   TALUS_ASSERT(work.has_geometry());
   if (work.active.on_linear_branch && work.active.complete) {
-    // Of a slack cable the line gives -0.
+    // The linear branch of a slack cable gives -0; adding 0 removes the sign.
     for (std::size_t c = 0; c < size(); ++c)
       out[c] = work.paths.tension[c] + 0.0;
     return;

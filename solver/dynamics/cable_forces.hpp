@@ -18,7 +18,7 @@ struct Joint {
   bool on_body{};
   BodyId body{};
   Vec2 p;          ///< in body coordinates, or in the world [L]
-  double along{};  ///< place along the fence, z [L]
+  double along{};  ///< position along the fence, z [L]
   friend bool operator==(const Joint&, const Joint&) = default;
 };
 
@@ -39,35 +39,36 @@ class CableForces {
   /// Tangent of each law instance, in order.
   const std::vector<Tangent>& tangents() const { return tangents_; }
 
-  /// Points of the world at which cables end: once, when the workspace is made.
+  /// Places the joints that are points of the world: called once, when the workspace is made.
   void place_anchors(Workspace& work) const;
-  /// Brings the topology up to the state's broken hangers; whether it changed.
+  /// Updates the topology to the broken hangers of the state. True if it changed.
   bool update_topology(const State& state, HangerTopology& topology) const;
-  /// Lists the joints and cables to compute: all, or those of which an end is on a body that is awake or held, and
-  /// those that go on through broken hangers.
+  /// Lists the joints and cables to compute: all, or those with an end on a body that does not sleep, and those that
+  /// continue through broken hangers.
   void list_awake(ActiveSet& active, const HangerTopology& topology) const;
-  /// For rates alone, after the poses: writes what the cables pull on bodies to their wrenches, without any path and
-  /// whatever the velocities. False if that takes paths.
+  /// For rates alone, after the poses: writes the cable forces on bodies to their wrenches, without computing paths and
+  /// independent of velocities. False if the forces require paths.
   bool pull_rows(const State& state, Workspace& work) const;
-  /// Joints, paths and what follows from them.
+  /// Computes joints and paths and, for rows on their linear branches, the forces.
   void update(const State& state, Workspace& work) const;
-  /// Hangers on which the cables pull with their strength or more, and of these the ones most overloaded.
+  /// Hangers on which the cable force reaches the strength; only those with the largest ratio of force to strength.
   std::vector<HangerId> overloaded(const State& state, const Workspace& work) const;
-  /// Whether a cable has broken in a chain that was laid straight with it.
+  /// True if a cable has broken in a chain that had tension when it was last evaluated.
   bool any_chain_broken(const State& state, const Workspace& work) const;
-  /// The bodies at both ends of the hanger's cables.
+  /// Bodies at both ends of the cables of a hanger.
   std::vector<BodyId> joined_bodies(HangerId hanger) const;
   void update_modes(State& state, const Workspace& work) const;
-  /// Sums the tensions at the joints: the wrenches of the bodies, of which they are the first part; with out,
-  /// dissipated power and the anchors' impulse as well.
+  /// Sums the tensions at the joints and writes the sums to the wrenches of the bodies, as their first part. With
+  /// `out`, computes also the dissipated power and the impulse of the anchors.
   void load(const State& state, Workspace& work, Rates* out) const;
-  /// Whether some memory is taken along by update_modes() alone: of cables that yield.
+  /// True if some memory is changed by update_modes() alone: that of cables that yield.
   bool follows(const State& state) const;
-  /// Whether all guards() are infinite, as far as that is quickly said.
+  /// Cheap sufficient test that all guards() are infinite.
   bool none_ends(const Workspace& work, double ahead) const;
-  /// Of rows that at their rates stay on their straight lines for the time ahead [T] none. Whether there are any.
+  /// Computes the guards, except for rows that remain on their linear branches for the time `ahead` [T] at their
+  /// present rates. True if any were computed.
   bool guards(const State& state, const Workspace& work, double ahead, std::span<double> out) const;
-  /// A cable that pulls, and runs straight between its own joints.
+  /// A cable in tension that runs straight between its own two joints.
   struct TautCable {
     std::size_t index{};
     Tangent slopes;              ///< of its tension
@@ -77,9 +78,10 @@ class CableForces {
   void for_each_taut(const State& state, const Workspace& work,
                      const std::function<void(const TautCable&)>& visit) const;
   double stored_energy(const State& state, const Workspace& work) const;
-  /// Lists the sleeping bodies on which a cable pulls otherwise than at rest, by more than `share` of its tension.
+  /// Lists the sleeping bodies on which a cable force differs from that at rest, by more than the fraction `share` of
+  /// its tension.
   void list_woken(const State& state, const Workspace& work, double share, std::vector<BodyId>& woken) const;
-  /// Keeps the present pulls as those at rest.
+  /// Stores the present cable forces as those at rest.
   void keep_rest(const State& state, const Workspace& work);
   /// Tension of each cable [F] >= 0.
   void tensions(const State& state, const Workspace& work, std::span<double> out) const;
@@ -101,7 +103,7 @@ class CableForces {
   void evaluate_paths(const CableSpan& run, Workspace& work) const;
   void sum_pulls(const State& state, Workspace& work, Rates* out) const;
   void sum_pulls(const CableSpan& run, Workspace& work) const;
-  /// Sum of the pulls on a hanger [F].
+  /// Magnitude of the resultant cable force on a hanger [F].
   double pull_on(const HangerJoint& holder, const State& state, const Workspace& work) const;
   Chain chain_from(std::size_t cable, const HangerTopology& topology, std::vector<char>& used) const;
   void extend(Chain& chain, const HangerTopology& topology, std::vector<char>& used) const;

@@ -6,14 +6,14 @@
 namespace talus {
 namespace {
 
-/// A pack of joints of a row: where they are and, if that is asked for, how they move.
+/// A pack of joints of a row: positions and, if `recorded`, velocities.
 struct PackOfJoints {
   Pack x, y, vx, vy;
   Pack arm_x, arm_y;
   Sizes on_body;
 };
 
-/// Those of a row from its joint `first` on; those that are on no body stay where they are.
+/// Computes the joints of a row from its joint `first` on; joints that are on no body remain unchanged.
 template <bool recorded, class Joints>
 [[gnu::always_inline]] inline void place_joints(PackOfJoints& at, const CableSpan& run, std::size_t first,
                                                 const CableConstants& constants, const Poses& poses, Joints& joints) {
@@ -21,7 +21,7 @@ template <bool recorded, class Joints>
   const auto begin = static_cast<std::ptrdiff_t>(first);
   Sizes& on_body = at.on_body;
   between(on_body, from - begin, to - begin);
-  // A lane before the first body reads the room before it.
+  // A lane before the first body reads the room in front of the array.
   const std::ptrdiff_t body = run.body + begin;
   const std::size_t joint = run.a + first;
   Pack x, y, cosine, sine, p_x, p_y;
@@ -44,28 +44,29 @@ template <bool recorded, class Joints>
   }
 }
 
-/// The tension of a cable of a fence [F]: k (e - p), on the straight line of its mode, which its law's linear_piece()
-/// gives: UnilateralSpring, of TensionOnly too, where it acts; ElasticPlastic where it loads or unloads. A slack cable
-/// has k = 0. (What leaves its line takes CableForces::sum_pulls(), which calls the law itself.)
+/// Tension of a cable of a fence [F]: k (e - p) on the linear branch of its mode, which linear_piece() of its law
+/// gives: UnilateralSpring, also of TensionOnly, where it acts; ElasticPlastic where it loads or unloads. A slack cable
+/// has k = 0. (The tension of a cable off its linear branch is computed by CableForces::sum_pulls(), which calls the
+/// law itself.)
 [[gnu::always_inline]] inline void line_tension(Pack& tension, const Pack& stiffness, const Pack& deformation,
                                                 const Pack& natural) {
   tension = stiffness * (deformation - natural);
 }
 
-/// Each lane's next; of the last, the first of the pack after.
+/// Shifts a pack by one lane; the last lane becomes the first of the pack after.
 [[gnu::always_inline]] inline void ahead(Pack& next, const Pack& pack, const Pack& after) {
   next = __builtin_shufflevector(pack, after, 1, 2, 3, 4);
 }
 
-/// All in one pass, in registers from the poses to the pulls: written and read again between one stage and the next,
-/// each stage would wait for the one before. `recorded`: what follows for joints and cables is kept, too.
+/// Evaluates a row in one pass, in registers from the poses to the forces: if results were written and read again
+/// between stages, each stage would wait for the one before. `recorded`: stores the results for joints and cables, too.
 template <bool recorded, class Joints>
 [[gnu::always_inline]] inline bool pull(const CableSpan& run, const CableConstants& constants,
                                         const CableLinearization& lines, const Poses& poses, Joints& joints,
                                         Paths* paths, Wrenches& pulls) {
   const auto count = static_cast<std::ptrdiff_t>(run.count);
   Sizes left{};
-  Pack before_x{}, before_y{};  // what the cables before pull at their ends B
+  Pack before_x{}, before_y{};  // forces of the preceding cables at their ends B
   PackOfJoints here;
   place_joints<recorded>(here, run, 0, constants, poses, joints);
   for (std::ptrdiff_t block = 0; block <= count; block += pack_size) {
@@ -110,7 +111,7 @@ template <bool recorded, class Joints>
       put(paths->pull_x.at(cable), is, pulls_x), put(paths->pull_y.at(cable), is, pulls_y);
       put(paths->tension.at(cable), is, tension);
     }
-    // Joint i takes the pull of cable i and of the one before it.
+    // Joint i receives the forces of cable i and of the one before it.
     Pack force_x{}, force_y{};
     choose(force_x, is, tension * pulls_x), choose(force_y, is, tension * pulls_y);
     Pack symmetry_weight_a, symmetry_weight_b;
@@ -139,7 +140,7 @@ template <bool recorded, class Joints>
 }  // namespace
 
 TALUS_CLONES void clear(Wrenches& wrenches, std::size_t count) {
-  // Whole packs, without a look at what is there: what contacts added one by one would be waited for.
+  // Stores whole packs without reading what is there: a read would wait for the forces that contacts added one by one.
   for (std::size_t i = 0; i < count; i += pack_size) {
     for (Row* const row : {&wrenches.x, &wrenches.y, &wrenches.moment})
       store(Pack{}, row->at(i));

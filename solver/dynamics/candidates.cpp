@@ -14,17 +14,17 @@ Bounds box(const Circle& s) { return {s.radius, s.radius, true, false}; }
 Bounds box(const Rectangle& s) { return {s.half_width, s.half_height, false, false}; }
 Bounds box(const Superquadric& s) { return {s.half_width, s.half_height, false, false}; }
 Bounds box(const HalfPlane&) { return {0.0, 0.0, false, true}; }
-/// Of ground that goes on for ever no side of a box separates anything.
+/// No side of a box separates anything from ground, which is unbounded.
 Bounds box(const Terrain&) { return {1e150, 1e150, true, false}; }
 
-/// Half extents of the box along the axes of a frame in which it stands at R.
+/// Half widths of the box along the axes of a frame in which its orientation is R.
 Vec2 deformation(const Bounds& bounds, Rotation R) {
   if (bounds.round) return {bounds.half_width, bounds.half_height};
   const double c = std::abs(R.cosine), s = std::abs(R.sine);
   return {c * bounds.half_width + s * bounds.half_height, s * bounds.half_width + c * bounds.half_height};
 }
 
-/// Whether box A lies beyond a side of box B, by more than a margin: the test of separating axes with B's axes.
+/// True if box A lies beyond a side of box B by more than a margin: the separating-axis test with the axes of B.
 bool beyond(const Bounds& a, const Pose& A, const Bounds& b, const Pose& B, double margin) {
   const Placement seen = placement(A, B);
   const Vec2 reach = deformation(a, seen.R);
@@ -58,21 +58,22 @@ bool out_of_reach(const Candidate& pair, const Pose& A, const Pose& B, double ma
 
 namespace {
 
-/// Of a body's least half width: a rock of the fence of 1993 is listed again every few hundred steps of its path. Table
-/// 2's step takes .151, .153, .156 and .157 us with .02, .05, .1 and .2, that of two layers .403, .384, .404 and .405.
+/// Skin, relative to the smallest half width of a body: a rock of the fence of 1993 is listed again every few hundred
+/// steps of its path. The step of Table 2 takes 0.151, 0.153, 0.156 and 0.157 us with 0.02, 0.05, 0.1 and 0.2, and that
+/// of two layers 0.403, 0.384, 0.404 and 0.405 us.
 constexpr double skin_share = 0.05;
 
-/// Beyond this number of bodies a table of all pairs takes more memory than a machine has to spare (128 MB here), and
-/// a list of pairs is made by looking at all pairs of the model.
+/// Largest number of bodies in the sweep. Beyond it a table of all pairs takes more memory than a machine has to spare
+/// (128 MB at this number), and the list is made by checking all pairs of the model.
 constexpr std::size_t most_swept = 4000;
 
-/// Range along x, by the skin and a little more wider than the box.
+/// Range along x: the box, widened by the skin and slightly more.
 Stretch stretch(const Bounds& bounds, const Pose& pose, double skin) {
   const double reach = skin + deformation(bounds, pose.R_WB).x * (1.0 + 1e-12) + 1e-12 * std::abs(pose.p_WB.x);
   return {pose.p_WB.x - reach, pose.p_WB.x + reach};
 }
 
-/// Sorts by insertion: nearly in order already. Of equal ones the first in the model comes first.
+/// Insertion sort, because the order is almost right already. Among equal ones the first in the model comes first.
 void sort(std::vector<std::size_t>& order, const std::vector<Stretch>& stretches) {
   const auto before = [&](std::size_t a, std::size_t b) {
     return stretches[a].low < stretches[b].low || (stretches[a].low == stretches[b].low && a < b);
@@ -103,7 +104,7 @@ void ContactSearch::prepare(std::size_t bodies) {
   skin_limits_ = {Row{bodies}, Row{bodies, std::numeric_limits<double>::infinity()}, bodies, 0};
   const auto bind = [this](BodyId body, const Bounds& bounds) {
     const std::size_t i = index(body);
-    // A disc that turns moves no point of its outline; ground does not move.
+    // Turning moves no point of the outline of a disc; ground does not move.
     skin_limits_.radius[i] = bounds.round ? 0.0 : furthest(bounds);
     skin_limits_.way[i] = is_unbounded(bounds) ? 0.0 : skin_share * least_half_width(bounds);
     skin_limits_.first = std::min(skin_limits_.first, i), skin_limits_.last = std::max(skin_limits_.last, i + 1);

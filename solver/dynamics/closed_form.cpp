@@ -19,7 +19,7 @@ std::string_view name(const ContactLaw& law) {
   return std::visit([]<class L>(const L&) { return L::name; }, law);
 }
 
-/// Whether two bodies can only move along the same line.
+/// True if two bodies can only move along the same line.
 bool share_a_line(const Body& a, const Body& b) {
   const auto moves_only = [](const Body& body, Mobility along) {
     return body.mobility == along || body.mobility == Mobility::fixed;

@@ -21,18 +21,18 @@ struct ContactGroup {
   std::size_t candidate{};  ///< the pair of bodies in the contact search
   BodyId a{};
   BodyId b{};
-  std::size_t first{};  ///< its instances in the array ...
-  std::size_t last{};   ///< ... end before this one
+  std::size_t first{};  ///< its first instance in the array
+  std::size_t last{};   ///< one past its last instance
   double symmetry_weight_a{
-      1.0};  ///< force on A for each unit of the law's force: above 1 when a contact that stands for several
-  double symmetry_weight_b{1.0};              ///< acts on a body that stands for itself alone
-  double multiplicity{1.0};                   ///< identical contacts that this one stands for
-  std::optional<CoulombFriction> friction{};  ///< none: nothing tangential is computed
-  Slot first_friction{};                      ///< of its instance `first`; those of the others follow
+      1.0};  ///< force on A for each unit of the law's force: above 1 where a contact that represents several
+  double symmetry_weight_b{1.0};              ///< acts on a body that represents only itself; the same for B
+  double multiplicity{1.0};                   ///< number of identical contacts that this one represents
+  std::optional<CoulombFriction> friction{};  ///< none: no tangential force is computed
+  Slot first_friction{};                      ///< friction slot of its instance `first`; those of the others follow
 };
 
 /// All contact instances of one law, in one array for each kind of geometry, with the slots of their modes and memory.
-/// `slot` also is the place of the instance in Workspace::gaps (contacts have the first mode slots).
+/// The mode slot of an instance is also its index in Workspace::gaps (contacts have the first mode slots).
 template <class L>
 struct ContactArrays {
   template <class A, class B>
@@ -42,8 +42,8 @@ struct ContactArrays {
     std::vector<ContactGroup> groups;
     std::vector<ShapeA> shapes_a;
     std::vector<ShapeB> shapes_b;
-    Row node_x, node_y;  ///< centres of the shapes A, if their depths are found side by side [L]
-    Row radius;          ///< and theirs, over a half-plane [L]
+    Row node_x, node_y;  ///< centres of the shapes A, if their depths are computed side by side [L]
+    Row radius;          ///< radii of the shapes A, over a half-plane [L]
     std::vector<L> laws;
     std::vector<Slot> slots;
   };
@@ -53,7 +53,7 @@ struct ContactArrays {
              Array<Superquadric, HalfPlane>, Array<RectangleEnd, Rectangle>, Array<Superquadric, Superquadric>,
              Array<Rectangle, Superquadric>>
       arrays;
-  unsigned used{};  ///< a bit for each array: it has an instance
+  unsigned used{};  ///< one bit for each array: set if it has an instance
 };
 
 /// The two bodies of a law instance, in the order of its gap's normal.
@@ -62,7 +62,7 @@ struct InstancePair {
   BodyId b{};
 };
 
-/// Place of an array among those of its law.
+/// Index of an array among those of its law.
 template <class Array, class... Arrays>
 constexpr unsigned place_of(const std::tuple<Arrays...>&) {
   unsigned place = 0;
@@ -139,7 +139,7 @@ class ContactCompiler {
     }
   }
 
-  /// What the rule `smoother` needs to know of a node: nothing bends more than a corner.
+  /// Data of a node for the rule `smoother`; a corner has infinite curvature.
   static Smoother smoother(const Shape& a, Vec2 node, const Superquadric& target) {
     if (const auto* circle = std::get_if<Circle>(&a))
       return {target, (1.0 / circle->radius) * node, 1.0 / circle->radius};

@@ -15,7 +15,7 @@
 namespace talus {
 namespace {
 
-/// Calls visit(array) for each array that the scene uses: the one dispatch an evaluation makes.
+/// Calls visit(array) for each array that the scene uses: the only dispatch of an evaluation.
 template <class Laws, class Visit>
 void for_each_array(Laws& laws, Visit&& visit) {
   const auto visit_law = [&visit](auto& law) {
@@ -49,13 +49,13 @@ void for_each_near(const Laws& laws, const Workspace& work, Visit&& visit) {
   });
 }
 
-/// Where the friction of an instance of the group is kept.
+/// Slot of the friction of an instance of the group.
 Slot friction_slot(const ContactGroup& group, std::size_t instance) {
   const std::size_t place = instance - group.first;
   return {group.first_friction.mode + place, group.first_friction.memory + place};
 }
 
-/// c_s of a contact with friction whose normal law is this [F T/L].
+/// c_s of a contact with friction and this normal law [F T/L].
 template <class L>
 double friction_dashpot(const ContactGroup& group, const L& law, std::span<const double> memory) {
   double time = 0.0;
@@ -94,13 +94,13 @@ void for_each_slider(const Laws& laws, bool rough, const State& state, const Wor
   });
 }
 
-/// The normal force at it [F], of the evaluation's push().
+/// Normal force at a slider [F], as evaluated by push().
 double normal_force(const Workspace& work, const Slider& slider) {
   TALUS_ASSERT(work.evaluated >= Evaluated::forces);
   return slider.is_pressed ? work.normal_forces[slider.instance].total() : 0.0;
 }
 
-/// Across a gap, counter-clockwise from its normal: the direction in which slip of B past A is positive.
+/// Tangent of a gap, counter-clockwise from its normal: the direction in which slip of B past A is positive.
 Vec2 tangent(const Gap& gap) { return {-gap.n_AB.y, gap.n_AB.x}; }
 
 double slip_rate(const Workspace& work, const Slider& slider) {
@@ -110,13 +110,13 @@ double slip_rate(const Workspace& work, const Slider& slider) {
   return dot(velocity_at(B, gap.p_WC) - velocity_at(A, gap.p_WC), tangent(gap));
 }
 
-/// The stretch that would add as much force as the dashpot of a contact that sticks or is about to [L].
+/// Stretch that would add as much force as the dashpot of a contact that sticks or is about to stick [L].
 double viscous_stretch(const Workspace& work, const Slider& slider) {
   return slider.dashpot == 0.0 ? 0.0 : slider.dashpot / slider.law.stiffness * slip_rate(work, slider);
 }
 
-/// Starts the spring of a contact that has just begun to push: its bodies have been closing since they touched, for
-/// depth/rate. Bodies that do not close keep the stretch they have.
+/// Initialises the spring of a contact that has just begun to push: its bodies have been approaching since they
+/// touched, for the time depth/rate. Bodies that do not approach keep the stretch they have.
 void start_spring(State& state, const Workspace& work, const Slider& slider) {
   const double rate = work.rates[slider.instance];
   if (!(rate > 0.0)) return;
@@ -131,21 +131,22 @@ void add_pair(Workspace& work, const ContactGroup& group, const Gap& gap, Vec2 o
   work.wrenches.add(a, work.poses[a].p_WB, gap.p_WC, -group.symmetry_weight_a * on_b);
 }
 
-/// Whether it is a body and ground that goes on for ever.
+/// True for a body and ground.
 bool is_unbounded(const Candidate& pair) { return is_unbounded(pair.bounds_a) || is_unbounded(pair.bounds_b); }
 
-/// Brings the longest step down to what a pair allows that closes so fast [L/T], under this pull [L/T^2].
+/// Reduces the longest step to the one that a pair with this closing speed [L/T] allows, under the acceleration `pull`
+/// [L/T^2].
 void limit_step(ContactForces::TunnellingLimit& tunnelling_limit, const Candidate& pair, std::size_t contact,
                 double speed, double pull) {
   const double way = tunnelling_distance(pair);
   const double most = tunnelling_limit.longest_step;
   if ((speed + 0.5 * pull * most) * most <= way) return;
-  // way = speed h + pull h^2/2, solved so that nothing cancels.
+  // way = speed h + pull h^2/2, solved without cancellation.
   const double step = 2.0 * way / (speed + std::sqrt(speed * speed + 2.0 * pull * way));
   if (step < most) tunnelling_limit = {step, static_cast<ContactId>(contact)};
 }
 
-/// Computes the gaps that are wanted.
+/// Computes the gaps of the pairs marked Workspace::wanted.
 template <class Laws>
 void update_gaps(const Laws& laws, const State* state, Workspace& work) {
   for_each_array(laws, [&](const auto& array) { GapUpdate{array, state, work}.run(); });
@@ -188,7 +189,7 @@ ContactForces::ContactForces(const Model& model, const Layout& layout) : mobilit
 bool ContactForces::find(const State& state, Workspace& work) const {
   if (work.any_near) std::fill(work.near.begin(), work.near.end(), char{0});
   work.any_near = search_.find(work.poses, work.near, work.sweep);
-  // Bodies may have parted within one step: what still acts is looked at once more, to be ended.
+  // Bodies may have separated within one step: what still acts is evaluated once more, so that it ends.
   if (any_set(state.mode.data(), size())) {
     work.any_near = true;
     for (std::size_t c = 0; c < candidates(); ++c) {
@@ -278,11 +279,11 @@ void ContactForces::push(const State& state, Workspace& work) const {
   work.evaluated = Evaluated::forces;
 }
 
-// All laws' visits in line: a call for each array would cost more than most arrays do.
+// Inlines the visits of all laws: a call for each array would cost more than most arrays do.
 [[gnu::flatten]] void ContactForces::update_modes(State& state, Workspace& work, const State* before) const {
   if (starts_by_mass_) start_contacts(state, work);
   for_each_near(laws_, work, [&](const auto& law, Slot slot, const ContactGroup& group) {
-    // The gap declares onset: a contact that does not act stays so out of the law's reach.
+    // The gap decides the onset: a contact that does not act stays inactive out of the reach of its law.
     if (state.mode[slot.mode] == 0 && work.gaps[slot.mode].depth < -reach(law)) return;
     update_mode(law, slot, kinematics(work, slot.mode), state, group.multiplicity);
   });
@@ -293,11 +294,11 @@ void ContactForces::push(const State& state, Workspace& work) const {
       start_spring(state, work, slider);
     double& stretch = state.z[slider.slot.memory];
     auto settled = slider.law.return_mapping(stretch, normal_force(work, slider), viscous_stretch(work, slider));
-    // A dashpot that pulled back let the spring go beyond the limit: it takes the slider along as it is let go.
+    // A dashpot force against the spring let the spring exceed the limit: when released, the spring moves the slider.
     if (slider.dashpot > 0.0 && state.mode[slider.slot.mode] == CoulombFriction::sticking &&
         CoulombFriction::slips(settled.mode))
       settled.dissipated = slider.law.stored_energy(stretch) - slider.law.stored_energy(settled.stretch);
-    // The step has the work of the force as a power: what the spring gave back was not lost.
+    // The step has integrated the work of the force as a power: the energy that the spring gave back was not lost.
     if (before && CoulombFriction::slips(before->mode[slider.slot.mode])) {
       settled.dissipated =
           slider.law.stored_energy(before->z[slider.slot.memory]) - slider.law.stored_energy(settled.stretch);
@@ -360,11 +361,11 @@ void ContactForces::list_woken(const Workspace& work, std::vector<BodyId>& woken
   });
 }
 
-/// Starts the memory of laws that depend on the effective mass, of the instances that begin to touch: m = p/u, with p
-/// the impulse that stops the closing speed u there. Those that begin together (both ends of a side that lands flat, a
-/// rock between two columns) stop each other's, too: A p = u, with A the mobilities between them. A side that lands
-/// nearly flat touches with one end first: when the other follows, the first starts again with it if it still closes at
-/// half the speed of the second, so that the smallest tilt makes no other restitution.
+/// Initialises the memory of laws that depend on the effective mass, for instances that begin to touch: m = p/u, with p
+/// the impulse that stops the closing speed u. Impacts that begin together (both ends of a side that lands flat, a rock
+/// between two columns) also stop each other: A p = u, with A the mobilities between them. A side that lands nearly
+/// flat touches with one end first: when the other end follows, the first starts again with it if it still closes at
+/// half the speed of the second, so that the smallest tilt does not change the restitution.
 void ContactForces::start_contacts(State& state, const Workspace& work) const {
   if (!work.any_near) return;
   StartingImpacts impacts;
@@ -375,7 +376,7 @@ void ContactForces::start_contacts(State& state, const Workspace& work) const {
       if constexpr (StartsByMass<L>) {
         for (const ContactGroup& group : array.groups) {
           if (!work.near[group.candidate]) continue;
-          double begins = 0.0;  // closing speed of one that begins
+          double begins = 0.0;  // largest closing speed of the instances that begin
           for (std::size_t i = group.first; i < group.last; ++i) {
             const std::size_t instance = array.slots[i].mode;
             if (state.mode[instance] == 0 && work.gaps[instance].depth >= -reach(array.laws[i]))

@@ -17,66 +17,69 @@
 
 namespace talus {
 
-/// The contacts of a model, compiled: gaps, forces, modes and energies of all law instances. Of a contact whose bodies
-/// are out of reach nothing is computed.
+/// The contacts of a model, compiled: gaps, forces, modes and energies of all law instances. Contacts whose bodies are
+/// out of reach are not computed.
 class ContactForces {
  public:
   ContactForces(const Model& model, const Layout& layout);
 
   /// Number of law instances: the length of Workspace::gaps and Workspace::rates.
   std::size_t size() const { return pairs_.size(); }
-  /// Number of pairs that the search looks at: the length of Workspace::near.
+  /// Number of pairs in the search: the length of Workspace::near.
   std::size_t candidates() const { return search_.pairs().size(); }
-  /// The pair of a contact, as the search sees it.
+  /// Pair of a contact in the search.
   const Candidate& pair(ContactId contact) const { return search_.pairs()[index(contact)]; }
 
-  /// Finds the pairs within reach, and those that still act in this state; whether there are any.
+  /// Finds the pairs within reach, and those that still act in this state. True if there are any.
   bool find(const State& state, Workspace& work) const;
-  /// Their gaps.
+  /// Computes the gaps of these pairs.
   void update(const State& state, Workspace& work) const;
-  /// After update(): largest overlap of each contact [L]; negative while its bodies are apart. Writes no gaps of pairs
-  /// out of reach.
+  /// After update(): largest overlap of each contact [L]; negative while its bodies are apart. Does not write the gaps
+  /// of pairs out of reach.
   void largest_depths(const Workspace& work, std::span<double> out) const;
-  /// Gaps of all pairs.
+  /// Computes the gaps of all pairs.
   void update_all(Workspace& work) const;
-  /// After update(): the gaps that it left out, but of bodies that at their present speed, and under this pull [L/T^2],
-  /// do not come within reach of each other in the time ahead [T]. The longest step, as passing() says, up to that
-  /// time.
+  /// After update(): computes also the gaps that it omitted, except for bodies that at their present speed, and under
+  /// the acceleration `pull` [L/T^2], do not come within reach of each other in the time `ahead` [T]. Returns the
+  /// longest step of tunnelling_limit(), at most `ahead`.
   double update_far(const State& state, double ahead, double pull, Workspace& work) const;
-  /// Gaps of the pairs that have one of these modes alone; whether there are any.
+  /// Computes only the gaps of the pairs that have one of these modes. True if there are any.
   bool update_of(const State& state, std::span<const std::size_t> modes, Workspace& work) const;
-  /// Whether a mode is of a contact or its friction.
+  /// True if a mode is of a contact or its friction.
   bool has(std::size_t mode) const { return mode < pair_of_.size() && pair_of_[mode] < candidates(); }
-  /// Before the first update_modes() of a run: friction within reach sticks, so that what pushes keeps the stretch it has.
+  /// Before the first update_modes() of a run: sets open friction within reach to sticking, so that contacts that push
+  /// keep the stretch they have.
   void begin(State& state, const Workspace& work) const;
-  /// Evaluates the normal forces of what acts, unless they are known: once for friction, wrenches and reports.
+  /// Evaluates the normal forces of the instances that act, unless they are known: once for friction, wrenches and
+  /// reports.
   void push(const State& state, Workspace& work) const;
   /// `before`: see Dynamics::update_modes().
   void update_modes(State& state, Workspace& work, const State* before) const;
-  /// Lists the sleeping bodies that another touches.
+  /// Lists the sleeping bodies that another body touches.
   void list_woken(const Workspace& work, std::vector<BodyId>& woken) const;
-  /// Adds the forces to the wrenches of both bodies; with out, the dissipated power as well, with `slip_power` also
-  /// that of friction that slips.
+  /// Adds the forces to the wrenches of both bodies; with `out`, computes also the dissipated power, with `slip_power`
+  /// including that of slipping friction.
   void add(const State& state, Workspace& work, Rates* out, bool slip_power) const;
-  /// Whether some memory is taken along by update_modes() alone: of latching springs that load, of friction that slips.
+  /// True if some memory is changed by update_modes() alone: of latching springs that load, of friction that slips.
   bool follows(const State& state) const;
-  /// The longest step [T] in which no body passes half the least width of another, under this pull [L/T^2], and the
-  /// contact that sets it; infinite where none does.
+  /// Longest step [T] in which no body moves past another by more than tunnelling_distance(), the mean of the smallest
+  /// half widths of the two, under the acceleration `pull` [L/T^2], and the contact that sets it; infinite if there is
+  /// none.
   struct TunnellingLimit {
     double longest_step{std::numeric_limits<double>::infinity()};
     ContactId contact{};
   };
   TunnellingLimit tunnelling_limit(const Workspace& work, double pull) const;
-  /// The deepest overlap within reach, as a share of half the least width of the smaller of its bodies.
+  /// Largest overlap within reach, relative to half the smallest width of the smaller of its bodies.
   struct Overlap {
     double share{};
     ContactId contact{};
   };
   Overlap deepest_overlap(const Workspace& work) const;
-  /// Of the instances within reach.
+  /// Computes the guards of the instances within reach.
   void guards(const State& state, Workspace& work, std::span<double> out) const;
-  /// A contact that acts, where its normal does not turn and its law is linear: between the motions of the two bodies
-  /// along the normal.
+  /// An acting contact whose normal does not turn and whose law is linear, between the motions of the two bodies along
+  /// the normal.
   struct LinearContact {
     BodyId a{};
     BodyId b{};
@@ -85,9 +88,9 @@ class ContactForces {
     double symmetry_weight_a{};  ///< see ContactGroup
     double symmetry_weight_b{};
   };
-  /// Those of the instances within reach; of other laws none.
+  /// Linear contacts among the instances within reach; other laws have none.
   std::vector<LinearContact> linear_contacts(const State& state, const Workspace& work) const;
-  /// An instance that acts.
+  /// A law instance that acts.
   struct ActingContact {
     BodyId a{};
     BodyId b{};
@@ -98,7 +101,7 @@ class ContactForces {
     double symmetry_weight_b{};
     struct Friction {
       Mode mode{};
-      std::size_t memory{};  ///< of its stretch in the state
+      std::size_t memory{};  ///< index of its stretch in State::z
       double stiffness{};    ///< [F/L]
       double dashpot{};      ///< [F T/L]
       double coefficient{};
@@ -107,12 +110,12 @@ class ContactForces {
   };
   void for_each_acting(const State& state, const Workspace& work,
                        const std::function<void(const ActingContact&)>& visit) const;
-  /// Rates of the memory that follows the motion: the slip rate where two bodies touch and friction acts.
+  /// Computes the rates of the memory that follows the motion: the slip rate where two bodies touch and friction acts.
   void memory_rates(const State& state, Workspace& work, Rates& out) const;
   double stored_energy(const State& state, const Workspace& work) const;
   /// Normal force of each instance [F], > 0 pushing apart.
   void forces(const State& state, Workspace& work, std::span<double> out) const;
-  /// Of each instance.
+  /// Bodies of each instance.
   const std::vector<InstancePair>& pairs() const { return pairs_; }
 
  private:
@@ -120,10 +123,10 @@ class ContactForces {
 
   ContactLaws::Tuple<ContactArrays> laws_;
   bool rough_{};           ///< some contact has friction
-  bool starts_by_mass_{};  ///< the memory of some law starts with the effective mass of its contact
+  bool starts_by_mass_{};  ///< some law initialises its memory with the effective mass of its contact
   PointMobility mobility_;
   ContactSearch search_;
-  std::vector<std::size_t> pair_of_;  ///< of each mode slot, in the search; the number of pairs for other modes
+  std::vector<std::size_t> pair_of_;  ///< pair of each mode slot in the search; the number of pairs for other modes
   std::vector<InstancePair> pairs_;
 };
 

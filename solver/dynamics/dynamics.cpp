@@ -15,7 +15,8 @@ namespace {
 double inertia(const Model& model, const Coordinate& coordinate) {
   const Body& body = model.bodies[index(coordinate.body)];
   if (coordinate.axis != Axis::angle) return body.mass;
-  // Of a guided body as it stands at the start: the distance across the guide from pin to centre of mass moves with it.
+  // Inertia of a guided body in its reference position. It depends on the angle, because turning moves the centre of
+  // mass across the guide.
   const Vec2 r = body.p_WB - pin(body);
   if (body.mobility == Mobility::guided_x) return body.inertia + body.mass * r.x * r.x;
   if (body.mobility == Mobility::guided_y) return body.inertia + body.mass * r.y * r.y;
@@ -39,7 +40,8 @@ Dynamics::Dynamics(const Model& model)
   find_rest();
 }
 
-/// Keeps the cables' pulls at rest, and which sleepers those pulls, their weight and their load do not balance.
+/// Stores the cable forces at rest, and which sleepers are not in equilibrium under these forces, their weight and
+/// their applied load.
 void Dynamics::find_rest() {
   Workspace work = workspace();
   State rest = rest_state(model_);
@@ -72,12 +74,12 @@ Workspace Dynamics::workspace() const {
   const State rest = rest_state(model_);
   cables_.update_topology(rest, work.topology);
   list_awake(rest, work, true);
-  work.active.modes.clear();  // stands for no state yet
+  work.active.modes.clear();  // valid for no state yet
   return work;
 }
 
-/// The sleeping bodies of the state, and what is to be computed: of the evaluation after a change of modes the whole,
-/// so that what goes on sleeping has its poses, paths and pulls from then.
+/// Lists the sleeping bodies of the state, and the active set. In the evaluation after a change of modes the active set
+/// is the whole scene, so that bodies and cables that remain asleep have their poses, paths and forces from then.
 void Dynamics::list_awake(const State& state, Workspace& work, bool whole) const {
   ActiveSet& active = work.active;
   const auto modes = state.mode.begin() + static_cast<std::ptrdiff_t>(layout_.first_sleeper);
@@ -105,7 +107,7 @@ std::size_t Dynamics::moving(const State& state, const Workspace& work) const {
   return std::equal(known.begin(), known.end(), modes, state.mode.end()) ? work.active.moving : state.q.size();
 }
 
-/// Brings the topology and what is computed up to the state's hangers and sleepers.
+/// Updates the topology and the active set to the state's hangers and sleepers.
 void Dynamics::follow_modes(const State& state, Workspace& work) const {
   const bool topology_changed = cables_.update_topology(state, work.topology);
   if (!layout_.sleepers.empty()) {
@@ -122,7 +124,7 @@ void Dynamics::update(const State& state, Workspace& work, Need need) const {
   bodies_.place(state, work);
   work.pulled = need == Need::rates && cables_.pull_rows(state, work);
   const bool near = contacts_.find(state, work);
-  // Velocities are a twenty-fifth of a small fence's step: only if something follows from them.
+  // Velocities take a twenty-fifth of a small fence's step: computed only if needed below.
   if (!work.pulled || near) bodies_.place_velocities(state, work);
   if (!work.pulled) cables_.update(state, work);
   if (near) contacts_.update(state, work);
@@ -150,7 +152,7 @@ void Dynamics::update_everywhere(const State& state, Workspace& work) const {
 
 void Dynamics::update_all(const State& state, Workspace& work) const {
   cables_.update_topology(state, work.topology);
-  // Without sleepers all cables are listed, whichever hangers are broken.
+  // Without sleepers all cables are always listed, whichever hangers are broken.
   if (!layout_.sleepers.empty()) list_awake(state, work, true);
   bodies_.update(state, work);
   cables_.update(state, work);
@@ -166,8 +168,8 @@ void Dynamics::begin(State& state, Workspace& work) const {
 
 bool Dynamics::update_modes(State& state, Workspace& work, const State* before) const {
   TALUS_ASSERT(work.evaluated != Evaluated::nothing);
-  work.evaluated = Evaluated::geometry;  // forces are in the modes of before
-  // Calls of what has nothing to do would be a thirtieth of a small fence's step.
+  work.evaluated = Evaluated::geometry;  // forces were computed in the previous modes
+  // Calls without effect would take a thirtieth of a small fence's step.
   if (work.any_near) contacts_.update_modes(state, work, before);
   if (!work.active.on_linear_branch) cables_.update_modes(state, work);
   if (!model_.hangers.empty() && (handle_broken_chains(state, work) || break_hangers(state, work))) {
@@ -182,7 +184,7 @@ bool Dynamics::update_modes(State& state, Workspace& work, const State* before) 
   cables_.list_woken(state, work, model_.sleep == Sleep::exact ? 0.0 : 1e-13, woken);
   if (woken.empty()) return false;
   wake(state, woken);
-  // A woken body's own cables may wake its neighbours.
+  // The cables of a woken body may wake its neighbours.
   update(state, work);
   update_modes(state, work);
   return true;
@@ -196,7 +198,8 @@ void Dynamics::wake(State& state, const std::vector<BodyId>& bodies) const {
   }
 }
 
-/// Breaks the most overloaded hangers, and books what the cables lose while they straighten; false if none is.
+/// Breaks the most overloaded hangers, and records the energy that the cables lose as they straighten. False if no
+/// hanger is overloaded.
 bool Dynamics::break_hangers(State& state, Workspace& work) const {
   const std::vector<HangerId> overloaded = cables_.overloaded(state, work);
   if (overloaded.empty()) return false;
@@ -209,7 +212,8 @@ bool Dynamics::break_hangers(State& state, Workspace& work) const {
   return true;
 }
 
-/// Where a cable broke in a chain its tension is gone at once, and what the others held; false if none did.
+/// Releases the chains in which a cable broke: its tension, and the energy stored in the other cables, are lost at
+/// once. False if no cable broke in a chain.
 bool Dynamics::handle_broken_chains(State& state, Workspace& work) const {
   if (!cables_.any_chain_broken(state, work)) return false;
   relax(state, work, cable_energy(state, work), Mechanism::cable_break);
@@ -220,7 +224,7 @@ Dynamics::Energy Dynamics::cable_energy(const State& state, const Workspace& wor
   return {cables_.stored_energy(state, work), std::accumulate(state.work.begin(), state.work.end(), 0.0)};
 }
 
-/// Lets the cables take their places after a break, and books what they lose beyond what their own changes of mode do.
+/// Evaluates the cables after a break, and records the energy that they lose beyond that of their own changes of mode.
 void Dynamics::relax(State& state, Workspace& work, Energy before, Mechanism loss) const {
   update(state, work);
   cables_.update_modes(state, work);
@@ -229,7 +233,7 @@ void Dynamics::relax(State& state, Workspace& work, Energy before, Mechanism los
 }
 
 void Dynamics::memory_rates(const State& state, Workspace& work, Rates& out) const {
-  if (!follows_motion_) return;  // and nothing else writes to them
+  if (!follows_motion_) return;  // and nothing else writes to out.z
   std::fill(out.z.begin(), out.z.end(), 0.0);
   contacts_.memory_rates(state, work, out);
 }
@@ -243,7 +247,8 @@ void Dynamics::rates(const State& state, Workspace& work, Rates& out, bool ledge
   out.accounts = ledger;
   memory_rates(state, work, out);
   Rates* const accounts = ledger ? &out : nullptr;
-  // Cables first: a half model's doubled pull and a full model's two pulls are then the same sum to the last bit.
+  // Cables first: the doubled cable force of a half model and the two cable forces of a full model then give the same
+  // sum to the last bit.
   cables_.load(state, work, accounts);
   if (work.any_near) contacts_.add(state, work, accounts, slip_power);
   work.evaluated = Evaluated::loads;

@@ -8,13 +8,14 @@ PointMobility::PointMobility(const Model& model) {
     bodies_.push_back({body.mobility, body.mass, body.inertia, body.p_BPin});
 }
 
-// The inertias of a body's coordinates do not couple, so that the sum runs over them one by one. With r the vector from
-// the centre of mass to the point, c that from the pin to the centre of mass:
+// The mass matrix of a body is diagonal in its coordinates, so that the sum runs over them one by one. With r the
+// vector from the centre of mass to the point, c that from the pin to the centre of mass:
 //   x, y           n_x n_x/m, n_y n_y/m
 //   angle, free    (r x n)^2/I
 //   angle, pinned  ((r + c) x n)^2/(I + m c.c)
-// A guided body turns about the point level with its pin. Guided along x, a turn moves its centre of mass by c_x along
-// y: the inertia is I + m c_x^2, and the arm r + (c_x, 0). Guided along y: I + m c_y^2 and r + (0, c_y).
+// Guided along x, a body turns about the point with the x of its pin and the y of its centre of mass. A turn moves the
+// centre of mass by c_x along y: the inertia is I + m c_x^2, and the arm r + (c_x, 0). Guided along y: I + m c_y^2 and
+// r + (0, c_y).
 double PointMobility::between(BodyId body, const Pose& pose, const ImpulseLine& one, const ImpulseLine& two) const {
   const Compiled& b = bodies_[index(body)];
   const Vec2 c = pose.R_WB * (-b.p_BPin);

@@ -13,7 +13,7 @@ struct ImpulseLine {
   Vec2 n;     ///< unit vector, world
 };
 
-/// How bodies yield to impulses at their points: the kinematics behind effective masses.
+/// Velocities of points of bodies for unit impulses: the kinematics from which effective masses follow.
 class PointMobility {
  public:
   explicit PointMobility(const Model& model);

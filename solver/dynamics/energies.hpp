@@ -4,12 +4,11 @@
 
 namespace talus {
 
-/// Mechanical energy of a state, by where it is [F L].
+/// Mechanical energy of a state, by its form [F L].
 struct Energies {
   double kinetic{};
   double gravity{};   ///< potential of the weights, zero at the world's origin
-  double applied{};   ///< potential of the constant applied forces: minus the work they put in since the reference
-                      ///< positions
+  double applied{};   ///< potential of the constant applied forces: minus their work since the reference positions
   double contacts{};  ///< stored in contact springs
   double cables{};    ///< stored in cables
 

@@ -13,7 +13,7 @@
 
 namespace talus {
 
-/// Depths of up to node_block neighbouring nodes of an array, computed side by side: in the box around an outline, or of
+/// Depths of up to node_block consecutive nodes of an array, computed side by side: in the box around an outline, or of
 /// balls in a half-plane [L].
 inline constexpr std::size_t node_block = 64;
 class NodeDepths {
@@ -28,10 +28,10 @@ class NodeDepths {
   double operator[](std::size_t i) const { return depths_[i]; }
 
  private:
-  std::array<double, node_block + pack_size> depths_;  // only those asked for are written
+  std::array<double, node_block + pack_size> depths_;  // only the required elements are written
 };
 
-/// Largest overlap of neighbouring instances, whose gaps are known [L].
+/// Largest overlap of consecutive instances, whose gaps are known [L].
 [[nodiscard]] inline double largest_depth(const Workspace& work, std::size_t first, std::size_t last) {
   double largest = work.gaps[first].depth;
   for (std::size_t i = first + 1; i < last; ++i)
@@ -39,8 +39,8 @@ class NodeDepths {
   return largest;
 }
 
-/// Computes the gaps of one array's groups that are within reach. Of a ball out of its law's reach that does not act
-/// (`state` given) only the depth: nothing else is asked of it.
+/// Computes the gaps of those groups of one array that are within reach. For a ball out of the reach of its law that
+/// does not act (`state` given), computes only the depth: nothing else of it is used.
 template <class Array>
 class GapUpdate {
  public:
@@ -66,7 +66,7 @@ class GapUpdate {
     for (std::size_t i = group.first; i < group.last; ++i)
       update(i, A, B, A_in_B);
   }
-  /// Of nodes, which are points, the depths in the box at once, of balls those in a half-plane: few are in it.
+  /// First computes the depths of all nodes, of points in the box or of balls in a half-plane: few are inside.
   void update_nodes(const ContactGroup& group, const Pose& A, const Pose& B, const Placement& A_in_B) const {
     for (std::size_t first = group.first; first < group.last; first += node_block) {
       const std::size_t count = std::min(node_block, group.last - first);
@@ -87,7 +87,7 @@ class GapUpdate {
     }
     work_.rates[instance] = depth_rate(work_.gaps[instance], A, B);
   }
-  /// Whether a ball of that depth is out of the law's reach and does not act; then that is its gap's.
+  /// True if a ball of this depth is out of the reach of its law and does not act; then stores the depth in its gap.
   bool is_idle(std::size_t i, double depth) const {
     const std::size_t instance = array_.slots[i].mode;
     if (!(depth < -reach(array_.laws[i]) && state_ && state_->mode[instance] == 0)) return false;
@@ -100,7 +100,7 @@ class GapUpdate {
   Workspace& work_;
 };
 
-/// Depths of a group out of its law's reach, none of which acts: without gaps.
+/// Depths of a group out of the reach of its law, none of which acts, without computing gaps.
 template <class Array>
 class FarDepths {
  public:
@@ -136,7 +136,7 @@ class FarDepths {
     else
       return gap(array_.shapes_a[i], A_, array_.shapes_b[i], B_).depth;
   }
-  /// Balls of one radius over a circle: the deepest is the nearest to its centre, and rounded roots keep the order.
+  /// For balls of one radius over a circle: the deepest is the nearest to its centre, and rounded roots keep the order.
   std::size_t nearest_to_centre() const {
     double least = std::numeric_limits<double>::infinity();
     std::size_t nearest = group_.first;
@@ -147,7 +147,7 @@ class FarDepths {
     }
     return nearest;
   }
-  /// None is in the box around an outline, whose sides keep it apart: their depths are those in the box.
+  /// No node is in the box around an outline, because a side of it separates them: the depths are those in the box.
   double largest_of_nodes() const {
     double largest = -std::numeric_limits<double>::infinity();
     for (std::size_t first = group_.first; first < group_.last; first += node_block) {

@@ -1,4 +1,4 @@
-/// The part of CableForces that is about hangers: which are overloaded, and how cables go on through broken ones.
+/// Hangers in CableForces: which are overloaded, and how cables continue through broken ones.
 #include "solver/dynamics/cable_forces.hpp"
 
 #include <algorithm>
@@ -29,7 +29,7 @@ bool CableForces::update_topology(const State& state, HangerTopology& topology) 
   return true;
 }
 
-/// The whole chain of which a cable is part, from an end that is held if there is one.
+/// Finds the whole chain of a cable, beginning at an end that is held if there is one.
 Chain CableForces::chain_from(std::size_t cable, const HangerTopology& topology, std::vector<char>& used) const {
   used[cable] = 1;
   Chain chain{.joints = {ends_[cable].a, ends_[cable].b}, .cables = {cable}};
@@ -50,7 +50,7 @@ Chain CableForces::chain_from(std::size_t cable, const HangerTopology& topology,
   return chain;
 }
 
-/// Goes on from the chain's last joint as long as that is a broken hanger with another cable.
+/// Extends the chain from its last joint as long as that is a broken hanger with another cable.
 void CableForces::extend(Chain& chain, const HangerTopology& topology, std::vector<char>& used) const {
   for (bool found = true; found && topology.broken[chain.joints.back()];) {
     found = false;
@@ -65,10 +65,11 @@ void CableForces::extend(Chain& chain, const HangerTopology& topology, std::vect
   }
 }
 
-/// Lays a chain straight. Its points have no mass, so that all its cables have one tension T and each an elongation
-/// e_i = p_i + T/k_i of its own natural elongation p_i and compliance 1/k_i:  T = (l - sum(l0_i + p_i))/sum(1/k_i).
-/// Behind a plane of symmetry the chain goes on as its mirror image: it runs straight along the fence and pulls nothing
-/// in the plane of motion. Loose, or with a broken cable in it, it carries nothing.
+/// Evaluates a chain as a straight line. Its joints have no mass, so that all its cables have one tension T, and each
+/// has an elongation e_i = p_i + T/k_i from its own natural elongation p_i and compliance 1/k_i:
+///   T = (l - sum(l0_i + p_i))/sum(1/k_i).
+/// Behind a plane of symmetry the chain continues as its mirror image: it runs straight along the fence and exerts no
+/// force in the plane of motion. A chain with a free start, or with a broken cable in it, has no tension.
 void CableForces::straighten(Chain& chain, const State& state, Workspace& work) const {
   double natural = 0.0, compliance = 0.0;
   bool carries = chain.start != Chain::Start::free;

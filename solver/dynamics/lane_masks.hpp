@@ -10,8 +10,9 @@
 
 namespace talus {
 
-/// Those of a pack's lanes whose number is from .. to - 1; numbers may be below zero. From a table, and choices are made
-/// between whole numbers: gcc 12 makes a jump for each lane of compares of packs and of choices between them.
+/// Selects the lanes of a pack with index from .. to - 1; these may be negative. The mask comes from a table, and
+/// choose() selects between integers: gcc 12 compiles comparisons of packs, and selections between them, to a jump for
+/// each lane.
 inline constexpr std::array<std::int64_t, 2 * pack_size> ones_then_zeros{-1, -1, -1, -1};
 [[gnu::always_inline]] inline void between(Sizes& is, std::ptrdiff_t from, std::ptrdiff_t to) {
   constexpr auto size = static_cast<std::ptrdiff_t>(pack_size);
@@ -23,7 +24,7 @@ inline constexpr std::array<std::int64_t, 2 * pack_size> ones_then_zeros{-1, -1,
   is &= ~early;
 }
 
-/// Lanes that are true become those of another pack.
+/// Replaces the true lanes of a pack by those of another pack.
 [[gnu::always_inline]] inline void choose(Pack& pack, const Sizes& is, const Pack& other) {
   Sizes bits, others;
   std::memcpy(&bits, &pack, sizeof bits), std::memcpy(&others, &other, sizeof others);
@@ -31,7 +32,7 @@ inline constexpr std::array<std::int64_t, 2 * pack_size> ones_then_zeros{-1, -1,
   std::memcpy(&pack, &bits, sizeof bits);
 }
 
-/// Lanes that are true get new numbers, the others keep what is there.
+/// Stores the true lanes; the other numbers remain unchanged.
 [[gnu::always_inline]] inline void put(double* row, const Sizes& is, const Pack& numbers) {
   Pack there;
   load(there, row);
@@ -47,7 +48,7 @@ template <class Visit>
     visit(lane);
 }
 
-/// Numbers of neighbours by lanes.
+/// Numbers of neighbours, with access to each lane.
 struct alignas(sizeof(Pack)) Lanes {
   std::array<double, pack_size> number;
 
@@ -57,7 +58,7 @@ struct alignas(sizeof(Pack)) Lanes {
   [[gnu::always_inline]] void set(const Pack& pack) { store(pack, number.data()); }
 };
 
-/// Those lanes for which ask(lane) is so.
+/// Selects the lanes for which ask(lane) is true.
 template <class Ask>
 [[gnu::always_inline]] inline void ask_lanes(Sizes& is, Ask&& ask) {
   alignas(sizeof(Pack)) std::array<std::int64_t, pack_size> answer;

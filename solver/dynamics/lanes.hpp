@@ -16,11 +16,12 @@
 
 namespace talus {
 
-/// Numbers of many bodies, joints or cables, one array for each number, so that neighbours are computed side by side
-/// in the lanes of a processor. Where one is asked for it is put together.
+/// Data of many bodies, joints or cables, one array for each number, so that neighbours are computed side by side in
+/// the lanes of a processor. Access to one element assembles it from the arrays.
 
-/// One number of each, with room for a pack before the first and behind the last: whole packs can be loaded from any
-/// place and, their other lanes as they were, be stored there. A store of less than a pack, read at once, costs more.
+/// One number for each element, with room for a pack before the first and behind the last: a whole pack can be loaded
+/// at any index and stored there with its other lanes unchanged. A store of less than a pack that is read at once costs
+/// more.
 class Row {
  public:
   explicit Row(std::size_t count = 0, double value = 0.0) : numbers_(count + 2 * pack_size, value) {}
@@ -28,7 +29,7 @@ class Row {
   std::size_t size() const { return numbers_.size() - 2 * pack_size; }
   double& operator[](std::size_t i) { return numbers_[pack_size + i]; }
   double operator[](std::size_t i) const { return numbers_[pack_size + i]; }
-  /// To a number, or to room before the first or behind the last.
+  /// Pointer to a number, or to the room before the first or behind the last.
   template <std::integral Place>
   double* at(Place i) {
     return numbers_.data() + room + static_cast<std::ptrdiff_t>(i);
@@ -49,7 +50,7 @@ class Row {
   std::vector<double, boost::alignment::aligned_allocator<double, sizeof(Pack)>> numbers_;
 };
 
-/// Where the bodies are and how they move.
+/// Positions, orientations and velocities of the bodies.
 struct Poses {
   Row x, y;          ///< centre of mass [L]
   Row cosine, sine;  ///< orientation
@@ -69,7 +70,7 @@ struct Poses {
   }
 };
 
-/// Where the bodies are.
+/// Positions and orientations of the bodies.
 struct Places {
   Row x, y;          ///< centre of mass [L]
   Row cosine, sine;  ///< orientation
@@ -97,12 +98,12 @@ struct Wrenches {
   }
 };
 
-/// The points of bodies, or of the world, at which cables end.
+/// Points of bodies, or of the world, at which cables end.
 struct JointPoints {
   Row x, y;              ///< [L]
   Row arm_x, arm_y;      ///< from the body's centre of mass [L]
   Row vx, vy;            ///< [L/T]
-  Row force_x, force_y;  ///< sum of the pulls of all cables that end here [F]
+  Row force_x, force_y;  ///< sum of the forces of all cables that end here [F]
 
   explicit JointPoints(std::size_t count = 0)
       : x(count), y(count), arm_x(count), arm_y(count), vx(count), vy(count), force_x(count), force_y(count) {}
@@ -121,12 +122,12 @@ struct JointPoints {
   }
 };
 
-/// The straight lines of the cables, and their tensions.
+/// Straight paths of the cables, and their tensions.
 struct Paths {
   Row length;          ///< [L]
   Row length_rate;     ///< [L/T], > 0 while lengthening
   Row pull_x, pull_y;  ///< in-plane part of the unit vector from end A to end B
-  Row tension;         ///< [F]; of runs that are not quiet once they were summed at the joints
+  Row tension;         ///< [F]; of spans off their linear branches valid once summed at the joints
 
   explicit Paths(std::size_t count = 0)
       : length(count), length_rate(count), pull_x(count), pull_y(count), tension(count) {}
@@ -140,8 +141,8 @@ struct Paths {
   }
 };
 
-/// The straight lines of the cables' laws, each kept as long as the cable's mode and memory are those that it was
-/// computed for.
+/// Linear branches of the laws of the cables, each valid as long as the mode and memory of the cable are those for
+/// which it was computed.
 struct CableLinearization {
   std::vector<Mode> mode;
   std::vector<double> memory;
@@ -161,49 +162,49 @@ struct CableLinearization {
   }
 };
 
-/// Neighbours in an array whose counterparts elsewhere are neighbours, too.
+/// Span of consecutive free bodies that are also consecutive in the model.
 struct BodySpan {
-  std::size_t place{};  ///< of the first in the array of free bodies
-  std::size_t body{};   ///< and in the model, whose coordinates follow one another
+  std::size_t place{};  ///< index of the first in the array of free bodies
+  std::size_t body{};   ///< index of the first in the model; the coordinates are consecutive
   std::size_t count{};
   bool goes_on(const BodySpan& next) const { return next.place == place + count && next.body == body + count; }
 };
 
-/// Joints that are on bodies, each on the one after its neighbour's; or joints that are on none.
+/// Span of joints on consecutive bodies, or of joints on no body.
 struct JointSpan {
   std::size_t joint{};
   std::size_t body{};
   std::size_t count{};
   bool on_body{};
-  bool in_row{};  ///< placed with the row of cables that they are in
+  bool in_row{};  ///< placed together with its row of cables
   bool goes_on(const JointSpan& next) const {
     return next.joint == joint + count && next.on_body == on_body && next.in_row == in_row &&
            (!on_body || next.body == body + count);
   }
 };
 
-/// Cables of one law, each from where the one before it ends to the joint after. Neighbours in the model, they have
-/// their modes and memories side by side in the state.
+/// Span of cables of one law, each from the joint at which the one before it ends to the next joint. The cables are
+/// consecutive in the model, so that their modes and memories are consecutive in the state.
 struct CableSpan {
-  std::size_t place{};  ///< of the first among the cables of its law
-  std::size_t cable{};  ///< and in the model
-  std::size_t a{};      ///< joint at its end A
-  std::size_t b{};      ///< and at its end B: if there is another cable, the joint after
+  std::size_t place{};  ///< index of the first among the cables of its law
+  std::size_t cable{};  ///< index of the first in the model
+  std::size_t a{};      ///< joint at end A of the first cable
+  std::size_t b{};      ///< joint at end B of the first cable: a + 1 if there is another cable
   std::size_t count{};
-  /// In a row no other cable ends at its joints a, a + 1 .. a + count, and all of them, or all but one at either end,
-  /// are on neighbouring bodies: those from .. to - 1.
+  /// True for a row: no other cable ends at the joints a, a + 1 .. a + count, and all these joints, or all but one at
+  /// either end, are on consecutive bodies: those from .. to - 1.
   bool row{};
   std::size_t from{};       ///< counted from a
   std::size_t to{};         ///< counted from a
-  std::ptrdiff_t body{};    ///< that joint a is on, or would be on
-  bool on_linear_branch{};  ///< of a row, as last laid: each cable stays on the straight line of its mode
+  std::ptrdiff_t body{};    ///< on which joint a is, or would be
+  bool on_linear_branch{};  ///< of a row, in the last evaluation: each cable is on the linear branch of its mode
   bool goes_on(const CableSpan& next) const {
     return b == a + 1 && next.a == a + count && next.b == b + count && next.place == place + count &&
            next.cable == cable + count;
   }
 };
 
-/// Lengthens the last run by one, or begins another.
+/// Extends the last span by one element, or begins another.
 template <class Run>
 void append(std::vector<Run>& runs, const Run& one) {
   if (!runs.empty() && runs.back().goes_on(one)) {

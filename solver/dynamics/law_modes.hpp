@@ -12,7 +12,7 @@
 
 namespace talus {
 
-/// Archive of one law instance in a state.
+/// Memory of one law instance in a state.
 template <class L>
 std::span<const double> memory(const L& law, const State& state, Slot slot) {
   return std::span{state.z}.subspan(slot.memory, memory_count(law));
@@ -22,7 +22,7 @@ std::span<double> memory(const L& law, State& state, Slot slot) {
   return std::span{state.z}.subspan(slot.memory, memory_count(law));
 }
 
-/// Slopes of a law's force in a mode [F/L and F T/L]: as the law says where it is linear, else by central differences.
+/// Slopes of a law's force in a mode [F/L and F T/L]: from the law where it is linear, else by central differences.
 template <Law L>
 Tangent local_slopes(const L& law, Kinematics x, std::span<const double> memory, Mode mode) {
   if constexpr (HasLinearPart<L>) {
@@ -40,7 +40,7 @@ Tangent local_slopes(const L& law, Kinematics x, std::span<const double> memory,
   }
 }
 
-/// Brings the mode and memory of one law instance up to date, and books what that releases.
+/// Updates the mode and memory of one law instance, and records the energy that this releases.
 template <Law L>
 void update_mode(const L& law, Slot slot, Kinematics x, State& state, double multiplicity) {
   update_mode(law, memory(law, state, slot), x, state.mode[slot.mode],

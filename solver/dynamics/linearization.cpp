@@ -1,4 +1,4 @@
-/// The linearization of a scene in a state: springs and dashpots that act, seen from the coordinates.
+/// Linearization of a scene about a state: springs and dashpots that act, with respect to the coordinates.
 
 #include <array>
 #include <cmath>
@@ -9,13 +9,14 @@
 namespace talus {
 namespace {
 
-/// A force along one line between two bodies: how its deformation changes with the coordinates, and what a unit of the force
-/// does to their accelerations.
+/// A force along one line between two bodies: derivatives of its deformation with respect to the coordinates, and
+/// accelerations of the coordinates for a unit force.
 class Line {
  public:
   Line(const Dynamics& dynamics, const Workspace& work) : dynamics_{dynamics}, work_{work} {}
 
-  /// A body whose point at p_WP moves the deformation by `direction`, and feels `share` times the force against it.
+  /// Adds a body: motion of its point at p_WP along `direction` increases the deformation, and `share` times the force
+  /// acts on it in the opposite direction.
   void add(BodyId body, Vec2 p_WP, Vec2 direction, double share) {
     for_each_gradient(dynamics_, work_, body, p_WP, direction, [&](std::size_t coordinate, double gradient) {
       if (gradient != 0.0)
@@ -23,7 +24,7 @@ class Line {
     });
   }
 
-  /// Terms of a force [F] along this line that grows with the deformation of `along` and its rate.
+  /// Adds the terms of a force [F] along this line that grows with the deformation of `along` and its rate.
   void respond(const Line& along, double stiffness, double damping, AffinePiece& out) const {
     for (std::size_t i = 0; i < count_; ++i) {
       for (std::size_t j = 0; j < along.count_; ++j) {
@@ -32,12 +33,12 @@ class Line {
       }
     }
   }
-  /// A force along this line by a stretch that is memory.
+  /// Adds a force along this line that depends on a stretch in the memory.
   void pull(std::size_t memory, double stiffness, AffinePiece& out) const {
     for (std::size_t i = 0; i < count_; ++i)
       out.pulls.push_back({parts_[i].coordinate, memory, parts_[i].response * stiffness});
   }
-  /// Archive that has the rate of the deformation.
+  /// Adds a memory whose rate is the rate of the deformation.
   void follow(std::size_t memory, AffinePiece& out) const {
     for (std::size_t j = 0; j < count_; ++j)
       out.memory.push_back({memory, parts_[j].coordinate, parts_[j].gradient});

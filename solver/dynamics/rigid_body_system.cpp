@@ -13,7 +13,7 @@ RigidBodySystem::RigidBodySystem(const Dynamics& dynamics, bool ledger)
 void RigidBodySystem::drift(State& state, double h) {
   const std::size_t moving = dynamics_->moving(state, work_);
   if (!dynamics_->follows_motion()) return drift_coordinates(state, h, moving);
-  // Midpoint rule for the memory: second order, and the same backwards.
+  // Midpoint rule for the memory: second order and time-reversible.
   drift_coordinates(state, 0.5 * h, moving);
   dynamics_->update(state, work_);
   dynamics_->memory_rates(state, work_, rates_);

@@ -1,5 +1,6 @@
-/// What is computed for neighbouring bodies, joints, cables and nodes a pack at a time: the arithmetic of BodyForces,
-/// CableForces and ContactForces. A bare pointer is to the number of the run's first, those of the others behind it.
+/// Arithmetic of BodyForces, CableForces and ContactForces on spans of consecutive bodies, joints, cables and nodes,
+/// one pack at a time. A bare pointer points to the number of the first element of the span; those of the others
+/// follow.
 #pragma once
 
 #include "solver/dynamics/lanes.hpp"
@@ -7,72 +8,73 @@
 
 namespace talus {
 
-/// Places of neighbouring free bodies from their coordinates q, three for each body; of their poses the velocities stay
-/// as they are.
+/// Computes positions and orientations of a span of free bodies from their coordinates q, three for each body. Leaves
+/// the velocities in `poses` unchanged.
 void place_bodies(const BodySpan& run, const double* q, Poses& poses);
-/// Their velocities, from the rates v of those coordinates.
+/// Computes the velocities of a span of free bodies from the rates v of these coordinates.
 void place_velocities(const BodySpan& run, const double* v, Poses& poses);
 
-/// Joints on neighbouring bodies, from the bodies' poses; p_x, p_y in body coordinates [L].
+/// Computes the joints of a span of bodies from the poses of the bodies; p_x, p_y in body coordinates [L].
 void place_joints(const JointSpan& run, const Row& p_x, const Row& p_y, const Poses& poses, JointPoints& joints);
 
-/// How far bodies may go, one number for each.
+/// Limits of the displacement of bodies since the contact search listed them, one number for each body.
 struct SkinLimits {
-  Row radius;  ///< within which all of a body lies from its centre of mass [L]
-  Row way;     ///< that no point of it may exceed from where it was [L]; infinite if it may go anywhere
-  std::size_t first{}, last{};  ///< all others may
+  Row radius;                   ///< of all points that a rotation moves, about the centre of mass [L]; 0 for a disc
+  Row way;                      ///< largest displacement of any point of it [L]; infinite if it is not limited
+  std::size_t first{}, last{};  ///< bodies outside first .. last - 1 are not limited
 };
 
-/// Whether a point of some body is, or may be, further from where it was than it may be; also if its pose is no number.
+/// True if a point of some body has, or may have, exceeded its limit; also if a pose is not a number.
 bool any_exceeded_skin(const Poses& poses, const Places& places, const SkinLimits& limits);
 
-/// What is constant of free bodies, one number for each.
+/// Constants of free bodies, one number for each.
 struct BodyConstants {
   Row inverse_mass, inverse_inertia;
   Row load_x, load_y;  ///< weight and applied force [F]
-  Row moment;          ///< applied [F L]
+  Row moment;          ///< applied moment [F L]
 };
 
-/// Accelerations of neighbouring free bodies, three for each body.
+/// Computes the accelerations of a span of free bodies, three for each body.
 void accelerate_bodies(const BodySpan& run, const BodyConstants& constants, const Wrenches& wrenches, double* a);
 
-/// Of the first so many bodies, and some behind them: no force, no moment; or those of others.
+/// Sets the wrenches of the first `count` bodies, and some behind them, to zero, or copies them.
 void clear(Wrenches& wrenches, std::size_t count);
 void copy(const Wrenches& from, std::size_t count, Wrenches& to);
 
-/// What is constant of joints and cables, one number for each.
+/// Constants of joints and cables, one number for each.
 struct CableConstants {
-  Row body_x, body_y;  ///< of a joint: its place in body coordinates [L]
-  Row across_squared;  ///< of a cable: of the distance of its ends along the fence [L^2]
+  Row body_x, body_y;  ///< position of a joint in body coordinates [L]
+  Row across_squared;  ///< squared distance of the ends of a cable along the fence [L^2]
   Row rest_length;     ///< [L]
   Row symmetry_weight_a,
-      symmetry_weight_b;  ///< how much of a cable's tension its ends take: one that stands for several pulls several
-                          ///< times at a body that stands for itself alone
+      symmetry_weight_b;  ///< force on the body at an end of a cable for each unit of tension: above 1 where
+                          ///< a cable that represents several ends at a body that represents only itself
 };
 
-/// A row's joints and the lines of its cables; if all cables are on the straight lines of their modes, which it then
-/// says, their tensions and the pulls at the joints as well, which are added to the pulls on the bodies.
+/// Evaluates a row: its joints and the paths of its cables and, if all cables are on the linear branches of their
+/// modes, the tensions and the forces at the joints, which are added to the forces on the bodies. True if all are on
+/// their linear branches.
 bool evaluate_chain(const CableSpan& run, const CableConstants& constants, const CableLinearization& lines,
                     const Poses& poses, JointPoints& joints, Paths& paths, Wrenches& pulls);
-/// The pulls on the bodies alone. Of joints those that are on no body are read.
+/// Computes the forces of a row on the bodies alone. Reads only those joints that are on no body.
 bool chain_wrenches(const CableSpan& run, const CableConstants& constants, const CableLinearization& lines,
                     const Poses& poses, const JointPoints& joints, Wrenches& pulls);
 
-/// Whether cables that are on their lines, as evaluate_chain() said, stay there for the time ahead [T] at the rates they have:
-/// so many from the first on.
+/// True if the `count` cables from `first` on, which are on their linear branches (see evaluate_chain()), remain there
+/// for the time `ahead` [T] at their present rates.
 bool remains_linear(std::size_t first, std::size_t count, const Row& rest_length, const CableLinearization& lines,
                     const Paths& paths, double ahead);
 
-/// Depths of points of A [L], from the `first` of those at x, y in A's coordinates on, in the box around an outline of
-/// B: box_depth() of each. They are written to up to a pack further.
+/// Computes the depths [L] of `count` points of A, from the `first` of those at x, y in A's coordinates on, in the box
+/// around an outline of B: box_depth() of each. Writes up to one pack more to `depths`.
 void box_depths(const Row& x, const Row& y, std::size_t first, std::size_t count, const Placement& A_in_B,
                 const Superquadric& outline, double* depths);
 
-/// The same of balls of these radii in the half-plane y < 0 of B.
+/// As box_depths(), for balls of these radii in the half-plane y < 0 of B.
 void plane_depths(const Row& x, const Row& y, const Row& radius, std::size_t first, std::size_t count,
                   const Placement& A_in_B, double* depths);
 
-/// Adds the pulls at joints to the wrenches of the neighbouring bodies that they are on.
+/// Adds the forces at joints to the wrenches of the span of bodies that they are on.
 void load_bodies(const JointSpan& run, const JointPoints& joints, Wrenches& wrenches);
 
 }  // namespace talus

@@ -16,12 +16,12 @@ void add_gradient(const Dynamics& dynamics, const Workspace& work, BodyId body, 
                     [&gradient](std::size_t i, double derivative) { gradient[i] += derivative; });
 }
 
-/// The law of a contact while it acts with this effective mass [M].
+/// Slopes of a contact law while it acts with this effective mass [M].
 Tangent tangent_of(const ContactLaw& law, double effective_mass) {
   return std::visit([effective_mass](const auto& of) { return tangent(of, effective_mass); }, law);
 }
 
-/// c/k of a contact law of this effective mass [T]; 0 of laws that have none.
+/// c/k of a contact law with this effective mass [T]; 0 for laws that have none.
 double retardation_time(const ContactLaw& law, double effective_mass) {
   return std::visit(
       [effective_mass]<class L>(const L& of) {
@@ -41,12 +41,12 @@ double effective_mass(const std::vector<double>& gradient, const std::vector<dou
   return 1.0 / mobility;
 }
 
-/// Makes the springs of a scene from a workspace, with the gaps of those that are asked for.
+/// Makes springs of a scene from a workspace, which must have the gaps of the required ones.
 class SpringMaker {
  public:
   SpringMaker(const Dynamics& dynamics, const Workspace& work) : dynamics_{dynamics}, work_{work} {}
 
-  /// Of law instance i of contact c.
+  /// Spring of law instance i of contact c.
   Spring contact(std::size_t c, std::size_t i) const {
     const Gap& gap = work_.gaps[i];
     const InstancePair pair = dynamics_.contacts().pairs()[i];
@@ -71,7 +71,7 @@ class SpringMaker {
     spring.effective_mass = effective_mass(spring.gradient, dynamics_.inertias());
     return spring;
   }
-  /// Of the friction of law instance i of contact c, which has friction; `normal`: the spring of the instance.
+  /// Spring of the friction of law instance i of contact c, which has friction; `normal`: the spring of the instance.
   Spring friction(std::size_t c, std::size_t i, const Spring& normal) const {
     const Contact& contact = dynamics_.model().contacts[c];
     const Gap& gap = work_.gaps[i];
@@ -98,14 +98,14 @@ class SpringMaker {
   const Workspace& work_;
 };
 
-/// Whether a law exerts a force in a mode.
+/// True if a law exerts a force in a mode.
 template <class Law>
 bool exerts(const Law& law, Mode mode) {
   return std::visit([mode]<class L>(const L&) { return L::acts(mode); }, law);
 }
 
-/// The springs that are wanted, in the order of springs(). `wanted` is given a function of a state: whether the spring
-/// acts in it.
+/// Makes the springs that `wanted` selects, in the order of springs(). `wanted` receives a function of a state: whether
+/// the spring acts in it.
 template <class Wanted>
 std::vector<Spring> make_springs(const Dynamics& dynamics, const Workspace& work, const Wanted& wanted) {
   const Model& model = dynamics.model();

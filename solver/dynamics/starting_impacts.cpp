@@ -8,8 +8,8 @@
 namespace talus {
 namespace {
 
-/// Rate at which one impact's bodies part for a unit impulse at another [1/M]: over the bodies that both have, of which
-/// the impulse acts on A against the normal and on B along it.
+/// Speed at which the bodies of one impact separate for a unit impulse at another [1/M]: summed over the bodies that
+/// both have; the impulse acts on A against the normal and on B along it.
 double coupling(const PointMobility& mobility, const Workspace& work, const StartingImpact& one,
                 const StartingImpact& other) {
   const Gap &here = work.gaps[one.instance], &there = work.gaps[other.instance];
@@ -74,7 +74,7 @@ void find_masses(const PointMobility& mobility, const Workspace& work, StartingI
     impact.mass = single_mass(mobility, work, impact);
     impact.coupled = impact.mass > 0.0 && impact.closing > 0.0;
   }
-  // An impact that the others stop needs no impulse among them: it has the mass of a single impact.
+  // An impact that is stopped by the others needs no impulse itself: it has the mass of a single impact.
   for (bool all = false; !all;) {
     std::array<double, StartingImpacts::most> p{};
     if (!stopping_impulses(mobility, work, impacts, p)) return;

@@ -9,18 +9,18 @@
 
 namespace talus {
 
-/// A contact whose dashpot follows from the effective mass, as its impact begins.
+/// A contact at the beginning of its impact, whose dashpot depends on the effective mass.
 struct StartingImpact {
   const ContactGroup* group{};
-  std::size_t instance{};  ///< of its gap
+  std::size_t instance{};  ///< index of its gap
   double closing{};        ///< u, the closing speed [L/T]
   double mass{};           ///< effective mass p/u, p the impulse that stops it [M]
   bool coupled{};          ///< solved for with the others
 };
 
-/// The impacts that begin at one time.
+/// Impacts that begin at the same time.
 struct StartingImpacts {
-  static constexpr std::size_t most = 12;  ///< of more, each is treated as if it were alone
+  static constexpr std::size_t most = 12;  ///< if there are more, each is treated as if it were alone
   std::array<StartingImpact, most> each{};
   std::size_t count{};
 };
@@ -29,7 +29,7 @@ struct StartingImpacts {
 [[nodiscard]] double single_mass(const PointMobility& mobility, const Workspace& work, const StartingImpact& impact);
 
 /// Sets the effective masses of impacts that begin together and so stop each other: A p = u, with A the mobilities
-/// between them. An impact that the others stop has the mass of a single impact, and so has each if A is singular.
+/// between them. An impact that is stopped by the others has the mass of a single impact; if A is singular, each has.
 void find_masses(const PointMobility& mobility, const Workspace& work, StartingImpacts& impacts);
 
 }  // namespace talus

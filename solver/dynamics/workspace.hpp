@@ -10,83 +10,83 @@
 
 namespace talus {
 
-/// What of a scene an evaluation computes: all but sleeping bodies and the cables between them.
+/// The active part of a scene: bodies that are awake and the cables attached to them.
 struct ActiveSet {
-  std::vector<Mode> modes;  ///< sleep modes of the state that the lists stand for
+  std::vector<Mode> modes;  ///< sleep modes of the state for which the lists are valid
   bool complete{true};      ///< all paths and poses are evaluated, because the modes have just changed; once such an
-                            ///< evaluation has reached its loads, the next may leave out sleepers
+                            ///< evaluation has reached its loads, the next may omit sleepers
   std::vector<char> awake;  ///< one for each body
-  bool any_asleep{};        ///< whether one of them is not
-  std::size_t moving{};     ///< coordinates before the last sleepers, behind whom none is awake
-  std::size_t reached_bodies{};   ///< bodies up to the last that is computed, or at the other end of a cable that is
-  std::vector<BodySpan> bodies;   ///< the awake free bodies
-  std::vector<JointSpan> joints;  ///< joints to compute
+  bool any_asleep{};        ///< true if some body sleeps
+  std::size_t moving{};     ///< number of coordinates up to the last of an awake body
+  std::size_t reached_bodies{};  ///< number of bodies up to the last that is computed or at the end of a computed cable
+  std::vector<BodySpan> bodies;  ///< the awake free bodies
+  std::vector<JointSpan> joints;               ///< joints to compute
   std::vector<std::vector<CableSpan>> cables;  ///< for each law, cables to compute
   bool rows_only{};                            ///< all these cables are in rows, in the order of their joints
-  bool
-      on_linear_branch{};  ///< as last laid, all of them stay on their straight lines: Workspace::pulls are what they pull
-  std::vector<std::size_t> borders;  ///< of these, the ones with a sleeping body at one end only
+  bool on_linear_branch{};           ///< in the last evaluation all these cables were on their linear branches, and
+                                     ///< Workspace::pulls are their forces
+  std::vector<std::size_t> borders;  ///< those of the cables with a sleeping body at one end only
 };
 
-/// Cables that go on as one through broken hangers: straight from the first joint to the last, with one tension.
+/// Cables that continue as one through broken hangers: straight from the first joint to the last, with one tension.
 struct Chain {
-  /// What holds the first joint.
+  /// Support of the first joint.
   enum class Start {
     held,      ///< a body or an anchor
-    mirrored,  ///< the chain's own image behind a plane of symmetry of the scene: it runs straight along the fence
-    free,      ///< nothing: its hanger broke and no other cable ended there
+    mirrored,  ///< the mirror image of the chain behind a symmetry plane of the scene: it runs straight along the fence
+    free,      ///< none: its hanger broke and no other cable ended there
   };
   Start start{Start::held};
-  bool carries{true};               ///< as it was last laid straight: false with a broken cable in it
+  bool carries{true};               ///< has tension, in the last evaluation: false with a free start or a broken cable
   std::vector<std::size_t> joints;  ///< one more than cables; all but the ends are broken hangers
   std::vector<std::size_t> cables;
 };
 
-/// How the cables run, by the hangers that are broken.
+/// Connections of the cables, given the broken hangers.
 struct HangerTopology {
-  std::vector<Mode> modes;               ///< of the hangers, for which the rest stands
-  std::vector<char> broken;              ///< one for each joint: no longer on its body
-  std::vector<std::size_t> free_joints;  ///< these joints
+  std::vector<Mode> modes;               ///< modes of the hangers for which the rest is valid
+  std::vector<char> broken;              ///< one for each joint: detached from its body
+  std::vector<std::size_t> free_joints;  ///< the detached joints
   std::vector<Chain> chains;
 };
 
-/// The stage that the evaluation of a state has reached; each has what those before it have. (Modes are of the state:
-/// update_modes() brings them up to the geometry.)
+/// Stage that the evaluation of a state has reached; each includes those before it. (Modes belong to the state:
+/// update_modes() updates them to the geometry.)
 enum class Evaluated : unsigned char {
-  nothing,   ///< of no state
+  nothing,   ///< valid for no state
   geometry,  ///< poses, velocities, joints, paths and gaps
   forces,    ///< the normal forces of the contacts within reach, in the state's modes
   loads,     ///< the wrenches of the bodies
 };
 
-/// What is needed of an evaluation. Of rates alone: joints and paths of rows of cables may be left as they were, and, as
-/// long as no pair is near, the velocities of free bodies.
+/// Results required of an evaluation. If only the rates are required, joints and paths of rows of cables may remain out
+/// of date and, as long as no pair is near, the velocities of free bodies, too.
 enum class Need { everything, rates };
 
-/// Scratch of one force evaluation, kept by the caller so that Dynamics stays pure and a step of a scene with neither
-/// broken hangers nor many bodies allocates nothing.
+/// Scratch memory of force evaluations. The caller owns it, so that Dynamics stays pure and a step of a scene with
+/// neither broken hangers nor many bodies does not allocate.
 struct Workspace {
   Evaluated evaluated{Evaluated::nothing};
-  bool pulled{};                        ///< for rates alone: what the cables pull is in the wrenches already; see Need
+  bool pulled{};                        ///< for rates alone: the cable forces are already in the wrenches; see Need
   Poses poses;                          ///< one for each body
   Wrenches wrenches;                    ///< one for each body
-  Wrenches pulls;                       ///< of rows of cables alone
+  Wrenches pulls;                       ///< forces of rows of cables alone
   JointPoints joints;                   ///< one for each joint
   Paths paths;                          ///< one for each cable
   CableLinearization lines;             ///< one for each cable
-  std::vector<Gap> gaps;                ///< one for each law instance of the contacts that is near
-  std::vector<double> rates;            ///< their depth rates [L/T]
-  std::vector<LawForce> normal_forces;  ///< of those that act [F]
+  std::vector<Gap> gaps;                ///< one for each law instance of the contacts; valid where its pair is near
+  std::vector<double> rates;            ///< their overlap rates [L/T]
+  std::vector<LawForce> normal_forces;  ///< of the instances that act [F]
   ActiveSet active;
   HangerTopology topology;
   Sweep sweep;  ///< of the contact search
-  /// What is said of a pair of the contact search.
-  static constexpr char wanted = 1;  ///< its gaps are computed with this evaluation
-  static constexpr char known = 2;   ///< they have been
-  std::vector<char> near;            ///< one for each pair; 0: it has none, out of reach
-  bool any_near{};                   ///< some pair has any
+  /// Values of `near`, the state of the gaps of a pair of the contact search.
+  static constexpr char wanted = 1;  ///< the gaps are computed in this evaluation
+  static constexpr char known = 2;   ///< the gaps have been computed
+  std::vector<char> near;            ///< one for each pair; 0: no gaps, out of reach
+  bool any_near{};                   ///< some pair has gaps
 
-  /// Whether the geometry of what is awake is known, with joints, paths and velocities.
+  /// True if the geometry of the active set is known, including joints, paths and velocities.
   bool has_geometry() const { return evaluated >= Evaluated::geometry && !pulled; }
 };
 

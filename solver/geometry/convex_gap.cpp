@@ -1,4 +1,4 @@
-/// The gap between two convex outlines by their support functions.
+/// The gap between two convex outlines, by their support functions.
 
 #include <array>
 #include <boost/math/tools/toms748_solve.hpp>
@@ -13,20 +13,20 @@ namespace {
 
 Vec2 quarter_turn(Vec2 v) { return {-v.y, v.x}; }
 
-/// The farthest point of an outline in the direction m (body axes). Of a rectangle a corner; along its axes that of
-/// the quadrant which `within` points into.
+/// The farthest point of an outline in the direction m (body axes). For a rectangle it is a corner; for m along a
+/// rectangle axis, the corner of the quadrant that `within` points into.
 Vec2 farthest(const Rectangle& s, Vec2, Vec2 within) {
   return {std::copysign(s.half_width, within.x), std::copysign(s.half_height, within.y)};
 }
 Vec2 farthest(const Superquadric& s, Vec2 m, Vec2) { return farthest_point(s, m); }
 
-/// How much an outline bends at its farthest point [1/L]; a rectangle along the normal of a side not at all.
+/// Curvature of an outline at its farthest point [1/L]; for a rectangle zero along a side normal, else infinite.
 double bend(const Superquadric& s, Vec2 p, bool) { return curvature(s, p); }
 double bend(const Rectangle&, Vec2, bool side) { return side ? 0.0 : std::numeric_limits<double>::infinity(); }
 
-/// What two outlines have in common in the direction n from A to B: f(n) = n . (p - q), with p the point of A farthest
-/// along n and q that of B farthest against it. Turned counter-clockwise, f changes by f' = t . (p - q), t a quarter
-/// turn from n.
+/// Overlap of two outlines along the direction n from A to B: f(n) = n . (p - q), with p the point of A farthest along
+/// n and q the point of B farthest against n. When n turns counter-clockwise, f changes at the rate f' = t . (p - q),
+/// where t is n turned by 90 degrees.
 template <class S, class T>
 class Common {
  public:
@@ -34,21 +34,22 @@ class Common {
 
   struct At {
     Vec2 n;
-    Vec2 p;  ///< of A
-    Vec2 q;  ///< of B
+    Vec2 p;  ///< point of A
+    Vec2 q;  ///< point of B
     double value{};
     double slope{};
     bool side_of_a{};  ///< n is the normal of a side of A
   };
-  /// In the direction of v; `within`: a direction between the same two neighbouring side normals.
+  /// Value in the direction of v; `within` is a direction between the same two neighbouring side normals.
   At at(Vec2 v, Vec2 within) const {
     const Vec2 n = (1.0 / norm(v)) * v;
     const Vec2 p = world_point(A_, farthest(a_, unrotate(A_.R_WB, n), unrotate(A_.R_WB, within)));
     const Vec2 q = world_point(B_, farthest(b_, unrotate(B_.R_WB, -n), unrotate(B_.R_WB, -within)));
     return {n, p, q, dot(n, p - q), dot(quarter_turn(n), p - q), false};
   }
-  /// Where the force acts, half-way through the overlap. On the flat part of a side the direction does not tell the
-  /// farthest point (it goes with the power 1/(n - 1) of the angle): the outline that bends more there does.
+  /// Point of action of the force, half-way through the overlap. On the flat part of a side the farthest point is
+  /// ill-conditioned in the direction (it varies with the power 1/(n - 1) of the angle); the point of the outline with
+  /// the larger curvature is used.
   Vec2 contact_point(const At& at) const {
     const double of_a = bend(a_, unrotate(A_.R_WB, at.p - A_.p_WB), at.side_of_a);
     const double of_b = bend(b_, unrotate(B_.R_WB, at.q - B_.p_WB), false);
@@ -63,8 +64,8 @@ class Common {
   const Pose& B_;
 };
 
-/// Normals of the sides of both outlines by turns, A's first, counter-clockwise. Between two neighbours a rectangle's
-/// farthest point is one corner, and a superquadric's runs along one arc.
+/// Side normals of both outlines, alternating, A's first, counter-clockwise. Between two neighbouring normals the
+/// farthest point of a rectangle is one corner, and that of a superquadric moves along one arc.
 std::array<Vec2, 9> side_normals(const Pose& A, const Pose& B) {
   const Vec2 x = A.R_WB * Vec2{1.0, 0.0};
   Vec2 other = B.R_WB * Vec2{1.0, 0.0};
@@ -80,9 +81,10 @@ std::array<Vec2, 9> side_normals(const Pose& A, const Pose& B) {
   return normals;
 }
 
-/// The least of f over all directions. Where f < 0, f plus its second derivative, the sum of both radii of curvature,
-/// makes f convex: outlines apart have one least, downhill from any such direction. Outlines that overlap can have one
-/// by each side and corner: the arcs between side normals are searched in parts.
+/// The minimum of f over all directions. f plus its second derivative is the sum of both radii of curvature, so that f
+/// is convex where f < 0: separate outlines have a single minimum, downhill from any such direction. Overlapping
+/// outlines can have one minimum at each side and corner: there the arcs between side normals are searched in several
+/// intervals.
 template <class S, class T>
 class LeastCommon {
  public:
@@ -112,7 +114,7 @@ class LeastCommon {
  private:
   Vec2 middle(std::size_t arc) const { return normals_[arc] + normals_[arc + 1]; }
 
-  /// Between two neighbouring normals, in `parts` parts: where the slope rises through zero.
+  /// Searches between two neighbouring normals, in `parts` intervals, for points where the slope rises through zero.
   void search_arc(std::size_t arc, int parts) {
     const Vec2 from = normals_[arc], to = normals_[arc + 1], within = middle(arc);
     if (!(cross(from, to) > 0.0)) return;

@@ -16,7 +16,7 @@ std::array<Vec2, 4> world_corners(const Rectangle& box, const Pose& pose) {
           world_point(pose, {a, -b})};
 }
 
-/// A side of a rectangle in the world: outward normal, tangent, middle, half its length.
+/// A side of a rectangle in the world frame: outward normal, tangent, midpoint, half-length.
 struct Side {
   Vec2 n;
   Vec2 t;
@@ -25,7 +25,7 @@ struct Side {
 };
 
 Side side(const Rectangle& box, const Pose& pose, int i) {
-  const bool upright = i % 2 == 0;  // sides 0 and 2 look along +-x, 1 and 3 along +-y
+  const bool upright = i % 2 == 0;  // the normals of sides 0 and 2 are +-x, those of 1 and 3 +-y
   const double s = i < 2 ? 1.0 : -1.0;
   const Vec2 n = pose.R_WB * (upright ? Vec2{s, 0.0} : Vec2{0.0, s});
   const double reach = upright ? box.half_width : box.half_height;
@@ -37,7 +37,7 @@ struct Overlap {
   Side face{};
 };
 
-/// The side of the box below which the corners reach least deep.
+/// The side of the box with the smallest overlap: the largest depth of a corner below it is the smallest.
 Overlap least_overlap(const Rectangle& box, const Pose& pose, const std::array<Vec2, 4>& corners) {
   Overlap least;
   for (int i = 0; i < 4; ++i) {
@@ -50,11 +50,11 @@ Overlap least_overlap(const Rectangle& box, const Pose& pose, const std::array<V
   return least;
 }
 
-/// The sides with which two rectangles face each other: one whose face the other rectangle reaches least deep, and the
-/// other's side that looks most against it.
+/// The facing sides of two rectangles: the face that the other rectangle overlaps least, and the side of the other
+/// rectangle whose normal is most nearly opposite.
 struct Facing {
-  double depth{};    ///< of all the other's corners below the face [L]
-  bool face_of_b{};  ///< else of a
+  double depth{};    ///< of the other rectangle's deepest corner below the face [L]
+  bool face_of_b{};  ///< otherwise it is a side of a
   Side face;
   Side other;
 
@@ -77,17 +77,17 @@ Facing facing(const Rectangle& a, const Pose& A, const Rectangle& b, const Pose&
   return {below_a.depth, false, below_a.face, facing_side(below_a.face, b, B)};
 }
 
-/// The gap at one end, behind (-1) or ahead (1) along the tangent of the face: of the corner, of either side, that is
-/// nearer to the middle along the line half-way between both sides. Where the corners pass each other along that line
-/// they are equally deep below the sides, so that the depth does not jump.
+/// The gap at one end of the face, behind (-1) or ahead (1) along its tangent. Each of the two sides has a corner
+/// there; the corner nearer to the middle is used, measured along the line half-way between both sides. Where the
+/// corners pass each other along that line they are equally deep below the sides, so that the depth is continuous.
 Gap end_gap(const Facing& found, double end) {
-  const Side &face = found.face, &other = found.other;  // the other side runs against the face
+  const Side &face = found.face, &other = found.other;  // the other side's tangent is opposite
   const Vec2 corner = face.middle + (end * face.half_length) * face.t;
   const Vec2 other_corner = other.middle - (end * other.half_length) * other.t;
   const bool other_is_nearer = end * dot(other_corner - corner, face.t - other.t) <= 0.0;
   const double depth =
       other_is_nearer ? -dot(other_corner - face.middle, face.n) : -dot(corner - other.middle, other.n);
-  // Apart, the sides need not be over each other: a corner below the line of a side then says nothing.
+  // Separate sides need not be opposite each other; then the depth of a corner below a side's line is meaningless.
   if (found.depth < 0.0) return {std::min(found.depth, depth), found.n_AB(), other_is_nearer ? other_corner : corner};
   if (other_is_nearer) return {depth, found.n_AB(), other_corner};
   return {depth, found.face_of_b ? other.n : -other.n, corner};
@@ -109,8 +109,8 @@ Depth depth_below(const Terrain& shape, Vec2 p) {
     if (distance >= least) continue;
     least = distance;
     const Vec2 normal = (1.0 / norm(along)) * Vec2{-along.y, along.x};
-    // Over a piece the sign of its normal tells the side. At a corner both pieces beside it agree on it, but for points
-    // in the wedge behind one of them, where the corner itself decides.
+    // Over a segment, the sign along its normal decides between above and below. At a corner both neighbouring segments
+    // agree on this sign, except for points in the wedge behind one of them, where the corner itself decides.
     const bool corner = (part == 0.0 && i > 0) || (part == 1.0 && i + 2 < points.size());
     if (!corner || distance == 0.0) {
       const double height = dot(from, normal);
@@ -118,7 +118,7 @@ Depth depth_below(const Terrain& shape, Vec2 p) {
       continue;
     }
     const std::size_t at = part == 0.0 ? i : i + 1;
-    // The mean of the normals on both sides leads out of the ground wherever the corner is the nearest point.
+    // The mean of both neighbouring normals points out of the ground wherever the corner is the nearest point.
     const Vec2 before = points[at] - points[at - 1], after = points[at + 1] - points[at];
     const Vec2 out = (1.0 / norm(before)) * Vec2{-before.y, before.x} + (1.0 / norm(after)) * Vec2{-after.y, after.x};
     const double side = dot(from, out) < 0.0 ? -1.0 : 1.0;
@@ -150,7 +150,7 @@ Gap gap(const Rectangle& a, const Pose& A, const Rectangle& b, const Pose& B) {
 
 Gap gap(const RectangleEnd& a, const Pose& A, const Rectangle& b, const Pose& B) {
   const Facing found = facing(a.rectangle, A, b, B);
-  // The face's tangent is counter-clockwise from its normal, which is n_AB or -n_AB.
+  // The face's tangent is 90 degrees counter-clockwise from its normal, which is n_AB or -n_AB.
   return end_gap(found, (a.end == 1) == found.face_of_b ? -1.0 : 1.0);
 }
 

@@ -5,10 +5,10 @@
 namespace talus {
 namespace {
 
-/// |x/a|^n + |y/b|^n and its gradient's direction, for a point in the box around the outline.
+/// |x/a|^n + |y/b|^n and the direction of its gradient, for a point in the bounding box of the outline.
 struct Powers {
   double sum{};
-  Vec2 gradient;  ///< over n
+  Vec2 gradient;  ///< divided by n
 };
 
 Powers powers(const Superquadric& shape, Vec2 p) {
@@ -20,7 +20,7 @@ Powers powers(const Superquadric& shape, Vec2 p) {
           {std::copysign(u_less / shape.half_width, p.x), std::copysign(v_less / shape.half_height, p.y)}};
 }
 
-/// Of a point outside the outline, to first order in its distance along the ray: negative, and zero on the outline.
+/// Depth of a point outside the outline, to first order in its distance along the ray: negative, zero on the outline.
 double depth_outside(double sum, double exponent, Vec2 p) { return (1.0 - sum) / exponent * norm(p); }
 
 }  // namespace
@@ -44,7 +44,7 @@ Depth ball_depth(const Ball& node, const Placement& A_in_B, const Smoother& targ
 Depth depth_in_box(const CentroidRays& shape, Vec2 p) {
   const auto [sum, gradient] = powers(shape.outline, p);
   const double length = norm(gradient);
-  // At the very centre, and so near it that the powers vanish, every direction is as good.
+  // At the centre, and so close to it that the powers underflow, no direction is preferred.
   const Vec2 normal = length > 0.0 ? (1.0 / length) * gradient : Vec2{1.0, 0.0};
   if (sum >= 1.0) return {depth_outside(sum, shape.outline.exponent, p), normal};
   const double f = gauge(shape.outline, p);

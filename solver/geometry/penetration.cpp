@@ -12,7 +12,8 @@ namespace {
 
 constexpr double nothing = -std::numeric_limits<double>::infinity();
 
-/// How far a shape reaches from its centre in the direction m of its own frame [L]; of a superquadric the dual norm.
+/// Support function: distance from the centre to the farthest point along m, in the shape's frame [L]; for a
+/// superquadric it is the dual norm.
 double reach(const Circle& shape, Vec2 m) { return shape.radius * norm(m); }
 double reach(const Rectangle& shape, Vec2 m) {
   return shape.half_width * std::abs(m.x) + shape.half_height * std::abs(m.y);
@@ -27,13 +28,13 @@ double world_reach(const S& shape, const Pose& pose, Vec2 n) {
   return reach(shape, unrotate(pose.R_WB, n));
 }
 
-/// What two convex outlines have in common in the direction n, from A to B.
+/// Common extent (overlap) of two convex outlines along the direction n from A to B.
 template <class S, class T>
 double common(const S& a, const Pose& A, const T& b, const Pose& B, Vec2 n) {
   return world_reach(a, A, n) + world_reach(b, B, -n) - dot(B.p_WB - A.p_WB, n);
 }
 
-/// Sharp minima lie at the normals of sides; between even directions the least of the others is enclosed.
+/// Sharp minima lie at side normals. The smooth minima are bracketed on a grid of equally spaced directions.
 template <class S, class T>
 double convex(const S& a, const Pose& A, const T& b, const Pose& B) {
   const auto at = [&](Vec2 n) { return common(a, A, b, B, n); };
@@ -55,7 +56,7 @@ double convex(const S& a, const Pose& A, const T& b, const Pose& B) {
     const double found = towards(part * i);
     if (found < lowest) best = part * i, lowest = found;
   }
-  // Golden sections of the two parts beside the lowest.
+  // Golden-section search in the two intervals next to the lowest direction.
   constexpr double golden = 0.6180339887498949;
   double low = best - part, high = best + part;
   for (int i = 0; i < 16; ++i) {
@@ -80,7 +81,7 @@ double below(const S& shape, const Pose& body, const Terrain& ground, const Pose
   double deepest = nothing;
   for (const Vec2 point : ground.points) {
     const Vec2 p = unrotate(body.R_WB, world_point(under, point) - body.p_WB);
-    // Outside of the box around the shape nothing is deep.
+    // Outside the bounding box of the shape the depth is not positive.
     if (std::abs(p.x) >= reach(shape, {1.0, 0.0}) || std::abs(p.y) >= reach(shape, {0.0, 1.0})) continue;
     deepest = std::max(deepest, depth_below(shape, p).depth);
   }

@@ -5,10 +5,11 @@
 
 namespace talus {
 
-/// How far two outlines reach into each other [L], by no node of either: the shortest way that takes one out of the
-/// other, the least over all directions of what they have in common; not above zero where they are apart. Exact for
-/// rectangles, circles and half-planes; of superquadrics to a thousandth of their size, from above. Of terrain it is
-/// its deepest point in the other outline. Without an outline minus infinity.
+/// Overlap of two outlines [L], independent of boundary nodes: the smallest displacement that separates them (the
+/// minimum over all directions of their common extent along that direction); not positive where they are apart. Exact
+/// for rectangles, circles and half-planes; for superquadrics it is too large by at most a thousandth of their size.
+/// For terrain it is the depth of the terrain's deepest point in the other outline. Minus infinity if a shape has no
+/// outline.
 [[nodiscard]] double penetration(const Shape& a, const Pose& A, const Shape& b, const Pose& B);
 
 }  // namespace talus

@@ -5,8 +5,8 @@
 namespace talus {
 namespace {
 
-/// SLEEF's plain-C routine without fused operations: the same bits on every machine and instruction set (the C library
-/// picks one of several by the processor), error at most one unit of the last place.
+/// SLEEF's plain-C routine without fused operations: bit-identical on every machine and instruction set (the C library
+/// selects a routine by processor); error at most one unit in the last place.
 Rotation by_library(double angle) {
   const Sleef_double_2 both = Sleef_cinz_sincosd1_u10purec(angle);
   return {both.y, both.x};

@@ -12,7 +12,7 @@
 
 namespace talus {
 
-/// No outline: a body that touches nothing.
+/// No outline: a body without contacts.
 struct NoShape {
   static constexpr std::string_view name = "none";
   static constexpr std::array<Field<NoShape>, 0> fields() { return {}; }
@@ -44,18 +44,18 @@ struct Rectangle {
   friend constexpr bool operator==(const Rectangle&, const Rectangle&) = default;
 };
 
-/// Everything below the body's x axis: the surface passes through the body's origin, its outward normal is the body's
-/// y.
+/// The half-plane below the body's x axis: the surface passes through the body's origin, and its outward normal is the
+/// body's y axis.
 struct HalfPlane {
   static constexpr std::string_view name = "half_plane";
   static constexpr std::array<Field<HalfPlane>, 0> fields() { return {}; }
   friend constexpr bool operator==(const HalfPlane&, const HalfPlane&) = default;
 };
 
-/// Everything below a line of points: uneven ground. Its first and last pieces go on for ever.
+/// Uneven ground: everything below a line of points. Its first and last segments extend to infinity.
 struct Terrain {
   static constexpr std::string_view name = "terrain";
-  std::vector<Vec2> points{};  ///< two or more, in body coordinates, x growing from each to the next [L]
+  std::vector<Vec2> points{};  ///< two or more, in body coordinates, with increasing x [L]
 
   static constexpr std::array<Field<Terrain>, 0> fields() { return {}; }
   friend bool operator==(const Terrain&, const Terrain&) = default;
@@ -63,13 +63,13 @@ struct Terrain {
 
 using Shape = std::variant<NoShape, Circle, Rectangle, Superquadric, HalfPlane, Terrain>;
 
-/// Names of all shapes, in the list's order.
+/// Names of all shapes, in the order of Shape.
 [[nodiscard]] std::vector<std::string> shape_names();
 
-/// Boundary nodes of a shape in body coordinates (FENCE 1993 gave each such node a spring and a dashpot of its own):
-/// `count` points at equal spacing from body x for a circle; at the middles of `count` equal parts of the parametric
-/// angle for a superquadric (1993: four, near the corners); the four corners for a rectangle; none for a half-plane
-/// or terrain.
+/// Boundary nodes of a shape in body coordinates (FENCE 1993 gave each of these nodes a separate spring and dashpot):
+/// for a circle `count` points at equal spacing from body x; for a superquadric the midpoints of `count` equal
+/// intervals of the parametric angle (1993: four, near the corners); for a rectangle its four corners; none for a
+/// half-plane or terrain.
 [[nodiscard]] std::vector<Vec2> boundary_nodes(const Shape& shape, int count);
 
 }  // namespace talus

@@ -26,22 +26,22 @@ double whole_power(double base, int exponent) {
 
 constexpr double largest_whole_exponent = 64.0;
 
-/// Whether it is a whole number from 0 to the largest; which one.
+/// Whether the exponent is an integer from 0 to the largest; stores that integer.
 bool is_whole(double exponent, int& whole) {
   if (!(exponent >= 0.0 && exponent <= largest_whole_exponent)) return false;
   whole = static_cast<int>(exponent);
   return static_cast<double>(whole) == exponent;
 }
 
-/// The powers of two bases with one exponent.
+/// Two bases raised to the same exponent.
 struct PowerPair {
   double first = 0.0;
   double second = 0.0;
 };
 
 #ifdef __SSE2__
-/// SLEEF's routine without fused operations for two numbers: the bits of its plain-C routine. Two powers take
-/// 0.3 to 0.4 of the time of plain C, and one takes 0.6 of it.
+/// SLEEF's SSE2 routine without fused operations, for two numbers: bit-identical to its plain-C routine. Two powers
+/// take 0.3 to 0.4 of the time of plain C, and one power 0.6.
 PowerPair fractional_power_pair(double first, double second, double exponent) {
   const __m128d both = Sleef_cinz_powd2_u10sse2(_mm_set_pd(second, first), _mm_set1_pd(exponent));
   return {_mm_cvtsd_f64(both), _mm_cvtsd_f64(_mm_unpackhi_pd(both, both))};
@@ -54,7 +54,7 @@ PowerPair fractional_power_pair(double first, double second, double exponent) {
 }
 #endif
 
-/// power() of two bases, in less time than one by one.
+/// power() of two bases, faster than two separate calls.
 PowerPair power_pair(double first, double second, double exponent) {
   if (int whole{}; is_whole(exponent, whole)) return {whole_power(first, whole), whole_power(second, whole)};
   return fractional_power_pair(first, second, exponent);
@@ -62,16 +62,17 @@ PowerPair power_pair(double first, double second, double exponent) {
 
 }  // namespace
 
-// SLEEF's routine, as for the sine; whole exponents, which most outlines have, by multiplication.
+// Uses SLEEF's routine, as for the sine; integer exponents, which most outlines have, by multiplication.
 double power(double base, double exponent) {
   if (int whole{}; is_whole(exponent, whole)) return whole_power(base, whole);
   return fractional_power(base, exponent);
 }
 
-// A guess y = e^(ln x/n) from the first terms of two series: with s = (x - r)/(x + r), r^2 = 2,
-//   ln x = ln r + 2 (s + s^3/3 + s^5/5 + ...),  |s| < .172,
-// is off by less than 2 s^7/7 = 1.3e-6, and so is n times the guess but for z^6/720 < 2.1e-7 of the exponential's,
-// where n >= 3. Of a relative error e Halley's step for y^n = x leaves (n^2 - 1)/12 e^3, here less than 2e-19.
+// The first guess y = e^(ln x/n) uses the leading terms of two series. With s = (x - r)/(x + r), r^2 = 2, the error of
+//   ln x = ln r + 2 (s + s^3/3 + s^5/5 + ...),  |s| < 0.172,
+// is less than 2 s^7/7 = 1.3e-6. This is also n times the relative error of the guess, apart from the exponential's
+// z^6/720 < 2.1e-7 for n >= 3. Halley's step for y^n = x reduces a relative error e to (n^2 - 1)/12 e^3, here below
+// 2e-19.
 double root(double x, double degree) {
   constexpr double r = std::numbers::sqrt2, ln_r = 0.5 * std::numbers::ln2;
   if (x == 1.0) return 1.0;
@@ -85,7 +86,7 @@ double root(double x, double degree) {
   return y + y * (2.0 * (x - p) / ((degree + 1.0) * p + (degree - 1.0) * x));
 }
 
-// The larger term is taken out before the power, so that neither a far point nor a high exponent overflows.
+// The larger term is factored out before the power, so that neither a far point nor a high exponent overflows.
 double gauge(const Superquadric& shape, Vec2 p) {
   const double u = std::abs(p.x) / shape.half_width;
   const double v = std::abs(p.y) / shape.half_height;
@@ -129,7 +130,7 @@ Vec2 farthest_point(const Superquadric& shape, Vec2 m) {
   return {std::copysign(shape.half_width * raised.first, m.x), std::copysign(shape.half_height * raised.second, m.y)};
 }
 
-// Of a line F = const:  (F_xx F_y^2 + F_yy F_x^2)/|grad F|^3, as F_xy is zero here.
+// Curvature of a line F = const: (F_xx F_y^2 + F_yy F_x^2)/|grad F|^3, because F_xy is zero here.
 double curvature(const Superquadric& shape, Vec2 p) {
   const double n = shape.exponent, a = shape.half_width, b = shape.half_height;
   const Vec2 g = gradient(shape, p);

@@ -9,13 +9,13 @@
 
 namespace talus {
 
-/// The outline |x/a|^n + |y/b|^n = 1 about the body's centre of mass (Barr 1981; Mustoe & Huttelmaier 1993, Eq. 1):
-/// an ellipse for n = 2, towards a rectangle as n grows.
+/// The outline |x/a|^n + |y/b|^n = 1 about the body's centre of mass (Barr 1981; Mustoe & Huttelmaier 1993, Eq. 1): an
+/// ellipse for n = 2, approaching a rectangle as n grows.
 struct Superquadric {
   static constexpr std::string_view name = "superquadric";
   double half_width{};   ///< a, along the body's x axis [L] > 0
   double half_height{};  ///< b, along the body's y axis [L] > 0
-  double exponent{2.0};  ///< n >= 1: below that the outline is not convex
+  double exponent{2.0};  ///< n >= 1: for smaller n the outline is not convex
 
   static constexpr std::array<Field<Superquadric>, 3> fields() {
     return {{{"half_width", dimension::length, &Superquadric::half_width, Range::positive, "half its size along x"},
@@ -28,20 +28,20 @@ struct Superquadric {
 /// The gauge (|x/a|^n + |y/b|^n)^(1/n): below 1 inside, 1 on the outline, above 1 outside; p/gauge lies on the outline.
 [[nodiscard]] double gauge(const Superquadric& shape, Vec2 p);
 
-/// Whether a point lies inside: the gauge's comparison without its root.
+/// Whether a point lies inside: compares the gauge with 1 without evaluating its root.
 [[nodiscard]] bool is_inside(const Superquadric& shape, Vec2 p);
 
-/// base^exponent for base >= 0, the same bits on every machine.
+/// base^exponent for base >= 0, bit-identical on every machine.
 [[nodiscard]] double power(double base, double exponent);
 
-/// x^(1/degree) for 1 <= x <= 2, the same bits on every machine: to 1.5 units in the last place, and 1 of 1. Of degrees
-/// that are whole in less than half the time of power().
+/// x^(1/degree) for 1 <= x <= 2, bit-identical on every machine: error at most 1.5 units in the last place, and exactly
+/// 1 for x = 1. Integer degrees take less than half the time of power().
 [[nodiscard]] double root(double x, double degree);
 
-/// Outward unit normal at a point of the outline, in its own axes.
+/// Outward unit normal at a point of the outline, in the shape's axes.
 [[nodiscard]] Vec2 outward_normal(const Superquadric& shape, Vec2 p);
 
-/// The point of the outline farthest along a direction m of its own axes, exact for every exponent > 1.
+/// The point of the outline farthest along a direction m, in the shape's axes; exact for every exponent > 1.
 [[nodiscard]] Vec2 farthest_point(const Superquadric& shape, Vec2 m);
 
 /// Curvature at a point of the outline [1/L]: 1/r for a circle, zero in the middle of a side for n > 2.

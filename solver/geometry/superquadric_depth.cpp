@@ -1,4 +1,4 @@
-/// The nearest point of a superquadric's outline, and how it stands to a half-plane.
+/// The nearest point of a superquadric's outline, and its gap to a half-plane.
 
 #include <algorithm>
 #include <array>
@@ -12,15 +12,15 @@
 namespace talus {
 namespace {
 
-/// One arc of the outline in the first quadrant, from an axis to the corner where both terms are 1/2. Along it the
-/// coordinate y = b eta runs, which unlike the parametric angle is well conditioned on the flat side:
+/// One arc of the outline in the first quadrant, from an axis to the corner where both terms are 1/2. Its coordinate is
+/// y = b eta, which is well conditioned on the flat side, unlike the parametric angle:
 ///   X(eta) = (a (1 - eta^n)^(1/n), b eta),   0 <= eta <= 2^(-1/n)
 struct Arc {
   double a;
   double b;
   double n;
 
-  /// A place on the arc: x/a, y/b, and the term eta^n.
+  /// A position on the arc: x/a, y/b, and the term eta^n.
   struct Place {
     double xi;
     double eta;
@@ -30,11 +30,11 @@ struct Arc {
   Place at(double eta, double term) const { return {power(1.0 - term, 1.0 / n), eta, term}; }
 
   Vec2 point(const Place& place) const { return {a * place.xi, b * place.eta}; }
-  /// Outward normal there, not of unit length: the gradient, divided by n.
+  /// Outward normal at a position, not normalised: the gradient divided by n.
   Vec2 normal(const Place& place) const {
     return {(1.0 - place.term) / (place.xi * a), place.eta == 0.0 ? 0.0 : place.term / (place.eta * b)};
   }
-  /// Half the derivative of |X - p|^2 along the arc, scaled by a positive factor: cross product of normal and X - p.
+  /// Half the derivative of |X - p|^2 along the arc, times a positive factor: cross product of the normal and X - p.
   double slope(const Place& place, Vec2 p) const { return cross(normal(place), point(place) - p); }
 };
 
@@ -51,9 +51,10 @@ void consider(const Arc& arc, const Arc::Place& place, Vec2 p, bool swapped, Nea
   best = {distance, swapped ? Vec2{unit.y, unit.x} : unit};
 }
 
-/// The point of the arc nearest to p: a point deep inside may have several that are locally nearest, so the arc is
-/// searched piece by piece. Of a high exponent all turning is near the corner, where the terms are not small: half of
-/// the pieces divide the flat side evenly, the others go to the corner with the term growing by sqrt(2).
+/// The point of the arc nearest to p. A point deep inside may have several local minima, so that the arc is searched
+/// interval by interval. For high exponents the normal turns almost only near the corner, where the terms are not
+/// small: half of the intervals divide the flat side evenly, the others approach the corner with the term growing by
+/// sqrt(2).
 class Search {
  public:
   Search(const Arc& arc, Vec2 p, bool swapped, Nearest& best) : arc_{arc}, p_{p}, swapped_{swapped}, best_{best} {}
@@ -76,7 +77,7 @@ class Search {
   }
 
  private:
-  /// The piece from where the last one ended.
+  /// Searches the interval that begins where the previous one ended.
   void look_up_to(const Arc::Place& right) {
     const double slope_right = arc_.slope(right, p_);
     if (slope_left_ < 0.0 && slope_right > 0.0) {

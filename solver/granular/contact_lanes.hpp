@@ -12,10 +12,10 @@
 #include "solver/laws/contact_kernel.hpp"
 #include "solver/laws/coulomb_friction.hpp"
 
-/// The stage of a sweep in which the law acts: what contacts do to their discs.
+/// The stage of a sweep that evaluates the law: forces of contacts on their discs.
 namespace talus::stages {
 
-/// A pack of contacts at a time.
+/// Evaluates contacts, a pack at a time.
 template <class L, class F>
 class ContactLanes {
  public:
@@ -30,8 +30,8 @@ class ContactLanes {
         second_{w_.pairs->second.data()},
         radii_{w_.pairs->radii.empty() ? nullptr : w_.pairs->radii.data()} {}
 
-  /// Forces on the second discs of a pack of touching pairs. The first `count` of them count; the others are the last
-  /// of these again. at: number of the first contact; from: their numbers before the step.
+  /// Computes the forces on the second discs of a pack of touching pairs. The first `count` lanes count; the others
+  /// repeat the last of these. at: index of the first contact; from: indices of the contacts before the step.
   [[gnu::always_inline]] void push(const std::uint32_t* pairs, std::size_t count, std::size_t at,
                                    const std::uint32_t* from, const Pushes& out) {
     SweptContacts& contacts = *w_.contacts;
@@ -47,7 +47,7 @@ class ContactLanes {
       rate = -(v_x * n_x + v_y * n_y);
     }
     kernel_.force(overlap, rate, largest, force);
-    // Rounded, an overlap may be none after all.
+    // Because of rounding, a pair that was found to touch may not overlap.
     Sizes overlaps;
     find_overlaps(overlap, overlaps);
     keep_where(force, overlaps);
@@ -72,7 +72,7 @@ class ContactLanes {
       collect(spin_a, [&](std::size_t l) { return w_.spins_before[disc(w_, first_[pairs[l]])]; });
       collect(spin_b, [&](std::size_t l) { return w_.spins_before[disc(w_, second_[pairs[l]])]; });
       const Pack slip = v_x * -n_y + v_y * n_x - spin_a * arm_a - spin_b * arm_b;
-      Pack pressed = overlap;  // since the surfaces met
+      Pack pressed = overlap;  // overlap since the surfaces met
       if constexpr (ActsAtDistance<L>) pressed = overlap > Pack{} ? overlap : Pack{};
       rub(slip * pressed / rate, rate, force, at, from, friction);
       keep_normal(overlaps, force, at);
@@ -84,7 +84,7 @@ class ContactLanes {
   }
 
  private:
-  /// Where surfaces are within the law's reach.
+  /// Finds the lanes whose surfaces are within the law's reach.
   [[gnu::always_inline]] void find_overlaps(const Pack& overlap, Sizes& is) const {
     if constexpr (ActsAtDistance<L>)
       is = overlap > Pack{} - w_.reach;
@@ -93,7 +93,7 @@ class ContactLanes {
   }
   /// Whether the work of the law's dashpot is recorded.
   bool damps() const { return !has_history && w_.contacts->kinds.power; }
-  /// The law's power and what it releases, of contacts that overlap.
+  /// Stores the dissipated power and the released energy of contacts that overlap.
   [[gnu::always_inline]] void damp(const Pack& overlap, const Sizes& overlaps, const Pack& rate, const Pack& force,
                                    std::size_t at, const std::uint32_t* from) {
     SweptContacts& contacts = *w_.contacts;
@@ -109,7 +109,7 @@ class ContactLanes {
     store(overlaps ? normal : none - 1.0, &w_.contacts->now.normal[at]);
   }
 
-  /// Takes the springs of friction back to their limit. slipped: of contacts since they began [L].
+  /// Limits the stretch of the friction springs (return mapping). slipped: slip of each contact since it began [L].
   [[gnu::always_inline]] void rub(const Pack& slipped, const Pack& rate, const Pack& force, std::size_t at,
                                   const std::uint32_t* from, Pack& friction) {
     SweptContacts& contacts = *w_.contacts;
@@ -135,7 +135,7 @@ class ContactLanes {
   const double* radii_;
 };
 
-/// What these touching pairs, the last that were found, do to each other, without doing it.
+/// Computes the forces of these touching pairs, the last that were found, without applying them.
 template <class L, class F>
 TALUS_CLONES [[gnu::noinline]] void push(const L& law, const F& friction, const StepBlock& sweep,
                                          std::span<const std::uint32_t> touching, Pushes out) {

@@ -12,7 +12,7 @@ TALUS_CLONES std::size_t find_near(const StepBlock& sweep, double nearer, std::s
   const std::uint32_t *const first = sweep.pairs->first.data(), *const second = sweep.pairs->second.data();
   const double* const sums = sweep.pairs->radii.empty() ? nullptr : sweep.pairs->radii.data();
   const double* const places = sweep.places;
-  // In two passes, for in one each pack would wait for where the last one's numbers end: half as long again.
+  // Two passes: in a single one each pack would wait for the count of the previous one, which takes 1.5 times as long.
   std::array<std::uint8_t, sweep_block / pack_size> near;
   Pack within = Pack{} + (sweep.equal_radii + nearer);
   for (std::size_t k = from; k < to; k += pack_size) {
@@ -30,7 +30,7 @@ TALUS_CLONES std::size_t find_near(const StepBlock& sweep, double nearer, std::s
 namespace stages {
 namespace {
 
-/// The contact that there was before has ended.
+/// Ends a contact that existed before the sweep.
 [[gnu::noinline]] void part_before(const StepBlock& w, std::size_t old) {
   const SweptContacts& contacts = *w.contacts;
   const ContactMemory of = contacts.memory(contacts.before, old);
@@ -38,8 +38,8 @@ namespace {
   part(w, contacts.before.as_listed ? pair : w.pairs->number_in_list(pair), of.largest, of.stretch);
 }
 
-/// Which contacts those that touch were before; what lies between them has ended. number(t): of the t-th as those are
-/// numbered.
+/// Looks up which contacts the touching pairs were before; contacts that lie between these have ended. number(t): index
+/// of the t-th pair, as the contacts before are numbered.
 template <class Number>
 [[gnu::always_inline]] inline void find_before(const StepBlock& w, std::size_t count, Number&& number) {
   SweptContacts& contacts = *w.contacts;
@@ -76,7 +76,7 @@ std::span<const std::uint32_t> find_touching(const StepBlock& sweep, std::size_t
   std::fill_n(touching + count, pack_size, touching[count - 1]);
   if (contacts.kinds.remembered()) {
     const std::uint32_t* const listed = sweep.pairs->listed.data();
-    // Once after lists were made, or what was saved is put back.
+    // Only in the first sweep after lists were built or a saved state was loaded.
     if (contacts.before.as_listed && !sweep.pairs->listed.empty())
       find_before(sweep, count, [=](std::size_t t) { return listed[touching[t]]; });
     else

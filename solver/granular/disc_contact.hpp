@@ -6,17 +6,17 @@
 
 namespace talus {
 
-/// Two discs that touch, as they stand.
+/// Two discs in contact, at their present positions.
 struct DiscContact {
   std::size_t a{}, b{};
-  double depth{};     ///< [L]
+  double depth{};     ///< overlap [L]
   Vec2 n_ab;          ///< unit normal from a to b
-  double distance{};  ///< of the centres [L]
-  double force{};     ///< [F], > 0 pushes apart
+  double distance{};  ///< between the centres [L]
+  double force{};     ///< normal force [F], > 0: repulsive
   double friction{};  ///< force on a along the normal turned counter-clockwise, on b the opposite [F]
   double stored{};    ///< energy [F L]
 
-  /// On b, and the opposite on a [F].
+  /// Force on b [F]; that on a is the opposite.
   Vec2 force_on_b() const { return force * n_ab - friction * cross(1.0, n_ab); }
 };
 

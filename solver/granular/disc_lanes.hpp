@@ -9,7 +9,7 @@
 
 #include "solver/base/pack.hpp"
 
-/// Pairs of discs side by side.
+/// SIMD helpers for packs of disc pairs.
 namespace talus {
 
 inline constexpr std::size_t places_per_pack = pack_size / 2;
@@ -17,19 +17,19 @@ inline constexpr std::size_t places_per_pack = pack_size / 2;
 using Place [[gnu::vector_size(16)]] = double;
 using Places = std::array<Place, places_per_pack>;
 
-/// What stands at one of two places less what stands at the other.
+/// Two coordinates at index `to` minus those at index `from`.
 [[gnu::always_inline]] inline Place difference(const double* numbers, std::size_t from, std::size_t to) {
   Place a, b;
   std::memcpy(&a, numbers + from, sizeof a), std::memcpy(&b, numbers + to, sizeof b);
   return b - a;
 }
 
-/// Twos side by side.
+/// Joins pairs of numbers to a pack.
 [[gnu::always_inline]] inline void join(Pack& pack, const Places& twos) {
   pack = __builtin_shufflevector(twos[0], twos[1], 0, 1, 2, 3);
 }
 
-/// Of even pairs and of odd ones.
+/// Separates coordinates into x and y: p from the even pairs of a pack, q from the odd ones.
 [[gnu::always_inline]] inline void lay_out(Pack& x, Pack& y, const Places& p, const Places& q) {
   Pack even, odd;
   join(even, p), join(odd, q);
@@ -37,7 +37,7 @@ using Places = std::array<Place, places_per_pack>;
   y = __builtin_shufflevector(even, odd, 1, 5, 3, 7);
 }
 
-/// From the first discs to the second of a pack of pairs with these numbers, of places or velocities.
+/// Differences of positions or velocities, second disc minus first, for the pack of pairs with these indices.
 [[gnu::always_inline]] inline void differences(Pack& x, Pack& y, const double* numbers, const std::uint32_t* first,
                                                const std::uint32_t* second, const std::uint32_t* pairs) {
   Places p, q;
@@ -48,7 +48,7 @@ using Places = std::array<Place, places_per_pack>;
   lay_out(x, y, p, q);
 }
 
-/// The same of a pack of pairs that follow each other: where their places begin is fetched two at once.
+/// The same for a pack of consecutive pairs, whose position indices are fetched two at a time.
 [[gnu::always_inline]] inline void listed_differences(Pack& x, Pack& y, const double* numbers,
                                                       const std::uint32_t* first, const std::uint32_t* second) {
   static_assert(std::endian::native == std::endian::little);
@@ -62,7 +62,7 @@ using Places = std::array<Place, places_per_pack>;
   lay_out(x, y, p, q);
 }
 
-/// By the bits of lanes: the lanes whose bit is set, in order, and how many.
+/// Table by the bits of a lane mask: the lanes whose bit is set, in order, and their count.
 struct Chosen {
   static constexpr std::size_t size = std::size_t{1} << pack_size;
   std::array<std::array<std::uint32_t, pack_size>, size> lanes{};
@@ -80,8 +80,8 @@ inline constexpr Chosen chosen = [] {
 
 using Numbers [[gnu::vector_size(16)]] = std::uint32_t;
 
-/// Writes the numbers of the lanes whose bits are set, the first lane's being `first`, in a row, and what fills a pack
-/// behind them; how many they are.
+/// Writes the indices of the lanes whose bits are set, where lane 0 has index `first`, to the start of `row`, and
+/// returns their count. A whole pack of `row` is overwritten.
 [[gnu::always_inline]] inline std::size_t number_lanes(std::size_t bits, std::size_t first, std::uint32_t* row) {
   Numbers numbers;
   std::memcpy(&numbers, chosen.lanes[bits].data(), sizeof numbers);
@@ -98,13 +98,13 @@ using Numbers [[gnu::vector_size(16)]] = std::uint32_t;
   std::memcpy(&x, numbers.data(), sizeof x);
 }
 
-/// One number for each lane.
+/// Sets each lane l to number(l).
 template <class Lanes, class Number>
 [[gnu::always_inline]] inline void collect(Lanes& lanes, Number&& number) {
   lanes = Lanes{number(0), number(1), number(2), number(3)};
 }
 
-/// A pack of numbers from these places in a row.
+/// Gathers a pack from `row` at the indices `places`.
 [[gnu::always_inline]] inline void collect(Pack& lanes, const double* row, const std::uint32_t* places) {
   Places twos;
   for (std::size_t l = 0; l < places_per_pack; ++l)
@@ -112,13 +112,13 @@ template <class Lanes, class Number>
   join(lanes, twos);
 }
 
-/// The two coordinates of a pack of them, those of each side by side.
+/// Stores x and y of a pack interleaved: x0, y0, x1, y1, ...
 [[gnu::always_inline]] inline void store_places(const Pack& x, const Pack& y, double* places) {
   store(__builtin_shufflevector(x, y, 0, 4, 1, 5), places);
   store(__builtin_shufflevector(x, y, 2, 6, 3, 7), places + pack_size);
 }
 
-/// Zero in the lanes where it is not so.
+/// Sets lanes of x to zero where the mask `is` is false.
 [[gnu::always_inline]] inline void keep_where(Pack& x, const Sizes& is) {
   Sizes bits;
   std::memcpy(&bits, &x, sizeof bits);

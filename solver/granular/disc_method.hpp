@@ -11,7 +11,7 @@
 
 namespace talus {
 
-/// What every system of discs offers to a method, declared only: DiscSystem, FastDiscSystem and others define it.
+/// Interface that every disc system offers to a method; declared only. DiscSystem, FastDiscSystem and others define it.
 struct AnyDiscSystem {
   void drift(Discs& discs, double h);
   void kick(Discs& discs, double h);
@@ -20,15 +20,16 @@ struct AnyDiscSystem {
   void evaluate(Discs& discs, DiscRates& out);
 };
 
-/// A method of the list of integrators that steps discs as well: one of fixed step over any states, with one force
-/// evaluation a step, because the memory of contacts stands beside the state and follows it evaluation by evaluation.
+/// An integrator that also steps discs: any state type, fixed step, and one force evaluation per step, because contact
+/// memory is stored outside the state and is updated by each evaluation.
 template <class I>
 concept StepsDiscs = requires {
   requires(I::step_control == StepControl::fixed && I::evaluations == 1);
   requires IntegratorFor<typename Rebound<I, Discs>::type, AnyDiscSystem, Discs>;
 };
 
-/// Of a list of integrators those that step discs, as methods over discs: DiscMethodsOf<std::variant<I...>>::type.
+/// Selects from a list of integrators those that step discs, as methods over discs:
+/// DiscMethodsOf<std::variant<I...>>::type.
 template <class List, class... Found>
 struct DiscMethodsOf;
 template <class... Found>
@@ -44,18 +45,18 @@ struct DiscMethodsOf<std::variant<I, Others...>, Found...>
 /// Any of the methods that step discs.
 using DiscMethod = DiscMethodsOf<Integrator::List>::type;
 
-/// Names of all, in the list's order.
+/// Names of all disc methods, in the list's order.
 [[nodiscard]] std::vector<std::string> disc_method_names();
 
 /// The method of that name. Errors: InputError for an unknown name.
 [[nodiscard]] DiscMethod make_disc_method(std::string_view name);
 
-/// What a method declares.
+/// The traits that a method declares.
 [[nodiscard]] const IntegratorTraits& traits(const DiscMethod& method);
 
-/// Restitution of an impact by a latching spring in a method's steps, if it is e without them. The impact is a quarter
-/// of an oscillation at w1 and one at w2 = w1/e: e exp(c pi (w1 + w2) h), c the method's amplitude_growth_rate.
-/// loading_angle: w1 h [rad] >= 0.
+/// Restitution of an impact with a latching spring as integrated by a method, if the exact one is e. The impact is a
+/// quarter of an oscillation at w1 and one at w2 = w1/e, which gives e exp(c pi (w1 + w2) h), c the method's
+/// amplitude_growth_rate. loading_angle: w1 h [rad] >= 0.
 [[nodiscard]] double stepped_restitution(const DiscMethod& method, double restitution, double loading_angle);
 
 }  // namespace talus

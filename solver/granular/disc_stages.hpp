@@ -7,11 +7,11 @@
 #include "solver/base/pack.hpp"
 #include "solver/granular/sweep_input.hpp"
 
-/// Stages of a sweep, block by block of pairs. Each is a function of its own, so that what it works on stays in
-/// registers: all in one took a tenth longer where a third of the discs touch.
+/// Stages of a sweep, by blocks of pairs. Each is a separate function, so that its data stay in registers: a single
+/// function took a tenth longer where a third of the discs touch.
 namespace talus::stages {
 
-/// What touching pairs of a block do to their second discs: where that is put.
+/// Output arrays for the forces of a block's touching pairs on their second discs.
 struct Pushes {
   double* force;                     ///< x, y of each [F]
   double *friction, *arm_a, *arm_b;  ///< as in PairForces
@@ -22,16 +22,16 @@ inline Pushes pushes_of(PairForces& of) {
   return {of.force.data(), of.friction.data(), of.arm_a.data(), of.arm_b.data()};
 }
 
-/// Adds those that touch of the pairs from <= k < to, a block of packs, to the contacts, and finds which these were
-/// before. Their numbers, in order; behind them the last again, for a pack.
+/// Finds the touching pairs among from <= k < to, a block of packs, appends them to the contacts, and looks up which
+/// contacts they were before. Returns their indices, in order, followed by a pack that repeats the last one.
 std::span<const std::uint32_t> find_touching(const StepBlock& sweep, std::size_t from, std::size_t to);
-/// After the last block: contacts that there were before and that are not found again have ended.
+/// Ends, after the last block, the contacts that existed before and were not found again.
 void end_sweep(const StepBlock& sweep);
-/// The contact of a pair with this number in the whole list has ended: if what it remembers matters, it is told.
+/// Records that the contact of the pair with this index in the whole list has ended, if its memory matters.
 void part(const StepBlock& sweep, std::size_t listed, double largest, double stretch);
 
-/// Of the pairs that go out of a sweep's discs the next one whose first disc has not got its impulse, and where the
-/// place of that begins; behind all places if there is none.
+/// The next outgoing pair of a sweep whose first disc has not received its impulse, and the index of that disc's
+/// position; larger than all indices if there is none.
 struct NextOutgoing {
   std::size_t pair{}, first{};
 
@@ -43,16 +43,16 @@ struct NextOutgoing {
     first = pair < sweep.outgoing->count ? sweep.outgoing->first[pair] : ~std::size_t{0};
   }
 };
-/// Gives both discs of each of these pairs its impulse; before, the first discs of pairs that go out and stand before
-/// it in the order of all.
+/// Applies the impulse of each of these pairs to both discs; before each of them, those of preceding outgoing pairs to
+/// their first discs.
 void give(const StepBlock& sweep, std::span<const std::uint32_t> touching, Pushes pushes, NextOutgoing& next);
-/// Gives the first discs of pairs that go out their impulses, up to those of this place.
+/// Applies the impulses of outgoing pairs to first discs whose positions have indices below to_place.
 void give_outgoing(const StepBlock& sweep, std::size_t to_place, NextOutgoing& next);
 
-/// Moves the discs from <= i < to; raises the largest square of their own speeds.
+/// Moves the discs from <= i < to; raises the largest squared speed relative to the mean flow.
 void move(const StepBlock& sweep, std::size_t from, std::size_t to, Sizes& fastest);
 
-/// Where the place begins of the disc that is, or whose image is, at the place that begins there; the disc.
+/// Index of the position of the disc itself, by the index of its position or its image's; disc(): index of the disc.
 [[gnu::always_inline]] inline std::size_t own_place(const StepBlock& w, std::size_t at) {
   return at < 2 * w.discs ? at : 2 * std::size_t{w.ghost_disc[at / 2 - w.discs]};
 }

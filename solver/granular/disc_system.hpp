@@ -21,25 +21,25 @@
 
 namespace talus {
 
-/// Many discs that push each other by one law along the line of their centres, and by friction across it if F is
-/// CoulombFriction: then they turn, each as a solid disc does.
+/// Many discs with one contact law along the line of their centres. With F = CoulombFriction they also have friction
+/// across that line and turn, each with the inertia of a solid disc.
 ///
-/// A kick goes through the pairs in their order and gives each disc its share of each force's impulse at once; what a
-/// law reads of velocities are those from before the kick. Between kicks the discs fly straight. That is the leapfrog.
-/// Methods that need accelerations ask for rates.
+/// A kick visits the pairs in order and applies the impulse of each force to both discs at once; laws see the
+/// velocities from before the kick. Between kicks the discs move along straight lines. This is the leapfrog. Methods
+/// that need accelerations call evaluate().
 ///
-/// What contacts remember, and the modes they are in, stand beside the pairs of the list and go with them to the next
-/// list: a system goes with one state, and with methods of one evaluation a step.
+/// Contact memories and modes are stored with the pairs of the list and are carried over to the next list. A system
+/// therefore belongs to one state, and works with methods of one evaluation per step.
 ///
-/// List: what tells which discs may touch, and by which image.
+/// List: provides the pairs of discs that may touch, and the image of the second disc.
 template <Law L, class F = Frictionless, class List = NeighbourList>
 class DiscSystem {
  public:
   static constexpr bool turns = std::same_as<F, CoulombFriction>;
-  /// Whether what a contact has lost is known by its memory, to which steps add no error.
+  /// Whether the loss of a contact follows from its memory, to which steps add no error.
   static constexpr bool loses_by_memory = HasHysteresisLoss<L>;
 
-  /// skin [L] > 0: how far beyond the law's reach the neighbour list goes.
+  /// skin [L] > 0: how far the neighbour list reaches beyond the law's reach.
   DiscSystem(DiscShapes shapes, PeriodicBox box, const L& law, double skin, const F& friction = {})
       : shapes_{std::move(shapes)}, law_{law}, friction_{friction}, list_{box, skin, reach(law)} {
     wall_forces_.resize(shapes_.walls.size() + 1);
@@ -55,13 +55,13 @@ class DiscSystem {
   const List& list() const { return list_; }
   /// The mode of the law of each pair of the list.
   const std::vector<Mode>& modes() const { return contacts_.mode; }
-  /// Times that the list was built.
+  /// Number of times that the list was built.
   long builds() const { return builds_; }
   long evaluations() const { return evaluations_; }
   /// Sum of the contact forces on a wall at the last evaluation [F].
   Vec2 wall_force(std::size_t wall) const { return wall_forces_[wall]; }
 
-  /// Before the first step: contacts that are there have no past.
+  /// Initializes before the first step; contacts that exist already start without history.
   void begin(Discs& discs) {
     contacts_ = Contacts{};
     if constexpr (turns) discs.spin.resize(discs.size());
@@ -73,8 +73,8 @@ class DiscSystem {
     }
   }
 
-  /// Moves all discs with their velocities, and the stretch of friction's springs with the slip, of the middle of the
-  /// way.
+  /// Moves all discs with their velocities, and adds the slip to the stretch of the friction springs, computed at the
+  /// midpoint of the drift.
   void drift(Discs& discs, double h) {
     if constexpr (turns) stretch(discs, h);
     double fastest = 0.0;
@@ -89,10 +89,10 @@ class DiscSystem {
     if (!list_.holds(discs)) rebuild(discs);
   }
 
-  /// The discs alone, moved so.
+  /// A copy of the discs, moved with their velocities over h; contacts are not updated.
   Discs drifted(const Discs& discs, double h) const { return talus::drifted(discs, list_.box().sliding(), h); }
 
-  /// Brings the modes up to date.
+  /// Updates the modes; not counted as an evaluation.
   void update_modes(Discs& discs) {
     const long evaluations = evaluations_;
     DiscRates none{discs};
@@ -100,7 +100,7 @@ class DiscSystem {
     evaluations_ = evaluations;
   }
 
-  /// Brings the modes up to date and gives all discs the impulses of their forces over h.
+  /// Updates the modes and applies the impulses of all forces over h.
   void kick(Discs& discs, double h) {
     old_vx_ = discs.vx, old_vy_ = discs.vy, old_spin_ = discs.spin;
     std::array<double, mechanism_count> powers{};
@@ -111,7 +111,7 @@ class DiscSystem {
       discs.vy[i] += h * wall_acceleration(shapes_.wall[i]);
   }
 
-  /// Brings the modes up to date and sums the accelerations.
+  /// Updates the modes and sums the accelerations.
   void evaluate(Discs& discs, DiscRates& out) {
     for (auto* rates : {&out.vx, &out.vy, &out.spin})
       std::fill(rates->begin(), rates->end(), 0.0);
@@ -121,8 +121,8 @@ class DiscSystem {
       out.vy[i] = wall_acceleration(shapes_.wall[i]);
   }
 
-  /// Calls visit(contact) for each pair whose law acted at the last evaluation and that is still within its reach, as
-  /// the discs stand now.
+  /// Calls visit(contact) for each pair whose law acted at the last evaluation and that is still within its reach at
+  /// the present positions.
   template <class Visit>
   void for_each_contact(const Discs& discs, Visit&& visit) const {
     for_each_acting(discs, acts(), 0.0, [&](std::size_t a, std::size_t b, std::size_t pair, const Touch& touch) {
@@ -147,8 +147,8 @@ class DiscSystem {
     });
   }
 
-  /// Names all that a run of these discs carries from step to step besides their state: of each contact its discs,
-  /// mode and memory, and how much of the list's skin is used. `discs` are there already.
+  /// Serializes what a run of these discs carries from step to step besides their state: the discs, mode and memory of
+  /// each contact, and how much of the list's skin is used. When loading, `discs` must already be restored.
   void serialize(Archive& archive, const Discs& discs) {
     archive.scope("list", [&] { list_.serialize(archive, shapes_); });
     std::vector<double> firsts, seconds;
@@ -182,7 +182,7 @@ class DiscSystem {
     std::span<const double> x, y, spin;
   };
 
-  /// Two discs that are d apart and move at v to each other; radii: their sum.
+  /// Two discs at the separation d with the relative velocity v; apart: |d|; radii: sum of the radii.
   struct Touch {
     Touch(Vec2 d, Vec2 v, double apart, double radii)
         : distance{apart}, n{d.x / apart, d.y / apart}, v_ab{v}, x{radii - apart, -dot(v, n)} {}
@@ -191,14 +191,14 @@ class DiscSystem {
     Kinematics x;
   };
 
-  /// What the first of a pair does to the second.
+  /// Force of the first disc of a pair on the second.
   struct Push {
-    Vec2 force;         ///< [F]
-    double friction{};  ///< turns both [F], at
-    double arm_a{}, arm_b{};
+    Vec2 force;               ///< [F]
+    double friction{};        ///< tangential force, which turns both discs [F]
+    double arm_a{}, arm_b{};  ///< its lever arms [L]
   };
 
-  /// What the pairs of the list carry.
+  /// Contact data of the listed pairs.
   struct Contacts {
     std::vector<Mode> mode;
     std::vector<double> memory;
@@ -208,7 +208,7 @@ class DiscSystem {
     explicit Contacts(std::size_t pairs = 0) : mode(pairs), memory(pairs * L::memory_size) {
       if constexpr (turns) friction_mode.resize(pairs), stretch.resize(pairs);
     }
-    /// Whether the law acts, or friction, which in discs that touched from the start waits for it.
+    /// Whether the law acts or friction is not open: discs that touch from the start stick before their law has acted.
     bool act(std::size_t pair) const {
       if constexpr (turns) return mode[pair] != 0 || friction_mode[pair] != CoulombFriction::open;
       return mode[pair] != 0;
@@ -241,10 +241,11 @@ class DiscSystem {
   /// 1/(inertia of a solid disc) over 1/mass [1/L^2].
   double per_mass(std::size_t disc) const { return 2.0 / (shapes_.radius[disc] * shapes_.radius[disc]); }
 
-  /// Arms of a touch: from each centre to the middle of the overlap [L].
+  /// Lever arm of a contact: from the disc's centre to the middle of the overlap [L].
   double arm(std::size_t disc, const Touch& touch) const { return shapes_.radius[disc] - 0.5 * touch.x.deformation; }
 
-  /// Of the second past the first, along the normal turned counter-clockwise [L/T].
+  /// Tangential velocity of the second disc's surface past the first's, along the normal turned counter-clockwise
+  /// [L/T].
   double slip_rate(const Touch& touch, double arm_a, double spin_a, double arm_b, double spin_b) const {
     return dot(touch.v_ab, cross(1.0, touch.n)) - spin_a * arm_a - spin_b * arm_b;
   }
@@ -253,7 +254,8 @@ class DiscSystem {
     return [this](std::size_t pair) { return contacts_.act(pair); };
   }
 
-  /// Calls visit(first, second, pair, touch) for the listed pairs that act(pair) chooses, as they stand so much later.
+  /// Calls visit(first, second, pair, touch) for the listed pairs that act(pair) selects, with positions advanced by
+  /// the time `later` [T].
   template <class Act, class Visit>
   void for_each_acting(const Discs& discs, Act&& act, double later, Visit&& visit) const {
     list_.for_each_pair(discs, [&](std::size_t a, std::size_t b, std::size_t pair, Vec2 d, const auto& shift) {
@@ -271,7 +273,7 @@ class DiscSystem {
     });
   }
 
-  /// What the first of a pair does to the second, given to both over h: to velocities, or with h = 1 to rates.
+  /// Function that applies a pair force over h to both discs: to velocities, or with h = 1 to rates.
   auto giving(std::vector<double>& vx, std::vector<double>& vy, std::vector<double>& spin, double h) const {
     return [&, h](std::size_t i, std::size_t j, const Push& push) {
       const double a = h * shapes_.inverse_mass[i], b = h * shapes_.inverse_mass[j];
@@ -284,9 +286,9 @@ class DiscSystem {
     };
   }
 
-  /// Calls act(first, second, push) for each pair whose law acts, and sums the powers that they keep [F L/T].
-  /// What changes of mode release, and what a law loses by its memory, is booked at once. Laws see these velocities,
-  /// which act() leaves as they are.
+  /// Calls act(first, second, push) for each pair whose law acts, and sums the dissipated powers [F L/T]. Energy
+  /// released by changes of mode, and the loss that follows from a law's memory, are added to discs.work at once. Laws
+  /// see the velocities v, which act() must not change.
   template <class Act>
   void evaluate_pairs(Discs& discs, const Velocities& v, std::array<double, mechanism_count>& powers, Act&& act) {
     ++evaluations_;
@@ -307,7 +309,7 @@ class DiscSystem {
         const double within = radii + reach(law_);
         if (square >= within * within && !contacts_.act(pair)) continue;
         Touch touch{d, {(v.x[j] + shift.vx) - v.x[i], v.y[j] - v.y[i]}, std::sqrt(square), radii};
-        // Discs that are just within reach are out of it: a contact begins and ends with its overlap.
+        // A pair at exactly the reach is out of it: a contact begins and ends with its overlap.
         if (touch.x.deformation == -reach(law_)) touch.x.deformation = out_of_reach();
         const auto memory = std::span{contacts_.memory}.subspan(pair * L::memory_size, L::memory_size);
         double largest = 0.0;
@@ -332,7 +334,7 @@ class DiscSystem {
   struct PairOfDiscs {
     std::size_t a, b, pair;
   };
-  /// Takes the spring of friction back to its limit and adds its force to the push.
+  /// Limits the stretch of the friction spring (return mapping) and adds its force to the push.
   void rub(Discs& discs, const Velocities& v, PairOfDiscs of, const Touch& touch, double normal, Push& push) {
     Mode& mode = contacts_.friction_mode[of.pair];
     double& stretch = contacts_.stretch[of.pair];
@@ -348,13 +350,13 @@ class DiscSystem {
     push.force -= push.friction * cross(1.0, touch.n);
   }
 
-  /// Of a wall with a mass, along y [L/T^2].
+  /// Acceleration of a wall with a mass, along y [L/T^2].
   double wall_acceleration(std::size_t wall) const {
     const DiscWall& moved = shapes_.walls[wall - 1];
     return wall_forces_[wall].y / moved.mass - moved.gravity;
   }
 
-  /// Lists the pairs again; what contacts remember goes with them.
+  /// Rebuilds the list of pairs and carries the contact data over to it.
   void rebuild(Discs& discs) {
     wrap(list_.box(), discs);
     const List old = list_;
@@ -366,7 +368,7 @@ class DiscSystem {
     for (std::size_t i = 0; i < old.discs(); ++i) {
       for (std::size_t was = old.begin(i); was < old.end(i); ++was) {
         if (!were.act(was)) continue;
-        // What acted touched a step ago, and has come apart by less than the skin since.
+        // A contact that acted was closed one step ago, and has separated by less than the skin since.
         const std::size_t is = list_.find(i, old.second(was));
         if (is < list_.size()) contacts_.take(is, were, was);
       }
@@ -378,9 +380,9 @@ class DiscSystem {
   F friction_;
   List list_;
   Contacts contacts_;
-  std::vector<Vec2> wall_forces_;                   ///< the first of no wall
+  std::vector<Vec2> wall_forces_;                   ///< by wall number; [0] is no wall
   std::vector<std::size_t> moved_;                  ///< discs of walls with a mass
-  std::vector<double> old_vx_, old_vy_, old_spin_;  ///< from before the kick
+  std::vector<double> old_vx_, old_vy_, old_spin_;  ///< before the kick
   long builds_{};
   long evaluations_{};
 };

@@ -3,7 +3,7 @@
 namespace talus {
 namespace {
 
-/// Adds h times `rates` to as many `values`.
+/// Adds h times `rates` to `values`, element by element.
 template <class Numbers>
 void add(Numbers& values, const Numbers& rates, double h) {
   double* const value = values.data();

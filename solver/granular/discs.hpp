@@ -11,20 +11,20 @@
 
 namespace talus {
 
-/// A wall: discs that stand to each other as they do. It is held, or moves at a velocity that is given to its discs;
-/// one with a mass moves along y as the forces on it and its weight say.
+/// A wall: discs with fixed relative positions. It is held, or moves at the velocity that its discs are given; a wall
+/// with a mass moves along y under its contact forces and its weight.
 struct DiscWall {
-  double mass{};     ///< [M]; 0: no force moves it
-  double gravity{};  ///< acceleration of free fall, downwards [L/T^2]; of a wall with a mass
+  double mass{};     ///< [M]; 0: forces do not move it
+  double gravity{};  ///< acceleration of free fall, downwards [L/T^2]; only for a wall with a mass
 };
 
-/// What discs are: constants of a run.
+/// Properties of discs that are constant in a run.
 struct DiscShapes {
-  static constexpr std::size_t free = 0;  ///< the wall of discs that belong to none
+  static constexpr std::size_t free = 0;  ///< wall number of discs that belong to no wall
 
   std::vector<double> radius;        ///< [L] > 0
-  std::vector<double> inverse_mass;  ///< [1/M]; 0: of a wall's discs
-  std::vector<std::uint32_t> wall;   ///< free, or one more than a place among the walls
+  std::vector<double> inverse_mass;  ///< [1/M]; 0 for discs of walls
+  std::vector<std::uint32_t> wall;   ///< wall number: free, or 1 + index in `walls`
   std::vector<DiscWall> walls;
 
   std::size_t size() const { return radius.size(); }
@@ -33,7 +33,7 @@ struct DiscShapes {
     inverse_mass.push_back(with_inverse_mass);
     wall.push_back(static_cast<std::uint32_t>(in_wall));
   }
-  /// Adds a wall without discs so far; what its discs are to say of it.
+  /// Adds a wall that has no discs yet; returns the wall number of its discs.
   std::size_t add(const DiscWall& another) {
     walls.push_back(another);
     return walls.size();
@@ -42,30 +42,30 @@ struct DiscShapes {
 
 struct DiscRates;
 
-/// Where discs are and how they move: numbers only, one array for each. What contacts remember stands with the pairs
+/// Positions and velocities of discs: numbers only, one array for each. Contact memory is stored with the pairs
 /// (DiscSystem).
 struct Discs {
   using Number = double;
   using Rates = DiscRates;
 
   double t{};                                  ///< time [T]
-  double slid{};                               ///< how far the box above has slid over this one [L]
+  double slid{};                               ///< boundary shear displacement of the box above over this one [L]
   std::vector<double> x, y;                    ///< centres [L]; may lie outside a periodic box, in an image of it
   std::vector<double> vx, vy;                  ///< [L/T]
-  std::vector<double> spin;                    ///< counter-clockwise > 0 [1/T]; none of discs that do not turn
-  std::array<double, mechanism_count> work{};  ///< energy that the contacts have kept so far, by mechanism [F L]
+  std::vector<double> spin;                    ///< counter-clockwise > 0 [1/T]; empty if discs do not turn
+  std::array<double, mechanism_count> work{};  ///< energy dissipated by the contacts so far, by mechanism [F L]
 
   std::size_t size() const { return x.size(); }
   void add(double at_x, double at_y, double with_vx, double with_vy) {
     x.push_back(at_x), y.push_back(at_y);
     vx.push_back(with_vx), vy.push_back(with_vy);
   }
-  /// Of all mechanisms [F L].
+  /// Energy dissipated by all mechanisms [F L].
   double dissipated() const { return std::accumulate(work.begin(), work.end(), 0.0); }
   friend bool operator==(const Discs&, const Discs&) = default;
 };
 
-/// Accelerations of discs [L/T^2, 1/T^2], and the powers that their contacts keep [F L/T].
+/// Accelerations of discs [L/T^2, 1/T^2], and the powers dissipated by their contacts [F L/T].
 struct DiscRates {
   std::vector<double> vx, vy, spin;
   std::array<double, mechanism_count> work{};
@@ -77,7 +77,7 @@ struct DiscRates {
 /// Advances velocities and work by h times their rates.
 void kick_velocities(Discs& discs, const DiscRates& rates, double h);
 
-/// The discs moved with their velocities. sliding: of the box above [L/T].
+/// The discs, moved with their velocities over h. sliding: velocity of the box above [L/T].
 [[nodiscard]] inline Discs drifted(Discs discs, double sliding, double h) {
   for (std::size_t i = 0; i < discs.size(); ++i)
     discs.x[i] += h * discs.vx[i], discs.y[i] += h * discs.vy[i];
@@ -85,7 +85,7 @@ void kick_velocities(Discs& discs, const DiscRates& rates, double h);
   return discs;
 }
 
-/// Names the parts of a state or of rates; what is put back has its sizes already.
+/// Serializes a state or rates; when loading, their arrays must already have the right sizes.
 inline void serialize(Archive& archive, Discs& discs) {
   archive.number("t", discs.t);
   archive.number("slid", discs.slid);

@@ -11,7 +11,7 @@
 namespace talus {
 namespace {
 
-/// What all of these are, or 0.
+/// The value of all numbers if they are equal, else 0.
 double common(const std::vector<double>& numbers) {
   const bool equal = std::adjacent_find(numbers.begin(), numbers.end(), std::not_equal_to{}) == numbers.end();
   return equal && !numbers.empty() ? numbers.front() : 0.0;
@@ -56,7 +56,7 @@ void FastDiscEngine::begin(Discs& discs) {
   lost_ = 0.0;
   rebuild(discs);
   if (!traits_.turns) return;
-  // Contacts that are there stick.
+  // Contacts that exist already stick.
   std::vector<Kept> there;
   list_.for_each_pair(discs, [&](std::size_t a, std::size_t b, std::size_t, Vec2 d, const auto&) {
     if (norm(d) < shapes_.radius[a] + shapes_.radius[b])
@@ -82,7 +82,7 @@ void FastDiscEngine::evaluate(Discs& discs, DiscRates& out) {
   load(discs);
   rates_.assign(velocities_.size(), 0.0), spin_rates_.assign(spins_.size(), 0.0);
   begin_kick();
-  // Impulses over a time of 1, to what stands still, are accelerations.
+  // Impulses over a time of 1, applied to discs at rest, are accelerations.
   velocities_.swap(rates_), spins_.swap(spin_rates_);
   sweep_pairs(1.0, 0.0);
   velocities_.swap(rates_), spins_.swap(spin_rates_);
@@ -100,7 +100,7 @@ void FastDiscEngine::update_modes(Discs& discs) {
   --evaluations_;
 }
 
-/// One step, the parts of it whose length is not 0.
+/// One step: kick and drift, without those whose duration is 0.
 void FastDiscEngine::sweep(double kick, double drift) {
   if (kick != 0.0) begin_kick();
   double fastest = sweep_pairs(kick, traits_.turns ? 0.0 : drift);
@@ -126,7 +126,7 @@ void FastDiscEngine::begin_kick() {
   if (sees_rates()) each([this](Stripe& stripe) { copy_before(stripe); });
 }
 
-/// The largest square of own speeds, if discs drift.
+/// Kicks and drifts the discs; returns their largest squared speed relative to the mean flow, if they drift.
 double FastDiscEngine::sweep_pairs(double kick, double drift) {
   if (kick != 0.0) {
     if (kick != kicked_) {
@@ -170,7 +170,8 @@ void FastDiscEngine::kick_walls(double kick) {
   }
 }
 
-/// When the forces on them are known; the largest square of their own speeds.
+/// Moves the wall discs once the forces on walls are known; returns their largest squared speed relative to the mean
+/// flow.
 double FastDiscEngine::drift_walls(double drift) {
   double fastest = 0.0;
   for (const WallDiscs& of : moved_) {
@@ -181,7 +182,7 @@ double FastDiscEngine::drift_walls(double drift) {
   return fastest;
 }
 
-/// What contacts kept at this evaluation, in the order of pairs.
+/// Accumulates the energy dissipated by contacts at this evaluation, in the order of pairs.
 void FastDiscEngine::accumulate_ledger() {
   power_ = 0.0;
   parted_.clear();
@@ -216,7 +217,7 @@ void FastDiscEngine::copy_before(Stripe& stripe) {
   if (traits_.turns) std::copy_n(spins_.data() + stripe.begin, discs, spins_before_.data() + stripe.begin);
 }
 
-/// What goes out of a stripe.
+/// Evaluates the outgoing pairs of a stripe.
 void FastDiscEngine::find_outgoing(Stripe& stripe) {
   place_ghosts(stripe, places_.data(), &NeighbourList::Shift::x);
   if (sees_rates()) place_ghosts(stripe, before_.data(), &NeighbourList::Shift::vx);
@@ -260,7 +261,7 @@ StepBlock FastDiscEngine::work(Stripe& stripe, bool kicks, double drift) {
           .outgoing = &stripe.pushes};
 }
 
-/// After all discs have moved: what lists them follows.
+/// Updates the lists after all discs have moved.
 void FastDiscEngine::end_drift(Discs& discs, double h) {
   slid_ += h * list_.box().sliding();
   if (list_.box().sliding() != 0.0) list_.shifts(slid_, shifts_);
@@ -296,7 +297,7 @@ void FastDiscEngine::store(Discs& discs) {
   discs.slid = slid_, discs.work = work_;
 }
 
-/// Of ghosts the places, or the velocities before the kick.
+/// Computes the positions of a stripe's ghosts, or their velocities before the kick.
 void FastDiscEngine::place_ghosts(Stripe& stripe, double* numbers, double NeighbourList::Shift::*along) {
   const bool places = along == &NeighbourList::Shift::x;
   double* ghost = numbers + velocities_.size() + 2 * stripe.first_ghost;

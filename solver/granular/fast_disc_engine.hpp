@@ -18,42 +18,42 @@
 
 namespace talus {
 
-/// The engine of FastDiscSystem: all of it but the law.
+/// The engine of FastDiscSystem: everything except the law.
 ///
-/// How it comes to the same bits. A velocity is a sum of impulses, and rounds as their order says; in both the order is
-/// that of the pairs, by the number of the first disc, then of the second. All else is computed for each pair, or
-/// each disc, alone, by the same expressions; whether that is done one by one or side by side, by which thread,
-/// and how many of the pairs that do not touch are looked at, rounds nothing.
+/// Bit-identity with DiscSystem. A velocity is a sum of impulses, and its rounding depends on their order. In both
+/// systems that is the order of the pairs: by the index of the first disc, then of the second. Everything else is
+/// computed for each pair, or each disc, separately and by the same expressions. Rounding then does not depend on
+/// whether this is done one by one or in SIMD lanes, by which thread, and how many pairs that do not touch are checked.
 ///
-/// What makes it fast.
-/// 1. One sweep a step. The first of a pair has the smaller number. So once the pairs of first discs < i are done,
-///    nobody asks for the place of a disc < i any more, and nobody pushes it: it can move on while it is still in the
-///    cache. There are no arrays of forces: impulses go to the velocities of the pairs that touch, a tenth of all.
-///    (Friction stretches its springs with the velocities after the kick at the places before the drift, so that discs
-///    that turn move in a pass of their own.)
-/// 2. Three lists. The neighbour list reaches far and lasts long. Of it the near list takes the pairs whose surfaces
-///    are less than s apart; it holds until sum w = s, where no pair comes nearer by more than w = 2 v_max h in a step,
-///    with velocities from the mean flow that neighbours share (NeighbourList::approach). Looking at a near pair costs
-///    1 each step, at a listed pair c each time that the near list is made, every s/w steps. With T pairs that touch,
-///    rho s near ones beside them and P listed ones that is least for
+/// Performance.
+/// 1. One sweep per step. The first disc of a pair has the smaller index. Once the pairs of all first discs < i are
+///    done, no later pair uses the position of a disc < i or applies a force to it: it can be moved while it is still
+///    in the cache. There are no arrays of forces: impulses are added to the velocities of the pairs that touch, a
+///    tenth of all. (Friction springs are stretched with the velocities after the kick at the positions before the
+///    drift, so discs that turn are moved in a separate pass.)
+/// 2. Three lists. The neighbour list reaches far and is rarely rebuilt. The near list contains those of its pairs
+///    whose surface gap is below s. It is valid until sum w = s, where w = 2 v_max h bounds the approach of a pair in a
+///    step, with velocities relative to the mean flow that neighbours share (NeighbourList::approach). Checking a near
+///    pair costs 1 in each step; checking a listed pair costs c each time the near list is built, every s/w steps. With
+///    T pairs that touch, rho s near ones beside them and P listed ones, the cost per step is smallest for
 ///        d/ds (T + rho s + c P w/s) = 0,   s = sqrt(c P w/rho).
-///    Where that would save little, as in jammed states, all listed pairs are near, and no near list is made. Of the
-///    near pairs each step takes those that touch, of which alone the law is asked.
-/// 3. Lanes. Whether pairs are near, touch, and how they push is computed for four pairs at a time; the two coordinates
-///    of a disc lie side by side and are fetched at once. Pairs across a border have a ghost as second disc: one more
-///    place, that of the disc's image.
-/// 4. Archive of contacts that touch only, as a list in the order of their pairs: a sweep that finds the touching pairs
-///    in that order goes along it. A pair that is not in it touches again.
-/// 5. Discs whose neighbours have neighbouring numbers: order_by_rows() and reordered() of disc_order.hpp give them.
+///    Where this would save little, as in jammed states, all listed pairs count as near, and no near list is built.
+///    The third list contains the near pairs that touch, found in each step; the law is evaluated for these only.
+/// 3. SIMD lanes. Gaps, contacts and forces are computed for four pairs at a time. The two coordinates of a disc are
+///    adjacent and are loaded together. A pair across a border has a ghost as second disc: an additional position, that
+///    of the disc's image.
+/// 4. Contact memory only for pairs that touch, as a list in the order of the pairs. A sweep finds the touching pairs
+///    in this order and traverses the list alongside. A pair that is not in it is a new contact.
+/// 5. Neighbouring discs with neighbouring indices, as order_by_rows() and reordered() of disc_order.hpp provide them.
 ///
-/// Threads. Each has a stripe of discs with numbers that follow each other, and the pairs whose first disc is one of
-/// them. Of those the few whose second disc belongs to a later stripe come first: what they do is found while no disc
-/// moves. Then each thread gives its discs what comes in from earlier stripes, whose first discs have smaller numbers
-/// than all of its own; then it sweeps its own pairs, and gives the first discs of the pairs that go out their
-/// impulses where these stand in the order. So each velocity is the same sum as with one thread. Lists are made by all
-/// threads, too.
+/// Threads. Each has a stripe of discs with consecutive indices, and the pairs whose first disc is one of them. The few
+/// of these whose second disc belongs to a later stripe, the outgoing pairs, come first: their forces are evaluated
+/// while no disc moves. Then each thread applies to its discs the forces from earlier stripes, whose first discs have
+/// smaller indices than all of its discs. Then it sweeps the pairs inside its stripe, and applies the impulses of the
+/// outgoing pairs to their first discs at their position in the order of pairs. Each velocity is thus the same sum as
+/// with one thread. All threads also build the lists.
 ///
-/// Errors: InputError without a thread; of all that lists pairs that of NeighbourList::build.
+/// Errors: InputError for zero threads; functions that list pairs have the errors of NeighbourList::build.
 class FastDiscEngine {
  public:
   virtual ~FastDiscEngine() = default;
@@ -61,76 +61,78 @@ class FastDiscEngine {
   const DiscShapes& shapes() const { return shapes_; }
   const NeighbourList& list() const { return list_; }
   long builds() const { return builds_; }
-  /// Times that the near list was made.
+  /// Number of times that the near list was built.
   long prunings() const { return prunings_; }
   long evaluations() const { return evaluations_; }
   /// Sum of the contact forces on a wall at the last evaluation [F].
   Vec2 wall_force(std::size_t wall) const { return wall_forces_[wall]; }
 
-  /// Before begin(): Discs::work gets what dashpots and friction keep, as the twin's does. It takes up to half as long
-  /// again where most pairs touch.
+  /// To be called before begin(): Discs::work then receives the energy dissipated by dashpots and friction, as in
+  /// DiscSystem. Runs take up to 1.5 times as long where most pairs touch.
   void keep_work() {
     kinds_.power = !traits_.has_history && traits_.needs_rate;
     kinds_.normal = traits_.turns || kinds_.power;
     kinds_.slid = traits_.turns;
   }
 
-  /// Before the first step: contacts that are there have no past.
+  /// Initializes before the first step; contacts that exist already start without history.
   void begin(Discs& discs);
-  /// Gives all discs the impulses of their forces over h, which is not 0.
+  /// Applies the impulses of all forces over h, which must not be 0.
   void kick(Discs& discs, double h);
-  /// Moves all discs with their velocities, and stretches the springs of friction with the slip.
+  /// Moves all discs with their velocities, and adds the slip to the stretch of the friction springs.
   void drift(Discs& discs, double h);
-  /// The discs alone, moved so.
+  /// A copy of the discs, moved with their velocities over h; contacts are not updated.
   Discs drifted(const Discs& discs, double h) const { return talus::drifted(discs, list_.box().sliding(), h); }
-  /// Brings up to date what contacts remember, and sums the accelerations and the powers.
+  /// Updates the contact memories, and sums the accelerations and the dissipated powers.
   void evaluate(Discs& discs, DiscRates& out);
   void update_modes(Discs& discs);
-  /// So many times kick() and drift(): the steps of EulerCromer and CentralDifference. Takes the time with it. Calls
-  /// after() behind each; place() tells it where a disc is, wall_force() what pushed walls.
+  /// Performs kick() and drift() `steps` times, the steps of EulerCromer and CentralDifference, and advances the time.
+  /// Calls after() after each step: place() then returns the position of a disc, wall_force() the contact force on a
+  /// wall.
   template <class After>
   void advance(Discs& discs, double h, long steps, After&& after);
   void advance(Discs& discs, double h, long steps) {
     advance(discs, h, steps, [] {});
   }
-  /// During advance() [L].
+  /// Position of a disc during advance() [L].
   Vec2 place(std::size_t disc) const { return {places_[2 * disc], places_[2 * disc + 1]}; }
 
-  /// What contacts of a law that remembers have lost so far [F L]; of others nothing. (Its sum rounds other than the
-  /// twin's work.)
+  /// Energy that contacts of a history-dependent law have lost so far [F L]; 0 for other laws. (Its sum rounds
+  /// differently from DiscSystem's work.)
   double lost() const;
 
-  /// Names all that a run of these discs carries from step to step besides their state. `discs` are there already.
+  /// Serializes what a run of these discs carries from step to step besides their state. When loading, `discs` must
+  /// already be restored.
   void serialize(Archive& archive, const Discs& discs);
 
  protected:
-  /// The law of contacts and their friction.
+  /// Properties of the contact law and its friction.
   struct Traits {
     bool has_history{};  ///< the law has memory: the largest overlap
     bool turns{};        ///< friction turns the discs
-    bool needs_rate{};   ///< the rate of overlap has a part in the law's force
-    double reach{};      ///< how far apart the surfaces may be where it acts [L]
+    bool needs_rate{};   ///< the law's force depends on the rate of overlap
+    double reach{};      ///< largest gap of the surfaces at which it acts [L]
     Mechanism dissipation{}, release{};
   };
 
-  /// skin [L] > 0: how far beyond the law's reach the neighbour list goes. threads >= 1: of advance(); worth it from
-  /// some thousand discs on, numbered by rows.
+  /// skin [L] > 0: how far the neighbour list reaches beyond the law's reach. threads >= 1: used by advance();
+  /// worthwhile from a few thousand discs on, if these are numbered by rows.
   FastDiscEngine(const Traits& traits, DiscShapes shapes, PeriodicBox box, double skin, std::size_t threads);
   FastDiscEngine(const FastDiscEngine&) = default;
   FastDiscEngine(FastDiscEngine&&) = default;
   FastDiscEngine& operator=(const FastDiscEngine&) = default;
   FastDiscEngine& operator=(FastDiscEngine&&) = default;
 
-  /// The stages of a sweep in which the law and its friction act (disc_sweep.hpp).
+  /// The stages of a sweep in which the law and its friction act (step_block.hpp).
   virtual void evaluate_pair_forces(const StepBlock& sweep, PairForces& pushes) const = 0;
   virtual double kick_and_drift(const StepBlock& sweep) const = 0;
-  /// What a contact of a law with memory has lost by its largest overlap; of others 0 [F L].
+  /// Loss of a contact of a history-dependent law, by its largest overlap; 0 for other laws [F L].
   virtual double hysteresis_loss(double largest) const = 0;
-  /// Energy of the spring of friction at a stretch [F L].
+  /// Energy of the friction spring at a stretch [F L].
   virtual double friction_energy(double stretch) const = 0;
 
-  /// Calls visit(first, second, shift of the second's image, memory) for each pair that touched at the last evaluation,
-  /// in order, as the discs stand now.
+  /// Calls visit(first, second, shift of the second's image, memory), in order, for each pair that touched at the last
+  /// evaluation; shifts are those of the present `discs`.
   template <class Visit>
   void for_each_touching_pair(const Discs& discs, Visit&& visit) const;
 
@@ -140,23 +142,23 @@ class FastDiscEngine {
     SweptPairs near;
     SweptContacts contacts;
   };
-  /// Discs of one thread and the pairs whose first they are.
+  /// Discs of one thread and the pairs of which they are the first disc.
   struct Stripe {
     std::size_t begin{}, end{};
     std::size_t first_ghost{}, end_of_ghosts{};
-    Swept own, outgoing;                         ///< with both discs of the stripe, or only the first
-    PairForces pushes;                           ///< of the outgoing ones
-    std::vector<PartedPair> parted;              ///< since what contacts kept was booked
-    std::vector<std::vector<Vec2>> wall_pushes;  ///< of each wall, the first of none: of its contacts [F]
-    double fastest{};                            ///< square of own speed [L^2/T^2]
+    Swept own, outgoing;                         ///< pairs with both discs in the stripe; with only the first
+    PairForces pushes;                           ///< forces of the outgoing pairs
+    std::vector<PartedPair> parted;              ///< contacts ended since accumulate_ledger()
+    std::vector<std::vector<Vec2>> wall_pushes;  ///< by wall number, [0] is no wall: forces of its contacts [F]
+    double fastest{};                            ///< largest squared speed relative to the mean flow [L^2/T^2]
   };
-  /// A contact between two lists.
+  /// A contact carried over from one list to the next.
   struct Kept {
     std::uint32_t first{}, second{};
     ContactMemory memory;
   };
 
-  /// Calls work(stripe) for each stripe, by its own thread if there are several.
+  /// Calls work(stripe) for each stripe, in parallel if there are several.
   template <class Work>
   void each(Work&& work);
   void sweep(double kick, double drift);
@@ -182,18 +184,18 @@ class FastDiscEngine {
   void prune(Stripe& stripe);
   bool choose_reach();
   const SweptPairs& pairs(const Swept& swept) const { return all_near_ ? pairs_ : swept.near; }
-  /// Those by whose numbers the contacts of the last sweep go.
+  /// The pairs to which the indices of the last sweep's contacts refer.
   const SweptPairs& numbered(const Swept& swept) const { return swept.contacts.now.as_listed ? pairs_ : pairs(swept); }
-  /// Calls visit(contacts, which of them, number of the pair in the whole list) in the order of pairs.
+  /// Calls visit(contacts, index among them, index of the pair in the whole list) in the order of pairs.
   template <class Visit>
   void for_each_touching(Visit&& visit) const;
-  /// The disc that is, or whose image is, at the place that begins there.
+  /// The disc whose position, or whose image's position, begins at this index.
   std::uint32_t disc(std::uint32_t at) const {
     return at < velocities_.size() ? at / 2 : ghost_disc_[(at - velocities_.size()) / 2];
   }
   bool sees_rates() const { return traits_.turns || traits_.needs_rate; }
 
-  static constexpr double round_off = 1e-9;  ///< share of a reach that sums of ways may be off by
+  static constexpr double round_off = 1e-9;  ///< rounding allowance of summed displacements, over a reach
 
   Traits traits_;
   DiscShapes shapes_;
@@ -201,18 +203,18 @@ class FastDiscEngine {
   double skin_;
   double equal_radii_{};  ///< sum of two radii if all are equal, else 0 [L]
   bool equal_masses_{};
-  std::size_t first_wall_{};               ///< no disc before this one is a wall's
+  std::size_t first_wall_{};               ///< no disc before this one belongs to a wall
   std::vector<double> per_mass_;           ///< of discs that turn: 1/(inertia of a solid disc) over 1/mass [1/L^2]
-  double kicked_{};                        ///< how long the last kick was [T]
-  std::vector<double> impulse_per_force_;  ///< of it, twice for each disc, or for all that are equal [T/M]
-  std::vector<WallDiscs> moved_;           ///< of walls with a mass
+  double kicked_{};                        ///< duration of the last kick [T]
+  std::vector<double> impulse_per_force_;  ///< kicked_/mass: two values per disc, or two in all for equal masses [T/M]
+  std::vector<WallDiscs> moved_;           ///< discs of walls with a mass
 
-  /// Of discs; they are gone through in each step.
+  /// Values of discs, which each step traverses.
   using Numbers = std::vector<double, HugePages<double>>;
-  Numbers places_;                 ///< x, y of the discs, of their ghosts and of nowhere [L]
+  Numbers places_;                 ///< x, y of the discs, of their ghosts and of one padding entry (NaN) [L]
   Numbers velocities_, spins_;     ///< of the discs [L/T, 1/T]
   Numbers rates_, spin_rates_;     ///< of evaluate() [L/T^2, 1/T^2]
-  Numbers before_, spins_before_;  ///< if rates are seen: velocities of all places before the kick; spins
+  Numbers before_, spins_before_;  ///< if sees_rates(): before the kick, of discs and ghosts; spins
   std::vector<std::uint32_t> ghost_disc_;
   std::vector<std::uint8_t> ghost_image_;
   std::array<NeighbourList::Shift, NeighbourList::images> shifts_{};
@@ -221,17 +223,17 @@ class FastDiscEngine {
   std::array<double, mechanism_count> work_{};  ///< Discs::work
   double power_{};                              ///< of dashpots at the last evaluation [F L/T]
 
-  SweptPairs pairs_;             ///< all listed
+  SweptPairs pairs_;             ///< all listed pairs
   std::vector<Stripe> stripes_;  ///< one for each thread
-  ThreadPool* pool_{};           ///< during advance(), of several threads
-  bool all_near_{};              ///< the near list is all pairs
-  double reach_{};               ///< s, of the near list beyond contact [L]
-  double used_{};                ///< of s [L]
-  double way_{};                 ///< of the last step: no pair came nearer by more [L]
+  ThreadPool* pool_{};           ///< during advance() with several threads, else null
+  bool all_near_{};              ///< all listed pairs count as near
+  double reach_{};               ///< s, reach of the near list beyond contact [L]
+  double used_{};                ///< used part of s [L]
+  double way_{};                 ///< bound of the approach of any pair in the last step [L]
 
-  double lost_{};  ///< by contacts that have ended [F L]
+  double lost_{};  ///< loss of contacts that have ended [F L]
   std::vector<PartedPair> parted_;
-  std::vector<Vec2> wall_forces_;  ///< the first of no wall
+  std::vector<Vec2> wall_forces_;  ///< by wall number; [0] is no wall
   long builds_{}, prunings_{}, evaluations_{};
 };
 

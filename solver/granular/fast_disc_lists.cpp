@@ -10,20 +10,20 @@
 #include "solver/granular/fast_disc_engine.hpp"
 #include "solver/granular/step_block.hpp"
 
-/// The lists of FastDiscEngine: stripes, places, near pairs, and the contacts that go from one list to the next.
+/// The lists of FastDiscEngine: stripes, positions, near pairs, and the contacts carried from one list to the next.
 namespace talus {
 namespace {
 
-constexpr double making_cost = 1.5;   ///< c: of a listed pair, when the near list is made; of a near pair in a step: 1
-constexpr double first_reach = 0.05;  ///< of the near list, share of the skin
-constexpr double long_time = 10.0;    ///< until a decision is looked at again, in skins that the fastest discs cross
-constexpr double worth = 0.9;         ///< share of the cost of looking at all listed pairs that the near list saves
+constexpr double making_cost = 1.5;   ///< c: of a listed pair, when the near list is built; of a near pair in a step: 1
+constexpr double first_reach = 0.05;  ///< initial reach of the near list, over the skin
+constexpr double long_time = 10.0;    ///< until all_near_ is reconsidered: accumulated approach of pairs, over the skin
+constexpr double worth = 0.9;  ///< largest cost of a near list, over that of checking all listed pairs in each step
 
 constexpr std::size_t whole(std::size_t count, std::size_t of) { return (count + of - 1) / of * of; }
 
 }  // namespace
 
-/// Lists the pairs again; what contacts remember goes with them.
+/// Rebuilds the list of pairs and carries the contact memories over to it.
 void FastDiscEngine::rebuild(Discs& discs) {
   std::vector<Kept> kept = kept_contacts();
   wrap(list_.box(), discs);
@@ -31,7 +31,7 @@ void FastDiscEngine::rebuild(Discs& discs) {
   ++builds_;
   list_stripes();
   list_places();
-  // A step may be so long that what touched is beyond the list: it has ended.
+  // A step may be so long that a contact is beyond the reach of the new list: it has ended.
   std::erase_if(kept, [&](const Kept& contact) {
     if (list_.find(contact.first, contact.second) < list_.size()) return false;
     lost_ += hysteresis_loss(contact.memory.largest);
@@ -50,7 +50,7 @@ auto FastDiscEngine::kept_contacts() const -> std::vector<Kept> {
   return kept;
 }
 
-/// Contacts in the order of the pairs of the list, as at the last evaluation.
+/// Sets the contacts to those of the last evaluation, in the order of the list's pairs.
 void FastDiscEngine::take_contacts(const std::vector<Kept>& kept) {
   for (Stripe& stripe : stripes_)
     stripe.own.contacts.clear(kinds_), stripe.outgoing.contacts.clear(kinds_);
@@ -67,7 +67,7 @@ void FastDiscEngine::take_contacts(const std::vector<Kept>& kept) {
   }
 }
 
-/// Contacts keep their numbers in the whole list when a near list goes.
+/// Converts the pair indices of contacts to those of the whole list, before a near list is replaced.
 void FastDiscEngine::number_as_listed() {
   each([this](Stripe& stripe) {
     for (Swept* const swept : {&stripe.own, &stripe.outgoing})
@@ -75,7 +75,7 @@ void FastDiscEngine::number_as_listed() {
   });
 }
 
-/// Stripes of about as many listed pairs each.
+/// Divides the discs into stripes with about equal numbers of listed pairs.
 void FastDiscEngine::list_stripes() {
   std::size_t disc = 0;
   for (std::size_t s = 0; s < stripes_.size(); ++s) {
@@ -87,7 +87,7 @@ void FastDiscEngine::list_stripes() {
   }
 }
 
-/// Places of the discs, of the ghosts that the list needs, and one that is nowhere; the pairs of them.
+/// Lays out positions, of the discs, of the ghosts that the list needs and of one padding entry, and the pairs of them.
 void FastDiscEngine::list_places() {
   const std::size_t discs = shapes_.size();
   constexpr std::uint8_t here = NeighbourList::images / 2;
@@ -140,7 +140,7 @@ void FastDiscEngine::list_places() {
   pairs_.fill_up(static_cast<std::uint32_t>(2 * nowhere));
 }
 
-/// Makes the near list, if there is to be one.
+/// Builds the near list, if there is to be one.
 void FastDiscEngine::prune() {
   if (all_near_ && used_ <= long_time * skin_) return;
   used_ = 0.0;
@@ -160,7 +160,7 @@ void FastDiscEngine::prune(Stripe& stripe) {
   const std::size_t last = stripe.begin < stripe.end ? list_.end(stripe.end - 1) : 0;
   std::array<std::uint32_t, sweep_block + pack_size> found, outgoing;
   for (std::size_t block = from; block < last; block += sweep_block) {
-    // Blocks end with a pack, and so a little behind the stripe.
+    // Blocks consist of whole packs, so the last one may reach a little beyond the stripe.
     const std::size_t to = std::min(block + sweep_block, block + whole(last - block, pack_size));
     std::size_t near = find_near(of, traits_.reach + reach_, block, to, found.data()), own = near, out = 0;
     if (stripes_.size() > 1) {
@@ -175,9 +175,10 @@ void FastDiscEngine::prune(Stripe& stripe) {
   own_near.fill_up(nowhere), outgoing_near.fill_up(nowhere);
 }
 
-/// The reach of the next near list from what the last one was like; whether all listed pairs are near instead.
+/// Chooses the reach of the next near list from the properties of the last one; returns whether all listed pairs count
+/// as near instead.
 bool FastDiscEngine::choose_reach() {
-  // After a while without one a list is made, so that the next choice is by how things are then.
+  // After a period without a near list one is built, so that the next choice is based on present conditions.
   const bool looks_again = std::exchange(all_near_, false);
   if (reach_ == 0.0) reach_ = first_reach * skin_;
   double near = 0.0, touching = 0.0;
@@ -191,7 +192,7 @@ bool FastDiscEngine::choose_reach() {
   const double least = std::min(2.0 * way_, skin_), last = reach_;
   reach_ = std::clamp(std::sqrt(making * last / std::max(near - touching, 1.0)), least, skin_);
   const bool settled = std::abs(reach_ / last - 1.0) < 0.2;
-  // Of several stripes the lists also part what goes out.
+  // With several stripes a near list is always built, because it also separates the outgoing pairs.
   return all_near_ = stripes_.size() == 1 && settled && near + making / last > worth * listed;
 }
 

@@ -17,22 +17,23 @@
 
 namespace talus {
 
-/// Many discs, several times as fast as DiscSystem, its plain twin, and with the same bits: places, velocities,
-/// accelerations, forces on walls and what contacts remember; of work too, where it is asked to keep it, but for what a
-/// law that remembers loses: memories tell that (lost()).
-/// (FastDiscEngine says how.)
+/// Many discs, several times as fast as DiscSystem, its plain reference implementation, and with the same bits:
+/// positions, velocities, accelerations, forces on walls and contact memories; also the dissipated energy, if
+/// keep_work() was called, except for the loss of a history-dependent law, which follows from the contact memories
+/// (lost()). FastDiscEngine documents how.
 ///
-/// Its sweeps are those of disc_sweep.hpp: for laws that are not in DiscLaws they must be instantiated (law_sweep.hpp).
+/// The stages of its sweeps are those of step_block.hpp: for laws that are not in DiscLaws they must be instantiated
+/// (law_sweep.hpp).
 ///
-/// Errors: InputError without a thread; of all that lists pairs that of NeighbourList::build.
+/// Errors: InputError for zero threads; functions that list pairs have the errors of NeighbourList::build.
 template <Law L, class F = Frictionless>
 requires HasContactKernel<L>
 class FastDiscSystem : public FastDiscEngine {
  public:
   static constexpr bool has_history = L::memory_size == 1, turns = std::same_as<F, CoulombFriction>;
 
-  /// skin [L] > 0: how far beyond the law's reach the neighbour list goes. threads >= 1: of advance(); worth it from
-  /// some thousand discs on, numbered by rows.
+  /// skin [L] > 0: how far the neighbour list reaches beyond the law's reach. threads >= 1: used by advance();
+  /// worthwhile from a few thousand discs on, if these are numbered by rows.
   FastDiscSystem(DiscShapes shapes, PeriodicBox box, const L& law, double skin, const F& friction = {},
                  std::size_t threads = 1)
       : FastDiscEngine{{.has_history = has_history,
@@ -51,8 +52,8 @@ class FastDiscSystem : public FastDiscEngine {
   const L& law() const { return law_; }
   const F& friction() const { return friction_; }
 
-  /// Calls visit(contact) for each pair that was within the law's reach at the last evaluation and still is, in order,
-  /// as the discs stand now.
+  /// Calls visit(contact), in order, for each pair that was within the law's reach at the last evaluation and still is
+  /// at the present positions.
   template <class Visit>
   void for_each_contact(const Discs& discs, Visit&& visit) const {
     for_each_touching_pair(
@@ -65,7 +66,7 @@ class FastDiscSystem : public FastDiscEngine {
           if (!(x.deformation > -reach(law_))) return;
           std::array<double, 1> memory{then.largest};
           const std::span<double> remembered{memory.data(), L::memory_size};
-          Mode mode = 1;  // of what touches; settling finds whether another has followed
+          Mode mode = 1;  // touching; update_mode() finds out whether another mode has followed
           talus::update_mode(law_, remembered, x, mode, [](double) {});
           DiscContact contact{.a = a, .b = b, .depth = x.deformation, .n_ab = n, .distance = distance};
           contact.force = mode == 0 ? 0.0 : law_(x, remembered, mode).total();

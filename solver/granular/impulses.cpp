@@ -7,7 +7,7 @@ namespace talus {
 namespace stages {
 namespace {
 
-/// Gives discs the impulses of forces, in the order that it is told them.
+/// Applies the impulses of forces to discs, in the order of the calls.
 template <bool turns>
 class ImpulseScatter {
  public:
@@ -18,7 +18,7 @@ class ImpulseScatter {
         unlike_mass_{w.unlike_mass},
         first_wall_{w.first_wall} {}
 
-  /// To the disc there, by the k-th of these; and by the friction that turns it.
+  /// Applies a force to the disc at index `at`, and the torque of the k-th friction and lever arm.
   [[gnu::always_inline]] void give(std::size_t at, Place force, const double* friction, const double* arm,
                                    std::size_t k) const {
     Place v, per_force;
@@ -29,9 +29,9 @@ class ImpulseScatter {
     if constexpr (turns)
       w_.spins[at / 2] += per_force[0] * friction[k] * arm[k] * w_.per_mass[at / 2 & w_.unlike_radius];
   }
-  /// A force on b, of which a pushes back, to walls that they belong to.
+  /// Records the force on b, and its reaction on a, for the walls that the discs belong to.
   [[gnu::always_inline]] void give_walls(std::size_t a, std::size_t b, Place force) const {
-    // The second disc of a pair has the larger number.
+    // The second disc of a pair has the larger index.
     if (b < first_wall_) return;
     const std::uint32_t of_a = w_.wall[a / 2], of_b = w_.wall[b / 2];
     if (of_a != DiscShapes::free) w_.wall_pushes[of_a].push_back({-force[0], -force[1]});

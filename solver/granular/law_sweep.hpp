@@ -14,14 +14,14 @@
 #include "solver/granular/step_block.hpp"
 #include "solver/laws/law_list.hpp"
 
-/// Sweeps by a law and friction: the definitions of evaluate_pair_forces() and kick_and_drift(), and how they are instantiated.
+/// Sweeps with a law and friction: definitions of evaluate_pair_forces() and kick_and_drift(), and their instantiation.
 namespace talus {
 namespace stages {
 
-/// Pairs with the lanes behind the last.
+/// Number of pairs, rounded up to whole packs.
 inline std::size_t whole_packs(const StepBlock& w) { return (w.pairs->count + pack_size - 1) / pack_size * pack_size; }
 
-/// Moves the discs from <= i < to but for those that move later.
+/// Moves the discs from <= i < to, except those that move later.
 inline void move_others(const StepBlock& w, std::size_t from, std::size_t to, Sizes& fastest) {
   for (const WallDiscs& later : w.later) {
     if (later.end <= from || later.begin >= to) continue;
@@ -84,7 +84,7 @@ void evaluate_pair_forces(const L& law, const F& friction, const StepBlock& w, P
   stages::end_sweep(w);
 }
 
-/// Instantiates the sweeps of a list of laws, without friction and with: `template struct talus::LawSweeps<List>;`
+/// Instantiates the sweeps of a list of laws, without and with friction: `template struct talus::LawSweeps<List>;`
 template <class List>
 struct LawSweeps;
 template <class... L>
@@ -93,7 +93,7 @@ struct LawSweeps<LawList<L...>> {
   static auto with_friction() {
     return std::tuple{&evaluate_pair_forces<L, F>..., &kick_and_drift<L, F>...};
   }
-  /// Never called: what it names is instantiated with it. (Variables that are marked as used end clang 14.)
+  /// Never called: the functions that it names are instantiated with it. (Variables marked as used crash clang 14.)
   static auto all() { return std::tuple{with_friction<Frictionless>(), with_friction<CoulombFriction>()}; }
 };
 

@@ -8,8 +8,8 @@ namespace talus {
 namespace {
 
 constexpr std::array fractions{0.3, 0.5, 0.75, 0.84, 0.9};
-/// By solid fraction, for a hundred, a thousand, ten and a hundred thousand equal elastic discs, step t_c/20. Where .7
-/// is best .3 costs 10 to 30 % more and 1.0 up to 20 %; in what is jammed all up to .7 are alike, and 1.0 costs a third
+/// By solid fraction, for 100, 1000, 10 000 and 100 000 equal elastic discs, step t_c/20. Where 0.7 is best, 0.3 costs
+/// 10 to 30 % more and 1.0 up to 20 % more; in jammed states all skins up to 0.7 cost the same, and 1.0 costs a third
 /// more.
 constexpr std::array<std::array<double, 4>, 5> best{
     {{0.5, 1.0, 1.0, 0.7}, {0.7, 0.7, 1.0, 0.7}, {0.7, 0.7, 0.7, 0.7}, {0.4, 0.7, 0.7, 0.5}, {0.3, 0.4, 0.4, 0.3}}};

@@ -14,12 +14,12 @@
 namespace talus {
 namespace {
 
-/// Images are one box away at most, to either side and up or down.
+/// Code of an image, which is at most one box away, to either side and up or down.
 constexpr std::uint8_t code(PeriodicBox::Image image) {
   return static_cast<std::uint8_t>(static_cast<int>(image.right) + 1 + 3 * (static_cast<int>(image.up) + 1));
 }
 
-/// Number of a disc and which image of it in one: in the order that pairs are sorted in.
+/// Index of a disc combined with the code of its image; pairs are sorted by it.
 using Numbered = std::uint64_t;
 constexpr int image_bits = 8;
 constexpr Numbered numbered(std::size_t disc, std::uint8_t image) { return Numbered{disc} << image_bits | image; }
@@ -30,13 +30,13 @@ struct PlacedDisc {
   Numbered number;
 };
 
-/// The whole part, between these; the least of what is not a number, as of discs that have gone astray.
+/// Integer part of x, limited to [least, most]; `least` if x is NaN, as in a diverged run.
 std::size_t whole_between(double least, double x, double most) {
   return static_cast<std::size_t>(x > least ? std::min(std::floor(x), most) : least);
 }
 
-/// Cells of a rectangle around all discs, of sides that no pair in reach spans more than one of, and one more all
-/// around, where images are.
+/// Cells of a rectangle around all discs, with one more layer of cells around it for images. Cells are so large that
+/// pairs within reach are at most one cell apart.
 class Cells {
  public:
   Cells(const DiscShapes& shapes, const Discs& discs, const PeriodicBox& box, double offset, double reach,
@@ -48,7 +48,7 @@ class Cells {
     };
     std::tie(left_, right_) = range(discs.x, box.width);
     std::tie(bottom_, top_) = range(discs.y, box.height);
-    // Not so many cells that most are empty.
+    // Limits the number of cells, so that most of them are not empty.
     const double most = 4.0 * (std::sqrt(static_cast<double>(discs.size())) + 1.0);
     columns_ = whole_between(1.0, (right_ - left_) / reach, most);
     rows_ = whole_between(1.0, (top_ - bottom_) / reach, most);
@@ -57,7 +57,8 @@ class Cells {
     const auto disc = [&](std::size_t i) {
       return PlacedDisc{discs.x[i], discs.y[i], shapes.radius[i], numbered(i, code({}))};
     };
-    // Of each thread the images of its discs, and how many stand in each cell; then where its first there is to stand.
+    // For each thread: the images of its discs, and the number of its entries in each cell, which is then replaced by
+    // the index in standing_ of the first of them.
     struct Share {
       std::vector<PlacedDisc> images;
       std::vector<std::uint32_t> in_cell;
@@ -95,7 +96,7 @@ class Cells {
     });
   }
 
-  /// All that stand in the cells around that of a disc: three times those of a row.
+  /// All discs and images in the 3 x 3 cells around a disc's cell: one span for each row of cells.
   std::array<std::span<const PlacedDisc>, 3> around(std::size_t disc) const {
     std::array<std::span<const PlacedDisc>, 3> rows;
     for (std::size_t row = 0; row < rows.size(); ++row) {
@@ -106,7 +107,7 @@ class Cells {
   }
 
  private:
-  /// Those of a disc that discs in the rectangle may reach.
+  /// Adds those images of a disc that are within reach of the rectangle.
   void add_images(const PeriodicBox& box, double offset, double reach, const PlacedDisc& disc,
                   std::vector<PlacedDisc>& images) const {
     const auto inside = [&](const PlacedDisc& one, double by) {
@@ -124,7 +125,7 @@ class Cells {
     }
   }
   std::size_t cell(const PlacedDisc& one) const {
-    // Discs at an edge are inside, however that rounds; images may be outside.
+    // Discs are in inner cells, however the division rounds at an edge; images may be in the outer layer.
     const double outside = (one.number & numbered(0, 0xff)) == code({}) ? 0.0 : 1.0;
     const auto place = [&](double at, double low, double high, std::size_t count) {
       const auto cells = static_cast<double>(count);
@@ -136,8 +137,8 @@ class Cells {
   double left_{}, right_{}, bottom_{}, top_{};  ///< [L]
   std::size_t columns_{}, rows_{};
   std::size_t stride_{};              ///< from a row of cells to the next
-  std::vector<std::uint32_t> begin_;  ///< of each cell in standing_
-  std::vector<std::uint32_t> cell_;   ///< of each disc
+  std::vector<std::uint32_t> begin_;  ///< start of each cell in standing_
+  std::vector<std::uint32_t> cell_;   ///< cell of each disc
   std::vector<PlacedDisc> standing_;
 };
 
@@ -195,7 +196,7 @@ void NeighbourList::find_flow(const Discs& discs) {
 
 bool NeighbourList::holds(const Discs& discs) {
   if (!may_end()) return true;
-  // Where the box slides discs flow apart from where they were, together.
+  // In a sliding box displacements since the build include the mean flow, which neighbours share: they are no measure.
   if (box_.sliding() != 0.0) return false;
   used_ = 2.0 * furthest(discs);
   return used_ < worn * skin_;
@@ -216,7 +217,8 @@ void NeighbourList::find_pairs(const DiscShapes& shapes, const Discs& discs, Thr
   const Cells cells{shapes, discs, box_, offset_, reach_, pool};
   first_.resize(shapes.size() + 1);
   first_[0] = 0;
-  // The first thread's pairs stand where they belong; those of the others join them, with where each disc's end.
+  // The first thread writes its pairs directly into the list; those of the others are appended, and their ends in
+  // first_ shifted.
   struct Found {
     IndexRange of;
     std::vector<std::uint32_t> second;
@@ -232,7 +234,7 @@ void NeighbourList::find_pairs(const DiscShapes& shapes, const Discs& discs, Thr
     for (std::size_t i = part.begin; i < part.end; ++i) {
       const auto around = cells.around(i);
       row.resize(around[0].size() + around[1].size() + around[2].size());
-      // Whether one is near is as good as drawn by lot: written down is each, and kept if it is.
+      // The test is unpredictable for the processor, so each candidate is written, and counted only if it is near.
       std::size_t count = 0;
       const Numbered own = numbered(i, 0xff);
       for (const std::span<const PlacedDisc> standing : around) {
@@ -262,7 +264,7 @@ void NeighbourList::find_pairs(const DiscShapes& shapes, const Discs& discs, Thr
     second_.insert(second_.end(), other.second.begin(), other.second.end());
     image_.insert(image_.end(), other.image.begin(), other.image.end());
   }
-  // Lists of many discs are most of what a run takes.
+  // The lists take most of the memory of a run of many discs.
   if (4 * second_.capacity() > 5 * second_.size()) second_.shrink_to_fit(), image_.shrink_to_fit();
 }
 
@@ -291,7 +293,7 @@ void NeighbourList::shifts(double slid, std::span<Shift, images> out) const {
   for (int up = -1; up <= 1; ++up) {
     for (int right = -1; right <= 1; ++right) {
       const PeriodicBox::Image image{static_cast<double>(right), static_cast<double>(up)};
-      // Of what does not repeat there is no other image.
+      // A direction that is not periodic has no other images.
       const bool none = (right != 0 && !box_.repeats_x()) || (up != 0 && !box_.repeats_y());
       const Vec2 shift = none ? Vec2{} : box_.shift(image, offset);
       out[code(image)] = {shift.x, shift.y, none ? 0.0 : up * box_.sliding()};

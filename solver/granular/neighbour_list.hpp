@@ -14,33 +14,34 @@
 
 namespace talus {
 
-/// Brings discs back into the box, from -width/2 to width/2 and -height/2 to height/2, from whichever image they are
-/// in; what crosses the border to a box that slides takes its speed. Along what does not repeat nothing moves.
+/// Moves discs from whichever image they are in back into the box, from -width/2 to width/2 and -height/2 to height/2.
+/// A disc that crosses the border to a sliding box changes its velocity by the box's. Directions that are not periodic
+/// are left unchanged.
 void wrap(const PeriodicBox& box, Discs& discs);
 
-/// Pairs of discs whose surfaces are nearer than a law's reach and the skin, each with the image of its second disc
-/// that is the near one: valid until surfaces from further away may have come within the reach. (Verlet 1967; by cells,
-/// Hockney & Eastwood 1981.) Pairs stand in the order of their first disc, then of their second, whatever order the
-/// cells are in, so that sums over them do not depend on when the list was made.
+/// Pairs of discs whose surfaces are nearer than a law's reach plus the skin, each with the nearest image of its second
+/// disc. The list is valid until surfaces that were further apart may have come within the reach. (Verlet 1967; by
+/// cells, Hockney & Eastwood 1981.) Pairs are sorted by their first disc, then by their second, whatever the order of
+/// the cells, so that sums over them do not depend on when the list was built.
 class NeighbourList {
  public:
-  /// skin [L] >= 0; law_reach [L] >= 0: how far apart surfaces may be where they act on each other.
+  /// skin [L] >= 0; law_reach [L] >= 0: largest gap at which surfaces act on each other.
   NeighbourList(PeriodicBox box, double skin, double law_reach = 0.0)
       : box_{box}, skin_{skin}, margin_{law_reach + skin} {}
 
   const PeriodicBox& box() const { return box_; }
-  /// No two centres that are listed were further apart when it was built [L].
+  /// Upper bound of the distance of two listed centres when the list was built [L].
   double reach() const { return reach_; }
 
-  /// Lists the pairs of which at least one disc can move, of discs in the box (wrap()). Errors: InputError if a period
-  /// is shorter than the discs and the skin need so that no disc meets two images of another. With a team by its
-  /// threads, the same list.
+  /// Lists the pairs of which at least one disc can move; discs must be in the box (wrap()). A pool's threads build the
+  /// same list. Errors: InputError if a period is shorter than the discs and the skin require so that no disc meets two
+  /// images of another.
   void build(const DiscShapes& shapes, const Discs& discs, ThreadPool* pool = nullptr);
 
-  /// Names what the list is made of. The list that is put back is the one that was saved. Errors: as build().
+  /// Serializes the data from which loading rebuilds the same list. Errors: as build().
   void serialize(Archive& archive, const DiscShapes& shapes);
 
-  /// A mean flow (x + rate y, y) [L/T] that discs near each other share: what they move from it is their own.
+  /// A mean flow (x + rate y, y) [L/T] that neighbouring discs share. A disc's own velocity is relative to it.
   struct Flow {
     double x{}, y{};
     double rate{};  ///< [1/T]
@@ -50,22 +51,23 @@ class NeighbourList {
       return own_x * own_x + own_y * own_y;
     }
   };
-  /// That of the discs when the list was built; where the box slides, with its rate, and where it repeats up and down
-  /// without sliding, with none.
+  /// Mean flow of the discs when the list was built. Its rate is that of the box if this is periodic along y (zero if
+  /// it does not slide), else fitted to the discs.
   const Flow& flow() const { return flow_; }
-  /// No listed pair comes nearer by more in a drift over h [L], if this is the largest square of an own speed.
+  /// Upper bound of the approach of any listed pair in a drift over h [L]. fastest: largest squared speed relative to
+  /// flow().
   double approach(double h, double fastest) const {
     return std::abs(h) * (2.0 * std::sqrt(fastest) + std::abs(flow_.rate) * reach_);
   }
-  /// Takes from the skin that no pair has come nearer by more than this in a step [L].
+  /// Reduces the unused skin by an upper bound of the approach of any pair in a step [L].
   void use(double approach) { used_ += approach; }
-  /// The rest of the skin [L].
+  /// Unused part of the skin [L].
   double left() const { return skin_ - used_; }
-  /// Whether it may be used up; then holds() tells.
+  /// Whether the skin may be used up; holds() then decides.
   bool may_end() const { return used_ > (1.0 - round_off) * skin_; }
-  /// Whether still no pair that is not listed can touch. What the steps add up to is more than what discs that are hit
-  /// to and fro have moved: once it exceeds the skin it gives way to how far the discs are from where they were, as
-  /// long as that leaves enough for some steps.
+  /// Whether the list is still valid: no unlisted pair can touch. The summed approach of the steps exceeds the
+  /// displacement of discs that move to and fro. Once it exceeds the skin it is replaced by a bound from the actual
+  /// displacements since the build, provided that this leaves enough skin for some steps.
   bool holds(const Discs& discs);
 
   std::size_t size() const { return second_.size(); }
@@ -74,20 +76,21 @@ class NeighbourList {
   std::size_t begin(std::size_t disc) const { return first_[disc]; }
   std::size_t end(std::size_t disc) const { return first_[disc + 1]; }
   std::size_t second(std::size_t pair) const { return second_[pair]; }
-  /// Of the second disc of a pair, which of nine images.
+  /// Code of the second disc's image, one of nine.
   std::uint8_t image(std::size_t pair) const { return image_[pair]; }
-  /// The pair of two discs, the first of smaller number; size() if it is not listed.
+  /// Index of the pair of two discs, first < second; size() if it is not listed.
   std::size_t find(std::size_t first, std::size_t second) const;
 
-  /// By image: how far it is shifted [L], and how much faster it moves [L/T]. `slid`: that of the discs now.
+  /// Of an image: its shift [L], and its additional velocity [L/T].
   struct Shift {
     double x{}, y{}, vx{};
   };
   static constexpr std::size_t images = 9;
+  /// Shifts of all images, by their codes; slid: Discs::slid at present.
   void shifts(double slid, std::span<Shift, images> out) const;
 
-  /// Calls visit(first, second, pair, d, shift) for the pairs as the discs stand now: d from the first to the image of
-  /// the second [L], whose shift that is.
+  /// Calls visit(first, second, pair, d, shift) for the pairs at the present positions: d from the first disc to the
+  /// image of the second [L], shift that of the image.
   template <class Visit>
   void for_each_pair(const Discs& discs, Visit&& visit) const {
     std::array<Shift, images> by_image;
@@ -102,7 +105,7 @@ class NeighbourList {
   }
 
  protected:
-  std::vector<double> x_, y_;  ///< of the discs when it was built [L]
+  std::vector<double> x_, y_;  ///< positions of the discs when the list was built [L]
   std::vector<std::uint32_t> first_;
   std::vector<std::uint32_t> second_;
   std::vector<std::uint8_t> image_;
@@ -113,16 +116,16 @@ class NeighbourList {
   double furthest(const Discs& discs) const;
   void find_flow(const Discs& discs);
 
-  static constexpr double round_off = 1e-9;  ///< share of the skin that sums of ways may be off by
-  static constexpr double worn = 0.9;        ///< share of the skin that is not worth going on with
+  static constexpr double round_off = 1e-9;  ///< rounding allowance of summed displacements, over the skin
+  static constexpr double worn = 0.9;        ///< used fraction of the skin at which the list is rebuilt
 
   PeriodicBox box_;
   double skin_;
-  double margin_;  ///< between the surfaces of listed pairs: law_reach + skin [L]
+  double margin_;  ///< largest gap of listed pairs: law_reach + skin [L]
   double reach_{};
   double used_{};
-  double slid_{};    ///< Discs::slid when it was built [L]
-  double offset_{};  ///< of the boxes above and below then [L]; goes on without a jump
+  double slid_{};    ///< Discs::slid when the list was built [L]
+  double offset_{};  ///< of the boxes above and below then [L]; later offsets continue it without jumps
   Flow flow_;
 };
 

@@ -32,7 +32,7 @@ void check(const PackingPlan& plan) {
   demand(plan.aspect > 0.0, "aspect", plan.aspect, "> 0");
 }
 
-/// The discs of a plan without places, and their rectangle.
+/// The discs of a plan without positions, and their rectangle.
 Packing empty(const PackingPlan& plan, std::mt19937_64& random) {
   check(plan);
   Packing packing;
@@ -45,7 +45,7 @@ Packing empty(const PackingPlan& plan, std::mt19937_64& random) {
   }
   area /= plan.solid_fraction;
   packing.width = std::sqrt(area / plan.aspect);
-  // A row of the walls is full.
+  // The width is a whole number of wall discs.
   if (plan.walls) packing.width = plan.diameter * std::max(1.0, std::round(packing.width / plan.diameter));
   packing.height = area / packing.width;
   const double largest = 2.0 * *std::max_element(packing.shapes.radius.begin(), packing.shapes.radius.end());
@@ -73,7 +73,7 @@ void add_walls(const PackingPlan& plan, Packing& packing) {
   }
 }
 
-/// Discs that were put down so far, by cells as wide as the largest.
+/// Discs placed so far, in a grid of cells as wide as the largest disc.
 class Room {
  public:
   explicit Room(const Packing& packing)
@@ -83,7 +83,7 @@ class Room {
         rows_{cells(packing.height)},
         cells_(static_cast<std::size_t>(columns_ * rows_)) {}
 
-  /// Is there room for a disc of that radius?
+  /// Whether there is room for a disc of that radius.
   bool free(Vec2 at, double radius) const {
     const long column = place(at.x, packing_.width, columns_), row = place(at.y, packing_.height, rows_);
     for (long c = column - 1; c <= column + 1; ++c) {
@@ -118,7 +118,7 @@ class Room {
   std::vector<std::vector<std::size_t>> cells_;
 };
 
-/// Puts discs down whose radii are those of the packing times a scale.
+/// Scales the radii of a packing and places its discs at random.
 void put_down(const PackingPlan& plan, double scale, Packing& packing, std::mt19937_64& random) {
   constexpr int most = 20000;
   for (double& radius : packing.shapes.radius)
@@ -143,7 +143,7 @@ void put_down(const PackingPlan& plan, double scale, Packing& packing, std::mt19
   }
 }
 
-/// A disc of the middle size flies its diameter in the unit of time, and a contact lasts this part of that.
+/// Duration of a contact, over the time in which a disc of the middle size moves by its diameter: the unit of time.
 constexpr double contact_time = 0.01;
 
 DiscSystem<LinearSpringDashpot> pushed(const PackingPlan& plan, const Packing& packing, double scale,
@@ -162,7 +162,8 @@ void run(DiscSystem<LinearSpringDashpot>& system, Discs& discs, int steps) {
     method.step(system, discs, contact_time / 10.0);
 }
 
-/// Lets discs fly while they grow from a scale of their radii to 1, slower than they fly by so much.
+/// Lets discs move and collide while their radii grow from `scale` to 1 times their final value, slower than the discs
+/// move by the factor `slower`.
 void grow_from(const PackingPlan& plan, double scale, Packing& packing) {
   constexpr double slower = 100.0;
   constexpr int stage = 50;
@@ -174,7 +175,7 @@ void grow_from(const PackingPlan& plan, double scale, Packing& packing) {
     DiscSystem system = pushed(plan, packing, scale, 0.0);
     system.begin(packing.discs);
     run(system, packing.discs, stage);
-    // Growth heats.
+    // Growth adds kinetic energy: restore the temperature.
     const double had = talus::temperature(packing.shapes, packing.discs, {});
     for (std::size_t i = 0; i < plan.discs; ++i) {
       packing.discs.vx[i] *= std::sqrt(temperature / had);

@@ -7,7 +7,7 @@
 
 namespace talus {
 
-/// The plane, or a strip or rectangle of it that repeats itself. The rectangle above may slide over the one below at a
+/// The plane, or a strip or rectangle of it that is periodic. The rectangle above may slide over the one below at a
 /// constant rate (Lees & Edwards 1972): uniform shear without walls.
 struct PeriodicBox {
   static constexpr double unbounded = std::numeric_limits<double>::infinity();
@@ -20,10 +20,10 @@ struct PeriodicBox {
   bool repeats_y() const { return height < unbounded; }
   /// Velocity of the box above over this one [L/T].
   double sliding() const { return repeats_y() ? shear_rate * height : 0.0; }
-  /// What is left of a way that the box above has slid, less whole widths: within half a width [L].
+  /// The boundary shear displacement `slid`, reduced by whole widths to within half a width [L].
   double offset(double slid) const { return repeats_x() ? slid - width * std::round(slid / width) : slid; }
 
-  /// An image of a point: so many boxes to the right and up.
+  /// An image of a point: number of boxes to the right and up.
   struct Image {
     double right{};
     double up{};
@@ -35,7 +35,7 @@ struct PeriodicBox {
     if (repeats_x()) image.right = -std::round((d.x + image.up * at_offset) / width);
     return image;
   }
-  /// From a point to its image [L].
+  /// Vector from a point to its image [L].
   Vec2 shift(Image image, double at_offset) const {
     return {(image.right == 0.0 ? 0.0 : image.right * width) + (image.up == 0.0 ? 0.0 : image.up * at_offset),
             image.up == 0.0 ? 0.0 : image.up * height};

@@ -5,7 +5,7 @@
 
 namespace talus {
 
-/// Uniform in [-1, 1) from the generator's own bits: the library's distributions differ between libraries.
+/// Uniform in [-1, 1), computed from the generator's bits: std:: distributions differ between standard libraries.
 inline double symmetric(std::mt19937_64& random) { return std::ldexp(static_cast<double>(random() >> 11), -52) - 1.0; }
 
 }  // namespace talus

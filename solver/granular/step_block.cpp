@@ -14,7 +14,7 @@ TALUS_CLONES void move(const StepBlock& w, std::size_t from, std::size_t to, Siz
   const double h = w.drift;
   double *const places = w.places, *const velocities = w.velocities;
   Sizes most = fastest;
-  // Of the discs of two packs, side by side.
+  // Includes the discs of two packs in the largest squared speeds.
   const auto raise_speeds = [&](const Pack& p, const Pack& q, const Pack& v_p, const Pack& v_q)
       __attribute__((always_inline)) {
     const Pack y = __builtin_shufflevector(p, q, 1, 5, 3, 7);
@@ -52,7 +52,7 @@ TALUS_CLONES void stretch_contacts(const StepBlock& w) {
   for (std::size_t t = 0; t < contacts.now.count; t += pack_size) {
     const std::size_t last = std::min(contacts.now.count - t, pack_size) - 1;
     std::array<std::uint32_t, pack_size> pairs, a, b;
-    std::array<double, pack_size> sliding;  // of the image of the second
+    std::array<double, pack_size> sliding;  // velocity of the second disc's image
     Pack radii = Pack{} + w.equal_radii, x, y, v_x, v_y, distance, arm_a = 0.5 * radii, arm_b = arm_a, spin_a, spin_b;
     for (std::size_t l = 0; l < pack_size; ++l) {
       pairs[l] = contacts.now.pair[t + std::min(l, last)];

@@ -7,21 +7,22 @@
 
 namespace talus {
 
-/// A flow along x that discs are seen from: its velocity at y = 0 [L/T], and du/dy [1/T].
+/// A mean flow along x, relative to which velocities of discs are measured: its velocity at y = 0 [L/T], and du/dy
+/// [1/T].
 struct MeanFlow {
   double speed{};
   double shear_rate{};
   double at(double y) const { return speed + shear_rate * y; }
 };
 
-/// The flow of that shear rate which carries as much momentum along x as the free discs do.
+/// The flow of the given shear rate that has the same momentum along x as the free discs.
 [[nodiscard]] MeanFlow mean_flow(const DiscShapes& shapes, const Discs& discs, double shear_rate);
 
-/// Granular temperature: the free discs' energy of motion relative to the flow, for each disc [F L], which is
-/// m <c^2>/2, c the velocity relative to the flow. (Of two directions; the theory's k_B T.) 0 without free discs.
+/// Granular temperature: kinetic energy of the free discs relative to the flow, per disc [F L], which is m <c^2>/2, c
+/// the velocity relative to the flow. (Both directions together; the theory's k_B T.) 0 without free discs.
 [[nodiscard]] double temperature(const DiscShapes& shapes, const Discs& discs, const MeanFlow& flow);
 
-/// Sums that make stress once they are divided by an area [F L]; what presses outwards is positive.
+/// Sums that give stress when divided by an area [F L]; pressure is positive.
 struct Virial {
   double xx{}, xy{}, yx{}, yy{};
 
@@ -34,17 +35,17 @@ struct Virial {
   double pressure() const { return 0.5 * (xx + yy); }
 };
 
-/// Sum of m c c over the free discs, c relative to the flow: what motion carries.
+/// Kinetic part of the stress: sum of m c c over the free discs, c the velocity relative to the flow.
 [[nodiscard]] Virial kinetic_virial(const DiscShapes& shapes, const Discs& discs, const MeanFlow& flow);
 
-/// Sum of (force on b) (from a to b) over the contacts of the last evaluation: what forces carry (Love 1927; Irving &
-/// Kirkwood 1950). First letter: the force, second: the line between the centres. Discs must stand where they stood at
-/// that evaluation, as between a kick and the drift.
+/// Contact part of the stress: sum of (force on b) (from a to b) over the contacts of the last evaluation (Love 1927;
+/// Irving & Kirkwood 1950). First index: the force; second: the line between the centres. The discs must be at the
+/// positions of that evaluation, as between a kick and the drift.
 struct ContactSums {
   Virial virial;
   double stored{};         ///< energy in the contacts [F L]
-  double largest_depth{};  ///< [L]
-  std::size_t contacts{};  ///< whose force is not 0
+  double largest_depth{};  ///< largest overlap [L]
+  std::size_t contacts{};  ///< number of contacts whose force is not 0
 };
 template <class System>
 [[nodiscard]] ContactSums contact_sums(const System& system, const Discs& discs) {

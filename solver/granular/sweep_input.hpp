@@ -11,48 +11,48 @@
 
 namespace talus {
 
-/// What the first discs of pairs do to the second.
+/// Forces of the first discs of pairs on the second.
 struct PairForces {
-  std::vector<std::uint32_t> first, second;    ///< where the places begin
-  std::vector<double> force;                   ///< on the second: x, y of each [F]
-  std::vector<double> friction, arm_a, arm_b;  ///< turns both [F], at [L]
+  std::vector<std::uint32_t> first, second;    ///< index of the disc's x in StepBlock::places
+  std::vector<double> force;                   ///< on the second disc: x, y of each pair [F]
+  std::vector<double> friction, arm_a, arm_b;  ///< friction, which turns both discs [F], and its lever arms [L]
   std::size_t count{};
 };
 
-/// Discs of a wall that follow each other.
+/// Consecutive discs of one wall: [begin, end).
 struct WallDiscs {
   std::size_t wall{}, begin{}, end{};
 };
 
-/// What a sweep works on, as FastDiscSystem lays it out: some of the discs, which nobody else moves meanwhile, and
-/// pairs of them.
+/// Input of a sweep, laid out by FastDiscEngine: a block of discs, which no other thread moves meanwhile, and pairs of
+/// them.
 struct StepBlock {
   bool kicks{};    ///< whether velocities change, by impulse_per_force
-  double drift{};  ///< how long places change [T]; 0: not at all
-  double reach{};  ///< how far apart surfaces may be where they touch, as the law understands it [L]
+  double drift{};  ///< duration of the drift [T]; 0: none
+  double reach{};  ///< largest gap of surfaces at which the law acts [L]
   NeighbourList::Flow flow{};
-  double* places{};                         ///< x, y of discs, ghosts, and of one that is nowhere [L]
-  double *velocities{}, *spins{};           ///< of discs [L/T, 1/T]; no spins if they do not turn
-  const double *before{}, *spins_before{};  ///< of all places, and of discs, before the kick; null if not needed
-  std::size_t discs{};                      ///< of all
-  std::size_t begin{}, end{};               ///< those of this sweep
-  std::span<const WallDiscs> later;         ///< in order: of them those that do not move with the sweep
-  const std::uint32_t* ghost_disc{};        ///< whose image each ghost is
-  const std::uint8_t* ghost_image{};        ///< which image
-  const NeighbourList::Shift* shifts{};     ///< by image
+  double* places{};                         ///< x, y of discs, of ghosts and of one padding entry (NaN) [L]
+  double *velocities{}, *spins{};           ///< of discs [L/T, 1/T]; spins is null if they do not turn
+  const double *before{}, *spins_before{};  ///< before the kick: of discs and ghosts, and spins; null if not needed
+  std::size_t discs{};                      ///< number of all discs
+  std::size_t begin{}, end{};               ///< discs of this block
+  std::span<const WallDiscs> later;         ///< wall discs that move after the sweep, in order
+  const std::uint32_t* ghost_disc{};        ///< disc of which each ghost is an image
+  const std::uint8_t* ghost_image{};        ///< its image code
+  const NeighbourList::Shift* shifts{};     ///< by image code
 
-  const double* impulse_per_force{};           ///< of discs, twice each: the kick over the mass [T/M]
+  const double* impulse_per_force{};           ///< of discs, each twice: duration of the kick over mass [T/M]
   const double *radius{}, *per_mass{};         ///< of discs: [L], 1/(inertia) over 1/mass [1/L^2]
-  std::size_t unlike_mass{}, unlike_radius{};  ///< all bits; 0 if the first number is that of all
-  double equal_radii{};                        ///< sum of two, if all are equal [L]
-  const std::uint32_t* wall{};                 ///< of discs
-  std::size_t first_wall{};                    ///< no disc of a wall has its place before this
+  std::size_t unlike_mass{}, unlike_radius{};  ///< index masks: all bits set, or 0 if all discs have the first value
+  double equal_radii{};                        ///< sum of two radii, if all are equal [L]
+  const std::uint32_t* wall{};                 ///< wall number of each disc
+  std::size_t first_wall{};                    ///< index in `places` before which no disc belongs to a wall
 
   const SweptPairs* pairs{};
-  SweptContacts* contacts{};          ///< of these pairs
-  std::vector<PartedPair>* parted{};  ///< is added to
-  std::vector<Vec2>* wall_pushes{};   ///< of each wall are added to: forces of its contacts [F]
-  const PairForces* outgoing{};       ///< of pairs whose first disc is of this sweep and whose second is not
+  SweptContacts* contacts{};          ///< contacts of these pairs
+  std::vector<PartedPair>* parted{};  ///< contacts that have ended are appended
+  std::vector<Vec2>* wall_pushes{};   ///< by wall: forces of its contacts are appended [F]
+  const PairForces* outgoing{};       ///< forces of pairs with only the first disc in this block
 };
 
 }  // namespace talus

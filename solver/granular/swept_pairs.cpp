@@ -8,7 +8,7 @@
 namespace talus {
 namespace {
 
-/// With little more room than that: lists of many discs are most of what a run takes.
+/// Resizes with little spare capacity: lists take most of the memory of a run of many discs.
 template <class Number>
 void fit(std::vector<Number>& numbers, std::size_t size) {
   numbers.reserve(size);
@@ -38,7 +38,7 @@ void SweptPairs::take(const SweptPairs& list, std::span<const std::uint32_t> num
 void SweptPairs::fill_up(std::uint32_t nowhere) {
   if (count == 0) return;
   const std::size_t filled = count + pack_size;
-  // The first reach of a near list is a guess, and may take much more room than is needed later.
+  // The first reach of a near list is a guess, and may need much more room than later ones.
   if (filled > first.size() || 2 * filled < first.size()) resize(filled, !listed.empty(), !radii.empty());
   std::fill_n(first.begin() + static_cast<std::ptrdiff_t>(count), pack_size, nowhere);
   std::fill_n(second.begin() + static_cast<std::ptrdiff_t>(count), pack_size, nowhere);
@@ -73,7 +73,7 @@ void SweptContacts::begin() {
   std::swap(now, before);
   now.count = passed = 0;
   now.as_listed = false;
-  before.pair[before.count] = ~std::uint32_t{0};  // beyond all
+  before.pair[before.count] = ~std::uint32_t{0};  // larger than any index
   put(before, before.count, {});
 }
 

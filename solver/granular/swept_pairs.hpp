@@ -10,44 +10,44 @@
 
 namespace talus {
 
-/// Pairs in the order of the neighbour list, and behind them as many of places that are nowhere as fill the lanes.
+/// Pairs in the order of the neighbour list, followed by a pack of padding pairs.
 struct SweptPairs {
-  std::vector<std::uint32_t> first, second;  ///< where the places begin; of a second disc across a border, its ghost's
-  std::vector<std::uint32_t> listed;         ///< numbers in the list; none if they are all of it
-  std::vector<double> radii;                 ///< their sum, if discs are unlike [L]
+  std::vector<std::uint32_t> first, second;  ///< index of x in StepBlock::places; across a border, that of the ghost
+  std::vector<std::uint32_t> listed;         ///< indices in the whole list; empty if these are all its pairs
+  std::vector<double> radii;                 ///< sum of the two radii, if discs are of different size [L]
   std::size_t count{};
 
   std::size_t number_in_list(std::size_t pair) const { return listed.empty() ? pair : listed[pair]; }
-  /// Makes room for a whole list of so many, of unlike discs or like ones.
+  /// Makes room for a whole list of `size` pairs; unlike: of discs of different size.
   void list(std::size_t size, bool unlike);
-  /// Takes those with these numbers from a whole list behind its own.
+  /// Appends the pairs with these indices in a whole list.
   void take(const SweptPairs& list, std::span<const std::uint32_t> numbers);
-  /// Fills the lanes behind the last pair, wherever packs begin. nowhere: where that place begins.
+  /// Appends a pack of padding pairs, so that a pack may begin at any pair. nowhere: index of the padding position.
   void fill_up(std::uint32_t nowhere);
 
  private:
   void resize(std::size_t size, bool near, bool unlike);
 };
 
-/// What one contact remembers.
+/// Memory of one contact.
 struct ContactMemory {
-  double largest{};     ///< overlap since the touch, of laws that remember it [L]
-  double stretch{};     ///< of the spring of friction [L]
-  double normal{-1.0};  ///< force of the law, where it pushes [F]; < 0: the contact is new
+  double largest{};     ///< largest overlap since contact began, of history-dependent laws [L]
+  double stretch{};     ///< of the friction spring [L]
+  double normal{-1.0};  ///< force of the law if repulsive, else 0 [F]; < 0: the contact is new
 };
 
-/// A contact that has ended, of a law that remembers or with friction.
+/// A contact that has ended, of a history-dependent law or with friction.
 struct PartedPair {
-  std::uint32_t pair{};         ///< number in the whole list
+  std::uint32_t pair{};         ///< index in the whole list
   double largest{}, stretch{};  ///< [L]
 };
 
-/// How many pairs are worked on together at most.
+/// Maximum number of pairs that are processed together.
 inline constexpr std::size_t sweep_block = 512;
 
-/// The contacts among some swept pairs, in the order of the pairs, and what they remember.
+/// The contacts among some swept pairs, in the order of the pairs, and their memories.
 struct SweptContacts {
-  /// What is remembered, and what is reported of each evaluation.
+  /// Kinds of memory that are stored, and of energy that is reported by each evaluation.
   struct Kinds {
     bool largest{}, stretch{}, normal{};
     bool power{}, slid{};
@@ -56,37 +56,38 @@ struct SweptContacts {
     bool reported() const { return power || slid; }
     friend bool operator==(const Kinds&, const Kinds&) = default;
   };
-  /// Those that a sweep found; numbers of a kind only if it is remembered. Room is for a pack more.
+  /// Contacts found by a sweep; arrays are filled only for kinds that are stored, and have room for one more pack.
   struct Found {
     std::size_t count{};
-    bool as_listed{};                              ///< pairs have their numbers in the whole list
-    std::vector<std::uint32_t> pair;               ///< number among those swept
+    bool as_listed{};                              ///< `pair` refers to the whole list
+    std::vector<std::uint32_t> pair;               ///< index among the swept pairs
     std::vector<double> largest, stretch, normal;  ///< as in ContactMemory
   };
 
   Kinds kinds;
-  Found now, before;  ///< by the last sweep, or this one; by the one before
+  Found now, before;  ///< of the present or last sweep; of the one before it
   std::vector<double> power,
-      released;              ///< what the law keeps, of laws without memory (contact_kernel.hpp) [F L/T, F L]
-  std::vector<double> slid;  ///< what friction dissipates [F L]
+      released;              ///< of laws without memory (contact_kernel.hpp) [F L/T, F L]
+  std::vector<double> slid;  ///< dissipated by friction [F L]
 
-  std::size_t passed{};  ///< of those before, during a sweep
-  /// Of the block that is swept: which each was before; before.count, where stands what a contact begins with, if none.
+  std::size_t passed{};  ///< number of contacts in `before` that a sweep has passed
+  /// For each contact of the present block its index in `before`; before.count, where the initial memory is stored, if
+  /// it is new.
   std::array<std::uint32_t, sweep_block + pack_size> from{};
 
-  /// None.
+  /// Removes all contacts and sets the kinds.
   void clear(Kinds of);
-  /// For so many contacts.
+  /// Makes room for `size` contacts.
   void make_room(std::size_t size) {
     if (size > now.pair.size()) grow(size + size / 4);
   }
-  /// Before a sweep.
+  /// Prepares a sweep: the contacts found last become those before.
   void begin();
   ContactMemory memory(const Found& found, std::size_t t) const;
 
-  /// Before the pairs that are swept give way to others: numbers contacts as in the whole list.
+  /// Converts pair indices to those of the whole list, before the swept pairs are replaced.
   void number_as_listed(const SweptPairs& pairs);
-  /// To none, or to contacts that are numbered so, one more.
+  /// Appends a contact; all contacts must have pair indices of the whole list.
   void add(std::uint32_t listed, const ContactMemory& memory);
 
  private:

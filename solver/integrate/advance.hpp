@@ -11,7 +11,7 @@
 
 namespace talus {
 
-/// out = x + h rate, the first so many numbers; out may be x.
+/// out = x + h rate for the first `count` numbers; out may be x.
 template <class Scalar>
 void advance(std::vector<Scalar>& out, const std::vector<Scalar>& x, std::type_identity_t<Scalar> h,
              const std::vector<Scalar>& rate, std::size_t count) {
@@ -28,7 +28,7 @@ void drift_coordinates(StateOf<Scalar>& state, std::type_identity_t<Scalar> h, s
   advance(state.q, state.q, h, state.v, moving);
 }
 
-/// The same with all of them.
+/// Moves all coordinates with the velocities of the same state: q += h v.
 template <class Scalar>
 void drift_coordinates(StateOf<Scalar>& state, std::type_identity_t<Scalar> h) {
   drift_coordinates(state, h, state.q.size());
@@ -51,7 +51,7 @@ void kick_velocities(StateOf<Scalar>& state, const RatesOf<Scalar>& rates, std::
   accumulate_work(state, rates, h);
 }
 
-/// The same with the memory: all that has a rate of its own.
+/// Advances velocities, work, impulse and memory by h times their rates: all of the state but q and t.
 template <class Scalar>
 void advance_rates(StateOf<Scalar>& state, const RatesOf<Scalar>& rates, std::type_identity_t<Scalar> h) {
   kick_velocities(state, rates, h);

@@ -93,7 +93,7 @@ void AffineSolver::solve(std::vector<double>& x) const {
     gathered_.resize(n);
     for (std::size_t i = 0; i < n; ++i)
       gathered_[i] = x[group.coordinates[i]];
-    // The factors were exchanged whole rows at a time: so are all right sides, before the first is used.
+    // The factorisation exchanged whole rows, so all exchanges are applied to the right-hand side before it is used.
     for (std::size_t k = 0; k < n; ++k)
       std::swap(gathered_[k], gathered_[group.pivots[k]]);
     for (std::size_t i = 1; i < n; ++i) {

@@ -12,17 +12,17 @@
 
 namespace talus {
 
-/// The symplectic method of order 4 of Blanes & Moan (2002, Table 3, SRKN_6^b): seven kicks with six drifts between
-/// them, symmetric, six force evaluations a step (the last kick of a step and the first of the next share one).
+/// Symplectic method of order 4 by Blanes & Moan (2002, Table 3, SRKN_6^b): seven kicks with six drifts between them,
+/// symmetric, six force evaluations per step (the last kick of a step and the first of the next share one).
 ///
-/// For motions whose forces depend on coordinates alone, where its energy swings but does not drift. On pendulums of 90
-/// and 170 degrees and on two cables its error at equal force evaluations is 520, 280 and 240 times below that of the
-/// triple jump (Forest & Ruth 1990, Yoshida 1990), 79, 14 and 18 times below Suzuki's five Verlet steps (1990), and 64,
-/// .4 and 3 times below that of McLachlan & Atela's four kicks (1992).
+/// Suited to motions whose forces depend on coordinates alone; their energy error then oscillates but does not drift.
+/// On pendulums of 90 and 170 degrees and on two cables its error at equal force evaluations is 520, 280 and 240 times
+/// below that of the triple jump (Forest & Ruth 1990, Yoshida 1990), 79, 14 and 18 times below that of Suzuki's five
+/// Verlet steps (1990), and 64, 0.4 and 3 times below that of McLachlan & Atela's four kicks (1992).
 ///
-/// Forces that depend on velocity take that of before their kick: then the order is 1, and with the dashpot of an
-/// oscillator the error at equal work twice that of velocity Verlet. Some of its drifts and kicks go back in time: what
-/// a slider, a latch or a contact does on a way back is undone by no way forth.
+/// Velocity-dependent forces are evaluated with the velocity before their kick: the order is then 1, and on an
+/// oscillator with a dashpot the error at equal cost is twice that of velocity Verlet. Some drifts and kicks go back in
+/// time: what a slider, a latch or a contact does in a backward drift is not undone by a forward one.
 template <class StateType>
 class BlanesMoan4Of {
  public:
@@ -34,26 +34,27 @@ class BlanesMoan4Of {
   static constexpr StepControl step_control = StepControl::fixed;
   static constexpr std::size_t stages = 6;
   static constexpr int evaluations = 6;
-  static constexpr int additions = 7;  ///< kicks of a velocity
+  static constexpr int additions = 7;  ///< kicks per velocity
   static constexpr bool ends_with_evaluation = true;
 
-  /// Drifts, over the step; the paper's 15 digits, the middle ones by their sum.
+  /// Drifts as fractions of the step: the paper's 15 digits; the middle ones follow from the sum.
   static constexpr std::array<Scalar, stages> drifts() {
     const Scalar a1{0.245298957184271}, a2{0.604872665711080};
     const Scalar a3 = Scalar{1} / 2 - (a1 + a2);
     return {a1, a2, a3, a3, a2, a1};
   }
-  /// Kicks, over the step; the middle one by their sum.
+  /// Kicks as fractions of the step; the middle one follows from the sum.
   static constexpr std::array<Scalar, stages + 1> kicks() {
     const Scalar b1{0.0829844064174052}, b2{0.396309801498368}, b3{-0.0390563049223486};
     const Scalar b4 = 1 - 2 * (b1 + b2 + b3);
     return {b1, b2, b3, b4, b3, b2, b1};
   }
 
-  /// Where the spectral radius of the map of (q, v), from one shared kick to the next, first passes 1 (3.1635 at xi =
-  /// 0); each kick takes the velocity of before it. Steps beyond it may be stable again, and are not to be relied on:
-  /// where nothing damps, growth of up to 1.0024 a step ends at 3.1685 and begins again at 5.027. A damping ratio of
-  /// 0.001 is enough against that first band, so that the limit is 5.029 there; at 0.4 it is 3.839, with a band to 4.508.
+  /// The omega h at which the spectral radius of the map of (q, v), from one shared kick to the next, first exceeds 1
+  /// (3.1635 at xi = 0); each kick uses the velocity before it. Longer steps may be stable again but must not be relied
+  /// on: without damping, growth of up to 1.0024 per step ends at 3.1685 and begins again at 5.027. A damping ratio of
+  /// 0.001 suppresses that first band, so that the limit is 5.029 there; at 0.4 it is 3.839, with an unstable band up
+  /// to 4.508.
   static double linear_limit(double damping_ratio) { return first_growth(growth, damping_ratio); }
 
   template <Evaluable<StateType> System>
@@ -82,7 +83,7 @@ class BlanesMoan4Of {
   }
 
  private:
-  /// That spectral radius at omega = 1.
+  /// Spectral radius of that map at omega = 1.
   static double growth(double h, double damping_ratio) {
     const auto drift = BlanesMoan4Of<State>::drifts();
     auto kick = BlanesMoan4Of<State>::kicks();

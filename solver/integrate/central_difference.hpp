@@ -8,13 +8,13 @@
 
 namespace talus {
 
-/// The staggered central difference of FENCE 1993 (Mustoe & Huttelmaier, Eqs. 23-24), velocities first:
+/// Staggered central difference of FENCE 1993 (Mustoe & Huttelmaier, Eqs. 23-24), velocities first:
 ///
 ///   v(t+h)    = v(t)     + h a(q(t+h/2), v(t))
 ///   q(t+3h/2) = q(t+h/2) + h v(t+h)
 ///
-/// Between steps the state holds v at t and q at t + h/2. Dashpots see the velocity of before the kick (lagged), which
-/// makes the linear limit omega h < 2 (sqrt(1 + xi^2) - xi).
+/// Between steps the state contains v at t and q at t + h/2. Dashpots use the velocity before the kick (lagged), hence
+/// the linear limit omega h < 2 (sqrt(1 + xi^2) - xi).
 template <class StateType>
 struct CentralDifferenceOf {
   using Scalar = typename StateType::Number;
@@ -40,11 +40,11 @@ struct CentralDifferenceOf {
     state.t += h;
   }
 
-  /// Coordinates, and the memory that follows them, taken back by half a step with the present velocity: second order,
-  /// and exact where no force acts.
+  /// Moves coordinates, and the memory that follows them, back by half a step with the present velocity: second order,
+  /// and exact without forces.
   template <class System>
   void synchronize(System& system, StateType& copy, Scalar h) const {
-    // What a system keeps beside its state stays as it is.
+    // drifted() does not change what a system stores beside its state.
     if constexpr (requires { system.drifted(copy, h); }) {
       copy = system.drifted(copy, -h / 2);
     } else {
@@ -52,7 +52,7 @@ struct CentralDifferenceOf {
     }
   }
 
-  /// Nothing: the stagger is in the state.
+  /// Nothing to serialize: the stagger is in the state.
   void serialize(Archive&, const StateType&) const {}
 };
 

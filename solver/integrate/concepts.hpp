@@ -20,22 +20,22 @@ concept DriftedFits =
   { system.drifted(state, h) } -> std::same_as<StateType>;
 };
 
-/// A system whose motion can be advanced in two halves, each of them exact for its own part. Its states are numbers of
-/// type StateType::Number.
+/// A system whose motion can be advanced in two substeps, each exact for its part. Its states hold numbers of type
+/// StateType::Number.
 ///   drift(state, h)  moves the coordinates, and the memory that follows the motion, with the present velocities; no
-///                    force is evaluated
-///   kick(state, h)   brings the modes up to date, evaluates the forces once, advances velocities, work and impulse
-/// Optional, of systems that keep something beside the state, such as the memory of contacts:
-///   drifted(state, h)  returns the state moved so, and leaves all else as it is
+///                    force evaluation
+///   kick(state, h)   updates the modes, evaluates the forces once, and advances velocities, work and impulse
+/// Optional, for systems that store data beside the state, such as the memory of contacts:
+///   drifted(state, h)  returns the drifted state and changes nothing else
 template <class S, class StateType = State>
 concept Splittable = DriftedFits<S, StateType> && requires(S& system, StateType& state, typename StateType::Number h) {
   system.drift(state, h);
   system.kick(state, h);
 };
 
-/// A system that gives its rates of change, and drifts as above.
-///   update_modes(state)         brings the modes up to date with coordinates and velocities
-///   evaluate(state, out)  the same and the rates then, for one force evaluation
+/// A system that evaluates its rates of change, and drifts as above.
+///   update_modes(state)   updates the modes for the present coordinates and velocities
+///   evaluate(state, out)  update_modes(), then the rates; one force evaluation
 template <class S, class StateType = State>
 concept Evaluable = requires(S& system, StateType& state, typename StateType::Rates& rates,
                              typename StateType::Number h) {
@@ -44,8 +44,8 @@ concept Evaluable = requires(S& system, StateType& state, typename StateType::Ra
   system.evaluate(state, rates);
 };
 
-/// One that also gives them for a state that it leaves as it is.
-///   derivative(state, out)  rates in the state's present modes; one force evaluation; the same bits each time
+/// An Evaluable system that also evaluates the rates of a state without changing the state.
+///   derivative(state, out)  rates in the state's present modes; one force evaluation; bit-identical when repeated
 template <class S, class StateType = State>
 concept Differentiable = Evaluable<S, StateType> &&
     requires(S& system, const StateType& fixed, typename StateType::Rates& rates) {
@@ -54,7 +54,7 @@ concept Differentiable = Evaluable<S, StateType> &&
 
 // States.
 
-/// States whose coordinates and velocities are one vector each, as those of rigid bodies.
+/// A state with one vector of coordinates and one of velocities, such as that of rigid bodies.
 template <class StateType>
 concept VectorState = requires(StateType& state) {
   { state.q } -> std::same_as<std::vector<typename StateType::Number>&>;
@@ -66,15 +66,15 @@ concept VectorState = requires(StateType& state) {
 /// How the length of a method's steps is chosen.
 enum class StepControl {
   fixed,               ///< each step has the given length
-  fixed_or_tolerance,  ///< the same; with a tolerance > 0 the method chooses its steps within the given one
-  tolerance,           ///< always by a tolerance > 0
-  closed_form,         ///< exact between events, for motion that is linear there
+  fixed_or_tolerance,  ///< as `fixed`; with a tolerance > 0 the method chooses internal steps within it
+  tolerance,           ///< internal steps chosen by a tolerance > 0
+  closed_form,         ///< exact between events, for motion that is linear between events
 };
-/// Whether steps of a given length are possible.
+/// True if steps of a given length are possible.
 constexpr bool has_fixed_steps(StepControl control) {
   return control == StepControl::fixed || control == StepControl::fixed_or_tolerance;
 }
-/// Whether a tolerance is possible.
+/// True if a tolerance is possible.
 constexpr bool takes_tolerance(StepControl control) {
   return control == StepControl::fixed_or_tolerance || control == StepControl::tolerance;
 }
@@ -88,7 +88,7 @@ TALUS_NAMED_MEMBER(NamesFreeFallError, free_fall_error);
 TALUS_NAMED_MEMBER(NamesKickAndDrift, kick_and_drift);
 TALUS_NAMED_MEMBER(NamesEndsWithEvaluation, ends_with_evaluation);
 
-/// The constants that every method declares, and that they agree with each other; see IntegratorFor.
+/// Constants that every method declares, checked for consistency; see IntegratorFor.
 template <class I>
 concept Described = requires {
   { I::name } -> std::same_as<const std::string_view&>;
@@ -101,13 +101,13 @@ concept Described = requires {
   requires(I::additions > 0);
 };
 
-/// A method that takes a tolerance has a place for it.
+/// A method that accepts a tolerance has a member for it.
 template <class I>
 concept ToleranceFits = !takes_tolerance(I::step_control) || requires(I & integrator) {
   { integrator.tolerance } -> std::same_as<double&>;
 };
 
-// The form of each optional member, if it is there at all.
+// Signatures of the optional members, checked where they are present.
 template <class I>
 concept FailureFits = !NamesFailure<I> || requires(const I& integrator) {
   { integrator.failure() } -> std::same_as<const std::string&>;
@@ -146,52 +146,52 @@ concept Staggered = requires(const I& integrator, S& system, StateType& copy, ty
   integrator.synchronize(system, copy, h);
 };
 
-/// A method of integration. It knows its system by one of the concepts above and nothing of bodies, files or observers,
-/// and brings the modes up to date before each force evaluation: the classical way, and that of 1993.
+/// An integration method. It accesses its system only through one of the concepts above, does not depend on bodies,
+/// files or observers, and updates the modes before each force evaluation, as classical methods and that of 1993 do.
 ///
-/// A method of fixed step is a template over its states: `NameOf<StateType>`, and `Name` for `NameOf<State>`. Of the
-/// states it uses `StateType::Number` (the type of h), `StateType::Rates` and `kick_velocities(state, rates, h)`, and
-/// what VectorState says if it demands that. Only templates step states in other numbers than double; those with one
-/// force evaluation a step that do not demand a VectorState step discs too (see DiscMethod). Another method may be a
-/// class for rigid bodies' State alone.
+/// A fixed-step method is a template over its state type: `NameOf<StateType>`, and `Name` for `NameOf<State>`. It uses
+/// `StateType::Number` (the type of h), `StateType::Rates` and `kick_velocities(state, rates, h)`, and, if it requires
+/// a VectorState, its q and v. Only templates can step states with other numbers than double; those with one force
+/// evaluation per step that do not require a VectorState also step discs (see DiscMethod). Other methods may be classes
+/// for the State of rigid bodies alone.
 ///
 /// Constants, all required:
 ///   name          std::string_view: its name in scenes
-///   order         int: its order on smooth motion, the highest if it varies; 0 of a closed form, which has no error
+///   order         int: its order on smooth motion, the highest if it varies; 0 for a closed form, which has no error
 ///   step_control  StepControl
-///   evaluations   int: force evaluations in a step of given length, once the method is started; 0 if it has no such
-///                 steps
-///   additions     int: additions to one number of the state in such a step, the most that any number gets, by which
-///                 rounding grows; of other methods in the time between two outputs
+///   evaluations   int: force evaluations per step of given length, after start(); 0 if it has no such steps
+///   additions     int: largest number of additions to any one number of the state in such a step, which sets the
+///                 growth of rounding errors; for other methods, in the interval between two outputs
 ///
 /// Members, all required:
-///   I()                           a copy of a method continues as the original
-///   start(system, state, h)       once before the first step of length h (a staggered method shifts the state here)
+///   I()                           default-constructible; a copy of a method continues as the original does
+///   start(system, state, h)       called once before the first step of length h (a staggered method shifts the state)
 ///   step(system, state, h)        advances state by h, time included
-///   remember(memory, like)        names all that the method carries from one step to the next. After it is put back
-///                                 into a method of the same name, step() continues bit for bit, without start();
-///                                 `like`, a state of the same scene, gives the sizes
-///   double tolerance              required with a tolerance only: 0 where steps have the given length
+///   serialize(archive, like)      serializes everything that the method carries from one step to the next. After it is
+///                                 restored into a method of the same name, step() continues bit for bit, without
+///                                 start(); `like`, a state of the same scene, gives the sizes
+///   double tolerance              required only of methods that accept a tolerance; 0: steps have the given length
 ///
-/// Optional; one of another type or signature is an error of compilation:
+/// Optional; a member with another type or signature does not compile:
 ///   synchronize(system, copy, h) const
-///                                 of staggered methods: brings all parts of a copy of the state to the same time,
+///                                 for staggered methods: brings all parts of a copy of the state to the same time,
 ///                                 copy.t (see synchronized())
 ///   const std::string& failure() const  why the method cannot continue, empty while it can; the run ends as diverged
-///   long events() const           of methods that locate events: how many since the run's start
+///   long events() const           for methods that locate events: number of events since the start of the run
 ///   static double linear_limit(double damping_ratio)
-///                                 of methods with steps of given length: largest stable h omega on the oscillator
-///                                 q'' = -omega^2 q - 2 xi omega q', xi >= 0; without it scenes' steps are not watched
-///                                 for linear instability. 0: every step grows
-///   double amplitude_growth_rate  c: along each quarter of an undamped oscillation the amplitude grows by the factor
-///                                 exp(c pi omega h) in the limit of small h; else 0
-///   double free_fall_error        what constant acceleration a adds to the coordinates of a synchronized state at time
-///                                 t, in a h t/2; else 0
-///   bool kick_and_drift           whether each step is kick(state, h), then drift(state, h), and no more; else false
-///   bool ends_with_evaluation     whether the last force evaluation of a step is that of its last coordinates; else
+///                                 for methods with steps of given length: largest stable omega h on the oscillator
+///                                 q'' = -omega^2 q - 2 xi omega q', xi >= 0; 0 if every step grows. Without it, the
+///                                 steps of scenes are not checked for linear instability
+///   double amplitude_growth_rate  c: over each quarter of an undamped oscillation the amplitude grows by the factor
+///                                 exp(c pi omega h) in the limit of small h; default 0
+///   double free_fall_error        error in the coordinates of a synchronized state at time t under a constant
+///                                 acceleration a, in units of a h t/2; default 0
+///   bool kick_and_drift           true if each step is kick(state, h), then drift(state, h), and nothing else; default
+///                                 false
+///   bool ends_with_evaluation     true if the last force evaluation of a step is at its final coordinates; default
 ///                                 false
 ///
-/// Nothing else in the solver goes by a method's name: see traits_of and integrator_list.hpp.
+/// Nothing else in the solver depends on a method's name: see traits_of and integrator_list.hpp.
 template <class I, class S, class StateType = State>
 concept IntegratorFor = requires(I integrator, S& system, StateType& state, const StateType& fixed,
                                  typename StateType::Number h, Archive& archive) {
@@ -202,21 +202,21 @@ concept IntegratorFor = requires(I integrator, S& system, StateType& state, cons
   integrator.serialize(archive, fixed);
 };
 
-/// Brings all parts of a copy of the method's state to the same time, copy.t: what observers see.
+/// Brings all parts of a copy of the method's state to the same time, copy.t, for observers.
 template <class I, class S, class StateType>
 void synchronize(const I& integrator, S& system, StateType& copy, typename StateType::Number h) {
   if constexpr (Staggered<I, S, StateType>) integrator.synchronize(system, copy, h);
 }
 
-/// The state of a method with all parts at the same time.
+/// Returns the state of a method with all parts at the same time.
 template <class I, class S, class StateType>
 [[nodiscard]] StateType synchronized(const I& integrator, S& system, StateType state, typename StateType::Number h) {
   synchronize(integrator, system, state, h);
   return state;
 }
 
-/// A method of fixed step over other states, of type `Rebound<I, StateType>::type`: `NameOf<StateType>` for
-/// I = `NameOf<State>`. None for other methods.
+/// A fixed-step method for another state type: `Rebound<I, StateType>::type` is `NameOf<StateType>` for I =
+/// `NameOf<State>`. Other methods have no `type`.
 template <class I, class StateType>
 struct Rebound {};
 template <template <class> class Method, class StateType>
@@ -224,14 +224,14 @@ struct Rebound<Method<State>, StateType> {
   using type = Method<StateType>;
 };
 
-/// What a method declares, as values.
+/// Properties that a method declares, as values.
 struct IntegratorTraits {
   std::string_view name;
   int order{};
   StepControl step_control{};
   int evaluations{};
   int additions{};
-  double (*linear_limit)(double damping_ratio){};  ///< null: not known
+  double (*linear_limit)(double damping_ratio){};  ///< null: unknown
   double amplitude_growth_rate{};
   double free_fall_error{};
   bool is_staggered{};
@@ -240,7 +240,7 @@ struct IntegratorTraits {
   bool ends_with_evaluation{};
 };
 
-/// Those of a method; see IntegratorFor.
+/// Traits of a method; see IntegratorFor.
 template <Described I>
 requires OptionalMembersFit<I>
 inline constexpr IntegratorTraits traits_of = [] {

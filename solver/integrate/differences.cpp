@@ -15,8 +15,8 @@ namespace {
 
 constexpr std::size_t whole_packs(std::size_t width) { return (width + pack_size - 1) / pack_size * pack_size; }
 
-/// d_(i+1) of the new times is the change of d_i over the time from the oldest of the times in it: takes in a row above
-/// the table, and leaves there what falls out below.
+/// Adds a time to the table: the new d_(i+1) is the change of d_i over the time since the oldest time in the old d_i.
+/// `above` is the new d_0 on entry, and the difference that is dropped at the end of the table on return.
 TALUS_CLONES void push(double* table, std::size_t stride, std::size_t rows, const double* inverse, double* above) {
   for (std::size_t c = 0; c < stride; c += pack_size) {
     Pack next, before;
@@ -60,7 +60,7 @@ TALUS_CLONES void move_rows(const double* q, const double* v, double h, const do
       });
 }
 
-/// Sizes of x and of its sums with one row and with another; the largest of each.
+/// Largest magnitudes of x, of x plus a multiple of one row, and of x plus a multiple of another, times the factors.
 TALUS_CLONES std::array<double, 3> largest_sums(const double* x, const double* one, double weight_one,
                                                 const double* other, double weight_other, const double* factors,
                                                 std::size_t count) {
@@ -79,12 +79,12 @@ TALUS_CLONES std::array<double, 3> largest_sums(const double* x, const double* o
   return {talus::largest(most), talus::largest(most_one), talus::largest(most_other)};
 }
 
-/// Let G_i^q be the integral of N_i, q times over, from the newest time to t. As N_(i+1) = (s - t_i) N_i at the time s,
-/// by parts G_(i+1)^q = (t - t_i) G_i^q - q G_i^(q+1), and G_0^q = h^q/q!, h = t - t_0. By q side by side, each over
-/// h^q: H_(i+1)^q = (t - t_i) H_i^q - q h H_i^(q+1). Little cancels, for N_i never falls: q H_i^(q+1) is at most
-/// H_i^q q/(q + 1), and t - t_i at least h.
+/// Let G_i^q be the integral of N_i, q times over, from the newest time to t. Since N_(i+1) = (s - t_i) N_i at time s,
+/// integration by parts gives G_(i+1)^q = (t - t_i) G_i^q - q G_i^(q+1), with G_0^q = h^q/q! and h = t - t_0. All q are
+/// computed side by side, each divided by h^q: H_(i+1)^q = (t - t_i) H_i^q - q h H_i^(q+1). Cancellation is small
+/// because N_i never decreases: q H_i^(q+1) is at most H_i^q q/(q + 1), and t - t_i is at least h.
 TALUS_CLONES void integrate_basis(const double* times, double t, std::size_t terms, Differences::Basis* out) {
-  // The last of most + 1 terms is integrated twice: the first needs most + 3 of its integrals.
+  // The last of most + 1 terms is integrated twice, so the first term needs most + 3 integrals.
   constexpr std::size_t packs = whole_packs(Differences::most + 3) / pack_size;
   static constexpr auto inverse_factorials = [] {
     std::array<double, packs * pack_size> made{1.0};
@@ -93,7 +93,7 @@ TALUS_CLONES void integrate_basis(const double* times, double t, std::size_t ter
     return made;
   }();
   const double h = t - times[0];
-  std::array<Pack, packs + 1> integrals{};  // and zeros behind the last
+  std::array<Pack, packs + 1> integrals{};  // the last pack is zero
   std::array<Pack, packs> factors;
   for (std::size_t p = 0; p < packs; ++p) {
     load(integrals[p], inverse_factorials.data() + p * pack_size);
@@ -115,7 +115,7 @@ TALUS_CLONES void integrate_basis(const double* times, double t, std::size_t ter
 void Differences::begin(double t, std::span<const double> rates) {
   width_ = rates.size();
   stride_ = whole_packs(width_);
-  times_.reserve(most + 1), table_.reserve(most * stride_);  // a step takes no memory
+  times_.reserve(most + 1), table_.reserve(most * stride_);  // so that steps do not allocate
   times_.assign(1, t);
   table_.assign(rates.begin(), rates.end());
   table_.resize(stride_);

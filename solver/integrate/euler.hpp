@@ -9,9 +9,9 @@
 
 namespace talus {
 
-/// Explicit Euler: q += h v, v += h a(q, v), all of the step's start (Euler 1768). First order. Not for use but to
-/// compare with: without a dashpot its energy grows by 1 + (omega h)^2 a step, however short the step; with one of the
-/// damping ratio xi the limit is omega h < 2 xi (xi < 1), 2/(xi + sqrt(xi^2 - 1)) beyond.
+/// Explicit Euler: q += h v, v += h a(q, v), both with the values at the start of the step (Euler 1768). First order.
+/// For comparison only: without a dashpot its energy grows by the factor 1 + (omega h)^2 per step, however short the
+/// step; with damping ratio xi the limit is omega h < 2 xi for xi < 1, and 2/(xi + sqrt(xi^2 - 1)) beyond.
 template <class StateType>
 class EulerOf {
  public:
@@ -24,7 +24,7 @@ class EulerOf {
   static constexpr int evaluations = 1;
   static constexpr int additions = 1;
   static constexpr double amplitude_growth_rate = 0.25;
-  static constexpr double free_fall_error = -1.0;  ///< coordinates move with the velocity of each step's start
+  static constexpr double free_fall_error = -1.0;  ///< coordinates move with the velocity at the start of each step
 
   static double linear_limit(double damping_ratio) {
     const double xi = damping_ratio;
@@ -45,7 +45,7 @@ class EulerOf {
     state.t += h;
   }
 
-  /// Nothing but room for the rates.
+  /// Restores only the size of the rates; nothing is carried from step to step.
   void serialize(Archive& archive, const StateType& like) requires std::same_as<Scalar, double> {
     if (archive.is_loading()) rates_ = Rates{like};
   }

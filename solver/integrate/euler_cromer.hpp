@@ -8,7 +8,7 @@
 namespace talus {
 
 /// Semi-implicit (symplectic) Euler: v += h a(q, v), then q += h v (Cromer 1981). First order; the same map as the
-/// leapfrog methods but for the time at which its velocities are read.
+/// leapfrog methods except for the time at which velocities are reported.
 template <class StateType>
 struct EulerCromerOf {
   using Scalar = typename StateType::Number;
@@ -18,7 +18,7 @@ struct EulerCromerOf {
   static constexpr StepControl step_control = StepControl::fixed;
   static constexpr int evaluations = 1;
   static constexpr int additions = 1;
-  static constexpr double free_fall_error = 1.0;  ///< coordinates move with the velocity of each step's end
+  static constexpr double free_fall_error = 1.0;  ///< coordinates move with the velocity at the end of each step
   static constexpr bool kick_and_drift = true;
 
   static double linear_limit(double damping_ratio) { return leapfrog_limit(damping_ratio); }

@@ -23,13 +23,13 @@ std::string accumulation_failure(double t) {
 namespace {
 
 constexpr double endless = std::numeric_limits<double>::infinity();
-/// Guards are asked for as far ahead as this many times the next step, so that none should come to its end in the
-/// first step that looks at it; one that does is found there all the same. One that is turned round at its end by a
-/// steady force is seen at the beginning of the step before: that may be an eighth as long, and it closes twice as fast
-/// there as on the mean of both.
+/// Horizon of the guards as a multiple of the next step, so that no guard should reach zero in the first step in which
+/// it is finite; one that does is still found in that step. A guard that a steady force turns round at zero must be
+/// finite at the beginning of the preceding step: that step may be an eighth as long, and the guard decreases twice as
+/// fast there as on average over both.
 constexpr double steps_ahead = 5.0;
 
-/// Lists the numbers that are not the endless one; how many.
+/// Lists the indices of the numbers that are not `endless`; returns their count.
 TALUS_CLONES std::size_t list_finite_numbers(const std::vector<double>& numbers, std::size_t* list) {
   constexpr auto its_bits = std::bit_cast<std::int64_t>(endless);
   std::size_t count = 0, first = 0;
@@ -100,9 +100,9 @@ double EventSearch::find(HybridSystem& system, const State& begin, double end, d
     ends = ends_by(last);
   }
   if (!ends) {
-    // A mode that began at its very end, and goes on past it, ends with the first short step.
+    // A mode that began with a guard at or below zero, and whose guard has fallen further, ends with the probe step.
     if (worse) return end;
-    // What has come out of its end is looked at from the next step on.
+    // Guards that have become positive are checked from the next step on.
     for (std::size_t i = 0; i < guards_.each.size(); ++i)
       masked_[i] = guards_.each[i] > 0.0 ? 0.0 : masked_[i];
     proceed(begin.t);
@@ -121,19 +121,19 @@ double EventSearch::find(HybridSystem& system, const State& begin, double end, d
   return found.second;
 }
 
-/// What was dormant may end again.
+/// Unmasks all guards: their modes may end again.
 void EventSearch::forget_dormant() {
   if (any_masked_) std::fill(masked_.begin(), masked_.end(), 0.0);
   any_masked_ = false;
 }
 
-/// No event ended the step that began then.
+/// Accepts a step without an event that began at `begin`.
 void EventSearch::proceed(double begin) {
   std::swap(earlier_, before_);
   earlier_time_ = begin;
 }
 
-/// Lists the guards that are finite at the end of the last step: the others have not ended and did not dip.
+/// Lists the guards that are finite at the end of the last step: the others have neither ended nor had a minimum.
 void EventSearch::list_finite() {
   finite_.resize(guards_.each.size());
   finite_.resize(list_finite_numbers(guards_.each, finite_.data()));
@@ -144,8 +144,8 @@ bool EventSearch::may_have_ended(std::size_t guard) const {
   return guards_.each[guard] <= (std::isfinite(change) ? 1e-3 * change : 0.0);
 }
 
-/// When in the last step a guard that is positive at both its ends was least, if that may have been past its end: by
-/// the parabola through three times.
+/// Time of the interior minimum in the last step of a guard that is positive at both ends, if the guard may have been
+/// negative there; from the parabola through three times.
 std::optional<double> EventSearch::dip(double begin, double end) const {
   std::optional<double> found;
   if (earlier_.each.size() != guards_.each.size() || finite_.empty()) return found;
@@ -153,11 +153,11 @@ std::optional<double> EventSearch::dip(double begin, double end) const {
   const double b = end - begin;
   const double per_a = 1.0 / (begin - earlier_time_), per_b = 1.0 / b, per_both = 1.0 / (end - earlier_time_);
   for (const std::size_t i : finite_) {
-    // What nothing could end before is infinite: nothing holds of what follows from it.
+    // If a guard was infinite before, none of these numbers is meaningful, and the test below fails.
     const double from = (before_.each[i] - earlier_.each[i]) * per_a, to = (guards_.each[i] - before_.each[i]) * per_b;
     const double curvature = (to - from) * per_both;  // half the second derivative
     const double slope = to - curvature * b;          // at the beginning of the step; at its end: to + curvature b
-    // All asked at once: hardly any guard turns in a step, and each answer alone is hard to foretell.
+    // A single branch (&, not &&): hardly any guard turns in a step, and each condition alone is hard to predict.
     if (!((curvature > 0.0) & (curvature < endless) & (slope < 0.0) & (to + curvature * b > 0.0) & (masked_[i] == 0.0)))
       continue;
     const double s = std::min(-0.5 * slope / curvature, b);
@@ -169,7 +169,7 @@ std::optional<double> EventSearch::dip(double begin, double end) const {
   return found;
 }
 
-/// Those guards that are listed as ended at a time in the last step.
+/// Evaluates the guards listed in ended_ at a time in the last step.
 void EventSearch::look_at(HybridSystem& system, const State& begin, double t, const StateAt& state_at) {
   state_at(t, looked_at_);
   looked_at_.mode = begin.mode;
@@ -177,7 +177,8 @@ void EventSearch::look_at(HybridSystem& system, const State& begin, double t, co
   system.guards_of(looked_at_, ended_, looked_);
 }
 
-/// Lists the guards that are past their end at a time in the last step, of those that were not since the piece began.
+/// Lists in ended_ the guards that are not positive at a time in the last step, except masked ones; returns true if
+/// there are any.
 bool EventSearch::find_ended(HybridSystem& system, const State& begin, double t, const StateAt& state_at) {
   ended_.clear();
   for (const std::size_t i : finite_) {
@@ -188,8 +189,8 @@ bool EventSearch::find_ended(HybridSystem& system, const State& begin, double t,
   return !ended_.empty();
 }
 
-/// The least of these guards; each as a share of what it was at the beginning of the step, so that no unit decides
-/// which is the least.
+/// Minimum of the guards listed in ended_, each relative to its value at the beginning of the step, so that units do
+/// not matter.
 double EventSearch::least_share() const {
   double least = std::numeric_limits<double>::max();
   for (const std::size_t i : ended_) {
@@ -202,7 +203,7 @@ double EventSearch::least_share() const {
 void EventSearch::update_modes(HybridSystem& system, State& at, const State& before) {
   modes_ = at.mode;
   system.update_modes(at, before);
-  // What slid is at first brought to its limit, and only then seen to stick. What is out of reach lasts: nothing ahead.
+  // A slider is first brought to its limit and only then found to stick. Guards out of reach last: horizon zero.
   if (!system.guards(at, true, 0.0, looked_).finite) return;
   bool lasts = true;
   for (std::size_t i = 0; i < looked_.size(); ++i)

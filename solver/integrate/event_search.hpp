@@ -12,19 +12,19 @@
 
 namespace talus {
 
-/// Events in a row with hardly any time between (Zeno behaviour) after which a motion ends.
+/// Number of successive events with hardly any time between them (Zeno behaviour) after which a run fails.
 inline constexpr long most_accumulated = 1000;
-/// The message then.
+/// Message of that failure.
 [[nodiscard]] std::string accumulation_failure(double t);
 
 /// A state near the end of a step.
 struct NearEnd {
   const State* state{};
-  bool same{};  ///< its derivative was the last that the system was asked for
+  bool same{};  ///< the system's last evaluation was the derivative of this state
 };
 
-/// Finds the first event in each step of a motion that is known at all times between the steps' ends: the first time at
-/// which a guard is no longer positive, to round-off (Alefeld, Potra & Shi 1995).
+/// Finds the first event in each step of a motion that is known at all times within a step: the first time at which a
+/// guard is no longer positive, to round-off (Alefeld, Potra & Shi 1995).
 class EventSearch {
  public:
   /// Writes the state at a time within the step.
@@ -33,29 +33,29 @@ class EventSearch {
   EventSearch() = default;
   explicit EventSearch(const State& like) : looked_at_{like} {}
 
-  /// A segment of the motion begins; `before`: the modes before it. True if some mode began at its very end: then only
-  /// a short first step tells whether it lasts.
+  /// Begins a segment of the motion; `before`: the modes before it. Returns true if a mode began with a guard that is
+  /// not positive: only a short first step then shows whether the mode lasts.
   [[nodiscard]] bool begin_segment(HybridSystem& system, const State& start, const std::vector<Mode>& before);
-  /// When the step from `begin` to the time `end` meets its first event; infinite if it meets none. The next step is no
-  /// longer than `next` [T]. `near_end` screens out most steps: only where a guard comes within a thousandth of its way
-  /// in the step to its end there, or may have been past it in between, are the guards asked again. An event that hides
-  /// in that thousandth is past at the beginning of the next step, and is found there.
+  /// Time of the first event in the step from `begin` to the time `end`; infinite if there is none. The next step is at
+  /// most `next` [T]. `near_end` screens out most steps: guards are evaluated again only if one of them at `near_end`
+  /// has fallen to a thousandth of its change over the step or less, or may have been negative within the step. An
+  /// event that is missed within that thousandth has passed at the beginning of the next step, and is found there.
   [[nodiscard]] double find(HybridSystem& system, const State& begin, double end, double next, NearEnd near_end,
                             const StateAt& state_at);
-  /// From the beginning of the piece, or from near the end of the last step, in which no body can pass another unseen:
-  /// how long the next may be at most; infinite of a system that was never asked.
+  /// Longest next step in which no body can pass through another unnoticed, as of the beginning of the segment or near
+  /// the end of the last step; infinite before the first evaluation of guards.
   double longest_step() const { return longest_step_; }
-  /// Brings the modes up to date at an event, from the state at the beginning of the step.
+  /// Updates the modes at an event; `before`: the state at the beginning of the step.
   void update_modes(HybridSystem& system, State& at, const State& before);
 
-  /// Names its parts, for a state of so many modes. Errors when putting back: InputError if they do not fit.
+  /// Serializes guards and masks for a state with `modes` modes. Errors when restoring: InputError if they do not fit.
   void serialize(Archive& archive, std::size_t modes);
 
  private:
-  /// Of a state, one for each mode.
+  /// Guards of a state, one per mode.
   struct Guards {
     std::vector<double> each;
-    bool all_endless{};  ///< and so not written
+    bool all_endless{};  ///< all are infinite, and `each` is not written
     void fill_in();
   };
 
@@ -70,18 +70,18 @@ class EventSearch {
   double least_share() const;
 
   Guards guards_;               ///< at the end of the last step
-  Guards earlier_;              ///< at the beginning of the last step; empty in the first of a piece
-  double earlier_time_{};       ///< and when that was
-  std::vector<double> masked_;  ///< of guards that are past their end since the piece began: 1, or 2 where the mode
-                                ///< was seen to last all the same (a slider whose limit falls)
-  bool any_masked_{};           ///< there may be some
+  Guards earlier_;              ///< at the beginning of the last step; empty in the first step of a segment
+  double earlier_time_{};       ///< time of `earlier_`
+  std::vector<double> masked_;  ///< per guard: 1 if it has not been positive since the segment began, or 2 if its mode
+                                ///< has nevertheless lasted (a slider whose limit falls); else 0
+  bool any_masked_{};           ///< some guards may be masked
   double longest_step_{std::numeric_limits<double>::infinity()};
 
   // Scratch of a step.
   Guards before_;
   std::vector<double> looked_;
-  std::vector<std::size_t> finite_;  ///< guards that something may end
-  std::vector<std::size_t> ended_;   ///< guards that are past their end where they were looked at first
+  std::vector<std::size_t> finite_;  ///< indices of guards that are finite
+  std::vector<std::size_t> ended_;   ///< indices of guards that were not positive where they were first checked
   State looked_at_;
   std::vector<Mode> modes_;
 };

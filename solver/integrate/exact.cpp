@@ -11,7 +11,7 @@
 namespace talus {
 namespace {
 
-/// Terms of the series: of a step of one radian the next is 1/22! = 1e-21 of the first.
+/// Number of terms of the series: for a step of one radian, the next term is 1/22! = 1e-21 of the first.
 constexpr std::size_t term_count = 22;
 
 /// Nodes and weights of Gauss's rule on [-1, 1] (Abramowitz & Stegun 1964, Table 25.4).
@@ -25,7 +25,7 @@ constexpr std::array<std::array<double, 2>, 4> gauss{{{0.18343464249564980493947
 void LinearMotion::begin(HybridSystem& system, const State& start, double interval) {
   system.derivative(start, found_);
   piece_.terms.clear();
-  (void)system.affine_piece(start, piece_);  // advance() fails without
+  (void)system.affine_piece(start, piece_);  // advance() fails if there is none
   q0_ = start.q, v0_ = start.v, a0_ = found_.v;
   const double fastest = fastest_rate(piece_, std::vector<double>(a0_.size(), 1.0));
   step_ = fastest > 0.0 ? 1.0 / fastest : interval;
@@ -43,7 +43,8 @@ std::string LinearMotion::advance(HybridSystem& system, const State& begin, Stat
 
 /// With P_k = q^(k) h^k/k!, q^(k+2) = -K q^(k) - C q^(k+1) for k > 0:
 ///   P_(k+2) = -(h^2 K P_k + h (k+1) C P_(k+1))/((k+1) (k+2)),   q = sum P_k,   v = sum k P_k/h.
-/// The accelerations at the step's beginning are of the piece's own line, so that nothing gathers from step to step.
+/// The accelerations at the beginning of the step follow from the segment's linear law, so that errors do not
+/// accumulate from step to step.
 void LinearMotion::sum_series(const State& begin, double h, State& out) const {
   const std::size_t n = a0_.size();
   out.q = begin.q, out.v = begin.v, out.z = begin.z, out.work = begin.work, out.impulse = begin.impulse;

@@ -8,16 +8,16 @@
 
 namespace talus {
 
-/// Motion in linear pieces, exact to round-off for one force evaluation a piece: with a0 of that evaluation and the
-/// piece's stiffness K and damping C, q'' = a0 - K (q - q0) - C (q' - v0) is summed as the power series of its
-/// solution. Steps serve the search for events alone.
+/// Motion that is linear between events, exact to round-off with one force evaluation per segment: with a0 from that
+/// evaluation, and the stiffness K and damping C of the segment, the solution of q'' = a0 - K (q - q0) - C (q' - v0) is
+/// summed as a power series. Steps serve the search for events alone.
 ///
-/// Work and impulse, where they are kept, are integrated over each step by Gauss's rule of eight points, each a force
-/// evaluation.
+/// Work and impulse, if accumulated, are integrated over each step by Gauss's eight-point rule, with one force
+/// evaluation per point.
 class LinearMotion {
  public:
   static constexpr std::string_view name = "exact";
-  static constexpr int order = 0;  ///< has no error to be of an order
+  static constexpr int order = 0;  ///< no truncation error
   static constexpr StepControl step_control = StepControl::closed_form;
 
   LinearMotion() = default;
@@ -38,12 +38,12 @@ class LinearMotion {
   void sum_series(const State& begin, double h, State& out) const;
 
   AffinePiece piece_;
-  std::vector<double> q0_, v0_, a0_;  ///< at the beginning of the piece
-  double step_{};                     ///< of the piece: no longer than one radian of its fastest motion [T]
-  double share_{1.0};                 ///< of it that the next step is to take
+  std::vector<double> q0_, v0_, a0_;  ///< at the beginning of the segment
+  double step_{};                     ///< step of the segment: at most one radian of its fastest motion [T]
+  double share_{1.0};                 ///< fraction of step_ for the next step
 
   // Scratch of a step.
-  mutable std::vector<double> terms_;  ///< of the series, power by power
+  mutable std::vector<double> terms_;  ///< terms of the series, power by power
   Rates found_;
   State along_;
 };

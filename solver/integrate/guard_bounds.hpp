@@ -2,10 +2,11 @@
 
 namespace talus {
 
-/// What holds for all guards of a state.
+/// Bounds on all guards of a state.
 struct GuardBounds {
-  bool finite{};          ///< some of them may be; else they are not written
-  double longest_step{};  ///< from there in which no body can pass another unseen; none beyond the time ahead [T]
+  bool finite{};          ///< some guards may be finite; false: none is, and guards are not written
+  double longest_step{};  ///< longest step from this state in which no body can pass through another unnoticed, at most
+                          ///< the horizon [T]
 };
 
 }  // namespace talus

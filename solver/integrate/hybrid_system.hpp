@@ -23,7 +23,7 @@ TALUS_NAMED_MEMBER(NamesKeepsAccounts, keeps_accounts);
 TALUS_NAMED_MEMBER(NamesMovesMemory, moves_memory);
 TALUS_NAMED_MEMBER(NamesWakeAll, wake_all);
 
-/// A system with guards.
+/// A system whose modes end where a guard is no longer positive.
 template <class S>
 concept Guarded = requires(S& system, State& end, const State& state, std::vector<double>& all,
                            std::span<const std::size_t> modes, std::span<double> some) {
@@ -36,7 +36,7 @@ concept Guarded = requires(S& system, State& end, const State& state, std::vecto
 template <class S>
 concept NamesNoGuards = !NamesGuards<S> && !NamesGuardsOf<S> && !NamesFollows<S> && !NamesLengths<S>;
 
-// The form of each other optional member, if it is there at all.
+// Signatures of the other optional members, checked where they are present.
 template <class S>
 concept AffinePieceFits = !NamesAffinePiece<S> || requires(S & system, const State& state, AffinePiece& out) {
   system.affine_piece(state, out);
@@ -58,44 +58,51 @@ concept WakeAllFits = !NamesWakeAll<S> || requires(S & system, State& state) {
   system.wake_all(state);
 };
 
-/// A system that a method which locates events can advance. What it offers beyond its rates is optional; a member of
-/// another signature is an error of compilation, and so are some of the first group without the others.
+/// A system that event-locating methods can advance. Members beyond its rates are optional; a member with another
+/// signature does not compile, nor do some members of the first group without the others.
 ///
-/// Where events end the modes (without them the motion is smooth):
-///   GuardBounds guards(state, same, ahead, out)  one for each mode, in the state's present modes, and what holds for all;
-///                           `same`: of the state that was brought up to date, or whose derivative was evaluated, last.
-///                           One that at the present speeds cannot end within the time `ahead` [T] may be infinite
-///   guards_of(state, modes, out)     those of a few modes; the numbers of others may change, too
-///   update_modes(state, before)   brings modes and memory up to date at the end of a step, from the state at its beginning
-///   bool follows(state)     whether some memory must be brought up to date so as the motion continues in these modes
-///   vector<double> lengths()         for each coordinate, the length [L] by which one unit of it moves its body: the
-///                           same at all times; else 1
+/// Where events end the modes (without these the motion is smooth):
+///   GuardBounds guards(state, same, ahead, out)
+///                           one guard per mode, in the state's present modes, and bounds on all of them; `same`: the
+///                           state is the one that was last updated, or whose derivative was last evaluated. Guards
+///                           that cannot reach zero within the horizon `ahead` [T] at present speeds may be infinite
+///   guards_of(state, modes, out)
+///                           guards of the given modes; entries of other modes may change, too
+///   update_modes(state, before)
+///                           updates modes and memory at the end of a step; `before`: the state at its beginning
+///   bool follows(state)     true if some memory must be updated in this way while the motion continues in these modes
+///   vector<double> lengths()
+///                           per coordinate, the distance [L] by which one unit of it moves its body, constant in time;
+///                           default 1
 ///
-/// Each by itself:
-///   affine_piece(state, out)         the linear motion that the state is in; else there is none
-///   linearization(state, out)        how accelerations and memory rates change about a state, nearly: the springs and
+/// Independent of each other:
+///   affine_piece(state, out)  the linear motion that the state is in; default: there is none
+///   linearization(state, out)
+///                           approximate change of accelerations and memory rates about a state: the springs and
 ///                           dashpots that act, without the change of their directions
-///   bool keeps_accounts() const      whether work and impulse have rates; else true
-///   bool moves_memory() const        whether some memory has a rate; else true
-///   wake_all(state)         before the first step: no body of the state sleeps afterwards
+///   bool keeps_accounts() const
+///                           true if work and impulse have rates; default true
+///   bool moves_memory() const
+///                           true if some memory has a rate; default true
+///   wake_all(state)         called before the first step: wakes all bodies of the state
 template <class S>
 concept Hybrid = Differentiable<S> &&(Guarded<S> || NamesNoGuards<S>)&&AffinePieceFits<S>&& LinearizationFits<
     S>&& KeepsAccountsFits<S>&& MovesMemoryFits<S>&& WakeAllFits<S>;
 
-/// A Hybrid as methods that locate events know it: what the system does not offer has its default here.
+/// Interface of a Hybrid system to event-locating methods, with defaults for what the system does not offer.
 class HybridSystem {
  public:
   virtual void derivative(const State& state, Rates& out) = 0;
   virtual void update_modes(State& state) = 0;
   virtual void update_modes(State& state, const State& before) = 0;
-  /// Without guards none is finite, and no step too long.
+  /// Without guards: none is finite, and steps are not limited.
   virtual GuardBounds guards(const State& state, bool same, double ahead, std::vector<double>& out) = 0;
   virtual void guards_of(const State& state, std::span<const std::size_t> modes, std::span<double> out) = 0;
   virtual bool follows(const State& state) = 0;
   virtual std::vector<double> lengths(const State& state) = 0;
-  /// False if the system has no linear motion.
+  /// Returns false if the system has no linear motion.
   virtual bool affine_piece(const State& state, AffinePiece& out) = 0;
-  /// False if the system does not say.
+  /// Returns false if the system has no linearization.
   virtual bool linearization(const State& state, AffinePiece& out) = 0;
   virtual bool has_affine_pieces() const = 0;
   virtual bool keeps_accounts() const = 0;
@@ -105,7 +112,7 @@ class HybridSystem {
   ~HybridSystem() = default;
 };
 
-/// That of a system, which must outlive it.
+/// HybridSystem interface of a system, which must outlive it.
 template <Hybrid System>
 class HybridSystemOf final : public HybridSystem {
  public:

@@ -27,7 +27,7 @@ constexpr std::array<double, 6> embedded{4586570599.0 / 29645900160.0, 0.0,
                                          -3700637.0 / 11593932.0,      61727.0 / 225920.0};
 
 constexpr int most_iterations = 6;
-/// Error of Newton's method that a stage may keep, relative to that of the step.
+/// Error of Newton's method allowed in a stage, relative to the error allowed in the step.
 constexpr double newton_error = 0.02;
 
 double largest(const std::vector<double>& x, std::span<const double> lengths) {
@@ -39,7 +39,7 @@ double largest(const std::vector<double>& x, std::span<const double> lengths) {
   return most;
 }
 
-/// An error in terms of what it may be; none is none, whatever the scale.
+/// Error relative to a scale; a zero error is zero on any scale.
 double relative(double error, double scale) { return error == 0.0 ? 0.0 : error / scale; }
 
 }  // namespace
@@ -55,7 +55,7 @@ bool ImplicitStep::begin(HybridSystem& system, const State& at) {
   return system.linearization(at, piece_) && !piece_.terms.empty() && solver_.group(piece_, at.v.size());
 }
 
-/// The state of a stage by the rates of the stages before it and its own.
+/// Computes the state of a stage from the rates of the stages before it and its own rates.
 void ImplicitStep::place_stage(const State& begin, double h, std::size_t stage) {
   const auto sum = [&](const auto& start, auto& out, const auto& rates_of) {
     for (std::size_t i = 0; i < out.size(); ++i) {
@@ -96,7 +96,7 @@ bool ImplicitStep::solve_stage(HybridSystem& system, const State& begin, double 
       rates.v[i] += change_[i];
     for (const AffinePiece::MemoryTerm& term : piece_.memory)
       rates.z[term.row] += term.slope * b * change_[term.column];
-    // What remains of the residual is the change of the springs' and dashpots' accelerations.
+    // The remaining residual is the change of the springs' and dashpots' accelerations.
     for (std::size_t i = 0; i < change_.size(); ++i)
       residual_[i] -= change_[i];
     const double size = largest(change_, scales.lengths);
@@ -112,8 +112,9 @@ bool ImplicitStep::solve_stage(HybridSystem& system, const State& begin, double 
   return false;
 }
 
-/// Errors of velocities, coordinates and memory by the embedded method, and of the accelerations that follow from them:
-/// a displacement small beside that of the run may be large beside the overlap of a stiff contact.
+/// Errors of velocities, coordinates and memory by the embedded method, and of the accelerations that result from them:
+/// a displacement error that is small relative to the displacements of the run may be large relative to the overlap of
+/// a stiff contact.
 double ImplicitStep::error(double h, const ErrorScales& scales) {
   const auto missed = [&](std::size_t size, std::vector<double>& sum, const auto& rates_of) {
     sum.assign(size, 0.0);
@@ -171,7 +172,7 @@ double ImplicitStep::take(HybridSystem& system, const State& begin, Rates& rates
 void ImplicitStep::state_at(const State& begin, double t, State& out) const {
   const State& end = end_;
   const double h = end.t - begin.t, s = (t - begin.t) / h, r = 1.0 - s;
-  // Hermite's polynomials: of order 3 from values and rates, of order 5 from second derivatives too.
+  // Hermite polynomials: degree 3 from values and rates, degree 5 from second derivatives as well.
   const double value = r * r * (1.0 + 2.0 * s), rate_begin = h * s * r * r, rate_end = -h * s * s * r;
   const auto cubic = [&](const auto& from, const auto& to, const auto& rate, const auto& rate_to, auto& sums) {
     for (std::size_t i = 0; i < sums.size(); ++i)

@@ -11,37 +11,38 @@
 
 namespace talus {
 
-/// What errors of a motion are measured against.
+/// Scales of the errors of a motion.
 struct ErrorScales {
   double speed{};                   ///< [L/T]
   double way{};                     ///< displacement [L]
-  double tolerance{};               ///< error allowed, relative to these
-  std::span<const double> lengths;  ///< by which one unit of each coordinate moves its body [L]
+  double tolerance{};               ///< error allowed, relative to these scales
+  std::span<const double> lengths;  ///< distance by which one unit of each coordinate moves its body [L]
 };
 
-/// Steps of a diagonally implicit Runge-Kutta method of order 4, L-stable and stiffly accurate, with an embedded method
-/// of order 3 for the error (ESDIRK4(3)6L[2]SA of Kennedy & Carpenter 2003). The stages are solved by Newton's method
-/// with a linearization of the system, so that stiff contacts whose forces hardly change do not limit the step. Within
-/// a step the coordinates are the polynomial of order 5 through coordinates, velocities and accelerations at both ends,
-/// memory and accounts the cubic through values and rates.
+/// Diagonally implicit Runge-Kutta steps of order 4, L-stable and stiffly accurate, with an embedded method of order 3
+/// for the error (ESDIRK4(3)6L[2]SA of Kennedy & Carpenter 2003). The stages are solved by Newton's method with a
+/// linearization of the system, so that stiff contacts whose forces hardly change do not limit the step. Within a step
+/// the coordinates are the polynomial of degree 5 through coordinates, velocities and accelerations at both ends;
+/// memory, work and impulse are the cubics through values and rates.
 class ImplicitStep {
  public:
   ImplicitStep() = default;
   explicit ImplicitStep(const State& like);
 
-  /// Linearizes the system in a state whose derivative was the last that it was asked for. False if it cannot be used.
+  /// Linearizes the system in the state whose derivative was last evaluated. Returns false if no implicit step is
+  /// possible.
   [[nodiscard]] bool begin(HybridSystem& system, const State& at);
-  /// Upper bound of the rates at which the linearized system moves [1/T].
+  /// Upper bound of the oscillation and decay rates of the linearized system [1/T].
   double fastest_rate(std::span<const double> lengths) const { return talus::fastest_rate(piece_, lengths); }
 
-  /// Takes a step of length h. `rates`: at its beginning; afterwards, if the error is at most 1, at its end. Returns
-  /// the error in multiples of the tolerance: infinite if Newton's method does not converge.
+  /// Takes a step of length h. `rates`: those at its beginning on entry; those at its end on return, if the error is at
+  /// most 1. Returns the error in multiples of the tolerance: infinite if Newton's method does not converge.
   [[nodiscard]] double take(HybridSystem& system, const State& begin, Rates& rates, double h, const ErrorScales& scales,
                             State& end);
-  /// The state at a time within the last step, which began with this state.
+  /// State at a time within the last step; `begin`: the state at the beginning of that step.
   void state_at(const State& begin, double t, State& out) const;
 
-  /// Names what is needed within the last step, of states like this one.
+  /// Serializes what state_at() needs; `like` gives the sizes.
   void serialize(Archive& archive, const State& like);
 
  private:
@@ -54,7 +55,7 @@ class ImplicitStep {
   AffinePiece piece_;
   AffineSolver solver_;
   Rates begin_rates_, end_rates_;  ///< at both ends of the last step
-  State end_;                      ///< its end, before an event cut it short or modes were brought up to date
+  State end_;                      ///< state at its end, before truncation by an event and before the update of modes
 
   // Scratch of a step.
   std::array<Rates, stages> rates_;

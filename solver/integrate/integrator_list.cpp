@@ -12,7 +12,7 @@
 namespace talus {
 namespace {
 
-/// A system that any method can advance, declared only: the list is checked against it.
+/// A system that any method can advance, only declared: all methods of the list are checked against it.
 struct AnySystem {
   void drift(State& state, double h);
   void kick(State& state, double h);
@@ -43,7 +43,7 @@ Integrator with_tolerance(T integrator, double tolerance) {
   return integrator;
 }
 
-/// What visit returns for the integrator of that name. Errors: InputError if there is none.
+/// Returns visit's result for the integrator with this name. Errors: InputError if there is none.
 template <class Visit>
 auto visit_integrator(std::string_view name, Visit&& visit) {
   return visit_method<Integrator::List>(name, "integrator", visit);

@@ -13,15 +13,15 @@
 
 namespace talus {
 
-/// The central difference as the program FENCE of 1993 seems to have run it: forces are evaluated with the velocities
-/// of one step before, so that dashpots lag by one and a half steps,
+/// Central difference as the program FENCE of 1993 appears to have used it: forces are evaluated with the velocities of
+/// the preceding step, so that dashpots lag by one and a half steps,
 ///
 ///   v(t+h)    = v(t)     + h a(q(t+h/2), v(t-h))
 ///   q(t+3h/2) = q(t+h/2) + h v(t+h)
 ///
-/// (inferred: the report's Eqs. 23-24 leave open which velocity a dashpot sees, its program kept an "old element
-/// velocity", and of the choices tried this one reproduces the printed states best). Not for new work: it damps less
-/// than it should and its limit of stability is lower than that of `central_difference`.
+/// (inferred: the report's Eqs. 23-24 leave open which velocity a dashpot uses, its program stored an "old element
+/// velocity", and of the alternatives tried this one reproduces the printed states best). Not for new work: its damping
+/// is too low, and its stability limit is lower than that of `central_difference`.
 template <class StateType>
 class LaggedCentralDifferenceOf {
  public:
@@ -34,7 +34,7 @@ class LaggedCentralDifferenceOf {
   static constexpr int evaluations = 1;
   static constexpr int additions = 1;
 
-  /// With a dashpot, however weak, half that of the central difference; without one nothing lags.
+  /// With a dashpot, however weak, half the limit of the central difference; without one nothing lags.
   static double linear_limit(double damping_ratio) {
     const double xi = damping_ratio;
     return xi > 0.0 ? std::sqrt(1.0 + xi * xi) - xi : 2.0;
@@ -51,7 +51,8 @@ class LaggedCentralDifferenceOf {
   template <Evaluable<StateType> System>
   requires VectorState<StateType>
   void step(System& system, StateType& state, Scalar h) {
-    // Afterwards the state has the velocities of one step before, and those of this step are the old ones of the next.
+    // After the swap the state has the velocities of the preceding step; those of this step are the old ones of the
+    // next.
     std::swap(state.v, old_velocity_);
     system.evaluate(state, rates_);
     advance(state.v, old_velocity_, h, rates_.v, std::min(rates_.moving, state.v.size()));
@@ -60,7 +61,7 @@ class LaggedCentralDifferenceOf {
     state.t += h;
   }
 
-  /// As for the central difference.
+  /// Same as for the central difference.
   template <class System>
   void synchronize(System& system, StateType& copy, Scalar h) const {
     CentralDifferenceOf<StateType>{}.synchronize(system, copy, h);

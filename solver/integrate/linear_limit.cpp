@@ -11,7 +11,7 @@ double leapfrog_limit(double damping_ratio) {
   return 2.0 * (std::sqrt(1.0 + xi * xi) - xi);
 }
 
-/// Bracketed on a grid and then bisected.
+/// Brackets the limit on a grid, then bisects.
 double first_growth(double (*growth)(double h, double damping_ratio), double damping_ratio) {
   double stable = 0.0;
   double h = 0.001;

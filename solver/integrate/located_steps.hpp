@@ -17,19 +17,19 @@
 
 namespace talus {
 
-/// A motion: how a state continues in its modes from the beginning of a step.
-///   Motion(like, tolerance)              of states like one of the scene
-///   begin(system, start, interval)       a segment begins, one force evaluation; `interval` between outputs [T]
-///   shorten_to_probe()                   the next step is to be a ten-thousandth of what it would be
-///   advance(system, begin, end, longest) takes a step, at most so long [T]; returns why it cannot, or nothing
-///   near_end(end)                        a state near that at the end, and whether the last derivative was its own
+/// A motion: the continuation of a state in its modes from the beginning of a step.
+///   Motion(like, tolerance)              for states of the same sizes as `like`
+///   begin(system, start, interval)       begins a segment, with one force evaluation; `interval` between outputs [T]
+///   shorten_to_probe()                   makes the next step a probe: a ten-thousandth of what it would be
+///   advance(system, begin, end, longest) takes a step of at most `longest` [T]; returns the error message, or ""
+///   near_end(end)                        a state near `end`, and whether the last derivative was evaluated there
 ///   state_at(begin, end, t, out)         the state at a time within the last step
-///   complete(system, begin, end)         the step ends here: adds what waits for its end
-///   ends_at_outputs(system)              whether no step may go beyond an output
-///   next_step()                          the next step of the segment is no longer than this [T]
-///   usual_step()                         length of a step that no event cuts short [T]
-///   remember(memory, like)               its parts
-///   name, order, step_control            of the method that it makes
+///   complete(system, begin, end)         finishes the step at `end`: adds what depends on where it ends
+///   ends_at_outputs(system)              true if no step may extend beyond an output
+///   next_step()                          upper bound of the next step of the segment [T]
+///   usual_step()                         length of a step that is not cut short by an event [T]
+///   serialize(archive, like)             serializes its parts
+///   name, order, step_control            of the resulting method
 template <class M>
 concept Motion = std::semiregular<M> && std::constructible_from<M, const State&, double> &&
     requires(M& motion, const M& fixed, HybridSystem& system, const State& begin, State& end, double t,
@@ -49,11 +49,11 @@ concept Motion = std::semiregular<M> && std::constructible_from<M, const State&,
   { motion.serialize(archive, begin) } -> std::same_as<void>;
 };
 
-/// A method of integration: steps of a motion, each cut at its first event, to round-off; there modes change, and the
-/// motion restarts.
+/// Integration method with event location: each step of a motion is cut at its first event, to round-off; there modes
+/// change, and the motion restarts.
 ///
-/// The step h of the method is the interval between outputs, and costs nothing by itself. Of a system without guards it
-/// is a method for smooth motion. Bodies do not sleep: a step is longer than a wave takes to the next body.
+/// The step h of the method is the interval between outputs and has no cost in itself. For a system without guards this
+/// is a method for smooth motion. Bodies do not sleep: a step is longer than the time a wave takes to the next body.
 template <Motion M>
 class LocatedSteps {
  public:
@@ -61,9 +61,9 @@ class LocatedSteps {
   static constexpr int order = M::order;
   static constexpr StepControl step_control = M::step_control;
   static constexpr int evaluations = 0;
-  static constexpr int additions = 1;  ///< outputs lie between the ends of steps that are much longer or shorter
+  static constexpr int additions = 1;  ///< outputs lie within steps that may be much longer or shorter
 
-  double tolerance{};  ///< as the motion takes it; 0 where it takes none
+  double tolerance{};  ///< as the motion uses it; 0 if it uses none
 
   template <Hybrid System>
   void start(System& system, State& state, double) {
@@ -79,9 +79,9 @@ class LocatedSteps {
     advance(hybrid, state, h);
   }
 
-  /// Events located so far.
+  /// Number of events located so far.
   long events() const { return events_; }
-  /// Why there are no more steps; empty while there are.
+  /// Why the method cannot continue; empty while it can.
   const std::string& failure() const { return failure_; }
 
   void serialize(Archive& archive, const State& like) {
@@ -98,7 +98,7 @@ class LocatedSteps {
   }
 
  private:
-  /// All that a run carries, as at its start.
+  /// Resets everything that a run carries to its value at the start.
   void reset(const State& like) {
     const double kept = tolerance;
     *this = {};
@@ -125,7 +125,7 @@ class LocatedSteps {
     state.t = t;
   }
 
-  /// The system at a time within the last step.
+  /// State of the system at a time within the last step.
   void state_at(double t, State& out) const {
     if (t >= end_.t) {
       out = end_;
@@ -139,7 +139,7 @@ class LocatedSteps {
     motion_.begin(system, end_, interval);
     needs_restart_ = false;
     if (search_.begin_segment(system, end_, begin_.mode)) motion_.shorten_to_probe();
-    follows_ = system.follows(end_);  // as long as no mode changes
+    follows_ = system.follows(end_);  // valid until a mode changes
   }
 
   void take_step(HybridSystem& system, double t) {
@@ -178,15 +178,15 @@ class LocatedSteps {
     if (accumulated_ == most_accumulated) failure_ = accumulation_failure(end_.t);
   }
 
-  State begin_;  ///< at the beginning of the last step ...
+  State begin_;  ///< state at the beginning of the last step ...
   State end_;    ///< ... and at its end, in the modes after it
   M motion_;
   EventSearch search_;
-  bool needs_restart_{true};  ///< the motion is to restart from the end of the last step
-  bool follows_{};            ///< some memory is to be brought up to date after each step of the segment
-  double event_time_{};       ///< of the last event
+  bool needs_restart_{true};  ///< the motion must restart from the end of the last step
+  bool follows_{};            ///< some memory must be updated after each step of the segment
+  double event_time_{};       ///< time of the last event
   long events_{};
-  long accumulated_{};  ///< events in a row with hardly any time between: Zeno behaviour, if they do not end
+  long accumulated_{};  ///< successive events with hardly any time between them: Zeno behaviour, if they do not end
   std::string failure_;
 
   // Scratch.

@@ -31,8 +31,8 @@ std::vector<std::string> method_names() {
   return names;
 }
 
-/// What visit(std::type_identity<Method>{}) returns for the method of that name; the same type for all. `kind`: what the
-/// methods are called in a message. Errors: InputError if the list has none of that name.
+/// Returns visit(std::type_identity<Method>{}) for the method with this name; the type must be the same for all
+/// methods. `kind`: what a message calls the methods. Errors: InputError if the list has no method of that name.
 template <class List, class Visit>
 auto visit_method(std::string_view name, std::string_view kind, Visit&& visit) {
   using First = std::type_identity<std::variant_alternative_t<0, List>>;

@@ -29,8 +29,8 @@ bool is_finite(const Vector& x) {
   return std::all_of(x.begin(), x.end(), [](double number) { return std::isfinite(number); });
 }
 
-/// odeint's measure of a step's error; infinite where some error is not finite. odeint takes the largest by `<`, which
-/// loses a NaN, and would accept a step so long that its stages overflow.
+/// odeint's error measure of a step; infinite if some error is not finite. odeint finds the largest by `<`, which loses
+/// a NaN, and would accept a step so long that its stages overflow.
 class ErrorChecker : public odeint::default_error_checker<double, odeint::range_algebra, odeint::default_operations> {
  public:
   using default_error_checker::default_error_checker;
@@ -48,8 +48,8 @@ using Dopri5 = odeint::runge_kutta_dopri5<Vector>;
 using CashKarp54 = odeint::runge_kutta_cash_karp54<Vector>;
 using Fehlberg78 = odeint::runge_kutta_fehlberg78<Vector>;
 
-/// odeint's bulirsch_stoer, which accepts steps that overflow too: they are repeated with a fifth of the length, as
-/// those of the other steppers.
+/// odeint's bulirsch_stoer, which also accepts steps that overflow: they are repeated with a fifth of the length, as
+/// for the other steppers.
 class BulirschStoer {
  public:
   explicit BulirschStoer(double tolerance) : stepper_{tolerance, tolerance} {}
@@ -71,13 +71,13 @@ class BulirschStoer {
   Vector before_;
 };
 
-/// Predictor and corrector of Adams with eight values, as odeint's adams_bashforth_moulton<8> joins them; taken apart
-/// because that class does not show the derivatives that it keeps.
+/// Adams predictor and corrector with eight values, combined as in odeint's adams_bashforth_moulton<8>; not that class,
+/// because it does not expose the derivatives that it stores.
 class Adams8 {
  public:
   template <class System>
   void do_step(System system, Vector& x, double t, double h) {
-    // Eight are kept; the first seven steps are of the method that starts.
+    // Eight derivatives are stored; the first seven steps use the starting method.
     kept_ = std::min(kept_ + 1, most);
     if (!predictor_.is_initialized()) return predictor_.do_step(system, x, t, h);
     predicted_.resize(x.size());
@@ -98,12 +98,12 @@ class Adams8 {
 
  private:
   static constexpr long most = 8;
-  // Started by Fehlberg 7(8): odeint's default start, rk4, leaves an error of h^5 that the whole run keeps.
+  // Started by Fehlberg 7(8): odeint's default, rk4, causes an error of h^5 that persists during the whole run.
   using Predictor = odeint::adams_bashforth<8, Vector, double, Vector, double, odeint::range_algebra,
                                             odeint::default_operations, odeint::initially_resizer, Fehlberg78>;
   using Corrector = odeint::adams_moulton<8, Vector, double, Vector, double, odeint::range_algebra>;
 
-  /// Brings the predictor's own count of steps to that of a method that has run: nothing but steps advances it.
+  /// Restores the predictor's internal count of steps, which nothing but steps advances.
   void count_steps(long steps, std::size_t size) {
     const auto at_rest = [](const Vector&, Vector& dxdt, double) { std::fill(dxdt.begin(), dxdt.end(), 0.0); };
     Vector zeros(size, 0.0);
@@ -112,7 +112,7 @@ class Adams8 {
       predictor_.do_step(at_rest, zeros, 0.0, 1.0);
   }
 
-  /// A corrector refers to an algebra: this one, so that a copy refers to no member of the original.
+  /// A corrector refers to an algebra: this static one, so that a copy does not refer to a member of the original.
   static inline odeint::range_algebra algebra_{};
 
   Predictor predictor_;
@@ -151,11 +151,11 @@ AnyStepper make_stepper(OdeintMethod method, double tolerance) {
   std::abort();
 }
 
-/// Whether the last stage is the first of the next step.
+/// True if the last stage of a step is the first of the next.
 template <class Stepper>
 constexpr bool keeps_derivative = std::is_same_v<Stepper, Dopri5> || std::is_same_v<Stepper, Controlled<Dopri5>>;
 
-/// The least internal step, as a share of the interval: below it a run has failed, not merely slowed down.
+/// Minimum internal step as a fraction of the interval: below it a run has failed, not merely slowed down.
 constexpr double least_share = 1e-12;
 
 }  // namespace
@@ -169,8 +169,8 @@ struct OdeintStepper::Method {
 
 namespace {
 
-/// Steps under control over the interval h; returns why they cannot reach its end, or nothing. `Method` is
-/// OdeintStepper's own.
+/// Advances over the interval h with step control; returns the error message if it cannot reach its end, or an empty
+/// string. `Method` is OdeintStepper::Method.
 template <class Stepper, class Method>
 std::string controlled_steps(Stepper& stepper, Method& method, const OdeintStepper::Derivative& derivative,
                              const OdeintStepper::Accepted& accepted, Vector& x, double t, double h) {
@@ -181,7 +181,7 @@ std::string controlled_steps(Stepper& stepper, Method& method, const OdeintStepp
       return stepper.try_step(std::cref(derivative), x, t, attempt) == odeint::success;
     }
   };
-  // Its order is private to odeint and could not be put back from a checkpoint: each interval restarts.
+  // Its order is private to odeint and could not be restored from a checkpoint, so each interval restarts.
   if constexpr (std::is_same_v<Stepper, BulirschStoer>) stepper.reset();
   const double end = t + h;
   double dt = method.internal_step == 0.0 ? h : std::min(method.internal_step, h);
@@ -192,7 +192,7 @@ std::string controlled_steps(Stepper& stepper, Method& method, const OdeintStepp
     const double wanted = attempt;
     if (try_step(attempt)) {
       if (last) t = end;
-      // A step cut short by the end of the interval says nothing against the longer one.
+      // A step cut short by the end of the interval is no reason to shorten the next one.
       dt = last ? std::max(dt, attempt) : attempt;
       accepted(x, t);
     } else {
@@ -267,7 +267,7 @@ void append(OdeintStepper::Vector& x, const auto& numbers, double scale) {
     x.push_back(scale * number);
 }
 
-/// A state behind its coordinates, or rates behind dq/dt.
+/// Packs q and the rest of a state, or dq/dt and the rest of the rates.
 template <class Part>
 void pack(const std::vector<double>& first, const Part& part, OdeintStepper::Vector& x) {
   x.clear();

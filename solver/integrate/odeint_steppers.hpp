@@ -11,10 +11,10 @@
 
 namespace talus {
 
-/// The steppers of Boost.odeint that scenes can name.
+/// Steppers of Boost.odeint that scenes can name.
 enum class OdeintMethod { dopri5, cash_karp54, fehlberg78, adams_bashforth_moulton8, bulirsch_stoer };
 
-/// What one of them declares as an integrator (see IntegratorFor); `additions` are upper bounds.
+/// Constants that a stepper declares as an integrator (see IntegratorFor); `additions` are upper bounds.
 struct OdeintTraits {
   std::string_view name;
   int order;
@@ -38,8 +38,8 @@ constexpr OdeintTraits odeint_traits(OdeintMethod method) {
   return {"odeint_bulirsch_stoer", 8, StepControl::tolerance, 0, 20};
 }
 
-/// Any of odeint's steppers behind one door: a state is one vector of numbers. A value: a copy goes on as the original
-/// would.
+/// Common interface to odeint's steppers, for states packed into one vector. Has value semantics: a copy continues as
+/// the original would.
 class OdeintStepper {
  public:
   using Vector = std::vector<double>;
@@ -48,8 +48,8 @@ class OdeintStepper {
   /// Called after each accepted internal step with the vector and its time; may change the vector.
   using Accepted = std::function<void(Vector& x, double t)>;
 
-  /// tolerance > 0: relative and absolute error allowed in each step, step control on; 0: steps of fixed length. That
-  /// the method can do so (see odeint_traits) is the caller's contract.
+  /// tolerance > 0: relative and absolute error allowed in each step, with step control; 0: steps of fixed length. The
+  /// caller must ensure that the method supports this (see odeint_traits).
   OdeintStepper(OdeintMethod method, double tolerance);
   ~OdeintStepper();
   OdeintStepper(const OdeintStepper&);
@@ -57,11 +57,12 @@ class OdeintStepper {
   OdeintStepper(OdeintStepper&&) noexcept;
   OdeintStepper& operator=(OdeintStepper&&) noexcept;
 
-  /// Advances x from t to t + h, by one step or by as many as the step control takes; returns why it cannot, or nothing.
+  /// Advances x from t to t + h, in one step or as many as step control needs; returns the error message, or an empty
+  /// string.
   [[nodiscard]] std::string advance(const Derivative& derivative, const Accepted& accepted, Vector& x, double t,
                                     double h);
 
-  /// Names what is carried to the next advance(), of vectors of `size` numbers.
+  /// Serializes what is carried to the next advance(), for vectors of `size` numbers.
   void serialize(Archive& archive, std::size_t size);
 
  private:
@@ -69,15 +70,15 @@ class OdeintStepper {
   std::unique_ptr<Method> method_;
 };
 
-/// State as one vector for odeint: q, v, z, then work and impulse. The last two ride along outside of step control:
-/// they are scaled by 2^-200, which loses no bit and makes their errors count for nothing.
+/// Packs a state into one vector for odeint: q, v, z, then work and impulse. The last two are excluded from step
+/// control: they are scaled by 2^-200, which loses no bit and makes their errors negligible.
 void pack(const State& state, OdeintStepper::Vector& x);
 void unpack(const OdeintStepper::Vector& x, State& state);
 /// dx/dt in the same order: v, rates.v, rates.z, rates.work, rates.impulse.
 void pack(const State& state, const Rates& rates, OdeintStepper::Vector& dxdt);
 
 /// One of odeint's steppers as a Talus integrator. With tolerance > 0 the step h is the interval between outputs and
-/// the stepper chooses its own steps inside it; with tolerance 0 each step has length h.
+/// the stepper chooses its internal steps; with tolerance 0 each step has length h.
 template <OdeintMethod method>
 class Odeint {
  public:
@@ -110,11 +111,11 @@ class Odeint {
       system.update_modes(state);
       pack(state, x);
     };
-    // By reference: functions that hold so much would take memory at each step.
+    // Passed by reference: copies of functions with this many captures would allocate at each step.
     failure_ = stepper_->advance(std::cref(derivative), std::cref(accepted), x_, state.t, h);
   }
 
-  /// Why there are no more steps; empty while there are.
+  /// Why the method cannot continue; empty while it can.
   const std::string& failure() const { return failure_; }
 
   void serialize(Archive& archive, const State& like) {

@@ -11,7 +11,7 @@
 
 namespace talus {
 
-/// The classical Runge-Kutta method of order 4 (Kutta 1901) with four force evaluations a step:
+/// Classical Runge-Kutta method of order 4 (Kutta 1901) with four force evaluations per step:
 ///
 ///     0  |
 ///    1/2 | 1/2
@@ -20,9 +20,9 @@ namespace talus {
 ///    ----+-------------------
 ///        | 1/6  1/3  1/3  1/6
 ///
-/// Stage s is the state at the step's start moved by node_s h with the rates of stage s - 1; the step takes all four
-/// rates with their weights. Modes are brought up to date at every stage, so that across a change of mode it is a
-/// method of order 2 at best.
+/// Stage s is the state at the start of the step, moved by node_s h with the rates of stage s - 1; the step uses all
+/// four rates with their weights. Modes are updated at every stage, so that across a change of mode the order is 2 at
+/// best.
 template <class StateType>
 class RungeKutta4Of {
  public:
@@ -35,7 +35,7 @@ class RungeKutta4Of {
   static constexpr int evaluations = 4;
   static constexpr int additions = 4;
 
-  /// Where |R(z)| first passes 1 (2.828 at xi = 0).
+  /// The omega h at which |R(z)| first exceeds 1 (2.828 at xi = 0).
   static double linear_limit(double damping_ratio) { return first_growth(fourth_order_growth, damping_ratio); }
 
   template <Evaluable<StateType> System>
@@ -51,7 +51,7 @@ class RungeKutta4Of {
     const Scalar one{1};
     const std::array<Scalar, 4> node{Scalar{0}, one / 2, one / 2, one};
     const std::array<Scalar, 4> weight{one / 6, one / 3, one / 3, one / 6};
-    // velocity_[s] is dq/dt of stage s: the stage's own v, kept because the next stage overwrites it.
+    // velocity_[s] is dq/dt of stage s: the stage's v, stored because the next stage overwrites it.
     for (std::size_t s = 0; s < node.size(); ++s) {
       stage_ = state;
       if (s > 0) {
@@ -72,7 +72,7 @@ class RungeKutta4Of {
     system.update_modes(state);
   }
 
-  /// Nothing but room for the stages.
+  /// Restores only the sizes of the stages; nothing is carried from step to step.
   void serialize(Archive& archive, const StateType& like) requires std::same_as<Scalar, double> {
     if (archive.is_loading()) rates_.fill(Rates{like});
   }

@@ -19,20 +19,21 @@ namespace talus {
 namespace {
 
 constexpr std::size_t most_terms = 12;
-/// The first step of a piece, as a share of the usual one.
+/// First step of a segment as a fraction of the usual step.
 constexpr double first_share = 0.25;
 
-/// Cost of an implicit step in steps of the polynomial.
+/// Cost of an implicit step relative to a step of the polynomial.
 constexpr double implicit_cost = 12.0;
-/// Steps of the polynomial above this order have errors that count, not stiffness.
+/// Steps of the polynomial above this order are limited by their errors, not by stiffness.
 constexpr std::size_t stiff_order = 4;
 constexpr long most_patience = 400;
 
-/// How much longer than the last a step may be: the first few feel their way, high orders bear little.
+/// Maximum ratio of a step to the last one: the first few steps search for their length, high orders tolerate little
+/// growth.
 double largest_growth(std::size_t terms) { return terms == 1 ? 8.0 : terms <= 3 ? 4.0 : terms <= 6 ? 2.0 : 1.3; }
 
-/// e^(-1/n) to .6 percent, e > 0 and not subnormal, by nothing but sums, products and the bits of the exponent: the
-/// library's power is not the same on all processors, and this decides the length of steps.
+/// e^(-1/n) to 0.6 percent, e > 0 and not subnormal, from sums, products and the bits of the exponent alone: pow of the
+/// library is not the same on all processors, and this function decides the length of steps.
 double inverse_root(double e, std::size_t n) {
   constexpr std::int64_t one = std::int64_t{1} << 52;
   const auto bits = std::bit_cast<std::int64_t>(std::max(e, std::numeric_limits<double>::min()));
@@ -43,7 +44,7 @@ double inverse_root(double e, std::size_t n) {
   return (1.0 + f * (0.6565 + 0.3435 * f)) * std::bit_cast<double>((static_cast<std::int64_t>(floor) + 1023) * one);
 }
 
-/// Largest sizes of coordinates' speeds and ways, each in the length that one unit of it moves its body by.
+/// Largest speed and displacement of any coordinate, each times the distance by which one unit of it moves its body.
 struct Reach {
   double speed{};
   double way{};
@@ -81,13 +82,13 @@ void PolynomialMotion::flatten(const Rates& rates) {
   new_.insert(new_.end(), rates.impulse.begin(), rates.impulse.end());
 }
 
-/// Numbers that flatten() makes.
+/// Number of values that flatten() makes.
 std::size_t PolynomialMotion::width(const State& like) const {
   return like.v.size() + (moves_memory_ ? like.z.size() : 0) +
          (keeps_accounts_ ? like.work.size() + like.impulse.size() : 0);
 }
 
-/// The first step of a piece knows the rates at one time alone.
+/// Begins a segment, whose first step has the rates at one time only.
 void PolynomialMotion::begin(HybridSystem& system, const State& start, double interval) {
   if (lengths_.empty()) lengths_ = system.lengths(start);
   moves_memory_ = system.moves_memory(), keeps_accounts_ = system.keeps_accounts();
@@ -104,9 +105,9 @@ void PolynomialMotion::begin(HybridSystem& system, const State& start, double in
   held_ = 0;
 }
 
-/// Of a motion that starts at rest, errors relative to its own first displacement would never be small: the memory of
-/// friction is first integrated with no velocity at all. Its springs are moved by a/w^2 and a/w at least, with w the
-/// fastest rate of the springs that act.
+/// Sets the initial scales of the errors. If a motion starts at rest, errors relative to its own first displacement
+/// would never be small: the memory of friction is first integrated with zero velocity. The springs respond by at least
+/// a/w^2 in displacement and a/w in speed, with w the fastest rate of the springs that act.
 void PolynomialMotion::start_scales(HybridSystem& system, const State& start) {
   AffinePiece piece;
   if (!system.linearization(start, piece)) return;
@@ -126,7 +127,7 @@ std::string PolynomialMotion::advance(HybridSystem& system, const State& begin, 
     leave_implicit(begin);
   }
   implicit_last_ = false;
-  // The rates at the end of the last step join the others only now: until then they told of that step.
+  // The rates at the end of the last step are added only now: until now the differences described that step.
   if (begin.t > rates_.newest()) {
     if (probes_) {
       rates_.begin(begin.t, new_);
@@ -153,7 +154,7 @@ std::string PolynomialMotion::advance(HybridSystem& system, const State& begin, 
   return short_step_failure(tolerance_, begin.t);
 }
 
-/// Whether springs and dashpots that act are faster than steps of this length can follow with a low order.
+/// True if the springs and dashpots that act are too fast for low-order steps of this length.
 bool PolynomialMotion::is_held_by_stiffness(HybridSystem& system, const State& begin) {
   held_ = 0;
   system.derivative(begin, implicit_rates_);
@@ -167,10 +168,10 @@ bool PolynomialMotion::is_held_by_stiffness(HybridSystem& system, const State& b
   return true;
 }
 
-/// One implicit step; false if the polynomial is to go on from the beginning of the step.
+/// Takes one implicit step; returns false if the polynomial must continue from the beginning of the step.
 bool PolynomialMotion::advance_implicitly(HybridSystem& system, const State& begin, State& end, double longest) {
   if (implicit_count_ > 0 && !implicit_step_.begin(system, begin)) return false;
-  // The first few may find out how long they can be.
+  // The first few implicit steps may find their length.
   constexpr long trial = 4;
   if (implicit_count_ >= trial && step_ < implicit_cost * explicit_step_) return false;
   double h = std::min(step_, longest);
@@ -191,7 +192,7 @@ bool PolynomialMotion::advance_implicitly(HybridSystem& system, const State& beg
   return false;
 }
 
-/// The polynomial restarts from the rates at the end of the last implicit step.
+/// Restarts the polynomial from the rates at the end of the last implicit step.
 void PolynomialMotion::leave_implicit(const State& begin) {
   flatten(implicit_rates_);
   rates_.begin(begin.t, new_);
@@ -202,7 +203,7 @@ void PolynomialMotion::leave_implicit(const State& begin) {
   implicit_ = false;
 }
 
-/// Predicts, evaluates and corrects; says nothing of whether the step will do.
+/// Predicts, evaluates and corrects a step; does not decide whether it is accepted.
 void PolynomialMotion::try_step(HybridSystem& system, const State& begin, double h, State& end) {
   const double t = begin.t + h;
   rates_.basis(t, std::min(used_ + 2, rates_.count() + 1), basis_);
@@ -222,7 +223,7 @@ void PolynomialMotion::try_step(HybridSystem& system, const State& begin, double
   measure(h, begin, end);
 }
 
-/// The state at a time by the first terms of the polynomial.
+/// State at a time by the first terms of the polynomial.
 void PolynomialMotion::move(const State& begin, double t, std::span<const Basis> basis, State& to) const {
   to.t = t;
   rates_.move(begin.q, begin.v, t - begin.t, basis, to.q, to.v);
@@ -240,7 +241,7 @@ void PolynomialMotion::move(const State& begin, double t, std::span<const Basis>
   integrate(keeps_accounts_, begin.impulse, to.impulse);
 }
 
-/// Adds the term of what the prediction missed: its integral over time, and the integral of that. `to` may be `from`.
+/// Adds the term that the prediction missed: its integral over time, and its double integral. `to` may be `from`.
 void PolynomialMotion::correct(const Basis& last, const State& from, State& to) const {
   const double once = last.once / last_value_, twice = last.twice / last_value_;
   const double* missed = miss_.data();
@@ -264,10 +265,10 @@ void PolynomialMotion::state_at(const State& begin, const State&, double t, Stat
   correct(basis[used_], out, out);
 }
 
-/// How large a motion has to be for its errors to count fully: the longest way and the largest speed so far.
+/// Updates the scales of the errors: the largest displacement and the largest speed so far.
 void PolynomialMotion::measure(double h, const State& begin, const State& end) {
   const Reach now = reach(begin, end, start_, lengths_);
-  // Of a step that fails nothing is to be remembered: its end may be anywhere.
+  // Not yet stored as speed_ and way_: if the step fails, its end may be anywhere.
   speed_now_ = std::max(speed_, now.speed);
   way_now_ = std::max(way_, std::max(now.way, h * speed_now_));
 }
@@ -276,7 +277,7 @@ void PolynomialMotion::measure(double h, const State& begin, const State& end) {
 PolynomialMotion::Errors PolynomialMotion::errors(const State& like) const {
   const std::size_t n = like.v.size(), m = moves_memory_ ? like.z.size() : 0;
   const bool less = used_ > 1, more = used_ < rates_.count() && used_ < most_terms;
-  // With one term less that is missed as well; with one more that is missed no longer.
+  // With one term fewer, that term is missed as well; with one more, that term is no longer missed.
   const std::array<Differences::Term, 2> terms{
       less ? Differences::Term{used_ - 1, basis_[used_ - 1].value} : Differences::Term{},
       more ? Differences::Term{used_, -basis_[used_].value} : Differences::Term{}};
@@ -284,9 +285,9 @@ PolynomialMotion::Errors PolynomialMotion::errors(const State& like) const {
   const std::array<double, 3> motion = rates_.largest(missed.first(n), 0, terms, lengths_);
   std::array<double, 3> memory{};
   if (m > 0) memory = rates_.largest(missed.subspan(n, m), n, terms, {});
-  // What is not a number is the largest.
+  // NaN counts as the largest.
   const auto raise = [](double& most, double x) { most = x > most || x != x ? x : most; };
-  // Of a motion that has not begun no error is too small.
+  // While the motion has not begun, its scale is zero and any error but zero is too large.
   const auto share = [](double x, double of) { return x == 0.0 ? 0.0 : x / of; };
   const auto error = [&](std::size_t place, std::size_t used) {
     const Basis& left_out = basis_[used];
@@ -300,14 +301,14 @@ PolynomialMotion::Errors PolynomialMotion::errors(const State& like) const {
   return {error(0, used_), less ? error(1, used_ - 1) : none, more ? error(2, used_ + 1) : none};
 }
 
-/// The step failed: how long the next attempt may be.
+/// Chooses the length of the next attempt after a failed step.
 void PolynomialMotion::shorten(double h, const Errors& errors) {
   const double share = std::isfinite(errors.now) ? 0.8 * inverse_root(errors.now, used_ + 1) : 0.0;
   step_ = h * std::clamp(share, used_ == 1 ? 1e-3 : 0.1, 0.8);
   if (errors.fewer < errors.now) order_ = used_ - 1;
 }
 
-/// The step was good: takes over its scales, and chooses the order that allows the longest next step, and that step.
+/// After an accepted step: adopts its scales, and chooses the order that allows the longest next step, and that step.
 void PolynomialMotion::choose_next(double h, const Errors& errors) {
   speed_ = speed_now_, way_ = way_now_;
   const auto growth = [](double e, std::size_t terms) { return e > 0.0 ? 0.9 * inverse_root(e, terms + 1) : 10.0; };
@@ -319,14 +320,14 @@ void PolynomialMotion::choose_next(double h, const Errors& errors) {
   }
   if (order_ == used_ && used_ < most_terms) {
     if (rates_.count() == used_) {
-      ++order_;  // all that is known served: the next step knows more
+      ++order_;  // all known times were used: the next step has one more
     } else {
       const double higher = growth(errors.more, used_ + 1);
       if (higher > best) best = higher, ++order_;
     }
   }
   if (probes_) {
-    // It has told how long the first step may be; one without an error, that any may.
+    // The probe limits the first step; without an error it does not.
     step_ = first_share * usual_;
     if (errors.now > 0.0) step_ = std::min(best * h, step_);
     return;

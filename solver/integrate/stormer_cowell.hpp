@@ -11,16 +11,16 @@
 
 namespace talus {
 
-/// Motion by the polynomial through the rates at the last times, in steps of variable order and length: accelerations
-/// are integrated once to velocities and twice to coordinates (Stoermer 1907, Cowell & Crommelin 1910; by differences
-/// for steps of any length Krogh 1974, Shampine & Gordon 1975). Predict, evaluate once, correct. Between the ends of
-/// the steps the same polynomial says where the system is.
+/// Motion by the polynomial through the rates at the latest times, with variable order and step: accelerations are
+/// integrated once to velocities and twice to coordinates (Stoermer 1907, Cowell & Crommelin 1910; by differences for
+/// steps of any length Krogh 1974, Shampine & Gordon 1975). A step predicts, evaluates once and corrects. Within a step
+/// the same polynomial gives the state.
 ///
-/// Where stiff springs keep the steps short though hardly anything changes (a body that rests, rolls or slides on a
-/// contact), the steps are those of ImplicitStep, as long as these save evaluations.
+/// If stiff springs limit the steps although hardly anything changes (a body that rests, rolls or slides on a contact),
+/// the steps are those of ImplicitStep, as long as these save evaluations.
 ///
-/// tolerance: how far prediction and correction may be apart, relative to the largest displacement and speed of the run
-/// so far; of a run that starts at rest, to those by which its springs respond to the forces at the start.
+/// tolerance: allowed difference between prediction and correction, relative to the largest displacement and speed of
+/// the run so far; in a run that starts at rest, relative to the response of its springs to the forces at the start.
 class PolynomialMotion {
  public:
   static constexpr std::string_view name = "stormer_cowell";
@@ -50,7 +50,8 @@ class PolynomialMotion {
   bool advance_implicitly(HybridSystem& system, const State& begin, State& end, double longest);
   void leave_implicit(const State& begin);
   void try_step(HybridSystem& system, const State& begin, double h, State& end);
-  /// Of the last step; what it would have been with one term less, and one more; infinite where there is none.
+  /// Errors of the last step, and as they would be with one term fewer and with one term more; infinite if there is
+  /// none.
   struct Errors {
     double now{};
     double fewer{};
@@ -65,34 +66,34 @@ class PolynomialMotion {
   void flatten(const Rates& rates);
   std::size_t width(const State& like) const;
 
-  Differences rates_;  ///< up to the beginning of the last step: accelerations, and memory rates, powers and impulses
-                       ///< if there are any
-  std::vector<double> new_;    ///< the same at its end
-  std::vector<double> miss_;   ///< how much of it the prediction missed
-  double last_value_{};        ///< at the end of the last step, of the first term that it left out
-  std::size_t order_{1};       ///< terms that predict the next step
-  std::size_t used_{1};        ///< and the last
+  Differences rates_;  ///< rates up to the beginning of the last step: accelerations, and memory rates, powers and
+                       ///< forces from outside if there are any
+  std::vector<double> new_;    ///< rates at its end
+  std::vector<double> miss_;   ///< difference of these from the prediction
+  double last_value_{};        ///< value of the first omitted term at the end of the last step
+  std::size_t order_{1};       ///< number of terms that predict the next step
+  std::size_t used_{1};        ///< number of terms that predicted the last step
   double step_{};              ///< length of the next step [T]
-  double usual_{};             ///< the last that was not held short by an event [T]
+  double usual_{};             ///< last step that was not cut short by an event [T]
   bool probes_{};              ///< the next step is a probe, too short to build on: after it the segment restarts
   bool moves_memory_{true};    ///< see Hybrid
   bool keeps_accounts_{true};  ///< likewise
   double tolerance_{};
-  double way_{};                 ///< longest way of a coordinate so far [L]
+  double way_{};                 ///< largest displacement of a coordinate so far [L]
   double speed_{};               ///< largest speed so far [L/T]
   std::vector<double> start_;    ///< coordinates at the start of the run
-  std::vector<double> lengths_;  ///< of the coordinates, once asked for
+  std::vector<double> lengths_;  ///< of the coordinates, see Hybrid; empty before they are first needed
 
   ImplicitStep implicit_step_;
-  bool implicit_{};                ///< the next step is an implicit one
-  bool implicit_last_{};           ///< the last was
+  bool implicit_{};                ///< the next step is implicit
+  bool implicit_last_{};           ///< the last step was implicit
   Rates implicit_rates_;           ///< at the beginning of the next implicit step
-  double explicit_step_{};         ///< before the implicit ones began [T]
-  double implicit_start_{};        ///< when they began [T]
-  long implicit_count_{};          ///< of them in a row
-  long held_{};                    ///< steps of low order in a row that have not grown beyond three times ...
-  double held_step_{};             ///< ... this one [T]
-  long patience_{first_patience};  ///< number of them before an implicit step is tried
+  double explicit_step_{};         ///< explicit step before the implicit ones began [T]
+  double implicit_start_{};        ///< time at which they began [T]
+  long implicit_count_{};          ///< number of successive implicit steps
+  long held_{};                    ///< number of successive low-order steps that did not grow beyond three times ...
+  double held_step_{};             ///< ... this step [T]
+  long patience_{first_patience};  ///< number of them after which an implicit step is tried
   static constexpr long first_patience = 12;
 
   // Scratch of a step.

@@ -8,10 +8,10 @@
 
 namespace talus {
 
-/// Taylor's polynomial with the acceleration a = a(q, v) of the step's start: q += h v + h^2/2 a, v += h a. Coordinates
-/// of a constant acceleration come out exact; on all else it is of first order, as explicit Euler. Not for use but to
-/// compare with: without a dashpot its energy grows by 1 + (omega h)^2/2 a step, however short the step; with one of
-/// the damping ratio xi the limit is omega h < 4 xi (xi < 1/2), 1/xi beyond.
+/// Taylor polynomial with the acceleration a = a(q, v) at the start of the step: q += h v + h^2/2 a, v += h a. Exact
+/// for coordinates under constant acceleration; otherwise of first order, as explicit Euler. For comparison only:
+/// without a dashpot its energy grows by the factor 1 + (omega h)^2/2 per step, however short the step; with damping
+/// ratio xi the limit is omega h < 4 xi for xi < 1/2, and 1/xi beyond.
 template <class StateType>
 class TaylorOf {
  public:
@@ -22,7 +22,7 @@ class TaylorOf {
   static constexpr int order = 1;
   static constexpr StepControl step_control = StepControl::fixed;
   static constexpr int evaluations = 1;
-  static constexpr int additions = 2;  ///< half kicks of a velocity
+  static constexpr int additions = 2;  ///< half kicks per velocity
   static constexpr double amplitude_growth_rate = 0.125;
 
   static double linear_limit(double damping_ratio) {
@@ -35,7 +35,7 @@ class TaylorOf {
     system.update_modes(state);
   }
 
-  /// Two half kicks around the drift: the second half is of the same acceleration.
+  /// Two half kicks around the drift, both with the same acceleration.
   template <Evaluable<StateType> System>
   void step(System& system, StateType& state, Scalar h) {
     system.evaluate(state, rates_);
@@ -45,7 +45,7 @@ class TaylorOf {
     state.t += h;
   }
 
-  /// Nothing but room for the rates.
+  /// Restores only the size of the rates; nothing is carried from step to step.
   void serialize(Archive& archive, const StateType& like) requires std::same_as<Scalar, double> {
     if (archive.is_loading()) rates_ = Rates{like};
   }

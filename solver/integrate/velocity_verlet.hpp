@@ -10,11 +10,11 @@
 
 namespace talus {
 
-/// Velocity Verlet (Swope et al. 1982): half a kick, a drift, half a kick, with one force evaluation a step.
+/// Velocity Verlet (Swope et al. 1982): half a kick, a drift, half a kick, with one force evaluation per step.
 ///
 ///   v' = v + h/2 a_n;   q += h v';   a_{n+1} = a(q, v');   v = v' + h/2 a_{n+1}
 ///
-/// Its memory is a_n, evaluated at the half-step velocity v': dashpots see that velocity.
+/// The method carries a_n, evaluated at the half-step velocity v': dashpots use that velocity.
 template <class StateType>
 class VelocityVerletOf {
  public:
@@ -25,7 +25,7 @@ class VelocityVerletOf {
   static constexpr int order = 2;
   static constexpr StepControl step_control = StepControl::fixed;
   static constexpr int evaluations = 1;
-  static constexpr int additions = 2;  ///< half kicks of a velocity
+  static constexpr int additions = 2;  ///< half kicks per velocity
   static constexpr bool ends_with_evaluation = true;
 
   static double linear_limit(double damping_ratio) { return leapfrog_limit(damping_ratio); }

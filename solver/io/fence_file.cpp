@@ -12,7 +12,7 @@ namespace talus {
 
 namespace {
 
-/// The extension in small letters.
+/// The file's extension in lower case.
 std::string small_extension(const std::filesystem::path& file) {
   std::string extension = file.extension().string();
   for (char& c : extension)

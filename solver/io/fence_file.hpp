@@ -8,13 +8,13 @@
 
 namespace talus {
 
-/// Ways to write a fence down.
+/// File formats of a fence.
 enum class FenceFormat {
   deck,  ///< input file of the 1993 program: .DAT
   toml,  ///< scene file with a table [fence]: .toml
 };
 
-/// The format that a file's extension names, in capitals or not. Errors: InputError naming those known.
+/// Format given by a file's extension, in upper or lower case. Errors: InputError naming the known ones.
 [[nodiscard]] FenceFormat fence_format(const std::filesystem::path& file);
 
 /// Whether a file's extension is that of a deck.
@@ -24,7 +24,7 @@ enum class FenceFormat {
 /// table [fence].
 [[nodiscard]] scenes::Fence read_fence(const std::filesystem::path& file);
 
-/// A fence as text of that format. Errors: InputError if the format cannot say it.
+/// A fence as text of the given format. Errors: InputError if the format cannot represent the fence.
 [[nodiscard]] std::string fence_text(const scenes::Fence& fence, FenceFormat format);
 
 }  // namespace talus

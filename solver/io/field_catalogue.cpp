@@ -32,7 +32,7 @@ std::string text_of(double value) {
   return value == std::numeric_limits<double>::max() ? "no limit" : fmt::format("{}", value);
 }
 
-/// One of the names of an enum; left out, it has this value.
+/// Field whose value is one of the names of an enum; `absent` is the default.
 template <class Enum>
 CatalogueField choice(std::string name, std::string meaning, Enum absent) {
   return {.name = std::move(name),
@@ -89,7 +89,7 @@ CatalogueField pairs(std::string name, std::string meaning, Dimension first, Dim
           .second = second};
 }
 
-/// The fields of T, as SceneTable::read_fields() takes them: one whose value is allowed as it stands may be left out.
+/// Adds the fields of T as SceneTable::read_fields() reads them: a field whose value in `usual` is allowed is optional.
 template <class T>
 void add_fields(Group& group, const T& usual = {}) {
   for (const auto& field : T::fields()) {
@@ -101,7 +101,7 @@ void add_fields(Group& group, const T& usual = {}) {
   }
 }
 
-/// The counts of T; all are required until changed() says otherwise.
+/// Adds the counts of T; all are required until set_absent() makes them optional.
 template <class T>
 void add_counts(Group& group) {
   for (const auto& field : T::counts()) {
@@ -113,14 +113,14 @@ void add_counts(Group& group) {
   }
 }
 
-/// A field that is in the group already.
+/// The field of this name, which must already be in the group.
 CatalogueField& field_of(Group& group, std::string_view name) {
   const auto found = std::ranges::find(group.fields, name, &CatalogueField::name);
   TALUS_DEMAND(found != group.fields.end());
   return *found;
 }
 
-/// What a field that may be left out then is.
+/// Makes a field optional with the default `absent`.
 void set_absent(Group& group, std::string_view name, std::string absent) {
   CatalogueField& field = field_of(group, name);
   field.required = false;
@@ -132,7 +132,7 @@ void set_required(Group& group, std::string_view name, std::string condition) {
   field = required(std::move(field), std::move(condition));
 }
 
-/// One of two fields is required.
+/// Makes two fields alternatives of which one is required.
 void set_either(Group& group, std::string_view name, std::string_view other) {
   for (const auto& [one, alternative] : {std::pair{name, other}, std::pair{other, name}}) {
     set_required(group, one, "");
@@ -146,7 +146,7 @@ void set_with(Group& group, std::string_view name, std::string with, std::string
   field.with_value = std::move(value);
 }
 
-/// A field that another one requires; without that it may be left out.
+/// Makes a field required if the field `with` is given; otherwise it may be omitted.
 void require_with(Group& group, std::string_view name, std::string with, std::string value = {}) {
   field_of(group, name).required = true;
   set_with(group, name, std::move(with), std::move(value));
@@ -513,7 +513,7 @@ std::string option_meaning(std::string_view name) {
   return std::string{found->second};
 }
 
-/// The value of an option that is not given: that of Talus, and if it differs that of the 1993 rules.
+/// Default of an option as text: that of Talus and, if it differs, that of the 1993 rules.
 std::string usual_option(std::string_view current, std::string_view historical) {
   if (current == historical) return std::string{current};
   return fmt::format("{} (with rules = \"{}\": {})", current, fence_rules_1993, historical);

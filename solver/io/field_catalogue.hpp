@@ -32,16 +32,16 @@ struct CatalogueField {
   std::string name{};
   std::string meaning{};  ///< one line
   FieldForm form{FieldForm::quantity};
-  Dimension dimension{};             ///< of a quantity, of the components of a vector or point, of the first of a pair
+  Dimension dimension{};             ///< of a quantity, the components of a vector or point, or the first of a pair
   Dimension second{};                ///< of the second of a pair
-  std::string range{};               ///< values allowed: "> 0", "1 .. 1000"; empty: all
+  std::string range{};               ///< allowed values: "> 0", "1 .. 1000"; empty: all
   std::vector<std::string> names{};  ///< the closed list
-  std::string absent{};              ///< value where the field is left out; empty: none
-  bool required{};                   ///< always, or where the conditions below hold
-  std::string condition{};           ///< "if it can turn": where it is required, or else where it is allowed
-  std::string alternative{};         ///< field that may stand in its place; one of the two is required
-  std::string with{};        ///< field with which it is required, or else without which it is not allowed; empty: none
-  std::string with_value{};  ///< value which that field must have; empty: any
+  std::string absent{};              ///< default value; empty: none
+  bool required{};                   ///< always, or if the conditions below hold
+  std::string condition{};           ///< "if it can turn": when it is required or, if optional, allowed
+  std::string alternative{};         ///< field that may replace it; one of the two is required
+  std::string with{};                ///< field that requires it or, if it is optional, that it requires; empty: none
+  std::string with_value{};          ///< value that this other field must have; empty: any
 };
 
 /// The fields of one kind of table.
@@ -49,7 +49,7 @@ struct FieldGroup {
   std::string id{};    ///< unique: "contact hertz"
   std::string head{};  ///< as written in a file: `[[contact]] law = "hertz"`
   std::string about{};
-  std::string base{};  ///< id of a group whose fields it has too; empty: none
+  std::string base{};  ///< id of a group whose fields it also has; empty: none
   std::vector<CatalogueField> fields{};
 };
 
@@ -57,7 +57,7 @@ struct FieldGroup {
 /// fields, shapes, laws and choices come from the lists that the readers use: Field, CountField, VectorField, Names.
 [[nodiscard]] const std::vector<FieldGroup>& field_catalogue();
 
-/// The group of that id. Errors: InputError for an unknown id.
+/// The group with the given id. Errors: InputError for an unknown id.
 [[nodiscard]] const FieldGroup& field_group(std::string_view id);
 
 /// The fields of a group, those of its base first.

@@ -6,11 +6,11 @@
 
 namespace talus {
 
-/// Reads a scene from a deck of 1993 (.DAT) or else from a TOML file. Errors: IoError if the file cannot be read;
-/// InputError for everything in it that is wrong, with file, line and field.
+/// Reads a scene from a deck of 1993 (.DAT) or otherwise from a TOML file. Errors: IoError if the file cannot be read;
+/// InputError for invalid content, with file, line and field.
 [[nodiscard]] SceneFile read_scene_file(const std::filesystem::path& file);
 
-/// The scene alone.
+/// As read_scene_file, but returns only the scene.
 [[nodiscard]] Scene read_scene(const std::filesystem::path& file);
 
 }  // namespace talus

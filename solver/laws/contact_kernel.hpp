@@ -4,27 +4,29 @@
 
 namespace talus {
 
-/// The kernel of a contact law: its force without its modes. While two bodies are within the law's reach, the force
-/// after its mode was updated is one expression of the overlap, its rate and the largest overlap since the contact
-/// began; beyond, there is no force and no past.
+/// The kernel of a contact law evaluates its force without explicit modes. While two bodies are within the law's reach,
+/// the force after the mode update is a single expression of the overlap, its rate and the largest overlap since the
+/// contact began; outside the reach the force is zero and the contact has no history.
 ///
-///   force(overlap, rate, largest, out)   for overlap > -reach(law): the force [F], with the bits of update_mode() and
-///                                        law(x, memory, mode), and as `largest` the memory that update_mode() leaves.
-///                                        `largest` [L] is 0 where the contact begins; a law without memory leaves it
-///   needs_rate()                         whether the rate has a part in the force
-///   hysteresis_loss(largest)             of laws with memory: what the contact has lost so far [F L]
+///   force(overlap, rate, largest, out)   for overlap > -reach(law): `out` is the force [F], bit-identical to
+///                                        update_mode() followed by law(x, memory, mode); `largest` [L] becomes the
+///                                        memory after update_mode(). `largest` is 0 when the contact begins; a law
+///                                        without memory does not change it
+///   needs_rate()                         whether the force depends on the rate
+///   hysteresis_loss(largest)             laws with memory only: energy dissipated by the contact so far [F L]
 ///   dissipated_power(overlap, rate, before, force, power, released)
-///                                        of laws without memory, at an evaluation: the power of the dissipative force
-///                                        [F L/T] and what update_mode() releases [F L], from the force now and at the
-///                                        evaluation before (< 0: the contact is new, 0: it was there without pushing)
+///                                        laws without memory only: the power of the dissipative force [F L/T] and the
+///                                        energy that update_mode() releases [F L], from the force at this evaluation
+///                                        and at the previous one (`before`; < 0: the contact is new, 0: the bodies
+///                                        overlapped without force)
 ///
-/// Number is double, or a pack of them that are evaluated side by side, each as it would be alone. They are passed by
-/// reference because compilers pass wide packs in different ways. A test compares the kernel of each law of DiscLaws
-/// with its modes, bit by bit.
+/// Number is double or a SIMD pack of doubles; each lane gives the bits of the scalar evaluation. Arguments are passed
+/// by reference because compilers differ in how they pass wide packs by value. A test compares the kernel of each law
+/// of DiscLaws with its modes, bit by bit.
 ///
-/// This one is the kernel of every OneSided law: a spring and a dashpot side by side,
+/// OneSidedKernel is the kernel of every OneSided law: a spring and a dashpot in parallel,
 ///
-///   F = k overlap + c rate,   clamped: as long as that is positive.
+///   F = k overlap + c rate,   if clamped: only while this is positive, else 0.
 struct OneSidedKernel {
   double stiffness{};  ///< k [F/L]
   double damping{};    ///< c [F T/L]
@@ -52,7 +54,7 @@ struct OneSidedKernel {
 template <class L>
 concept HasContactKernel = IsKernel<L> || OneSided<L>;
 
-/// The kernel of a law: the law itself, if it has one written by hand, else derived from its slopes.
+/// The kernel of a law: the law itself if it implements the kernel functions, else derived from its slopes.
 template <Law L>
 requires HasContactKernel<L>
 constexpr auto contact_kernel(const L& law) {

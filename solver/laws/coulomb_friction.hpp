@@ -10,22 +10,23 @@
 
 namespace talus {
 
-/// Friction at a contact by a spring and a slider in series (Cundall & Strack 1979; Mustoe & Huttelmaier 1993, Eq. 18
-/// with the sign of the stretch, which the report leaves out). With N the normal force and s the stretch of the spring,
-/// which is the law's memory:
+/// Contact friction by a spring and a slider in series (Cundall & Strack 1979; Mustoe & Huttelmaier 1993, Eq. 18
+/// with the sign of the stretch, which the report omits). N is the normal force and s the stretch of the spring, which
+/// is the law's memory:
 ///
 ///   sticking   ds/dt = slip rate u,         F = k_s s + c_s u       while |F| < mu N
-///   slipping   s = +-mu N/k_s,              F = +-mu N              while the bodies go on slipping that way
-///   open       s = 0,                       F = 0                   without a normal force that pushes
+///   slipping   s = +-mu N/k_s,              F = +-mu N              while the slip rate keeps its sign
+///   open       s = 0,                       F = 0                   while N is not compressive
 ///
-/// Between two force evaluations the stretch follows the slip; each evaluation takes it back to the limit of the normal
-/// force of that moment (`return_mapping`). The first evaluation of a contact comes after the touch: it starts with the slip of
-/// the time since (`begin`), without which a contact that sticks would be a method of first order. A contact that is
-/// there when a run begins starts unstretched.
+/// Between two force evaluations the stretch follows the slip; each evaluation limits it to mu N/k_s with the current
+/// normal force (`return_mapping`). The first evaluation of a contact comes after the touch; it starts with the slip
+/// accumulated since the touch (`initial_stretch`), otherwise a sticking contact would reduce the method to first
+/// order. A contact that exists at the start of a run starts unstretched.
 ///
-/// The dashpot c_s (0: none) acts while the contact sticks. It ends the oscillation of a body at rest on its tangential
-/// springs, which nothing else damps. A contact that begins to slip before its spring is at the limit, because the
-/// dashpot carries a part, loads the spring at the cost of the slider; the account of friction includes that energy.
+/// The dashpot c_s (0: none) acts while the contact sticks. It damps the oscillation of a body at rest on its
+/// tangential springs, which is otherwise undamped. If the dashpot carries part of the force, a contact begins to slip
+/// before its spring is at the limit; the stretch then jumps to the limit, and the friction energy is reduced by the
+/// increase of the spring's energy.
 struct CoulombFriction {
   static constexpr std::array<std::string_view, 4> modes{"open", "sticking", "slipping_forward", "slipping_backward"};
   enum : Mode { open, sticking, slipping_forward, slipping_backward };
@@ -36,29 +37,29 @@ struct CoulombFriction {
   double coefficient{};  ///< mu >= 0
   double stiffness{};    ///< k_s [F/L] > 0
   double damping{};      ///< c_s [F T/L] >= 0; not used if follows_normal
-  /// Whether c_s/k_s is the retardation time c/k of the contact's normal law at the moment.
+  /// Whether c_s/k_s equals the current retardation time c/k of the contact's normal law.
   bool follows_normal{};
 
-  /// c_s of a contact whose normal law has this retardation time [T].
+  /// Dashpot coefficient c_s [F T/L] of a contact whose normal law has this retardation time [T].
   constexpr double dashpot(double retardation_time) const {
     return follows_normal ? stiffness * retardation_time : damping;
   }
 
-  /// The stretch of a contact that has slipped so far since the touch, under its first normal force [L].
+  /// Stretch at the first evaluation of a contact [L], from the slip since the touch [L] and the normal force [F].
   constexpr double initial_stretch(double slip, double normal) const {
     const double limit = coefficient * std::max(normal, 0.0) / stiffness;
     return std::clamp(slip, -limit, limit);
   }
 
-  /// What a return to the limit leaves, and what it cost.
+  /// Result of a return mapping to the friction limit.
   struct ReturnMapping {
     Mode mode{};
     double stretch{};     ///< [L]
-    double dissipated{};  ///< work of the slider, and of the spring let go where the contact opens [F L]
+    double dissipated{};  ///< work of the slider, or the spring's energy where the contact opens [F L]
   };
 
-  /// `stretch` as it stands after the slip so far, `normal` the normal force [F], <= 0 where nothing pushes;
-  /// `viscous` = c_s u/k_s, the stretch that would add as much force as the dashpot does [L].
+  /// Limits the trial stretch: `stretch` [L] includes the slip so far, `normal` is the normal force [F] (<= 0: not
+  /// compressive), `viscous` = c_s u/k_s is the stretch equivalent to the dashpot's force [L].
   constexpr ReturnMapping return_mapping(double stretch, double normal, double viscous = 0.0) const {
     if (!(normal > 0.0)) return {open, 0.0, stored_energy(stretch)};
     const double limit = coefficient * normal / stiffness;
@@ -71,15 +72,15 @@ struct CoulombFriction {
     return {loaded > 0.0 ? slipping_forward : slipping_backward, end, dissipated};
   }
 
-  /// Force that resists the slip [F], with the sign of the stretch; `viscous` as above while the contact sticks, else
-  /// 0.
+  /// Force that resists the slip [F], with the sign of the stretch; `viscous` as in return_mapping() while the contact
+  /// sticks, else 0.
   constexpr double operator()(double stretch, double normal, double viscous = 0.0) const {
     const double limit = coefficient * std::max(normal, 0.0);
     return std::clamp(stiffness * (stretch + viscous), -limit, limit);
   }
 
-  /// initial_stretch(), then return_mapping() and the force, while the normal force pushes: the same bits. Number is double, or a pack of
-  /// them that are computed side by side.
+  /// initial_stretch(), and return_mapping() followed by the force, for a compressive normal force, bit-identical to
+  /// the functions above without dashpot. Number is double or a SIMD pack of doubles.
   template <class Number>
   [[gnu::always_inline]] constexpr void initial_stretch(const Number& slip, const Number& normal,
                                                         Number& stretch) const {
@@ -96,7 +97,7 @@ struct CoulombFriction {
     force = limit < force ? limit : force;
   }
 
-  /// What return_mapping() dissipates of a stretch, by the one that it leaves.
+  /// Energy [F L] that return_mapping() dissipates as it reduces `stretch` to `left`.
   template <class Number>
   [[gnu::always_inline]] constexpr void dissipated(const Number& stretch, const Number& normal, const Number& left,
                                                    Number& energy) const {
@@ -107,7 +108,7 @@ struct CoulombFriction {
 
   constexpr double stored_energy(double stretch) const { return 0.5 * stiffness * stretch * stretch; }
 
-  /// Positive while the mode lasts; `slip_rate` [L/T] as in the stretch, `viscous` as above.
+  /// Positive while the mode lasts; `slip_rate` [L/T] is ds/dt while sticking, `viscous` as in return_mapping().
   constexpr double guard(double stretch, double slip_rate, double normal, Mode mode, double viscous = 0.0) const {
     if (mode == open) return -normal;
     if (mode == sticking) return coefficient * normal / stiffness - std::abs(stretch + viscous);
@@ -117,7 +118,7 @@ struct CoulombFriction {
   friend constexpr bool operator==(const CoulombFriction&, const CoulombFriction&) = default;
 };
 
-/// Contacts without friction: bodies slip freely and are not turned.
+/// Contacts without friction: bodies slip freely and receive no torque.
 struct Frictionless {
   friend constexpr bool operator==(Frictionless, Frictionless) = default;
 };

@@ -14,14 +14,14 @@
 
 namespace talus {
 
-/// A cable that pulls elastically, yields at a tension that it holds while it is drawn out, and may break
-/// (Mustoe & Huttelmaier 1993, section 2.4: linear elastic or perfectly elastic-plastic; hardening is not in the
-/// report). With e the elongation, p the plastic stretch, which is its memory, and Y(p) the yield force:
+/// Elastic-plastic cable: linear elastic, yields at the yield force, and may break (Mustoe & Huttelmaier 1993, section
+/// 2.4: linear elastic or perfectly elastic-plastic; hardening is not in the report). e is the elongation, p the
+/// plastic stretch, which is the law's memory, and Y(p) the yield force:
 ///
 ///   slack     T = 0                   until e > p
 ///   taut      T = k (e - p)           until e < p, or T reaches Y(p) or the strength
 ///   yielding  T = Y(p) = k (e - p)    until the cable shortens, p reaches the rupture stretch, or T the strength
-///   broken    T = 0                   for good
+///   broken    T = 0                   permanently
 struct ElasticPlastic {
   static constexpr std::string_view name = "elastic_plastic";
   static constexpr std::array<std::string_view, 4> modes{"slack", "taut", "yielding", "broken"};
@@ -37,12 +37,12 @@ struct ElasticPlastic {
 
   double stiffness{};          ///< k [F/L] > 0
   double yield{unlimited};     ///< yield force [F] > 0
-  double hardening{};          ///< slope of Y(p), behind the last point of its table [F/L] >= 0
-  double strength{unlimited};  ///< tension at which it breaks [F] > 0; a yield force below it that does not harden is
-                               ///< never passed
-  double rupture{unlimited};   ///< plastic stretch at which it breaks [L] > 0
-  std::vector<YieldPoint> table{};  ///< points of Y(p) behind (0, yield), straight between them; stretches and forces
-                                    ///< grow from point to point
+  double hardening{};          ///< slope of Y(p) beyond the last point of the table [F/L] >= 0
+  double strength{unlimited};  ///< tension at which the cable breaks [F] > 0; without hardening, a yield force below
+                               ///< the strength is never exceeded
+  double rupture{unlimited};   ///< plastic stretch at which the cable breaks [L] > 0
+  std::vector<YieldPoint> table{};  ///< points of Y(p) after (0, yield), interpolated linearly; stretches and forces
+                                    ///< increase from point to point
 
   static constexpr std::array<Field<ElasticPlastic>, 5> fields() {
     return {{{"stiffness", dimension::stiffness, &ElasticPlastic::stiffness, Range::positive,
@@ -59,8 +59,8 @@ struct ElasticPlastic {
   constexpr LawForce operator()(Kinematics x, std::span<const double> memory, Mode mode) const {
     if (mode == taut) return {stiffness * (x.deformation - memory[0]), 0.0};
     if (mode != yielding) return {};
-    // What the cable is drawn out by is lost; only as far as it hardens does its stored energy grow. Less than the
-    // yield force is met only when steps are so coarse that the cable is already shortening.
+    // The plastic work is dissipated; only hardening increases the stored energy. The clamp acts only if a coarse step
+    // ends when the cable is already shortening: then the tension is below the yield force.
     const Piece at = drawn_piece(x.deformation);
     const double tension = std::clamp(stiffness * (x.deformation - memory[0]), 0.0, backbone(at, x.deformation));
     const double elastic = at.slope / (stiffness + at.slope);
@@ -79,8 +79,9 @@ struct ElasticPlastic {
     if (mode == slack) return -elastic;
     if (mode == taut) return std::min(elastic, limit(memory[0]) / stiffness - elastic);
     if (mode == yielding) {
-      // Within a step the memory stays behind, and so the stretch is that of the elongation. What is left of both limits,
-      // as a share, goes with the rate: one unit for all ends, and through zero where one of them is reached.
+      // The memory is not updated within a step, so the plastic stretch follows from the elongation. The smaller of the
+      // relative distances to rupture and strength multiplies the rate: all ends of the mode then have one unit, and
+      // the guard passes through zero at each of them.
       const double stretch = stretch_at(x, memory);
       const double left = std::min(1.0 - stretch / rupture, 1.0 - yield_force(stretch) / strength);
       return left * (left > 0.0 ? x.deformation_rate : std::abs(x.deformation_rate));
@@ -103,7 +104,7 @@ struct ElasticPlastic {
     return {x.deformation_rate > 0.0 ? yielding : taut, 0.0};
   }
 
-  /// While the cable yields its plastic stretch follows the elongation.
+  /// Updates the plastic stretch, which follows the elongation while the cable yields.
   constexpr void track(Kinematics x, std::span<double> memory, Mode mode) const {
     if (mode == yielding) draw_out(x, memory);
   }
@@ -113,7 +114,7 @@ struct ElasticPlastic {
   constexpr LinearBranch linear_piece(std::span<const double> memory, Mode mode) const {
     constexpr double infinity = std::numeric_limits<double>::infinity();
     if (mode == slack) return {.natural = memory[0], .low = -infinity, .high = memory[0]};
-    // A hair short of its end, so that no rounding says it lasts where the guard does not.
+    // The range ends 1e-12 (relative) before the limit, so that rounding cannot extend it beyond the guard's zero.
     if (mode == taut)
       return {.stiffness = stiffness,
               .natural = memory[0],
@@ -123,24 +124,24 @@ struct ElasticPlastic {
     return {};
   }
 
-  /// Elongation at which a cable with this memory is just slack [L].
+  /// Elongation at which a cable with this memory becomes slack [L].
   constexpr double natural_elongation(std::span<const double> memory) const { return memory[0]; }
 
-  /// The same cable after it was drawn out by so much [L]: its memory counts from there, its slack length is longer by
-  /// as much. Drawn out to the rupture or further, its own rupture is no longer > 0.
+  /// The law of this cable after a plastic stretch [L]: memory is measured from there, and the caller must increase the
+  /// slack length by the same amount. If the stretch reaches the rupture stretch, the result's `rupture` is <= 0.
   ElasticPlastic drawn_before(double stretch) const {
     ElasticPlastic rest = *this;
     rest.yield = yield_force(stretch);
     std::erase_if(rest.table, [stretch](const YieldPoint& point) { return point.stretch <= stretch; });
     for (YieldPoint& point : rest.table)
       point.stretch -= stretch;
-    // A share of a piece may round to above its end.
+    // Interpolation within a segment may round to above the segment's end.
     if (!rest.table.empty()) rest.yield = std::min(rest.yield, rest.table.front().force);
     rest.rupture -= stretch;
     return rest;
   }
 
-  /// The largest yield force [F]; infinite while the cable goes on hardening.
+  /// The largest yield force [F]; infinite with a hardening slope > 0.
   constexpr double largest_yield() const {
     if (hardening > 0.0) return std::numeric_limits<double>::infinity();
     return table.empty() ? yield : table.back().force;
@@ -152,13 +153,13 @@ struct ElasticPlastic {
   static constexpr double unlimited = std::numeric_limits<double>::max();
 
   constexpr double limit(double stretch) const { return std::min(yield_force(stretch), strength); }
-  /// A straight piece of Y(p), from a plastic stretch on.
+  /// A linear segment of Y(p), which begins at a plastic stretch.
   struct Piece {
     double stretch{};  ///< [L]
     double force{};    ///< Y there [F]
     double slope{};    ///< [F/L]
   };
-  /// The first piece that `reaches(end)` says to end far enough, or the last.
+  /// The first segment for whose end point `reaches(end)` holds, else the last segment.
   template <class Reaches>
   constexpr Piece piece(Reaches&& reaches) const {
     Piece now{0.0, yield, hardening};
@@ -169,26 +170,26 @@ struct ElasticPlastic {
     }
     return now;
   }
-  /// Y(p).
+  /// Yield force Y(p) [F].
   constexpr double yield_force(double stretch) const {
     if (table.empty() && hardening == 0.0) return yield;
     const Piece at = piece([&](const YieldPoint& end) { return stretch <= end.stretch; });
     return at.force + at.slope * (stretch - at.stretch);
   }
-  /// The piece on which k (e - p) = Y(p).
+  /// The segment on which k (e - p) = Y(p).
   constexpr Piece drawn_piece(double elongation) const {
     return piece([&](const YieldPoint& end) { return elongation <= end.stretch + end.force / stiffness; });
   }
-  /// p of k (e - p) = Y(p).
+  /// Plastic stretch p that solves k (e - p) = Y(p) [L].
   constexpr double drawn(Piece at, double elongation) const {
     if (at.slope == 0.0) return elongation - at.force / stiffness;
     return at.stretch + (stiffness * (elongation - at.stretch) - at.force) / (stiffness + at.slope);
   }
-  /// Tension while drawn out to this elongation.
+  /// Tension while the cable yields at this elongation [F].
   constexpr double backbone(Piece at, double elongation) const {
     return at.slope == 0.0 ? at.force : at.force + at.slope * (drawn(at, elongation) - at.stretch);
   }
-  /// Plastic stretch of a cable with this memory once it is drawn out to this elongation [L].
+  /// Plastic stretch of a cable with this memory after yielding up to this elongation [L].
   constexpr double stretch_at(Kinematics x, std::span<const double> memory) const {
     return std::max(memory[0], drawn(drawn_piece(x.deformation), x.deformation));
   }

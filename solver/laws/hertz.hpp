@@ -11,14 +11,14 @@
 
 namespace talus {
 
-/// Normal contact of two round bodies by Hertz (1882), with a dashpot that takes the same share of every impact
+/// Hertz (1882) normal contact of two spheres, with a dashpot that gives a restitution independent of the impact speed
 /// (Tsuji et al. 1992; Antypov & Elliott 2011):
 ///
 ///   F = 4/3 E sqrt(R) d^(3/2) + c (d/R)^(1/4) dd/dt,    d the overlap
 ///
-/// In a plane scene the radius is a parameter of the law: the discs stand for balls. With sqrt(2/5 F_elastic d) for the
-/// overlap the impact is that of a linear spring and dashpot of the damping ratio xi = c/sqrt(20/3 E R m) at any speed:
-/// e and the end rules are the same. The dashpot's force starts from zero.
+/// In a plane scene discs represent spheres, and the radius is a parameter of the law. With sqrt(2/5 F_elastic d) as
+/// variable instead of the overlap, an impact at any speed is that of a linear spring and dashpot of damping ratio
+/// xi = c/sqrt(20/3 E R m): e and the end rules are the same. The dashpot's force starts from zero.
 struct Hertz {
   static constexpr std::string_view name = "hertz";
   static constexpr std::array<std::string_view, 3> modes{"open", "touching", "released"};
@@ -50,7 +50,7 @@ struct Hertz {
     const Reset next = spring(x).reset(x, mode);
     return {next.mode, of_secant * next.released};
   }
-  /// At an overlap of a tenth of the radius, beyond which Hertz's theory does not hold.
+  /// Tangent at an overlap of 0.1 R, beyond which Hertz's theory is not valid.
   Tangent tangent() const {
     const UnilateralSpring there = spring({0.1 * radius, 0.0});
     return {1.5 * there.stiffness, there.damping};
@@ -59,10 +59,10 @@ struct Hertz {
   friend constexpr bool operator==(const Hertz&, const Hertz&) = default;
 
  private:
-  /// Energy 2/5 F d of the law over that of a linear spring to the same point, 1/2 F d.
+  /// Ratio of the law's energy, 2/5 F d, to that of the secant linear spring, 1/2 F d.
   static constexpr double of_secant = 0.8;
 
-  /// The linear spring and dashpot that push alike at this overlap.
+  /// The linear spring (secant) and dashpot with the same force at this overlap.
   UnilateralSpring spring(Kinematics x) const {
     const double root = std::sqrt(std::max(x.deformation, 0.0) / radius);
     return {4.0 / 3.0 * modulus * radius * root, damping * std::sqrt(root), end_rule};

@@ -7,15 +7,14 @@
 
 namespace talus {
 
-/// What a one-dimensional law sees of its surroundings: how far it is stretched or pressed, and how fast.
-/// A contact passes its overlap (`depth`, > 0 when the surfaces interpenetrate), a cable its elongation (> 0 when
-/// taut).
+/// Kinematic input of a one-dimensional law: the overlap of a contact (> 0 when the surfaces interpenetrate) or the
+/// elongation of a cable (> 0 when taut), and its rate.
 struct Kinematics {
   double deformation{};       ///< overlap or elongation [L]
   double deformation_rate{};  ///< its rate [L/T]; > 0 while the contact closes or the cable lengthens
 };
 
-/// The force of a law, split by what becomes of its work: `elastic` can be had back, `dissipative` cannot.
+/// The force of a law, split by its work: work of `elastic` is recoverable, work of `dissipative` is not.
 struct LawForce {
   double elastic{};      ///< [F]; > 0 pushes the surfaces of a contact apart, pulls the ends of a cable together
   double dissipative{};  ///< [F]; same sign
@@ -23,17 +22,18 @@ struct LawForce {
   constexpr double total() const { return elastic + dissipative; }
 };
 
-/// The stiffest linear piece of a law while it acts: what step limits are made of.
+/// Stiffness and damping of a law, by default of its stiffest branch; used for step limits.
 struct Tangent {
   double stiffness{};  ///< [F/L]
   double damping{};    ///< [F T/L]
 };
 
-/// What a law is in one mode where that is a straight line and the rate has no part in it:
+/// A law in a mode in which its force is linear in the deformation and independent of the rate:
 ///
-///   F = stiffness (deformation - natural), nothing lost,   and the mode lasts while low < deformation < high
+///   F = stiffness (deformation - natural), no dissipation,   and the mode lasts while low < deformation < high
 ///
-/// It may last beyond: the law's own guard decides there. As it stands, an empty range: the mode has no such line.
+/// The mode may last beyond this range; there the law's guard decides. The default range is empty: the mode has no such
+/// linear branch.
 struct LinearBranch {
   double stiffness{};                                     ///< [F/L]
   double natural{};                                       ///< deformation without force [L]
@@ -44,20 +44,20 @@ struct LinearBranch {
 /// The parameter of a contact law that sets the restitution of its impacts.
 struct RestitutionField {
   std::string_view name;     ///< among the law's fields()
-  std::string_view meaning;  ///< how the restitution follows from it, in words
+  std::string_view meaning;  ///< how the restitution follows from it (text)
 };
 
-/// A point of a yield force that grows with the plastic stretch.
+/// A point of the yield force as a function of the plastic stretch.
 struct YieldPoint {
   double stretch{};  ///< [L]
   double force{};    ///< [F]
   friend constexpr bool operator==(const YieldPoint&, const YieldPoint&) = default;
 };
 
-/// What follows when a mode ends.
+/// Result of a reset, when a mode ends.
 struct Reset {
-  Mode mode{};        ///< the mode to go on with; the present one again if the kinematics say so
-  double released{};  ///< stored energy that the bodies never get back through this change [F L]
+  Mode mode{};        ///< the next mode; may be the present mode again
+  double released{};  ///< stored energy that the mode change dissipates [F L]; < 0: it becomes recoverable again
 };
 
 }  // namespace talus

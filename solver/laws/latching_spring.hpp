@@ -13,16 +13,16 @@
 
 namespace talus {
 
-/// Normal contact by a spring that latches: soft while it is pressed further than before, stiff on the way back
-/// (Walton & Braun 1986). With d the overlap, m the largest since the touch, which is its memory, and
+/// Normal contact by a latching spring, soft on first loading and stiff on unloading and reloading (Walton & Braun
+/// 1986). d is the overlap, m the largest overlap since the touch, which is the law's memory, and
 /// K2 = unloading_stiffness + growth K1 m:
 ///
 ///   open       F = 0                          until d >= 0; forgets m
 ///   loading    F = K1 d,          m = d       while the bodies close
 ///   unloading  F = K1 m - K2 (m - d)          until d passes m again, or F falls to 0
-///   slack      F = 0, and m is kept           until d grows back to where F left off, or the bodies part
+///   slack      F = 0, m unchanged             until d grows back to where F fell to 0, or the bodies part
 ///
-/// An impact keeps sqrt(K1/K2) of its speed: at every speed the same with growth 0, less for fast ones else.
+/// The restitution is sqrt(K1/K2): independent of the speed with growth 0, else smaller at higher speeds.
 struct LatchingSpring {
   static constexpr std::string_view name = "latching_spring";
   static constexpr std::array<std::string_view, 4> modes{"open", "loading", "unloading", "slack"};
@@ -33,8 +33,8 @@ struct LatchingSpring {
   static constexpr RestitutionField restitution_field{"unloading_stiffness", "e = sqrt(K1/K2)"};
 
   double stiffness{};            ///< K1 [F/L] > 0
-  double unloading_stiffness{};  ///< K2 of a contact that was hardly pressed [F/L] >= K1
-  double growth{};               ///< of K2 with the largest force [1/L] >= 0
+  double unloading_stiffness{};  ///< K2 in the limit of small overlaps [F/L] >= K1
+  double growth{};               ///< increase of K2 per unit of the largest force [1/L] >= 0
 
   static constexpr std::array<Field<LatchingSpring>, 3> fields() {
     return {{{"stiffness", dimension::stiffness, &LatchingSpring::stiffness, Range::positive,
@@ -54,14 +54,14 @@ struct LatchingSpring {
   constexpr LawForce operator()(Kinematics x, std::span<const double> memory, Mode mode) const {
     if (mode == unloading) return {unloading_force(x.deformation, memory[0]), 0.0};
     if (mode != loading) return {};
-    // What could be had back, (K1 d)^2/(2 K2), grows by this force; the rest of K1 d is lost.
+    // The elastic force is the derivative of the recoverable energy (K1 d)^2/(2 K2); the rest of K1 d is dissipated.
     const double force = stiffness * x.deformation, back = unloading_stiffness_at(x.deformation);
     const double lost = force - force * (stiffness / back) * (1.0 - 0.5 * growth * force / back);
-    return {force - lost, lost};  // one of the differences is exact: both parts together are the force to the last bit
+    return {force - lost, lost};  // one of the two differences is exact, so that the parts add up to the force exactly
   }
 
-  /// Kernel (contact_kernel.hpp): while the bodies overlap, loading, unloading and slack are one expression of the
-  /// largest overlap.
+  /// Kernel (contact_kernel.hpp): while the bodies overlap, one expression of the overlap and the largest overlap gives
+  /// the force in loading, unloading and slack.
   static constexpr bool needs_rate() { return false; }
   template <class Number>
   [[gnu::always_inline]] constexpr void force(const Number& overlap, const Number&, Number& largest,
@@ -71,7 +71,7 @@ struct LatchingSpring {
     out = out > Number{} ? out : Number{};
   }
 
-  /// What a contact pressed so far for the first time can no longer give back [F L]: its work, less what it stores.
+  /// Energy dissipated by first loading up to this overlap [F L]: the work done less the recoverable energy.
   constexpr double hysteresis_loss(double largest) const {
     return 0.5 * stiffness * largest * largest - energy(stiffness * largest, unloading_stiffness_at(largest));
   }
@@ -84,7 +84,7 @@ struct LatchingSpring {
 
   constexpr double guard(Kinematics x, std::span<const double> memory, Mode mode) const {
     if (mode == open) return -x.deformation;
-    // Rounded, an overlap may fall behind its largest while the bodies still close.
+    // By rounding, the overlap may be below the largest overlap while the bodies still close.
     if (mode == loading)
       return x.deformation > 0.0 && x.deformation >= memory[0] ? x.deformation_rate : x.deformation - memory[0];
     const double left = unloading_force(x.deformation, memory[0]) / unloading_stiffness;
@@ -105,19 +105,20 @@ struct LatchingSpring {
     return {unloading_force(x.deformation, memory[0]) > 0.0 ? unloading : slack, 0.0};
   }
 
-  /// While the contact loads its largest overlap follows the overlap.
+  /// The largest overlap follows the overlap in loading.
   static constexpr bool memory_follows(Mode mode) { return mode == loading; }
   constexpr void track(Kinematics x, std::span<double> memory, Mode mode) const {
     if (mode == loading) memory[0] = std::max(memory[0], x.deformation);
   }
 
-  /// The stiffest piece of a contact hardly pressed; with growth, one that was pressed is stiffer.
+  /// The stiffest branch in the limit of small overlaps; with growth, K2 is larger after larger overlaps.
   constexpr Tangent tangent() const { return {unloading_stiffness, 0.0}; }
   constexpr Tangent linear_part(std::span<const double> memory, Mode mode) const {
     return {mode == loading ? stiffness : mode == unloading ? unloading_stiffness_at(memory[0]) : 0.0, 0.0};
   }
 
-  /// Of a slow impact, before K2 grows (Walton & Braun 1986): a quarter period with K1 and one with K2.
+  /// Contact time of an impact in the limit of low speed, before K2 grows (Walton & Braun 1986): a quarter period with
+  /// K1 and one with K2.
   double contact_time(double effective_mass) const {
     const double loading_frequency = std::sqrt(stiffness / effective_mass);
     const double unloading_frequency = std::sqrt(unloading_stiffness / effective_mass);
@@ -132,7 +133,7 @@ struct LatchingSpring {
   friend constexpr bool operator==(const LatchingSpring&, const LatchingSpring&) = default;
 
  private:
-  /// K2 after this largest overlap.
+  /// K2 for this largest overlap [F/L].
   constexpr double unloading_stiffness_at(double largest) const {
     return unloading_stiffness + growth * stiffness * largest;
   }

@@ -13,65 +13,66 @@
 
 namespace talus {
 
-/// A law of force along one line: a small value that turns kinematics, memory and mode into a force. It sees no body,
-/// no time step and no other law, remembers nothing itself, and is smooth inside a mode. This page is its contract. A
-/// law with a hook of one of these names but another signature does not compile (HooksAreWellFormed).
+/// A force law along one line: a small value type that computes a force from kinematics, memory and mode. It is
+/// independent of bodies, time steps and other laws, has no mutable state, and is smooth within a mode. The list below
+/// is its interface. A law with a hook of one of these names but another signature does not compile
+/// (HooksAreWellFormed).
 ///
 /// Required of every law
-///   name                          its name in scenes
-///   modes                         the names of its modes; mode 0 is "not acting", mode 1 that of a contact that is
-///                                 pressed, or of a cable that is stretched
-///   memory_size                   number of doubles that it remembers, where the parameters do not decide it
+///   name                          name in scenes
+///   modes                         names of its modes; mode 0 is "not acting", mode 1 a compressed contact or a taut
+///                                 cable
+///   memory_size                   number of doubles of memory, if it does not depend on the parameters
 ///   dissipation, release          mechanisms of the work of its dissipative force, and of the energy that resets
 ///                                 release
 ///   fields()                      its parameters with dimension, range and meaning
 ///   acts(mode)                    static: whether it exerts a force in the mode
-///   law(x, memory, mode)          the force [F]; evaluated twice it gives the same bits
+///   law(x, memory, mode)          the force [F]; deterministic to the last bit
 ///   stored_energy(x, memory, mode)  [F L]; within a mode its derivative by the deformation is the elastic force
-///   guard(x, memory, mode)        positive while the mode lasts; all its ends in one unit
-///   reset(x, memory, mode)        the mode that follows, and the energy released [F L]; sets the memory it starts with
+///   guard(x, memory, mode)        positive while the mode lasts; all ends of a mode have the same unit
+///   reset(x, memory, mode)        the next mode and the energy released [F L]; sets the memory at the mode's start
 ///   tangent()                     stiffness [F/L] and damping [F T/L] of the stiffest branch while it acts
 ///
 /// Optional, of every law
-///   orders()                      pairs of parameters of which one is at least the other
-///   memory_count()                number of doubles in place of memory_size, where the parameters decide it
+///   orders()                      pairs of parameters of which one must not be smaller than the other
+///   memory_count()                number of doubles of memory, replaces memory_size if it depends on the parameters
 ///   track(x, memory, mode)        updates memory that follows the motion within a mode, such as a maximum; with
 ///   memory_follows(mode)          static: whether there is such memory in the mode
 ///   linear_part(memory, mode)     slopes [F/L, F T/L] in a mode; only if in every mode the force is linear in
 ///                                 deformation and rate
-///   linear_piece(memory, mode)    the straight line that it is in a mode, if the force does not depend on the rate; of
+///   linear_piece(memory, mode)    linear branch of the law in a mode, if the force does not depend on the rate; only
 ///                                 laws with at most one double of memory. Chains of cables are then evaluated without
-///                                 the law
+///                                 calling the law
 ///
 /// Optional, of cables
-///   natural_elongation(memory)    elongation at which it is just slack [L]; 0 with memory 0
-///   yields(mode)                  static: whether it is drawn out in the mode, where natural_elongation grows; with
-///   largest_yield()               the largest tension that it has there [F]
-///   is_broken(mode)               static: whether it exerts no force any more, whatever follows
+///   natural_elongation(memory)    elongation at which the cable becomes slack [L]; 0 with memory 0
+///   yields(mode)                  static: whether the cable yields in the mode, so that natural_elongation grows; with
+///   largest_yield()               the largest tension in such a mode [F]
+///   is_broken(mode)               static: whether the force stays zero permanently
 ///
 /// Optional, of contacts
-///   reach()                       largest gap at which it acts [L] >= 0. Without this hook it acts only between
+///   reach()                       largest gap at which the law acts [L] >= 0. Without this hook it acts only between
 ///                                 surfaces that touch
-///   start_contact(memory, m_eff)  sets memory when the bodies touch, before the first reset, by the effective mass
-///                                 along the normal [M]; only called while memory_count() > 0; with
+///   start_contact(memory, m_eff)  sets memory when the bodies touch, before the first reset, from the effective mass
+///                                 along the normal [M]; only called if memory_count() > 0; with
 ///   tangent(m_eff)                tangent() of a contact of that effective mass
-///   retardation_time(memory)      c/k of a spring and dashpot [T]; friction that sticks has the same by default
-///   contact_time(m_eff)           duration of a slow impact of that effective mass [T]; infinite if it does not end;
-///                                 with
-///   restitution(m_eff)            the ratio of speeds after and before it, and
-///   largest_overlap(m_eff, speed) its largest overlap at that speed of approach [L]
+///   retardation_time(memory)      c/k of a spring and dashpot [T]; the default for sticking friction
+///   contact_time(m_eff)           duration of an impact of that effective mass at low speed [T]; infinite if it does
+///                                 not end; with
+///   restitution(m_eff)            the ratio of the speeds after and before the impact, and
+///   largest_overlap(m_eff, speed) the largest overlap of an impact at that speed of approach [L]
 ///   restitution_field             static: the parameter that sets the restitution; with
 ///   set_restitution(e, m_eff)     sets that parameter, for impacts of that effective mass, e in (0, 1]
-///   set_every_restitution(e)      the same whatever the effective mass; only with these two
+///   set_every_restitution(e)      sets it for every effective mass; requires the two hooks above
 ///
-/// Optional, of contacts between discs: one of two
-///   is_clamped()                  the law is one-sided: without memory, and in mode 1 k overlap + c rate, the slopes
-///                                 those of linear_part({}, 1). It acts as long as the surfaces overlap (false) or that
-///                                 is positive (true)
+/// Optional, of contacts between discs: one of the two
+///   is_clamped()                  the law is one-sided: without memory, and in mode 1 the force is k overlap + c rate
+///                                 with the slopes linear_part({}, 1). It acts while the surfaces overlap (false) or
+///                                 while this force is positive (true)
 ///   needs_rate(), force(..), dissipated_power(..) or hysteresis_loss(..)
-///                                 its contact kernel, written by hand (laws/contact_kernel.hpp)
+///                                 the law is its own contact kernel (laws/contact_kernel.hpp)
 ///
-/// Optional parameters, which readers and writers of files treat by their names
+/// Optional parameters, which readers and writers of files recognise by name
 ///   end_rule (EndRule), damping (double) [F T/L], damping_ratio (double), table (std::vector<YieldPoint>)
 template <class L>
 concept HasLawParts = std::equality_comparable<L> &&
@@ -90,7 +91,7 @@ concept HasLawParts = std::equality_comparable<L> &&
   { law.tangent() } -> std::same_as<Tangent>;
 };
 
-/// Concepts of the optional hooks, in the order of the page above.
+/// Concepts of the optional hooks, in the order of the list above.
 template <class L>
 concept HasOrders = requires(const L law) {
   { law.*L::orders()[0].larger } -> std::convertible_to<double>;
@@ -159,7 +160,7 @@ template <class L>
 concept OneSided = L::memory_size == 0 && HasLinearPart<L>&& requires(const L law) {
   { law.is_clamped() } -> std::same_as<bool>;
 };
-/// Parts of a contact kernel: of laws without memory its power, of others what a contact has lost.
+/// Parts of a contact kernel: dissipated power for laws without memory, hysteresis loss for laws with memory.
 template <class K>
 concept HasDissipatedPower = requires(const K kernel, double x, double& y) {
   { kernel.dissipated_power(x, x, x, x, y, y) } -> std::same_as<void>;
@@ -174,7 +175,7 @@ concept ContactKernel = requires(const K kernel, double x, double& y) {
   { kernel.needs_rate() } -> std::same_as<bool>;
   { kernel.force(x, x, y, y) } -> std::same_as<void>;
 };
-/// A kernel that stands in the law itself.
+/// A law that implements its contact kernel itself.
 template <class L>
 concept IsKernel = ContactKernel<L> && L::memory_size == (HasHysteresisLoss<L> ? 1 : 0);
 template <class L>
@@ -196,7 +197,7 @@ concept HasYieldTable = requires(L law) {
 };
 
 // clang-format off
-/// The optional hooks, each with the concept of its signature and of those that go with it.
+/// The optional hooks, each with the concept that checks its signature and those of the hooks it requires.
 #define TALUS_LAW_HOOKS(HOOK)                         \
   HOOK(orders, HasOrders)                             \
   HOOK(memory_count, CountsMemory)                    \
@@ -227,8 +228,8 @@ concept HasYieldTable = requires(L law) {
   HOOK(damping_ratio, HasDampingRatio)                \
   HOOK(table, HasYieldTable)
 
-/// For each hook a concept: the law has it with the right signature, or has no member of its name at all. A name is
-/// found even if it is private or of another kind: in a class that also inherits it from elsewhere it is ambiguous.
+/// One concept per hook: the law has the hook with the right signature, or has no member of that name. Private members
+/// and members of another kind are detected too: in a class that inherits the name from two bases it is ambiguous.
 namespace hook {
 
 template <class L, class Other>
@@ -253,35 +254,35 @@ concept HooksAreWellFormed = true TALUS_LAW_HOOKS(TALUS_AND_HOOK);
 template <class L>
 concept Law = HasLawParts<L> && HooksAreWellFormed<L>;
 
-/// Number of doubles that a law remembers.
+/// Number of doubles of a law's memory.
 template <Law L>
 constexpr std::size_t memory_count(const L& law) {
   if constexpr (CountsMemory<L>) return law.memory_count();
   return L::memory_size;
 }
 
-/// Whether memory of the law follows the motion in a mode.
+/// Whether part of the law's memory follows the motion in a mode.
 template <Law L>
 constexpr bool memory_follows([[maybe_unused]] Mode mode) {
   if constexpr (Tracks<L>) return L::memory_follows(mode);
   return false;
 }
 
-/// Whether the law carries nothing for good in a mode.
+/// Whether the law's force stays zero permanently in a mode.
 template <Law L>
 constexpr bool is_broken([[maybe_unused]] Mode mode) {
   if constexpr (Breaks<L>) return L::is_broken(mode);
   return false;
 }
 
-/// How far apart the surfaces may be where a contact law acts [L]; 0 of laws that act in contact only.
+/// Largest gap at which a contact law acts [L]; 0 for laws that act only between touching surfaces.
 template <Law L>
 constexpr double reach([[maybe_unused]] const L& law) {
   if constexpr (ActsAtDistance<L>) return law.reach();
   return 0.0;
 }
 
-/// Elongation at which a cable is just slack [L].
+/// Elongation at which a cable becomes slack [L].
 template <Law L>
 constexpr double natural_elongation([[maybe_unused]] const L& law, [[maybe_unused]] std::span<const double> memory) {
   if constexpr (HasNaturalElongation<L>) return law.natural_elongation(memory);

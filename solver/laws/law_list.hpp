@@ -37,7 +37,7 @@ using ContactLaw = ContactLaws::Variant;
 /// Laws of cables.
 using CableLaws = LawList<TensionOnly, ElasticPlastic>;
 using CableLaw = CableLaws::Variant;
-/// Laws of contacts between discs, of which a shear cell needs the duration and the restitution of an impact.
+/// Laws of contacts between discs; a shear cell needs the duration and the restitution of their impacts.
 template <class L>
 concept IsDiscLaw = HasContactKernel<L> && KnowsImpacts<L> && SetsRestitution<L>;
 template <Law... Laws>

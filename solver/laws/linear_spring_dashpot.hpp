@@ -12,11 +12,11 @@
 namespace talus {
 
 /// Normal contact by a linear spring and a dashpot in parallel: F = k overlap + c d(overlap)/dt
-/// (Mustoe & Huttelmaier 1993, Eq. 17; Cundall & Strack 1979), with the end rule as a choice.
+/// (Mustoe & Huttelmaier 1993, Eq. 17; Cundall & Strack 1979), with a selectable end rule.
 ///
 /// The dashpot coefficient is either constant (`damping`), or follows from `damping_ratio` and the effective mass m_eff
-/// that the contact has when its bodies touch: c = 2 xi sqrt(k m_eff). The second gives every impact the same
-/// restitution, whatever the bodies, their pose and their pins; its c is then the law's memory.
+/// at the moment of touch: c = 2 xi sqrt(k m_eff). A damping ratio gives every impact the same restitution, independent
+/// of the bodies, their pose and their pins; c is then the law's memory.
 struct LinearSpringDashpot {
   static constexpr std::string_view name = "linear_spring_dashpot";
   static constexpr std::array<std::string_view, 3> modes{"open", "touching", "released"};
@@ -28,7 +28,7 @@ struct LinearSpringDashpot {
   double stiffness{};  ///< k_n [F/L] > 0
   double damping{};    ///< c [F T/L] >= 0; not used if damping_ratio > 0
   EndRule end_rule{EndRule::clamped};
-  double damping_ratio{};  ///< xi >= 0 of every impact; 0: c is `damping`
+  double damping_ratio{};  ///< xi >= 0 of every impact; 0: c equals `damping`
 
   static constexpr std::array<Field<LinearSpringDashpot>, 2> fields() {
     return {{{"stiffness", dimension::stiffness, &LinearSpringDashpot::stiffness, Range::positive,
@@ -38,9 +38,9 @@ struct LinearSpringDashpot {
   }
 
   static constexpr bool acts(Mode mode) { return UnilateralSpring::acts(mode); }
-  /// Doubles of memory: the dashpot coefficient of the present contact, if it follows from a damping ratio.
+  /// Number of doubles of memory: one, the dashpot coefficient of the contact, with a damping ratio, else none.
   constexpr std::size_t memory_count() const { return damping_ratio > 0.0 ? 1 : 0; }
-  /// Sets the memory of a contact that begins, by the effective mass [M] along its normal; only with a damping ratio.
+  /// Sets the memory when a contact begins, from the effective mass [M] along its normal; only with a damping ratio.
   void start_contact(std::span<double> memory, double effective_mass) const {
     memory[0] = tangent(effective_mass).damping;
   }
@@ -58,7 +58,7 @@ struct LinearSpringDashpot {
     return spring(memory).reset(x, mode);
   }
   constexpr Tangent tangent() const { return {stiffness, damping}; }
-  /// The same for a contact of that effective mass [M].
+  /// Stiffness and damping of a contact of that effective mass [M].
   Tangent tangent(double effective_mass) const {
     if (damping_ratio == 0.0) return tangent();
     return {stiffness, 2.0 * damping_ratio * std::sqrt(stiffness * effective_mass)};

@@ -7,9 +7,9 @@
 
 namespace talus {
 
-/// Brings the mode of a law, and the memory that follows the motion, up to date: ends a mode whose guard is no longer
-/// positive; the law's reset takes over, until a mode lasts. A reset that keeps the mode ends the search; no law passes
-/// through more than all of its modes at one instant. Calls release(energy) for what each change lets go [F L].
+/// Updates the mode of a law and the memory that follows the motion: while the guard of the mode is not positive, the
+/// law's reset selects the next mode. The loop ends when the guard is positive, when a reset keeps the mode, or after
+/// as many changes as the law has modes. Calls release(energy) with the energy that each change releases [F L].
 template <Law L, class Release>
 void update_mode(const L& law, std::span<double> memory, Kinematics x, Mode& mode, Release&& release) {
   if constexpr (Tracks<L>) law.track(x, memory, mode);

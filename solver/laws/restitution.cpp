@@ -52,15 +52,16 @@ double restitution(double damping_ratio, EndRule rule) {
 
 double damping_ratio(double e, EndRule rule) {
   if (!(e > 0.0 && e <= 1.0)) throw InputError{fmt::format("restitution is {}; it must be in (0, 1]", e)};
-  // Beyond the smallest normal number the damping ratio of the clamped rule, about 1/(2 sqrt(e)), overflows in its square.
+  // For e below the smallest normal number the square of the clamped rule's damping ratio, about 1/(2 sqrt(e)),
+  // overflows.
   if (!(e >= std::numeric_limits<double>::min()))
     throw InputError{
         fmt::format("restitution is {}; it must be at least {:.3g}", e, std::numeric_limits<double>::min())};
   const double wanted = -std::log(e);
   if (rule == EndRule::attractive) return wanted / std::sqrt(std::numbers::pi * std::numbers::pi + wanted * wanted);
   if (wanted == 0.0) return 0.0;
-  // 2 xi angle_ratio(xi) grows from 0 without bound; it exceeds ln(2 xi) beyond 1, so the bracket below always holds a
-  // root.
+  // 2 xi angle_ratio(xi) grows from 0 without bound (it exceeds ln(2 xi) for xi > 1), so the bracket below always
+  // contains a root.
   const auto excess = [wanted](double xi) { return 2.0 * xi * angle_ratio(xi) - wanted; };
   double high = 1.0;
   while (excess(high) < 0.0)

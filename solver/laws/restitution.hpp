@@ -7,7 +7,7 @@
 
 namespace talus {
 
-/// One body as a contact feels it along the normal.
+/// Inertia of one body at a contact, along the normal.
 struct ContactSide {
   double mass{};                  ///< [M] > 0; of a free body
   std::optional<double> inertia;  ///< [M L^2] > 0; about the centre of mass (free) or about the pin (pinned)
@@ -15,7 +15,7 @@ struct ContactSide {
   bool pinned{false};
 };
 
-/// Inertia that a normal force meets at a contact point of two bodies [M]:
+/// Effective mass of two bodies along the normal at their contact point [M]:
 ///
 ///   1/m_eff = sum over bodies of   1/m + arm^2/I   (free),   arm^2/I_pin   (pinned)
 ///
@@ -23,12 +23,12 @@ struct ContactSide {
 /// Errors: InputError for a mass or inertia that is not > 0, or a pinned body hit along a line through its pin.
 [[nodiscard]] double effective_mass(const ContactSide& a, const ContactSide& b);
 
-/// Restitution that a linear spring and dashpot give an impact, by their damping ratio xi = c/(2 sqrt(k m_eff)) >= 0:
+/// Restitution of an impact on a linear spring and dashpot of damping ratio xi = c/(2 sqrt(k m_eff)) >= 0:
 ///
 ///   attractive   e = exp(-pi xi/sqrt(1 - xi^2));  0 for xi >= 1
 ///   clamped      e = exp(-2 xi acos(xi)/sqrt(1 - xi^2));  e^-2 at xi = 1;  acosh(xi)/sqrt(xi^2 - 1) beyond
 ///
-/// (Schwager & Poeschel 2007 for the clamped rule.)
+/// Source of the clamped rule: Schwager & Poeschel 2007.
 [[nodiscard]] double restitution(double damping_ratio, EndRule rule);
 
 /// The damping ratio that gives restitution e. Errors: InputError for e outside (0, 1].
@@ -47,8 +47,8 @@ struct ContactSide {
 ///   clamped      2 acos(xi)/(w0 sqrt(1 - xi^2)), and its continuation beyond xi = 1
 [[nodiscard]] double contact_time(const Tangent& spring, EndRule rule, double effective_mass);
 
-/// Largest overlap of an impact at the given speed of approach [L]: (v/w0) exp(-xi acos(xi)/sqrt(1 - xi^2)), both
-/// rules.
+/// Largest overlap of an impact at the given speed of approach [L]: (v/w0) exp(-xi acos(xi)/sqrt(1 - xi^2)) for both
+/// end rules.
 [[nodiscard]] double largest_overlap(const Tangent& spring, double effective_mass, double speed);
 
 }  // namespace talus

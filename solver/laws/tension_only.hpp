@@ -9,7 +9,7 @@
 
 namespace talus {
 
-/// A cable that pulls and never pushes: T = k (l - l0) + c dl/dt while that is positive, else 0
+/// Tension-only cable: T = k (l - l0) + c dl/dt while this is positive, else 0
 /// (Mustoe & Huttelmaier 1993, Eq. 14, there without the dashpot).
 struct TensionOnly {
   static constexpr std::string_view name = "tension_only";

@@ -10,17 +10,17 @@
 
 namespace talus {
 
-/// How a contact with a dashpot ends.
+/// End rule of a contact with a dashpot.
 enum class EndRule {
-  attractive,  ///< the law acts as long as the surfaces overlap; before they part it pulls (FENCE 1993, Eq. 17)
-  clamped,     ///< the law never pulls: it ends when the force has fallen to zero
+  attractive,  ///< the law acts while the surfaces overlap; before they part its force is tensile (FENCE 1993, Eq. 17)
+  clamped,     ///< zero-tension cut-off (LAMMPS `limit_damping`): the contact ends when the force falls to zero
 };
 template <>
 struct Names<EndRule> {
   static constexpr std::array<std::string_view, 2> list{"attractive", "clamped"};
 };
 
-/// A spring and a dashpot side by side that act in one direction only:
+/// A spring and a dashpot in parallel that act in one direction only:
 ///
 ///   F = k s + c ds/dt   while acting,   0 otherwise,      s = deformation [L]
 ///
@@ -31,8 +31,9 @@ struct Names<EndRule> {
 ///             guard min(s, F/k)    (clamped)     -> released where s > 0, else open
 ///   released  guard min(s, -F/k)   (clamped)     -> acting where the force would push again, else open
 ///
-/// In `released` the surfaces still overlap but the dashpot holds the spring back: what the spring stores there is lost
-/// to the bodies, so the change into it counts s^2 k/2 as released, and the change back counts it in again.
+/// In `released` the surfaces still overlap, but spring and dashpot together would pull, so the law does not act. The
+/// energy of the spring is then not recoverable: the change into `released` counts k s^2/2 as released, and the change
+/// back to `acting` counts it as stored again.
 struct UnilateralSpring {
   enum : Mode { open, acting, released };
 
@@ -47,7 +48,7 @@ struct UnilateralSpring {
     return {stiffness * x.deformation, damping * x.deformation_rate};
   }
 
-  /// Energy that the spring would give back if the law stayed in this mode [F L]; the elastic force is its derivative.
+  /// Recoverable energy of the spring in this mode [F L]; the elastic force is its derivative.
   constexpr double stored_energy(Kinematics x, Mode mode) const { return mode == acting ? energy(x) : 0.0; }
 
   /// Positive while the mode lasts.
@@ -57,7 +58,7 @@ struct UnilateralSpring {
     return std::min(x.deformation, (mode == acting ? pull(x) : -pull(x)) / stiffness);
   }
 
-  /// Its straight line: open, or acting without a dashpot.
+  /// Linear branch of the law: in `open`, and in `acting` without a dashpot.
   constexpr LinearBranch linear_piece(Mode mode) const {
     constexpr double infinity = std::numeric_limits<double>::infinity();
     if (mode == open) return {.low = -infinity, .high = 0.0};

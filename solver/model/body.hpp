@@ -7,11 +7,11 @@
 
 namespace talus {
 
-/// How a body may move. Each way names its generalised coordinates; a body carries no others.
+/// Degrees of freedom of a body. Each value names the generalised coordinates; a body has no others.
 enum class Mobility {
   free,       ///< x, y of the centre of mass, and the angle
   particle,   ///< x, y; its orientation never changes
-  pinned,     ///< the angle; the body turns about a fixed point of itself, its pin
+  pinned,     ///< the angle; the body turns about its pin, a point that is fixed in the body and in the world
   fixed,      ///< none: an obstacle
   sliding_x,  ///< x; neither y nor the orientation ever change
   sliding_y,  ///< y; neither x nor the orientation ever change
@@ -24,7 +24,7 @@ struct Names<Mobility> {
                                                         "sliding_x", "sliding_y", "guided_x", "guided_y"};
 };
 
-/// Which coordinates a mobility has, and whether it needs a pin.
+/// Coordinates that a mobility has, and whether it needs a pin.
 constexpr bool has_x(Mobility m) {
   return m == Mobility::free || m == Mobility::particle || m == Mobility::sliding_x || m == Mobility::guided_x;
 }
@@ -45,11 +45,11 @@ struct Body {
   Shape shape{};
   Vec2 p_WB{};          ///< reference position of the centre of mass, world [L]
   double angle{};       ///< reference orientation [rad], counter-clockwise > 0
-  Vec2 p_BPin{};        ///< of a pinned or guided body: the pin in body coordinates [L]
+  Vec2 p_BPin{};        ///< pin of a pinned or guided body, body coordinates [L]
   Vec2 force{};         ///< constant applied force at the centre of mass, world [F]
   double moment{};      ///< constant applied moment [F L], counter-clockwise > 0
-  bool sleeps{};        ///< may sleep: while it is in balance at its reference position nothing is computed of it
-  int multiplicity{1};  ///< number of identical bodies that this one stands for, by symmetry of the scene
+  bool sleeps{};        ///< may sleep: it is not computed while in equilibrium at its reference position
+  int multiplicity{1};  ///< number of identical bodies that this one represents, by symmetry of the scene
 
   static constexpr std::array<Field<Body>, 4> fields() {
     return {

@@ -12,7 +12,7 @@ namespace talus {
 /// One end of a cable: a point of a body, or a point fixed in the world when no body is named.
 struct CableEnd {
   std::optional<BodyId> body{};
-  Vec3 p{};  ///< [L]; in body coordinates (z: the body's place along the fence), or in the world
+  Vec3 p{};  ///< [L]; in body coordinates (z: the body's position along the fence), or in the world
 };
 
 /// A straight cable between two ends.
@@ -20,9 +20,9 @@ struct Cable {
   std::string name{};  ///< unique in the model
   CableEnd a{};
   CableEnd b{};
-  double rest_length{};  ///< length at which the tension law sees no elongation [L] >= 0
+  double rest_length{};  ///< length of zero elongation in the tension law [L] >= 0
   CableLaw law{};
-  int multiplicity{1};  ///< number of identical cables that this one stands for, by symmetry of the scene
+  int multiplicity{1};  ///< number of identical cables that this one represents, by symmetry of the scene
 };
 
 }  // namespace talus

@@ -11,29 +11,29 @@
 
 namespace talus {
 
-/// How the overlap of two outlines becomes forces.
+/// Method that computes forces from the overlap of two outlines.
 enum class ContactMethod {
-  resultant,  ///< from the exact gap of the two shapes, independent of any discretisation: one force for a pair; a
-              ///< rectangle that lies flat on a half-plane or another rectangle rests on both ends of its side
-  nodes,      ///< the law acts at each boundary node of one body inside the other, both ways (FENCE 1993): the answer
-              ///< depends on the number of nodes and does not converge with it
+  resultant,  ///< one force for a pair, from the exact gap of the two shapes, independent of any discretisation;
+              ///< a rectangle that lies flat on a half-plane or another rectangle rests on both ends of its side
+  nodes,      ///< the law acts at each boundary node of either body that is inside the other (FENCE 1993): results
+              ///< depend on the number of nodes and do not converge with it
 };
 template <>
 struct Names<ContactMethod> {
   static constexpr std::array<std::string_view, 2> list{"resultant", "nodes"};
 };
 
-/// Two bodies that may touch, and the law by which they do.
+/// Two bodies that may touch, and the contact law between them.
 struct Contact {
   std::string name{};  ///< unique in the model
   BodyId a{};
   BodyId b{};
   ContactLaw law{};
   ContactMethod method{ContactMethod::resultant};
-  std::array<int, 2> nodes{12, 12};  ///< boundary nodes of a and b when method is `nodes`: of a circle or superquadric
-  NodeDepth node_depth{NodeDepth::nearest};   ///< of nodes in a superquadric when method is `nodes`
-  std::optional<CoulombFriction> friction{};  ///< none: the contact is smooth, and keeps no memory for it
-  int multiplicity{1};  ///< number of identical contacts that this one stands for, by symmetry of the scene
+  std::array<int, 2> nodes{12, 12};  ///< number of boundary nodes of a circle or superquadric a or b, with `nodes`
+  NodeDepth node_depth{NodeDepth::nearest};   ///< depth rule for nodes in a superquadric, with `nodes`
+  std::optional<CoulombFriction> friction{};  ///< none: a frictionless contact, without memory for friction
+  int multiplicity{1};  ///< number of identical contacts that this one represents, by symmetry of the scene
 };
 
 }  // namespace talus

@@ -7,15 +7,16 @@
 
 namespace talus {
 
-/// A joint that may break: the point of a body at which one or two cables end. When the sum of their pulls in the plane
-/// of motion passes the strength the body loses them, and two cables go on as one: straight from the far end of one to
-/// that of the other, with one tension, as the massless point between them slides into balance. (Cables that harden
-/// and were drawn out unequally before have it only as far as their elastic shares of a stretch go.)
+/// A joint that may break: a point of a body at which one or two cables end. When the resultant of the cable forces in
+/// the plane of motion reaches the strength, the cables are detached from the body, and two cables continue as one: a
+/// straight line between their far ends with one tension, because the massless point between them moves into
+/// equilibrium. (Hardening cables that had different plastic elongations before the break have one tension only as far
+/// as their elastic parts of the elongation go.)
 struct Hanger {
   std::string name{};  ///< unique in the model
   BodyId body{};
-  Vec3 p{};           ///< as in the ends of its cables: body coordinates, z the place along the fence [L]
-  double strength{};  ///< pull at which it breaks [F] > 0
+  Vec3 p{};           ///< as the ends of its cables: body coordinates, z the position along the fence [L]
+  double strength{};  ///< resultant cable force at which it breaks [F] > 0
 };
 
 }  // namespace talus

@@ -14,8 +14,8 @@ std::size_t memory_of(const auto& law) {
   return std::visit([](const auto& l) { return talus::memory_count(l); }, law);
 }
 
-/// Law instances of a contact. Resultant: one; of a rectangle each corner on a half-plane, and both ends of the common
-/// side with another rectangle. Nodes: one for each boundary node of either body.
+/// Number of law instances of a contact. Resultant: one; for a rectangle, each corner on a half-plane, or both ends of
+/// the common side with another rectangle. Nodes: one for each boundary node of either body.
 std::size_t instances(const Model& model, const Contact& contact) {
   if (contact.method == ContactMethod::resultant) {
     const Shape& a = model.bodies[index(contact.a)].shape;

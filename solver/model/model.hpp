@@ -12,18 +12,18 @@
 
 namespace talus {
 
-/// When bodies that may sleep are woken.
+/// Change of a cable force that wakes a sleeping body.
 enum class Sleep {
-  off,    ///< they never sleep
-  exact,  ///< by the first change of a pull on them that is not zero: the same bits as `off`
-  on,     ///< by a change of more than 1e-13 of the pull
+  off,    ///< bodies never sleep
+  exact,  ///< any change of a force that is not zero: bit-identical to `off`
+  on,     ///< a change of more than 1e-13 of the force
 };
 template <>
 struct Names<Sleep> {
   static constexpr std::array<std::string_view, 3> list{"off", "exact", "on"};
 };
 
-/// What exists in a scene. Made by ModelBuilder, which checks it; never changed afterwards.
+/// Bodies, cables, contacts and hangers of a scene. Built and checked by ModelBuilder; never changed afterwards.
 struct Model {
   std::vector<Body> bodies;
   std::vector<Cable> cables;
@@ -34,13 +34,13 @@ struct Model {
   UnitSystem units{si};  ///< a tag for labels; the solver does not use it
 };
 
-/// The body, cable, contact or hanger of that name, if there is one.
+/// Finds the body, cable, contact or hanger of this name, if there is one.
 [[nodiscard]] std::optional<BodyId> find_body(const Model& model, std::string_view name);
 [[nodiscard]] std::optional<CableId> find_cable(const Model& model, std::string_view name);
 [[nodiscard]] std::optional<ContactId> find_contact(const Model& model, std::string_view name);
 [[nodiscard]] std::optional<HangerId> find_hanger(const Model& model, std::string_view name);
 
-/// Whether the cable's end is at the hanger's point.
+/// True if the end of the cable is at the point of the hanger.
 [[nodiscard]] bool ends_at(const CableEnd& end, const Hanger& hanger);
 
 /// Inertia of a pinned body about its pin: I + m |p_BPin|^2 [M L^2].

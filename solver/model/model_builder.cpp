@@ -64,7 +64,7 @@ std::string_view shape_name(const Shape& shape) {
   return std::visit([](const auto& s) { return s.name; }, shape);
 }
 
-/// Ground: all below a line.
+/// True for ground: a shape that fills everything below a line.
 bool is_ground(const Shape& shape) {
   return std::holds_alternative<HalfPlane>(shape) || std::holds_alternative<Terrain>(shape);
 }
@@ -83,7 +83,7 @@ void check_terrain(std::string_view body, const Terrain& terrain) {
   }
 }
 
-/// Whether the solver has a gap function for the two shapes by the given method.
+/// True if the solver has a gap function for the two shapes with this method.
 bool has_gap(const Shape& a, const Shape& b, ContactMethod method) {
   const auto is_box = [](const Shape& s) { return std::holds_alternative<Rectangle>(s); };
   const auto is_plane = [](const Shape& s) { return std::holds_alternative<HalfPlane>(s); };
@@ -96,13 +96,13 @@ bool has_gap(const Shape& a, const Shape& b, ContactMethod method) {
                       (is_plane(a) && is_angular(b)));
 }
 
-/// Errors: InputError where a law that acts at a distance does not get one from the geometry.
+/// Checks that the geometry gives a law that acts at a distance a true distance. Errors: InputError.
 void check_reach(const Contact& contact, std::string_view law, const Shape& a, const Shape& b) {
   const std::string objection = objection_to_reach(contact.method, contact.node_depth, a, b);
   if (!objection.empty()) throw InputError{fmt::format("contact '{}': law {}: {}", contact.name, law, objection)};
 }
 
-/// Whether two cables in series have the same tension when each takes a share of the stretch by its compliance.
+/// True if two cables in series have the same tension when the elongation divides between them by their compliances.
 bool one_tension(const CableLaw& a, const CableLaw& b) {
   const auto tangent = [](const CableLaw& law) { return std::visit([](const auto& l) { return l.tangent(); }, law); };
   const double one = tangent(a).damping * tangent(b).stiffness, other = tangent(b).damping * tangent(a).stiffness;
@@ -114,12 +114,12 @@ bool one_tension(const CableLaw& a, const CableLaw& b) {
         },
         law);
   };
-  // Drawn out by different amounts both still come to the same force in the end.
+  // Cables with different plastic elongations still reach the same largest force.
   const bool yield_alike = largest_yield(a) == largest_yield(b);
   return a.index() == b.index() && yield_alike && std::abs(one - other) <= 1e-12 * std::abs(one + other);
 }
 
-/// The cables at a hanger: one, or two that can go on as one.
+/// Checks the cables at a hanger: one, or two that can continue as one.
 void check_hanger(const Hanger& hanger, const Model& model) {
   std::vector<const Cable*> cables;
   for (const Cable& cable : model.cables) {
@@ -266,7 +266,7 @@ HangerId ModelBuilder::add(Hanger hanger) {
 Model ModelBuilder::build() const {
   if (!std::isfinite(model_.gravity.x) || !std::isfinite(model_.gravity.y)) throw InputError{"gravity must be finite"};
   if (model_.bodies.empty()) throw InputError{"the scene has no body; it needs at least one"};
-  // Cables may have come since.
+  // Cables may have been added after the hangers.
   for (const Hanger& hanger : model_.hangers)
     check_hanger(hanger, model_);
   return model_;

@@ -8,7 +8,7 @@
 
 namespace talus {
 
-/// Puts a Model together and checks it. All errors are InputError: "body 'rock': mass is -3; it must be > 0".
+/// Builds a Model and checks it. All errors are InputError: "body 'rock': mass is -3; it must be > 0".
 class ModelBuilder {
  public:
   explicit ModelBuilder(UnitSystem units = si) { model_.units = units; }
@@ -16,10 +16,10 @@ class ModelBuilder {
   /// Acceleration of free fall, world [L/T^2].
   void gravity(Vec2 acceleration) { model_.gravity = acceleration; }
 
-  /// Whether bodies that may sleep do.
+  /// Selects when sleeping bodies are woken, or that none sleeps.
   void sleep(Sleep choice) { model_.sleep = choice; }
 
-  /// Adds a body. Errors: an empty or used name, a mass or inertia that is not > 0 where the mobility needs one, a
+  /// Adds a body. Errors: an empty or duplicate name, a mass or inertia that is not > 0 where the mobility needs one, a
   /// shape with a size that is not > 0, a half-plane that can move, a number that is not finite.
   BodyId add(Body body);
 
@@ -30,12 +30,13 @@ class ModelBuilder {
   /// gap, fewer than 3 nodes on a circle.
   ContactId add(Contact contact);
 
-  /// Adds a hanger; its cables must be there. Errors: as above; a body that cannot move, no or more than two cables
-  /// that end there, another hanger at the point, two cables of different laws or yield forces or of a dashpot that
-  /// is not in proportion to the stiffness (as one they would have no single tension).
+  /// Adds a hanger; its cables must have been added before. Errors: as above; a body that cannot move, no cable or more
+  /// than two that end there, another hanger at the same point, two cables with different laws or largest yield forces,
+  /// or with dashpots that are not in proportion to their stiffnesses (as one cable they would not have a single
+  /// tension).
   HangerId add(Hanger hanger);
 
-  /// What has been added so far.
+  /// The model as added so far.
   const Model& model() const { return model_; }
 
   /// The finished model. Errors: InputError if it has no body.
@@ -43,7 +44,7 @@ class ModelBuilder {
 
  private:
   Model model_;
-  /// Names in use, of each kind.
+  /// Names in use, for each kind.
   std::set<std::string, std::less<>> body_names_, cable_names_, contact_names_, hanger_names_;
 };
 

@@ -6,9 +6,9 @@
 
 namespace talus {
 
-/// The outline of a body in its own axes, as it is drawn: poly line, the first point again at the end. Ground is a line
-/// of its own: terrain its points, a half-plane's goes `reach` [L] to both sides. A pinned body without a shape is its
-/// arm; another without a shape has none.
+/// Outline of a body in its body coordinates, for drawing: a polyline that repeats its first point at the end. Ground
+/// is an open line: the points of a terrain; for a half-plane a line that extends by `reach` [L] to both sides. A
+/// pinned or guided body without a shape is drawn as its arm; other bodies without a shape have no outline.
 [[nodiscard]] std::vector<Vec2> outline(const Body& body, double reach);
 
 }  // namespace talus

@@ -29,7 +29,7 @@ Accounts EnergyLedger::accounts(const Snapshot& snapshot) {
   now.momenta = snapshot.momenta();
   for (std::size_t i = 0; i < mechanism_count; ++i)
     now.lost[i] = state.work[i] - start_work_[i];
-  // Change by change: a potential that is large because its zero is far away must not swallow the digits of the rest.
+  // Sum of changes, not change of the sum: a potential with a large offset must not swallow the digits of the others.
   const Energies& first = start_energies_;
   const double kinetic = now.energies.kinetic - first.kinetic;
   const double gravity = now.energies.gravity - first.gravity;

@@ -7,47 +7,47 @@
 
 namespace talus {
 
-/// The accounts of a run at one time: what there is, what was lost, and by how much the sums fail to close.
+/// Energy and momentum balance of a run at one time: the stored amounts, the losses and the balance errors.
 struct Accounts {
   Energies energies;                           ///< [F L]
   std::array<double, mechanism_count> lost{};  ///< dissipated since the start, by Mechanism [F L]
   Momenta momenta;
-  double energy_closure{};            ///< energy + lost - energy at the start [F L]; 0 if the integration were exact
-  Vec2 momentum_closure;              ///< momentum - impulse from outside - momentum at the start [M L/T]
-  double angular_momentum_closure{};  ///< the same for moments about the world's origin [M L^2/T]
+  double energy_closure{};            ///< balance error: energy + lost - energy at the start [F L]; zero for an exact
+                                      ///< integration
+  Vec2 momentum_closure;              ///< momentum - external impulse - momentum at the start [M L/T]
+  double angular_momentum_closure{};  ///< the same for moments about the world origin [M L^2/T]
 
   double dissipated() const;  ///< sum of `lost` [F L]
 
-  /// Names all parts.
+  /// Serializes all members.
   void serialize(Archive& archive);
 };
 
-/// Keeps the accounts of energy and momentum of a run against its first state.
+/// Computes the energy and momentum balances of a run relative to its first state.
 class EnergyLedger {
  public:
-  /// `start` is the state that everything later is compared with; its modes are settled. The Dynamics must outlive the
-  /// ledger.
+  /// `start` is the reference state; its modes must be up to date. The Dynamics must outlive the ledger.
   EnergyLedger(const Dynamics& dynamics, const State& start);
 
   [[nodiscard]] Accounts accounts(const Snapshot& snapshot);
-  /// The same of a state alone, which is evaluated for it.
+  /// The balance at a state without a snapshot; the ledger evaluates the state itself.
   [[nodiscard]] Accounts accounts(const State& state);
 
-  /// Energies of the first state.
+  /// Energies of the first state [F L].
   const Energies& start() const { return start_energies_; }
 
-  /// Largest |energy_closure| of the accounts drawn so far [F L].
+  /// Largest |energy_closure| of all balances computed so far [F L].
   double largest_energy_closure() const { return largest_energy_closure_; }
-  /// What closures are measured against: the largest kinetic energy seen, or change of energy in one place, whichever
-  /// is more.
+  /// Reference energy for balance errors [F L]: the largest kinetic energy so far or, if larger, the largest change of
+  /// any single other form of energy.
   double energy_scale() const { return energy_scale_; }
 
-  /// Names what the ledger carries from one step to the next; a ledger of the same start goes on from it.
+  /// Serializes the data that the ledger carries from step to step; restore into a ledger with the same start.
   void serialize(Archive& archive);
 
  private:
   const Dynamics* dynamics_;
-  std::unique_ptr<Snapshot> own_;  ///< for states without a snapshot; made for the first
+  std::unique_ptr<Snapshot> own_;  ///< for states without a snapshot; created at first use
   std::array<double, mechanism_count> start_work_{};
   Impulse<double> start_impulse_{};
   Energies start_energies_;

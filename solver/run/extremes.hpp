@@ -8,7 +8,7 @@
 
 namespace talus {
 
-/// Minimum and maximum of a quantity over a run, and the first times of both.
+/// Minimum and maximum of a quantity over a run, and the first time of each.
 struct Extreme {
   double least{};
   double least_time{};
@@ -16,16 +16,16 @@ struct Extreme {
   double largest_time{};
 };
 
-/// The extremes of many quantities, one array for each number.
+/// The extremes of many quantities, stored as one array for each number.
 class Extremes {
  public:
-  /// Takes the values of one time, always as many. What is not a number, but for a first value, changes nothing.
+  /// Adds the values at one time; their number must not change. Later NaN values are ignored.
   void add(double time, std::span<const double> values);
 
   std::size_t size() const { return least_.size(); }
   Extreme operator[](std::size_t i) const { return {least_[i], least_time_[i], largest_[i], largest_time_[i]}; }
 
-  /// Names the extremes of `count` quantities.
+  /// Serializes the extremes of `count` quantities.
   void serialize(Archive& archive, std::size_t count);
 
  private:

@@ -11,7 +11,7 @@
 
 namespace talus {
 
-/// Drawn out within a step, a cable may be taut again at its end.
+/// Checks the memory, not only the mode: a cable that yields within a step may be elastic again at its end.
 bool FailureLog::drawn_out(const Watch& watch, const State& state) {
   if (!watch.yielding) return false;
   return std::visit([&](const auto& law) { return natural_elongation(law, memory(law, state, watch.slot)) > 0.0; },
@@ -71,7 +71,7 @@ void FailureLog::operator()(const State& state, const StepInfo&) {
   }
 }
 
-/// Times by the place of what is waited for, and the order in which it came.
+/// Serializes, for each failure in order of occurrence, its time and its index among the awaited failures.
 void FailureLog::serialize(Archive& archive) {
   std::vector<double> times, places;
   for (const Failure& failure : failures_) {

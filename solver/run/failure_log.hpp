@@ -10,45 +10,46 @@
 
 namespace talus {
 
-/// What a part of a scene went through that it does not come back from.
+/// An irreversible change of a part of a scene: it yields or breaks.
 struct Failure {
-  double time{};          ///< of the first state that shows it [T]
+  double time{};          ///< of the first state that shows the change [T]
   std::string part;       ///< "cable 'top1'", "hanger 'hanger1'"
   std::string_view what;  ///< "yields" or "breaks"
 };
 
-/// Observer that keeps the order in which cables yield, and cables and hangers break: of each part the first time only.
-/// What happens within one step has one time; cables then stand before hangers, each in the order of the model.
+/// Observer that records the order in which cables yield and cables and hangers break, only the first time for each
+/// part. Changes within one step have the same time; cables are then listed before hangers, each in the order of the
+/// model.
 class FailureLog {
  public:
-  /// The Dynamics must outlive it.
+  /// The Dynamics must outlive the log.
   explicit FailureLog(const Dynamics& dynamics);
 
   void operator()(const State& state, const StepInfo& info);
 
-  /// Names what it carries from one step to the next; a log of the same scene goes on from it.
+  /// Serializes the data carried from step to step; restore into a log of the same scene.
   void serialize(Archive& archive);
 
   const std::vector<Failure>& failures() const { return failures_; }
 
  private:
-  /// One mode of one part that is waited for.
+  /// A mode of a part that the log waits for.
   struct Watch {
     Slot slot{};
     Mode mode{};
     bool seen{};
-    const CableLaw* yielding{};  ///< of a cable that may yield: its natural elongation then grows from 0
+    const CableLaw* yielding{};  ///< of a cable that can yield: its natural elongation then grows from zero
   };
   static bool drawn_out(const Watch& watch, const State& state);
 
-  /// Whether something may have failed since the last step: a mode has changed or, as long as a cable may yield, a
-  /// memory.
+  /// Whether something may have failed since the last step: a mode has changed or, as long as a cable can yield, a
+  /// memory variable.
   bool has_changed(const State& state);
 
   std::vector<Watch> watches_;
-  std::vector<Mode> modes_;       ///< at the last step seen
-  std::vector<double> memory_;    ///< then
-  std::vector<Failure> awaited_;  ///< of each
+  std::vector<Mode> modes_;       ///< at the last observed step
+  std::vector<double> memory_;    ///< at the last observed step
+  std::vector<Failure> awaited_;  ///< the failure that each watch would report
   std::vector<Failure> failures_;
 };
 

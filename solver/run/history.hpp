@@ -19,59 +19,59 @@ struct Column {
   Dimension dimension;
 };
 
-/// The columns of a history of this model; with `ledger` those of the accounts too.
+/// The columns of a history of this model; with `ledger`, including those of the energy and momentum balance.
 [[nodiscard]] std::vector<Column> history_columns(const Model& model, bool ledger);
 
 /// Quantities of a run over time, row by row, in the scene's consistent units. The first column is "time".
 struct History {
   std::vector<Column> columns;
   std::vector<std::vector<double>> rows;
-  bool row_of_stop{false};  ///< the last row is there only because the run stopped
+  bool row_of_stop{false};  ///< the last row was added only because the run stopped
 
-  /// Before what a step adds: a row of a stop gives way, now that the run was taken on.
+  /// Call before adding a step: removes the row that was added only because the run stopped.
   void proceed();
-  /// Adds the row of a step at which one is due, or with which the run stops.
+  /// Adds the row of a step where output is due or where the run stops.
   void add(std::vector<double> row, bool due);
 
-  /// Names the rows; the columns are the scene's.
+  /// Serializes the rows; the columns follow from the scene.
   void serialize(Archive& archive);
 };
 
-/// Fills a history and keeps the extreme values of every step: for each body that moves x, y, vx, vy and, if it turns,
-/// angle and spin; for each contact depth and force; for each cable elongation and tension; with a ledger energies,
-/// losses and closures.
+/// Observer that fills a history and collects extremes over every step. Columns: for each moving body x, y, vx, vy and,
+/// if it rotates, angle and spin; for each contact overlap and force; for each cable elongation and tension; with a
+/// ledger energies, losses and balance errors.
 class Recorder {
  public:
-  /// `start` is the run's first state. `ledger` off draws no accounts and leaves their columns out. The Dynamics must
-  /// outlive the recorder.
+  /// `start` is the run's first state. Without `ledger`, no balances are computed and their columns are omitted. The
+  /// Dynamics must outlive the recorder.
   Recorder(const Dynamics& dynamics, const State& start, bool ledger = true);
 
-  /// Writes a row when one is due, and one for a step with which the run stops, which gives way when it is taken on.
-  /// The ledger and the extremes are brought up to date with every step.
+  /// Adds a row if output is due, and one for the step at which the run stops; that row is removed when the run is
+  /// resumed. The ledger and the extremes are updated at every step.
   void operator()(const Snapshot& snapshot, const StepInfo& info);
 
-  /// Names what the recorder carries from one step to the next; a recorder of the same start goes on from it.
+  /// Serializes the data carried from step to step; restore into a recorder with the same start.
   void serialize(Archive& archive);
 
   const History& history() const { return history_; }
-  /// All columns at the last step seen.
+  /// All columns at the last observed step.
   const std::vector<double>& row() const { return row_; }
   /// Empty when the ledger is off.
   const std::optional<EnergyLedger>& ledger() const { return ledger_; }
-  /// The accounts at the last step seen; all zero when the ledger is off.
+  /// The balance at the last observed step; all zero when the ledger is off.
   const Accounts& accounts() const { return accounts_; }
 
-  /// Of each column over all steps.
+  /// Extremes of each column over all steps.
   const Extremes& extremes() const { return extremes_; }
 
  private:
   void fill_row(const Snapshot& snapshot);
 
-  /// A body with columns.
+  /// A body with columns in the history.
   struct Moving {
     std::size_t body{};
     bool turns{};
-    std::size_t angle{};  ///< its coordinate
+    std::size_t angle{};  ///< index of its angle among the coordinates
   };
 
   const Dynamics* dynamics_;

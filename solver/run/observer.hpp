@@ -11,18 +11,19 @@ namespace talus {
 
 class Snapshot;
 
-/// What an observer is told beside the state.
+/// Information that an observer receives in addition to the state.
 struct StepInfo {
   long step{};          ///< steps done; 0 for the initial state
   long evaluations{};   ///< force evaluations done
-  bool due{};           ///< a record of the history falls on this step, as it does on the plan's first and last
-  bool last{};          ///< no step follows: the plan ends with this one, or the run stops
-  bool stop{};          ///< the run stops with this step, before its plan's end
-  const State* held{};  ///< the state as the integrator holds it: of a staggered method, velocities at t and
-                        ///< coordinates half a step on, as the listings of 1993 print them
+  bool due{};           ///< output of the history is due at this step; always true at the first and last step of the
+                        ///< plan
+  bool last{};          ///< no step follows: the plan ends or the run stops
+  bool stop{};          ///< the run stops at this step, before the end of its plan
+  const State* held{};  ///< the state as stored by the integrator; staggered methods have velocities at t and
+                        ///< coordinates half a step later, as the listings of 1993 print them
 };
 
-/// A function of the snapshot after a step, or of its state alone (made from which it requires snapshot.hpp).
+/// A function of the snapshot after a step, or of its state alone (construction from the latter requires snapshot.hpp).
 template <class Result, class... More>
 class OfSnapshot {
  public:
@@ -46,8 +47,8 @@ class OfSnapshot {
   std::function<Result(const Snapshot&, More...)> see_;
 };
 
-/// Sees a run's start and each of its steps; cannot change the run. It requests of the snapshot what it needs at that
-/// step.
+/// Called at the start of a run and after each step; cannot change the run. It requests from the snapshot only the
+/// stages that it needs at that step.
 using Observer = OfSnapshot<void, const StepInfo&>;
 
 /// Ends a run early when it returns true after a step.

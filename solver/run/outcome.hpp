@@ -4,19 +4,19 @@
 
 namespace talus {
 
-/// How a run ended. A diverged run is a result: it has a time and a reason.
+/// Result of a run. Divergence is a result, too: it has a time and a reason.
 struct [[nodiscard]] Outcome {
   enum class Kind {
     finished,
-    stopped,  ///< before its plan's end, because it was asked to
+    stopped,  ///< before the end of its plan, by its stop condition
     diverged
   };
 
   Kind kind{Kind::finished};
   double time{};      ///< the last time reached [T]
-  std::string words;  ///< for a diverged run: what went wrong, with the body and the step's ratio to its limit
+  std::string words;  ///< for a diverged run: the cause, with the body and the ratio of the step to its limit
 
-  /// Whether the numbers are good, as far as the run went.
+  /// Whether the results are valid up to `time`.
   explicit operator bool() const { return kind != Kind::diverged; }
 };
 

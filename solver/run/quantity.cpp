@@ -10,7 +10,7 @@
 namespace talus {
 namespace {
 
-/// "body.", "contact.", "cable." for each column of a history, empty for time and accounts.
+/// "body.", "contact." or "cable." for each column of a history; empty for time and balance columns.
 std::vector<std::string_view> kinds(const Model& model, const std::vector<Column>& columns) {
   std::vector<std::string_view> found{""};
   for (const Body& body : model.bodies) {
@@ -58,7 +58,7 @@ Quantity quantity_named(const Model& model, std::string_view name) {
   std::vector<std::string> known;
   for (std::size_t i = 1; i < columns.size(); ++i) {
     const std::string& column = columns[i].name;
-    // The error of a balance measures the method, and vanishes with its error.
+    // Balance errors are omitted: they measure the method and vanish with its error.
     if (column.starts_with("closure.")) continue;
     known.push_back(fmt::format("{}{}", kind[i], column));
     if (wanted == column || wanted == known.back()) {

@@ -8,29 +8,29 @@
 
 namespace talus {
 
-/// How a run's values of one column become one number.
+/// Reductions of one column of a run to one number.
 enum class Reduction {
   max,      ///< the largest
-  min,      ///< the least
-  abs_max,  ///< the largest in magnitude, without its sign
+  min,      ///< the smallest
+  abs_max,  ///< the largest absolute value
   end,      ///< the last
 };
 
-/// One number of a run: a column of its history, reduced.
+/// One number of a run: a reduced column of its history.
 struct Quantity {
-  std::string name;       ///< as it was asked for
-  std::size_t column{};   ///< its place in a row of the history
+  std::string name;       ///< as given by the user
+  std::size_t column{};   ///< index in a row of the history
   Dimension dimension{};  ///< of the column
-  bool ledger{};          ///< the column is one of the accounts
+  bool ledger{};          ///< the column belongs to the energy and momentum balance
   Reduction reduction{Reduction::end};
 
-  /// From the least, the largest and the last value of the column.
+  /// The reduced value, from the minimum, the maximum and the last value of the column.
   [[nodiscard]] double of(double least, double largest, double last) const;
 };
 
-/// The quantity of that name: a column of the history ("top.tension", "rock.vx", "energy.kinetic"), which may have its
-/// kind in front ("cable.top.tension", "body.rock.vx", "contact.impact.force"), and ".max", ".min", ".abs_max" or
-/// ".end". Errors: InputError for an unknown column or reduction, naming the nearest and those there are.
+/// The quantity with the given name: a column of the history ("top.tension", "rock.vx", "energy.kinetic"), optionally
+/// with its kind as a prefix ("cable.top.tension", "body.rock.vx", "contact.impact.force"), followed by ".max", ".min",
+/// ".abs_max" or ".end". Errors: InputError for an unknown column or reduction, with the nearest and all known names.
 [[nodiscard]] Quantity quantity_named(const Model& model, std::string_view name);
 
 template <>

@@ -7,25 +7,26 @@
 
 namespace talus {
 
-/// What a run does when the watch over it finds a limit passed.
+/// Reaction of a run when a monitored limit is exceeded.
 enum class CheckAction {
-  off,      ///< nothing is looked for
-  warning,  ///< it says so and goes on
-  error,    ///< it ends as diverged
+  off,      ///< no check
+  warning,  ///< prints a warning and continues
+  error,    ///< ends the run as diverged
 };
 template <>
 struct Names<CheckAction> {
   static constexpr std::array<std::string_view, 3> list{"off", "warning", "error"};
 };
 
-/// What is watched during a run, and what follows a breach.
+/// Checks during a run, and the action if a check fails.
 struct MonitorRules {
-  CheckAction instability{CheckAction::error};  ///< the springs that act are beyond the linear limit of the method
+  CheckAction instability{CheckAction::error};  ///< the active springs exceed the linear stability limit of the method
   CheckAction tunnelling{
-      CheckAction::error};  ///< bodies may pass each other in a step, or press half-way into each other
-  CheckAction accuracy{CheckAction::warning};  ///< contacts of few steps, deep overlaps, a ledger that does not close
+      CheckAction::error};  ///< bodies could pass through each other in a step, or overlap by half the half-width of
+                            ///< the smaller body
+  CheckAction accuracy{CheckAction::warning};  ///< too few steps per contact, deep overlaps, energy balance errors
 
-  /// A kind of breach, by its name in scenes.
+  /// A kind of check, by its name in scenes.
   struct Choice {
     std::string_view name;
     CheckAction MonitorRules::*member;
@@ -38,15 +39,15 @@ struct MonitorRules {
   friend bool operator==(const MonitorRules&, const MonitorRules&) = default;
 };
 
-/// How long a scene runs, in which steps, and how often it is looked at.
+/// Duration, step and output interval of a run.
 struct RunPlan {
   /// Length of a step [T] > 0; for a method with step control, the interval between its outputs.
   double step{};
-  /// Time at which the run ends [T] > 0: reached by a whole number of steps, at the first that is not before it.
+  /// Time at which the run ends [T] > 0; the run takes the smallest whole number of steps that reaches it.
   double end{};
-  /// Time between records of the history [T]; rounded to whole steps, at least one.
+  /// Time between rows of the history [T]; rounded to whole steps, at least one.
   double interval{};
-  /// Whether the balances of energy and impulse are recorded (`ledger = off` saves their cost; the summary says so).
+  /// Whether the balances of energy and impulse are recorded (`ledger = off` saves their cost; the summary reports it).
   bool ledger{true};
   MonitorRules watch{};
 };

@@ -18,7 +18,7 @@
 namespace talus {
 namespace {
 
-/// Index of the first of so many coordinates that is not finite, in position or velocity; their number if all are.
+/// Index of the first of `count` coordinates whose position or velocity is not finite; `count` if all are finite.
 std::size_t first_not_finite(const State& state, std::size_t count) {
   if (all_finite(state.q.data(), state.v.data(), count)) return count;
   std::size_t first = 0;
@@ -34,7 +34,7 @@ Outcome diverged(const RigidBodySystem& system, const State& state, std::size_t 
           fmt::format("diverged at t = {:.6g}: '{}' is not finite (step {:.6g})", state.t, which, h)};
 }
 
-/// A snapshot that follows a run as long as this stands.
+/// Makes a snapshot follow a run during the lifetime of this object.
 class Following {
  public:
   Following(Snapshot* snapshot, std::function<void(State&)> synchronise) : snapshot_{snapshot} {
@@ -58,11 +58,11 @@ Outcome run(RigidBodySystem& system, Method& method, RunState& run_state, const 
   const double start = run_state.start;
   const long steps =
       step_count({.step = plan.step, .end = plan.end - start, .interval = plan.interval, .ledger = plan.ledger});
-  // An interval longer than any run would overflow a whole number of steps.
+  // The limit avoids integer overflow for intervals longer than any run.
   const long every = std::max(1L, std::lround(std::min(plan.interval / plan.step, 1e15)));
   const long before = run_state.evaluations - system.evaluations();
   State& state = run_state.state;
-  // Nothing is prepared for nobody.
+  // Without observers and stop condition, no snapshot is prepared.
   std::optional<Snapshot> own;
   if (!observers.empty() || stop) {
     if (!seen) seen = &own.emplace(system.dynamics());
@@ -87,7 +87,7 @@ Outcome run(RigidBodySystem& system, Method& method, RunState& run_state, const 
     }
     const long n = run_state.step + 1;
     run_state.evaluations = before + system.evaluations();
-    // n h rather than a sum of h: the time of a step does not collect round-off.
+    // The time is n h, not a sum of h, so that it does not accumulate round-off.
     state.t = start + static_cast<double>(n) * plan.step;
     const std::size_t moving = system.moving();
     if (const std::size_t bad = first_not_finite(state, moving); bad < moving)
@@ -108,7 +108,7 @@ Outcome run(RigidBodySystem& system, Method& method, RunState& run_state, const 
 
 long step_count(const RunPlan& plan) {
   TALUS_DEMAND(plan.step > 0.0 && plan.end > 0.0 && std::isfinite(plan.step) && std::isfinite(plan.end));
-  // The share of a step forgives the round-off of end/step when end is meant as a whole number of steps.
+  // The fraction of a step absorbs the round-off of end/step when end is meant as a whole number of steps.
   return std::max(1L, static_cast<long>(std::ceil(plan.end / plan.step - 1e-9)));
 }
 

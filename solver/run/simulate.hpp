@@ -13,19 +13,20 @@ class Integrator;
 class RigidBodySystem;
 struct RunState;
 
-/// Steps that a plan takes.
+/// Number of steps in a plan.
 [[nodiscard]] long step_count(const RunPlan& plan);
 
-/// Takes a run on, from where it stands to the plan's end or until `stop`, in steps of equal length t0 + n h. However
-/// often it is stopped and taken on, also by another process, the bits are those of a run that never was: observers
-/// see each step once, the first state only at the very start. The plan stays the same throughout.
-/// The outcome is `diverged` when a coordinate or velocity is no longer finite, with the body and the time.
-/// `seen` is what the observers see, if it is to outlast the run: afterwards it is of the last state that they saw, if
+/// Continues a run from its present state to the end of the plan or until `stop`, with equal steps: step n ends at
+/// t0 + n h. Results are bit-identical to an uninterrupted run, however often the run is interrupted and resumed, also
+/// by another process: observers see each step once, and the first state only at the very start. The plan must not
+/// change. The outcome is `diverged`, with the body and the time, when a coordinate or velocity is no longer finite.
+/// `seen` is the snapshot for the observers, if it is to outlast the run: afterwards it refers to the last state that
+/// the observers requested.
 /// they requested it.
 Outcome simulate(RigidBodySystem& system, RunState& run_state, const RunPlan& plan,
                  std::span<const Observer> observers = {}, const StopCondition& stop = {}, Snapshot* seen = nullptr);
 
-/// The same from the state's own time. On return the state is synchronised: all its parts are at state.t.
+/// As above, from the state's time. On return the state is synchronised: all its parts are at state.t.
 Outcome simulate(RigidBodySystem& system, Integrator& integrator, State& state, const RunPlan& plan,
                  std::span<const Observer> observers = {}, const StopCondition& stop = {});
 

@@ -28,7 +28,7 @@ void Snapshot::evaluate_state() const {
   TALUS_DEMAND(synchronise_ != nullptr);
   synchronise_(state_);
   dynamics_->update_everywhere(state_, work_);
-  // What breaks or wakes is evaluated again at once, but without what sleeps beside it.
+  // Parts that break or wake are evaluated again at once, but without the sleeping parts next to them.
   if (dynamics_->update_modes(state_, work_)) work_.evaluated = Evaluated::nothing;
   done(Stage::state);
 }
@@ -46,7 +46,7 @@ void Snapshot::evaluate_depths() const {
 
 void Snapshot::evaluate_pulls() const {
   static_cast<void>(geometry());
-  // Rows of cables on straight lines have them already.
+  // For chains on their linear branch the pulls are already computed.
   if (!work_.active.on_linear_branch) dynamics_->cables().load(state_, work_, nullptr);
   done(Stage::pulls);
 }

@@ -7,42 +7,42 @@
 
 namespace talus {
 
-/// The state of a run after a step, as its observers see it: all parts at the same time and modes up to date, with all
-/// that follows from it. Each stage (state, geometry, depths, pulls, loads, forces, energies) is evaluated when it is first
-/// requested, once for all observers; what nobody requests costs nothing.
+/// The state of a run after a step, as its observers see it: all parts at the same time, modes up to date, and all
+/// derived quantities. Each stage (state, geometry, depths, pulls, loads, forces, energies) is evaluated at its first
+/// request, once for all observers; stages that are not requested cost nothing.
 class Snapshot {
  public:
-  /// Of no state yet: see follow(). The Dynamics must outlive it.
+  /// Without a state until follow() or set(). The Dynamics must outlive the snapshot.
   explicit Snapshot(const Dynamics& dynamics);
-  /// Of a given state, whose modes are up to date.
+  /// Snapshot of the given state, whose modes must be up to date.
   Snapshot(const Dynamics& dynamics, const State& state);
   Snapshot(const Snapshot&) = delete;
   Snapshot& operator=(const Snapshot&) = delete;
 
   const Dynamics& dynamics() const { return *dynamics_; }
 
-  /// The state, synchronised. (A method may hold its modes as they were before its last kick, with which a slack cable
-  /// would seem to push.)
+  /// The state, synchronised. (The integrator may still hold the modes from before its last kick, with which a slack
+  /// cable would seem to push.)
   const State& state() const {
     if (!has(Stage::state)) evaluate_state();
     return state_;
   }
-  /// Poses and velocities of all bodies, paths of all cables, gaps of the contacts within reach.
+  /// Poses and velocities of all bodies, paths of all cables, gaps of the contacts in the neighbourhood.
   const Workspace& geometry() const {
     if (!has(Stage::geometry)) evaluate_geometry();
     return work_;
   }
-  /// Largest overlap of each contact [L]; negative while its bodies are apart, which for some shapes takes a search.
+  /// Largest overlap of each contact [L]; negative while its bodies are apart, which requires a search for some shapes.
   const std::vector<double>& depths() const {
     if (!has(Stage::depths)) evaluate_depths();
     return depths_;
   }
-  /// The geometry with the sums of the cables' pulls at their joints (JointPoints::force).
+  /// The geometry and the sums of the cable pulls at their joints (JointPoints::force).
   const Workspace& pulls() const {
     if (!has(Stage::pulls)) evaluate_pulls();
     return work_;
   }
-  /// And with what contacts and cables exert on each body (Workspace::wrenches).
+  /// The pulls and the contact and cable forces on each body (Workspace::wrenches).
   const Workspace& loads() const {
     if (!has(Stage::loads)) evaluate_loads();
     return work_;
@@ -60,14 +60,15 @@ class Snapshot {
     return momenta_;
   }
 
-  /// Of another state by hand, whose modes are up to date.
+  /// Replaces the state; its modes must be up to date.
   void set(const State& state);
 
-  /// For who steps a run. `synchronise` writes the run's present state, with all parts at the same time, into a State.
+  /// For the code that steps a run. `synchronise` writes the run's present state, with all parts at the same time, into
+  /// a State.
   void follow(std::function<void(State&)> synchronise) { synchronise_ = std::move(synchronise); }
-  /// The run has made a step: nothing of it is evaluated yet.
+  /// Call after each step of the run: invalidates all stages.
   void advance() { stages_ = 0; }
-  /// The run goes no further: the snapshot stays that of the last state that was requested.
+  /// Call when the run ends: the snapshot keeps the last state that was requested.
   void end();
 
  private:

@@ -5,9 +5,11 @@
 namespace talus {
 namespace {
 
-/// On s in [0, 1] with p = q1 - q0 and velocities scaled by the step, the Hermite cubic's derivative is
+/// Turning point as a fraction of the step. For s in [0, 1], p = q1 - q0 and velocities scaled by the step, the
+/// derivative of the Hermite cubic is
 ///   a s^2 + b s + v0 = 0,   a = 3 (v0 + v1) - 6 p,   b = 6 p - 4 v0 - 2 v1;
-/// it is v0 > 0 at s = 0 and v1 <= 0 at s = 1, so one root lies between; the form below has no cancellation for a -> 0.
+/// it is v0 > 0 at s = 0 and v1 <= 0 at s = 1, so that one root lies between; the form below has no cancellation for
+/// a -> 0.
 double turning_share(double p, double v0, double v1) {
   const double a = 3.0 * (v0 + v1) - 6.0 * p;
   const double b = 6.0 * p - 4.0 * v0 - 2.0 * v1;

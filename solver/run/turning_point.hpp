@@ -6,15 +6,15 @@
 
 namespace talus {
 
-/// A moment at which a coordinate turns back.
+/// Time and value at which a coordinate reverses.
 struct TurningPoint {
   double time{};   ///< [T]
-  double value{};  ///< the coordinate there
+  double value{};  ///< value of the coordinate
 };
 
-/// An observer that finds the first time at which a coordinate's velocity falls from positive to zero or below.
-/// Between steps the coordinate is taken as the cubic through both ends' positions and velocities (Hermite), which is
-/// exact to fourth order in the step and needs no acceleration.
+/// Observer that finds the first time at which a coordinate's velocity falls from positive to zero or below. Between
+/// steps the coordinate is interpolated by the cubic through positions and velocities at both ends (Hermite), which is
+/// accurate to fourth order in the step and needs no acceleration.
 class TurningPointFinder {
  public:
   explicit TurningPointFinder(std::size_t coordinate) : coordinate_{coordinate} {}
@@ -24,7 +24,7 @@ class TurningPointFinder {
 
  private:
   std::size_t coordinate_;
-  double t_{}, q_{}, v_{};  // at the step before
+  double t_{}, q_{}, v_{};  // at the previous step
   std::optional<TurningPoint> found_;
 };
 

@@ -5,7 +5,7 @@
 
 namespace talus::scenes {
 
-/// A disc that falls on a plane, without rotation. The defaults have no gravity: one impact.
+/// A disc that falls on a plane without rotating. The defaults have no gravity: a single impact.
 struct BouncingDisc {
   double mass{1.0};     ///< [M]
   double radius{1.0};   ///< [L]
@@ -15,8 +15,8 @@ struct BouncingDisc {
   ContactLaw contact;
 };
 
-/// Names: bodies "disc" (particle) and "plane" (fixed, the x axis), contact "impact". Integrator and plan are left to
-/// the caller. Errors: InputError as by ModelBuilder.
+/// Scene with bodies "disc" (particle) and "plane" (fixed, the x axis) and contact "impact". The caller sets integrator
+/// and plan. Errors: InputError as by ModelBuilder.
 [[nodiscard]] Scene bouncing_disc(const BouncingDisc& parameters);
 
 }  // namespace talus::scenes

@@ -14,43 +14,43 @@
 
 namespace talus::scenes {
 
-/// What an element of a fence is; the numbers are those of the 1993 deck.
+/// Type of a fence element; the numbers are those of the 1993 deck.
 enum class ElementType { rock = 0, column = 1 };
 
-/// Solid whose density gives an element's mass and inertia; the numbers are those of the 1993 deck.
+/// Solid that, with the density, gives an element's mass and inertia; the numbers are those of the 1993 deck.
 enum class ElementSolid { ellipsoid = 0, block = 1, cylinder = 2 };
 
-/// The outline of an element in its own axes, with half axes a and b.
+/// Outline of an element in its own axes, with semi-axes a and b.
 enum class ElementOutline {
-  by_power,     ///< |x/a|^n + |y/b|^n = 1 with n = 2/power; power 0 stands for the nearly rectangular outline of 1993,
+  by_power,     ///< |x/a|^n + |y/b|^n = 1 with n = 2/power; power 0 means the nearly rectangular outline of 1993,
                 ///< n = 20, except for ellipsoids, whose outline is then the ellipse (the rule of the 1993 deck)
   ellipse,      ///< a circle for a = b
   rectangle,    ///< with sides 2a and 2b
   superquadric  ///< |x/a|^n + |y/b|^n = 1 with n = `exponent`
 };
 
-/// One element of a fence: the ground, a rock, or the column that stands for all columns (Mustoe & Huttelmaier 1993,
+/// One element of a fence: the ground, a rock, or the column that represents all columns (Mustoe & Huttelmaier 1993,
 /// Appendix II.4).
 struct FenceElement {
   ElementType type{ElementType::rock};
   ElementSolid solid{ElementSolid::ellipsoid};
-  int points{2};  ///< nodes of the outline in one quadrant, both ends counted: 4 (points - 1) in all
+  int points{2};  ///< nodes of the outline in one quadrant, including both ends: 4 (points - 1) in all
   double a{};     ///< half-length along local x [L] > 0
   double b{};     ///< half-length along local y [L] > 0
   ElementOutline outline{ElementOutline::by_power};
-  double power{};              ///< 2/n, in [0, 1]; of the outline by_power
-  double exponent{};           ///< n > 1; of the outline superquadric
+  double power{};              ///< 2/n, in [0, 1]; for the outline by_power
+  double exponent{};           ///< n > 1; for the outline superquadric
   double density{};            ///< [M/L^3] > 0
   double bar_length{};         ///< attachment length of a column [L]; printed only, as in 1993
   Vec2 position{};             ///< centroid, world [L]
-  double along{};              ///< of a rock: its place along the fence, 0 at mid-span [L]
-  double angle{};              ///< [rad], counter-clockwise > 0; a column stands upright at 0
+  double along{};              ///< of a rock: its position along the fence, 0 at mid-span [L]
+  double angle{};              ///< [rad], counter-clockwise > 0; a column is upright at 0
   Vec2 velocity{};             ///< [L/T]
   double spin{};               ///< [rad/T], counter-clockwise > 0
   Vec2 force{};                ///< applied at the centroid, world [F]
   double moment{};             ///< applied [F L], counter-clockwise > 0
-  std::array<bool, 3> held{};  ///< x, y, rotation held
-  Vec2 fixed_point{};          ///< local coordinates of the point that the fixities hold [L]
+  std::array<bool, 3> held{};  ///< whether x, y and rotation are held
+  Vec2 fixed_point{};          ///< local coordinates of the fixed point [L]
 
   static constexpr std::array<Field<FenceElement>, 8> fields() {
     using F = FenceElement;
@@ -79,9 +79,9 @@ struct FenceElement {
   friend bool operator==(const FenceElement&, const FenceElement&) = default;
 };
 
-/// A column unlike the others: what a longer, shorter, heavier or lighter one has in place of theirs.
+/// A column that differs from the others: values that replace theirs, for a longer, shorter, heavier or lighter column.
 struct ChangedColumn {
-  int place{1};       ///< from the centre outwards, 1 .. half the count; in every layer and on both sides
+  int place{1};       ///< position from the centre outwards, 1 .. half the count; in every layer and on both sides
   double a{};         ///< half-width [L] > 0
   double b{};         ///< half-height [L] > 0
   double density{};   ///< [M/L^3] > 0
@@ -103,10 +103,10 @@ struct ChangedColumn {
   friend bool operator==(const ChangedColumn&, const ChangedColumn&) = default;
 };
 
-/// A cable that an earlier impact has drawn out.
+/// A cable that yielded in an earlier impact.
 struct StretchedCable {
   std::string cable{};  ///< its name in the scene: "top1", "bottom-2", "back_top3", ...
-  double stretch{};     ///< plastic stretch [L] >= 0
+  double stretch{};     ///< plastic elongation [L] >= 0
 
   static constexpr std::array<Field<StretchedCable>, 1> fields() {
     return {{{"stretch", dimension::length, &StretchedCable::stretch, Range::non_negative, "plastic stretch"}}};
@@ -116,67 +116,68 @@ struct StretchedCable {
   friend bool operator==(const StretchedCable&, const StretchedCable&) = default;
 };
 
-/// How much of the fence a scene carries.
+/// The part of the fence that a scene models.
 enum class FenceSymmetry {
-  half,  ///< central column and one side, the central segment's force twice (1993): symmetric hits only
+  half,  ///< central column and one side, force of the central segment doubled (1993): symmetric hits only
   full,  ///< all columns
 };
 
-/// Central columns of an even count in the half model.
+/// Central columns of the half model when their total count is even.
 enum class EvenCentre {
-  doubled,  ///< one body of twice the mass and inertia (1993, section 3.1)
+  doubled,  ///< one body of double mass and inertia (1993, section 3.1)
   pair,     ///< two bodies side by side
 };
 
-/// How contacts of a fence turn overlap into force.
+/// Contact forces of a fence as a function of overlap.
 enum class FenceContact {
-  nodes,      ///< per boundary node, with the outlines and normals of 1993
-  resultant,  ///< one force for a pair
-  smoother,   ///< per boundary node, the normal that of the body that bends less there (Appendix I of the report)
+  nodes,      ///< one force per boundary node, with the outlines and normals of 1993
+  resultant,  ///< one force per pair
+  smoother,   ///< one force per boundary node, with the normal of the body of smaller curvature (Appendix I of the
+              ///< report)
 };
 
-/// Mass from which Eq. 21 makes a dashpot of the coefficient of restitution.
+/// Mass from which Eq. 21 computes the dashpot for the coefficient of restitution.
 enum class FenceCalibration {
   particles,       ///< the two bodies as particles (1993, Eq. 21)
-  effective_mass,  ///< what the bodies feel at the contact point: of resultants at every impact, of nodes as they
-                   ///< stand at the start
+  effective_mass,  ///< effective mass at the contact point: for resultants at every impact, for nodes in the initial
+                   ///< configuration
 };
 
-/// The last bottom segment, towards the fixed end.
+/// Last segment of the bottom cable, between the last column and a fixed end.
 enum class BottomEnd {
   free,      ///< none: the bottom cable ends at the last column
   anchored,  ///< a segment to a fixed point below the top cable's end
 };
 
-/// Whether columns can lie on the ground.
+/// Whether columns touch the ground.
 enum class ColumnGround {
-  none,     ///< they pass through it (1993: its listing has no stiffness for it)
+  none,     ///< they pass through it (1993: the listing has no stiffness for this contact)
   contact,  ///< they touch it as rocks do
 };
 
-/// What happens at the start, when a rock touches the fence.
+/// Treatment of the start when a rock already touches the fence.
 enum class FenceStart {
-  plain,      ///< the bodies start with the velocities given
-  half_kick,  ///< the contact forces of the first touch act for half a step beforehand (1993; inferred from its
+  plain,      ///< the bodies start with the given velocities
+  half_kick,  ///< the contact forces of the first touch act for half a step beforehand (1993; inferred from the
               ///< listing)
 };
 
-/// What ends a run before its last step.
+/// Condition that ends a run before its last step.
 enum class FenceEnd {
-  steps,  ///< nothing (1993)
+  steps,  ///< none (1993)
   exit,   ///< all rocks have passed x = exit_x
   rest,   ///< all rocks are slower than a thousandth of the fastest one's speed at the start
 };
 
-/// A point of how the cables' yield force grows.
+/// A point of the yield force as a function of plastic strain.
 struct YieldMultiple {
-  double strain{};    ///< plastic stretch over the slack length > 0
-  double multiple{};  ///< of the yield force, `limit_top` or `limit_bottom`, >= 1
+  double strain{};    ///< plastic elongation divided by the rest length > 0
+  double multiple{};  ///< factor of the yield force, `limit_top` or `limit_bottom`, >= 1
 
   friend bool operator==(const YieldMultiple&, const YieldMultiple&) = default;
 };
 
-/// Choices that no record of the 1993 deck makes. The defaults are the historical program; see current_options().
+/// Options that are not in the 1993 deck. The defaults reproduce the historical program; see current_options().
 struct FenceOptions {
   FenceSymmetry symmetry{FenceSymmetry::half};
   EvenCentre even_centre{EvenCentre::doubled};
@@ -187,23 +188,23 @@ struct FenceOptions {
   BottomEnd bottom_end{BottomEnd::free};
   ColumnGround column_ground{ColumnGround::none};
   FenceEnd end{FenceEnd::steps};
-  Sleep sleep{Sleep::exact};  ///< of columns that nothing has moved; `on` forgoes the smallest digits of the listing
-  MonitorRules watch{};       ///< what ends a run, or is warned of
+  Sleep sleep{Sleep::exact};  ///< of columns that have not been moved; `on` gives up the smallest digits of the listing
+  MonitorRules watch{};       ///< checks that end a run or print a warning
   std::string integrator{"lagged_central_difference"};
-  double tolerance{};  ///< step control of the integrator; 0: none (1993)
+  double tolerance{};  ///< error tolerance of the integrator's step control; 0: none (1993)
 
-  double shear_ratio{1.0};   ///< k_s/k_n of all contacts > 0; acts where the coefficient of friction is > 0
+  double shear_ratio{1.0};   ///< k_s/k_n of all contacts > 0; used if the coefficient of friction is > 0
   double hanger_strength{};  ///< pull at which a top joint breaks [F] >= 0; 0: never (1993)
   double strength_top{};     ///< tension at which the top cable breaks [F] >= 0; 0: never (1993)
   double strength_bottom{};  ///< tension at which the bottom cable breaks [F] >= 0; 0: never (1993)
   double hardening{};  ///< tangent modulus of a yielding cable over Young's modulus, in [0, 1); 0: perfectly plastic
                        ///< (1993)
   double rupture{};    ///< plastic strain at which a cable breaks >= 0; 0: never (1993)
-  /// Yield force of both cables behind (0, 1), straight between the points and level behind the last; in place of
+  /// Yield force of both cables after (0, 1): linear between the points and constant after the last; replaces
   /// `hardening`.
   std::vector<YieldMultiple> table{};
 
-  double exit_x{};  ///< where a run ends with `exit` [L]
+  double exit_x{};  ///< x at which a run with `exit` ends [L]
 
   static constexpr std::array<Field<FenceOptions>, 8> fields() {
     using F = FenceOptions;
@@ -227,8 +228,8 @@ struct FenceOptions {
   friend bool operator==(const FenceOptions&, const FenceOptions&) = default;
 };
 
-/// The choices of a new fence: contacts that do not depend on nodes and keep their restitution at every impact, no
-/// tension in contacts, central columns that are two bodies if there are two, located events.
+/// The options for new fences: contacts that are independent of nodes and have the same restitution at every impact, no
+/// tension in contacts, two separate central columns for even counts, located events.
 [[nodiscard]] FenceOptions current_options();
 
 /// A rockfall fence with its rocks: the records of a 1993 deck (Mustoe & Huttelmaier 1993, Appendix II.4) as numbers in
@@ -237,27 +238,27 @@ struct Fence {
   std::string title{};
   UnitSystem units{us};
 
-  double step_factor{};               ///< fact_dt: multiple of the step of the 1993 rule; 0 stands for 1
+  double step_factor{};               ///< fact_dt: step as a multiple of that of the 1993 rule; 0 means 1
   long steps{};                       ///< niter: number of steps > 0
-  long print_every{};                 ///< nprint: steps between states of the listing and the geometry > 0
+  long print_every{};                 ///< nprint: steps between states in the listing and the geometry file > 0
   long history_every{};               ///< nhisto: steps between records of the histories > 0
-  double penetration{};               ///< f_penet: largest overlap as a share of the rock's radius > 0
+  double penetration{};               ///< f_penet: largest overlap as a fraction of the rock's radius > 0
   int gravity_sign{-1};               ///< igrav: +1 or -1, direction of gravity along y
-  double gravity{};                   ///< grav: acceleration of free fall [L/T^2] >= 0
-  std::vector<int> history_elements;  ///< elno: numbers of the elements whose histories are kept
-  std::vector<int> history_codes;     ///< variab: codes of the quantities kept, 1 .. 61
+  double gravity{};                   ///< grav: gravitational acceleration [L/T^2] >= 0
+  std::vector<int> history_elements;  ///< elno: numbers of the elements whose histories are recorded
+  std::vector<int> history_codes;     ///< variab: codes of the recorded quantities, 1 .. 61
 
   FenceElement ground;               ///< element 1
-  std::vector<Vec2> ground_profile;  ///< uneven ground in place of its level surface: points of a line, world [L]
+  std::vector<Vec2> ground_profile;  ///< uneven ground instead of its level surface: points of a line, world [L]
   std::vector<FenceElement> rocks;   ///< elements 2 .. nel - 1
-  FenceElement column;               ///< element nel: stands for every column
-  std::vector<ChangedColumn> changed_columns;  ///< those that differ from it
+  FenceElement column;               ///< element nel: represents every column
+  std::vector<ChangedColumn> changed_columns;  ///< columns that differ from it
 
-  /// Plastic stretch that cables have from the start, left by the impacts of before; the columns then hang where the
-  /// longer cables let them.
+  /// Plastic elongation of cables at the start, from earlier impacts; the columns then hang lower, in equilibrium with
+  /// the longer cables.
   std::vector<StretchedCable> stretched_cables;
 
-  double span{};          ///< of the top cable between its fixed ends [L] > 0
+  double span{};          ///< of the top cable, between its fixed ends [L] > 0
   double sag{};           ///< of the top cable at mid-span [L] > 0
   double spacing{};       ///< dcol: distance between neighbouring columns along the fence [L] > 0
   double young{};         ///< Young's modulus of both cables [F/L^2] > 0 (the deck: lb/in^2)
@@ -277,7 +278,7 @@ struct Fence {
   double layer_spacing{};  ///< sp_fence: centre to centre [L] > 0 for two layers
   /// rf_overlap: largest overlap of rock and column [L]; 0: penetration times the rock's radius.
   double rock_overlap{};
-  /// ff_overlap: largest overlap of columns of two layers [L]; 0: penetration times half width.
+  /// ff_overlap: largest overlap of columns of two layers [L]; 0: penetration times the half-width.
   double layer_overlap{};
 
   FenceOptions options{};

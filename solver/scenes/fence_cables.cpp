@@ -10,7 +10,7 @@ CableId FenceMaker::add_cable(const std::string& name, CableEnd a, CableEnd b, d
                               bool top) {
   const FenceOptions& options = fence_.options;
   ElasticPlastic law{.stiffness = stiffness, .yield = top ? fence_.limit_top : fence_.limit_bottom};
-  // The tangent stiffness k H/(k + H) is the given share of k.
+  // The hardening modulus H is such that the tangent stiffness k H/(k + H) is the given fraction of k.
   law.hardening = options.hardening / (1.0 - options.hardening) * stiffness;
   for (const YieldMultiple& point : options.table)
     law.table.push_back({point.strain * rest_length, point.multiple * law.yield});
@@ -19,7 +19,7 @@ CableId FenceMaker::add_cable(const std::string& name, CableEnd a, CableEnd b, d
   if (options.rupture > 0.0) law.rupture = options.rupture * rest_length;
   for (const StretchedCable& stretched : fence_.stretched_cables) {
     if (stretched.cable != name) continue;
-    // Its memory starts at zero: what it was drawn out by before is part of its length and law.
+    // The cable's memory starts at zero: earlier plastic elongation is part of its rest length and law.
     rest_length += stretched.stretch;
     law = law.drawn_before(stretched.stretch);
     if (!(law.rupture > 0.0))
@@ -31,7 +31,7 @@ CableId FenceMaker::add_cable(const std::string& name, CableEnd a, CableEnd b, d
   return builder_.add(cable);
 }
 
-/// The column at a place, changed or not.
+/// The column at a position, with its changed values if it has any.
 ChangedColumn FenceMaker::column(int place) const {
   for (const ChangedColumn& changed : fence_.changed_columns) {
     if (changed.place == place + 1) return changed;
@@ -40,8 +40,8 @@ ChangedColumn FenceMaker::column(int place) const {
   return {place + 1, e.a, e.b, e.density, fence_.y_top, fence_.y_bottom};
 }
 
-/// A rock meets the columns within half their distance along the fence: one, or two when it comes between them. In the
-/// half model these are the central ones.
+/// A rock can hit the columns within half their spacing along the fence: one, or two when it is midway between them. In
+/// the half model these are the central ones.
 bool FenceMaker::meets(const FenceElement& rock, const Column& column) const {
   if (!full()) return column.place == 0;
   return std::abs(rock.along - column.along) <= 0.5 * fence_.spacing * (1.0 + 1e-9);
@@ -67,7 +67,8 @@ void FenceMaker::add_layer(int layer) {
   const int count = columns_of_half(fence_);
   const double inner = even() ? 0.5 * fence_.spacing : 0.0;  // z of the first column
   layers_.emplace_back();
-  std::vector<std::array<std::size_t, 2>> hung;  // in layers_.back(), of each place the column on either side
+  std::vector<std::array<std::size_t, 2>> hung;  // indices in layers_.back(): for each position, the column on either
+                                                 // side
   for (int i = 0; i < count; ++i) {
     const ChangedColumn place = column(i);
     FenceElement own = e;
@@ -75,7 +76,7 @@ void FenceMaker::add_layer(int layer) {
     Body made = body(own, "", fence_.options.contact);
     made.sleeps = made.mobility == Mobility::free;
     const bool centre = i == 0;
-    // The terms of equal columns are written so that nothing is lost in their sum.
+    // Equal columns add an exact zero, so that their heights suffer no round-off.
     const double lower = place.y_top == column(0).y_top ? 0.0 : column(0).y_top - place.y_top;
     made.p_WB = {x, e.position.y + shape.heights[static_cast<std::size_t>(i)] + lower};
     if (!full() && !(centre && (!even() || doubled()))) made.multiplicity = 2;
@@ -114,17 +115,17 @@ void FenceMaker::add_segments(int layer, bool top, const StaticShape& shape,
     const Column& at = columns[hung[place][hand]];
     return CableEnd{at.body, {0.0, top ? own.y_top : own.y_bottom, at.along}};
   };
-  // Top joints stand where the cable does; bottom joints of equal columns rise as the top ones do.
+  // Top joints lie on the cable; bottom joints of equal columns follow the rise of the top joints.
   const auto drop = [&](std::size_t place) {
     const ChangedColumn own = column(static_cast<int>(place));
     return top ? 0.0 : (own.y_bottom - own.y_top) - (fence_.y_bottom - fence_.y_top);
   };
   const std::string stem = prefix(layer) + (top ? "top" : "bottom");
-  // The bottom cable is double wrapped.
+  // The bottom cable is doubled (two strands).
   const double stiffness = top ? fence_.young * fence_.area_top : 2.0 * fence_.young * fence_.area_bottom;
   const std::size_t count = hung.size();
   if (full() && even()) {
-    // The segment between the central columns, straight across.
+    // The horizontal segment between the central columns.
     const double d = fence_.spacing, k = stiffness / d;
     add_cable(stem + "0", joint(0, 1), joint(0, 0), k, top ? d - shape.horizontal_tension / k : d + fence_.slack, top);
   }

@@ -1,4 +1,4 @@
-/// Contacts of a fence, with stiffness and dashpot from the overlap they may reach.
+/// Contacts of a fence, with stiffness and dashpot from the allowed overlap.
 
 #include <cmath>
 
@@ -12,8 +12,8 @@ double reduced_mass(double a, double b) { return a * b / (a + b); }
 
 }  // namespace
 
-/// k = factor m v^2/overlap^2: the spring that takes the energy of m at the speed of the impact within the overlap,
-/// with the factors of 1993; c by Eq. 21 with the same mass, or with the one that the contact feels.
+/// k = factor m v^2/overlap^2: the spring that absorbs the energy of m at the impact speed within the overlap, with the
+/// factors of 1993; c by Eq. 21 with the same mass or with the effective mass of the contact.
 FenceContactLaw FenceMaker::contact_law(double mass, double factor, double overlap, double damped_mass) const {
   const double stiffness = factor * mass * speed_ * speed_ / (overlap * overlap);
   if (!(stiffness > 0.0 && std::isfinite(stiffness)))
@@ -43,8 +43,8 @@ Contact FenceMaker::contact(std::string name, BodyId a, BodyId b, FenceContactLa
   return made;
 }
 
-/// Mass from which the dashpot of rock and column is made. What the contact feels: the rock hits along its centre line,
-/// the column, which hangs free for as long as the impact takes, at the height of the rock.
+/// Mass for the dashpot between rock and column. For the effective mass, the rock hits along its centre line and the
+/// column, which hangs freely during the impact, is hit at the height of the rock.
 double FenceMaker::damped_mass(std::size_t rock, const Column& column) const {
   if (fence_.options.calibration == FenceCalibration::particles) return reduced_mass(rock_masses_[rock], column.mass);
   const double arm = fence_.rocks[rock].position.y - column.height;
@@ -72,7 +72,7 @@ void FenceMaker::add_rock_contacts(std::size_t i) {
       first = false;
     }
   }
-  // Factor 2 in place of 1, fitted to the one printed value.
+  // Factor 2 instead of 1, fitted to the only printed value.
   const FenceContactLaw on_ground = contact_law(rock_masses_[i], 2.0, fence_.penetration * rock.a, rock_masses_[i]);
   Contact made = contact(name + "-ground", rocks_[i], ground_, on_ground);
   made.nodes = {node_count(rock), 3};
@@ -85,7 +85,7 @@ void FenceMaker::add_rock_pairs() {
     for (std::size_t j = i + 1; j < fence_.rocks.size(); ++j) {
       const FenceElement& one = fence_.rocks[i];
       const FenceElement& other = fence_.rocks[j];
-      // Side by side along the fence they pass each other.
+      // Rocks side by side along the fence cannot touch.
       if (one.along != other.along && std::abs(one.along - other.along) >= one.a + other.a) continue;
       const double overlap =
           fence_.rock_overlap > 0.0 ? fence_.rock_overlap : fence_.penetration * std::min(one.a, other.a);
@@ -117,7 +117,7 @@ void FenceMaker::add_column_pairs() {
   }
 }
 
-/// As the rocks on the ground: the overlap a share of the half-width.
+/// Stiffness as for rocks on the ground; the allowed overlap is a fraction of the half-width.
 void FenceMaker::add_columns_on_ground() {
   for (std::size_t layer = 0; layer < layers_.size(); ++layer) {
     for (const Column& column : layers_[layer]) {

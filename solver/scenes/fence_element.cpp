@@ -7,10 +7,10 @@
 namespace talus::scenes {
 namespace {
 
-/// 1993 replaced power 0 by this: exponent 2/.1 = 20 (fitted to the listing of sample2).
+/// 1993 replaced power 0 by this value: exponent 2/0.1 = 20 (fitted to the listing of sample2).
 constexpr double blunt_power = 0.1;
 
-/// Exponent of an outline that is no rectangle.
+/// Exponent of an outline other than a rectangle.
 double exponent(const FenceElement& e) {
   if (e.outline == ElementOutline::ellipse) return 2.0;
   if (e.outline == ElementOutline::superquadric) return e.exponent;
@@ -18,8 +18,8 @@ double exponent(const FenceElement& e) {
   return 2.0 / e.power;
 }
 
-/// The outline, exactly. A circle is a shape with a simpler gap; by the nodes of 1993 one that a power describes keeps
-/// the nodes of its superquadric.
+/// The exact outline. A circle is a shape with a simpler gap, but with the nodes of 1993 a circle described by a power
+/// keeps the nodes of its superquadric.
 Shape outline(const FenceElement& e, FenceContact contact) {
   if (e.outline == ElementOutline::rectangle) return Rectangle{e.a, e.b};
   const double n = exponent(e);
@@ -28,7 +28,7 @@ Shape outline(const FenceElement& e, FenceContact contact) {
   return Superquadric{e.a, e.b, n};
 }
 
-/// What the fixities of an element leave it; the point that they hold is its pin.
+/// Mobility that an element's fixities leave; the fixed point is the pin.
 Mobility mobility(const FenceElement& e) {
   const auto [x, y, turn] = e.held;
   if (x && y) return turn ? Mobility::fixed : Mobility::pinned;

@@ -92,8 +92,8 @@ void FenceMaker::plan() {
   if (fence_.options.end == FenceEnd::rest) made_.scene.early_end = EarlyEnd{rocks_, {}, 1e-3 * speed_};
 }
 
-/// Contact forces alone, as the bodies touch at the start, act for half a step. (Cables are in balance with the
-/// weights; a rock's own weight is left out, as the printed fall of sample2's rock shows.)
+/// Applies the initial contact forces alone for half a step. (Cables balance the weights; a rock's own weight is
+/// excluded, as the printed fall of sample2's rock shows.)
 void FenceMaker::kick_half_a_step() {
   const Dynamics dynamics{made_.scene.model};
   State& state = made_.scene.initial;

@@ -14,10 +14,10 @@
 
 namespace talus::scenes {
 
-/// What the names of a layer's parts begin with.
+/// Prefix of the names of a layer's parts.
 inline std::string prefix(int layer) { return layer == 1 ? "" : "back_"; }
 
-/// Puts the parts of one fence together.
+/// Builds the scene of one fence.
 class FenceMaker {
  public:
   explicit FenceMaker(const Fence& fence);
@@ -25,17 +25,17 @@ class FenceMaker {
   FenceScene make();
 
  private:
-  /// One column as it is hung.
+  /// One column, as suspended from the top cable.
   struct Column {
     BodyId body{};
-    std::string number;  ///< in names: its place from 1, with a minus on the other side
-    int place{};         ///< from the centre outwards, from 0
-    double along{};      ///< its place along the fence [L]
+    std::string number;  ///< number in names: its position from 1, with a minus on the other side
+    int place{};         ///< position from the centre outwards, from 0
+    double along{};      ///< position along the fence [L]
     double height{};     ///< of its centroid, y [L]
-    double mass{};       ///< of the body: twice its own where one stands for two
+    double mass{};       ///< of the body: doubled where one body represents two columns
     double inertia{};
     int multiplicity{1};
-    bool struck{};  ///< stands in front of a rock
+    bool struck{};  ///< is in front of a rock
   };
   double column_weight() const { return mass_properties(fence_.column).mass * fence_.gravity; }
   bool full() const { return fence_.options.symmetry == FenceSymmetry::full; }

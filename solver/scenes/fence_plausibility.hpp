@@ -7,11 +7,11 @@
 
 namespace talus::scenes {
 
-/// What in the geometry of a fence is unlikely to be meant, in words with its numbers: columns that overlap along the
-/// fence, ground inside columns, a sag larger than the span.
+/// Messages, with numbers, about fence geometry that is probably a mistake: columns that overlap along the fence,
+/// ground inside columns, a sag larger than the span.
 [[nodiscard]] std::vector<std::string> implausible_geometry(const Fence& fence, const FenceScene& made);
 
-/// The same of a run: a rock that flies away, or never touches the fence.
+/// Messages about a run that is probably a mistake: a rock that flies away, or never touches the fence.
 [[nodiscard]] std::vector<std::string> implausible_motion(const Fence& fence, const FenceSummary& summary);
 
 }  // namespace talus::scenes

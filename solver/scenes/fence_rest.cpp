@@ -1,4 +1,4 @@
-/// How a fence hangs before it is hit.
+/// Static equilibrium of a fence before impact.
 
 #include <Eigen/Dense>
 #include <cmath>
@@ -9,8 +9,8 @@
 namespace talus::scenes {
 namespace {
 
-/// Rise of a segment across d that carries V upwards at its inner end: k (l - l0) r/l = V, l^2 = d^2 + r^2. The left
-/// side grows with r from where the segment is taut.
+/// Rise of a segment with horizontal length d that carries the vertical load V at its inner end, from
+/// k (l - l0) r/l = V, l^2 = d^2 + r^2. The left side increases with r from the point where the segment becomes taut.
 double rise_under(double load, double across, double rest_length, double stiffness) {
   double low = std::sqrt(std::max(0.0, rest_length * rest_length - across * across));
   double high = rest_length + across + load / stiffness;
@@ -23,9 +23,9 @@ double rise_under(double load, double across, double rest_length, double stiffne
 
 }  // namespace
 
-/// The static shape is in balance but for the last digit of its forces. What is left is held as a constant force, so
-/// that a column at rest stays at rest exactly. (Weight and pull differ by less than a factor of 2, so their
-/// difference is exact, and so is the sum of weight and residual.)
+/// Applies the residual force of the static shape as a constant force. The shape is balanced except for the last digit
+/// of its forces; with the residual cancelled, a column at rest remains exactly at rest. (Weight and pull differ by
+/// less than a factor of 2, so that their difference is exact, and so is the sum of weight and residual.)
 Model FenceMaker::balanced(Model model) const {
   const Dynamics dynamics{model};
   State state = rest_state(model);
@@ -39,7 +39,7 @@ Model FenceMaker::balanced(Model model) const {
                                  model.hangers[h].name)};
   }
   dynamics.rates(state, work, rates, false);
-  // Contacts have no place in it: a rock may touch the fence at the start.
+  // Contact forces are excluded: a rock may touch the fence at the start.
   std::vector<Vec2> pulls(model.bodies.size());
   for (std::size_t j = 0; j < work.joints.size(); ++j) {
     const Joint& joint = dynamics.cables().joints()[j];
@@ -64,8 +64,9 @@ void FenceMaker::check_stretched() const {
   }
 }
 
-/// Columns where each side's stretched segments alone would let them hang: exact if both sides are stretched alike and
-/// the bottom cable is slack, and near enough to go on from if not.
+/// Moves each column to the height given by the stretched segments of each side alone (the mean of both sides). This is
+/// exact if both sides are stretched equally and the bottom cable is slack; otherwise it is the initial guess for
+/// hung().
 void FenceMaker::hang_sides(Model& model) const {
   const StaticShape shape = static_shape(fence_);
   const double end = fence_.column.position.y + shape.heights.back() + column(0).y_top;
@@ -91,8 +92,8 @@ void FenceMaker::hang_sides(Model& model) const {
   }
 }
 
-/// The columns as they hang on stretched cables: heights at which weights and pulls balance, by Newton's method. The
-/// stiffness matrix is symmetric and positive wherever the cables are taut.
+/// The columns in equilibrium on stretched cables: heights at which weights and pulls balance, by Newton's method. The
+/// stiffness matrix is symmetric and positive definite as long as the cables are taut.
 Model FenceMaker::hung(Model model) {
   hang_sides(model);
   std::vector<std::size_t> bodies;
@@ -128,7 +129,7 @@ Model FenceMaker::hung(Model model) {
       stiffness.col(j) = (forces(moved) - residual) / nudge;
     }
     const Eigen::VectorXd step = stiffness.fullPivLu().solve(-residual);
-    // A longer step than a tenth of the sag leaves the neighbourhood in which the cables are taut.
+    // A step of more than a tenth of the sag would leave the neighbourhood in which the cables are taut.
     const double share = std::min(1.0, 0.1 * fence_.sag / step.cwiseAbs().maxCoeff());
     for (Eigen::Index i = 0; i < count; ++i)
       model.bodies[bodies[static_cast<std::size_t>(i)]].p_WB.y += share * step[i];
@@ -147,7 +148,7 @@ StaticShape static_shape(const Fence& fence) {
   const double mass = mass_properties(fence.column).mass;
   const double weight = mass * fence.gravity;
   StaticShape shape;
-  // Loads inside the segments, in weights of a column: of an odd count half the central one is carried to each side.
+  // Loads inside the segments, in column weights; for an odd count each side carries half of the central column.
   std::vector<double> loads;
   double reach = even ? 0.5 * fence.spacing : 0.0;
   double load = 0.0;

@@ -18,7 +18,7 @@ namespace {
 Vec3 operator+(Vec3 a, Vec3 b) { return {a.x + b.x, a.y + b.y, a.z + b.z}; }
 
 void add(ForceRecord& record, Vec3 force, Vec3& last, double time, double h) {
-  // A root only of what may be larger: two sizes whose squares differ may be one.
+  // Evaluates the root only if needed. Different squares can have equal roots, so that magnitudes are compared again.
   if (dot(force, force) > dot(record.at_peak, record.at_peak)) {
     const double size = norm(force);
     if (size > record.peak) record.peak = size, record.peak_time = time, record.at_peak = force;
@@ -27,23 +27,23 @@ void add(ForceRecord& record, Vec3 force, Vec3& last, double time, double h) {
   last = force;
 }
 
-/// The tension at which a law stops being elastic; infinite for one that never does.
+/// The tension at which a law stops being elastic; infinite if it never does.
 double limit(const CableLaw& law) {
   const auto* plastic = std::get_if<ElasticPlastic>(&law);
   return plastic ? std::min(plastic->yield, plastic->strength) : std::numeric_limits<double>::infinity();
 }
 
-/// The item with the largest value, the first of several; nullptr of an empty list.
+/// The item with the largest value, the first if there are several; nullptr for an empty list.
 template <class Item, class Value>
 const Item* largest(const std::vector<Item>& items, Value&& value) {
   const auto found = std::ranges::max_element(items, {}, value);
   return found == items.end() ? nullptr : &*found;
 }
 
-/// The place of a column from the centre outwards, as its name says: 3 for "back_column-3".
+/// Position of a column from the centre outwards, read from its name: 3 for "back_column-3".
 int place(const std::string& name) { return std::stoi(name.substr(name.find_first_of("123456789"))); }
 
-/// Errors: InputError where the number in the checkpoint is none of a verdict.
+/// Errors: InputError if the number in the checkpoint is not a verdict.
 void serialize(Archive& archive, std::string_view name, Verdict& verdict) {
   constexpr long count = Names<Verdict>::list.size();
   long number = static_cast<long>(verdict);
@@ -88,7 +88,7 @@ void serialize(Archive& archive, LayerRecord::Height& height) {
   archive.number("end", height.end);
 }
 
-/// Each element as a part of its own, by its number.
+/// Serializes each element in a separate scope, named by its index.
 template <class List, class Visit>
 void each(Archive& archive, std::string_view name, List& list, Visit&& visit) {
   for (std::size_t i = 0; i < list.size(); ++i)
@@ -139,7 +139,7 @@ FenceMonitor::FenceMonitor(const Fence& fence, const FenceScene& made, const Dyn
     history_.columns.push_back({force, dimension::force});
 }
 
-/// What does not move, once for all.
+/// Collects everything that does not move.
 void FenceMonitor::list_places() {
   const Model& model = dynamics_->model();
   const Body& ground = model.bodies[index(*made_->members.front().body)];
@@ -185,8 +185,8 @@ void FenceMonitor::add_column(const Joint& hanger, int layer) {
   joints_.push_back({hanger.p, Vec2{0.0, y_bottom}});
 }
 
-/// Rocks by the numbering of 1993; columns, segments and anchors by the cables, so that both sides of a full model are
-/// in. A segment begins at a column; names tell top from bottom.
+/// Lists rocks in the numbering of 1993; columns, segments and anchors in the order of the cables, so that both sides
+/// of a full model are included. Segments begin at a column; names distinguish top and bottom.
 void FenceMonitor::list_parts() {
   const Model& model = dynamics_->model();
   const CableForces& cables = dynamics_->cables();
@@ -246,7 +246,8 @@ double FenceMonitor::kinetic(std::size_t rock, const State& state) const {
   return energy;
 }
 
-/// A rock that touches from the start approaches as the deck says: a half kick has by then taken a little of it.
+/// For a rock that touches from the start, the approach velocity is the one in the deck: the half kick has already
+/// changed the state's velocity slightly.
 void FenceMonitor::begin(const State& state) {
   begun_ = true;
   time_ = state.t;
@@ -289,7 +290,7 @@ bool FenceMonitor::anything_broken(const State& state) const {
   return false;
 }
 
-/// After the step's touch is known.
+/// Call after the touch of this step has been detected.
 void FenceMonitor::watch_passing(std::size_t i, const State& state) {
   RockPassage& rock = summary_.rocks[i];
   const Pose now = now_->poses[index(rocks_[i])];
@@ -317,7 +318,7 @@ void FenceMonitor::watch_passing(std::size_t i, const State& state) {
   }
   rock.passed_time = all ? last->time : 0.0;
   const double speed = direction * now.v_WB.x;
-  // Slower than a hundredth of its speed of approach it has no more than a ten-thousandth of the energy.
+  // Below a hundredth of its approach speed the rock has at most a ten-thousandth of its energy.
   const bool still = rock.end_energy <= 1e-4 * rock.approach_energy;
   rock.verdict = all ? last->how : rock.touched && (speed <= 0.0 || still) ? Verdict::stopped : Verdict::undecided;
 }
@@ -377,14 +378,15 @@ void FenceMonitor::watch_cables(const State& state) {
   }
 }
 
-/// Each segment pulls an anchor towards its other end, in space.
+/// Each segment pulls its anchor towards the segment's other end, in 3-D.
 void FenceMonitor::watch_anchors(const State& state) {
   const double h = state.t - time_;
   for (std::size_t i = 0; i < summary_.anchors.size(); ++i) {
     Vec3 force;
     for (const AnchoredCable& anchored : anchored_[i]) {
       const Vec2 pull = now_->paths.pull(anchored.cable);
-      // The rest of the unit vector: through a broken hanger the cable does not run to its own joint.
+      // Remaining component of the unit vector, not the joint's `along`: at a broken hanger the cable bypasses its
+      // joint.
       const double along = std::copysign(std::sqrt(std::max(0.0, 1.0 - dot(pull, pull))), anchored.along);
       force = force + anchored.way * forces_now_->tensions[anchored.cable] * Vec3{pull.x, pull.y, along};
     }
@@ -395,7 +397,7 @@ void FenceMonitor::watch_anchors(const State& state) {
 void FenceMonitor::watch_heights(const State& state) {
   const bool first = state.t == summary_.start.t;
   const JointPoints& joints = now_->joints;
-  // The cable at a broken hanger has left the column's joint.
+  // At a broken hanger the cable is no longer at the column's joint.
   const bool by_cables = cabled_ && !ground_.body && now_->topology.free_joints.empty();
   const Vec2 p_W = ground_.p_W, up_W = ground_.up_W;
   for (std::size_t layer = 0; layer < summary_.layers.size(); ++layer) {

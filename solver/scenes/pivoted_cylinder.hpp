@@ -21,14 +21,14 @@ struct PivotedCylinder {
   double rock_mass{37.23};  ///< M [M]
   double rock_radius{1.2};  ///< of the rock: (3 M/(4 pi rho))^(1/3) at 165 lb/ft^3 [L]
   double speed{5.0};        ///< v0 of the rock, towards +x [L/T]
-  double gravity{exact::standard_gravity / exact::foot_in_m};  ///< g, downwards [L/T^2]; 0 leaves the impact alone
+  double gravity{exact::standard_gravity / exact::foot_in_m};  ///< g, downwards [L/T^2]; 0: impact only
   ContactLaw contact;                                          ///< law between rock and column
   ContactMethod method{ContactMethod::resultant};
   int nodes{12};  ///< of the rock when method is `nodes`
 };
 
-/// Names: bodies "column" (pinned; angle 0 when upright) and "rock" (free, I = 2/5 M R^2), contact "impact".
-/// Integrator and plan are left to the caller. Errors: InputError as by ModelBuilder.
+/// Scene with bodies "column" (pinned; angle 0 when upright) and "rock" (free, I = 2/5 M R^2) and contact "impact". The
+/// caller sets integrator and plan. Errors: InputError as by ModelBuilder.
 [[nodiscard]] Scene pivoted_cylinder(const PivotedCylinder& parameters);
 
 }  // namespace talus::scenes

@@ -12,43 +12,44 @@
 
 namespace talus {
 
-/// What ends a run before its plan's end.
+/// Condition that ends a run before the end of its plan.
 struct EarlyEnd {
-  std::vector<BodyId> bodies;  ///< all of them must have come so far
-  std::optional<double> x{};   ///< behind this place: their x below it [L]
-  double speed{};              ///< where no place is given: at rest, slower than this [L/T]
+  std::vector<BodyId> bodies;  ///< all of them must meet the condition
+  std::optional<double> x{};   ///< position to pass: their x is below it [L]
+  double speed{};              ///< if x is not given: at rest, slower than this [L/T]
 };
 
-/// Whether the bodies have come so far.
+/// Whether all bodies meet the condition.
 [[nodiscard]] bool reached(const EarlyEnd& end, const Model& model, const State& state);
 
-/// A method for a scene, and why it was chosen; no words where it was named.
+/// An integrator for a scene, and the reason if it was chosen automatically (otherwise empty).
 struct IntegratorChoice {
   Integrator integrator{};
   std::string why{};
 };
 
-/// The name by which a scene leaves the choice of the method to choose_integrator().
+/// Name with which a scene requests choose_integrator() to select the integrator.
 inline constexpr std::string_view automatic_integrator = "auto";
-/// Names of all integrators, and that one.
+/// Names of all integrators, and `auto`.
 [[nodiscard]] std::vector<std::string> integrator_choices();
 
-/// The tolerance of a method that needs one where none is given: the error of most scenes is then far below what their
-/// numbers are known to, and a tenth of it costs an eighth more evaluations.
+/// Default tolerance of integrators that need one. The error of most scenes is then far below the uncertainty of their
+/// data; a tolerance ten times smaller costs an eighth more evaluations.
 inline constexpr double usual_tolerance = 1e-10;
 
-/// The integrator of that name for the motion of a model. "auto": `exact` where all motion between events has a closed
-/// form, else `stormer_cowell` with the tolerance. Tolerance 0: none given.
-/// Errors: InputError as make_integrator(), naming the obstacle if the motion has no closed form but must have one.
+/// The integrator with the given name for the motion of a model. "auto" selects `exact` if all motion between events
+/// has a closed form, otherwise `stormer_cowell` with the tolerance. Tolerance 0 means that none is given. Errors:
+/// InputError as make_integrator(), and with the obstacle if the integrator needs a closed form and the motion has
+/// none.
 [[nodiscard]] IntegratorChoice choose_integrator(const Model& model, std::string_view name, double tolerance = 0.0);
 
-/// All that a run needs: what exists, how it starts, and by which method and plan it goes on.
+/// All data of a run: model, initial state, integrator and plan.
 struct Scene {
   std::string title{};
   Model model{};
   State initial{};
   Integrator integrator{};
-  std::string integrator_why{};  ///< where it was chosen automatically: why this one
+  std::string integrator_why{};  ///< reason for an automatic choice
   RunPlan plan{};
   std::optional<EarlyEnd> early_end{};
 };

@@ -23,8 +23,8 @@ struct TwoCable {
   LinearSpringDashpot contact;  ///< law between them
 };
 
-/// Names: bodies "particle" and "striker", contact "impact", cables "upper" and "lower".
-/// Integrator and plan are left to the caller. Errors: InputError as by ModelBuilder.
+/// Scene with bodies "particle" and "striker", contact "impact" and cables "upper" and "lower". The caller sets
+/// integrator and plan. Errors: InputError as by ModelBuilder.
 [[nodiscard]] Scene two_cable(const TwoCable& parameters);
 
 }  // namespace talus::scenes

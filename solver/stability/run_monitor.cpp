@@ -16,11 +16,11 @@
 namespace talus {
 namespace {
 
-/// Beyond this share of half the least width two bodies may slip through each other.
+/// Overlap over half the minimum width beyond which two bodies may slip through each other.
 constexpr double deepest_share = 0.5;
-/// Beyond this one the shapes are no longer those of the scene.
+/// Overlap over half the minimum width beyond which the shapes are no longer those of the scene.
 constexpr double deep_share = 0.25;
-/// A contact of fewer steps errs by more than 5 % of its speed (0.45/N with a dashpot, the worst over all phases).
+/// A contact of fewer steps has a speed error of more than 5 % (0.45/N with a dashpot, the worst over all phases).
 constexpr double fewest_steps = 10.0;
 
 constexpr long looks = 64, frequency_looks = 512;
@@ -67,7 +67,7 @@ void RunMonitor::take(Watched which, double value, double limit, CheckAction vio
                       ContactId contact, const Words& words) {
   const auto place = static_cast<std::size_t>(which);
   Extreme& extreme = extremes_[place];
-  // Of steps in a contact the fewest count; what is not a number counts most.
+  // For steps in a contact the extreme is the minimum; NaN counts as the worst value.
   const bool fewest = which == Watched::contact;
   const bool beyond = !(fewest ? value >= limit : value <= limit);
   if (!extreme.seen || !(fewest ? value >= extreme.value : value <= extreme.value))
@@ -104,10 +104,10 @@ void RunMonitor::check(const Snapshot& snapshot, long step, const std::optional<
   if ((turn || balance) && scene_->plan.ledger && rules.accuracy != CheckAction::off) look_at_drift(snapshot, balance);
 }
 
-/// Whether some contact acts.
+/// True if some contact acts.
 bool RunMonitor::touches(const State& seen) const { return any_set(seen.mode.data(), dynamics_->contacts().size()); }
 
-/// Before modes_ are those of the state.
+/// Must be called before modes_ is set to the modes of the state.
 void RunMonitor::follow_contacts(const State& seen) {
   const std::size_t count = dynamics_->contacts().size();
   std::optional<std::size_t> acts, ended;
@@ -169,7 +169,7 @@ void RunMonitor::look_at_pairs(const Snapshot& snapshot) {
   });
 }
 
-/// Outlines may cross where no node of either is in the other: sides of two bars laid across, a peak of the ground.
+/// Outlines may overlap without a node of either inside the other: two crossed bars, or a peak of the ground.
 void RunMonitor::look_at_unseen(const Snapshot& snapshot) {
   const Workspace& work = snapshot.geometry();
   for (const ContactId contact : by_nodes_) {
@@ -183,13 +183,13 @@ void RunMonitor::look_at_unseen(const Snapshot& snapshot) {
     if (!work.near[c] || !none_in()) continue;
     const Pose A = work.poses[index(pair.a)], B = work.poses[index(pair.b)];
     const double size = smaller_size(pair);
-    // Boxes around the outlines cost little and overlap at least as far.
+    // Boxes around the outlines are cheap to check, and overlap at least as far.
     if (!is_unbounded(pair.bounds_a) && !is_unbounded(pair.bounds_b) &&
         !(gap(box_around(pair.bounds_a), A, box_around(pair.bounds_b), B).depth > deep_share * size))
       continue;
     const std::vector<Body>& bodies = dynamics_->model().bodies;
     const double share = penetration(bodies[index(pair.a)].shape, A, bodies[index(pair.b)].shape, B) / size;
-    // Between two nodes of a curved outline there is always a little.
+    // A curved outline always overlaps a little between two nodes.
     if (share <= deep_share) continue;
     take_overlap(Watched::unseen, share, snapshot.state(), contact, [](bool) {
       return "no node of either is in the other, so that no force acts; it needs more nodes, or the method resultant";
@@ -233,7 +233,7 @@ void RunMonitor::look_at_drift(const Snapshot& snapshot, const std::optional<Bal
     now.error = ledger_.accounts(snapshot).energy_closure;
     now.scale = ledger_.energy_scale();
   }
-  // What is not a number is the largest.
+  // NaN counts as the largest.
   const double error = std::abs(now.error);
   if (!(error <= balance_.error)) balance_.error = error, drift_time_ = snapshot.state().t;
   balance_.scale = std::max(balance_.scale, now.scale);

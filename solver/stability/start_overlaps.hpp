@@ -10,7 +10,7 @@ namespace talus {
 /// Two bodies of a contact that overlap at the start.
 struct StartOverlap {
   ContactId contact{};
-  double overlap{};  ///< [L] > 0; of outlines by nodes that of the outlines, whether or not a node is inside
+  double overlap{};  ///< [L] > 0; for contacts by nodes that of the outlines, whether or not a node is inside
   double ratio{};    ///< to half the minimum width of the smaller body
 };
 
@@ -24,7 +24,7 @@ inline constexpr double plausible_overlap = 0.01;
 /// "contact 'impact' overlaps by 0.012 m at the start, 2.4 % of half the width of its smaller body".
 [[nodiscard]] std::string overlap_text(const StartOverlap& overlap, const Model& model);
 
-/// The warning of a run for overlaps that are not plausible, with the largest of them; empty without any.
+/// Warning of a run about overlaps that are not plausible, with the largest of them; empty if there are none.
 [[nodiscard]] std::string overlap_warning(const std::vector<StartOverlap>& overlaps, const Model& model);
 
 }  // namespace talus

@@ -14,11 +14,10 @@
 namespace talus {
 namespace {
 
-/// Names and contact times of all springs in the order of springs(): contact instances, then cables, then
-/// friction.
+/// Names and contact laws of all springs in the order of springs(): contact instances, then cables, then friction.
 struct SpringLabel {
   std::string name;
-  const ContactLaw* law{};  ///< of a contact
+  const ContactLaw* law{};  ///< of a contact; null for cables and friction
 };
 std::vector<SpringLabel> spring_labels(const Dynamics& dynamics) {
   std::vector<SpringLabel> labels;
@@ -39,9 +38,9 @@ std::vector<SpringLabel> spring_labels(const Dynamics& dynamics) {
   return labels;
 }
 
-/// Duration of an impact by this spring [T]; for a cable, and for a law with more than one stiffness, half the period
-/// of its stiffest branch. A spring across which nothing can move (a cable that runs straight over its bodies' path)
-/// has no frequency: infinite.
+/// Duration of an impact on this spring [T]; for a cable, and for a law with more than one stiffness, half the period
+/// of its stiffest branch. Infinite for a spring that no motion stretches (a cable that runs straight across its
+/// bodies' path): it has no frequency.
 double duration(const SpringLabel& label, const Spring& spring) {
   if (!std::isfinite(spring.effective_mass)) return std::numeric_limits<double>::infinity();
   const double half_period = std::numbers::pi * std::sqrt(spring.effective_mass / spring.stiffness);
@@ -83,7 +82,7 @@ std::vector<NaturalMode> natural_modes(const Dynamics& dynamics, const std::vect
   const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> solved{stiffness};
   const double negligible = 1e-12 * std::max(0.0, solved.eigenvalues()[n - 1]);
   for (Eigen::Index i = 0; i < n; ++i) {
-    if (solved.eigenvalues()[i] <= negligible) continue;  // a motion that stretches nothing
+    if (solved.eigenvalues()[i] <= negligible) continue;  // no spring is stretched
     const Eigen::VectorXd shape = solved.eigenvectors().col(i);
     const double frequency = std::sqrt(solved.eigenvalues()[i]);
     modes.push_back({frequency, shape.dot(damping * shape) / (2.0 * frequency)});

@@ -10,14 +10,14 @@
 
 namespace talus {
 
-/// Ways in which mechanical energy leaves or enters the bodies and springs of a scene.
+/// Mechanisms by which mechanical energy leaves or enters the bodies and springs of a scene.
 enum class Mechanism : std::size_t {
-  contact_damping,  ///< dashpots of contacts, and what latching springs keep: dissipated > 0
-  contact_release,  ///< spring energy left in a contact that stops acting before its surfaces part: dissipated > 0
+  contact_damping,  ///< dashpots of contacts, and hysteresis of latching springs: dissipated > 0
+  contact_release,  ///< spring energy of a contact that stops acting before its surfaces part: dissipated > 0
   cable_damping,    ///< dashpots of cables: dissipated > 0
-  cable_release,    ///< spring energy left in a cable whose dashpot lets it go before it is slack: dissipated > 0
-  cable_yield,      ///< plastic work of cables drawn out: dissipated > 0
-  cable_break,      ///< energy that a cable held when it broke: dissipated > 0
+  cable_release,    ///< spring energy of a cable whose dashpot ends its force before it is slack: dissipated > 0
+  cable_yield,      ///< plastic work of yielding cables: dissipated > 0
+  cable_break,      ///< energy stored in a cable when it broke: dissipated > 0
   hanger_break,     ///< energy that cables lost when a hanger between them broke: dissipated > 0
   friction,         ///< sliders of contacts, and the energy of their springs when a contact opens: dissipated > 0
 };
@@ -27,7 +27,7 @@ inline constexpr std::array mechanism_names{std::string_view{"contact_damping"},
                                             std::string_view{"hanger_break"},    std::string_view{"friction"}};
 inline constexpr std::size_t mechanism_count = mechanism_names.size();
 
-/// Impulses that come from outside the moving bodies: x and y components [M L/T], and moment about the world's origin
+/// Impulse on the moving bodies from outside: x and y components [M L/T], and moment about the world's origin
 /// [M L^2/T], counter-clockwise > 0.
 template <class Scalar>
 using Impulse = std::array<Scalar, 3>;
@@ -35,7 +35,8 @@ using Impulse = std::array<Scalar, 3>;
 template <class Scalar>
 struct RatesOf;
 
-/// All that changes during a run; numbers only, of type Scalar. What they belong to is known to the model's layout.
+/// All quantities that change during a run, as numbers of type Scalar. The model's Layout assigns them to bodies and
+/// laws.
 template <class Scalar>
 struct StateOf {
   using Number = Scalar;
@@ -44,7 +45,7 @@ struct StateOf {
   Scalar t{};                                  ///< time [T]
   std::vector<Scalar> q;                       ///< generalised coordinates [L or rad]
   std::vector<Scalar> v;                       ///< their rates [1/T of q]
-  std::vector<Scalar> z;                       ///< memory of the laws (each law says what it keeps)
+  std::vector<Scalar> z;                       ///< memory of the history-dependent laws; see each law
   std::vector<Mode> mode;                      ///< one for each law instance
   std::array<Scalar, mechanism_count> work{};  ///< energy dissipated so far by each mechanism [F L]
   Impulse<Scalar> impulse{};                   ///< impulse received so far from supports and gravity
@@ -68,7 +69,8 @@ struct RatesOf {
   RatesOf() = default;
 };
 
-/// Scenes run in double; other numbers are for one-body systems, by which the methods' rounding is told.
+/// Scenes are computed in double; other number types serve one-body systems that measure the rounding errors of the
+/// integrators.
 using State = StateOf<double>;
 using Rates = RatesOf<double>;
 

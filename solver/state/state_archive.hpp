@@ -5,7 +5,7 @@
 
 namespace talus {
 
-/// Names the parts of a state. One that is put back has its sizes already: those of its scene.
+/// Serializes a state. A state to be restored must already have the sizes of its scene.
 inline void serialize(Archive& archive, State& state) {
   archive.number("t", state.t);
   archive.numbers("q", state.q);
@@ -16,7 +16,7 @@ inline void serialize(Archive& archive, State& state) {
   archive.numbers("impulse", state.impulse);
 }
 
-/// Names the parts of rates of change; sizes as for a state.
+/// Serializes rates of change; sizes as for a state.
 inline void serialize(Archive& archive, Rates& rates) {
   archive.numbers("v", rates.v);
   archive.numbers("z", rates.z);

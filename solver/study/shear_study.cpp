@@ -28,7 +28,7 @@ CellPlan plan_of(const ShearCell& cell, double time) {
   return plan;
 }
 
-/// A run of the study; none if it failed. `stepped` is given the steps since the last output.
+/// Performs a run of the study; empty if it failed. `stepped` receives the number of steps since the last output.
 template <class Stepped>
 std::optional<StudyMean::Run> run_of(const StudyPoint& point, std::uint64_t seed, double time, Stepped&& stepped) {
   const ShearCell cell = study_cell(point, seed);
@@ -83,7 +83,7 @@ void average(StudyMean& point) {
   }
 }
 
-/// The points of a series that ran, by rising overburden, not beyond a load.
+/// The points of a series with at least two successful runs, up to a load, by increasing overburden.
 std::vector<const StudyMean*> loads(const std::vector<StudyMean>& study, std::string_view series, double most) {
   std::vector<const StudyMean*> found;
   for (const StudyMean& point : study)
@@ -96,10 +96,10 @@ std::vector<const StudyMean*> loads(const std::vector<StudyMean>& study, std::st
   return found;
 }
 
-/// Of two means over few seeds, and how far it is from none.
+/// Difference of two means over few seeds, with its significance.
 struct Difference {
   double value{}, error{};
-  double freedom{};  ///< degrees of it
+  double freedom{};  ///< degrees of freedom
   double t() const { return error > 0.0 ? value / error : 0.0; }
   double chance() const {
     if (!(error > 0.0)) return 1.0;
@@ -115,7 +115,7 @@ Difference difference(const StudyMean& later, const StudyMean& earlier, Q quanti
   return {a.value - b.value, std::sqrt(va + vb), std::max(1.0, freedom)};
 }
 
-/// The verdict on a difference that was predicted to be of that sign.
+/// Verdict on a difference whose predicted sign is given.
 Verdict verdict(std::string prediction, std::string measured, const Difference& found, double sign) {
   const Outturn outturn = !(found.chance() < 0.01)   ? Outturn::not_shown
                           : sign * found.value > 0.0 ? Outturn::holds
@@ -123,7 +123,7 @@ Verdict verdict(std::string prediction, std::string measured, const Difference& 
   return {std::move(prediction), std::move(measured), found.t(), found.chance(), outturn};
 }
 
-/// Of the series of stiffnesses the points that ran; null if there is none.
+/// Softest and hardest point of the series "stiffness" with at least two successful runs; null if there is none.
 std::pair<const StudyMean*, const StudyMean*> softest_and_hardest(const std::vector<StudyMean>& study) {
   const StudyMean *soft = nullptr, *hard = nullptr;
   for (const StudyMean& point : study) {
@@ -188,7 +188,7 @@ std::vector<StudyPoint> shear_study_points(bool coarse) {
 
 std::vector<StudyMean> shear_study(const std::vector<StudyPoint>& points, const StudyPlan& plan) {
   const auto seeds = static_cast<std::size_t>(plan.seeds);
-  // A cell that stands in several series is run once.
+  // A cell that occurs in several series is run once.
   std::vector<std::size_t> of_point(points.size());
   std::vector<const StudyPoint*> cells;
   for (std::size_t p = 0; p < points.size(); ++p) {
@@ -242,7 +242,7 @@ std::vector<Verdict> verdicts(const std::vector<StudyMean>& study) {
                          fmt::format("their share of contact time {} and {}", words(low.of(Q::multiple_share)),
                                      words(high.of(Q::multiple_share))),
                          difference(high, low, Q::multiple_share), 1.0));
-  // Of each run the difference between its own two ratios, whose errors are of the same flow.
+  // The difference between the two ratios is taken within each run, because their errors are from the same flow.
   double sum = 0.0, squares = 0.0, count = 0.0;
   for (const StudyMean* point : of) {
     for (const StudyMean::Run& run : point->runs) {

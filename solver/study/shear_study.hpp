@@ -12,22 +12,22 @@
 
 namespace talus {
 
-/// What a study measures of each run.
+/// Quantities that a study measures in each run.
 enum class StudyQuantity : std::size_t {
   stress_ratio,           ///< S/N on the block
-  depth,                  ///< over a diameter
-  touching,               ///< share of time with contacts
-  multiple_share,         ///< share of contact time in multiple contacts
-  multiple_shear_share,   ///< M/S, read as their share of the shear of contacts
+  depth,                  ///< in diameters
+  touching,               ///< fraction of time with contacts
+  multiple_share,         ///< fraction of contact time in multiple contacts
+  multiple_shear_share,   ///< M/S, taken as their fraction of the shear of contacts
   multiple_stress_ratio,  ///< S/N of multiple contacts
-  binary_stress_ratio,    ///< of binary ones
-  order,                  ///< six-fold, mean over the outputs
+  binary_stress_ratio,    ///< S/N of binary contacts
+  order,                  ///< six-fold order, mean over the outputs
   inertial_number,
-  largest_overlap,  ///< over a diameter
+  largest_overlap,  ///< in diameters
   count,
 };
 inline constexpr std::size_t study_quantities = static_cast<std::size_t>(StudyQuantity::count);
-/// Their names in files, in order.
+/// Names of the quantities in files, in order.
 inline constexpr std::array<std::string_view, study_quantities> study_names{"stress_ratio",
                                                                             "depth",
                                                                             "touching",
@@ -39,39 +39,38 @@ inline constexpr std::array<std::string_view, study_quantities> study_names{"str
                                                                             "inertial_number",
                                                                             "largest_overlap"};
 
-/// One cell of a study: Talus's discs of ice with this load, drive and stiffness.
+/// One cell of a study: Talus's ice discs (ice_cell()) with this load, drive and stiffness.
 struct StudyPoint {
-  std::string series;     ///< points that belong together
+  std::string series;     ///< name shared by points that belong together
   double overburden{};    ///< [Pa]
   double speed{};         ///< of the block [D/s]
-  double stiffness{1.0};  ///< over that of ice
+  double stiffness{1.0};  ///< relative to ice
 };
 
-/// What the seeds of a point gave: mean and standard error of the mean over seeds. A run that failed has no part in
-/// them.
+/// Results of a point: mean and standard error of the mean over its seeds. Runs that failed are excluded.
 struct StudyMean {
   struct Run {
     std::uint64_t seed{};
     std::array<double, study_quantities> numbers{};
   };
   StudyPoint point;
-  int seeds{};  ///< that did not fail
+  int seeds{};  ///< number of runs that did not fail
   std::vector<Run> runs;
   std::array<Estimate, study_quantities> mean{};
   Estimate of(StudyQuantity quantity) const { return mean[static_cast<std::size_t>(quantity)]; }
 };
 
-/// How far a study has come.
+/// Progress of a study.
 struct StudyProgress {
-  std::size_t runs{}, all_runs{};  ///< that have ended, of how many
-  double fraction{};               ///< of the steps of all runs, in (0, 1]
+  std::size_t runs{}, all_runs{};  ///< number of runs that have ended, and of all
+  double fraction{};               ///< completed part of the steps of all runs, in (0, 1]
 };
 
 struct StudyPlan {
   double time{0.8};  ///< of each run [s]
-  int seeds{5};      ///< from 1
+  int seeds{5};      ///< number of seeds, from seed 1 on
   unsigned threads{1};
-  std::function<void(const StudyProgress&)> progress{};  ///< at each output of a run, from any of the threads
+  std::function<void(const StudyProgress&)> progress{};  ///< called at each output of a run, from any of the threads
 };
 
 /// The cell of a point: ice_cell(), softer or stiffer.
@@ -81,30 +80,30 @@ struct StudyPlan {
 /// stiffness at 15 kPa and 5000 d/s. `coarse` has fewer of each.
 [[nodiscard]] std::vector<StudyPoint> shear_study_points(bool coarse);
 
-/// Runs all; the same numbers for any number of threads. Errors: InputError for what no cell can be run with; what the
-/// first run that threw has thrown.
+/// Runs all points; the numbers do not depend on the number of threads. Errors: InputError for a cell that cannot be
+/// run; rethrows the exception of the first run that threw.
 [[nodiscard]] std::vector<StudyMean> shear_study(const std::vector<StudyPoint>& points, const StudyPlan& plan);
 
-/// What a study says of a prediction: a difference is one that chance makes once in a hundred times at most.
+/// Outcome of a prediction. A difference counts if chance causes it with a probability of at most 1 %.
 enum class Outturn {
-  holds,      ///< a difference of the predicted sign
-  opposed,    ///< one of the other sign
-  not_shown,  ///< none
+  holds,      ///< significant difference of the predicted sign
+  opposed,    ///< significant difference of the opposite sign
+  not_shown,  ///< no significant difference
 };
 [[nodiscard]] std::string_view words(Outturn outturn);
 
-/// A prediction of the hypothesis (Dent 1986, as Lacy 1989 tells it, "The Problem") and what the study says of it.
+/// A prediction of the hypothesis (Dent 1986, as reported by Lacy 1989, "The Problem") and the study's result on it.
 struct Verdict {
   std::string prediction;
-  std::string measured;   ///< in words, with numbers
-  double significance{};  ///< Student's t of the difference it rests on (Welch 1947)
-  double chance{};        ///< of so large a difference, of either sign, where there is none
+  std::string measured;   ///< text with numbers
+  double significance{};  ///< Student's t of the difference that decides (Welch 1947)
+  double chance{};        ///< probability of so large a difference, of either sign, if there is none
   Outturn outturn{Outturn::not_shown};
 };
-/// By the points of the series "5000 d/s" between 2 and 32 kPa: compression, formation of multiple contacts, their
-/// lower ratio, whether the ratio as a whole falls; then the same of the whole at 1000 d/s, and, if the stiffness is
-/// varied, whether the ratio falls with it where load and drive are kept: the inertial number, then, is the same but
-/// for the depth. Errors: InputError if a series of loads has fewer than two points that ran.
+/// Verdicts from the points of the series "5000 d/s" between 2 and 32 kPa: compression, formation of multiple contacts,
+/// their lower ratio, and the decrease of the ratio as a whole; then the last of these at 1000 d/s; and, if the
+/// stiffness is varied, the decrease of the ratio with it at equal load and drive, where the inertial number is equal
+/// except for the depth. Errors: InputError if a series of loads has fewer than two points that ran.
 [[nodiscard]] std::vector<Verdict> verdicts(const std::vector<StudyMean>& study);
 
 }  // namespace talus

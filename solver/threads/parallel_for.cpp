@@ -14,10 +14,10 @@ void parallel_for(std::size_t count, unsigned threads, const std::function<void(
   std::atomic<std::size_t> next{0};
   std::atomic<bool> failed{false};
   std::mutex recording;
-  std::size_t first = count;  // whose call failed
+  std::size_t first = count;  // smallest index whose call failed
   std::exception_ptr failure;
   const auto serve = [&] {
-    // Numbers are given out in order: below one that fails, all have been given out, and end.
+    // Indices are assigned in order: when one fails, all below it have been assigned and run to their end.
     while (!failed) {
       const std::size_t i = next++;
       if (i >= count) return;
@@ -36,7 +36,7 @@ void parallel_for(std::size_t count, unsigned threads, const std::function<void(
       for (std::size_t t = 1; t < std::min<std::size_t>(threads, count); ++t)
         others.emplace_back(serve);
     } catch (const std::system_error&) {
-      // The system gives no more threads: those that were started do the work, later.
+      // The system cannot start more threads: those already started do the remaining work later.
     }
     serve();
   }

@@ -15,10 +15,10 @@ namespace talus::verification {
 
 namespace {
 
-/// A type of entry and the fields that it must have. An editor may stand for the author.
+/// An entry type and its required fields. An editor can replace the author.
 struct EntryType {
   std::string_view name;
-  std::array<std::string_view, 4> required{};  ///< The rest is empty.
+  std::array<std::string_view, 4> required{};  ///< Unused elements are empty.
 };
 
 constexpr std::array entry_types{
@@ -37,7 +37,7 @@ constexpr std::array<std::string_view, 23> field_names{
     "school",  "series",        "title",  "type",      "url",     "volume", "year",
 };
 
-/// Fields whose capitals and "and" a second pair of braces preserves.
+/// Fields in which a second pair of braces preserves capitals and "and".
 constexpr std::array<std::string_view, 6> verbatim_fields{"booktitle", "institution", "publisher",
                                                           "school",    "series",      "title"};
 
@@ -46,7 +46,7 @@ bool contains(const List& list, std::string_view name) {
   return std::find(list.begin(), list.end(), name) != list.end();
 }
 
-/// Whether the text begins with a brace and its partner ends it.
+/// Whether the text begins with a brace and the matching brace ends it.
 bool is_braced(std::string_view text) {
   int open = 0;
   for (std::size_t i = 0; i < text.size(); ++i) {
@@ -56,8 +56,8 @@ bool is_braced(std::string_view text) {
   return false;
 }
 
-/// Refuses a line that is not UTF-8, or so long that std::regex, which calls itself for each character, would overflow
-/// the stack.
+/// Rejects a line that is not UTF-8, or that is too long for std::regex, which recurses for each character and would
+/// overflow the stack.
 void demand_plain_lines(const std::string& text, std::string_view name) {
   constexpr std::size_t longest_line = 4000;
   std::istringstream lines{text};
@@ -131,7 +131,7 @@ class BibReader {
     }
   }
 
-  /// Of a value: what stands between its braces, its digits, or the text of the string that it names.
+  /// The text of a value: the text between its braces, its digits, or the text of the string that it names.
   std::string text_of(const std::string& value) const {
     if (value.front() == '{') {
       if (!is_braced(value)) fail(fmt::format("found \"{}\"; its braces do not match", value));

@@ -9,24 +9,24 @@
 
 namespace talus::verification {
 
-/// A check that another code or a published benchmark set makes, and the requirements that stand for it here.
+/// A check of another code or a published benchmark set, and the corresponding requirements here.
 struct PeerCheck {
-  std::string suite;                  ///< Key of a Reference: where its definition was read.
+  std::string suite;                  ///< Key of the Reference with its definition.
   std::string id;                     ///< Its name there.
-  std::string what;                   ///< One line: the set-up.
-  std::string form;                   ///< What it is compared with; for discs where the peer has spheres.
-  std::vector<std::string> problems;  ///< Ids of Requirement that hold the same in two dimensions; empty: none.
-  std::string remark;                 ///< What is different here, or why there is none; may be empty.
+  std::string what;                   ///< One line: the setup.
+  std::string form;                   ///< The reference that it is compared with; for discs where the peer has spheres.
+  std::vector<std::string> problems;  ///< Ids of the requirements that verify the same in two dimensions; empty: none.
+  std::string remark;                 ///< Differences here, or the reason why there is no requirement; may be empty.
 };
 
-/// An error of the 1993 report that a case proves.
+/// An error in the 1993 report that a case proves.
 struct Erratum {
   std::string id;         ///< "E1", ...
   std::string where;      ///< Equation, section and page of the report.
-  std::string printed;    ///< What stands there.
-  std::string corrected;  ///< What it must be.
-  std::string evidence;   ///< The numbers or the argument.
-  std::string proved_by;  ///< Id of the case that shows it.
+  std::string printed;    ///< The printed text.
+  std::string corrected;  ///< The correct text.
+  std::string evidence;   ///< The numbers or the argument that prove it.
+  std::string proved_by;  ///< Id of the case that proves it.
 };
 
 /// A result in one sentence, for the report's summary. `<<NAME>>` in it stands for what the case's check of that name
@@ -54,10 +54,10 @@ struct Catalogue {
   std::vector<CatalogueHighlight> highlights;  ///< Likewise.
   Bibliography bibliography;
 
-  [[nodiscard]] const Requirement* requirement(const std::string& id) const;  ///< None: null.
+  [[nodiscard]] const Requirement* requirement(const std::string& id) const;  ///< nullptr if there is none.
 
-  /// The family of a case: the one it names, or that of most of its catalogue problems (of equally many the first);
-  /// empty if it names none and claims no problem of the catalogue.
+  /// The family of a case: the one it names, or the one with most of its catalogue problems (the first if several have
+  /// equally many); empty if it names none and claims no problem of the catalogue.
   [[nodiscard]] std::string family_of(const std::string& named, const std::vector<std::string>& requirements) const;
 };
 

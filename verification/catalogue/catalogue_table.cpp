@@ -16,7 +16,7 @@ TomlValue value_of(const std::filesystem::path& file) {
   return value;
 }
 
-/// Without blanks at its ends; a line break with the blanks around it becomes one blank.
+/// Removes spaces at both ends; replaces a line break with the spaces around it by one space.
 std::string joined_lines(std::string_view text) {
   const std::string_view blanks = " \t\r\n";
   std::string joined;

@@ -11,27 +11,27 @@
 namespace talus::verification {
 
 /// One table of a TOML file of the catalogue, read key by key: texts, lists of texts, and tables of them. Every error
-/// is InputError "peers.toml:17: check 'DEM01': form: found 3; it must be a text in quotes": file, line, table, key,
-/// what was found and what is allowed. Keys that are not among the table's are refused with the nearest of them.
+/// is an InputError such as "peers.toml:17: check 'DEM01': form: found 3; it must be a text in quotes", with file,
+/// line, table, key, what was found and what is allowed. Unknown keys are rejected, with the nearest known key.
 class CatalogueTable {
  public:
-  /// The file as a table. Errors: IoError if it cannot be read, InputError if it is not TOML.
+  /// Reads the file as a table. Errors: IoError if it cannot be read, InputError if it is not TOML.
   CatalogueTable(const std::filesystem::path& file, const std::vector<std::string>& keys);
 
-  /// A required text, which may not be empty. Line breaks and the blanks around them count as one blank.
+  /// A required, non-empty text. Line breaks and the spaces around them are replaced by one space.
   [[nodiscard]] std::string text(std::string_view key) const;
   /// As text(); empty if the key is absent.
   [[nodiscard]] std::string text_or_empty(std::string_view key) const;
-  /// A required array of texts, none of them empty or twice in it. The array may be empty.
+  /// A required array of texts, none of them empty or repeated. The array may be empty.
   [[nodiscard]] std::vector<std::string> texts(std::string_view key) const;
-  /// A required array of tables with these keys; messages call each by `noun` and the text under `name`.
+  /// A required array of tables with these keys; messages refer to each by `noun` and the text of its key `name`.
   [[nodiscard]] std::vector<CatalogueTable> tables(std::string_view key, std::string_view noun, std::string_view name,
                                                    const std::vector<std::string>& keys) const;
-  /// The entries of a table whose keys are names and whose values are texts, in the file's order.
+  /// The entries of a table whose keys are names and whose values are texts, in file order.
   [[nodiscard]] std::vector<std::pair<std::string, std::string>> entries(std::string_view key) const;
 
   [[nodiscard]] bool has(std::string_view key) const { return find(key) != nullptr; }
-  /// Throws the InputError about a key, or about one of the entries under it.
+  /// Throws InputError about a key, or about one of the entries under it.
   [[noreturn]] void fail(std::string_view key, std::string_view message, std::string_view entry = "") const;
 
  private:

@@ -20,8 +20,8 @@ void append(std::vector<Requirement>& all, const std::string& group, const std::
     all.push_back({group + "." + name, group, text});
 }
 
-/// The regimes of a law: its modes from `first` on. That a contact is open, mode 0, is no regime; that a cable is slack
-/// is one.
+/// Appends the regimes of a law: its modes from `first` on. An open contact (mode 0) is not a regime, but a slack cable
+/// is.
 template <class Law>
 void append_regimes(std::vector<Requirement>& all, std::size_t first, const std::string& name,
                     const std::string& what) {
@@ -29,7 +29,7 @@ void append_regimes(std::vector<Requirement>& all, std::size_t first, const std:
     append(all, "regime", {name + "." + std::string{Law::modes[mode]}}, "mode of a " + what);
 }
 
-/// The pairs of outlines that can touch: ground does not touch ground, and what has no outline touches nothing.
+/// Appends the pairs of outlines that can touch: all except ground with ground and pairs with a body without outline.
 void append_pairs(std::vector<Requirement>& all) {
   const std::vector<std::string> names = shape_names();
   const auto ground = [](const std::string& name) { return name == HalfPlane::name || name == Terrain::name; };

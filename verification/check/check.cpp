@@ -27,7 +27,7 @@ double error_of(Check& check) {
   return distance / std::abs(check.reference);
 }
 
-/// Not inlined: no arithmetic may move past a change of the rounding.
+/// Not inlined, so that no arithmetic moves past a change of the rounding mode.
 [[gnu::noinline]] void judge(Check& check) {
   check.error = error_of(check);
   check.margin = records::margin_of(check.error, check.bound);
@@ -35,8 +35,8 @@ double error_of(Check& check) {
   check.slack = check.pass && !exempt_from_slack(check.kind) && check.margin < records::slack_margin;
 }
 
-/// Error and margin are rounded to nearest also where a case runs under another rounding: who reads the record
-/// computes them again.
+/// Rounds error and margin to nearest even if a case runs under another rounding mode, because readers of the record
+/// recompute them.
 Check judged(Check check) {
   const int rounding = std::fegetround();
   std::fesetround(FE_TONEAREST);
@@ -65,7 +65,7 @@ Check compare_between(std::string name, double measured, double low, double high
   if (!(std::isfinite(half_width) && half_width > 0.0)) {
     throw std::invalid_argument("check '" + name + "': an interval needs two finite ends, the lower one first");
   }
-  // The bound is half the width, and the words are demanded as for every tolerance.
+  // The bound is half the width; a justification is required as for every tolerance.
   Check check = compare(std::move(name), measured, 0.5 * (low + high), Tolerance::model(half_width, std::move(why)),
                         std::move(unit));
   check.kind = Kind::interval;

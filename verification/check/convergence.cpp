@@ -90,7 +90,7 @@ std::vector<double> Convergence::local_orders() const {
 void PhaseError::add(double error) {
   ++count_;
   sum_of_squares_ += error * error;
-  // A NaN must not be lost: std::max would drop it.
+  // std::max would drop a NaN.
   largest_ = std::isnan(error) || std::isnan(largest_) ? nan : std::max(largest_, std::abs(error));
 }
 

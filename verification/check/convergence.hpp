@@ -9,20 +9,20 @@ namespace talus::verification {
 struct PowerLaw {
   double order = 0.0;     ///< Slope in the log-log plot.
   double constant = 0.0;  ///< Error at step 1.
-  double scatter = 0.0;   ///< Root mean square of ln(error / fit): .1 means that points lie 10 % off the line.
+  double scatter = 0.0;   ///< Root mean square of ln(error / fit): 0.1 means that points deviate by 10 % from the line.
 
   /// The fitted error at `step`.
   [[nodiscard]] double at(double step) const;
 };
 
-/// Errors against steps, and the order they show.
+/// Errors at several steps, and their convergence order.
 class Convergence {
  public:
   Convergence() = default;
-  /// `steps` and `errors` of equal length; std::invalid_argument otherwise.
+  /// Errors: std::invalid_argument unless `steps` and `errors` have equal length.
   Convergence(std::vector<double> steps, std::vector<double> errors);
 
-  /// Adds one point: a step (or any small parameter: 1/sqrt(k), node spacing) and the error it gave.
+  /// Adds one point: a step (or any small parameter: 1/sqrt(k), node spacing) and its error.
   void add(double step, double error);
 
   [[nodiscard]] const std::vector<double>& steps() const { return steps_; }
@@ -38,12 +38,12 @@ class Convergence {
   /// Least-squares line through (ln step, ln error).
   ///
   /// With s = ln step - mean, y = ln error: order = sum(s y) / sum(s^2), ln constant = mean(y) - order mean(ln step).
-  /// Fewer than two different steps, or a step or error that is not finite and positive, give NaN, which no check
-  /// passes.
+  /// NaN, which no check passes, if there are fewer than two different steps or if a step or error is not finite and
+  /// positive.
   [[nodiscard]] PowerLaw fit() const;
 
-  /// Slopes between neighbouring points, ln(e_{i+1}/e_i) / ln(h_{i+1}/h_i); one fewer than points. A negative slope
-  /// stays negative: a diverging method does not show a positive order.
+  /// Slopes between neighbouring points, ln(e_{i+1}/e_i) / ln(h_{i+1}/h_i); one fewer than points. Negative slopes
+  /// remain negative: a diverging method does not show a positive order.
   [[nodiscard]] std::vector<double> local_orders() const;
 
  private:
@@ -51,7 +51,7 @@ class Convergence {
   std::vector<double> errors_;
 };
 
-/// Errors over many onset phases, reduced to what is gated. A NaN among them makes both results NaN.
+/// Errors over many onset phases, reduced to the values that are checked. A NaN among them makes both results NaN.
 class PhaseError {
  public:
   /// Adds the error (any sign) of one phase.
@@ -69,21 +69,21 @@ class PhaseError {
   double largest_ = 0.0;
 };
 
-/// Fewest onset phases that a gated root mean square may stand on.
+/// Minimum number of onset phases for a checked root mean square.
 inline constexpr std::size_t fewest_phases = 64;
 
 /// `count` onset phases evenly spread over one step: (i + 1/2) / count, each in (0, 1).
 [[nodiscard]] std::vector<double> even_phases(std::size_t count);
 
-/// `count` onset phases spread by the golden ratio: frac(.6180339887 (i + 1/2)), even for every count.
+/// `count` onset phases spread by the golden ratio: frac(0.6180339887 (i + 1/2)), evenly distributed for every count.
 [[nodiscard]] std::vector<double> golden_phases(std::size_t count);
 
-/// The step contact_time / (steps_per_contact + .381966): never an integer fraction of the contact time, so that the
+/// The step contact_time / (steps_per_contact + 0.381966): never an integer fraction of the contact time, so that the
 /// errors of onset and release do not cancel.
 [[nodiscard]] double incommensurate_step(double contact_time, double steps_per_contact);
 
-/// A step with its own offset for each phase i: contact_time / (steps_per_contact + frac(.6180339887 (i + 1/2))).
-/// Needed with damping, where one common offset still favours or hinders the release.
+/// A step with a different offset for each phase i: contact_time / (steps_per_contact + frac(0.6180339887 (i + 1/2))).
+/// Required with damping, where a common offset still favours or hinders the release.
 [[nodiscard]] double offset_step(double contact_time, double steps_per_contact, std::size_t phase);
 
 /// first, 2 first, 4 first, ...: `count` numbers of steps per contact.

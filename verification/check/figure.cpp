@@ -30,7 +30,7 @@ void demand_well_formed(const Figure& figure, const Series& series) {
 
 bool can_be_drawn(double value, const Axis& axis) { return std::isfinite(value) && (!axis.log || value > 0.0); }
 
-/// Removes the points that cannot be drawn; returns how many.
+/// Removes the points that cannot be drawn and returns their number.
 std::size_t prune(Series& series, const Axis& x, const Axis& y) {
   Series kept = series;
   for (auto* const numbers : {&kept.x, &kept.y, &kept.y_low, &kept.y_high, &kept.values})

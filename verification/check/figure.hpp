@@ -14,16 +14,15 @@ using records::Series;
 using records::Slope;
 using records::Style;
 
-/// std::invalid_argument, naming figure and series, if names or captions are missing, if lengths differ, if there is
-/// nothing to draw, or for what records::demand_sound() refuses.
+/// Errors: std::invalid_argument, with the names of figure and series, if names or captions are missing, lengths
+/// differ, there is nothing to draw, or records::demand_sound() rejects the figure.
 void demand_well_formed(const Figure& figure);
 
-/// The number of points with a NaN or an infinity in them. Findings::figure turns any into a failed check.
+/// The number of points that contain a NaN or an infinity. Findings::figure turns any into a failed check.
 [[nodiscard]] std::size_t not_finite(const Figure& figure);
 
-/// The figure without the points that cannot be drawn (not finite, or not positive on a logarithmic axis). If there
-/// were any, the caption ends with their number: they do not drop out in silence. Series left without points are
-/// removed.
+/// The figure without the points that cannot be drawn (not finite, or not positive on a logarithmic axis). The caption
+/// then ends with their number, so that they are not dropped silently. Series without remaining points are removed.
 [[nodiscard]] Figure drawable(Figure figure);
 
 }  // namespace talus::verification

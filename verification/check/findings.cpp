@@ -15,7 +15,7 @@ void demand_new(const std::vector<Named>& present, const std::string& name, cons
   if (known) throw std::logic_error("a " + what + " named '" + name + "' exists already in this case");
 }
 
-/// std::invalid_argument if `thing` has no columns or a row of another length.
+/// Errors: std::invalid_argument if `thing` has no columns or a row of another length.
 template <class Thing>
 void demand_rows(const Thing& thing, const std::string& what) {
   const std::string whose = what + " '" + thing.name + "': ";

@@ -13,20 +13,20 @@
 
 namespace talus::verification {
 
-/// What a case finds: checks, figures, tables and notes, in the order they were made.
+/// Results of a case: checks, figures, tables and notes, in order of creation.
 ///
-/// Each `expect...` returns whether the check passed, and never throws because it failed. The programmer's mistakes
-/// throw: a name used twice is std::logic_error; missing words or a malformed figure std::invalid_argument.
+/// Each `expect...` returns whether the check passed, and never throws because it failed. Programming errors throw:
+/// std::logic_error for a name used twice, std::invalid_argument for missing text or a malformed figure.
 class Findings {
  public:
-  /// Thrown by the check that completes the needed ones: the rest of the run decides nothing.
+  /// Thrown by the check that completes the required ones: the rest of the run decides nothing.
   struct Decided {};
 
   Findings() = default;
-  /// Only the checks named `needed` matter, at least one: `Decided` is thrown once all of them are made.
+  /// Only the checks named `needed` are required, at least one: `Decided` is thrown once all of them are made.
   explicit Findings(std::vector<std::string> needed) : needed_{std::move(needed)} {}
 
-  /// A group of checks, in which those made during its life are: see in().
+  /// A scope whose checks belong to a group: see in().
   class Group {
    public:
     Group(const Group&) = delete;
@@ -42,38 +42,38 @@ class Findings {
     Findings* findings_;
   };
 
-  /// Puts checks into a group, whose id claims refer to: one check by `findings.in("overlaps")->expect(...)`, or all
-  /// that are made while the group that is returned lives. Groups nest; a check is in all that are open. A group with
-  /// the id of a requirement of the solver's lists, such as "integrator.rk4", is a claim of it.
-  /// Errors: std::invalid_argument if the id is empty.
+  /// Adds checks to a group, whose id claims refer to: one check by `findings.in("overlaps")->expect(...)`, or all
+  /// checks made during the lifetime of the returned group. Groups nest; a check belongs to all open groups. A group
+  /// whose id is a requirement of the solver's lists, such as "integrator.rk4", claims it. Errors:
+  /// std::invalid_argument if the id is empty.
   [[nodiscard]] Group in(std::string id);
 
-  /// Compares `measured` with `reference` within `tolerance`.
+  /// Checks `measured` against `reference` within `tolerance`.
   bool expect(std::string name, double measured, double reference, const Tolerance& tolerance, std::string unit = "1");
 
-  /// Demands `low <= measured <= high`; `why` says where both ends come from.
+  /// Checks `low <= measured <= high`; `why` explains both ends.
   bool expect_between(std::string name, double measured, double low, double high, std::string why,
                       std::string unit = "1");
 
-  /// Demands that `holds` is true: for identities that have no size (same bits, a refused scene).
+  /// Checks that `holds` is true: for identities without a size (bit-identical results, a rejected scene).
   bool expect_true(std::string name, bool holds, std::string why);
 
-  /// Demands that the order fitted to all points of `convergence` lies in [low, high]: too steep is a failure, too.
+  /// Checks that the order fitted to all points of `convergence` lies in [low, high]; too high an order fails, too.
   bool expect_order(std::string name, const Convergence& convergence, double low, double high, std::string why);
 
-  /// Adds a figure. A point that is not finite adds a failed check; points not positive on a log axis are left out and
-  /// counted in the caption.
+  /// Adds a figure. A point that is not finite adds a failed check; points that are not positive on a log axis are
+  /// omitted and counted in the caption.
   void figure(Figure figure);
   void table(Table table);
-  /// Adds a file of data that several figures are drawn from.
+  /// Adds a data file from which several figures are drawn.
   void data(DataFile file);
-  /// A paragraph of Markdown for the page, e.g. what does not match and by how much.
+  /// Adds a paragraph of Markdown to the page, for example what does not match and by how much.
   void note(std::string markdown);
-  /// Adds to the number of force evaluations (or right-hand sides) that the case has spent.
+  /// Adds to the number of force evaluations (or right-hand sides) of the case.
   void count(std::integral auto evaluations) { evaluations_ += static_cast<std::uint64_t>(evaluations); }
 
   [[nodiscard]] const std::vector<Check>& checks() const { return checks_; }
-  /// Of each check the groups that it is in, outermost first.
+  /// For each check, the groups that it belongs to, outermost first.
   [[nodiscard]] const std::vector<std::vector<std::string>>& groups() const { return groups_; }
   [[nodiscard]] const std::vector<Figure>& figures() const { return figures_; }
   [[nodiscard]] const std::vector<Table>& tables() const { return tables_; }
@@ -87,9 +87,9 @@ class Findings {
  private:
   bool add(Check check);
 
-  std::vector<std::string> needed_;  ///< Not made so far.
+  std::vector<std::string> needed_;  ///< Not yet made.
   std::vector<Check> checks_;
-  std::vector<std::vector<std::string>> groups_;  ///< of each check
+  std::vector<std::vector<std::string>> groups_;  ///< for each check
   std::vector<std::string> open_groups_;
   std::vector<Figure> figures_;
   std::vector<Table> tables_;

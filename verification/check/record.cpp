@@ -10,12 +10,12 @@ namespace talus::verification {
 
 namespace {
 
-/// The claims of a case after it ran: those that it names, and those that follow from its runs.
+/// The claims of a case after it ran: the explicit ones and those that follow from its runs.
 class Claims {
  public:
   explicit Claims(const std::vector<Claim>& named) : all_{named} {}
 
-  /// Claims the requirement for the checks, too.
+  /// Adds the checks to the claim of the requirement.
   void add(const std::string& requirement, const std::vector<std::string>& checks) {
     auto claim = std::find_if(all_.begin(), all_.end(), [&](const Claim& c) { return c.requirement == requirement; });
     if (claim == all_.end()) claim = all_.insert(all_.end(), {requirement, {}});
@@ -41,7 +41,7 @@ std::string only_of_kind(const Usage& usage, std::string_view kind) {
   return only;
 }
 
-/// What checks of numbers of the runs show, because the runs used nothing else of its kind.
+/// Requirements verified by checks of the runs' numbers: the members that were the only one of their kind in use.
 std::vector<std::string> shown_by_runs(const Usage& usage) {
   std::vector<std::string> ids;
   for (const char* kind : {"law", "end_rule", "method", "integrator", "shape", "pair"}) {
@@ -57,7 +57,7 @@ std::vector<std::string> shown_by_runs(const Usage& usage) {
   return ids;
 }
 
-/// Whether a claim that names `id` means the check with this index.
+/// Whether `id` refers to the check with this index.
 bool means(const std::string& id, const Findings& findings, std::size_t index) {
   const std::vector<std::string>& groups = findings.groups()[index];
   return findings.checks()[index].name == id || std::find(groups.begin(), groups.end(), id) != groups.end();

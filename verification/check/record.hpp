@@ -17,11 +17,11 @@ using records::Status;
 using records::Trace;
 using records::write_record;
 
-/// The head of a record: what the case says of itself, nothing found yet.
+/// A record with the case's description, without results.
 [[nodiscard]] Record record_of(const Case& verification_case);
 
-/// A trace for each claim of the case, with the checks that it refers to: first the claims that it names, in their
-/// order, then those that follow from its groups of checks and from `checks_of_runs`. `usage`: of its runs.
+/// A trace for each claim of the case, with the checks that it refers to: first the explicit claims, in their order,
+/// then those that follow from its groups of checks and from `checks_of_runs`. `usage` is that of the case's runs.
 [[nodiscard]] std::vector<Trace> traced(const Case& verification_case, const Findings& findings, const Usage& usage);
 
 }  // namespace talus::verification

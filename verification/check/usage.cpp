@@ -10,7 +10,7 @@ namespace talus::verification {
 
 namespace {
 
-/// The groups of requirements that come from the solver's lists (catalogue/solver_lists.cpp).
+/// The groups of requirements from the solver's lists (catalogue/solver_lists.cpp).
 constexpr std::array<std::string_view, 8> kinds{"law",        "end_rule", "method", "mechanism",
                                                 "integrator", "shape",    "pair",   "regime"};
 

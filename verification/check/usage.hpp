@@ -10,15 +10,15 @@ namespace talus::verification {
 /// "pair.circle.half_plane", "integrator.rk4", ...
 using Usage = std::set<std::string, std::less<>>;
 
-/// "law" of "law.hertz"; empty if the id is of no closed list of the solver, such as "Eq. 21" and "B6".
+/// "law" for "law.hertz"; empty if the id belongs to no closed list of the solver, such as "Eq. 21" and "B6".
 [[nodiscard]] std::string_view kind_of_use(std::string_view id);
 
 /// The members of one kind that were used, e.g. "law.hertz, law.tension_only"; "nothing" if there are none.
 [[nodiscard]] std::string used_of_kind(const Usage& usage, std::string_view kind);
 
-/// Collects what is used in this process as long as it lives. The runs of a case are made in many places, most of which
-/// do not have its Findings; none of them can be forgotten this way.
-/// Errors: std::logic_error if a recording is in progress already.
+/// Collects all uses in this process during its lifetime. The runs of a case are made in many places, most of which
+/// have no access to its Findings; this way none of them can be forgotten. Errors: std::logic_error if a recording is
+/// already in progress.
 class UsageRecording {
  public:
   UsageRecording();
@@ -36,8 +36,8 @@ class UsageRecording {
 /// Whether a recording is in progress in this process.
 [[nodiscard]] bool is_recording_use();
 
-/// Adds a member of a closed list to the recording in progress, if there is one; from any thread.
-/// Errors: std::invalid_argument if the id is of no closed list.
+/// Adds a member of a closed list to the recording in progress, if any; thread-safe. Errors: std::invalid_argument if
+/// the id belongs to no closed list.
 void record_use(std::string id);
 
 }  // namespace talus::verification

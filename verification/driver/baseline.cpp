@@ -27,7 +27,7 @@ bool same_bits(double a, double b) {
   return std::bit_cast<std::uint64_t>(a) == std::bit_cast<std::uint64_t>(b) || (std::isnan(a) && std::isnan(b));
 }
 
-/// The cases that are compared.
+/// The compared cases.
 struct Scope {
   const std::vector<std::string>& run;       ///< ResultsSource::only of the new results.
   const std::vector<std::string>& compared;  ///< Allowance::only.
@@ -39,10 +39,10 @@ struct Scope {
 
 // --- Names ----------------------------------------------------------------------------------------------------------
 
-/// A name of the baseline in the new results.
+/// The new name of an item of the baseline.
 struct Target {
-  std::optional<ItemName> name;  ///< Nothing: removed.
-  int rank = 0;                  ///< 2: a rename of the item, 1: a rename of its case, 0: the same name.
+  std::optional<ItemName> name;  ///< No value: removed.
+  int rank = 0;                  ///< 2: by a rename of the item, 1: by a rename of its case, 0: unchanged name.
 };
 
 class Targets {
@@ -92,8 +92,8 @@ Items<RecordedControl> controls_of(const RecordedResults& results) {
   return items;
 }
 
-/// Pairs the items of both results by name. Renamed items come first, so that no other takes the name that they have
-/// now. What is out of scope is in no pair.
+/// Pairs the items of both results by name. Renamed items are paired first, so that no other item takes their new name.
+/// Items out of scope are excluded.
 template <class Changed, class T>
 std::vector<Changed> paired(const Items<T>& before, const Items<T>& after, const Targets& targets, const Scope& scope) {
   std::map<ItemName, std::size_t> place;
@@ -143,8 +143,8 @@ std::string still_there(const Renaming& renaming, const std::string& where) {
                      text_of(renaming.before), where);
 }
 
-/// Renames whose new name is not there, or whose old name still is. A case that did not come to its end need not have
-/// them.
+/// Renames whose new name does not exist, or whose old name still does. For a case that did not finish, the new name is
+/// not required to exist.
 std::vector<std::string> renaming_errors_of(const std::vector<Renaming>& renames, const RecordedResults& after,
                                             const Scope& scope) {
   std::vector<std::string> errors;
@@ -165,13 +165,13 @@ std::vector<std::string> renaming_errors_of(const std::vector<Renaming>& renames
   return errors;
 }
 
-// --- What changed ---------------------------------------------------------------------------------------------------
+// --- Changes ---------------------------------------------------------------------------------------------------------
 
 bool is_letter_of(const std::string& name, const std::string& family) {
   return name.size() == 1 && family.starts_with(name + ":");
 }
 
-/// The largest change/bound that is allowed to a check of that case.
+/// The largest change/bound that is allowed for a check of that case.
 double tolerance_of(const Allowance& allowance, const ItemName& name, const std::string& family) {
   double value = 0.0;
   for (const ChangeTolerance& tolerance : allowance.tolerances) {
@@ -182,7 +182,7 @@ double tolerance_of(const Allowance& allowance, const ItemName& name, const std:
   return value;
 }
 
-/// After - before of error/bound, where a NaN is as bad as an infinite one.
+/// Growth of error/bound (after - before); NaN counts as infinite.
 double growth_of(double before, double after) {
   const double from = std::isnan(before) ? infinity : before, to = std::isnan(after) ? infinity : after;
   return from == to ? 0.0 : to - from;
@@ -195,7 +195,7 @@ Movement movement_of(const RecordedCheck& before, const RecordedCheck& after, do
   return moved <= limit ? Movement::round_off : Movement::changed;
 }
 
-/// |difference| in bounds; a difference that is not finite is infinitely many, and so is any from an exact zero.
+/// |difference| in units of `scale`; infinite if the difference is not finite or if the scale is zero.
 double moved_by(double difference, double scale) {
   if (difference == 0.0) return 0.0;
   return std::isfinite(difference) && scale > 0.0 ? std::abs(difference) / scale : infinity;
@@ -214,7 +214,7 @@ void weigh(CheckChange& change, const Allowance& allowance, double tolerance) {
     change.tolerance = std::max(tolerance, round_off_limit(before.kind));
   const bool improved = !before.pass && after.pass;
   const double growth = allowance.margin.value_or(change.tolerance);
-  constexpr double rounding = 1.0 + 1e-9;  // The difference of two ratios is rounded; zero is not.
+  constexpr double rounding = 1.0 + 1e-9;  // The difference of two ratios has a rounding error; zero does not.
   if (before.pass && !after.pass) change.worse.push_back(Reason::verdict);
   if (before.unit != after.unit) change.worse.push_back(Reason::unit);
   const bool is_beyond = !improved && before.unit == after.unit && !(change.moved <= change.tolerance);
@@ -233,7 +233,7 @@ void weigh(CaseChange& change, const Allowance& allowance) {
     change.worse.push_back(Reason::status);
   const auto before = static_cast<double>(change.before->evaluations);
   const auto after = static_cast<double>(change.after->evaluations);
-  // A case that counted none in the baseline cannot be compared.
+  // A case without counted evaluations in the baseline cannot be compared.
   if (before > 0.0 && after > before * (1.0 + allowance.evaluation_growth)) change.worse.push_back(Reason::evaluations);
 }
 
@@ -346,7 +346,7 @@ Comparison compare(const RecordedResults& before, const RecordedResults& after, 
   for (ControlChange& change : comparison.controls) {
     if (change.presence == Presence::both) weigh(change);
   }
-  // Items that are gone have the name of the baseline.
+  // Items that are gone have their name in the baseline.
   const auto checks = gone_by_case(comparison.checks), controls = gone_by_case(comparison.controls);
   for (CaseChange& change : comparison.cases) {
     if (change.presence == Presence::both) weigh(change, allowance);

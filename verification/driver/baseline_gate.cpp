@@ -22,7 +22,7 @@ namespace fs = std::filesystem;
 constexpr const char* json_name = "baseline.json";
 constexpr const char* markdown_name = "baseline.md";
 
-/// The number that is all of `text`; nothing if it is none, not finite or negative.
+/// Parses all of `text` as a finite number >= 0; no value otherwise.
 std::optional<double> number_from(const std::string& text) {
   double value = 0.0;
   const char* const end = text.data() + text.size();
@@ -47,7 +47,7 @@ ChangeTolerance tolerance_from(const std::string& text) {
   return {equals == std::string::npos ? "" : text.substr(0, equals), *value};
 }
 
-/// Refuses an input that the comparison would overwrite.
+/// Rejects an input that the comparison would overwrite.
 void demand_separate(const char* option, const std::string& file, const fs::path& out) {
   for (const char* const name : {json_name, markdown_name}) {
     std::error_code none;

@@ -8,7 +8,7 @@
 
 namespace talus::verification {
 
-/// The options of a comparison with a baseline as they are given; numbers are read by `read_gate`.
+/// Command-line options of a comparison with a baseline, as given; `read_gate` parses the numbers.
 struct BaselineOptions {
   std::string baseline;                 ///< An earlier results.json; empty: no comparison.
   std::string compare;                  ///< The results.json to compare; empty: that of this run.
@@ -19,23 +19,23 @@ struct BaselineOptions {
   bool allow_round_off = false;
 };
 
-/// What the results of a run are compared with, read before anything is run.
+/// The baseline and the rules of the comparison, read before anything runs.
 struct BaselineGate {
   RecordedResults before;
   Allowance allowance;
   std::vector<Renaming> renames;
 };
 
-/// How a comparison ends.
+/// Result of a comparison.
 enum class GateVerdict { not_worse, worse, wrong_renames };
 
-/// Reads baseline and renames and the numbers of the options; nothing is written. IoError if a file cannot be read;
-/// InputError if one is not what it must be, if a number is not one of at least 0, or if an input is one of the files
-/// that `finish` writes into `out`.
+/// Reads the baseline, the renames and the numbers of the options; writes nothing. IoError if a file cannot be read;
+/// InputError if a file is invalid, a number is not at least 0, or an input is one of the files that `finish` writes
+/// into `out`.
 [[nodiscard]] BaselineGate read_gate(const BaselineOptions& options, const std::vector<std::string>& only,
                                      const std::filesystem::path& out);
 
-/// Removes baseline.json and baseline.md that an earlier comparison left in `out`.
+/// Removes the baseline.json and baseline.md of an earlier comparison from `out`.
 void remove_comparison(const std::filesystem::path& out);
 
 /// Compares `after` with the baseline, writes baseline.json and baseline.md into `out` and prints the table. IoError if

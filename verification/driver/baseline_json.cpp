@@ -11,7 +11,7 @@ using Json = nlohmann::ordered_json;
 
 constexpr int baseline_schema = 1;
 
-/// JSON has no NaN and no infinity: they become words, as in results.json.
+/// JSON has no NaN and no infinity: they become texts, as in results.json.
 Json number(double value) {
   if (std::isnan(value)) return "nan";
   if (std::isinf(value)) return value > 0.0 ? "inf" : "-inf";
@@ -77,7 +77,7 @@ Json to_json(const CaseOutcome& outcome) {
           {"seconds", outcome.seconds}};
 }
 
-/// What all changes have; the values come last.
+/// The common fields of all changes; the values are appended last.
 template <class T>
 Json head_of(const Change<T>& change) {
   Json json{{"case", change.name.id}};
@@ -171,7 +171,7 @@ std::string json_of(const Comparison& comparison) {
                   {"cases", array_of(comparison.cases)},
                   {"checks", array_of(comparison.checks)},
                   {"controls", array_of(comparison.controls)}};
-  // A path need not be UTF-8.
+  // Paths may not be UTF-8.
   return json.dump(1, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 

@@ -14,10 +14,10 @@ namespace talus::verification {
 
 namespace {
 
-/// A line with what it is sorted by.
+/// A line with its sort keys.
 struct SortedLine {
-  int rank = 0;       ///< Of the reason.
-  double size = 0.0;  ///< Of the change.
+  int rank = 0;       ///< Severity rank of the reason.
+  double size = 0.0;  ///< Size of the change.
   ChangeLine line;
 };
 
@@ -40,7 +40,7 @@ std::string item_text(const Change<T>& change) {
   return text_of(change.name) + (change.renamed_from ? " (was " + text_of(*change.renamed_from) + ")" : "");
 }
 
-/// Measured in words or as a number, with the reference in brackets where that changed.
+/// The measured value as text or number, followed by the reference in brackets if that changed.
 std::string measured_text(const RecordedCheck& check, const std::string& number, const std::string& reference) {
   const std::string measured = check.text_measured.empty() ? with_unit(number, check.unit) : check.text_measured;
   const std::string verdict = check.pass ? "" : "FAIL ";
@@ -53,14 +53,14 @@ std::string bound_text(const RecordedCheck& check, double bound) {
   return check.relative ? number + " of the reference" : with_unit(number, check.unit);
 }
 
-/// change/bound; of an exact check, which has no bound, the change over the reference.
+/// change/bound; for an exact check, which has no bound, the change relative to the reference.
 std::string moved_text(const CheckChange& change) {
   const std::string number = fmt::format("{:.3g}", change.moved);
   return change.before->bound == 0.0 && change.moved > 0.0 && std::isfinite(change.moved) ? number + " of the reference"
                                                                                           : number;
 }
 
-/// error/bound before and after, each on the right side of 1, with as many digits as show that they differ.
+/// error/bound before and after, each on the correct side of 1, with as many digits as show that they differ.
 std::string margin_change(const RecordedCheck& before, const RecordedCheck& after) {
   std::string from, to;
   for (int digits = 3; digits <= 17 && from == to; ++digits) {
@@ -145,7 +145,7 @@ std::set<std::string> unfinished_cases(const Comparison& comparison) {
   return ids;
 }
 
-/// What kind of change a check that is not worse made; empty: none.
+/// Kind of change of a check that is not worse; empty if unchanged.
 std::string admitted_change(const CheckChange& change) {
   const RecordedCheck &before = *change.before, &after = *change.after;
   if (!before.pass && after.pass) return "improved";
@@ -200,7 +200,7 @@ std::vector<ChangeLine> lines_of_admitted(const Comparison& comparison) {
 
 namespace {
 
-/// The names of cases, checks and controls for which `listed` holds; checks and controls of a listed case are left out.
+/// The names of cases, checks and controls for which `listed` is true, without the checks and controls of listed cases.
 template <class Listed>
 std::vector<std::string> names_where(const Comparison& comparison, Listed&& listed) {
   std::vector<std::string> names;

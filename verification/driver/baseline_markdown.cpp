@@ -18,7 +18,7 @@ constexpr std::size_t most_admitted = 20;
 constexpr std::size_t most_names = 50;
 constexpr std::size_t most_times = 5;
 
-/// Text that Markdown shows as it is, in one line.
+/// Escapes text so that Markdown shows it literally, in one line.
 std::string unmarked(const std::string& text) {
   std::string escaped;
   for (const char c : text) {

@@ -19,7 +19,7 @@ constexpr std::size_t names_listed = 5;
 
 std::string row(const std::string& name, const std::string& text) { return fmt::format("{:<12} {}\n", name, text); }
 
-/// "2 new, 1 gone": the counts that are not zero.
+/// Non-zero counts as text: "2 new, 1 gone".
 std::string joined(const std::vector<std::pair<std::size_t, std::string>>& counts) {
   std::string text;
   for (const auto& [count, words] : counts) {

@@ -41,7 +41,7 @@ std::string flaw_of_family(const Case& verification_case, const Catalogue& catal
   return "";
 }
 
-/// Of the source it names and of the paragraph of its page that tells of it.
+/// Missing citations in the case's source and in the paragraph "Source" of its page.
 std::string flaw_of_citations(const Case& verification_case, const Catalogue& catalogue) {
   const std::string& page = verification_case.page;
   const std::string label = "**Source.**";

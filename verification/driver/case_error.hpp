@@ -8,8 +8,8 @@
 
 namespace talus::verification {
 
-/// What is wrong with a case before it is run, in words: a missing citation, an unknown requirement, no planted fault,
-/// an id used twice. Empty if nothing is.
+/// Error in the definition of a case, found before it runs: a missing citation, an unknown requirement, no injected
+/// fault, an id used twice. Empty if the case is valid.
 [[nodiscard]] std::string case_error(const Case& verification_case, const std::vector<Case>& all,
                                      const Catalogue& catalogue);
 

@@ -17,7 +17,8 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-/// Runs `setup`; returns what was thrown, in words, or nothing. That all needed checks are made is no error.
+/// Runs `setup`; returns the message of an exception, or nothing. Findings::Decided (all required checks made) is no
+/// error.
 std::string thrown_by(const Case& verification_case, Findings& findings, const Setup& setup) {
   try {
     verification_case.run(findings, setup);
@@ -58,7 +59,7 @@ std::string message_of(const Control& control, const std::string& thrown) {
   return words;
 }
 
-/// Plants `fault`, runs until the check that it names is made, and looks at that check.
+/// Injects `fault`, runs until the check that it names is made, and evaluates that check.
 Control plant(const Case& verification_case, const Fault& fault, const Findings& unplanted) {
   Findings findings({fault.turns_red});
   const std::string thrown =
@@ -90,7 +91,7 @@ void plant_all(const Case& verification_case, Record& record) {
   }
 }
 
-/// Main checks that were not made, and claims that no check or no run of the case backs; empty if there are none.
+/// Main checks that were not made, and claims that no check or no run of the case supports; empty if there are none.
 std::string missing_checks(const Record& record) {
   std::string words;
   const auto add = [&](const std::string& more) { words += (words.empty() ? "" : "; ") + more; };
@@ -176,7 +177,7 @@ void judge(Record& record) {
     record.message += fmt::format("{}{} of {} controls did not turn red", record.message.empty() ? "" : "; ", unshown,
                                   record.controls.size());
   }
-  // With no check at all nothing is delivered: that is said already.
+  // Without any check all of them are missing, which the message already says.
   if (const std::string words = missing_checks(record); !words.empty() && !record.checks.empty()) {
     record.message += (record.message.empty() ? "" : "; ") + words;
   }

@@ -4,15 +4,15 @@
 
 namespace talus::verification {
 
-/// Runs one case in this process: the right setup; the right setup again at the coarse resolution of the controls; then
-/// each planted fault at that resolution, as in the quick tier. What the case throws becomes Status::error with its words.
-/// Of an earlier record, if there is one, the controls are reused.
+/// Runs one case in this process: the correct setup; the correct setup again at the coarse resolution of the controls;
+/// then each injected fault at that resolution, as in the quick tier. An exception becomes Status::error with its
+/// message. The controls of an earlier record are reused if it is given.
 [[nodiscard]] Record run_case(const Case& verification_case, Tier tier, const Record* earlier = nullptr);
 
-/// The record of a case that could not be run to its end: nothing checked, every control missing.
+/// The record of a case that did not finish: no checks, every control missing.
 [[nodiscard]] Record unfinished(const Case& verification_case, Status status, const std::string& message);
 
-/// What checks and controls of a finished case add up to: fills `status` (pass or fail) and `message`.
+/// Determines the status of a finished case from its checks and controls: fills `status` (pass or fail) and `message`.
 void judge(Record& record);
 
 }  // namespace talus::verification

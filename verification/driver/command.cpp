@@ -117,7 +117,7 @@ void declare(CLI::App& app, Options& options) {
       "check fails as well).");
 }
 
-/// Number of single-letter changes between two words (Levenshtein), by rows.
+/// Number of single-letter edits between two words (Levenshtein), computed row by row.
 std::size_t distance(const std::string& a, const std::string& b) {
   std::vector<std::size_t> row(b.size() + 1);
   for (std::size_t j = 0; j <= b.size(); ++j)
@@ -145,7 +145,8 @@ std::invalid_argument unknown_id(const std::string& id, const std::vector<Case>&
                                            nearest.empty() ? "none" : nearest, known.empty() ? "none" : known));
 }
 
-/// The cases to run, in the order of the list; std::invalid_argument for an unknown id or one of the other tier.
+/// The cases to run, in the order of the list. Errors: std::invalid_argument for an unknown id or one that needs the
+/// full tier.
 std::vector<Case> chosen(const std::vector<Case>& cases, const std::vector<std::string>& only, Tier tier) {
   std::vector<Case> selection;
   for (const auto& c : cases) {
@@ -167,7 +168,7 @@ void print_list(const std::vector<Case>& cases) {
   }
 }
 
-/// Cases with a flaw are not run: they fail with the flaw as their message. The others run.
+/// Runs the valid cases. Invalid ones are not run: they fail with the error as their message.
 std::vector<Record> records_of(const std::vector<Case>& selection, const std::vector<Case>& all,
                                const Catalogue& catalogue, const RunPlan& plan, Terminal& terminal) {
   std::vector<Record> records(selection.size());
@@ -191,8 +192,8 @@ std::vector<Record> records_of(const std::vector<Case>& selection, const std::ve
   return records;
 }
 
-/// Archive that is given back when there is no more, so that what was found can still be written. Never touched, it
-/// costs address space only.
+/// Memory that is released when memory runs out, so that the results so far can still be written. It is never touched
+/// and costs address space only.
 constexpr std::size_t reserve_size = std::size_t{16} << 20U;
 
 void write_results(Results& results, const Catalogue& catalogue, const fs::path& out) {
@@ -201,7 +202,7 @@ void write_results(Results& results, const Catalogue& catalogue, const fs::path&
   records::write_whole(out / "junit.xml", junit_of(results.records));
 }
 
-/// What remains of a record when there is no memory for all of it: head, checks and controls.
+/// Reduces a record to its head, checks and controls when there is not enough memory for all of it.
 void shorten(Record& record) {
   record.figures = {};
   record.tables = {};
@@ -213,7 +214,7 @@ void shorten(Record& record) {
   }
 }
 
-/// Writes both files, without the largest parts of the records if memory runs out.
+/// Writes both files; if memory runs out, without the largest parts of the records.
 void write_results_within_memory(Results& results, const Catalogue& catalogue, const fs::path& out,
                                  std::unique_ptr<char[]> reserve) {
   try {
@@ -235,14 +236,14 @@ std::vector<std::string> ids_of(const std::vector<Case>& cases) {
   return ids;
 }
 
-/// The exit status of results that are compared with a baseline. That of the results themselves goes before.
+/// The exit status of results that are compared with a baseline. The status of the results themselves has priority.
 int exit_status(bool holds, GateVerdict verdict) {
   if (!holds) return exit_fail;
   if (verdict == GateVerdict::wrong_renames) return exit_usage;
   return verdict == GateVerdict::worse ? exit_worse : exit_pass;
 }
 
-/// Compares the results just written. If memory runs out, the results remain.
+/// Compares the results just written. If memory runs out, the results are kept.
 int compared(const BaselineGate& gate, const fs::path& out, bool holds) {
   try {
     return exit_status(holds, finish(gate, read_results(out / "results.json"), out));
@@ -264,7 +265,7 @@ int run(const std::vector<Case>& cases, const Catalogue& catalogue, const Option
   results.selected = ids_of(selection);
   results.only = options.only;
   const fs::path out = options.out;
-  // Before anything is removed: the baseline may be the results.json of the run before, in this folder.
+  // Must precede any removal: the baseline may be the results.json of the previous run in this folder.
   std::optional<BaselineGate> gate;
   if (!options.baseline.baseline.empty()) {
     gate = read_gate(options.baseline, options.only, out);
@@ -290,7 +291,7 @@ int run(const std::vector<Case>& cases, const Catalogue& catalogue, const Option
   return holds(results) ? exit_pass : exit_fail;
 }
 
-/// Compares two files; runs nothing.
+/// Compares two files without running any case.
 int compare_files(const Catalogue& catalogue, const Options& options) {
   const fs::path out = options.out;
   const BaselineGate gate = read_gate(options.baseline, options.only, out);

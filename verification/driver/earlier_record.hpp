@@ -8,17 +8,17 @@
 #include "verification/check/case.hpp"
 #include "verification/check/record.hpp"
 
-/// Records of an earlier run that the same program would only make again.
+/// Reuse of records of an earlier run that the same program would only reproduce.
 namespace talus::verification {
 
-/// Hash of this executable and of the files, and those in the folders, that its cases read. Errors: records::FileError.
+/// Hash of this executable and of the files and folder contents that its cases read. Errors: records::FileError.
 [[nodiscard]] std::string program_fingerprint(const std::vector<std::filesystem::path>& read);
 
-/// Marks the record in a case's folder as one of that program. Without a mark, where none can be written, it is not
-/// reused.
+/// Marks the record in a case's folder as written by the given program. If the mark cannot be written, the record is
+/// not reused.
 void mark_record(const std::filesystem::path& folder, const std::string& program);
 
-/// The record in a case's folder if that program left it, it is whole and unchanged, and the case passed.
+/// The record in a case's folder if the given program wrote it, it is complete and unchanged, and the case passed.
 [[nodiscard]] std::optional<Record> earlier_record(const Case& verification_case, const std::filesystem::path& folder,
                                                    const std::string& program);
 

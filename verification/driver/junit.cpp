@@ -15,11 +15,11 @@ std::string property(const char* name, const std::string& value) {
   return fmt::format("        <property name=\"{}\" value=\"{}\"/>\n", name, escaped(value));
 }
 
-/// The shortest text that reads back as the same double; "nan" and "inf" as words.
+/// The shortest text that reads back as the same double; NaN and infinity as "nan" and "inf".
 std::string shortest(double value) { return fmt::format("{}", value); }
 
-/// The numbers behind a verdict, of checks and controls alike. `unit` is that of measured and reference, and of error
-/// and bound unless these are relative.
+/// Properties with the numbers behind a verdict, for checks and controls. `unit` is that of measured and reference, and
+/// also of error and bound unless these are relative.
 template <class Compared>
 std::string comparison(const Compared& compared, const std::string& unit, bool relative) {
   return property("measured", shortest(compared.measured)) + property("reference", shortest(compared.reference)) +
@@ -31,7 +31,7 @@ std::string properties(const Check& check) {
   return comparison(check, check.unit, check.relative) + property("kind", name_of(check.kind));
 }
 
-/// Those of the check that the control names, with the fault planted.
+/// Properties of the check that the control names, evaluated with the injected fault.
 std::string properties(const Control& control, const std::vector<Check>& checks) {
   std::string made = property("observed", name_of(control.observed)) + property("check", control.turns_red);
   if (control.observed == Colour::missing) return made;
@@ -41,7 +41,7 @@ std::string properties(const Control& control, const std::vector<Check>& checks)
                                : made + comparison(control, check->unit, check->relative);
 }
 
-/// One test case. `how` is the element that a failure becomes: "failure" or "error".
+/// One test case. `how` is the element for a failure: "failure" or "error".
 std::string test(const std::string& id, const std::string& name, double seconds, const std::string& properties,
                  const std::string& failure, const char* how) {
   std::string text =
@@ -53,12 +53,12 @@ std::string test(const std::string& id, const std::string& name, double seconds,
   return text + "    </testcase>\n";
 }
 
-/// A case that did not end by itself, or had nothing to check, fails as a whole.
+/// Whether the case fails as a whole: it did not finish, or it had nothing to check.
 bool failed_as_a_whole(const Record& record) {
   return record.status != Status::pass && (record.status != Status::fail || record.checks.empty());
 }
 
-/// The tests of a suite, or of all of them.
+/// Sums over the tests of one suite or of all suites.
 struct Sums {
   std::size_t tests = 0;
   std::size_t failures = 0;
@@ -79,7 +79,7 @@ struct Sums {
 std::string suite(const Record& record, Sums& sums) {
   std::string tests;
   Sums own{.tests = record.checks.size() + record.controls.size() + 1, .seconds = record.seconds};
-  // The checks of a case come from the same runs: their time is that of the test case `run`, and the sums are right.
+  // The checks of a case share its runs: their time is in the test case `run`, so that the sums are correct.
   for (const auto& check : record.checks) {
     tests +=
         test(record.id, check.name, 0.0, properties(check), check.pass ? "" : sentence(record.id, check), "failure");

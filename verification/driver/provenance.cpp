@@ -14,7 +14,7 @@ namespace talus::verification {
 
 namespace {
 
-/// The value after the first line of `file` that starts with `key`, without separators and quotes.
+/// The value on the first line of `file` that starts with `key`, without separators and quotes.
 std::string value_in(const std::string& file, const std::string& key) {
   std::ifstream in(file);
   for (std::string line; std::getline(in, line);) {

@@ -8,11 +8,11 @@ namespace talus::verification {
 
 using records::Provenance;
 
-/// That of this executable on this machine, now; the date from SOURCE_DATE_EPOCH if set, so that a report can be made
-/// again.
+/// Provenance of this executable on this machine, now; the date is taken from SOURCE_DATE_EPOCH if set, so that a
+/// report can be reproduced.
 [[nodiscard]] Provenance provenance();
 
-/// Processor, compiler and options of that, in words.
+/// Processor, compiler and options as text.
 [[nodiscard]] std::string machine_words();
 
 }  // namespace talus::verification

@@ -27,19 +27,19 @@ namespace fs = std::filesystem;
 
 constexpr int schema = 1;
 
-/// A value of the file together with its JSON path, so that every error names both.
+/// A value of the file with its JSON path, so that every error names both.
 class Field {
  public:
   Field(const nlohmann::json* value, std::string path, const fs::path& file)
       : value_(value), path_(std::move(path)), file_(&file) {}
 
-  /// InputError with file, path and value found; `allowed` completes "it must be".
+  /// Throws InputError with file, path and value found; `allowed` completes "it must be".
   [[noreturn]] void fail(const std::string& allowed) const {
     throw InputError(fmt::format("{}: {}: found {}; it must be {}", file_->string(),
                                  path_.empty() ? "top level" : path_, found(), allowed));
   }
 
-  /// The member `key` of an object; it may be absent, which its reader refuses.
+  /// The member `key` of an object; it may be absent, in which case reading its value fails.
   [[nodiscard]] Field at(const std::string& key) const {
     if (value_ == nullptr || !value_->is_object()) fail("an object");
     const auto member = value_->find(key);
@@ -65,7 +65,7 @@ class Field {
     return all;
   }
 
-  /// Refuses any other value.
+  /// Fails for any other value.
   void require(const nlohmann::json& allowed) const {
     if (value_ == nullptr || *value_ != allowed) fail(allowed.dump());
   }
@@ -93,7 +93,7 @@ class Field {
     return value_->get<bool>();
   }
 
-  /// A number or the words that stand for those which JSON does not have.
+  /// A number, or one of the texts for numbers that JSON does not have.
   [[nodiscard]] double number() const {
     if (value_ != nullptr) {
       if (value_->is_number()) return value_->get<double>();
@@ -114,7 +114,7 @@ class Field {
     return value_->get<std::uint64_t>();
   }
 
-  /// One of the names of an enumeration's values.
+  /// The value of an enumeration with this name.
   template <records::Named Enum>
   [[nodiscard]] Enum word() const {
     for (const auto& [value, name] : records::Names<Enum>::values) {
@@ -181,7 +181,7 @@ RecordedControl control_from(const Field& json) {
   return control;
 }
 
-/// Makes a name unique by the number of its repetition.
+/// Makes a name unique by numbering its repetitions.
 std::string numbered(const std::string& name, std::set<std::string>& taken) {
   std::string unique = name;
   for (int n = 2; !taken.insert(unique).second; ++n)

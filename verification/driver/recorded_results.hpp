@@ -10,65 +10,65 @@
 
 namespace talus::verification {
 
-/// A check as results.json records it, as far as two runs are compared.
+/// A check as recorded in results.json, with the fields needed to compare two runs.
 struct RecordedCheck {
-  std::string name;           ///< Unique in its case: a name that repeats is numbered, "name #2".
+  std::string name;           ///< Unique in its case: a repeated name is numbered, "name #2".
   std::string unit;           ///< Unit of measured and reference; "1" for a pure number.
-  Kind kind = Kind::exact;    ///< The kind of argument behind the bound.
+  Kind kind = Kind::exact;    ///< The kind of justification of the bound.
   bool relative = false;      ///< Error and bound are divided by |reference|.
   double measured = 0.0;      ///< [unit]
   double reference = 0.0;     ///< [unit]
   double error = 0.0;         ///< As Check::error.
   double bound = 0.0;         ///< As Check::bound; finite.
   double margin = 0.0;        ///< error / bound.
-  bool pass = false;          ///< The verdict, which follows from the numbers.
-  std::string text_measured;  ///< Measured in words ("true", "false"); empty: print the number.
+  bool pass = false;          ///< The verdict; must follow from the numbers.
+  std::string text_measured;  ///< Measured as text ("true", "false"); empty: print the number.
 };
 
-/// A negative control as results.json records it.
+/// A negative control as recorded in results.json.
 struct RecordedControl {
   std::string name;                    ///< Unique in its case, as RecordedCheck::name.
-  std::string turns_red;               ///< The check that the fault must turn red.
+  std::string turns_red;               ///< The check that must fail with the fault.
   Colour observed = Colour::missing;   ///< With the fault; red is required.
   Colour unplanted = Colour::missing;  ///< Without the fault; green is required.
-  std::string message;                 ///< Why it did not turn red; empty if it did.
-  bool pass = false;                   ///< The verdict, which follows from the colours.
+  std::string message;                 ///< Why the check did not turn red; empty if it did.
+  bool pass = false;                   ///< The verdict; must follow from the colours.
 };
 
-/// How a case ended and what it cost.
+/// Status and cost of a case.
 struct CaseOutcome {
   Status status = Status::missing;
   std::string message;            ///< Why the case did not pass; empty if it did.
   double seconds = 0.0;           ///< Wall-clock time [s].
-  std::uint64_t evaluations = 0;  ///< Force evaluations that the case counted; 0: it counts none.
+  std::uint64_t evaluations = 0;  ///< Counted force evaluations; 0: the case counts none.
 };
 
-/// A case as results.json records it.
+/// A case as recorded in results.json.
 struct RecordedCase {
-  std::string id;  ///< Unique: an id that repeats is numbered, "id #2".
+  std::string id;  ///< Unique: a repeated id is numbered, "id #2".
   std::string family;
   CaseOutcome outcome;
   std::vector<RecordedCheck> checks;
   std::vector<RecordedControl> controls;
 };
 
-/// Which run a results.json is of.
+/// Origin of a results.json.
 struct ResultsSource {
   std::filesystem::path file;
   Provenance provenance;
   Tier tier = Tier::quick;
-  bool holds = false;               ///< Its verdict.
-  std::vector<std::string> only{};  ///< The cases that --only named; empty: the whole tier was run.
+  bool holds = false;               ///< Whether its verdict is "pass".
+  std::vector<std::string> only{};  ///< The cases given with --only; empty: the whole tier was run.
 };
 
-/// One results.json. This is the only reader of that file for comparisons.
+/// The content of one results.json. Comparisons read that file only through this type.
 struct RecordedResults {
   ResultsSource source;
   std::vector<std::string> registered;  ///< Ids of all cases of that program.
   std::vector<RecordedCase> cases;      ///< In the order of the file.
 };
 
-/// The case called `id`, or nullptr.
+/// The case with this id, or nullptr.
 [[nodiscard]] const RecordedCase* find_case(const RecordedResults& results, const std::string& id);
 
 /// Reads a results.json strictly. IoError if the file cannot be read. InputError, with the file, the JSON path, what

@@ -29,7 +29,7 @@ bool is_control(const ItemName& name) { return name.item.starts_with(control_pre
   throw InputError(fmt::format("{}: found '{}'; it must be {}", place, found, allowed));
 }
 
-/// The name that `text` gives; nothing if a part of it is empty.
+/// Parses an item name; no value if a part of it is empty.
 std::optional<ItemName> name_from(const std::string& text) {
   const auto slash = text.find('/');
   ItemName name{trimmed(text.substr(0, slash)), ""};

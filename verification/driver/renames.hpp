@@ -9,13 +9,13 @@ namespace talus::verification {
 
 /// A case, or a check or control of a case.
 struct ItemName {
-  std::string id;    ///< Of the case.
+  std::string id;    ///< Id of the case.
   std::string item;  ///< Name of the check, "control: NAME" for a control; empty: the case itself.
 
   friend auto operator<=>(const ItemName&, const ItemName&) = default;
 };
 
-/// The item that stands for a control.
+/// Item name of a control.
 [[nodiscard]] std::string control_item(const std::string& name);
 
 /// "case", "case/check" or "case/control: name".
@@ -24,11 +24,11 @@ struct ItemName {
 /// One line of a file of renames.
 struct Renaming {
   ItemName before;                ///< The name in the baseline.
-  std::optional<ItemName> after;  ///< The name now; nothing: removed on purpose.
+  std::optional<ItemName> after;  ///< The present name; no value: removed on purpose.
   std::string place;              ///< "FILE:LINE", for errors.
 };
 
-/// Reads a file of renames, one in a line:
+/// Reads a file of renames, one per line:
 ///
 ///     # a comment
 ///     old_case -> new_case
@@ -36,8 +36,8 @@ struct Renaming {
 ///     old_case/control: old name -> new_case/control: new name
 ///     old_case/old check name -> -
 ///
-/// `-` marks what was removed on purpose. IoError if the file cannot be read; InputError with file and line for a line
-/// of another form, a name that two lines rename, and a name that two lines give.
+/// `-` marks items that were removed on purpose. IoError if the file cannot be read; InputError with file and line for
+/// a line of another form, a name that two lines rename, or a new name that two lines give.
 [[nodiscard]] std::vector<Renaming> read_renames(const std::filesystem::path& file);
 
 }  // namespace talus::verification

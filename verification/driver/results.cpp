@@ -16,7 +16,7 @@ bool listed(const std::vector<std::string>& list, const std::string& word) {
   return std::find(list.begin(), list.end(), word) != list.end();
 }
 
-/// Requirement -> cases that name it, and the checks in them that touch it.
+/// For each requirement, the cases that claim it and their checks that verify it.
 std::vector<records::Requirement> traceability(const std::vector<Record>& all, const Catalogue& catalogue) {
   std::vector<records::Requirement> list;
   for (const auto& requirement : catalogue.requirements) {
@@ -30,7 +30,7 @@ std::vector<records::Requirement> traceability(const std::vector<Record>& all, c
   return list;
 }
 
-/// What peers check, and the cases that show the same.
+/// The checks of peers, and the cases that verify the same.
 std::vector<records::Peer> checks_of_peers(const std::vector<Record>& all, const Catalogue& catalogue) {
   std::vector<records::Peer> list;
   for (const auto& peer : catalogue.peers) {
@@ -44,7 +44,7 @@ std::vector<records::Peer> checks_of_peers(const std::vector<Record>& all, const
   return list;
 }
 
-/// The family that a case names or that follows from its problems.
+/// The family that a case names, or the one that follows from its problems.
 std::string resolved_family(const Record& record, const Catalogue& catalogue) {
   std::vector<std::string> ids;
   for (const Trace& trace : record.requirements)
@@ -52,7 +52,7 @@ std::string resolved_family(const Record& record, const Catalogue& catalogue) {
   return catalogue.family_of(record.family, ids);
 }
 
-/// Only what a registered case proves is printed.
+/// The errata proved by registered cases; only these are printed.
 std::vector<records::Erratum> proved_errata(const std::vector<std::string>& registered, const Catalogue& catalogue) {
   std::vector<records::Erratum> list;
   for (const auto& each : catalogue.errata) {

@@ -7,8 +7,8 @@ namespace talus::verification {
 
 using records::Results;
 
-/// Fills what follows from the records and the catalogue: which cases show a requirement and what peers check, the
-/// families of the cases, the errata that registered cases prove, and the bibliography.
+/// Fills the parts that follow from the records and the catalogue: the cases that verify each requirement and each
+/// check of a peer, the families of the cases, the errata proved by registered cases, and the bibliography.
 void complete(Results& results, const Catalogue& catalogue);
 
 }  // namespace talus::verification

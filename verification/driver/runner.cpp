@@ -34,17 +34,17 @@ constexpr auto poll_interval = std::chrono::milliseconds(5);
 
 /// A case that runs in a child process.
 struct Child {
-  std::size_t index = 0;  ///< Place in the list of cases.
+  std::size_t index = 0;  ///< Index in the list of cases.
   pid_t pid = 0;
   Clock::time_point start;
   bool timed_out = false;    ///< Killed at its time limit.
   bool over_memory = false;  ///< Killed at its memory limit.
 };
 
-/// The child's side: does not return. What the case prints goes to output.txt, not between the driver's lines.
+/// Runs in the child and does not return. Output of the case goes to output.txt, not between the driver's lines.
 [[noreturn]] void run_in_child(const Case& verification_case, const fs::path& folder, const RunPlan& plan,
                                const Record* earlier) {
-  // A crash ends the child as a crash, whatever handlers the parent has installed.
+  // A crash must terminate the child, whatever handlers the parent has installed.
   for (const int signal : {SIGABRT, SIGBUS, SIGFPE, SIGILL, SIGSEGV})
     ::signal(signal, SIG_DFL);
   ::setpgid(0, 0);
@@ -54,7 +54,7 @@ struct Child {
     ::dup2(log, STDOUT_FILENO);
     ::dup2(log, STDERR_FILENO);
   }
-  // Where the kernel must end a process for want of memory, it takes a case and not the driver.
+  // If the kernel must kill a process because memory runs out, it kills a case and not the driver.
   std::ofstream("/proc/self/oom_score_adj") << 1000;
   int status = 0;
   try {
@@ -73,8 +73,8 @@ struct Child {
   ::_exit(status);
 }
 
-/// Starts a case; nothing if the system refuses another process (`errno` says why). A fork and no other
-/// program: the child calls a case of this process, which may be a test's own.
+/// Starts a case; no value if the system cannot create a process (see `errno`). Forks without executing another
+/// program, because the case may exist only in this process, as in a test.
 std::optional<Child> start(const Case& verification_case, std::size_t index, const RunPlan& plan,
                            const Record* earlier) {
   const fs::path folder = plan.out / verification_case.id;
@@ -84,14 +84,13 @@ std::optional<Child> start(const Case& verification_case, std::size_t index, con
   const pid_t pid = ::fork();
   if (pid < 0) return std::nullopt;
   if (pid == 0) run_in_child(verification_case, folder, plan, earlier);
-  ::setpgid(pid, pid);  // By both sides: whichever comes first.
+  ::setpgid(pid, pid);  // Called in parent and child, whichever runs first.
   return Child{index, pid, Clock::now()};
 }
 
 double seconds_since(Clock::time_point start) { return std::chrono::duration<double>(Clock::now() - start).count(); }
 
-/// The last line that says something, with what is not printable ASCII replaced: it may be cut in the middle of
-/// anything.
+/// The last non-empty line, with characters other than printable ASCII replaced, because it may be truncated anywhere.
 std::string last_line(const fs::path& file) {
   std::ifstream in(file);
   std::string last;
@@ -103,7 +102,7 @@ std::string last_line(const fs::path& file) {
   return last;
 }
 
-/// Reads the record of a child that ended by itself with status zero; RecordError if it is not that of this case.
+/// Reads the record of a child that exited with status zero; RecordError if it does not belong to this case.
 Record read_back(const Case& verification_case, const fs::path& folder) {
   Record record = read_record(folder);
   if (record.id != verification_case.id) throw RecordError("the record is of case '" + record.id + "'");
@@ -125,7 +124,7 @@ Record outcome_of(const Child& child, int status, const Case& verification_case,
     if (!last.empty()) words += "; its last words: " + last;
     Record record = unfinished(verification_case, how, words);
     record.seconds = seconds_since(child.start);
-    write_record(record, folder);  // The folder says the same as results.json.
+    write_record(record, folder);  // The folder must agree with results.json.
     return record;
   };
   if (child.timed_out) {
@@ -156,7 +155,8 @@ Record outcome_of(const Child& child, int status, const Case& verification_case,
   }
 }
 
-/// Archive that a process holds [GiB]; 0 once it has ended. What is reserved but was never touched does not count.
+/// Resident memory of a process [GiB]; 0 once it has ended. Memory that is reserved but was never touched does not
+/// count.
 double memory_of(pid_t pid) {
   std::ifstream file("/proc/" + std::to_string(pid) + "/statm");
   double all = 0.0, resident = 0.0;
@@ -164,7 +164,7 @@ double memory_of(pid_t pid) {
   return resident * static_cast<double>(::sysconf(_SC_PAGESIZE)) / (1024.0 * 1024.0 * 1024.0);
 }
 
-/// True if the child has ended; kills its process group at the case's limits of time and memory.
+/// Whether the child has ended; kills its process group when the case exceeds its time or memory limit.
 bool has_ended(Child& child, const Case& verification_case, int& status) {
   const pid_t ended = ::waitpid(child.pid, &status, WNOHANG);
   if (ended == child.pid) return true;
@@ -182,13 +182,13 @@ std::vector<std::string> ids_of(const std::vector<Child>& children, const std::v
   return ids;
 }
 
-/// The record of a case as long as nothing else is known of it. It is made before the case is run: when memory has run
-/// out there may be none to say so.
+/// The record of a case that is used if no other can be obtained. It is created before the case runs, because later
+/// there may be no memory for it.
 Record not_recorded(const Case& verification_case) {
   return unfinished(verification_case, Status::error, "the driver ran out of memory before it had the case's record");
 }
 
-/// The record of a child that has ended; the one made before if there is no memory for it.
+/// Stores the record of a child that has ended; keeps the existing record if there is no memory for the new one.
 void take(Record& record, const Child& child, int status, const Case& verification_case, const RunPlan& plan) {
   try {
     record = outcome_of(child, status, verification_case, plan);
@@ -197,13 +197,13 @@ void take(Record& record, const Child& child, int status, const Case& verificati
     record.seconds = seconds_since(child.start);
   }
   try {
-    write_record(record, plan.out / verification_case.id);  // The folder says the same as results.json.
+    write_record(record, plan.out / verification_case.id);  // The folder must agree with results.json.
   } catch (const std::exception&) {
-    // results.json says it; nothing that was read is lost by this.
+    // Ignored: results.json has the information, and no data are lost.
   }
 }
 
-/// The order in which cases start: those that take long first, so that none of them is waited for at the end.
+/// The order in which cases start: long cases first, so that none of them delays the end.
 std::vector<std::size_t> starting_order(const std::vector<Case>& cases, Tier tier) {
   const auto seconds = [&](std::size_t i) {
     return tier == Tier::full ? std::max(cases[i].seconds, cases[i].full_seconds) : cases[i].seconds;
@@ -214,7 +214,7 @@ std::vector<std::size_t> starting_order(const std::vector<Case>& cases, Tier tie
   return order;
 }
 
-/// The cases on their way: at most `plan.jobs` at once, the next in starting_order() when one ends.
+/// The queue of cases: at most `plan.jobs` run at the same time; when one ends, the next in starting_order() starts.
 class Queue {
  public:
   Queue(const std::vector<Case>& cases, const RunPlan& plan, std::vector<Record>& records)
@@ -223,7 +223,7 @@ class Queue {
   }
   Queue(const Queue&) = delete;
   Queue& operator=(const Queue&) = delete;
-  /// Leaves no case running, also where an exception ends the driver's work.
+  /// Kills all running cases, also when an exception ends the driver.
   ~Queue() {
     for (const Child& child : running_) {
       ::kill(-child.pid, SIGKILL);
@@ -250,7 +250,7 @@ class Queue {
         continue;
       }
       const int reason = errno;
-      // Another process may be had when a case ends.
+      // A process may become available when a case ends.
       refused_ = !running_.empty();
       if (refused_) return;
       records_[index] =
@@ -282,7 +282,7 @@ class Queue {
   std::vector<Record>& records_;
   std::vector<Child> running_;
   std::size_t next_ = 0;
-  bool refused_ = false;  ///< The system had no process for the next case; nothing has ended since.
+  bool refused_ = false;  ///< The system could not create a process for the next case, and no case has ended since.
 };
 
 }  // namespace
@@ -299,7 +299,7 @@ std::vector<Record> run_all(const std::vector<Case>& cases, const RunPlan& plan,
       queue.collect(progress);
     }
   } catch (const std::bad_alloc&) {
-    // What is not recorded by now says so.
+    // Records that are still missing already say that memory ran out.
   }
   return records;
 }

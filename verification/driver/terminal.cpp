@@ -26,9 +26,9 @@ std::string with_unit(double value, const std::string& unit) {
   return unit == "1" || unit.empty() ? fmt::format("{:.6g}", value) : fmt::format("{:.6g} {}", value, unit);
 }
 
-/// The check nearest to its bound or farthest over it; a NaN is farther than all.
+/// The check with the largest error/bound; NaN counts as the largest.
 const Check* worst(const std::vector<Check>& checks) {
-  // A failed check is worse than one that passes at the same ratio, where rounding makes both 1.
+  // A failed check is worse than a passed one with the same ratio, where rounding makes both 1.
   const auto badness = [](const Check& check) {
     return std::pair{!check.pass, std::isnan(check.margin) ? HUGE_VAL : check.margin};
   };

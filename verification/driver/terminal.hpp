@@ -8,23 +8,23 @@
 
 namespace talus::verification {
 
-/// A failed check in one line: case, name, measured, reference, error/bound, why.
+/// A failed check in one line: case, name, measured, reference, error/bound, justification.
 [[nodiscard]] std::string sentence(const std::string& id, const Check& check);
 
 /// A control that did not turn red, in one line.
 [[nodiscard]] std::string sentence(const std::string& id, const Control& control);
 
-/// What the driver writes for people: one line for each case on standard output, progress on standard error. Colour
-/// only on a terminal and without NO_COLOR; progress only if standard error is a terminal.
+/// Terminal output of the driver: one line for each case on standard output, progress on standard error. Colours are
+/// used only on a terminal and without NO_COLOR; progress is shown only if standard error is a terminal.
 class Terminal {
  public:
-  /// `total` cases are to run.
+  /// `total`: number of cases to run.
   explicit Terminal(std::size_t total);
 
-  /// A case ended: its line, and under it what failed.
+  /// Prints the line of a finished case, followed by its failures.
   void report(const Record& record, const std::vector<std::string>& running, bool reused = false);
 
-  /// The last lines: sums, verdict, and where the results are.
+  /// Prints the last lines: totals, verdict, and the location of the results.
   void summarise(const Results& results, const std::string& results_file) const;
 
  private:

@@ -5,7 +5,7 @@
 namespace talus::records {
 
 void demand_sound(const Node& node, const Record& record) {
-  // A case that was not run because it is not well formed may lack any of these.
+  // A case that did not run because it is malformed may lack any of these.
   if (finished(record.status)) {
     static_cast<void>(node.at("id").file_name());
     static_cast<void>(node.at("title").words());

@@ -78,7 +78,7 @@ inline void demand_sound(const Node& node, const Table& table) {
   }
 }
 
-/// Of a data file the record holds the name only.
+/// For a data file the record contains only the name.
 inline Json json_of(const DataFile& file) { return file.name; }
 inline void read_into(const Node& node, DataFile& file, Completeness /*completeness*/) { file.name = node.file_name(); }
 
@@ -109,7 +109,8 @@ void fields(auto& f, Like<Record> auto& record) {
   f.value("notes", record.notes);
 }
 
-/// Names occur once, the status follows from checks and controls, and the main checks are those that the case names.
+/// Checks that names are unique, that the status follows from checks and controls, and that the main checks are those
+/// named by the case.
 void demand_sound(const Node& node, const Record& record);
 
 }  // namespace talus::records

@@ -13,7 +13,7 @@
 
 namespace talus::records {
 
-/// How much is run: `quick` for every change, `full` with the long studies as well.
+/// Scope of a run: `quick` for every change, `full` adds the long studies.
 enum class Tier { quick, full };
 
 template <>
@@ -21,13 +21,13 @@ struct Names<Tier> {
   static constexpr std::array values{std::pair{Tier::quick, "quick"}, std::pair{Tier::full, "full"}};
 };
 
-/// How a case ended.
+/// Final status of a case.
 enum class Status {
-  pass,     ///< Every check holds and every control turned red.
-  fail,     ///< A check does not hold, a control stayed green, or there was nothing to check.
-  error,    ///< The case threw, crashed, or left a record that cannot be read.
+  pass,     ///< Every check passes and every control turns red.
+  fail,     ///< A check fails, a control stays green, or there is nothing to check.
+  error,    ///< The case threw, crashed, or produced a record that cannot be read.
   timeout,  ///< The case was stopped at its time limit.
-  missing,  ///< The case left no record.
+  missing,  ///< The case produced no record.
 };
 
 template <>
@@ -37,10 +37,10 @@ struct Names<Status> {
                                      std::pair{Status::missing, "missing"}};
 };
 
-/// Whether a case ran to its end.
+/// Whether a case ran to completion.
 [[nodiscard]] constexpr bool finished(Status status) { return status == Status::pass || status == Status::fail; }
 
-/// What a check did in a setup: held (green), failed (red), or was not made.
+/// Result of a check in a setup: passed (green), failed (red), or not made.
 enum class Colour { green, red, missing };
 
 template <>
@@ -49,35 +49,36 @@ struct Names<Colour> {
                                      std::pair{Colour::missing, "missing"}};
 };
 
-/// The outcome of one planted fault. Red is demanded with the fault, and green without it at the same resolution, so
-/// that it is the fault that turned the check red.
+/// Result of one injected fault. The check must be red with the fault and green without it at the same resolution, so
+/// that the fault is the cause of the failure.
 struct Control {
   std::string name;                    ///< Name of the fault.
-  std::string what;                    ///< What is made wrong.
-  std::string turns_red;               ///< The check it must turn red.
-  Colour observed = Colour::missing;   ///< With the fault; red is demanded.
-  Colour unplanted = Colour::missing;  ///< Without the fault, equally coarse; green is demanded.
-  double measured = 0.0;               ///< With the fault; as `reference`, `error`, `bound` only if not missing.
+  std::string what;                    ///< Description of the error.
+  std::string turns_red;               ///< The check that must fail.
+  Colour observed = Colour::missing;   ///< With the fault; must be red.
+  Colour unplanted = Colour::missing;  ///< Without the fault at the same resolution; must be green.
+  double measured = 0.0;               ///< With the fault; like `reference`, `error`, `bound`, only if not missing.
   double reference = 0.0;
   double error = 0.0;
   double bound = 0.0;
-  std::string message{};  ///< Why it did not turn red, or what was thrown after it did.
+  std::string message{};  ///< Why the check did not fail, or what was thrown after it did.
 
   [[nodiscard]] bool pass() const { return observed == Colour::red && unplanted == Colour::green; }
 };
 
-/// A requirement and the checks that touch it.
+/// A requirement and the checks that verify it.
 struct Trace {
   std::string requirement;          ///< Id of the requirement.
-  std::vector<std::string> checks;  ///< Names of the checks made that show it.
-  std::string unmatched{};     ///< A check or group of checks that the case names and does not have; empty if none.
-  std::string used_instead{};  ///< What the case's runs used in place of the requirement; empty if they used it.
+  std::vector<std::string> checks;  ///< Names of the checks made that verify it.
+  std::string unmatched{};     ///< A check or group of checks that the case names but does not have; empty if none.
+  std::string used_instead{};  ///< Members that the case's runs used instead of the required one; empty if they used
+                               ///< it.
 
-  /// There is a check for it, each check that the case names exists, and a run used what is claimed.
+  /// Whether at least one check verifies it, all checks named by the case exist, and a run used what is claimed.
   [[nodiscard]] bool shown() const { return !checks.empty() && unmatched.empty() && used_instead.empty(); }
 };
 
-/// All that one case leaves behind; `record.json` and the CSV files it names.
+/// All results of one case: `record.json` and the CSV files that it names.
 struct Record {
   std::string id;     ///< snake_case.
   std::string title;  ///< One line.
@@ -86,7 +87,7 @@ struct Record {
   std::vector<std::string> main_checks;  ///< Names of the checks on the first page.
   std::string source;                    ///< Full citation.
   std::string page;                      ///< Markdown.
-  Tier tier = Tier::quick;               ///< The lowest tier that runs this case.
+  Tier tier = Tier::quick;               ///< The lowest tier in which this case runs.
   Status status = Status::missing;
   std::string message;   ///< Why the case did not pass; empty if it did.
   double seconds = 0.0;  ///< Wall-clock time of the case.
@@ -99,10 +100,10 @@ struct Record {
   std::vector<std::string> notes;  ///< Markdown.
 };
 
-/// Whether `main_checks` names the check.
+/// Whether `main_checks` contains the check.
 [[nodiscard]] bool is_main(const Record& record, const Check& check);
 
-/// Marks the checks that `main_checks` names.
+/// Marks the checks named in `main_checks`.
 void mark_main_checks(Record& record);
 
 }  // namespace talus::records

@@ -16,18 +16,18 @@
 namespace talus::records {
 namespace {
 
-/// Takes a text apart, cell by cell.
+/// Splits a text into cells.
 class Splitter {
  public:
   Splitter(const std::filesystem::path& file, std::string_view text, std::vector<char>& cells)
       : file_{file}, text_{text}, cells_{cells} {
-    cells_.reserve(text.size());  // no cell moves: there are fewer letters in cells than in the text
+    cells_.reserve(text.size());  // no reallocation: the cells have fewer characters than the text
   }
 
-  /// Line of the next letter, from 1.
+  /// Line of the next character, from 1.
   [[nodiscard]] std::size_t line() const { return line_; }
 
-  /// Goes to the next line that holds cells; false if there is none.
+  /// Moves to the next line with cells; false if there is none.
   bool find_row() {
     while (place_ < text_.size()) {
       if (text_[place_] != '\n' && text_[place_] != '#' && text_.compare(place_, 2, "\r\n") != 0) return true;
@@ -39,12 +39,12 @@ class Splitter {
     return false;
   }
 
-  /// The next cell of the row; `last` says whether the row ends with it.
+  /// The next cell of the row; sets `last` if the row ends with it.
   std::string_view next_cell(bool& last) {
     const char* const begin = cells_.data() + cells_.size();
     const std::size_t size = cells_.size();
     if (place_ < text_.size() && text_[place_] == '"') take_quoted();
-    // What follows a closing quote belongs to the cell, as everything up to the next comma.
+    // Text after a closing quote belongs to the cell, up to the next comma.
     while (place_ < text_.size() && text_[place_] != ',' && text_[place_] != '\n') {
       if (text_.compare(place_, 2, "\r\n") != 0) cells_.push_back(text_[place_]);
       ++place_;
@@ -133,7 +133,7 @@ void CsvText::separate() {
 
 void CsvText::cell(std::string_view text) {
   separate();
-  // A line that began with # would be passed over, and so would an empty one.
+  // Otherwise a line that begins with # would be skipped when read, and so would an empty line.
   const bool first = cells_ == 1;
   const bool passed_over = first && (text.empty() ? columns_ == 1 : text.front() == '#');
   if (!passed_over && text.find_first_of(",\"\n\r") == std::string_view::npos) {

@@ -9,14 +9,14 @@
 
 namespace talus::records {
 
-/// A CSV file: a header that names the columns, then one line for each row. As in RFC 4180 a cell in double quotes may
-/// hold commas, ends of lines and, doubled, quotes; lines may end with CR LF. Empty lines and lines that begin with `#`
-/// are passed over.
+/// A CSV file: a header with the column names, then one line for each row. As in RFC 4180 a cell in double quotes may
+/// contain commas, line ends and doubled quotes; lines may end with CR LF. Empty lines and lines that begin with `#`
+/// are skipped.
 class Csv {
  public:
-  /// Splits the text of a file, whose name is for messages only. RecordError (file, line, found, allowed) if there is
-  /// no header, a row has another number of cells, a quoted cell does not end, or the last line has no end (the file
-  /// was cut short).
+  /// Parses the text of a file; the file name is used only in messages. RecordError (file, line, found, allowed) if
+  /// there is no header, a row has another number of cells, a quoted cell is not closed, or the last line has no line
+  /// end (truncated file).
   Csv(std::filesystem::path file, std::string_view text);
   Csv(const Csv&) = delete;
   Csv& operator=(const Csv&) = delete;
@@ -27,21 +27,22 @@ class Csv {
   [[nodiscard]] const std::vector<std::string>& header() const { return header_; }
   [[nodiscard]] std::size_t rows() const { return lines_.size(); }
 
-  /// Index of the column of that name; RecordError if there is none.
+  /// Index of the column with that name; RecordError if there is none.
   [[nodiscard]] std::size_t column(std::string_view name) const;
 
-  /// Line of the file in which a row begins, from 1.
+  /// Line of the file in which a row begins, counted from 1.
   [[nodiscard]] std::size_t line(std::size_t row) const { return lines_[row]; }
 
   [[nodiscard]] std::string_view cell(std::size_t row, std::size_t column) const {
     return cells_[row * header_.size() + column];
   }
-  /// The number in a cell; RecordError if the cell holds anything else or a number that is not finite.
+  /// The number in a cell; RecordError if the cell contains anything else or a number that is not finite.
   [[nodiscard]] double number(std::size_t row, std::size_t column) const;
 
  private:
   std::filesystem::path file_;
-  std::vector<char> text_;  ///< Cells without their quotes; not a string: `cells_` must stay valid when this is moved.
+  std::vector<char> text_;  ///< Cells without their quotes; a vector, not a string, so that `cells_` stays valid when
+                            ///< it is moved.
   std::vector<std::string> header_;
   std::vector<std::string_view> cells_;  ///< Row by row.
   std::vector<std::size_t> lines_;
@@ -50,15 +51,15 @@ class Csv {
 /// Reads a CSV file. FileError if it cannot be read; RecordError as above.
 [[nodiscard]] Csv read_csv(const std::filesystem::path& file);
 
-/// The text of a CSV file, written cell by cell. Cells are quoted where they must be.
+/// Builds the text of a CSV file cell by cell. Cells are quoted where necessary.
 class CsvText {
  public:
   explicit CsvText(const std::vector<std::string>& columns);
 
   void cell(std::string_view text);
-  /// In the fewest digits that give the same double back.
+  /// Writes the fewest digits from which the same double is read back.
   void number(double value);
-  /// In `digits` significant digits, without trailing zeros; 17 give the same double back.
+  /// Writes `digits` significant digits without trailing zeros; 17 are enough to read the same double back.
   void number(double value, int digits);
   /// std::logic_error if the row has another number of cells than the header.
   void end_row();
@@ -70,7 +71,7 @@ class CsvText {
 
   std::string text_;
   std::size_t columns_;
-  std::size_t cells_ = 0;  ///< Of the row so far.
+  std::size_t cells_ = 0;  ///< Cells of the current row so far.
 };
 
 }  // namespace talus::records

@@ -12,13 +12,13 @@
 namespace talus::records {
 namespace {
 
-/// A column that a series names, and where its numbers go.
+/// A column that a series names, and the destination of its numbers.
 struct Source {
   std::size_t column = 0;
   std::vector<double>* into = nullptr;
 };
 
-/// Digits that give a double back.
+/// Digits needed to read the same double back.
 constexpr int digits = 17;
 
 std::vector<Source> sources_of(Series& series, const Csv& csv) {
@@ -37,7 +37,7 @@ std::vector<Source> sources_of(Series& series, const Csv& csv) {
   return sources;
 }
 
-/// The CSV file that a figure names; that it cannot be read is a fault of the record.
+/// The CSV file that a figure names. If it cannot be read, the record is invalid.
 Csv csv_beside(const Figure& figure, const std::filesystem::path& folder) {
   try {
     return read_csv(folder / figure.csv);

@@ -1,4 +1,5 @@
-/// Types that are written to JSON and read from it by one list of their fields. Heavy: include it in .cpp files only.
+/// Types that are written to and read from JSON with a single list of their fields. Heavy: include it in .cpp files
+/// only.
 ///
 /// Each type lists its fields once, in the order of the file:
 ///
@@ -7,8 +8,8 @@
 ///       f.value("checks", trace.checks);
 ///     }
 ///
-/// Rules that concern several fields stand in `demand_sound(const Node&, const Trace&)`, which is called after reading
-/// where it exists. Unknown keys are passed over: a later version may add some within one schema.
+/// Rules that concern several fields are checked in `demand_sound(const Node&, const Trace&)`, which is called after
+/// reading if it exists. Unknown keys are ignored: a later version may add some within one schema.
 #pragma once
 
 #include <algorithm>
@@ -31,10 +32,10 @@ namespace talus::records {
 template <class T, class U>
 concept Like = std::same_as<std::remove_const_t<T>, U>;
 
-/// Which fields a file holds.
+/// Set of fields in a file.
 enum class Completeness {
-  complete,  ///< all that Writer writes
-  sparse,    ///< `defaulted` ones may be absent
+  complete,  ///< all fields that Writer writes
+  sparse,    ///< `defaulted` fields may be absent
 };
 
 using TextPairs = std::vector<std::pair<std::string, std::string>>;
@@ -42,7 +43,7 @@ using TextPairs = std::vector<std::pair<std::string, std::string>>;
 template <class T>
 [[nodiscard]] Json json_of(const T& value);
 
-/// Passed to a list of fields, appends each to a JSON object.
+/// Passed to a list of fields, appends each field to a JSON object.
 class Writer {
  public:
   template <class T>
@@ -61,7 +62,7 @@ class Writer {
   void derived(const char* key, const T& value, const char* /*why*/ = "") {
     json_[key] = json_of(value);
   }
-  /// Keeps the place of a field that a later `derived` writes.
+  /// Reserves the position of a field that a later `derived` call writes.
   void place(const char* key) { json_[key] = nullptr; }
   template <class T>
   void list(const char* key, const std::vector<T>& values, auto&& list_of_fields) {
@@ -119,33 +120,33 @@ Json json_of(const T& value) {
 template <class T>
 void read_into(const Node& node, T& value, Completeness completeness);
 
-/// Passed to a list of fields, takes each from a JSON object. RecordError with file and path for what does not fit.
+/// Passed to a list of fields, reads each from a JSON object. RecordError with file and path for invalid content.
 class Reader {
  public:
   Reader(Node node, Completeness completeness) : node_(std::move(node)), completeness_(completeness) {}
 
-  /// A field that every file holds; numbers are finite.
+  /// A mandatory field; numbers must be finite.
   template <class T>
   void value(const char* key, T& value) const {
     read_into(node_.at(key), value, completeness_);
   }
-  /// A field that is written under a condition only, and keeps its default where it is absent.
+  /// A field that is written only under a condition, and keeps its default where it is absent.
   template <class T>
   void value_if(bool /*written*/, const char* key, T& value) const {
     if (node_.has(key)) read_into(node_.at(key), value, completeness_);
   }
-  /// A field that sparse files may leave at its default.
+  /// A field that sparse files may omit to keep its default.
   template <class T>
   void defaulted(const char* key, T& value) const {
     if (completeness_ == Completeness::complete || node_.has(key)) read_into(node_.at(key), value, completeness_);
   }
-  /// A field that follows from others, which stand before it in the list.
+  /// A field that follows from others, which precede it in the list.
   template <class T>
   void derived(const char* key, const T& value, const char* why = "") const {
     demand_equal(node_.at(key), json_of(value), why);
   }
   void place(const char* /*key*/) const {}
-  /// A list of objects whose fields depend on what holds them.
+  /// A list of objects whose fields depend on the enclosing object.
   template <class T>
   void list(const char* key, std::vector<T>& values, auto&& list_of_fields) const {
     values.clear();
@@ -156,7 +157,7 @@ class Reader {
   }
   void words(const char* key, std::string& value) const { value = node_.at(key).words(); }
   void file_name(const char* key, std::string& value) const { value = node_.at(key).file_name(); }
-  /// A number that need not be finite.
+  /// A number that may be non-finite.
   void number(const char* key, double& value) const { value = node_.at(key).number(); }
   void number_or_null(bool known, const char* key, double& value) const {
     if (known) return number(key, value);
@@ -164,7 +165,7 @@ class Reader {
   }
 
  private:
-  /// Names the member that differs where both are objects.
+  /// If both are objects, the error names the differing member.
   static void demand_equal(const Node& node, const Json& expected, const char* why) {
     if (!expected.is_object()) {
       if (node.json() != expected) node.refuse(expected.dump() + why);
@@ -219,7 +220,7 @@ void read_into(const Node& node, T& value, Completeness completeness) {
   }
 }
 
-/// RecordError, naming the list, if two of `things` have the same name.
+/// Throws RecordError, naming the list, if two of `things` have the same name.
 template <class Things>
 void demand_distinct_names(const Node& node, const char* key, const Things& things) {
   std::vector<std::string> names;

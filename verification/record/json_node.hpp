@@ -18,37 +18,38 @@ using Json = nlohmann::ordered_json;
 /// The JSON document in a file. FileError if the file cannot be read; RecordError if empty, too deep or not JSON.
 [[nodiscard]] Json read_json(const std::filesystem::path& file);
 
-/// A JSON value and its place, e.g. "results.json: results.cases[0].checks[2]". Each access throws RecordError with the
-/// place, what was found and what is allowed if the value is not of the kind asked for. The document must outlive it.
+/// A JSON value and its path, e.g. "results.json: results.cases[0].checks[2]". Each access throws RecordError with the
+/// path, what was found and what is allowed if the value is not of the requested kind. The document must outlive the
+/// node.
 class Node {
  public:
   Node(const Json& value, std::string place) : value_(&value), place_(std::move(place)) {}
 
-  /// Throws RecordError: the place, then `what`.
+  /// Throws RecordError: the path, then `what`.
   [[noreturn]] void fail(const std::string& what) const;
   /// The same for a part of this value, e.g. "series[1].colour"; empty: the value itself.
   [[noreturn]] void fail_at(const std::string& part, const std::string& what) const;
-  /// Throws RecordError: "must be ALLOWED, found VALUE", a long value cut short.
+  /// Throws RecordError: "must be ALLOWED, found VALUE", with a long value truncated.
   [[noreturn]] void refuse(const std::string& allowed) const;
 
-  /// Whether this object holds `key` with a value other than null.
+  /// Whether this object has `key` with a value other than null.
   [[nodiscard]] bool has(const char* key) const;
   /// The member of an object; RecordError if it is missing or null.
   [[nodiscard]] Node at(const char* key) const;
   [[nodiscard]] bool is_null(const char* key) const;
 
   [[nodiscard]] std::string text() const;
-  /// A text that is not empty or blank.
+  /// A text that is neither empty nor blank.
   [[nodiscard]] std::string words() const;
-  /// One of these texts.
+  /// A text from the list.
   [[nodiscard]] std::string one_of(const std::vector<std::string>& allowed) const;
-  /// A file name that cannot lead out of its folder.
+  /// A file name that cannot refer to another folder.
   [[nodiscard]] std::string file_name() const;
-  /// Any number; those that are not finite by the names of json_number().
+  /// Any number; non-finite ones by their names in json_number().
   [[nodiscard]] double number() const;
   [[nodiscard]] double finite() const;
   [[nodiscard]] int integer() const;
-  /// A whole number >= 0.
+  /// An integer >= 0.
   [[nodiscard]] std::uint64_t count() const;
   [[nodiscard]] bool flag() const;
   [[nodiscard]] std::vector<Node> list() const;

@@ -7,13 +7,13 @@
 
 namespace talus::records {
 
-/// A number in JSON. JSON has none that are not finite: they become the texts "nan", "inf" and "-inf".
+/// A number in JSON. JSON has no non-finite numbers: they become the texts "nan", "inf" and "-inf".
 [[nodiscard]] nlohmann::ordered_json json_number(double value);
 
-/// The number that is not finite of that name; nothing for any other text.
+/// The non-finite number with that name; no value for any other text.
 [[nodiscard]] std::optional<double> not_finite_named(std::string_view name);
 
-/// The number that json_number() wrote; nothing for any other value.
+/// The number that json_number() wrote; no value for anything else.
 template <class Json>
 [[nodiscard]] std::optional<double> number_of(const Json& value) {
   if (value.is_number()) return value.template get<double>();

@@ -10,15 +10,15 @@
 
 #include "verification/record/names.hpp"
 
-/// mutants.json: small changes of the solver and which cases noticed them.
+/// mutants.json: small changes of the solver and the cases that detected them.
 namespace talus::records {
 
 enum class MutantStatus {
-  pending,     ///< not tried
-  killed,      ///< a case turned red
-  survived,    ///< cases evaluated it, and all stayed green
+  pending,     ///< not tested
+  killed,      ///< a case failed
+  survived,    ///< cases evaluated it, and all passed
   unreached,   ///< no case evaluates it
-  equivalent,  ///< changes no result, for a reason that is written down
+  equivalent,  ///< changes no result, for a recorded reason
 };
 
 template <>
@@ -31,7 +31,7 @@ struct Names<MutantStatus> {
        {MutantStatus::equivalent, "equivalent"}}};
 };
 
-/// How a case ended with a mutant.
+/// Result of a case with a mutant.
 enum class TrialEnd { pass, fail, error, crash, timeout };
 
 template <>
@@ -43,17 +43,17 @@ struct Names<TrialEnd> {
                                                                            {TrialEnd::timeout, "timeout"}}};
 };
 
-/// One case run with one mutant.
+/// One run of a case with one mutant.
 struct Trial {
   std::string case_id{};
   TrialEnd end{};
-  double ratio{};       ///< largest error/bound of its checks; infinite if one failed that has no size, or the case did
-                        ///< not end
+  double ratio{};       ///< largest error/bound of its checks; infinite if a check without a size failed or the case
+                        ///< did not finish
   std::string check{};  ///< the check with that ratio
   std::vector<std::string> failed{};  ///< the checks that failed
 };
 
-/// Line and column, from 1, columns in bytes; the end is behind the last byte.
+/// Line and column, counted from 1, columns in bytes; the end is after the last byte.
 struct SourceRange {
   std::size_t line{};
   std::size_t column{};
@@ -62,22 +62,22 @@ struct SourceRange {
 };
 
 struct MutantRecord {
-  int number{};                      ///< that switches it on
+  int number{};                      ///< number that activates it
   std::string id{};                  ///< unique
-  std::string operation{};           ///< mutation operator, or "bug" for one written by hand
-  std::string words{};               ///< what is wrong
+  std::string operation{};           ///< mutation operator, or "bug" for a hand-written one
+  std::string words{};               ///< description of the error
   std::string file{};                ///< path in the source tree
-  SourceRange range{};               ///< of what it replaces
-  std::string original{};            ///< what it replaces
-  std::string replacement{};         ///< by what; empty: left out
-  std::vector<std::string> cases{};  ///< of which one must turn red (bugs); "*": all that evaluate it must
+  SourceRange range{};               ///< source range that it replaces
+  std::string original{};            ///< replaced text
+  std::string replacement{};         ///< new text; empty: the original is deleted
+  std::vector<std::string> cases{};  ///< cases of which one must fail (bugs); "*": all that evaluate it must fail
   MutantStatus status{};
   std::string reason{};                   ///< why it is equivalent
   std::vector<std::string> covered_by{};  ///< cases that evaluate it
-  std::vector<Trial> trials{};            ///< those run; without the whole matrix none after the first kill
+  std::vector<Trial> trials{};            ///< the runs made; without the whole matrix none after the first kill
 };
 
-/// A case without a mutant, in this build.
+/// A case without mutants, in this build.
 struct UnchangedCase {
   std::string id{};
   std::string family{};
@@ -86,37 +86,37 @@ struct UnchangedCase {
 };
 
 struct Mutants {
-  std::size_t candidates{};      ///< generated mutants that there are, those that do not compile among them
-  std::size_t uncompiled{};      ///< of those drawn, left out because they do not compile
-  std::uint64_t seed{};          ///< of the sample
-  bool whole_matrix{};           ///< every case that evaluates a mutant was run with it
-  std::size_t operator_count{};  ///< mutation operators in use
+  std::size_t candidates{};      ///< number of mutants generated, including those that do not compile
+  std::size_t uncompiled{};      ///< number of drawn mutants that were dropped because they do not compile
+  std::uint64_t seed{};          ///< seed of the sample
+  bool whole_matrix{};           ///< whether every mutant was run with every case that evaluates it
+  std::size_t operator_count{};  ///< number of mutation operators in use
   double build_seconds{};
   double run_seconds{};
   std::vector<UnchangedCase> cases{};
   std::vector<MutantRecord> mutants{};
 };
 
-/// Whether a case turned red.
+/// Whether the case detected the mutant.
 [[nodiscard]] bool kills(const Trial& trial);
 
-/// How many of a set of mutants were killed.
+/// Numbers of mutants by status.
 struct Score {
   std::size_t killed{};
   std::size_t survived{};
   std::size_t unreached{};
   std::size_t equivalent{};
 
-  /// Those that count: not the equivalent ones.
+  /// Number of mutants in the score: all except the equivalent ones.
   [[nodiscard]] std::size_t counted() const { return killed + survived + unreached; }
-  /// Killed of those that count; 1 if none does.
+  /// Killed fraction of the counted mutants; 1 if there are none.
   [[nodiscard]] double share() const {
     return counted() == 0 ? 1.0 : static_cast<double>(killed) / static_cast<double>(counted());
   }
 };
 void count(Score& score, const MutantRecord& mutant);
 
-/// FileError if a file cannot be written or read, RecordError for another content.
+/// Errors: FileError if a file cannot be written or read, RecordError for invalid content.
 void write_mutants(const Mutants& mutants, const std::filesystem::path& file);
 [[nodiscard]] Mutants read_mutants(const std::filesystem::path& file);
 

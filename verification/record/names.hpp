@@ -6,8 +6,8 @@
 
 namespace talus::records {
 
-/// The names of an enumeration's values in the records. Specialised beside each enumeration, with a static array
-/// `values` of pairs of value and name.
+/// The names of an enumeration's values in the records. Specialised next to each enumeration, with a static array
+/// `values` of (value, name) pairs.
 template <class Enum>
 struct Names;
 

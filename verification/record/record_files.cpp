@@ -7,7 +7,7 @@
 namespace talus::records {
 namespace {
 
-/// The message of a foreign exception need not be UTF-8: what is not is replaced, so that a record is still written.
+/// Messages of foreign exceptions may not be UTF-8: invalid bytes are replaced, so that the record is still written.
 std::string dumped(const Json& json) { return json.dump(1, ' ', false, Json::error_handler_t::replace) + "\n"; }
 
 }  // namespace
@@ -36,7 +36,7 @@ Record read_record(const std::filesystem::path& folder) {
       file = data_file(file.name, read_csv(folder / (file.name + ".csv")));
     return record;
   } catch (const FileError& fault) {
-    throw RecordError(fault.what());  // A file that a record names is part of it.
+    throw RecordError(fault.what());  // A file that a record names is part of the record.
   }
 }
 

@@ -10,23 +10,23 @@
 
 namespace talus::records {
 
-/// The JSON text of a record (schema 1). The columns of its figures must be named; see name_columns().
+/// The JSON text of a record (schema 1). The columns of its figures must be set; see name_columns().
 [[nodiscard]] std::string text_of(const Record& record);
 
-/// Writes `folder/record.json` and one CSV file per figure and data file, data first, so that a record that exists is
-/// whole. FileError if a file cannot be written.
+/// Writes `folder/record.json` and one CSV file per figure and data file. The data are written first, so that an
+/// existing record is complete. FileError if a file cannot be written.
 void write_record(const Record& record, const std::filesystem::path& folder);
 
-/// Reads `folder/record.json` and its CSV files strictly. RecordError if a file is missing, empty or truncated, if the
-/// schema is another, a field is absent, or a check's verdict does not follow from its numbers.
+/// Reads `folder/record.json` and its CSV files strictly. RecordError if a file is missing, empty or truncated, the
+/// schema differs, a field is absent, or a check's verdict does not follow from its numbers.
 [[nodiscard]] Record read_record(const std::filesystem::path& folder);
 
 /// The JSON text of results.json (schema 1).
 [[nodiscard]] std::string text_of(const Results& results);
 
 /// Reads results.json strictly, but not the CSV files of its figures (see read_points()). FileError if the file cannot
-/// be read; RecordError (file and path) if it is not what the schema says or contradicts itself: a selected case has
-/// no record or two, counts and verdict do not follow from the cases, or a check's verdict not from its numbers.
+/// be read; RecordError (file and path) if it violates the schema or contradicts itself: a selected case has no record
+/// or two, counts and verdict do not follow from the cases, or a check's verdict does not follow from its numbers.
 [[nodiscard]] Results read_results(const std::filesystem::path& file);
 
 }  // namespace talus::records

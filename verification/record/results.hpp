@@ -9,12 +9,12 @@
 
 namespace talus::records {
 
-/// Where results come from: enough to make them again.
+/// Origin of results, sufficient to reproduce them.
 struct Provenance {
   std::string revision;                                        ///< Git commit of the sources, or "unknown".
   bool dirty = false;                                          ///< The sources differ from that commit.
   std::string compiler;                                        ///< Name and version.
-  std::string flags;                                           ///< Options that the code was compiled with.
+  std::string flags;                                           ///< Compiler options of the build.
   std::string build_type;                                      ///< "Release", "Debug", ...
   std::string cpu;                                             ///< Model name.
   unsigned cores = 0;                                          ///< Processors that the process may use.
@@ -23,7 +23,7 @@ struct Provenance {
   std::string date;                                            ///< UTC, ISO 8601; see epoch_seconds().
 };
 
-/// Seconds since 1970 of an ISO date such as 2026-03-01T12:00:00Z (UTC; the time may be absent). RecordError for any
+/// Seconds since 1970 for an ISO date such as 2026-03-01T12:00:00Z (UTC; the time may be absent). RecordError for any
 /// other text.
 [[nodiscard]] long long epoch_seconds(const std::string& iso_date);
 
@@ -34,39 +34,39 @@ struct Counts {
   std::size_t failed = 0;
   std::size_t checks = 0;
   std::size_t checks_failed = 0;
-  std::size_t slack = 0;   ///< Checks whose bound was chosen and is fifty times the error.
-  std::size_t exempt = 0;  ///< Exact and round-off checks: their bound was not chosen, it is never called slack.
+  std::size_t slack = 0;   ///< Checks with a chosen bound that is more than fifty times the error.
+  std::size_t exempt = 0;  ///< Exact and round-off checks, whose bound was not chosen; they are never marked as slack.
   std::size_t controls = 0;
   std::size_t controls_failed = 0;
 };
 
-/// The checks of one case that touch a requirement.
+/// The checks of one case that verify a requirement.
 struct ShownBy {
   std::string case_id;
   std::vector<std::string> checks;
 };
 
-/// Something that must be shown to work, and the checks that show it.
+/// A requirement of the catalogue, and the checks that verify it.
 struct Requirement {
   std::string id;
   std::string group;
   std::string text;               ///< One line.
-  std::vector<ShownBy> shown_by;  ///< A case that claims it stands here even without a check.
-  int order = 0;                  ///< The order that an integrator declares; 0 for all else.
+  std::vector<ShownBy> shown_by;  ///< Includes cases that claim it without a check.
+  int order = 0;                  ///< The declared order of an integrator; 0 for all others.
 };
 
-/// A check that another code or a published benchmark set makes, and the cases that show the same.
+/// A check of another code or a published benchmark set, and the cases that cover it.
 struct Peer {
-  std::string suite;                  ///< Key of a work in the bibliography.
+  std::string suite;                  ///< Key in the bibliography.
   std::string id;                     ///< Its name there.
-  std::string what;                   ///< The set-up.
-  std::string form;                   ///< What it is compared with.
+  std::string what;                   ///< The setup.
+  std::string form;                   ///< The reference that it is compared with.
   std::vector<std::string> problems;  ///< Ids of requirements.
   std::string remark;
   std::vector<std::string> cases;
 };
 
-/// An error of a printed source that a case proves.
+/// An error in a printed source that a case demonstrates.
 struct Erratum {
   std::string id;
   std::string where;
@@ -94,11 +94,11 @@ struct Results {
   Provenance provenance;
   Tier tier = Tier::quick;
   std::vector<std::string> registered;  ///< Ids of all cases.
-  std::vector<std::string> selected;    ///< Ids of those that were to run.
-  std::vector<std::string> only{};      ///< Ids that --only named; empty: all of the tier.
+  std::vector<std::string> selected;    ///< Ids of the cases that were to run.
+  std::vector<std::string> only{};      ///< Ids given with --only; empty: all of the tier.
   std::vector<Record> records;          ///< One for each selected case.
   std::vector<Requirement> requirements;
-  std::vector<std::string> families;  ///< Of cases, in the order of the report.
+  std::vector<std::string> families;  ///< Families of cases, in the order of the report.
   std::vector<Erratum> errata;
   std::vector<Peer> peers;
   std::vector<Finding> findings{};      ///< Of registered cases.
@@ -108,7 +108,7 @@ struct Results {
 
 [[nodiscard]] Counts counts_of(const Results& results);
 
-/// True if something was run, each selected case left one record, in that order, and each of these passed.
+/// True if something was run, each selected case has one record, in that order, and each of these passed.
 [[nodiscard]] bool holds(const Results& results);
 
 }  // namespace talus::records

@@ -23,7 +23,7 @@ void fields(auto& f, Like<Provenance> auto& provenance) {
   f.words("date", provenance.date);
 }
 
-/// The date must be one.
+/// Checks that the date is valid.
 void demand_sound(const Node& node, const Provenance& provenance);
 
 void fields(auto& f, Like<Counts> auto& counts) {
@@ -112,7 +112,7 @@ void fields(auto& f, Like<Results> auto& results) {
   f.derived("verdict", std::string(holds(results) ? "pass" : "fail"), ", which follows from the cases");
 }
 
-/// Each selected case is registered and has one record, and each family of a case is listed.
+/// Checks that each selected case is registered and has one record, and that each case's family is listed.
 void demand_sound(const Node& node, const Results& results);
 
 }  // namespace talus::records

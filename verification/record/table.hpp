@@ -7,7 +7,7 @@
 
 namespace talus::records {
 
-/// A table of the report; cells are text as they are to be printed.
+/// A table of the report; cells are the text to print.
 struct Table {
   std::string name;     ///< Unique in its case.
   std::string caption;  ///< What the rows show; Markdown.
@@ -15,9 +15,9 @@ struct Table {
   std::vector<std::vector<std::string>> rows{};  ///< Each as long as `columns`.
 };
 
-/// A table of data in tidy form, a row for each measurement: kept as NAME.csv beside the record.
+/// A table of data in tidy form, one row per measurement, stored as NAME.csv beside the record.
 struct DataFile {
-  std::string name;  ///< File stem, letters, digits and '_'; unlike the names of the case's figures.
+  std::string name;  ///< File stem, letters, digits and '_'; different from the names of the case's figures.
   std::vector<std::string> columns;
   std::vector<std::vector<std::string>> rows;  ///< Each as long as `columns`.
 };
@@ -25,7 +25,7 @@ struct DataFile {
 /// The CSV text of a data file.
 [[nodiscard]] std::string csv_of(const DataFile& file);
 
-/// The data file of that name and content.
+/// The data file with that name and content.
 [[nodiscard]] DataFile data_file(const std::string& name, const Csv& csv);
 
 }  // namespace talus::records

@@ -19,7 +19,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Ends the name of a temporary file; six letters or digits follow.
+/// Marks the name of a temporary file; six letters or digits follow.
 constexpr std::string_view ending = ".talus-";
 constexpr std::size_t letters = 6;
 
@@ -27,7 +27,7 @@ FileError file_error(const fs::path& file, int reason) {
   return FileError{fmt::format("{}: {}", file.string(), std::strerror(reason))};
 }
 
-/// An open file, which is closed, and removed unless it was kept, at the end of its life.
+/// An open file; the destructor closes it and removes it unless keep() was called.
 class Descriptor {
  public:
   Descriptor(int number, std::string path_to_remove) : number_{number}, path_{std::move(path_to_remove)} {}
@@ -39,7 +39,7 @@ class Descriptor {
   }
 
   int number() const { return number_; }
-  /// Closes the file; 0 or the system's reason.
+  /// Closes the file; returns 0 or the system's error number.
   int close() {
     const int number = number_;
     number_ = -1;
@@ -52,7 +52,7 @@ class Descriptor {
   std::string path_;
 };
 
-/// 0 or the system's reason.
+/// Returns 0 or the system's error number.
 int write_all(int number, std::string_view content) {
   while (!content.empty()) {
     const ssize_t count = ::write(number, content.data(), content.size());
@@ -70,7 +70,7 @@ void write_directly(const fs::path& file, std::string_view content) {
   if (const int reason = target.close()) throw file_error(file, reason);
 }
 
-/// A name that no other call of this process and hardly one of another gives.
+/// A name that is unique in this process and almost certainly among others.
 std::string temporary_name(const fs::path& file) {
   static std::atomic<std::uint32_t> calls{0};
   std::uint64_t number = static_cast<std::uint64_t>(::getpid()) * 65537U + calls++;
@@ -82,7 +82,7 @@ std::string temporary_name(const fs::path& file) {
   return (file.parent_path() / name).string();
 }
 
-/// A new file with the usual permissions.
+/// A new file with default permissions.
 Descriptor temporary_file(const fs::path& file, std::string& path) {
   for (;;) {
     path = temporary_name(file);

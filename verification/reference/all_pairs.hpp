@@ -4,15 +4,15 @@
 
 namespace talus::verification::reference {
 
-/// Discs in the open plane that push each other by a spring and a dashpot that cannot pull. Each step tries all pairs.
+/// Discs in the open plane with spring-dashpot contacts that cannot pull. Each step tests all pairs.
 struct AllPairs {
   double stiffness{};                        ///< [F/L]
   double damping{};                          ///< [F T/L]
   std::vector<double> radius, inverse_mass;  ///< [L], [1/M]
   std::vector<double> x, y, vx, vy;          ///< [L], [L/T]
-  bool backwards{};                          ///< the pairs in the opposite order
+  bool backwards{};                          ///< process the pairs in the opposite order
 
-  /// A kick and a drift over h; forces see the velocities of before the kick.
+  /// Kick and drift over h; forces use the velocities before the kick.
   void step(double h);
 };
 

@@ -68,7 +68,7 @@ bool is_runge_kutta(Scheme scheme) {
          scheme == Scheme::cash_karp54 || scheme == Scheme::fehlberg78;
 }
 
-/// ln of the spectral radius of a linear map, given by what it does to a vector.
+/// ln of the spectral radius of a linear map, given as a function of a vector.
 double ln_radius(int size, const std::function<Eigen::VectorXd(const Eigen::VectorXd&)>& map) {
   Eigen::MatrixXd matrix(size, size);
   for (int i = 0; i < size; ++i)
@@ -77,8 +77,8 @@ double ln_radius(int size, const std::function<Eigen::VectorXd(const Eigen::Vect
 }
 
 /// One step of SRKN_6^b (Blanes & Moan 2002, Table 3) in q, u = h v and h^2 a of the last kick: six drifts, each
-/// followed by a kick, whose dashpot sees the velocity of before it; the first kick takes the acceleration of the step
-/// before.
+/// followed by a kick, whose dashpot uses the velocity before the kick; the first kick uses the acceleration of the
+/// previous step.
 Eigen::Vector3d composed(double q, double u, double a, double k, double d) {
   constexpr double a1 = 0.245298957184271, a2 = 0.604872665711080, a3 = 0.5 - a1 - a2;
   constexpr double b1 = 0.0829844064174052, b2 = 0.396309801498368, b3 = -0.0390563049223486;
@@ -92,8 +92,8 @@ Eigen::Vector3d composed(double q, double u, double a, double k, double d) {
   return {q, u, a};
 }
 
-/// Leapfrogs, velocity Verlet, Taylor and compositions in q, u = h v and, as the third, what is kept: an old u or h^2
-/// a. `d` = 2 xi eta.
+/// Leapfrogs, velocity Verlet, Taylor and compositions in q, u = h v and a third stored variable: an old u or h^2 a.
+/// `d` = 2 xi eta.
 double ln_staggered(Scheme scheme, double eta, double xi) {
   const double k = eta * eta, d = 2.0 * xi * eta;
   using Vector = Eigen::VectorXd;
@@ -134,8 +134,8 @@ double ln_staggered(Scheme scheme, double eta, double xi) {
   });
 }
 
-/// Values of the eight Lagrange polynomials through the times `first`, first - 1, ..., first - 7 integrated over (0,
-/// 1): the weights of Adams' formulas, Bashforth's with first = 0 and Moulton's with first = 1.
+/// Integrals over (0, 1) of the eight Lagrange polynomials through the times `first`, first - 1, ..., first - 7: the
+/// weights of Adams' formulas, Bashforth's with first = 0 and Moulton's with first = 1.
 std::array<double, 8> adams_weights(int first) {
   std::array<double, 8> weights{};
   for (int j = 0; j < 8; ++j) {
@@ -156,8 +156,8 @@ std::array<double, 8> adams_weights(int first) {
   return weights;
 }
 
-/// y(n+1) = y(n) + z (m_0 p + sum m_j y(n+1-j)), p = y(n) + z sum b_j y(n-j): the companion matrix of y(n), ..,
-/// y(n-7).
+/// Largest modulus for y(n+1) = y(n) + z (m_0 p + sum m_j y(n+1-j)), p = y(n) + z sum b_j y(n-j): the companion matrix
+/// of y(n), .., y(n-7).
 double ln_adams(Complex z) {
   static const std::array<double, 8> bashforth = adams_weights(0), moulton = adams_weights(1);
   Eigen::MatrixXcd companion = Eigen::MatrixXcd::Zero(8, 8);
@@ -175,7 +175,7 @@ double ln_adams(Complex z) {
 std::vector<double> stability_polynomial(Scheme scheme) {
   const Tableau table = tableau(scheme);
   std::vector<double> coefficients{1.0};
-  // Of z^n: the weights times the n-th vector, of which the first is all ones and each next one is A times the last.
+  // Coefficient of z^n: weights times the n-th vector; the first vector is all ones, each next one is A times the last.
   std::vector<double> vector(table.rows.size(), 1.0);
   for (std::size_t n = 0; n < table.rows.size(); ++n) {
     double sum = 0.0;
@@ -197,7 +197,7 @@ double ln_growth(Scheme scheme, double eta, double xi) {
   const Complex root = std::sqrt(Complex{xi * xi - 1.0, 0.0});
   double largest = -std::numeric_limits<double>::infinity();
   for (const double sign : {1.0, -1.0}) {
-    if (sign < 0.0 && xi <= 1.0) break;  // the conjugate, whose moduli are the same
+    if (sign < 0.0 && xi <= 1.0) break;  // conjugate root: same moduli
     const Complex z = eta * (-xi + sign * root);
     if (scheme == Scheme::abm8) {
       largest = std::max(largest, ln_adams(z));
@@ -234,7 +234,7 @@ std::vector<double> limits(Scheme scheme, double xi, double most, int parts) {
 }
 
 double ln_multiplier(std::span<const Motion> runs, int dimension, double noise) {
-  const int lags = (dimension + 1) / 2;  // of two numbers each
+  const int lags = (dimension + 1) / 2;  // each state has two numbers
   Eigen::Index columns = 0;
   for (const Motion& states : runs)
     columns += std::max<Eigen::Index>(0, static_cast<Eigen::Index>(states.size()) - lags);
@@ -255,7 +255,7 @@ double ln_multiplier(std::span<const Motion> runs, int dimension, double noise) 
       next.col(c) /= size;
     }
   }
-  // The map on the space that the states fill: next = A now, by least squares in that space.
+  // Map on the space spanned by the states: next = A now, by least squares in that space.
   const Eigen::JacobiSVD<Eigen::MatrixXd> split{now, Eigen::ComputeThinU | Eigen::ComputeThinV};
   const Eigen::VectorXd sizes = split.singularValues();
   Eigen::Index rank = 0;

@@ -10,18 +10,18 @@
 namespace talus::verification::reference {
 namespace {
 
-/// Half the angle of the outline below the wall. By the sine of its half: near the touch nothing cancels.
+/// Half the angle of the outline below the wall. Computed from the sine of its half: no cancellation near first touch.
 long double half_angle(long double radius, long double depth) {
   return 2.0L * std::asin(std::sqrt(0.5L * std::max(depth, 0.0L) / radius));
 }
 
-/// A above [L^2].
+/// A of the header [L^2].
 long double depth_sum(long double radius, long double depth) {
   const long double a = half_angle(radius, depth);
   return 2.0L * radius * (radius * std::sin(a) - (radius - std::max(depth, 0.0L)) * a);
 }
 
-/// Depth and its rate while closing (force as above), or while parting.
+/// Equations of overlap and overlap rate while closing (force as in the header) and while parting.
 class Bed {
  public:
   Bed(const BedOfSprings& bed, double mass) : R_{bed.radius}, k_{bed.stiffness}, t_{bed.relaxation}, m_{mass} {}
@@ -31,7 +31,7 @@ class Bed {
   }
   long double parting_force(const Coordinates& y) const { return k_ * depth_sum(R_, y[0] + t_ * y[1]); }
 
-  /// Over k: B d' + t (B d'' + B' d'^2), B' = 2/sin a.
+  /// Rate of the closing force over k: B d' + t (B d'' + B' d'^2), B' = 2/sin a.
   long double closing_force_rate(const Coordinates& y) const {
     const long double a = half_angle(R_, y[0]), rate = y[1];
     return 2.0L * R_ * a * (rate - t_ * closing_force(y) / m_) + t_ * rate * rate * 2.0L / std::sin(a);
@@ -74,10 +74,10 @@ BedImpact bed_impact(const BedOfSprings& bed, double effective_mass, double spee
   if (!(bed.radius > 0.0 && bed.stiffness > 0.0 && bed.relaxation >= 0.0 && effective_mass > 0.0 && speed > 0.0))
     throw std::invalid_argument("bed_impact: needs R, k, m, v > 0 and t >= 0");
   const Bed moving{bed, effective_mass};
-  // A time in which the depth does not grow past the scale on which springs of one radius would stop the bodies.
+  // A time in which the overlap does not exceed the scale on which springs of one radius would stop the bodies.
   const long double longest = 0.01L * std::sqrt(effective_mass / (bed.stiffness * bed.radius));
-  // The force begins as the root of the depth: from a little behind the touch, by which time v has lost
-  // (k t/m) int B dd = (k t/m) (4/3) sqrt(2 R) d^(3/2).
+  // The force begins as the square root of the overlap: the integration starts shortly after touch, when v has
+  // decreased by (k t/m) int B dd = (k t/m) (4/3) sqrt(2 R) d^(3/2).
   const long double first = 1e-12L * bed.radius;
   const long double lost = bed.stiffness * bed.relaxation / effective_mass * (4.0L / 3.0L) *
                            std::sqrt(2.0L * bed.radius) * first * std::sqrt(first);

@@ -23,7 +23,7 @@ void demand_sound(const YieldingCable& cable) {
   }
 }
 
-/// The piece of Y on which p lies, its end not included.
+/// Segment of Y that contains p, excluding its end.
 struct Piece {
   Real50 stretch, force, slope;
   bool last{};
@@ -65,7 +65,7 @@ CableDraw draw(const YieldingCable& cable, double mass, double speed, double str
   std::size_t i = piece_of(cable, stretch);
   Piece on = piece(cable, i);
   Real50 p = stretch, force = on.force + on.slope * (p - on.stretch), left = energy;
-  // Of `left` the cable holds Y(p)^2/(2 k) at its turn; what is more draws it out.
+  // At its turn the cable stores Y(p)^2/(2 k) of `left`; the excess draws it further.
   if (left <= force * force / (2 * k)) return {nearest(sqrt(2 * k * energy)), stretch, 0.0, speed};
   for (;;) {
     const Real50 slope = on.slope;

@@ -1,6 +1,6 @@
 #pragma once
 
-/// One coordinate under a constant acceleration, exactly and by the semi-implicit Euler rule.
+/// One coordinate under a constant acceleration: exact solution and error of the semi-implicit Euler rule.
 namespace talus::verification::reference {
 
 struct ConstantForce {
@@ -13,8 +13,8 @@ struct ConstantForce {
 [[nodiscard]] double place_at(const ConstantForce& flight, double t);
 [[nodiscard]] double speed_at(const ConstantForce& flight, double t);
 
-/// What v += h a, x += h v makes of the place in `steps` steps less the exact place: the speed of step i is v0 + i h a,
-/// so that x = x0 + n h v0 + h^2 a n (n + 1)/2, too far by a h t/2 [L], t = n h.
+/// Error of the position after `steps` steps of v += h a, x += h v: the speed in step i is v0 + i h a, so that
+/// x = x0 + n h v0 + h^2 a n (n + 1)/2, which exceeds the exact position by a h t/2 [L], t = n h.
 [[nodiscard]] double semi_implicit_euler_error(const ConstantForce& flight, double step, long steps);
 
 }  // namespace talus::verification::reference

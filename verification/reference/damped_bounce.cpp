@@ -42,11 +42,11 @@ struct Decay {
   }
 };
 
-/// A piece of motion from `start`, in local time.
+/// One segment of motion from `start`, in local time.
 struct Piece {
   bool touching{};
-  Real50 start, x, v;         // time, depth and rate at the start
-  std::optional<Real50> end;  // duration; none: for ever
+  Real50 start, x, v;         // time, overlap and overlap rate at the start
+  std::optional<Real50> end;  // duration; none if unbounded
 };
 
 struct BounceMotion {
@@ -58,7 +58,7 @@ struct BounceMotion {
     s = sqrt(abs((1 - xi) * (1 + xi)));
   }
 
-  [[nodiscard]] Decay depth(const Piece& piece) const {  // less `rest`
+  [[nodiscard]] Decay depth(const Piece& piece) const {  // minus `rest`
     const Real50 y = piece.x - rest;
     return {w0, xi, s, y, piece.v / w0 + xi * y};
   }
@@ -69,15 +69,15 @@ struct BounceMotion {
     return piece.touching ? depth(piece).rate()(t) : Real50(piece.v + g * t);
   }
 
-  // First fall to zero of f(t) = decay(t) + offset, offset >= 0: down to its first minimum it falls from the maximum
-  // before, later minima are higher (the decay), and without a minimum it tends to offset from above.
+  // First fall to zero of f(t) = decay(t) + offset, offset >= 0. Until its first minimum f falls from the preceding
+  // maximum, later minima are higher (decay), and without a minimum f tends to offset from above.
   [[nodiscard]] static std::optional<Real50> first_fall(const Decay& decay, const Real50& offset) {
     const Decay rate = decay.rate();
     const auto f = [&](const Real50& t) { return Real50(decay(t) + offset); };
     Real50 top(0);
     std::optional<Real50> extremum = rate.first_zero();
     if (!extremum) return std::nullopt;
-    if (rate.rate()(*extremum) < 0) {          // a maximum: the minimum is half a period later
+    if (rate.rate()(*extremum) < 0) {          // a maximum: the minimum follows half a period later
       if (decay.xi >= 1) return std::nullopt;  // one extremum only: f tends to offset from above, never reaching 0
       top = *extremum;
       extremum = top + boost::math::constants::pi<Real50>() / (decay.s * decay.w0);
@@ -99,24 +99,24 @@ struct BounceMotion {
   [[nodiscard]] std::optional<Real50> contact_duration(const Piece& piece) const {
     const Decay y = depth(piece);
     if (rule == EndRule::attractive) return first_fall(y, rest);
-    // force/mass = g - x'': the decay -x'' with the offset g
+    // force/mass = g - x'': decay -x'' with the offset g
     Decay force = y.rate().rate();
     force.p = -force.p;
     force.q = -force.q;
     return first_fall(force, g);
   }
 
-  // A flight that starts outside, or inside with enough speed to leave.
+  // A flight that starts outside the wall, or inside with enough speed to leave it.
   [[nodiscard]] bool ends_at_wall(const Piece& flight) const {
     return flight.x <= 0 || g == 0 || flight.v * flight.v > 2 * g * flight.x;
   }
 
-  // Roots of the flight. Outside, x rises to 0; inside (clamped only) the law's force w0^2 x + 2 xi w0 x' rises to 0.
+  // End of a flight: outside, x rises to 0; inside (clamped only), the law's force w0^2 x + 2 xi w0 x' rises to 0.
   [[nodiscard]] std::optional<Real50> flight_duration(const Piece& piece) const {
     if (g == 0) return piece.v > 0 ? std::optional<Real50>(-piece.x / piece.v) : std::nullopt;
     // x = 0 is reached from outside at t = (-v + sqrt(v^2 - 2 g x))/g.
     if (ends_at_wall(piece)) return (-piece.v + sqrt(piece.v * piece.v - 2 * g * piece.x)) / g;
-    // w0^2 (x + v t + g t^2/2) + 2 xi w0 (v + g t) = 0, its later root: there the force rises.
+    // Later root of w0^2 (x + v t + g t^2/2) + 2 xi w0 (v + g t) = 0, where the force rises.
     const Real50 lag = 2 * xi / w0;
     const Real50 b = piece.v + lag * g;
     const Real50 c = piece.x + lag * piece.v;
@@ -145,7 +145,7 @@ Piece first_piece(const DampedBounce& drop, const BounceMotion& motion) {
 Piece next_piece(const BounceMotion& motion, const Piece& piece) {
   Piece next{!piece.touching, piece.start + *piece.end, motion.x_at(piece, *piece.end), motion.v_at(piece, *piece.end),
              std::nullopt};
-  // Known zeros exactly: round-off of the wrong sign would be a contact already open.
+  // Set x to exactly zero where it is known: round-off of the wrong sign would mean a contact that is already open.
   if (piece.touching ? motion.rule == EndRule::attractive : motion.ends_at_wall(piece)) next.x = 0;
   next.end = next.touching ? motion.contact_duration(next) : motion.flight_duration(next);
   return next;

@@ -11,7 +11,7 @@ OscillatorState state_at(const DampedOscillator& oscillator, double t) {
     throw std::invalid_argument("damped oscillator: frequency > 0, 0 <= damping ratio < 1 and t >= 0 are required");
   const double a = xi * w0, w = w0 * std::sqrt(1.0 - xi * xi);
   const double y0 = oscillator.displacement, v0 = oscillator.velocity;
-  // v = exp(-a t) [v0 cos(w t) + s sin(w t)]; v^2 has a steady part and one of twice the frequency.
+  // v = exp(-a t) [v0 cos(w t) + s sin(w t)]; v^2 has a steady part and a part at twice the frequency.
   const double s = -(a * v0 + w0 * w0 * y0) / w;
   const double decay = std::exp(-a * t), cosine = std::cos(w * t), sine = std::sin(w * t);
   const double twice_cosine = std::cos(2.0 * w * t), twice_sine = std::sin(2.0 * w * t), square = decay * decay;

@@ -1,10 +1,11 @@
 #pragma once
 
-/// A mass between a linear spring and a dashpot, exactly, below critical damping.
+/// Exact motion of a mass between a linear spring and a dashpot, below critical damping.
 ///
 /// y = displacement from rest [L], a = xi w0 [1/T], w = w0 sqrt(1 - xi^2) [1/T]:
 ///   y = exp(-a t) [y0 cos(w t) + (v0 + a y0)/w sin(w t)]
-/// A dashpot c dissipates c times the integral of v^2, which is integrated in closed form, not taken from the energy.
+/// The energy dissipated by a dashpot c is c times the integral of v^2, which is integrated in closed form, not derived
+/// from the energy.
 namespace talus::verification::reference {
 
 struct DampedOscillator {
@@ -20,7 +21,7 @@ struct OscillatorState {
   double squared_velocity{};  ///< integral of v^2 from 0 to t [L^2/T]
 };
 
-/// The state at a time t >= 0 [T]. Errors: std::invalid_argument for parameters out of range.
+/// State at a time t >= 0 [T]. Throws std::invalid_argument for parameters out of range.
 [[nodiscard]] OscillatorState state_at(const DampedOscillator& oscillator, double t);
 
 }  // namespace talus::verification::reference

@@ -10,9 +10,9 @@ namespace {
 
 constexpr double never = std::numeric_limits<double>::infinity();
 
-/// First w t > 0 at which a swing cos(w t - phase) rises through `level`; never if it does not reach it.
+/// First w t > 0 at which cos(w t - phase) rises through `level`; `never` if it does not reach it.
 double rise(double level, double phase) {
-  // A swing that only just reaches the level turns there.
+  // An oscillation that only just reaches the level turns there.
   if (!(level < 1.0 - 1e-14)) return never;
   double angle = phase - std::acos(level);
   while (angle <= 1e-13)
@@ -47,7 +47,7 @@ DraggedSliderMotion::DraggedSliderMotion(const DraggedSlider& problem, double un
   }
 }
 
-/// Which way the slider goes from here; 0: not at all.
+/// Direction in which the slider slips from here; 0: it sticks.
 int DraggedSliderMotion::way(double slip_rate, double stretch) const {
   if (std::abs(stretch) < limit_) return 0;
   const int outward = stretch > 0.0 ? 1 : -1;

@@ -2,16 +2,16 @@
 
 #include <vector>
 
-/// A body that rests on a plane with a constant normal force and is dragged along it against friction by a spring and
-/// a slider in series, in closed form.
+/// Closed-form motion of a body that rests on a plane with a constant normal force and is dragged along it against
+/// friction by a spring and a slider in series.
 ///
 /// With the slip rate v of the contact point, the stretch s of the spring, the limit L = mu N/k_s and the mobility n of
 /// the contact point (a force F along the plane changes v at the rate n F/m; n = 1 for a particle, 1 + m r^2/I for a
 /// disc that may roll):
-///   stick   s' = v,   v' = a - n k_s s/m      while |s| < L: a swing about s = m a/(n k_s) with w = sqrt(n k_s/m)
+///   stick   s' = v,   v' = a - n k_s s/m      while |s| < L: oscillation about s = m a/(n k_s), w = sqrt(n k_s/m)
 ///   slip    s = +-L,  v' = a -+ n mu N/m      while v keeps its sign: constant acceleration
-/// The drive a (gravity along the plane) moves the centre of mass and the contact point alike, so that the centre's
-/// velocity is v_0 + a t - J/m with the friction's impulse J = m (v(0) + a t - v)/n.
+/// The drive a (gravity along the plane) accelerates the centre of mass and the contact point equally, so that the
+/// centre's velocity is v_0 + a t - J/m with the friction impulse J = m (v(0) + a t - v)/n.
 namespace talus::verification::reference {
 
 struct DraggedSlider {
@@ -29,7 +29,7 @@ struct DraggedSlider {
 struct SliderState {
   double slip_rate{};   ///< v [L/T]
   double stretch{};     ///< s [L]
-  double slipped{};     ///< path of the slider, whatever way [L] >= 0; mu N times it is lost
+  double slipped{};     ///< slip distance of the slider in either direction [L] >= 0; dissipates mu N times it
   double speed_gain{};  ///< change of the centre's velocity since the start [L/T]
 };
 
@@ -44,7 +44,7 @@ class DraggedSliderMotion {
 
   struct Phase {
     double begin{};      ///< [T]
-    int slips{};         ///< 0: sticks; +1, -1: the way it slips
+    int slips{};         ///< 0: sticks; +1, -1: direction of slip
     double slip_rate{};  ///< at `begin` [L/T]
     double stretch{};    ///< at `begin` [L]
     double slipped{};    ///< before `begin` [L]
@@ -63,8 +63,8 @@ class DraggedSliderMotion {
   std::vector<Phase> phases_;
 };
 
-/// Amplitude of the slip rate that is left when a slip ends on a level plane: the spring, stretched by mu N/k_s, swings
-/// with the mass m/n that the contact feels, at most mu N sqrt(n/(m k_s)) [L/T].
+/// Amplitude of the slip rate after slip ends on a level plane: the spring, stretched by mu N/k_s, oscillates with the
+/// effective mass m/n of the contact, at most mu N sqrt(n/(m k_s)) [L/T].
 [[nodiscard]] double swing_after_slip(const DraggedSlider& problem);
 
 }  // namespace talus::verification::reference

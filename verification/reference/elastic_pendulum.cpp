@@ -14,7 +14,7 @@
 namespace talus::verification::reference {
 namespace {
 
-// Coordinates: swing angle, its rate, stretch d, its rate. Polar, so that the stretch of a stiff spring keeps its
+// Coordinates: angle, its rate, elongation d, its rate. Polar, so that the elongation of a stiff spring keeps its
 // digits:
 //   d'' = r th'^2 + g cos th - (k/m) d,   r th'' = -g sin th - 2 d' th'.
 enum Place : std::size_t { angle, rate, stretch, stretch_rate };
@@ -81,7 +81,8 @@ double period_softening(double amplitude) {
   if (!(amplitude > 0.0 && amplitude < std::numbers::pi)) {
     throw std::invalid_argument("period_softening: needs 0 < amplitude < pi");
   }
-  // dK/dq = (E - q' K)/(2 q q'), dE/dq = (E - K)/(2 q), q' = 1 - q; 50 digits carry the differences down to A = 1e-8.
+  // dK/dq = (E - q' K)/(2 q q'), dE/dq = (E - K)/(2 q), q' = 1 - q; 50 digits preserve the differences down to
+  // A = 1e-8.
   const Real50 k = sin(Real50(amplitude) / 2);
   const Real50 q = k * k;
   const Real50 rest = cos(Real50(amplitude) / 2) * cos(Real50(amplitude) / 2);

@@ -3,22 +3,25 @@
 #include <span>
 #include <vector>
 
-/// A mass hung by a linear spring (a cable that never goes slack), swinging in the plane; and its rigid limit.
+/// A mass hung by a linear spring (a cable that never goes slack), as a pendulum in the plane; and its rigid limit.
 ///
-///   stretch d = sqrt(x^2 + y^2) - L, tension T = k d;  m x'' = -T x/r,  m y'' = -T y/r - m g  (pin at 0, y up).
-/// Released at rest at the angle A from the vertical, with the stretch that follows the load: d = m g cos(A)/k.
+///   elongation d = sqrt(x^2 + y^2) - L, tension T = k d;  m x'' = -T x/r,  m y'' = -T y/r - m g  (pin at 0, y up).
+/// Released at rest at the angle A from the vertical, with the elongation that balances the load: d = m g cos(A)/k.
 ///
-/// Leading effect of the stiffness on the period, eps = m g/(k L). With r = L + d the Lagrangian is
+/// Leading-order effect of the stiffness on the period, eps = m g/(k L). With r = L + d the Lagrangian is
 ///   m r^2 th'^2/2 + m g r cos th + m d'^2/2 - k d^2/2.
-/// A stiff spring follows its load, d = T/k with T = m L th'^2 + m g cos th, leaving L_rigid + T^2/(2k) + O(eps^2).
+/// A stiff spring is in balance with its load, d = T/k with T = m L th'^2 + m g cos th, so that the Lagrangian is
+/// L_rigid + T^2/(2k) + O(eps^2).
 /// A small change dL of the Lagrangian changes the action J(E) = oint p dq at fixed energy by oint dL dt, and the
-/// period is dJ/dE. At the turning point E = -m g L cos A - (m g cos A)^2/(2k). Hence at fixed amplitude, in units m =
+/// period is dJ/dE. At the turning point E = -m g L cos A - (m g cos A)^2/(2k). Hence at fixed amplitude, in units
+/// m = g = L = 1 (E_rigid = -cos A, dE = sin A dA, T = 3 cos th - 2 cos A on the rigid motion):
 /// g = L = 1 (E_rigid = -cos A, dE = sin A dA, T = 3 cos th - 2 cos A on the rigid motion):
-///   T(eps) = T_0 + eps T_1,   T_1 = [ (1/2) dI/dA - (1/2) cos^2 A dT_0/dA ]/sin A,   I = oint (3 cos th - 2 cos A)^2
-///   dt.
+///   T(eps) = T_0 + eps T_1,   T_1 = [ (1/2) dI/dA - (1/2) cos^2 A dT_0/dA ]/sin A,
+///   I = oint (3 cos th - 2 cos A)^2 dt.
 /// With cos th = 1 - 2 q sn^2, q = sin^2(A/2), and the integrals of sn^2 and sn^4,
 ///   I = 4 [ K (16 q^2 - 28 q + 13) + E (24 q - 12) ],  T_0 = 4 K,  T_1 = (1/4) [ dI/dq - (1 - 2q)^2 4 dK/dq ].
-/// A -> 0: T_1 = pi = T_0/2, which is the exact small swing 2 pi sqrt((L + m g/k)/g) to first order. (Derivation here.)
+/// A -> 0: T_1 = pi = T_0/2, which is the exact small oscillation 2 pi sqrt((L + m g/k)/g) to first order. (Derived
+/// here.)
 namespace talus::verification::reference {
 
 /// Any consistent system of units.
@@ -43,7 +46,7 @@ struct ElasticPendulumState {
 [[nodiscard]] std::vector<ElasticPendulumState> elastic_pendulum_states(const ElasticPendulum& pendulum,
                                                                         std::span<const double> times);
 
-/// Time between the first and third passage through x = 0 [T], located. Costs some hundred sqrt(1/eps) steps.
+/// Time between the first and third passage through x = 0 [T], located. Costs a few hundred times sqrt(1/eps) steps.
 [[nodiscard]] double elastic_pendulum_period(const ElasticPendulum& pendulum);
 
 /// Period of the rigid pendulum of length L at the same amplitude [T]: 4 K(sin(A/2)) sqrt(L/g).

@@ -1,12 +1,12 @@
 #pragma once
 
-/// When a spring-dashpot contact, of force F = k d - c s (depth d, separation rate s = -d', c s < 0 while closing),
-/// ends.
+/// End of a spring-dashpot contact with force F = k d - c s (overlap d, separation rate s = -d', c s < 0 while
+/// closing).
 namespace talus::verification::reference {
 
 enum class EndRule {
-  attractive,  ///< F acts while d >= 0, so it pulls just before the end: the 1993 report's behaviour (Eq. 21 holds).
-  clamped,     ///< The contact ends where F falls to zero, some depth being left: it never pulls.
+  attractive,  ///< F acts while d >= 0, so it pulls just before the end: behaviour of the 1993 report (Eq. 21 holds).
+  clamped,     ///< Zero-tension cut-off (LAMMPS `limit_damping`): contact ends when F falls to zero, with d > 0.
 };
 
 }  // namespace talus::verification::reference

@@ -17,14 +17,14 @@ void check(const GasOfDiscs& gas) {
   if (!fits) throw std::invalid_argument{"gas of discs: a number is out of its range"};
 }
 
-/// A symmetric tensor.
+/// Symmetric tensor.
 struct Tensor {
   double xx{}, xy{}, yy{};
 
   void add(double factor, double x, double y) { xx += factor * x * x, xy += factor * x * y, yy += factor * y * y; }
 };
 
-/// <q^n H(q)> of a Gaussian q.
+/// Moments <q^n H(q)> of a Gaussian q.
 struct ClosingMoments {
   double second{}, third{};
 
@@ -37,7 +37,7 @@ struct ClosingMoments {
   }
 };
 
-/// Lengths in d, times in 1/rate, masses in m.
+/// Collision terms, with lengths in d, times in 1/rate, masses in m.
 struct Collisions {
   Tensor production;  ///< dK/dt
   Tensor stress;      ///< over n m

@@ -7,10 +7,10 @@
 namespace talus::verification::reference {
 namespace {
 
-/// A mode of the pair, in coordinates scaled by the square roots of the masses.
+/// Mode of the pair, in coordinates scaled by the square roots of the masses.
 struct Swing {
   double frequency{};
-  double b{}, c{};  ///< amplitudes of the displacements for the start of the problem, times the frequency [L/T]
+  double b{}, c{};  ///< displacement amplitudes for the initial state, times the frequency [L/T]
 };
 
 std::array<Swing, 2> swings(const HungPair& p) {
@@ -19,10 +19,10 @@ std::array<Swing, 2> swings(const HungPair& p) {
   const double mean = 0.5 * (kbb + kcc), half = std::hypot(0.5 * (kbb - kcc), kbc);
   std::array<Swing, 2> found{};
   for (std::size_t i = 0; i < 2; ++i) {
-    // The smaller root without the difference of two like numbers.
+    // Smaller root without cancellation.
     const double large = mean + half;
     const double root = i == 0 ? large : p.stiffness_1 * p.stiffness_2 / (p.mass_b * p.mass_c) / large;
-    // (kbb - root) yb + kbc yc = 0, and the other row: the longer of both vectors.
+    // Eigenvector from (kbb - root) yb + kbc yc = 0 or from the other row: the longer of the two.
     double yb = -kbc, yc = kbb - root;
     if (std::abs(kcc - root) > std::abs(yc)) {
       yb = kcc - root;
@@ -35,7 +35,7 @@ std::array<Swing, 2> swings(const HungPair& p) {
   return found;
 }
 
-/// Where f falls or rises through zero between low and high.
+/// Zero crossing of f between low and high, rising or falling.
 template <class F>
 double crossing(F&& f, double low, double high) {
   const bool from = f(low) < 0.0;

@@ -14,7 +14,7 @@ struct Pair {
   Real50 x, y;
 };
 
-/// Sums over the links at the pull (H, V_0): where the chain ends, less where it shall, and the Jacobian of that.
+/// Sums over the links for the pull (H, V_0): chain end minus required end, and its Jacobian.
 struct Sums {
   Pair miss;
   Real50 xx, xy, yy;
@@ -39,7 +39,7 @@ Sums sums(const HangingChain& chain, const Real50& compliance, const Pair& pull)
   return s;
 }
 
-/// The solution of J p = -right.
+/// Solution of J p = -right.
 Pair solve(const Sums& s, const Pair& right) {
   const Real50 determinant = s.xx * s.yy - s.xy * s.xy;
   return {(s.xy * right.y - s.yy * right.x) / determinant, (s.xy * right.x - s.xx * right.y) / determinant};

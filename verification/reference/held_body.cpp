@@ -6,7 +6,7 @@
 namespace talus::verification::reference {
 namespace {
 
-/// How the disc stands to one post.
+/// Relative position of the disc and one post.
 struct Touch {
   Real ux, uy;   ///< from the disc's centre to the post's
   Real overlap;  ///< d

@@ -5,13 +5,13 @@
 
 #include "verification/reference/smooth_motion.hpp"
 
-/// Bodies held by springs that never let go, and motions prescribed to them.
+/// Bodies held by springs that never separate or go slack, and motions prescribed to them.
 namespace talus::verification::reference {
 
 /// A taut cable from a point of the body to a point of the world.
 struct Tie {
-  double body_x{}, body_y{};      ///< in the body's own directions, from its centre of mass
-  double anchor_x{}, anchor_y{};  ///< in the world
+  double body_x{}, body_y{};      ///< in the body frame, from the centre of mass
+  double anchor_x{}, anchor_y{};  ///< in the world frame
   double rest_length{};
   double stiffness{};
   double damping{};
@@ -25,7 +25,7 @@ struct Post {
   double x{}, y{}, radius{};
 };
 
-/// A disc pressed on one or two fixed ones, which it never leaves and on which it never slips.
+/// A disc pressed against one or two fixed discs, from which it never separates and on which it never slips.
 struct PressedDisc {
   double radius{}, mass{}, inertia{};
   double normal_stiffness{}, slip_stiffness{};
@@ -33,12 +33,13 @@ struct PressedDisc {
   std::vector<Post> posts;
 };
 
-/// With u from the disc's centre to the post's, d the overlap, t = u turned by a quarter counter-clockwise:
-///   slip of the post past the disc  z' = -(v.t + w (r - d/2));   force on the disc  -k_n d u + k_s z t,  at (r - d/2)
-///   u.
+/// With u the unit vector from the disc's centre to the post's, d the overlap, t = u turned by a quarter
+/// counter-clockwise:
+///   slip of the post past the disc  z' = -(v.t + w (r - d/2))
+///   force on the disc               -k_n d u + k_s z t,  at (r - d/2) u.
 [[nodiscard]] SmoothSystem pressed_disc(const PressedDisc& disc);
 
-/// A sum of swings, and of a steady motion.
+/// Sum of sinusoids and a uniform motion.
 struct Wave {
   struct Swing {
     double amplitude{}, frequency{}, phase{};
@@ -46,11 +47,11 @@ struct Wave {
   double start{}, speed{};
   std::vector<Swing> swings;
 
-  /// The n-th derivative of start + speed t + sum of amplitude sin(frequency t + phase).
+  /// n-th derivative of start + speed t + sum of amplitude sin(frequency t + phase).
   [[nodiscard]] Real derivative(int n, Real t) const;
 };
 
-/// A motion prescribed to a body, its memory known in closed form.
+/// A motion prescribed to a body, with its history variables z known in closed form.
 struct PrescribedMotion {
   std::array<Wave, 3> coordinates;
   std::function<Memories(Real t)> memory;
@@ -58,10 +59,10 @@ struct PrescribedMotion {
   [[nodiscard]] SmoothState at(Real t) const;
 };
 
-/// Acceleration that must be added to those of the springs for the body to move as prescribed.
+/// Acceleration that must be added to that of the springs so that the body moves as prescribed.
 [[nodiscard]] Triple forcing(const SmoothSystem& springs, const PrescribedMotion& motion, Real t);
 
-/// The springs with that forcing.
+/// The springs together with that forcing.
 [[nodiscard]] SmoothSystem forced(const SmoothSystem& springs, const PrescribedMotion& motion);
 
 }  // namespace talus::verification::reference

@@ -12,8 +12,8 @@
 namespace talus::verification::reference {
 namespace {
 
-/// Integral of y^(-1/5) over the angle from touch to end, y for v = 1. It is singular where y = 0: the rule is told the
-/// distance from the nearer end, so that y keeps its digits there.
+/// Integral of y^(-1/5) over the angle from touch to end, y for v = 1. The integrand is singular where y = 0: the
+/// quadrature passes the distance from the nearer end, so that y keeps its digits there.
 double inverse_root_integral(double xi, EndRule end) {
   const double s = std::sqrt((1.0 - xi) * (1.0 + xi));
   const bool attractive = end == EndRule::attractive;

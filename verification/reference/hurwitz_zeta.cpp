@@ -10,7 +10,7 @@ double hurwitz_zeta_of_minus(double p, double u) {
   if (!(p > -1.0 && p <= 4.0 && u > 0.0 && u <= 1.0))
     throw std::invalid_argument("hurwitz_zeta: needs -1 < p <= 4 and 0 < u <= 1");
   constexpr int terms = 30;
-  // The sum is carried in long double: its digits cancel against the integral.
+  // Summed in long double, because the sum cancels against the integral.
   const long double s = -static_cast<long double>(p), a = u, end = a + terms;
   long double sum = 0.0L;
   for (int j = 0; j < terms; ++j)

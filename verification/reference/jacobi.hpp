@@ -11,7 +11,7 @@
 ///   K = pi/(2 a_N),   E = K (1 - sum_n 2^{n-1} c_n^2),   phi_N = 2^N a_N u,
 ///   sin(2 phi_{n-1} - phi_n) = (c_n/a_n) sin phi_n,   am(u) = phi_0
 /// (Abramowitz and Stegun, 16.4, 17.6; the third line is Landen's descending transformation). Both the modulus k and
-/// the complementary k' are given, so that nothing is lost near k = 1; dn^2 = k'^2 + k^2 cn^2 is a sum without
+/// the complementary k' are given, so that no digits are lost near k = 1; dn^2 = k'^2 + k^2 cn^2 is a sum without
 /// cancellation.
 namespace talus::verification::reference {
 
@@ -47,7 +47,7 @@ class ArithmeticGeometricMean {
     Real b = modulus.complement;
     a_[0] = Real(1);
     c_[0] = modulus.k;
-    // c falls quadratically: c_{n+1} is about c_n^2/(4 a), so a squared below one eps ends the list after one more.
+    // c converges quadratically: c_{n+1} is about c_n^2/(4 a), so once c^2 is below eps the list ends after one more.
     while (count_ + 1 < levels && abs(c_[count_]) > std::numeric_limits<Real>::epsilon() * a_[count_]) {
       const Real a = a_[count_];
       ++count_;

@@ -13,13 +13,13 @@ namespace {
 
 enum class Branch { open, loading, unloading, slack };
 
-/// One contact: the line that it is on, and what it remembers.
+/// History of one contact: its branch and its largest overlap.
 struct Latch {
   Branch branch{Branch::open};
   long double largest{};  ///< M
 };
 
-/// The chain on its way from change to change. Coordinates: displacements from t = 0, then velocities.
+/// The chain, advanced from branch change to branch change. Coordinates: displacements from t = 0, then velocities.
 class MovingChain {
  public:
   explicit MovingChain(const LatchingChain& chain) : chain_{chain}, discs_{chain.velocity.size()} {
@@ -35,7 +35,7 @@ class MovingChain {
     found_.largest.resize(latches_.size());
   }
 
-  /// Goes on to `limit`, or to the end of all forces.
+  /// Advances to `limit`, or to the time at which all forces have ended.
   void advance(long double limit) {
     while (time_ < limit && !ended()) {
       std::vector<Guard> guards;
@@ -49,7 +49,7 @@ class MovingChain {
     }
   }
 
-  /// All contacts are without force, and no disc is faster than the next.
+  /// True if no contact has a force and no disc is faster than the next.
   bool ended() const {
     for (std::size_t c = 0; c < latches_.size(); ++c) {
       const Branch branch = latches_[c].branch;
@@ -74,11 +74,11 @@ class MovingChain {
  private:
   long double overlap(std::size_t c, const Coordinates& y) const { return y[c] - y[c + 1] - chain_.gap[c]; }
   long double overlap_rate(std::size_t c, const Coordinates& y) const { return y[discs_ + c] - y[discs_ + c + 1]; }
-  /// K1/K2, and d0.
+  /// K1/K2; residual() is d0.
   long double ratio() const { return static_cast<long double>(chain_.loading) / chain_.unloading; }
   long double residual(const Latch& latch) const { return latch.largest * (1.0L - ratio()); }
 
-  /// A thirtieth of the time in which the stiffest contact of two discs swings by a radian.
+  /// One thirtieth of the time per radian of oscillation of the stiffest contact of two discs.
   long double longest_step() const { return std::sqrt(chain_.mass / (2.0L * chain_.unloading)) / 30.0L; }
 
   long double force(std::size_t c, const Coordinates& y) const {
@@ -97,7 +97,7 @@ class MovingChain {
     }
   }
 
-  /// Of each contact what ends its line, and the line that follows.
+  /// Guards that end each contact's branch, with the branch that follows.
   void watch(std::vector<Guard>& guards, std::vector<std::pair<std::size_t, Branch>>& follows) const {
     for (std::size_t c = 0; c < latches_.size(); ++c) {
       const auto ends = [&](Guard guard, Branch next) {
@@ -140,7 +140,7 @@ class MovingChain {
     latch.branch = next;
   }
 
-  /// Books what a contact has kept, and forgets how far it was pressed.
+  /// Accumulates the energy dissipated by a contact and resets its largest overlap.
   void forget(std::size_t c) {
     const long double largest = latches_[c].largest;
     kept_ += 0.5L * chain_.loading * largest * largest * (1.0L - ratio());
@@ -167,7 +167,7 @@ LatchingChain struck_chain(std::size_t count, double ratio, double mass, double 
 
 ChainRebound chain_rebound(const LatchingChain& chain) {
   MovingChain moving{chain};
-  // The longest that discs without forces need to meet is not bounded; that of a piece with forces is.
+  // The time until discs without forces meet is not bounded; the duration of a segment with forces is.
   moving.advance(std::numeric_limits<long double>::max());
   return moving.rebound();
 }

@@ -5,15 +5,15 @@
 
 #include "verification/reference/restitution.hpp"
 
-/// Impact through a spring that latches (Walton & Braun, J. Rheology 30 (1986) 949), in closed form.
+/// Impact with a latching spring (Walton & Braun, J. Rheology 30 (1986) 949), in closed form.
 ///
-/// With the depth d and the largest depth M since the touch, F = K1 d while d = M grows, F = K2 (d - d0) on the way
-/// back, d0 = M (1 - K1/K2), K2 = K + S K1 M; F >= 0. With w1 = sqrt(K1/m), w2 = sqrt(K2/m):
-/// - Loading is a quarter swing: d = (v/w1) sin(w1 t), M = v/w1 at t = pi/(2 w1).
-/// - So K2 = K + S K1 v/w1, and F = K1 M there on both lines. Unloading is a quarter swing of d - d0 from K1 M/K2 to 0:
-///   d - d0 = (K1 M/K2) cos(w2 (t - pi/(2 w1))), which ends at t = pi/(2 w1) + pi/(2 w2) with the depth d0.
-/// - The speed there is (K1 M/K2) w2 = v w1/w2: e = w1/w2 = sqrt(K1/K2). (The energy had back is F^2/(2 K2) of
-///   F^2/(2 K1) put in.) With K = K1: e = 1/sqrt(1 + S v/w1).
+/// With the overlap d and its maximum M since touch, F = K1 d while d = M grows, F = K2 (d - d0) during unloading,
+/// d0 = M (1 - K1/K2), K2 = K + S K1 M; F >= 0. With w1 = sqrt(K1/m), w2 = sqrt(K2/m):
+/// - Loading is a quarter period: d = (v/w1) sin(w1 t), M = v/w1 at t = pi/(2 w1).
+/// - So K2 = K + S K1 v/w1, and F = K1 M there on both branches. Unloading is a quarter period of d - d0 from K1 M/K2
+///   to 0: d - d0 = (K1 M/K2) cos(w2 (t - pi/(2 w1))), which ends at t = pi/(2 w1) + pi/(2 w2) with the overlap d0.
+/// - The speed there is (K1 M/K2) w2 = v w1/w2: e = w1/w2 = sqrt(K1/K2). (The energy recovered is F^2/(2 K2) of the
+///   input F^2/(2 K1).) With K = K1: e = 1/sqrt(1 + S v/w1).
 namespace talus::verification::reference {
 
 struct LatchingImpact {
@@ -28,20 +28,21 @@ struct LatchingEvents {
   double loading_frequency{};    ///< w1 [rad/T]
   double unloading_frequency{};  ///< w2 [rad/T]
   double restitution{};          ///< e
-  double turn_time{};            ///< of the largest depth, from touch [T]
-  double contact_time{};         ///< until the force has fallen to zero [T]
-  double largest_depth{};        ///< M [L]
-  double residual_depth{};       ///< d0, where the force falls to zero [L]
+  double turn_time{};            ///< time of the largest overlap, from touch [T]
+  double contact_time{};         ///< until the force falls to zero [T]
+  double largest_depth{};        ///< largest overlap M [L]
+  double residual_depth{};       ///< overlap d0, where the force falls to zero [L]
 };
 
-/// std::invalid_argument outside the ranges above.
+/// Events of the impact. std::invalid_argument outside the ranges above.
 [[nodiscard]] LatchingEvents latching_events(const LatchingImpact& impact);
 
-/// Depth and its rate at time t >= 0 after touch; after the contact time at the exit speed.
+/// Overlap and its rate at time t >= 0 after touch; after the contact time, motion at the exit speed.
 [[nodiscard]] DepthState latching_depth_at(const LatchingImpact& impact, double t);
 
-/// Force at each depth of a path, from its history alone: M is the largest depth since the path was last at or below
-/// zero, F = max(0, min(K1 d, K2 (d - d0))). Mass and speed are not used. The path has to show its turning points.
+/// Force at each overlap of a path, from its history alone: M is the largest overlap since the path was last at or
+/// below zero, F = max(0, min(K1 d, K2 (d - d0))). Mass and speed are not used. The path must contain its turning
+/// points.
 [[nodiscard]] std::vector<double> latching_forces(const LatchingImpact& law, std::span<const double> path);
 
 }  // namespace talus::verification::reference

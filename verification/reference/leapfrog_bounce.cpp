@@ -15,8 +15,8 @@ LeapfrogBounce leapfrog_bounce(double eta, double theta) {
   // Lengths in v0 h. x(n) = a sin(n p) + b cos(n p) through x(0) = theta - 1 and x(1) = theta.
   const double p = 2.0 * std::asin(0.5 * eta);
   const double b = theta - 1.0, a = (theta - b * std::cos(p)) / std::sin(p);
-  const double before = std::atan2(-b, a);  // a sine that starts so late
-  // The first whole n > 0 at which n p - before >= pi, or the next where rounding says else.
+  const double before = std::atan2(-b, a);  // phase of the sine at its start
+  // First integer n > 0 at which n p - before >= pi, or the next one because of rounding.
   long n = std::max(2L, static_cast<long>(std::floor((std::numbers::pi + before) / p)));
   const auto x = [&](long i) {
     const double angle = static_cast<double>(i) * p;

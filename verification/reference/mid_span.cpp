@@ -25,7 +25,7 @@ double mid_span_force(const MidSpan& span, double w) {
 double mid_span_period(const MidSpan& span, double amplitude) {
   const double stretch = amplitude * amplitude / (std::hypot(span.length, amplitude) + span.length);
   const TwoCable cables{.stiffness = span.stiffness, .length = span.length, .mass = span.mass};
-  // Energy: m v^2/2 = 2 k s^2/2 on the way through the middle.
+  // Energy: m v^2/2 = 2 k s^2/2 when the mass passes the middle.
   return 4.0 * TwoCableMotion{cables, stretch * std::sqrt(2.0 * span.stiffness / span.mass)}.time_to_turning();
 }
 

@@ -38,7 +38,7 @@ class Solution {
         end_{end},
         frequency_{std::sqrt(impact.mobility * impact.tangential_stiffness / impact.normal.effective_mass)} {}
 
-  /// Phase by phase to the end of the friction.
+  /// Integrates phase by phase to the end of friction.
   ObliqueRebound solve() const {
     ObliqueRebound found;
     Phase phase{0.0, 0, impact_.slip_rate, 0.0};
@@ -86,7 +86,7 @@ class Solution {
 
   double end_of(const Phase& phase) const {
     constexpr int grid = 4000;
-    // Two swings that keep step touch the limit all along, but for round-off.
+    // Two oscillations in phase are at the limit all along, except for round-off.
     const double noise = phase.slips != 0 ? 0.0 : -1e-13 * impact_.normal.approach_speed / frequency_;
     double low = phase.begin;
     for (int i = static_cast<int>(phase.begin / end_ * grid) + 1; i <= grid; ++i) {
@@ -105,7 +105,7 @@ class Solution {
     return end_;
   }
 
-  /// mu N (v - N' mu/k_s) over the phase, by Simpson's rule on 2000 pieces: error of order 1e-14 of the result.
+  /// mu N (v - N' mu/k_s) over the phase, by Simpson's rule on 2000 intervals: error of order 1e-14 of the result.
   double dissipated(const Phase& phase, double until) const {
     if (phase.slips == 0) return 0.0;
     constexpr int pieces = 2000;

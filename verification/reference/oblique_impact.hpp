@@ -7,12 +7,12 @@
 /// Oblique impact of a body on a plane: a linear spring and dashpot along the normal, friction by a spring and a slider
 /// in series along the plane.
 ///
-/// Along the normal the impact is that of restitution.hpp: N = k d + c d', until N falls to zero (a contact that may
-/// pull has no friction while it pulls). Along the plane, with slip rate v, stretch s and mobility n as in
+/// Along the normal the impact is that of restitution.hpp: N = k d + c d', until N falls to zero (an attractive contact
+/// has no friction while it pulls). Along the plane, with slip rate v, stretch s and mobility n as in
 /// dragged_slider.hpp,
 ///   stick   s' = v,                v' = -n k_s s/m      while k_s |s| < mu N
-///   slip    s = +-mu N/k_s,        v' = -+n mu N/m      while the slider goes on that way: +-v > mu N'/k_s
-/// Both are solved in closed form (during slip v changes by n mu times the normal's change of speed); the ends of the
+///   slip    s = +-mu N/k_s,        v' = -+n mu N/m      while slip continues in that direction: +-v > mu N'/k_s
+/// Both are solved in closed form (during slip v changes by n mu times the change of the normal speed); the ends of the
 /// phases are bracketed on a fine grid and bisected to round-off.
 namespace talus::verification::reference {
 
@@ -26,26 +26,26 @@ struct ObliqueImpact {
 
 struct ObliqueRebound {
   double slip_rate{};   ///< v afterwards [L/T]
-  double speed_lost{};  ///< friction's impulse over the mass: what the centre loses along the plane [L/T]
+  double speed_lost{};  ///< friction impulse over mass: tangential speed loss of the centre [L/T]
   double separation{};  ///< speed away from the plane afterwards [L/T]
   double dissipated{};  ///< work of the slider [F L]
   struct Phase {
     double begin{};      ///< after touch [T]
-    int slips{};         ///< 0: sticks; +1, -1: the way it slips
+    int slips{};         ///< 0: sticks; +1, -1: direction of slip
     double slip_rate{};  ///< [L/T]
     double stretch{};    ///< [L]
   };
   std::vector<Phase> phases;
 };
 
-/// What the impact does; std::invalid_argument for a damping ratio >= 1 or a problem outside the ranges above.
+/// Rebound; std::invalid_argument for a damping ratio >= 1 or a problem outside the ranges above.
 [[nodiscard]] ObliqueRebound rebound(const ObliqueImpact& impact, EndRule end);
 
-/// Rigid impact with friction that slips all through: the centre loses mu (1 + e) v_n along the plane.
+/// Rigid impact with friction that slips throughout: the centre loses mu (1 + e) v_n along the plane.
 [[nodiscard]] double speed_lost_by_gross_sliding(double friction, double restitution, double approach_speed);
 
-/// Undamped: the largest ratio v/v_n for which the slip never begins, mu k/k_s, if n k_s = k: both swings then keep
-/// step, and the slip rate is turned round.
+/// Undamped: the largest ratio v/v_n without slip, mu k/k_s, if n k_s = k: the normal and tangential oscillations are
+/// then in phase, and the slip rate is reversed.
 [[nodiscard]] double full_stick_ratio(const ObliqueImpact& impact);
 
 }  // namespace talus::verification::reference

@@ -8,7 +8,7 @@
 namespace talus::verification::reference {
 namespace {
 
-/// The outline's own axes, with their sine and cosine taken once.
+/// Local frame of the outline, with its sine and cosine computed once.
 class Frame {
  public:
   explicit Frame(const Outline& o) : x_{o.x}, y_{o.y}, c_{std::cos(o.angle)}, s_{std::sin(o.angle)} {}
@@ -22,7 +22,7 @@ class Frame {
   double x_, y_, c_, s_;
 };
 
-/// A point of the boundary, 0 <= share < 1, in the outline's own axes.
+/// Point of the boundary at the fraction 0 <= share < 1, in the outline's local frame.
 Point boundary_point(const Outline& o, double share) {
   const double a = o.size.a, b = o.kind == OutlineKind::circle ? o.size.a : o.size.b;
   if (o.kind == OutlineKind::rectangle) {
@@ -76,7 +76,7 @@ bool overlap_by_points(const Outline& a, const Outline& b, int count) {
 
 namespace {
 
-/// How far b must move in the direction of the angle to no longer overlap a.
+/// Displacement of b in the direction of the angle after which it no longer overlaps a.
 double displacement(const Outline& a, Outline b, double angle, int count) {
   const double c = std::cos(angle), s = std::sin(angle), x = b.x, y = b.y;
   const auto overlaps = [&](double by) {

@@ -4,33 +4,32 @@
 
 #include "verification/reference/superellipse.hpp"
 
-/// Whether two outlines overlap, by brute force: many points of each boundary, tried one by one in the other.
+/// Brute-force overlap test of two outlines: many points of each boundary are tested one by one against the other.
 namespace talus::verification::reference {
 
 enum class OutlineKind { circle, rectangle, superellipse, half_plane };
 
-/// An outline placed in the plane: its own axes at (x, y), turned counter-clockwise by `angle`. A half-plane is all
-/// that lies below its own x axis.
+/// An outline placed in the plane: its origin at (x, y), turned counter-clockwise by `angle`. A half-plane is the
+/// region below its local x axis.
 struct Outline {
   OutlineKind kind{};
   Superellipse size{};  ///< half axes of a rectangle, radius of a circle in a
   double x{}, y{}, angle{};
 };
 
-/// Does the world point lie inside?
+/// True if the world point lies inside.
 [[nodiscard]] bool contains(const Outline& outline, Point world);
 
-/// `count` points of the boundary in the world, none of a half-plane: on the sides of a rectangle at equal steps, of
-/// the others at equal steps of the parametric angle.
+/// `count` boundary points in world coordinates, none of a half-plane: at equal steps along the sides of a rectangle,
+/// at equal steps of the parametric angle otherwise.
 [[nodiscard]] std::vector<Point> boundary(const Outline& outline, int count);
 
-/// Does a point of one boundary lie in the other? If so they overlap; overlaps narrower than the points' spacing may be
-/// missed.
+/// True if a point of one boundary lies in the other outline. Overlaps narrower than the point spacing may be missed.
 [[nodiscard]] bool overlap_by_points(const Outline& a, const Outline& b, int count = 400);
 
-/// Length of the shortest displacement of b after which it no longer overlaps a (of outlines apart, minus their
+/// Length of the shortest displacement of b after which it no longer overlaps a (for separate outlines, minus their
 /// distance), by brute force: the displacement along each of many directions by bisection of overlap_by_points(), the
-/// shortest refined by golden sections; the distance over all pairs of points. Of curved outlines off by about
+/// shortest refined by golden sections; the distance over all pairs of points. The error for curved outlines is about
 /// (2 pi/count)^2/8 of their radius.
 [[nodiscard]] double least_displacement(const Outline& a, const Outline& b, int count);
 

@@ -11,7 +11,7 @@
 namespace talus::verification::reference {
 namespace {
 
-// k and k' of a swing from rest; both from the angle itself, so k' keeps its digits up to 180 degrees.
+// k and k' of a libration from rest; both from the angle itself, so that k' keeps its digits up to 180 degrees.
 template <class Real>
 Modulus<Real> modulus_of_amplitude(double amplitude) {
   using std::cos;
@@ -61,7 +61,7 @@ PendulumMotion::PendulumMotion(Start start, double frequency, double value)
     quarter_period_ = std::numeric_limits<long double>::infinity();
     return;
   }
-  // A rotation passes half a turn in K(1/k) of its argument k w0 t, a full one in twice that: the "quarter" is K/2.
+  // A rotation completes half a turn in K(1/k) of its argument k w0 t, a full one in twice that: the "quarter" is K/2.
   const auto modulus = modulus_of_rate<long double>(frequency, value);
   const long double half_rate = static_cast<long double>(value) / 2.0L;
   quarter_period_ = k < 1.0 ? quarter_period(modulus, static_cast<long double>(frequency))

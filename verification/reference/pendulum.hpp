@@ -2,7 +2,7 @@
 
 #include <string>
 
-/// The rigid (mathematical or compound) pendulum  x'' = -w0^2 sin x,  in elliptic functions.
+/// Exact motion of the rigid (mathematical or compound) pendulum  x'' = -w0^2 sin x  in elliptic functions.
 ///
 /// Energy: x'^2/2 + w0^2 (1 - cos x) = const, so x'^2 = x'_0^2 - 4 w0^2 sin^2(x/2) from the bottom, with
 /// k = x'_0/(2 w0):
@@ -28,19 +28,19 @@ class PendulumMotion {
   /// Passes the bottom, x = 0, with x' = `rate` [rad/T] (> 0) at t = 0: libration, separatrix or rotation.
   [[nodiscard]] static PendulumMotion from_bottom(double frequency, double rate);
 
-  /// Time after which the motion repeats, for a rotation of one turn [T]; infinite on the separatrix.
+  /// Period [T], for a rotation the time of one turn; infinite on the separatrix.
   [[nodiscard]] double period() const { return static_cast<double>(4.0L * quarter_period_); }
   /// Largest angle [rad]; infinite for a rotation, pi on the separatrix.
   [[nodiscard]] double amplitude() const { return amplitude_; }
   /// x'^2/2 + w0^2 (1 - cos x) [1/T^2], the energy over the inertia, 0 at rest at the bottom.
   [[nodiscard]] double energy() const { return energy_; }
 
-  /// State at any t (of either sign), evaluated in long double and rounded: the error is a few units of the last place
-  /// of the double, times the condition of the motion, which near 180 degrees magnifies an error of t.
+  /// State at any t (of either sign), evaluated in long double and rounded: the error is a few units in the last place
+  /// of the double, times the condition of the motion, which near 180 degrees amplifies an error of t.
   [[nodiscard]] PendulumState at(double t) const;
-  /// The same evaluated at 50 digits from the same doubles (slow: about a millisecond).
+  /// State evaluated at 50 digits from the same doubles (slow: about a millisecond).
   [[nodiscard]] PendulumState at_50_digits(double t) const;
-  /// The period at 50 digits, in decimal to 45 digits.
+  /// Period computed at 50 digits, printed to 45 decimal digits.
   [[nodiscard]] std::string period_45_digits() const;
 
  private:

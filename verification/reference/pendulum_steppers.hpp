@@ -5,14 +5,15 @@
 #include <string_view>
 #include <vector>
 
-/// odeint's steppers on the rigid pendulum x'' = -w0^2 sin x, released at rest: another maker's integrators in double.
+/// The rigid pendulum x'' = -w0^2 sin x, released at rest, integrated by odeint's steppers: independent integrators in
+/// double.
 namespace talus::verification::reference {
 
 struct PendulumStepper {
   std::string_view name;
-  int order{};        ///< Of the solution that is carried on; 0: chosen step by step.
-  bool fixed_step{};  ///< Can run with a given step.
-  bool controlled{};  ///< Can run under a tolerance.
+  int order{};        ///< Order of the solution that is continued; 0: chosen step by step.
+  bool fixed_step{};  ///< Supports a fixed step.
+  bool controlled{};  ///< Supports a tolerance.
 };
 
 /// rk4, cash_karp54, dopri5, fehlberg78, adams_bashforth_moulton (8 steps, started by fehlberg78), bulirsch_stoer.
@@ -22,23 +23,24 @@ struct PendulumRun {
   std::string stepper;    ///< A name of the list.
   double frequency{1.0};  ///< w0 [rad/T] > 0.
   double amplitude{1.0};  ///< x(0) [rad], 0 < x < pi; at rest.
-  double duration{};      ///< Time at the end [T] > 0.
-  int steps{};            ///< > 0: that many equal steps; 0: under `tolerance`.
+  double duration{};      ///< Final time [T] > 0.
+  int steps{};            ///< > 0: number of equal steps; 0: under `tolerance`.
   double tolerance{};     ///< Absolute and relative error of a step, when steps = 0.
 };
 
 struct PendulumRunResult {
   double angle{};                 ///< x at the end [rad].
   double rate{};                  ///< x' at the end [rad/T].
-  double angle_error{};           ///< At the end, against the elliptic functions [rad], signed.
+  double angle_error{};           ///< At the end, relative to the elliptic functions [rad], signed.
   double rate_error{};            ///< At the end [rad/T], signed.
   double largest_angle_error{};   ///< Over all accepted steps [rad].
   double largest_energy_error{};  ///< |E - E(0)|/E(0) over all accepted steps.
-  std::int64_t evaluations{};     ///< Of the right-hand side, rejected steps and starting steps included.
-  std::int64_t accepted_steps{};  ///< As said.
+  std::int64_t evaluations{};     ///< Evaluations of the right-hand side, including rejected and starting steps.
+  std::int64_t accepted_steps{};  ///< Number of accepted steps.
 };
 
-/// Throws std::invalid_argument on an unknown stepper (the message lists the names), or one that cannot run as asked.
+/// Throws std::invalid_argument for an unknown stepper (the message lists the names) or one that does not support the
+/// requested mode.
 [[nodiscard]] PendulumRunResult run_pendulum(const PendulumRun& run);
 
 }  // namespace talus::verification::reference

@@ -18,7 +18,7 @@ double arm(const PivotedCylinder& p) { return p.length / 2.0; }
 
 // w1^2 = factor (1 - cos theta) = 2 factor sin^2(theta/2).
 double turning_angle(double angular, double factor) {
-  return 2.0 * std::asin(std::abs(angular) / std::sqrt(2.0 * factor));  // NaN from asin beyond 1: it turns over
+  return 2.0 * std::asin(std::abs(angular) / std::sqrt(2.0 * factor));  // asin gives NaN beyond 1: it turns over
 }
 
 double weight_factor(const PivotedCylinder& p) { return p.mass * p.gravity * p.length / inertia_about_pin(p); }
@@ -27,12 +27,14 @@ double reduced_mass(const PivotedCylinder& p) {
   return effective_mass(1.0 / p.rock_mass, 1.0 / effective_column_mass(p));
 }
 
-// Places in Coordinates. `depth` is integrated too (a function of the others): its digits are not lost in p - p_G.
+// Indices in Coordinates. `depth` is also integrated (it is a function of the others) to avoid the loss of digits in
+// p - p_G.
 enum Place : std::size_t { theta, omega, px, py, vx, vy, depth };
 
-/// Origin at G at rest, pin at (0, h); u = (cos, sin) is the column's cross axis, a = (-sin, cos) its long axis.
-/// G = (h sin, h - h cos), n = -u. Foot of the rock's centre: height b = a . (p - p_G) above G along the axis. Its
-/// material velocity along u is v_G . u + ... = theta' (h - b): the lever arm about the pin times the rate. Hence
+/// Origin at the initial position of G, pin at (0, h); u = (cos, sin) is the column's cross axis, a = (-sin, cos) its
+/// long axis. G = (h sin, h - h cos), n = -u. The projection of the rock's centre onto the face lies at height
+/// b = a . (p - p_G) above G along the axis. Its material velocity along u is theta' (h - b): the lever arm about the
+/// pin times the rate. Hence
 ///   depth' = v . u - theta' (h - b),   I_p theta'' = F (h - b) - m g h sin theta,   M p'' = -F u - M g y.
 struct Laws {
   long double m, h, inertia, rock, g, kn, c;
@@ -69,7 +71,7 @@ struct Laws {
     dydt[vy] = -f * std::sin(y[theta]) / rock - g;
     dydt[depth] = closing(y);
   }
-  // dF/dt = k depth' + c depth'', by u' = theta' a, a' = -theta' u:
+  // dF/dt = k depth' + c depth'', with u' = theta' a, a' = -theta' u:
   //   lever = h cos theta - a . p,  lever' = -v . a + theta' (u . p - h sin theta),
   //   depth'' = p'' . u + theta' v . a - theta'' lever - theta' lever'.
   [[nodiscard]] long double force_rate(const Coordinates& y) const {
@@ -98,7 +100,7 @@ PivotedState state_of(const Laws& laws, const Trajectory& path, bool touching) {
           touching ? static_cast<double>(laws.force(y)) : 0.0};
 }
 
-// The largest value before `end`: at the start, where `rate` first falls to zero, or at the end.
+// Largest value before `end`: at the start, where `rate` first falls to zero, or at the end.
 double peak(Trajectory path, const Guard& rate, const std::function<long double(const Coordinates&)>& quantity,
             long double end) {
   const long double first = quantity(path.coordinates());
@@ -115,7 +117,7 @@ void swing_out(const PivotedCylinder& p, const Trajectory& release, PivotedSoftI
   const std::array<Guard, 2> guards{[](const Coordinates& y) { return y[omega]; },
                                     [](const Coordinates& y) { return -y[depth]; }};
   Trajectory path = release;
-  // Two small-swing periods: a column that turns over has no turning point and gives up there.
+  // Limit of two small-amplitude periods: a column that turns over has no turning point, and the search ends there.
   const long double limit =
       release.time() + 4.0L * std::numbers::pi_v<long double> / std::sqrt(weight_factor(p) / 2.0L);
   const auto first = path.advance_until(guards, limit);

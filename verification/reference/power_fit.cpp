@@ -11,9 +11,9 @@ namespace talus::verification::reference {
 namespace {
 
 constexpr int first_power = 100, last_power = 2000;  ///< thousandths
-constexpr int rounds = 30;                           ///< of slopes that make errors in y of errors in x
+constexpr int rounds = 30;                           ///< iterations of the slope that converts errors in x
 
-/// Errors in y, with what the slope of a fit makes of those in x.
+/// Errors in y, including the errors in x times the slope of the fit.
 std::vector<double> errors_of(const std::vector<FitPoint>& points, const PowerFit& fit) {
   std::vector<double> errors;
   for (const FitPoint& point : points) {
@@ -43,7 +43,7 @@ PowerFit solve(const std::vector<FitPoint>& points, const std::vector<double>& e
   return fit;
 }
 
-/// The chord from the first to the last point: a slope to begin with.
+/// Chord from the first to the last point: the initial slope.
 PowerFit chord(const std::vector<FitPoint>& points) {
   PowerFit fit{.power = 1.0};
   fit.factor = (points.back().y - points.front().y) / (points.back().x - points.front().x);

@@ -20,7 +20,7 @@ double column_frequency(int discs, double mass, double stiffness) {
 std::array<double, 2> pair_frequencies(const PressedPair& pair) {
   const double a = pair.mass_below, b = pair.mass_above;
   const double root = std::sqrt(a * a - a * b + b * b);
-  // The sum of both roots of the quadratic from the larger; their product is 3 k^2/(m_1 m_2).
+  // Sum and root give the larger solution of the quadratic; the product of both is 3 k^2/(m_1 m_2).
   const double larger = pair.stiffness * (a + b + root) / (a * b);
   const double smaller = 3.0 * pair.stiffness / (a + b + root);
   return {std::sqrt(smaller), std::sqrt(larger)};

@@ -5,12 +5,12 @@
 namespace talus::verification::reference {
 namespace {
 
-/// r_a.
+/// r_a of the header.
 double arm(const RollingDisc& disc) {
   return disc.radius - 0.5 * disc.mass * disc.gravity * std::cos(disc.angle) / disc.normal_stiffness;
 }
 
-/// q.
+/// q of the header.
 double inertia_ratio(const RollingDisc& disc) { return disc.inertia / (disc.mass * arm(disc) * arm(disc)); }
 
 }  // namespace

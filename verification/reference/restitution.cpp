@@ -20,7 +20,7 @@ void demand(bool holds, const char* what) {
 }
 
 // acos(xi) loses digits near xi = 1 and asin(s) near s = 1; with s^2 = (1 - xi)(1 + xi), whose factors are exact or
-// nearly so, one of them is always good. asin(s)/s and asinh(s)/s are well conditioned at s -> 0.
+// nearly so, one of the two is always accurate. asin(s)/s and asinh(s)/s are well conditioned at s -> 0.
 template <class T>
 T angle(const T& xi) {
   using std::acos;
@@ -37,7 +37,7 @@ double attractive_restitution(double xi) {
   return xi < 1.0 ? std::exp(-std::numbers::pi * xi / std::sqrt((1.0 - xi) * (1.0 + xi))) : 0.0;
 }
 
-// 2 xi A(xi) rises from 0 at xi = 0 through 2 at xi = 1; beyond, xi/s > 1 makes it larger than 2 asinh(s), so
+// 2 xi A(xi) rises from 0 at xi = 0 through 2 at xi = 1; for xi > 1, xi/s > 1 makes it larger than 2 asinh(s), so
 // s <= sinh(L/2), that is xi <= cosh(L/2).
 Real50 clamped_ratio(const Real50& logarithm) {
   if (logarithm == 0) return Real50(0);
@@ -52,9 +52,9 @@ Real50 clamped_ratio(const Real50& logarithm) {
 }
 
 double largest_force(const Impact& impact, double xi, double w) {
-  // With xi = cos f, s = sin f and u = w t, each derivative of exp(-xi u) sin(s u) by u adds pi - f to the phase. So
-  // d''' vanishes at s u = 3 f - pi (the first, if f > pi/3, that is xi < 1/2) and s u = 3 f; F = -m d'' is largest at
-  // the first, where it is m w v0 exp(-xi u). For xi >= 1/2 the force falls from the touch on.
+  // With xi = cos f, s = sin f and u = w t, each derivative of exp(-xi u) sin(s u) with respect to u adds pi - f to the
+  // phase. So d''' vanishes at s u = 3 f - pi (the first, if f > pi/3, that is xi < 1/2) and s u = 3 f; F = -m d'' is
+  // largest at the first, where it is m w v0 exp(-xi u). For xi >= 1/2 the force decreases from touch on.
   if (xi >= 0.5) return impact.damping * impact.approach_speed;
   const double s = std::sqrt((1.0 - xi) * (1.0 + xi));
   const double phase = (3.0 * std::acos(xi) - std::numbers::pi) / s;
@@ -118,8 +118,8 @@ DepthState depth_at(const Impact& impact, double t) {
   const Real50 s = sqrt(abs((1 - xi) * (1 + xi)));
   const Real50 u = w * t;
   const Real50 v0 = impact.approach_speed;
-  // S = sin(s u)/s, C = cos(s u) and their hyperbolic and limiting forms: d = v0 e^(-xi u) S/w, d' = v0 e^(-xi u)(C -
-  // xi S).
+  // S = sin(s u)/s, C = cos(s u) and their hyperbolic and limiting forms: d = v0 e^(-xi u) S/w, d' = v0 e^(-xi
+  // u)(C - xi S).
   const Real50 sine = s == 0 ? u : xi < 1 ? Real50(sin(s * u) / s) : Real50(sinh(s * u) / s);
   const Real50 cosine = s == 0 ? Real50(1) : xi < 1 ? Real50(cos(s * u)) : Real50(cosh(s * u));
   const Real50 decay = v0 * exp(-xi * u);

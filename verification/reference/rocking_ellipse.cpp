@@ -26,7 +26,7 @@ double small_rocking_frequency(const RockingEllipse& e) {
 double centre_height(const RockingEllipse& e, double angle) { return static_cast<double>(support(e, angle)); }
 
 double centre_way(const RockingEllipse& e, double angle) {
-  // Simpson's rule: h is smooth, and the pieces many.
+  // Simpson's rule: h is smooth, and there are many intervals.
   const Long step = Long{angle} / pieces;
   Long sum = support(e, 0) + support(e, angle);
   for (int i = 1; i < pieces; ++i)
@@ -41,7 +41,7 @@ double rocking_period(const RockingEllipse& e, double amplitude) {
     const Long u = (i + Long{0.5}) / pieces * half_turn / 2;
     const Long q = top * std::sin(u), left = top * (1 - std::sin(u));
     const Long h = support(e, q), slope = squares * std::sin(q) * std::cos(q) / h;
-    // h(top) - h(q) = (a^2 - b^2)(sin^2 top - sin^2 q)/(h(top) + h(q)), without the difference.
+    // h(top) - h(q) = (a^2 - b^2)(sin^2 top - sin^2 q)/(h(top) + h(q)), without cancellation.
     const Long fall = squares * std::sin(top + q) * std::sin(left) / (support(e, top) + h);
     sum += top * std::cos(u) * std::sqrt((gyration(e) + h * h + slope * slope) / (2 * e.gravity * fall));
   }

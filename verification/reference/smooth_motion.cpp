@@ -7,8 +7,8 @@
 namespace talus::verification::reference {
 namespace {
 
-/// Steps of the difference quotients, in units of time: their error is (w step)^2, and 1e-19/step, /step^2 of the
-/// rounding.
+/// Steps of the difference quotients, in units of time: their error is (w step)^2, plus rounding of 1e-19/step and
+/// 1e-19/step^2.
 constexpr Real first_quotient = 1e-6L, second_quotient = 2e-5L;
 
 template <std::size_t n>
@@ -36,7 +36,7 @@ Derivatives derivatives(const SmoothSystem& system, const SmoothState& x, Real t
   return found;
 }
 
-/// Change of the accelerations along a change of the state.
+/// Change of the accelerations for a change of the state.
 Triple change(const SmoothSystem& system, const SmoothState& x, Real t, const SmoothState& along) {
   Real size = 1.0L;
   for (std::size_t i = 0; i < 3; ++i)
@@ -46,7 +46,7 @@ Triple change(const SmoothSystem& system, const SmoothState& x, Real t, const Sm
              system.acceleration(x + (-d) * along, t));
 }
 
-/// Change of the slip rate along a change of places and velocities.
+/// Change of the slip rate for a change of positions and velocities.
 Memories slip_change(const SmoothSystem& system, const SmoothState& x, const Triple& q, const Triple& v) {
   constexpr Real d = first_quotient;
   const Memories up = system.slip(sum(x.q, d, q), x.v), down = system.slip(sum(x.q, -d, q), x.v);
@@ -79,7 +79,7 @@ SmoothState error_rate(const SmoothSystem& system, const SmoothState& x, Real t,
   return out;
 }
 
-/// What the method's state is more than the curve on which its places lie.
+/// Difference between the method's state and the curve on which its positions lie.
 SmoothState above_curve(const SmoothSystem& system, const SmoothState& x, Real t, const Kind& kind) {
   SmoothState out;
   const Derivatives d = derivatives(system, x, t);
@@ -95,7 +95,7 @@ SmoothState above_curve(const SmoothSystem& system, const SmoothState& x, Real t
   return out;
 }
 
-/// A motion and an error that is carried along.
+/// A motion with its error, integrated together.
 struct Pair {
   SmoothState x, e;
 };

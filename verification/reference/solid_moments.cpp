@@ -21,7 +21,7 @@ SolidMoments integrated_moments(Solid solid, double a, double b) {
     area = pi * half_width * across * shrink;
     second = area * half_width * half_width * shrink / 4;
   };
-  // Three points of Gauss, exact up to degree 5; the slices' are of degree 4 at most.
+  // Three-point Gauss quadrature, exact up to degree 5; the slices are of degree 4 at most.
   const Real50 at = half_height * sqrt(Real50{3} / 5);
   Real50 volume{0}, polar{0};
   for (const auto& [y, weight] : {std::pair{Real50{0}, 8}, std::pair{at, 5}, std::pair{Real50{-at}, 5}}) {

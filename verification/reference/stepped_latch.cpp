@@ -18,7 +18,7 @@ double determinant(StepMap map, double z) {
   return map == StepMap::euler ? 1.0 + z * z : map == StepMap::taylor ? 1.0 + 0.5 * z * z : 1.0;
 }
 
-/// Steps from x = 0 to v = 0, `way` 1, or back, -1.
+/// Number of steps from x = 0 to v = 0 (`way` 1), or back (-1).
 double quarter_in_steps(StepMap map, double z, double way) {
   const double trace = map == StepMap::euler ? 2.0 : map == StepMap::taylor ? 2.0 - 0.5 * z * z : 2.0 - z * z;
   const double angle = std::acos(0.5 * trace / std::sqrt(determinant(map, z)));
@@ -26,7 +26,7 @@ double quarter_in_steps(StepMap map, double z, double way) {
   return (quarter + way * tilt) / angle;
 }
 
-/// ln of what an amplitude grows by until the contact ends.
+/// ln of the growth of the amplitude until the contact ends.
 double growth(const SteppedLatch& latch) {
   const double z1 = latch.step, z2 = unloading_step(latch);
   return 0.5 * std::log(determinant(latch.map, z1)) * quarter_in_steps(latch.map, z1, 1.0) +

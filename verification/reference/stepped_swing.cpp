@@ -7,7 +7,7 @@
 namespace talus::verification::reference {
 namespace {
 
-/// x, v, and what a method carries along: the velocity of one step before, or the acceleration.
+/// x, v, and a third variable of the method: the velocity of the previous step, or the acceleration.
 using Vector = std::array<Real50, 3>;
 using Matrix = std::array<Vector, 3>;  // columns
 
@@ -61,7 +61,7 @@ Real50 unrounded(const SteppedSwing& swing) {
     unit[i] = 1;
     power[i] = stepped(swing.method, c, h, unit);
   }
-  // At rest at 1: the half step by which a stagger starts moves nothing.
+  // At rest at 1: the half step by which a staggered method starts has no effect.
   Vector end{1, 0, swing.method == SwingMethod::velocity_verlet ? -1 : 0};
   for (std::int64_t left = swing.steps; left > 0; left /= 2) {
     if (left % 2 == 1) end = power * end;

@@ -13,7 +13,7 @@ using Vector = std::array<Real50, 3>;
 
 struct Shape {
   std::array<int, 3> along;
-  int square;  ///< of the frequency, in k/m; 0: free
+  int square;  ///< square of the frequency, in k/m; 0: free
 };
 
 std::array<Shape, 3> shapes(std::array<bool, 2> closed) {
@@ -23,7 +23,7 @@ std::array<Shape, 3> shapes(std::array<bool, 2> closed) {
   return {{{{1, 0, 0}, 0}, {{0, 1, 0}, 0}, {{0, 0, 1}, 0}}};
 }
 
-/// Positions u and velocities at the start of a piece, and the contacts closed in it.
+/// Positions u and velocities at the start of a segment, and the contacts closed in it.
 struct Piece {
   Real50 start;
   Vector u, v;
@@ -68,7 +68,7 @@ struct Event {
   std::size_t contact;
 };
 
-/// The first change of a contact, from the piece's start; none when the discs part for ever.
+/// First change of a contact, measured from the start of the segment; none when the discs separate for ever.
 std::optional<Event> next_change(const Piece& piece, const Real50& w) {
   if (!piece.closed[0] && !piece.closed[1]) {
     std::optional<Event> first;
@@ -90,7 +90,7 @@ std::optional<Event> next_change(const Piece& piece, const Real50& w) {
         const Real50 middle = (low + high) / 2;
         (changed(after(piece, w, middle), c) ? high : low) = middle;
       }
-      // A 10^9th of a grid step away Newton's method doubles the digits each time.
+      // At 1e-9 of a grid step from the root, Newton's method doubles the digits in each iteration.
       for (int j = 0; j < 4; ++j) {
         const Moment near = after(piece, w, high);
         high -= near.overlap(c) / near.rate(c);
@@ -102,13 +102,13 @@ std::optional<Event> next_change(const Piece& piece, const Real50& w) {
   throw std::logic_error("struck_row: a contact that never opens");
 }
 
-/// Calls visit(piece, duration) for each piece; the last has none.
+/// Calls visit(piece, w, duration) for each segment; the last has no duration.
 template <class Visit>
 void for_each_piece(const StruckRow& row, Visit&& visit) {
   if (!(row.mass > 0.0 && row.stiffness > 0.0 && row.speed > 0.0 && row.gap >= 0.0))
     throw std::invalid_argument("struck_row: needs m, k, v > 0 and gap >= 0");
   const Real50 w = sqrt(Real50(row.stiffness) / Real50(row.mass));
-  // Discs that touch: the second contact closes with the first, for the second disc moves at once.
+  // For discs in contact the second contact closes together with the first, because the second disc moves at once.
   Piece piece{Real50(0),
               {Real50(0), Real50(0), Real50(row.gap)},
               {Real50(row.speed), Real50(0), Real50(0)},
@@ -119,7 +119,7 @@ void for_each_piece(const StruckRow& row, Visit&& visit) {
     if (!event) return;
     const Moment moment = after(piece, w, event->time);
     Piece next{piece.start + event->time, moment.u, moment.v, piece.closed};
-    // The overlap that vanishes does so exactly: round-off of the wrong sign would be a change of its own.
+    // Set the vanishing overlap to exactly zero: round-off of the wrong sign would be another change.
     const Real50 middle = (next.u[event->contact] + next.u[event->contact + 1]) / 2;
     next.u[event->contact] = next.u[event->contact + 1] = middle;
     next.closed[event->contact] = !next.closed[event->contact];

@@ -14,13 +14,13 @@ namespace {
 
 using boost::math::tgamma;
 
-/// (2 pi/M)^2/12 2 a b e^2 (2 - e), the common factor of what a polygon lacks.
+/// (2 pi/M)^2/12 2 a b e^2 (2 - e), the common factor of a polygon's deficits.
 double cut_off(const Superellipse& shape, double corners) {
   const double step = 2.0 * boost::math::constants::pi<double>() / corners, e = 2.0 / shape.n;
   return step * step / 6.0 * shape.a * shape.b * e * e * (2.0 - e);
 }
 
-/// Point of one face of the first quadrant at the share `along` of its coordinate: of the face x = a, y = b along.
+/// Face of the first quadrant; `along` is the fraction of its coordinate: for the face x = a, y = b along.
 struct Face {
   long double a, b, n;
   long double x(long double along) const { return a * std::pow(1.0L - std::pow(along, n), 1.0L / n); }
@@ -32,7 +32,7 @@ struct Found {
   long double x{}, y{};
 };
 
-/// The nearest point of one face: every step that is a local minimum, in plain doubles, is refined in long double.
+/// Nearest point of one face: every local minimum of the samples, in double, is refined in long double.
 Found search(const Face& face, Point p, int pieces) {
   const long double px = p.x, py = p.y;
   const auto distance = [&](long double along) { return std::hypot(face.x(along) - px, face.y(along) - py); };
@@ -47,7 +47,7 @@ Found search(const Face& face, Point p, int pieces) {
   const auto consider = [&](long double along) {
     if (const long double d = distance(along); d < best.distance) best = {d, face.x(along), face.y(along)};
   };
-  // Within a step of the least value lies the least distance.
+  // The least distance lies within one step of the smallest sample.
   const double enough = *std::min_element(coarse.begin(), coarse.end()) + 2.0 * (a + b) / pieces;
   for (int i = 0; i <= pieces; ++i) {
     const auto at = static_cast<std::size_t>(i);

@@ -15,9 +15,9 @@ namespace {
 
 using Stepper = boost::numeric::odeint::runge_kutta_fehlberg78<Coordinates, long double>;
 
-// A hundred units of the last place of a long double: tighter, and the error estimate is round-off itself.
+// A hundred units in the last place of a long double: with a tighter tolerance the error estimate is round-off itself.
 constexpr long double relative_tolerance = 1e-17L;
-// Only for components that stand exactly at zero: small against any length or speed that a reference carries.
+// Only for components that are exactly zero: small compared with any length or speed in the references.
 constexpr long double absolute_tolerance = 1e-23L;
 
 }  // namespace

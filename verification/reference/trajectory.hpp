@@ -5,13 +5,13 @@
 #include <span>
 #include <vector>
 
-/// Tight integration of a smooth system with located events, for references that have no closed form.
+/// Integration of a smooth system with a tight tolerance and located events, for references without a closed form.
 ///
-/// odeint's Runge-Kutta-Fehlberg 7(8) under step control in long double (64 bits of mantissa on x86: 1.1e-19), with the
-/// relative tolerance of one step at 1e-17. It shares nothing with the solver's integrators.
-/// An event is a guard that falls from positive to zero: the step that holds it is repeated with a shorter length,
-/// found by bracketing (TOMS 748), from the same starting point. The rates continue smoothly past the event, so each
-/// attempted step is one of a smooth system and the event is located to round-off.
+/// odeint's Runge-Kutta-Fehlberg 7(8) under step control in long double (64 bits of mantissa on x86: 1.1e-19), with a
+/// relative tolerance of 1e-17 per step. It shares no code with the solver's integrators. An event is a guard that
+/// falls from positive to zero: the step that contains it is repeated with a shorter length, found by bracketing (TOMS
+/// 748), from the same starting point. The rates continue smoothly past the event, so each attempted step is one of a
+/// smooth system and the event is located to round-off.
 namespace talus::verification::reference {
 
 using Coordinates = std::vector<long double>;
@@ -19,23 +19,23 @@ using Coordinates = std::vector<long double>;
 /// dy/dt = f(y); autonomous: time does not enter.
 using Rates = std::function<void(const Coordinates& y, Coordinates& dydt)>;
 
-/// Positive while the present piece of motion lasts.
+/// Guard function, positive while the present segment of motion lasts.
 using Guard = std::function<long double(const Coordinates& y)>;
 
 class Trajectory {
  public:
-  /// `longest_step` [T] caps the steps: a guard that falls and rises within one is not seen, so it must be a small part
-  /// (say a twentieth) of the shortest time scale of the guards.
+  /// `longest_step` [T] limits the steps: a guard that falls and rises within one is missed, so it must be a small
+  /// fraction (for example a twentieth) of the shortest time scale of the guards.
   Trajectory(Rates rates, Coordinates start, long double start_time, long double longest_step);
 
   [[nodiscard]] long double time() const { return time_; }
   [[nodiscard]] const Coordinates& coordinates() const { return y_; }
 
-  /// Goes on to exactly `t` (>= time()).
+  /// Integrates to exactly `t` (>= time()).
   void advance_to(long double t);
 
-  /// Goes on to the first fall of a guard from positive to zero, whose index it returns, or to `limit` (nothing
-  /// returned). A guard that is not positive at the start is watched from the moment at which it has become so.
+  /// Integrates to the first fall of a guard from positive to zero and returns its index, or to `limit` and returns
+  /// nothing. A guard that is not positive at the start is inactive until it becomes positive.
   [[nodiscard]] std::optional<std::size_t> advance_until(std::span<const Guard> guards, long double limit);
 
  private:

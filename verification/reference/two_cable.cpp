@@ -13,7 +13,7 @@
 namespace talus::verification::reference {
 namespace {
 
-/// The free motion in the letters of the header.
+/// The free motion in the notation of the header.
 template <class Real>
 struct Free {
   Real k, l, m, v1, s_max, x_max;
@@ -30,7 +30,7 @@ struct Free {
     return x * x / (sqrt(l * l + x * x) + l);
   }
 
-  // x_max - x = gap may be given apart from x: s_max - s = (x_max - x)(x_max + x)/(L_max + L).
+  // Uses s_max - s = (x_max - x)(x_max + x)/(L_max + L).
   [[nodiscard]] Real speed(const Real& x) const {
     using std::sqrt;
     const Real s = stretch(x);
@@ -49,7 +49,8 @@ struct Free {
   [[nodiscard]] Real time(const Real& u) const {
     if (u == 0) return Real(0);
     const auto f = [this](const Real& a) { return pace(a); };
-    // The rule stops on its 15-point error estimate; the 31-point value is then far better than this, round-off apart.
+    // The rule stops on its 15-point error estimate; the 31-point value is then far more accurate, except for
+    // round-off.
     const Real tolerance = 4096 * std::numeric_limits<Real>::epsilon();
     return boost::math::quadrature::gauss_kronrod<Real, 31>::integrate(f, Real(0), u, 12, tolerance);
   }
@@ -103,7 +104,7 @@ double TwoCableMotion::speed_at_angle(double theta) const {
 double TwoCableMotion::time_to_distance(double x) const {
   const Free<Real50> motion(problem_, launch_speed_);
   const Real50 sine = Real50(x) / motion.x_max;
-  // x_max is not a double: its own rounding may lie past it.
+  // x_max is not a double: its rounded value may lie beyond it.
   demand(x >= 0.0 && sine <= 1 + 4 * std::numeric_limits<double>::epsilon(), "TwoCableMotion: x outside [0, x_max]");
   return nearest(motion.time(sine >= 1 ? half_pi<Real50>() : Real50(asin(sine))));
 }
@@ -119,7 +120,7 @@ std::string TwoCableMotion::time_to_turning_40_digits() const {
 TwoCableMotion::State TwoCableMotion::at(double t) const {
   demand(t >= 0.0, "TwoCableMotion: t must be >= 0");
   const Free<long double> motion(problem_, launch_speed_);
-  // t = q quarters + rest; in odd quarters the motion runs backwards, after two it is on the other side.
+  // t = q quarters + rest; in odd quarters the motion is reversed, after two it is on the other side.
   const long double quarters = std::floor(static_cast<long double>(t) / quarter_period_);
   const long double rest = static_cast<long double>(t) - quarters * quarter_period_;
   const int quarter = static_cast<int>(std::fmod(quarters, 4.0L));

@@ -12,7 +12,7 @@
 namespace talus::verification::reference {
 namespace {
 
-// Places in Coordinates.
+// Indices in Coordinates.
 enum Place : std::size_t { x, v, depth, striker_v };
 
 struct Laws {
@@ -54,7 +54,7 @@ TwoCableState state_of(const Laws& laws, const Trajectory& path, bool touching) 
   return s;
 }
 
-// The largest value before `end`: at the start, where `rate` first falls to zero, or at the end.
+// Largest value before `end`: at the start, where `rate` first falls to zero, or at the end.
 long double peak(Trajectory path, const Guard& rate, const std::function<long double(const Coordinates&)>& quantity,
                  long double end) {
   const long double first = quantity(path.coordinates());
@@ -108,7 +108,7 @@ TwoCableContact soft_impact(const TwoCable& problem, const SoftContact& contact,
   result.peak_speed = static_cast<double>(peak(
       onset, gain, [](const Coordinates& y) { return y[v]; }, end));
 
-  // The swing: its longest step is a fiftieth of sqrt(m/2k), the shortest period that the cables can give.
+  // Motion on the cables: its longest step is a fiftieth of sqrt(m/2k), the shortest time scale of the cables.
   const long double cable_time = laws.k > 0.0L ? std::sqrt(laws.m / (2.0L * laws.k)) : 1.0L;
   const Trajectory release(free, path.coordinates(), end, 0.02L * cable_time);
   Trajectory swing = release;

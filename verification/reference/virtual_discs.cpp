@@ -10,7 +10,7 @@ void VirtualDiscs::step(double h) {
   largest.resize(count * count);
   contacts.clear();
   std::vector<double> fx(count), fy(count);
-  // A real disc, and a real one or the virtual one of another.
+  // A real disc and another disc, either real or its virtual image.
   const auto touch = [&](std::size_t real, std::size_t other, double shift) {
     if (real >= free && other >= free) return 0.0;
     const double dx = x[other] + shift - x[real], dy = y[other] - y[real];

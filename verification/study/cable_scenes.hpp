@@ -9,25 +9,26 @@
 /// Scenes of the case `cables`: masses on one line with cables between them.
 namespace talus::verification::problems {
 
-/// Length of every cable when it is just taut.
+/// Length of every cable when it is just taut, without elongation.
 inline constexpr double cable_length = 8.0;
 
-/// A mass that slides along x on a cable from the origin, just taut at the start, thrown outward with this speed;
-/// `gravity` along x. Body "mass", cable "cable".
+/// A mass that slides along x on a cable from the origin, just taut at the start, thrown outward with `speed`;
+/// `gravity` acts along x. Body "mass", cable "cable".
 [[nodiscard]] Scene thrown_mass(const CableLaw& law, double mass, double speed, double gravity = 0.0);
 
-/// The pair of the reference, masses "b" and "c" at rest lengths, cables "one" and "two", hanger "hanger" on b.
+/// The pair of the reference, with masses "b" and "c", cables "one" and "two" at their rest lengths, and hanger
+/// "hanger" on b.
 [[nodiscard]] Scene hung_pair(const reference::HungPair& pair, double strength);
 
-/// The same after the break: one cable of the two in a row, b free.
+/// The pair after the break: the two cables joined into one between the origin and c, b free.
 [[nodiscard]] Scene parted_pair_scene(const reference::HungPair& pair, const State& at_break);
 
-/// A run until its time is up, or until the first cable, having pulled, is slack or broken.
+/// Result of a run up to its end time, or until the first cable, having been taut, is slack or broken.
 struct CableSpan {
   State end;
-  std::vector<double> time, elongation, tension;  ///< of the first cable, every step, if it is watched
-  std::vector<double> second_tension;             ///< of the second, if there is one
-  double closure{};                               ///< of the energy at the end
+  std::vector<double> time, elongation, tension;  ///< of the first cable, every step, if `watched`
+  std::vector<double> second_tension;             ///< of the second cable, if there is one
+  double closure{};                               ///< energy balance error at the end
   bool hanger_broken{};                           ///< at the end
 };
 
@@ -40,7 +41,7 @@ struct CableRunPlan {
 [[nodiscard]] CableSpan run_cables(const Scene& scene, const State& start, const Integrator& method,
                                    const CableRunPlan& plan, Findings& findings);
 
-/// Work booked under one mechanism.
+/// Work recorded for one mechanism.
 [[nodiscard]] double booked(const State& state, Mechanism mechanism);
 
 }  // namespace talus::verification::problems

@@ -5,11 +5,11 @@
 
 #include "verification/check/table.hpp"
 
-/// What is often used, what it gives, and what is exact: tables that the report gathers in a chapter of their own.
+/// Comparison of commonly used formulas with exact results: tables that the report collects in a separate chapter.
 namespace talus::verification::problems {
 
-/// An empty table for that chapter. `name` is unique in the case; rows have five cells: where, what the common formula
-/// gives, what is exact, the formula's error, and what the solver gives.
+/// An empty table for that chapter. `name` is unique in the case; rows have five cells: where, result of the common
+/// formula, exact result, error of the formula, and result of the solver.
 [[nodiscard]] inline Table common_formula(const std::string& name, std::string caption) {
   return {.name = "common_formula_" + name,
           .caption = std::move(caption),

@@ -6,10 +6,10 @@
 
 #include "verification/check/figure.hpp"
 
-/// Curves and points of figures.
+/// Helpers for curves and points in figures.
 namespace talus::verification::problems {
 
-/// A line through the points (x, f(x)).
+/// Curve through the points (x, f(x)), drawn as a line.
 template <class Function>
 [[nodiscard]] Series curve(std::string label, std::vector<double> x, Function&& f) {
   Series made{.label = std::move(label), .style = Style::lines};
@@ -19,7 +19,7 @@ template <class Function>
   return made;
 }
 
-/// Measured points, as many y as x.
+/// Measured points; x and y have the same length.
 [[nodiscard]] inline Series points(std::string label, std::vector<double> x, std::vector<double> y) {
   return {.label = std::move(label), .x = std::move(x), .y = std::move(y), .style = Style::points};
 }
@@ -32,7 +32,7 @@ template <class Function>
   return all;
 }
 
-/// Draws any series as a line.
+/// The series with line style.
 [[nodiscard]] inline Series as_line(Series series) {
   series.style = Style::lines;
   return series;

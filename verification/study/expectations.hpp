@@ -8,15 +8,15 @@
 
 #include "verification/check/findings.hpp"
 
-/// Checks of many numbers at once, by the one that is worst.
+/// Checks of many numbers at once, reduced to the worst one.
 namespace talus::verification::problems {
 
-/// Keeps the error of larger size in `worst`, with its sign. A NaN stays, whatever comes after it.
+/// Stores the error in `worst`, with its sign, if it is larger in magnitude. A NaN persists.
 inline void keep_worst(double& worst, double error) {
   if (!std::isnan(worst) && !(std::abs(error) <= std::abs(worst))) worst = error;
 }
 
-/// The worst of measured - reference, component by component; both are equally long.
+/// Worst of measured - reference, component by component; both vectors have the same length.
 [[nodiscard]] inline double worst_error(const std::vector<double>& measured, const std::vector<double>& reference) {
   double worst = 0.0;
   for (std::size_t i = 0; i < reference.size(); ++i)
@@ -24,20 +24,20 @@ inline void keep_worst(double& worst, double error) {
   return worst;
 }
 
-/// Compares each of `measured` with its reference: one check of the worst difference.
+/// Compares each of `measured` with its reference in one check of the worst difference.
 inline bool expect_each(Findings& findings, std::string name, const std::vector<double>& measured,
                         const std::vector<double>& reference, const Tolerance& tolerance, std::string unit = "1") {
   return findings.expect(std::move(name), worst_error(measured, reference), 0.0, tolerance, std::move(unit));
 }
 
-/// Of two ratios the one farther from 1; a NaN stays.
+/// The ratio that is farther from 1; a NaN persists.
 [[nodiscard]] inline double worst_ratio(double ratio, double other) {
   return std::isnan(ratio) || std::abs(other - 1.0) < std::abs(ratio - 1.0) ? ratio : other;
 }
 
-/// Holds the last of the errors against constant step^order. What its ratio lacks of 1 must have fallen as the next
-/// power of the error does, by 2^power from that of the last but one, at twice the step; `floor` is what the prediction
-/// itself is integrated to.
+/// Compares the last of the errors with constant step^order. The deviation of the ratio from 1 must decrease according
+/// to the next power of the error: by 2^power from the previous one, at twice the step. `floor` is the accuracy to
+/// which the prediction itself is integrated.
 inline void expect_constant(Findings& findings, const std::string& name, const Convergence& errors, double constant,
                             int order, int power, double floor) {
   const auto off = [&](std::size_t i) { return errors.errors()[i] / (constant * std::pow(errors.steps()[i], order)); };

@@ -16,7 +16,7 @@ namespace {
 constexpr double yield_top = 2e5;     // [lb]
 constexpr double yield_bottom = 1e5;  // [lb]
 
-/// A number of the print such as "3.87", in units of `unit`, and half of its last digit.
+/// A printed number such as "3.87", in units of `unit`, and half a unit of its last digit.
 PrintedNumber printed(const records::Csv& csv, std::size_t row, const char* name, double unit) {
   const std::size_t column = csv.column(name);
   const std::string_view text = csv.cell(row, column);

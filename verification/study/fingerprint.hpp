@@ -12,15 +12,15 @@
 
 namespace talus::verification::problems {
 
-/// A 64-bit hash of items, of each its name and content, bit by bit (FNV-1a, in hexadecimal digits). Items that differ in
-/// any bit, the sign of a zero included, have different fingerprints, but for one chance in 2^64.
+/// 64-bit hash over the name and content of each item, bit by bit (FNV-1a, in hexadecimal digits). Items that differ in
+/// any bit, including the sign of a zero, have different fingerprints, except with a probability of 2^-64.
 inline std::string fingerprint(const ArchiveItems& items) {
   std::string bytes;
   const auto add_number = [&](double value) {
     for (std::uint64_t bits = std::bit_cast<std::uint64_t>(value), i = 0; i < 8; ++i, bits >>= 8)
       bytes += static_cast<char>(bits & 0xFF);
   };
-  // The length in front, so that no content runs into the next.
+  // Each text is prefixed by its length, so that adjacent items cannot be confused.
   const auto add_text = [&](std::string_view text) { add_number(static_cast<double>(text.size())), bytes += text; };
   for (const auto& [name, item] : items) {
     add_text(name);

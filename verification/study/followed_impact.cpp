@@ -9,12 +9,12 @@
 namespace talus::verification::problems {
 namespace {
 
-/// What is read off the deepest instance of the contact at one step.
+/// State of the deepest instance of the contact at one step.
 struct Sample {
   double t{};
   double depth{};
   double rate{};
-  double force{};  ///< of the law, whether or not it acts
+  double force{};  ///< force of the law, whether or not it acts
 };
 
 class Follower {
@@ -30,13 +30,14 @@ class Follower {
     const bool acts = std::any_of(state.mode.begin(), state.mode.begin() + static_cast<std::ptrdiff_t>(instances_),
                                   [](Mode mode) { return mode == UnilateralSpring::acting; });
     if (!touched_) {
-      // At the first sample inside the force may already have acted; a scene that starts at touch has none before it.
+      // At the first sample inside, the force may already have acted; a scene that starts at touch has no sample before
+      // it.
       if (now.depth <= 0.0 || !begun_) found_.approach_speed = now.rate;
       begun_ = true;
       touched_ = now.depth > 0.0;
     } else {
-      // The rate of an impact along a fixed normal changes by its force alone, so its change is a force that no law was
-      // asked for.
+      // Along a fixed normal only the contact force changes the rate, so this change measures the force independently
+      // of the law.
       const double deceleration = (before_.rate - now.rate) / (now.t - before_.t);
       found_.least_deceleration = std::min(found_.least_deceleration, deceleration);
       if (!crossed_ && ending(now) <= 0.0) {
@@ -68,7 +69,7 @@ class Follower {
     return {state.t, depth, rate, law_.stiffness * depth + law_.damping * rate};
   }
 
-  /// Falls through zero where the contact ends.
+  /// Function that falls through zero at the end of the contact.
   [[nodiscard]] double ending(const Sample& at) const {
     return law_.end_rule == EndRule::clamped ? at.force : at.depth;
   }

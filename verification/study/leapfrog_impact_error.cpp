@@ -28,7 +28,7 @@ ImpactError leapfrog_impact_error(double xi, reference::EndRule end) {
   const double jump = 2.0 * xi / std::sqrt(12.0);
   const double depth_shift = 0.5 * xi + 0.5 * xi * xi * depth_slope(xi);
   const double a = reference::contact_angle(xi);
-  // A'(xi) = (xi A - 1)/s^2 = -1 + xi (A - xi)/s^2, the latter without 0/0 at xi = 1.
+  // A'(xi) = (xi A - 1)/s^2 = -1 + xi (A - xi)/s^2; the second form avoids 0/0 at xi = 1.
   const double angle_slope = xi * depth_slope(xi) - 1.0;
   const double time_shift =
       attractive ? (1.0 - 2.0 * xi * xi) / square * 0.5 * xi : 0.5 * xi * (1.0 - xi * angle_slope / a);

@@ -35,7 +35,7 @@ void add_carriage(ModelBuilder& builder, BodyId roller) {
                     .law = ElasticPlastic{.stiffness = 2.7e3, .yield = 120.0, .hardening = 900.0, .strength = 140.0}});
 }
 
-/// A bob on two cables that harden, at a hanger that breaks, and a bar on a pin.
+/// A bob on two hardening cables with a hanger that breaks, and a pinned bar.
 void add_bob(ModelBuilder& builder, BodyId roller, BodyId plate) {
   const BodyId bob = builder.add(Body{.name = "bob", .mobility = Mobility::particle, .mass = 4.3, .p_WB = {0.3, 5.1}});
   const ElasticPlastic rope{.stiffness = 6.1e3, .yield = 55.0, .table = {{0.07, 90.0}, {0.3, 130.0}}};

@@ -27,7 +27,7 @@ Mobility seen(Mobility mobility, const Viewpoint& view) {
   }
 }
 
-/// A point of a body's own axes, which are mirrored with it.
+/// Point in a body's frame, which is mirrored with the body.
 Vec2 on_body(Vec2 p, const Viewpoint& view) { return view.mirrored ? Vec2{-p.x, p.y} : p; }
 
 void see_end(CableEnd& end, const Viewpoint& view) {

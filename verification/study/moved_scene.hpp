@@ -3,14 +3,14 @@
 #include "solver/geometry/pose.hpp"
 #include "solver/scenes/scene.hpp"
 
-/// The same scene looked at from elsewhere: mirrored, turned, from another place, or in passing.
+/// The same scene in another frame: mirrored, turned, shifted, or moving at constant velocity.
 namespace talus::verification::problems {
 
-/// A point p of the scene is seen at R M p + shift + boost t, M the mirror x -> -x if `mirrored`.
+/// Frame in which a point p of the scene is at R M p + shift + boost t, M the mirror x -> -x if `mirrored`.
 struct Viewpoint {
   bool mirrored{};
   Rotation turn{};  ///< R
-  double angle{};   ///< that of R [rad]
+  double angle{};   ///< angle of R [rad]
   Vec2 shift{};     ///< [L]
   Vec2 boost{};     ///< [L/T]
 
@@ -19,19 +19,19 @@ struct Viewpoint {
   [[nodiscard]] double sense(double moment) const { return mirrored ? -moment : moment; }
 };
 
-/// Turned by a quarter, without a rounding.
+/// Turn by a quarter, without rounding.
 inline constexpr Rotation quarter_turn{0.0, 1.0};
 
-/// The model as seen at t = 0. Rails along an axis stay so under quarter turns only: for any other turn the model must
-/// have none; a boost is for models without fixed bodies, pins and anchors.
+/// The model in the other frame at t = 0. Rails along an axis remain so only under quarter turns: for any other turn
+/// the model must have none; a boost requires a model without fixed bodies, pins and anchors.
 [[nodiscard]] Model seen(Model model, const Viewpoint& view);
-/// Coordinates, velocities, work and impulse of a state at its time; memory and modes of friction by resultants with
-/// their sense, those of nodes as they are (a mirrored body's nodes have another order).
+/// Coordinates, velocities, work and impulse of a state at its time. Stretch and modes of friction are transformed with
+/// their sign for resultant contacts, and left unchanged for nodal ones (a mirrored body has another order of nodes).
 [[nodiscard]] State seen(const Model& model, State state, const Viewpoint& view);
 
-/// Bodies in the opposite order, all names kept.
+/// The scene with its bodies in the opposite order, all names unchanged.
 [[nodiscard]] Scene with_bodies_reversed(const Scene& scene);
-/// A for B in every contact, and the other way round; contacts in the opposite order.
+/// The scene with A and B exchanged in every contact, and contacts in the opposite order.
 [[nodiscard]] Scene with_contacts_swapped(const Scene& scene);
 
 /// Largest difference of coordinates and velocities of two states.
@@ -41,7 +41,7 @@ struct Difference {
 };
 [[nodiscard]] Difference difference(const State& one, const State& other);
 
-/// Coordinates and velocities that are not the same to the last bit.
+/// Number of coordinates and velocities that differ in any bit.
 [[nodiscard]] int differing_motion(const State& one, const State& other);
 
 }  // namespace talus::verification::problems

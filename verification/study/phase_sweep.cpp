@@ -11,10 +11,10 @@ namespace {
 
 struct PhaseRun {
   double step;      ///< [T]
-  double lead;      ///< time from the start to the touch [T]
-  long steps;       ///< to the moment of comparison
-  double measured;  ///< velocity there
-  double after;     ///< that moment, from the touch [T]
+  double lead;      ///< time from start to touch [T]
+  long steps;       ///< up to the comparison
+  double measured;  ///< velocity at the comparison
+  double after;     ///< time of the comparison, from touch [T]
 };
 
 double step_of(const PhasedImpact& impact, double count, Offset offset, std::size_t phase) {
@@ -23,7 +23,7 @@ double step_of(const PhasedImpact& impact, double count, Offset offset, std::siz
   return offset_step(impact.contact_time, count, phase);
 }
 
-/// Exact velocities of all runs by one call: references that integrate do so once.
+/// Exact velocities of all runs in one call, so that references that integrate do so only once.
 std::vector<double> exact_velocities(const PhasedImpact& impact, const std::vector<PhaseRun>& runs) {
   std::vector<std::size_t> order(runs.size());
   std::iota(order.begin(), order.end(), std::size_t{0});
@@ -50,7 +50,7 @@ Sweep sweep(const PhasedImpact& impact, const Integrator& integrator, std::span<
     for (std::size_t i = 0; i < phases; ++i) {
       PhaseRun run{.step = step_of(impact, count, offset, i), .lead = 0.0, .steps = 0, .measured = 0.0, .after = 0.0};
       run.lead = onsets[i] * run.step;
-      // Two steps more than the watch: a contact may last up to two steps longer than the exact one.
+      // Two steps more than `watch`: a contact may last up to two steps longer than the exact one.
       run.steps = static_cast<long>(std::ceil(impact.watch * impact.contact_time / run.step)) + 2;
       Scene scene = impact.at_touch;
       impact.taken_back(scene.initial, run.lead);

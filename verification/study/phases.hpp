@@ -5,21 +5,21 @@
 
 #include "verification/check/convergence.hpp"
 
-/// Runs whose events lie anywhere within a step, each with a step of its own: the errors of one phase are luck, their
-/// root mean square is not.
+/// Runs whose events lie anywhere within a step, each with a different step: the error of one phase is random, the root
+/// mean square is not.
 namespace talus::verification::problems {
 
 /// One run of such a set.
 struct Phase {
   std::size_t index{};
   double step{};   ///< [T]
-  double onset{};  ///< fraction of a step that passes before the event, in (0, 1)
+  double onset{};  ///< fraction of a step before the event, in (0, 1)
 
   /// Time before the event [T].
   [[nodiscard]] double lead() const { return onset * step; }
 };
 
-/// `count` runs with steps of contact_time/(steps_per_contact + offset) and evenly spread onsets. `commensurate`: a
+/// `count` runs with steps of contact_time/(steps_per_contact + offset) and evenly spaced onsets. `commensurate`: a
 /// fault, all offsets are zero.
 [[nodiscard]] inline std::vector<Phase> offset_phases(double contact_time, double steps_per_contact,
                                                       std::size_t count = fewest_phases, bool commensurate = false) {
@@ -33,7 +33,7 @@ struct Phase {
   return all;
 }
 
-/// The errors that `error` gives for each of these 64 runs.
+/// Errors returned by `error` for each of these 64 runs.
 template <class Error>
 [[nodiscard]] PhaseError phase_error(double contact_time, double steps_per_contact, Error&& error) {
   PhaseError all;

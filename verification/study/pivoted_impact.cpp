@@ -73,7 +73,7 @@ AfterImpact impact(const PivotedRun& run, const Integrator& integrator, double s
   AfterImpact after;
   const double theta = found.at_end.q[0];
   const double rate = found.at_end.v[0];
-  // Back over less than a step, with the weight's moment at the angle half-way.
+  // Extrapolated back by less than a step, with the moment of the weight at the half-way angle.
   const double past = found.at_end.t - found.end_time;
   const double weight = run.gravity ? 0.5 * weight_factor() : 0.0;
   after.column = 0.5 * problem.length * (rate + past * weight * std::sin(theta - 0.5 * past * rate));

@@ -11,27 +11,27 @@ namespace talus::verification::problems {
 
 struct PlaneImpact {
   double speed{1.0};   ///< of approach [L/T]
-  double radius{8.0};  ///< [L]; its digits are those of the overlap
+  double radius{8.0};  ///< [L]; determines the digits of the overlap
   double step{};       ///< [T]
-  double phase{};      ///< share of a step that passes before the touch
-  double longest{};    ///< the contact is given up after this time [T]
+  double phase{};      ///< fraction of a step before touch
+  double longest{};    ///< the run is stopped after this time [T]
 };
 
-/// What the solver gives at each step from the first to that at which the force is zero again; empty when the
-/// run diverged or the contact did not end.
+/// Results at each step from the first to that at which the force is zero again; empty if the run diverged or the
+/// contact did not end.
 struct PlaneRebound {
   std::vector<double> time;   ///< from touch [T]
-  std::vector<double> depth;  ///< [L]
+  std::vector<double> depth;  ///< overlap [L]
   std::vector<double> force;  ///< [F]
-  double speed{};             ///< away from the plane in the end [L/T]
-  double closure{};           ///< of the energy in the end, over the energy at the start
-  double lost{};              ///< booked as lost, over the same
+  double speed{};             ///< final speed away from the plane [L/T]
+  double closure{};           ///< final energy balance error, relative to the initial energy
+  double lost{};              ///< dissipated energy, relative to the same
 
   bool ended() const { return time.size() > 3; }
 };
 [[nodiscard]] PlaneRebound plane_rebound(const ContactLaw& law, const PlaneImpact& impact, Findings& findings);
 
-/// x - floor(x).
+/// Fractional part x - floor(x).
 [[nodiscard]] double fraction(double x);
 
 }  // namespace talus::verification::problems

@@ -7,10 +7,10 @@
 #include "verification/check/convergence.hpp"
 #include "verification/check/figure.hpp"
 
-/// Errors at several steps beside those that were predicted.
+/// Errors at several steps with their predictions.
 namespace talus::verification::problems {
 
-/// Found and predicted errors against the same steps (or any small parameter).
+/// Measured and predicted errors at the same steps (or values of any small parameter).
 class PredictedErrors {
  public:
   void add(double step, double found, double predicted) {
@@ -19,13 +19,13 @@ class PredictedErrors {
   }
 
   [[nodiscard]] const Convergence& found() const { return found_; }
-  /// Found over predicted, at the last step added.
+  /// Ratio of measured to predicted error, at the last step added.
   [[nodiscard]] double last_ratio() const { return found_.errors().back() / predicted_.back(); }
-  /// The found errors as points.
+  /// The measured errors as points.
   [[nodiscard]] Series points(std::string label) const {
     return {std::move(label), found_.steps(), found_.errors(), Style::points};
   }
-  /// The predicted ones as a line.
+  /// The predicted errors as a line.
   [[nodiscard]] Series line(std::string label = "predicted") const {
     return {std::move(label), found_.steps(), predicted_, Style::lines};
   }
@@ -35,7 +35,7 @@ class PredictedErrors {
   std::vector<double> predicted_;
 };
 
-/// Errors found for each of `parameters`: study(parameter) gives the step and its error.
+/// Measured errors for each of `parameters`: study(parameter) gives the step and its error.
 template <class Study>
 [[nodiscard]] Convergence convergence(const std::vector<double>& parameters, Study&& study) {
   Convergence found;
@@ -46,7 +46,7 @@ template <class Study>
   return found;
 }
 
-/// The same with predictions: study(parameter) gives the step, its error and the predicted error.
+/// Measured and predicted errors: study(parameter) gives the step, its error and the predicted error.
 template <class Study>
 [[nodiscard]] PredictedErrors predicted_errors(const std::vector<double>& parameters, Study&& study) {
   PredictedErrors all;

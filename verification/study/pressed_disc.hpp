@@ -9,12 +9,12 @@
 
 namespace talus::verification::problems {
 
-/// A disc of radius 1 pressed by hand on a plane with a latching spring of K1 = 64, K2 = 256, 1/16 apart at the start:
-/// at each place the force is read off the acceleration. All numbers are multiples of powers of
-/// two, and so are their sums and products.
+/// A disc of radius 1 pressed step by step on a plane with a latching spring of K1 = 64, K2 = 256, initially 1/16
+/// apart: at each position the force is obtained from the acceleration. All numbers are multiples of powers of two, so
+/// that sums and products are exact.
 class PressedDisc {
  public:
-  /// `forgets`: a fault, the spring is new wherever it has no force.
+  /// `forgets`: a fault, the spring is reset wherever it has no force.
   explicit PressedDisc(bool forgets)
       : scene_{scenes::bouncing_disc(
             {.radius = 1.0, .gap = 0.0625, .contact = ContactLaw{LatchingSpring{64.0, 256.0, 0.0}}})},
@@ -27,7 +27,7 @@ class PressedDisc {
     look();
   }
 
-  /// Takes the overlap from where it is to another.
+  /// Moves the disc from its present overlap to another.
   void press(double to) {
     constexpr double step = 0x1p-10;
     const double way = to > path_.back() ? 1.0 : -1.0;
@@ -40,7 +40,7 @@ class PressedDisc {
     }
   }
 
-  /// Loses what the spring remembers, as if the surfaces had parted.
+  /// Resets the history of the spring, as if the surfaces had separated.
   void forget() {
     state_.mode[0] = LatchingSpring::open;
     state_.z[0] = 0.0;
@@ -49,7 +49,7 @@ class PressedDisc {
 
   const std::vector<double>& path() const { return path_; }
   const std::vector<double>& forces() const { return forces_; }
-  double work() const { return work_; }  ///< put in so far
+  double work() const { return work_; }  ///< input so far
 
  private:
   void look() {

@@ -6,10 +6,10 @@
 
 namespace talus::verification::problems {
 
-/// A scene run by its own method and plan with its history recorded, as `talus run` does.
+/// A scene run with its method and plan while its history is recorded, as `talus run` does.
 class RecordedRun {
  public:
-  /// `watch` sees the states, too.
+  /// `watch` also receives the states.
   RecordedRun(const Scene& scene, Findings& findings, const Watcher& watch = {})
       : dynamics_{scene.model},
         recorder_{dynamics_, first_state(scene), scene.plan.ledger},
@@ -22,7 +22,7 @@ class RecordedRun {
 
   [[nodiscard]] const RunEnd& end() const { return end_; }
   [[nodiscard]] const Recorder& recorder() const { return recorder_; }
-  /// What the run prints of a quantity.
+  /// Value that a run prints for a quantity.
   [[nodiscard]] double value(const Quantity& quantity) const {
     const Extreme extreme = recorder_.extremes()[quantity.column];
     return quantity.of(extreme.least, extreme.largest, recorder_.row()[quantity.column]);

@@ -17,7 +17,7 @@ double whole_power(double base, int exponent) {
   return exponent < 0 ? 1.0 / product : product;
 }
 
-/// Scales numbers in place; a number that stands for "never" stays.
+/// Scales numbers in place; numbers that mean "never" are unchanged.
 class Scaler {
  public:
   explicit Scaler(const UnitScale& scale) : scale_{scale} {}
@@ -56,7 +56,7 @@ class Scaler {
   UnitScale scale_;
 };
 
-/// Collects all numbers of a model, by scaling nothing: what is compared is what is scaled.
+/// Collects all numbers of a model, without scaling.
 std::vector<double> numbers(const Model& model) {
   std::vector<double> all{model.gravity.x, model.gravity.y};
   const auto add = [&all](auto... value) { (all.push_back(value), ...); };

@@ -7,7 +7,7 @@
 /// The same scene in other units.
 namespace talus::verification::problems {
 
-/// What one new unit is worth: every quantity is multiplied by mass^i length^j time^k of its dimension.
+/// Scale factors of the units: every quantity is multiplied by mass^i length^j time^k of its dimension.
 struct UnitScale {
   double mass{1.0};
   double length{1.0};
@@ -17,16 +17,16 @@ struct UnitScale {
   [[nodiscard]] UnitScale inverse() const { return {1.0 / mass, 1.0 / length, 1.0 / time}; }
 };
 
-/// Every number of the model, by the dimensions that the solver's own tables of fields declare.
+/// The model with every number scaled, by the dimensions that the solver's tables of fields declare.
 [[nodiscard]] Model scaled(Model model, const UnitScale& scale);
-/// Every number of a state of the model.
+/// The state with every number scaled.
 [[nodiscard]] State scaled(const Model& model, State state, const UnitScale& scale);
-/// Every number of a fence.
+/// The fence with every number scaled.
 [[nodiscard]] scenes::Fence scaled(scenes::Fence fence, const UnitScale& scale);
 
-/// How many numbers of two states of one model differ, modes included.
+/// Number of differing values of two states of one model, including modes.
 [[nodiscard]] int differing_numbers(const State& one, const State& other);
-/// How many numbers of two models differ: of bodies, cables, contacts, hangers, gravity.
+/// Number of differing values of two models, over bodies, cables, contacts, hangers and gravity.
 [[nodiscard]] int differing_numbers(const Model& one, const Model& other);
 
 }  // namespace talus::verification::problems

@@ -14,10 +14,10 @@ namespace {
 
 constexpr double not_a_number = std::numeric_limits<double>::quiet_NaN();
 
-/// Where the cubic through four values, one step apart, falls or rises through zero between the second and the third,
-/// in steps from the second. Positions alone are used: the velocities of a method are not the rates of the curve on
-/// which its positions lie. The error is of order step^5 where the second derivative vanishes with the value, as at
-/// the bottom of a swing.
+/// Zero crossing of the cubic through four values, one step apart, between the second and the third, in steps from the
+/// second. Only positions are used: the velocities of a method are not the rates of the curve on which its positions
+/// lie. The error is of order step^5 where the second derivative vanishes with the value, as at the bottom of a
+/// pendulum.
 double zero_of_cubic(const std::array<double, 4>& q) {
   const auto value = [&](double s) {
     return -q[0] * s * (s - 1.0) * (s - 2.0) / 6.0 + q[1] * (s + 1.0) * (s - 1.0) * (s - 2.0) / 2.0 -

@@ -12,35 +12,35 @@
 #include "verification/check/findings.hpp"
 #include "verification/study/usage.hpp"
 
-/// A scene run by the solver, and what a case reads off it on the way and afterwards.
+/// A scene run by the solver, with the results that a case reads during and after the run.
 namespace talus::verification::problems {
 
-/// What a case does with the start and each step: a function of the Snapshot, or of its State alone.
+/// Called at the start and after each step, with the Snapshot or with its State alone.
 using Watcher = Observer;
 /// Ends a run when it returns true after a step.
 using Until = StopCondition;
 
 struct RunEnd {
-  State state{};       ///< synchronised, at the end; q and v are NaN if the run diverged, so that no check passes on it
-  long evaluations{};  ///< of the forces
-  bool finished{};     ///< it did not diverge
-  Integrator method{};  ///< as the run left it, which knows for example how many events it located
+  State state{};       ///< synchronised final state; q and v are NaN if the run diverged, so that no check passes on it
+  long evaluations{};  ///< number of force evaluations
+  bool finished{};     ///< false if the run diverged
+  Integrator method{};  ///< final state of the integrator, which for example counts located events
 };
 
-/// Runs a scene from its start by a method and a plan, work and impulse accumulated if the plan says so, counts the
-/// evaluations, and records what the run used. (Without findings evaluations are not counted.)
+/// Runs a scene from its start with a method and a plan, counts the evaluations, and records the features used by the
+/// run. Work and impulse are accumulated if the plan requires it. (Without findings evaluations are not counted.)
 RunEnd run_scene(const Scene& scene, Integrator integrator, const RunPlan& plan, Findings* findings,
                  const Watcher& watch = {}, const Until& until = {});
 inline RunEnd run_scene(const Scene& scene, Integrator integrator, const RunPlan& plan, Findings& findings,
                         const Watcher& watch = {}, const Until& until = {}) {
   return run_scene(scene, std::move(integrator), plan, &findings, watch, until);
 }
-/// The same by the scene's own method and plan.
+/// Runs a scene with its own method and plan.
 inline RunEnd run_scene(const Scene& scene, Findings& findings, const Watcher& watch = {}, const Until& until = {}) {
   return run_scene(scene, scene.integrator, scene.plan, &findings, watch, until);
 }
 
-/// Runs `steps` steps of length `step` from the scene's start; the ledger is left off.
+/// Runs `steps` steps of length `step` from the scene's start, without the energy ledger.
 RunEnd run_steps(const Scene& scene, Integrator integrator, double step, long steps, Findings* findings = nullptr,
                  const Watcher& watch = {});
 inline RunEnd run_steps(const Scene& scene, Integrator integrator, double step, long steps, Findings& findings,
@@ -48,18 +48,18 @@ inline RunEnd run_steps(const Scene& scene, Integrator integrator, double step, 
   return run_steps(scene, std::move(integrator), step, steps, &findings, watch);
 }
 
-/// Time between the first and the third passage of the scene's first coordinate through zero, steps of length `step`;
-/// NaN if there are none within `most` [T].
+/// Time between the first and the third zero crossing of the scene's first coordinate, with steps of length `step`; NaN
+/// if there are none within `most` [T].
 [[nodiscard]] double period_of(const Scene& scene, Integrator integrator, double step, double most);
 
-/// Forces, overlaps and elongations of a model in any state, evaluated apart from any run.
+/// Forces, overlaps and elongations of a model in any state, evaluated outside a run.
 class Probe {
  public:
   explicit Probe(const Model& model) : dynamics_{model}, seen_{dynamics_} { record_use(model); }
 
-  /// What follows is of this state.
+  /// Evaluates a state, to which the accessors below refer.
   void evaluate(const State& state) { seen_.set(state); }
-  /// The normal force of each contact law and the tension of each cable [F].
+  /// Normal force of each contact law and tension of each cable [F].
   [[nodiscard]] const LawForces& forces() const { return seen_.forces(); }
   /// Elongation of a cable [L]; negative while slack.
   [[nodiscard]] double elongation(std::size_t cable) const {
@@ -73,7 +73,7 @@ class Probe {
   Snapshot seen_;
 };
 
-/// The balances of energy and momentum of a run of a model, against its first state.
+/// Energy and momentum balances of a run of a model, relative to its first state.
 class RunLedger {
  public:
   RunLedger(const Model& model, const State& start) : dynamics_{model}, ledger_{dynamics_, start} {}
@@ -89,7 +89,7 @@ class RunLedger {
   EnergyLedger ledger_;
 };
 
-/// The first state of a run of the scene: its start with the modes that a run gives it.
+/// First state of a run of the scene: its start with the modes that a run assigns to it.
 [[nodiscard]] State first_state(const Scene& scene);
 
 }  // namespace talus::verification::problems

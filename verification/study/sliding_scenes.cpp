@@ -79,7 +79,7 @@ Scene slope_scene(const Slope& slope) {
   scene.model = builder.build();
   scene.initial = rest_state(scene.model);
   set_velocity(scene.model, scene.initial, disc, {slope.speed, 0.0}, 0.0);
-  // The law counts slip of the plane past the disc: that of the disc to the right is negative.
+  // The law counts the slip of the plane relative to the disc: a slip of the disc to the right is negative.
   scene.initial.z[0] = -dragged_slider(slope).stretch;
   return scene;
 }

@@ -10,14 +10,14 @@
 #include "verification/reference/pendulum.hpp"
 #include "verification/study/scene_run.hpp"
 
-/// The pinned body as a pendulum: one run measured against the elliptic functions, and the methods with the steps at
-/// which their order is read.
+/// The pinned body as a pendulum: errors of runs relative to the elliptic functions, and the methods with the steps at
+/// which their order is fitted.
 namespace talus::verification::problems {
 
 inline constexpr double degree = std::numbers::pi / 180.0;
 
-/// The right body, or one with a planted fault: `gravity_up`, `inertia_halved`, `arm_one_percent`. The references are
-/// always those of the right one.
+/// The correct body, or one with a planted fault: `gravity_up`, `inertia_halved`, `arm_one_percent`. The references are
+/// always those of the correct one.
 inline scenes::Pendulum bob(const Setup& setup, double amplitude) {
   scenes::Pendulum p{.mass = 2.0, .inertia = 0.5, .arm = 0.8, .gravity = 9.80665, .amplitude = amplitude};
   if (setup.has("gravity_up")) p.gravity = -p.gravity;
@@ -26,30 +26,30 @@ inline scenes::Pendulum bob(const Setup& setup, double amplitude) {
   return p;
 }
 
-/// Velocity Verlet, or what a fault puts in its place: `euler_cromer_for_verlet`, `rk4_for_verlet`.
+/// Velocity Verlet, or its replacement by a fault: `euler_cromer_for_verlet`, `rk4_for_verlet`.
 inline Integrator verlet(const Setup& setup) {
   if (setup.has("euler_cromer_for_verlet")) return make_integrator("euler_cromer");
   return make_integrator(setup.has("rk4_for_verlet") ? "rk4" : "velocity_verlet");
 }
 
-/// Frequency of its small swings by the case's own arithmetic (not the scene's), w0 = sqrt(m g a/(I + m a^2)) [rad/s].
+/// Frequency of small oscillations, computed independently of the scene, w0 = sqrt(m g a/(I + m a^2)) [rad/s].
 inline double bob_frequency() {
   const scenes::Pendulum p = bob({}, 1.0);
   return std::sqrt(p.mass * p.gravity * p.arm / (p.inertia + p.mass * p.arm * p.arm));
 }
 
-/// Its exact motion from rest at `amplitude` [rad].
+/// Exact motion from rest at `amplitude` [rad].
 inline reference::PendulumMotion bob_motion(double amplitude) {
   return reference::PendulumMotion::from_rest(bob_frequency(), amplitude);
 }
 
-/// One run from rest, compared at its end.
+/// Error of one run from rest, at its end.
 struct SwingError {
   double error{};      ///< sqrt(dx^2 + (dx'/w0)^2) [rad]
   long evaluations{};  ///< of the force
 };
 
-/// Runs `scene` (started as `exact`) over `duration` in `steps` steps.
+/// Runs `scene` (with the initial state of `exact`) over `duration` in `steps` steps.
 inline SwingError swing_error(const Scene& scene, const Integrator& integrator, double duration, long steps,
                               double frequency, const reference::PendulumMotion& exact) {
   const RunEnd end = run_steps(scene, integrator, duration / static_cast<double>(steps), steps);
@@ -57,23 +57,24 @@ inline SwingError swing_error(const Scene& scene, const Integrator& integrator, 
   return {std::hypot(end.state.q[0] - truth.angle, (end.state.v[0] - truth.rate) / frequency), end.evaluations};
 }
 
-/// A method, and the numbers of steps per 0.8 period of a 60 degree swing between which its error follows its power
-/// law: above round-off, and far enough below the first steps for the next term of the expansion to be small.
+/// A method, and the range of steps per 0.8 period of a 60 degree oscillation in which its error follows its power law:
+/// above round-off, and at steps small enough for the next term of the expansion to be small.
 struct MethodRange {
   std::string_view name;
   long first;  ///< steps
   long last;   ///< steps
-  /// What the next two terms of the expansion add to the order fitted between `first` and `last`. They are taken from
-  /// the errors at three coarser steps, e n^order = c (1 + c1 h^q + c2 h^(2q)), q = 2 for the symmetric methods, else
-  /// 1: leapfrogs 16, 32, 64; euler_cromer, euler and taylor 32, 64, 128; rk4 8, 16, 32; blanes_moan4 16, 32, 64;
-  /// dopri5 16, 32, 64; cash_karp54 8, 16, 32; fehlberg78 6, 8, 11; abm8 64, 91, 128 (its second term alone is 9.6 w h
-  /// times the first, see adams_swing.hpp).
+  /// Contribution of the next two terms of the expansion to the order fitted between `first` and `last`. It is
+  /// determined from the errors at three coarser steps, e n^order = c (1 + c1 h^q + c2 h^(2q)), q = 2 for the symmetric
+  /// methods, else 1: leapfrogs 16, 32, 64; euler_cromer, euler and taylor 32, 64, 128; rk4 8, 16, 32; blanes_moan4 16,
+  /// 32, 64; dopri5 16, 32, 64; cash_karp54 8, 16, 32; fehlberg78 6, 8, 11; abm8 64, 91, 128 (its second term alone is
+  /// 9.6 w h times the first, see adams_swing.hpp).
   double tilt;
-  /// Half of the tilt again, for the terms after those two: how far the fitted order may lie from the declared order, either way.
+  /// Admitted deviation of the fitted order from the declared one, in either direction: the tilt, and half of it again
+  /// for the higher terms.
   [[nodiscard]] constexpr double admitted() const { return tilt < 0.0 ? -1.5 * tilt : 1.5 * tilt; }
   /// The declared order.
   [[nodiscard]] int order() const { return integrator_traits(name).order; }
-  /// Whether it is one of odeint's steppers: these are drawn apart from the solver's own methods.
+  /// True for odeint's steppers, which are drawn separately from the solver's methods.
   [[nodiscard]] constexpr bool is_odeint() const { return name.substr(0, 7) == "odeint_"; }
 };
 

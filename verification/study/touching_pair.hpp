@@ -4,10 +4,10 @@
 
 #include "solver/dynamics/dynamics.hpp"
 
-/// Two outlines that overlap, and the energy and forces of a model wherever its bodies stand.
+/// Pairs of overlapping outlines, and the energy and forces of a model in any state of its bodies.
 namespace talus::verification::problems {
 
-/// A pair of outlines in a way of contact.
+/// A pair of outlines with a contact method.
 struct TouchingPair {
   const char* name;
   Shape a, b;
@@ -15,25 +15,26 @@ struct TouchingPair {
   NodeDepth rule{NodeDepth::nearest};
 };
 
-/// Bodies "a" and "b" of unit mass and inertia (ground is fixed), contact "touch": a spring of that stiffness alone.
+/// Bodies "a" and "b" of unit mass and inertia (ground is fixed), contact "touch": a spring with `stiffness`, no
+/// dashpot.
 [[nodiscard]] Model pair_model(const TouchingPair& pair, double stiffness);
 
-/// Energy and forces of a model wherever its bodies stand.
+/// Energy and forces of a model in any state of its bodies.
 class Potential {
  public:
   explicit Potential(const Model& model) : dynamics_{model}, work_{dynamics_.workspace()} {}
 
-  /// Puts the bodies where the state has them and settles its modes; what follows is asked of this state.
+  /// Evaluates the state and updates its modes; the functions below refer to this state.
   void stand(State& state) {
     dynamics_.update(state, work_);
     dynamics_.update_modes(state, work_);
   }
-  /// Stored in contact and cable [F L].
+  /// Stored energy of contact and cable [F L].
   double energy(const State& state) const {
     const Energies energies = dynamics_.energies(state, work_);
     return energies.contacts + energies.cables;
   }
-  /// Along the coordinates: accelerations, as masses and inertias are one.
+  /// Forces along the coordinates: equal to the accelerations, because masses and inertias are one.
   std::vector<double> forces(const State& state) {
     Rates rates{state};
     dynamics_.rates(state, work_, rates, false);
@@ -45,18 +46,18 @@ class Potential {
   Workspace work_;
 };
 
-/// The way of body "a" of a pair round the corner of "b" and back: its centre on a circle about the corner, its angle
-/// to and fro.
+/// Path of body "a" of a pair around the corner of "b" and back: its centre moves on a circle about the corner, its
+/// angle back and forth.
 struct CornerLoop {
   static constexpr Vec2 corner{0.5, 0.35};
   static constexpr double radius = 0.36;
-  double work{};                      ///< of the contact's forces on the body, once round [F L]
-  double energy{};                    ///< largest on the way [F L]
-  std::vector<double> angle, stored;  ///< at some 200 places [degrees, F L]
+  double work{};                      ///< work of the contact forces on the body in one loop [F L]
+  double energy{};                    ///< largest on the path [F L]
+  std::vector<double> angle, stored;  ///< at about 200 positions [degrees, F L]
 };
 
-/// The work by trapezia between `steps` places, 200 at least. `moments`: a fault, the share of the moment that is
-/// counted.
+/// Work by the trapezoidal rule over `steps` positions, at least 200. `moments`: a fault, the fraction of the moment
+/// that is included.
 [[nodiscard]] CornerLoop round_corner(const Model& model, int steps, double moments = 1.0);
 
 }  // namespace talus::verification::problems

@@ -6,7 +6,7 @@
 
 #include "solver/dynamics/dynamics.hpp"
 
-/// Two discs that touch and hold each other by friction, turned as one.
+/// Two discs in contact that stick by friction, turned together as one body.
 namespace talus::verification::problems::turned_pair {
 
 inline constexpr double radius_a = 1.0, radius_b = 0.5, overlap = 0.0625, distance = radius_a + radius_b - overlap;
@@ -15,25 +15,25 @@ inline constexpr double normal_stiffness = 64.0, slip_stiffness = 32.0, first_st
 /// Bodies "a" and "b", contact "touch".
 [[nodiscard]] Model model();
 
-/// Puts the pair at some angle, of a step of unit time that takes it on by `turn`.
+/// Sets the pair to an angle, with velocities that advance it by `turn` in a step of unit time.
 void place(State& state, double angle, double turn, bool b_spins);
 
-/// What a turn of so many steps left: changes of the stretch, and the largest of force and energy on the way.
+/// Result of a full turn: changes of the stretch and energy, and the largest changes of force on the way.
 struct Turn {
-  double stretch{};       ///< at the end
-  double force{};         ///< on B, in the pair's own directions: along the line of centres
-  double drag{};          ///< and across it, less what the change of stretch explains
-  double energy{};        ///< stored, at the end
-  double stretch_back{};  ///< after the turn and the same turn back
+  double stretch{};       ///< change at the end
+  double force{};         ///< largest change of the force on B along the line of centres, in the frame of the pair
+  double drag{};          ///< the same across that line, minus the part explained by the change of stretch
+  double energy{};        ///< change of the stored energy at the end
+  double stretch_back{};  ///< change of stretch after the turn and the same turn back
 };
 
-/// What a fault makes of a turn.
+/// Faults that can be planted in a turn.
 struct Faults {
   bool b_stands{};           ///< one disc does not spin
-  bool looked_from_world{};  ///< forces are looked at in directions that do not turn
+  bool looked_from_world{};  ///< forces are evaluated in directions that do not turn
 };
 
-/// Turns the pair once round by steps of unit time, forth and, without looking, back.
+/// Turns the pair through a full circle in steps of unit time, and back without evaluating forces.
 template <class System>
 Turn turned(long steps, const Faults& faults) {
   const Dynamics dynamics{model()};
@@ -73,7 +73,7 @@ Turn turned(long steps, const Faults& faults) {
   return found;
 }
 
-/// The stretch that a turn of so many steps adds: centres go along chords, over which the spins roll.
+/// Exact stretch added by a full turn in `steps` steps: the centres move along chords, over which the spins roll.
 [[nodiscard]] inline double exact_drift(long steps) {
   const double half = std::numbers::pi / static_cast<double>(steps);
   return 2.0 * static_cast<double>(steps) * distance * (std::sin(half) - half * std::cos(half));

@@ -12,8 +12,8 @@
 #include "solver/model/layout.hpp"
 #include "verification/check/usage.hpp"
 
-/// What runs use, recorded by the ids of the solver's closed lists for the claims of the case. run_scene() and Probe
-/// record it; cases that run something else call these functions.
+/// Features used by runs, recorded by the ids of the solver's lists as evidence for the claims of a case. run_scene()
+/// and Probe record them; cases that run something else call these functions.
 namespace talus::verification::problems {
 
 /// Laws, end rules, contact methods, shapes and pairs of shapes of a model.
@@ -22,7 +22,7 @@ void record_use(const Integrator& integrator);
 void record_use(const DiscMethod& method);
 using verification::record_use;
 
-/// A law: "law.NAME", and its end rule if it has a dashpot.
+/// Records a law as "law.NAME", and its end rule if it has a dashpot.
 template <Law L>
 void record_use(const L& law) {
   record_use("law." + std::string{L::name});
@@ -34,8 +34,8 @@ void record_use(const L& law) {
   }
 }
 
-/// The modes of a law from `first` on whose bits are set in `visited`, as regimes of the law of that name. That a
-/// contact is open, mode 0, is no regime; that a cable is slack is one.
+/// Records the modes of a law from `first` on whose bits are set in `visited`, as regimes of the law of that name. An
+/// open contact, mode 0, is not a regime; a slack cable is one.
 template <class L>
 void record_regimes(std::string_view law, std::uint32_t visited, std::size_t first = 1) {
   for (std::size_t mode = first; mode < L::modes.size(); ++mode) {
@@ -43,35 +43,35 @@ void record_regimes(std::string_view law, std::uint32_t visited, std::size_t fir
   }
 }
 
-/// The shape of a body: "shape.NAME".
+/// Records the shape of a body as "shape.NAME".
 void record_shape(const Shape& shape);
 
-/// Two shapes in contact, in any order, with the shapes themselves.
+/// Records two shapes in contact, in any order, and the shapes themselves.
 void record_pair(const Shape& a, const Shape& b);
 
-/// The mechanisms by which energy was dissipated.
+/// Records the mechanisms by which energy was dissipated.
 void record_mechanisms(const State& state);
 
-/// The regimes that the laws of a model pass through.
+/// The regimes that the laws of a model enter during a run.
 class RegimeRecorder {
  public:
   explicit RegimeRecorder(const Model& model) : model_{&model}, layout_{model}, visited_(layout_.mode_count) {}
 
-  /// Another state of the run.
+  /// Registers another state of the run.
   void see(const State& state) {
     if (state.mode == last_) return;
     last_ = state.mode;
     for (std::size_t slot = 0; slot < last_.size(); ++slot)
       visited_[slot] |= 1U << last_[slot];
   }
-  /// Records all that were seen.
+  /// Records all regimes that occurred.
   void record() const;
 
  private:
   const Model* model_;
   Layout layout_;
   std::vector<Mode> last_;
-  std::vector<std::uint32_t> visited_;  ///< of each slot a bit for each mode
+  std::vector<std::uint32_t> visited_;  ///< for each slot, one bit per mode
 };
 
 }  // namespace talus::verification::problems

@@ -89,7 +89,7 @@ constexpr const char* wall =
     "[[body]]\nname = \"wall\"\nmobility = \"fixed\"\nposition = [\"0.05 m\", \"0 m\"]\nangle = \"90 deg\"\n"
     "shape = { kind = \"half_plane\" }\n";
 
-/// Changes a field of a table, also one that is a comment, or adds it.
+/// Sets a field of a table, uncommenting or adding it if necessary.
 std::string with(std::string text, std::string_view table, std::string_view key, std::string_view value) {
   const std::size_t head = text.find(fmt::format("[{}]", table));
   if (head == std::string::npos) throw std::invalid_argument{fmt::format("no table {}", table)};

@@ -3,12 +3,12 @@
 #include <string>
 #include <vector>
 
-/// Scene files as users write them, with what each is run for; all that a file may leave to its default is left out.
+/// Scene files as users write them, with the quantity of interest of each; fields with defaults are omitted.
 namespace talus::verification::problems {
 
 struct VariedScene {
   std::string name;
-  std::string quantity;  ///< as quantity_named() takes it; of fences none
+  std::string quantity;  ///< as accepted by quantity_named(); empty for fences
   std::string text;      ///< TOML
 };
 
@@ -18,7 +18,7 @@ struct VariedScene {
 /// Twenty fences, each the template of `talus new fence` with other fields.
 [[nodiscard]] std::vector<VariedScene> varied_fences();
 
-/// A fence whose rock hits two columns at once, as its half and as a whole.
+/// A fence whose rock hits two columns at once, as a half model and as a whole.
 [[nodiscard]] std::vector<VariedScene> even_fences();
 
 }  // namespace talus::verification::problems

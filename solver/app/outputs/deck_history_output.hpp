@@ -6,7 +6,7 @@
 
 namespace talus::app {
 
-/// NAME.history.csv and NAME.history.json: the histories that the deck of a fence asks for.
+/// NAME.history.csv and NAME.history.json: the histories requested by a fence's deck.
 class DeckHistoryOutput {
  public:
   static constexpr std::string_view name = "deck_history";

@@ -5,11 +5,11 @@
 
 namespace talus::app {
 
-/// Steps from one state of the geometry to the next: of `frames` states, evenly over the run; 0: a fence's every nprint
-/// steps, else of 100.
+/// Number of steps between two states of the geometry: `frames` states, evenly over the run; with frames = 0 nprint
+/// steps for a fence, else 100 states.
 [[nodiscard]] long steps_between_states(const SceneFile& file, long frames);
 
-/// NAME.pvd with NAME_geometry/: outlines and cables, as ParaView opens them.
+/// NAME.pvd with NAME_geometry/: outlines and cables for ParaView.
 class GeometryOutput {
  public:
   static constexpr std::string_view name = "geometry";

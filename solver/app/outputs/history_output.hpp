@@ -6,7 +6,7 @@
 
 namespace talus::app {
 
-/// history.csv: all quantities at the plan's interval. (The recorder keeps the rows.)
+/// history.csv: all quantities at the plan's interval. The rows are stored by the recorder.
 struct HistoryOutput {
   static constexpr std::string_view name = "history";
   std::filesystem::path folder;

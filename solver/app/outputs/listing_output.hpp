@@ -6,7 +6,7 @@
 
 namespace talus::app {
 
-/// NAME.OUT: the listing of 1993, of a fence.
+/// NAME.OUT: the listing of the 1993 program, for a fence.
 class ListingOutput {
  public:
   static constexpr std::string_view name = "listing";

@@ -6,7 +6,7 @@
 namespace talus::app {
 namespace {
 
-/// Bodies of a fence bear the numbers of their elements; of the half that has none, none.
+/// Bodies as drawn. Bodies of a fence have the numbers of their elements; the half without elements has no numbers (0).
 std::vector<DrawnBody> drawn_bodies(const SceneFile& file) {
   std::vector<DrawnBody> bodies;
   for (const Body& body : file.scene.model.bodies) {

@@ -4,7 +4,7 @@
 
 namespace talus::app {
 
-/// plot.json: what pictures are drawn from.
+/// plot.json: description of the data from which pictures are drawn.
 struct PlotOutput {
   static constexpr std::string_view name = "plot";
   std::filesystem::path folder;

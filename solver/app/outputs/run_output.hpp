@@ -17,35 +17,36 @@
 
 namespace talus::app {
 
-/// The run whose output it is. What it refers to outlives the output.
+/// The run for which an output is made. The objects it refers to must outlive the output.
 struct OutputRequest {
   const SceneFile& file;
   const Dynamics& dynamics;
-  std::filesystem::path folder;  ///< that receives the files
-  std::string name;              ///< of the scene's file, without folder and extension: names files
-  long frames{};                 ///< states of the geometry, evenly over the run; 0: the output's own number
-  bool sheet{};                  ///< the engineer's sheet is wanted
+  std::filesystem::path folder;  ///< folder that receives the files
+  std::string name;              ///< name of the scene's file without folder and extension, for file names
+  long frames{};                 ///< states of the geometry, evenly over the run; 0: the output's default
+  bool sheet{};                  ///< the engineer's sheet is requested
 };
 
-/// The run when its files are written.
+/// The run at the time its files are written.
 struct OutputSource {
   const RunRecord& record;
-  const Snapshot& end;                  ///< of its last step
-  const scenes::FenceMonitor* fence{};  ///< of a fence, else null
+  const Snapshot& end;                  ///< of the last step
+  const scenes::FenceMonitor* fence{};  ///< null unless the scene is a fence
 };
 
-/// A kind of file that a run leaves in its folder. A new one is a type in a file of this folder, and its name in the
-/// list of run_outputs.hpp; it is then written, named in the summary, and carried over checkpoints.
-///   T::name                    of its part of a checkpoint
-///   T::make(request)           the output; none if the run has no such files. Errors: InputError for what the scene
-///                              asks of it and it cannot give; IoError
-///   output.write(source)       writes its files when the run has ended or is left. Errors: IoError
-///   output.files()             their names in the folder, for the summary
+/// A kind of output files of a run. To add one, define a type in a file of this folder and add it to the list in
+/// run_outputs.hpp; it is then written, listed in the summary, and saved in checkpoints.
+///   T::name                    name of its part of a checkpoint
+///   T::make(request)           the output; nothing if the run has no such files. Errors: InputError for requests of
+///                              the scene that it cannot fulfil; IoError
+///   output.write(source)       writes its files when the run has ended or is interrupted. Errors: IoError
+///   output.files()             names of its files in the folder, for the summary
 /// Optional:
-///   output(snapshot, info)     sees the start and every step
-///   output.remember(memory)    names what it carries from one step to the next
-///   output.bring_files(from)   after that was put back: brings what was written to the folder where the run stood
-///   output.left_out()          what was asked for and does not exist, as notes of the summary
+///   output(snapshot, info)     called at the start and after every step
+///   output.serialize(archive)  saves or restores its state between two steps
+///   output.bring_files(from)   called after restoring: copies the files written so far from the folder of the
+///                              interrupted run
+///   output.left_out()          requested items that do not exist, as notes of the summary
 template <class T>
 concept RunOutput = requires(T& output, const T& fixed, const OutputRequest& request, const OutputSource& source) {
   { T::name } -> std::convertible_to<std::string_view>;
@@ -71,7 +72,7 @@ concept PartialOutput = requires(const T& output) {
   { output.left_out() } -> std::convertible_to<std::vector<std::string>>;
 };
 
-/// An observer that remembers something else would lose it at a checkpoint.
+/// An output that observes steps must also serialize its state, otherwise it would be lost at a checkpoint.
 template <class T>
 concept CompleteOutput = RunOutput<T> &&(!StepwiseOutput<T> || LastingOutput<T>);
 

@@ -13,11 +13,11 @@
 
 namespace talus::app {
 
-/// The outputs of one run, of each kind one at most.
+/// The outputs of one run, at most one of each kind.
 template <CompleteOutput... Kinds>
 class OutputList {
  public:
-  /// None: nothing is written.
+  /// An empty list: nothing is written.
   OutputList() = default;
   /// Errors: InputError and IoError of the outputs.
   explicit OutputList(const OutputRequest& request) : outputs_{Kinds::make(request)...} {}
@@ -31,13 +31,13 @@ class OutputList {
   void write(const OutputSource& source) const {
     for_each(*this, [&](const auto& output) { output.write(source); });
   }
-  /// Names what the outputs carry from one step to the next; those of the same run go on from it.
+  /// Saves or restores the outputs' state between two steps; outputs of a resumed run continue from it.
   void serialize(Archive& archive) {
     for_each(*this, [&]<class T>(T& output) {
       if constexpr (LastingOutput<T>) archive.scope(T::name, [&] { output.serialize(archive); });
     });
   }
-  /// After they were put back: brings what was written to the folder in which the run stood. Errors: IoError.
+  /// Copies the files written so far from the folder of the interrupted run; called after restoring. Errors: IoError.
   void bring_files(const std::filesystem::path& from) {
     for_each(*this, [&]<class T>(T& output) {
       if constexpr (BroughtOutput<T>) output.bring_files(from);
@@ -52,7 +52,7 @@ class OutputList {
     });
     return all;
   }
-  /// What was asked for and does not exist.
+  /// Requested items that do not exist.
   std::vector<std::string> left_out() const {
     std::vector<std::string> all;
     for_each(*this, [&]<class T>(const T& output) {
@@ -77,7 +77,7 @@ class OutputList {
   std::tuple<std::optional<Kinds>...> outputs_;
 };
 
-/// The kinds of files that `talus run` leaves, in the order in which the summary names them. A new one: see RunOutput.
+/// The kinds of output files of `talus run`, in the order of the summary's list. To add one, see RunOutput.
 using RunOutputs = OutputList<HistoryOutput, FinalStateOutput, PlotOutput, ListingOutput, DeckHistoryOutput,
                               GeometryOutput, SheetOutput>;
 

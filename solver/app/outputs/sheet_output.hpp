@@ -6,7 +6,7 @@
 
 namespace talus::app {
 
-/// sheet.json: the numbers of the engineer's sheet of a fence, from which draw_sheet() makes sheet.pdf and sheet.html.
+/// sheet.json: the data of a fence's engineer's sheet, from which draw_sheet() makes sheet.pdf and sheet.html.
 class SheetOutput {
  public:
   static constexpr std::string_view name = "sheet";

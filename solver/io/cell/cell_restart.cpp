@@ -19,15 +19,15 @@ namespace talus {
 namespace {
 
 constexpr double most_cycles = 1e15;
-constexpr double largest_place = 1e6;  ///< in widths: beyond, too few digits of a place are left
+constexpr double largest_place = 1e6;  ///< of a position [widths]: beyond it a double has too few digits
 
-/// A place along x brought into the field, [-width/2, width/2).
+/// Position along x mapped into the field, [-width/2, width/2).
 double in_field(double x, double width) { return x - width * std::floor(x / width + 0.5); }
 
-/// Distance along x of the nearest images.
+/// Distance along x, with sign, between nearest images.
 double across(double dx, double width) { return dx - width * std::round(dx / width); }
 
-/// Lowest height of the block's centre line at which none of its discs overlaps a free one.
+/// Lowest height of the block's centre line at which none of its discs overlaps a free disc [L].
 double block_height(const ShearCell& cell, const Discs& discs) {
   double height = discs.y[cell.free_discs()] + cell.diameter;
   for (std::size_t i = 0; i < cell.free_discs(); ++i) {
@@ -40,7 +40,7 @@ double block_height(const ShearCell& cell, const Discs& discs) {
   return height;
 }
 
-/// Calls visit(first, second, overlap) for the pairs of discs that overlap [L].
+/// Calls visit(first, second, overlap) for each pair of discs that overlap; overlap > 0 [L].
 template <class Visit>
 void for_each_overlap(const ShearCell& cell, const FilledCell& filled, Visit&& visit) {
   NeighbourList list{filled.box, 0.3 * cell.diameter};
@@ -52,7 +52,7 @@ void for_each_overlap(const ShearCell& cell, const FilledCell& filled, Visit&& v
   });
 }
 
-/// A disc as messages name it.
+/// Name of a disc in messages.
 std::string disc_words(const ShearCell& cell, std::size_t disc) {
   return disc < cell.free_discs()        ? fmt::format("disc {}", disc + 1)
          : disc < first_block_disc(cell) ? "the base"
@@ -114,7 +114,7 @@ CellRestart read_cell_restart(std::string_view text, std::string_view name, cons
   std::fill(discs.y.begin() + static_cast<std::ptrdiff_t>(first_block_disc(cell)), discs.y.end(), height);
   for_each_overlap(cell, restart.start, [&](std::size_t a, std::size_t b, double overlap) {
     if (overlap > CellRun::deepest * cell.diameter) {
-      // The later record is the one that does not fit; of a wall there is none.
+      // The error is reported at the later record of the pair; discs of a wall have no record.
       const std::size_t disc = b < cell.free_discs() ? b : a;
       throw InputError{fmt::format("{}:{}: disc {}: found it {:.4g} diameters inside {}; it must be at most {}", name,
                                    lines[disc], disc + 1, overlap / cell.diameter, disc_words(cell, disc == b ? a : b),

@@ -8,29 +8,29 @@
 
 namespace talus {
 
-/// Discs as the thesis's restart holds them: positions and velocities, elapsed time and cycles (Lacy 1989, "Data Input
-/// and Parameters"). It has neither the block nor what contacts remember, so that a run goes on from it, but not as it
-/// would have gone on.
+/// The discs of a restart file as the thesis defines it: positions and velocities, elapsed time and cycles (Lacy 1989,
+/// "Data Input and Parameters"). The file has neither the block nor the history of the contacts: a run can continue
+/// from it, but differs from the uninterrupted run.
 struct CellRestart {
   FilledCell start;
-  long cycles{};            ///< steps of the run that left it
-  std::size_t forgotten{};  ///< contacts, those with walls too, whose largest overlap is not known any more
+  long cycles{};            ///< steps of the run that wrote it
+  std::size_t forgotten{};  ///< contacts, including those with walls, whose largest overlap is lost
 };
 
-/// Reads RESTART.DAT: elapsed time and cycles on the first record, then x, y, vx, vy of each free disc on one of its
-/// own (the thesis does not tell the order: it is ours). The block is set down without speed where it first touches a
-/// disc, and along x where its drive has brought it. Errors: IoError; InputError with file, line, field, what was found
-/// and what is allowed: also for discs that overlap by more than a tenth of a diameter, as no flow of hard discs leaves
-/// them, and for records behind the last disc's.
+/// Reads RESTART.DAT: a record with elapsed time and cycles, then one record with x, y, vx, vy for each free disc (the
+/// thesis does not state the order; this one is a choice of Talus). The block is placed without vertical speed at the
+/// lowest height at which it overlaps no disc, and along x where its drive has moved it. Errors: IoError; InputError
+/// with file, line, field, what was found and what is allowed, also for discs that overlap by more than a tenth of a
+/// diameter, which does not happen in a flow of hard discs, and for records after that of the last disc.
 [[nodiscard]] CellRestart read_cell_restart(const std::filesystem::path& file, const ShearCell& cell);
 [[nodiscard]] CellRestart read_cell_restart(std::string_view text, std::string_view name, const ShearCell& cell);
 
-/// RESTART.DAT of these discs; every number in the fewest digits that give the same double back.
+/// Text of RESTART.DAT for these discs; each number has the fewest digits from which the same double is read.
 [[nodiscard]] std::string cell_restart_text(const ShearCell& cell, const Discs& discs, long cycles);
 
-/// PIC.DAT: a line `id x y` for each disc that is within the field or touches it, the free ones first, then base and
-/// block, from 1; the image of a disc across the border has the negative of its number (Lacy 1989, "Virtual Elements
-/// and Periodic Boundaries", "Output and Graphics").
+/// Text of PIC.DAT: a line `id x y` for each disc, numbered from 1: first the free discs, then base and block. A disc
+/// that crosses a border of the field has another line for its image there, with the negative of its number (Lacy 1989,
+/// "Virtual Elements and Periodic Boundaries", "Output and Graphics").
 [[nodiscard]] std::string cell_picture_text(const ShearCell& cell, const Discs& discs);
 
 }  // namespace talus

@@ -15,7 +15,7 @@
 namespace talus {
 namespace {
 
-/// Masses of discs of held walls do not matter, and must be there.
+/// Mass of the discs of a held wall: it has no effect, but LAMMPS requires one.
 constexpr double any_mass = 1.0;
 
 std::size_t type(const LammpsScene& scene, std::size_t disc) { return scene.shapes.wall[disc] + 1; }
@@ -28,14 +28,15 @@ double mass(const LammpsScene& scene, std::size_t disc) {
   return whole > 0.0 ? whole / static_cast<double>(discs) : any_mass;
 }
 
-/// Ends of the box along one axis; of what does not repeat, around all discs.
+/// Ends of the box along one axis; along an axis that is not periodic, those of all discs with a margin of `room`.
 std::pair<double, double> ends(const std::vector<double>& at, double period, double room) {
   if (period < PeriodicBox::unbounded) return {-0.5 * period, 0.5 * period};
   const auto [low, high] = std::minmax_element(at.begin(), at.end());
   return {*low - room, *high + room};
 }
 
-/// Walls: no force along x; along y none, or the mean of all with their weight.
+/// Commands for the walls: zero force along x; along y zero too, or for a wall with mass the mean over its discs of
+/// contact force and weight.
 std::string walls(const LammpsScene& scene) {
   std::string text;
   const std::size_t count = scene.shapes.walls.size();
@@ -74,15 +75,15 @@ std::string pair_style(const LammpsScene& scene, LammpsRun::Style style) {
                      law.stiffness, law.damping, tangential, clamped ? " limit_damping" : "");
 }
 
-/// Steps all discs; those that turn as solid discs.
+/// Commands that integrate the motion of all discs; discs that turn have the inertia of solid discs.
 std::string motion(const LammpsScene& scene) {
   if (!scene.friction) return "fix move all nve\n";
   if (scene.shapes.walls.empty()) return "fix move all nve/sphere disc\n";
   return "group walls subtract all free\nfix move free nve/sphere disc\nfix shift walls nve\n";
 }
 
-/// Steps from one sample of the contacts to the next: as each costs a pass over the neighbours, some hundred, and a
-/// divisor of all lengths of time that are averaged over.
+/// Steps between samples of the contacts: the largest number up to 100 (each sample costs a pass over the neighbours)
+/// that divides all averaging intervals.
 long sample_stride(const LammpsRun& run) {
   const long common = std::gcd(run.means->every, run.steps);
   for (long stride = std::min(100L, common); stride > 1; --stride)
@@ -90,8 +91,8 @@ long sample_stride(const LammpsRun& run) {
   return 1;
 }
 
-/// Computes and averages of LammpsMeans. The force that `guide` takes from a wall is that of its contacts: gravity
-/// comes after it.
+/// Computes and fixes for the averages of LammpsMeans. The force that `guide` removes from a wall is that of its
+/// contacts, because gravity is added after it.
 std::string averages(const LammpsScene& scene, const LammpsRun& run) {
   const LammpsMeans& means = *run.means;
   const std::vector<DiscWall>& shapes = scene.shapes.walls;
@@ -109,7 +110,7 @@ std::string averages(const LammpsScene& scene, const LammpsRun& run) {
       wall, means.area, means.every, stride, means.every / stride, (means.from / stride + 1) * stride);
 }
 
-/// The means as `talus cell` names them.
+/// Commands that print the means, with the names that `talus cell` uses.
 std::string printed_means(const LammpsMeans& means) {
   return fmt::format(
       "variable ratio equal f_mean_stress[1]/f_mean_stress[2]\n"
@@ -153,7 +154,7 @@ std::string lammps_data(const LammpsScene& scene) {
                  left, right, bottom, top, -room, room);
   for (std::size_t i = 0; i < shapes.size(); ++i) {
     const double radius = shapes.radius[i];
-    // It takes spheres, whose mass it computes from a density.
+    // LAMMPS reads spheres and computes their masses from a density.
     const double density = mass(scene, i) / (4.0 / 3.0 * std::numbers::pi * radius * radius * radius);
     fmt::format_to(out, "{} {} {:.17g} {:.17g} {:.17g} {:.17g} 0\n", i + 1, type(scene, i), 2.0 * radius, density,
                    scene.discs.x[i], scene.discs.y[i]);

@@ -11,51 +11,53 @@
 
 namespace talus {
 
-/// Discs as LAMMPS (Thompson et al. 2022) takes them: spheres in a plane, of which its granular pair styles know the
-/// linear spring-dashpot and friction with memory. They let friction act at the radius of a disc, Talus in the middle
-/// of the overlap; discs of a wall do not turn in either.
+/// A system of discs for LAMMPS (Thompson et al. 2022), which represents them as spheres in a plane. Its granular pair
+/// styles have the linear spring-dashpot and history-dependent friction. They apply friction at the radius of a disc,
+/// Talus in the middle of the overlap; discs of a wall turn in neither code.
 struct LammpsScene {
   DiscShapes shapes;
   Discs discs;
   PeriodicBox box;
   LinearSpringDashpot law;
-  std::optional<CoulombFriction> friction{};  ///< then discs turn, with the inertia of a solid disc
+  std::optional<CoulombFriction> friction{};  ///< if set, discs turn, with the inertia of a solid disc
 };
 
-/// What LAMMPS measures of a sheared cell, named as in the summary of `talus cell`: stresses on the wall that has a
-/// mass, contacts of a free disc.
+/// Averages of a sheared cell that LAMMPS computes, named as in the summary of `talus cell`: stresses on the wall that
+/// has a mass, and contacts of a free disc.
 struct LammpsMeans {
-  double area{};  ///< of that wall, over which forces are stresses [L^2]
-  long every{};   ///< steps from one output to the next, which has the means between them; > 0
-  long from{};    ///< steps before the means that are printed at the end begin
+  double area{};  ///< of that wall: stress = force/area [L^2]
+  long every{};   ///< steps between outputs, each of which has the means since the one before; > 0
+  long from{};    ///< steps that the means printed at the end exclude
 };
 
-/// How LAMMPS is to step them, by velocity Verlet.
+/// Settings of the run in LAMMPS, which integrates by velocity Verlet.
 struct LammpsRun {
-  /// Pair style. `granular` has dashpots and end rules as Talus has; `gran_hooke` is the older and simpler one, for
-  /// laws without a dashpot: its own is a rate for each mass.
+  /// Pair style. `granular` has the dashpots and end rules of Talus; `gran_hooke` is older and simpler, and is used
+  /// only for laws without a dashpot, because its damping is a rate per mass.
   enum class Style { granular, gran_hooke };
 
   double step{};  ///< [T]
   long steps{};   ///< >= 0
-  double skin{};  ///< of its neighbour list [L]
+  double skin{};  ///< of the neighbour list [L]
   Style style{Style::granular};
-  bool newton{true};  ///< each pair between two processors is computed once
-  bool forces{true};  ///< forces.txt is wanted
+  bool newton{true};  ///< a pair across two processors is computed only once
+  bool forces{true};  ///< forces.txt is written
   std::optional<LammpsMeans> means{};
 };
 
-/// Its data file: box, discs and velocities, to the last bit. Discs are of type 1; those of wall k of type k + 1.
-/// Errors: InputError for a box that slides, which it shears in another way.
+/// Text of the data file: box, discs and velocities, exact to the last bit. Free discs are of type 1, those of wall k
+/// of type k + 1. Errors: InputError for a sheared periodic box, because LAMMPS shears a box in another way.
 [[nodiscard]] std::string lammps_data(const LammpsScene& scene);
 
-/// Its input: reads the data, writes forces.txt (number, place and force of each disc), steps it, and prints the
-/// kinetic energy of the free discs ten times, or with `means` at each output and those beside it. Walls stand still,
-/// move on, or move along y under their mass and weight, as here. Errors: InputError for a dashpot with the style
-/// gran_hooke, and for means without a wall that has a mass. Friction takes its variant with history, in either style.
+/// Text of the input script: reads the data, writes forces.txt (number, position and force of each disc), integrates,
+/// and prints the kinetic energy of the free discs ten times, or with `means` at each output, together with the means.
+/// Walls are at rest, move at constant velocity, or move along y under their mass and weight, as in Talus. With
+/// friction, either style is used in its variant with history. Errors: InputError for a dashpot with the style
+/// gran_hooke, and for means without a wall that has a mass.
 [[nodiscard]] std::string lammps_input(const LammpsScene& scene, const LammpsRun& run, const std::string& data_file);
 
-/// Writes both to a folder: discs.data and in.discs, for `lmp -in in.discs` there. Errors: as above, and IoError.
+/// Writes both files, discs.data and in.discs, to a folder, in which `lmp -in in.discs` runs them. Errors: as above,
+/// and IoError.
 void export_lammps(const std::filesystem::path& folder, const LammpsScene& scene, const LammpsRun& run);
 
 }  // namespace talus

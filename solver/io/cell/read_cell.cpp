@@ -28,7 +28,7 @@ void choose(CellScene& scene, const CellChoices& choices) {
   static_cast<void>(make_disc_method(scene.plan.integrator));
 }
 
-/// The option of the command line that said what a field is; none if its file did.
+/// The command-line option that sets a field; empty if the file sets it.
 std::string_view option_of(const CellChoices& choices, std::string_view field) {
   if (field == "integrator" && choices.integrator) return "--integrator";
   if (field == "historical" && choices.historical) return "--historical";
@@ -36,14 +36,14 @@ std::string_view option_of(const CellChoices& choices, std::string_view field) {
   if (field == "jump" && choices.jump) return "--jump";
   return {};
 }
-/// An error to what the command line said. Errors: InputError if it did.
+/// Throws the error under the name of the option that sets its field; returns if the file sets it. Errors: InputError.
 void blame_option(const CellChoices& choices, const CellError& error) {
   if (const std::string_view option = option_of(choices, error.field); !option.empty())
     throw InputError{fmt::format("{}: {}", option, error.words)};
 }
 
-/// A run as that of 1989 may have been: Euler, K1/K2 = .45 and a step of 1e-7 (both from the thesis; that the method is
-/// Euler's is inferred from them).
+/// Errors of a historical run, which must be as the runs of 1989 may have been: Euler, K1/K2 = 0.45 and a step of 1e-7
+/// (both numbers are from the thesis; Euler's method is inferred from them).
 std::vector<CellError> historical_objections(const CellScene& scene) {
   std::vector<CellError> found;
   const LatchingSpring* const law = scene.cell.law_of_1989();
@@ -69,7 +69,7 @@ std::vector<CellError> all_objections(const CellScene& scene) {
   return found;
 }
 
-/// Reads the records of CNTRL.DAT and remembers where each number stands.
+/// Reads the records of CNTRL.DAT and stores the location of each number.
 class ControlReader {
   struct Place {
     int line{};
@@ -101,7 +101,7 @@ class ControlReader {
     record_ = names;
   }
 
-  /// `field`: what validation_errors call it.
+  /// `field` is the name that validation_errors uses.
   double real(std::string_view name, std::string_view field) {
     const std::string_view text = value(name);
     places_[std::string{field}] = {input_.line(), std::string{record_}, std::string{name}};
@@ -180,7 +180,7 @@ CellScene read_control(std::string_view text, std::string_view name, const CellC
   return scene;
 }
 
-/// Whether the first of two keys is there; it is an error if both are, or neither.
+/// Whether the first of two keys is present; reports an error if both are, or neither.
 bool has_first(SceneTable& table, std::string_view first, std::string_view second) {
   if (table.has(first) == table.has(second)) {
     const bool both = table.has(first);
@@ -190,12 +190,12 @@ bool has_first(SceneTable& table, std::string_view first, std::string_view secon
   return table.has(first);
 }
 
-/// A pure number in (0, 1]; one where it is missing, which is an error already.
+/// Restitution, a pure number in (0, 1]; 1 if it is missing, which has been reported as an error.
 double read_restitution(SceneTable& table) {
   return table.has("restitution") ? table.number("restitution", Range::positive_fraction) : 1.0;
 }
 
-/// The law's fields; `restitution`, of two discs of this mass [M], may stand for the one that loses energy.
+/// Reads the law's fields; `restitution`, for two discs of this mass [M], may replace the field that dissipates energy.
 template <class L>
 void read_law(SceneTable& table, double mass, L& law) {
   if constexpr (HasEndRule<L>) law.end_rule = table.choice_or("end_rule", law.end_rule);
@@ -209,7 +209,7 @@ void read_law(SceneTable& table, double mass, L& law) {
   if (restitution) table.placed([&] { law.set_restitution(*restitution, 0.5 * mass); });
 }
 
-/// Reports an error; where it found what the file has in other units, that stands before it.
+/// Reports an error; if the file gives the value in other units than the message, the value as written comes first.
 void object(const SceneTable& table, const CellError& error) {
   constexpr std::string_view found = "found ";
   const std::string written = table.written(error.field);
@@ -225,7 +225,7 @@ const Field<ShearCell>& mass_field() {
   return *found;
 }
 
-/// All keys of [cell] with this law.
+/// All keys that [cell] may have with this law.
 template <class L>
 std::vector<std::string> cell_keys() {
   std::vector<std::string> keys = field_names<L>();
@@ -276,7 +276,7 @@ bool on(SceneTable& table, std::string_view key) {
   return is_on;
 }
 
-/// Keys of [run] of a cell.
+/// All keys that [run] of a cell may have.
 std::vector<std::string> run_keys() {
   std::vector<std::string> keys = field_names<CellPlan>();
   keys.insert(keys.end(), {"integrator", "jump", "images", "historical", "pictures"});
@@ -293,7 +293,7 @@ void read_run_table(SceneTable& run, CellScene& scene) {
   scene.pictures = on(run, "pictures");
 }
 
-/// Reports all validation_errors to a cell and its run that the fields' own ranges leave.
+/// Reports all validation_errors of a cell and its run, which the ranges of single fields do not cover.
 void check_whole(const CellScene& scene, const CellChoices& choices, const SceneTable& cell, const SceneTable& run) {
   const std::vector<CellError> found = all_objections(scene);
   if (!found.empty()) blame_option(choices, found.front());
@@ -334,7 +334,7 @@ CellScene read_cell(std::string_view text, std::string_view name, const CellChoi
 bool describes_cell(const std::filesystem::path& file) {
   const std::string text = read_text(file);
   if (!is_deck(file.string())) {
-    if (text.find("cell") == std::string::npos) return false;  // a long scene is not parsed twice
+    if (text.find("cell") == std::string::npos) return false;  // avoids parsing a long scene twice
     const TomlValue document = parse_toml(text, file.string());
     const auto& table = std::get<TomlTable>(document.data);
     return std::any_of(table.begin(), table.end(), [](const TomlEntry& entry) { return entry.key == "cell"; });

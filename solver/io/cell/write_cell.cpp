@@ -81,11 +81,11 @@ constexpr std::array cell_columns{
     HistoryColumn{"coordination", dimension::number, Q::coordination},
 };
 
-/// Not a number where there is no whole.
+/// Fraction part/whole; NaN if `whole` is zero.
 double share(double part, double whole) {
   return whole != 0.0 ? part / whole : std::numeric_limits<double>::quiet_NaN();
 }
-/// In a series, which is drawn: zero there.
+/// The same for series, which are plotted; zero if `whole` is zero.
 double share_or_none(double part, double whole) { return whole != 0.0 ? part / whole : 0.0; }
 
 }  // namespace
@@ -297,7 +297,8 @@ std::string cell_state_vtp(CellRun& run) {
     add(vert_ends, ++data.verts), add(forces, 0), add(kinds, 0);
   }
   for (const CellRun::ActingContact& contact : run.acting_contacts()) {
-    // The second end is the image that touches. Contacts stand as at their evaluation, which may be half a step later.
+    // The second end is the image in contact. Contacts are those of their last evaluation, which may be half a step
+    // later.
     const double beyond = discs.x[contact.a] + contact.distance * contact.n_ab.x - discs.x[contact.b];
     const Vec2 b{discs.x[contact.b] + cell.width() * std::round(beyond / cell.width()), discs.y[contact.b]};
     const bool here = norm(Vec2{discs.x[contact.b], discs.y[contact.b]} - b) < 0.5 * cell.diameter;

@@ -8,49 +8,50 @@
 
 namespace talus {
 
-/// A number that a run of a cell gives, by its name in files.
+/// A numerical result of a cell run, with its name in files.
 struct CellNumber {
   std::string name;
   Dimension dimension;
-  Estimate estimate;  ///< error 0 where it has none
-  double drift{};     ///< of later over earlier, in standard errors; 0 where it has none
+  Estimate estimate;  ///< error 0 if it has none
+  double drift{};     ///< later mean minus earlier mean, in standard errors; 0 if there is none
   std::string meaning;
 };
 
-/// Dimensionless groups of a cell run so: e, what the steps make of it (law of 1989), friction, contact time over step,
-/// stiffness over pressure (K1/(P D)), inertial number, contact time times shear rate, block over disc mass, columns
-/// over wall discs; by the mean depth, or that of now in the start-up.
+/// Dimensionless groups of a cell run: restitution e, e as the steps realize it (law of 1989), friction, contact time
+/// over step, stiffness over pressure (K1/(P D)), inertial number, contact time times shear rate, block over disc mass,
+/// columns over wall discs. They use the mean depth, or during the start-up the current one.
 [[nodiscard]] std::vector<CellNumber> cell_groups(const CellScene& scene, CellRun& run);
 
-/// Means of a run after its start-up with errors, then its extremes. In the start-up means are zero.
+/// Means of a run after its start-up, with errors, then its extremes. During the start-up the means are zero.
 [[nodiscard]] std::vector<CellNumber> cell_results(const CellRun& run);
 
-/// The head of a column of its CSV files: "top_shear [Pa]", or the bare name without units.
+/// Header of a column of a cell's CSV files: "top_shear [Pa]", or the bare name if the scene has no units.
 [[nodiscard]] std::string cell_header(const CellScene& scene, std::string_view name, Dimension dimension);
 
-/// What was measured in each LOOP, a line each; headers have units where the scene has.
+/// history.csv: the means over each LOOP, one line each; headers have units if the scene has.
 [[nodiscard]] std::string cell_history_csv(const CellScene& scene, const CellRun& run);
 
-/// The layers of the profile up to the highest in which a disc was; none in the start-up.
+/// The layers of the profile in which discs were; none during the start-up.
 [[nodiscard]] std::vector<CellProfile::Layer> filled_layers(const CellRun& run);
-/// Their velocity, temperature and solid fraction over the height.
+/// profile.csv: velocity, temperature, solid fraction and, with friction, spin of these layers with their errors.
 [[nodiscard]] std::string cell_profile_csv(const CellScene& scene, const CellRun& run);
 
-/// How the run came out.
+/// Outcome of a cell run.
 struct CellOutcome {
   bool finished{};
-  std::string words;  ///< why not; empty for a run that was stopped
+  std::string words;  ///< why it did not finish; empty for a run that was stopped
   std::vector<std::string> warnings;
 };
 
-/// summary.json: title, units, outcome, parameters, groups, results, ledger, counts. With `resume`, the command that
-/// resumes the run, that too.
+/// summary.json: title, units, outcome, parameters, groups, results, ledger, counts, and `resume`, the command that
+/// resumes the run, unless it is empty.
 [[nodiscard]] std::string cell_summary_json(const CellScene& scene, CellRun& run, const CellOutcome& outcome,
                                             const std::string& resume = {});
 
 /// One state for ParaView: VTK XML poly data with a point for each disc (`id`, `radius`, `velocity`, `wall`, with
-/// friction `spin`) and a line between the centres of each pair that pushes (`force` [F], `multiple` 1 if one of its
-/// free discs has another; the end at the image of a disc has the negative of its `id`).
+/// friction `spin`) and a line between the centres of each pair in contact (`force` [F]; `multiple`, 1 if one of its
+/// free discs has another contact). A line that ends at the periodic image of a disc ends at an extra point, whose `id`
+/// is the negative of the disc's.
 [[nodiscard]] std::string cell_state_vtp(CellRun& run);
 
 }  // namespace talus

@@ -12,18 +12,18 @@
 namespace talus {
 namespace {
 
-/// A column of one of the files as pictures name it.
+/// A column of a CSV file and its label in pictures.
 struct Drawn {
   std::string_view column;
   std::string_view words;
 };
 
-/// A figure: columns over one abscissa, or heights over one column.
+/// A figure: columns over one abscissa, or the height over one column.
 struct Kind {
   std::string_view name, title, axis;
   Dimension dimension;
   std::vector<Drawn> columns;
-  bool with_friction{};  ///< only of cells whose discs turn
+  bool with_friction{};  ///< only for cells whose discs turn
 };
 
 const std::vector<Kind>& histories() {

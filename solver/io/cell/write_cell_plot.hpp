@@ -6,8 +6,8 @@
 
 namespace talus {
 
-/// plot.json of a cell: figures over the columns of its history.csv and profile.csv, which `talus plot` draws, and
-/// where its states are (read_run_folder).
+/// plot.json of a cell: the figures that `talus plot` draws from the columns of history.csv and profile.csv, and the
+/// location of the states (see read_run_folder).
 [[nodiscard]] std::string cell_plot_json(const CellScene& scene, const CellRun& run);
 
 }  // namespace talus

@@ -3,20 +3,20 @@
 #include "solver/base/error.hpp"
 #include "solver/scenes/fence.hpp"
 
-/// The records of a 1993 deck in their order (Mustoe & Huttelmaier 1993, Appendix II.4), told once for the reader and
-/// the writer. A `Deck` has
+/// The records of a 1993 deck in their order (Mustoe & Huttelmaier 1993, Appendix II.4), defined once for the reader
+/// and the writer. A `Deck` has the members
 ///
-///   element(number)                      what follows belongs to this element; 0: to the fence
+///   element(number)                      the following values belong to this element; 0: to the fence
 ///   record(names)                        a new record
 ///   real(name, owner, member)            a number in the deck's units
 ///   count(name, owner, member)           a whole number
 ///   pair(name, name, owner, member)      two numbers of a vector
 ///   code(name, field, value)             an enum by its number
 ///   held(axes)                           three flags
-///   rocks(fence)                         nel, from which the rocks are counted
+///   rocks(fence)                         nel, which gives the number of rocks
 ///   list(names, names, field, values)    a record with a count, then one with the values
 ///
-/// with the names of the manual.
+/// The names are those of the manual.
 namespace talus::deck_records {
 
 template <class Deck, class Element>
@@ -108,7 +108,7 @@ void pass(Deck& deck, Fence& fence) {
   pass_layers(deck, fence);
 }
 
-/// The entry of a table of fields that tells of a member.
+/// The entry for `member` in a table of fields.
 template <class Table, class Member>
 auto field_of(const Table& table, Member member) {
   for (const auto& field : table) {

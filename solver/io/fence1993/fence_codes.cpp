@@ -11,8 +11,9 @@ constexpr std::string_view of_a_pair = "a contact's stiffness belongs to two ele
 constexpr std::string_view no_mass_damping = "the model has no mass damping";
 constexpr std::string_view no_nodal_springs = "the model has no nodal springs";
 
-// Codes 17 to 22 and 33 to 34 are the deck's own numbers; 23 to 25 are taken as the sum of all that acts (inferred
-// from their names), 46 to 60 as those of the segments from the element outwards (Appendix II.3.1 (iv)).
+// Codes 17 to 22, 33 and 34 are numbers of the deck. Codes 23 to 25 are interpreted as the sum of all loads on the
+// element (inferred from their names), 46 to 60 as quantities of the cable segments that lead from the element outwards
+// (Appendix II.3.1 (iv)).
 constexpr std::array<FenceCode, fence_code_count> codes{{
     {1, "SMALLEST POINTER", "", dimension::number, Needs::body, an_address, nullptr},
     {2, "ELEMENT SHAPE(E.G. SPHERICAL)", "", dimension::number, Needs::body, a_label, nullptr},

@@ -7,18 +7,18 @@
 
 namespace talus {
 
-/// The name by which a scene file takes the choices of the 1993 program for all that it does not name.
+/// The name by which a scene file selects the choices of the 1993 program for all options that it does not give.
 inline constexpr std::string_view fence_rules_1993 = "1993";
 
 /// Names of the motions of an element that can be held, in the order of its flags.
 inline constexpr std::array<std::string_view, 3> held_axes{"x", "y", "rotation"};
 
-/// Calls visit(name, choice) for each option that is one of the names of an enum, in the struct's order. (Taking the
-/// struct apart by all its members lets none be forgotten.)
+/// Calls visit(name, choice) for each option whose value is an enum, in the struct's order. (The structured binding
+/// lists all members of the struct, so that none can be forgotten.)
 template <class Options, class Visit>
 void for_each_choice(Options&& options, Visit&& visit) {
-  // What is not visited are numbers, which have their fields, the integrator, which has its list, what is watched,
-  // which has its choices, and the table.
+  // Members that are not visited: numbers (see fields()), the integrator (see the list of integrators), `watch` (see
+  // MonitorRules::choices()) and the table.
   [[maybe_unused]] auto& [symmetry, even_centre, contact, calibration, end_rule, start, bottom_end, column_ground, end,
                           sleep, watch, integrator, tolerance, shear_ratio, hanger_strength, strength_top,
                           strength_bottom, hardening, rupture, table, exit_x] = options;

@@ -37,7 +37,7 @@ void add_element_faults(Faults& found, const FenceElement& element, std::size_t 
   }
 }
 
-/// Where rocks may be along the fence.
+/// Checks the position along the fence: only a rock of the full model may have one, in front of the columns.
 void add_along_fault(Faults& found, const FenceElement& element, std::size_t number, const Fence& fence, bool rock) {
   if (element.along == 0.0) return;
   const std::string along = fmt::format("found {}", amount(element.along, fence, dimension::length));
@@ -53,7 +53,7 @@ void add_along_fault(Faults& found, const FenceElement& element, std::size_t num
   }
 }
 
-/// How the cables yield.
+/// Checks the options for the yielding of the cables.
 void add_yield_faults(Faults& found, const scenes::FenceOptions& options) {
   if (options.hardening >= 1.0) found.push_back({0, "options", "hardening: found 1; it must be < 1"});
   if (options.hardening != 0.0 && !options.table.empty()) {
@@ -94,7 +94,7 @@ void add_layer_faults(Faults& found, const Fence& fence) {
     found.push_back({0, "layer_spacing", "found 0; it must be > 0 for two layers"});
 }
 
-/// Where a run ends by exit.
+/// Checks that no rock starts behind the exit if the run ends there.
 void add_end_faults(Faults& found, const Fence& fence) {
   if (fence.options.end != scenes::FenceEnd::exit) return;
   for (std::size_t i = 0; i < fence.rocks.size(); ++i) {
@@ -148,7 +148,7 @@ std::vector<FenceFault> faults(const Fence& fence) {
 std::string objection_to_title(std::string_view title) {
   for (std::size_t i = 0; i < title.size(); ++i) {
     const auto byte = static_cast<unsigned char>(title[i]);
-    // U+0080 .. U+009F: letters in the code pages of DOS.
+    // U+0080 .. U+009F are control characters; in the code pages of DOS these bytes are letters.
     const bool upper = byte == 0xc2 && static_cast<unsigned char>(title[i + 1]) < 0xa0;
     if (!upper && (byte >= 0x20 || byte == '\t') && byte != 0x7f) continue;
     return fmt::format("found the control character 0x{:02x}; a title is one line of UTF-8 or Latin-1 text",

@@ -9,21 +9,21 @@
 
 namespace talus {
 
-/// What is wrong with the records of a fence taken together.
+/// An error in the records of a fence taken together.
 struct FenceFault {
   std::size_t element{};  ///< number of the element concerned; 0: the fence itself
   std::string field;      ///< name of the member of Fence or FenceElement
   std::string words;      ///< what was found and what is allowed
 };
 
-/// All breaches of the rules that hold between records, whatever file they come from; none if the fence can be built.
-/// Rules for one number alone are its field's.
+/// All violations of the rules between records, for files of any format; empty if the fence can be built. Rules for a
+/// single number belong to its field.
 [[nodiscard]] std::vector<FenceFault> faults(const scenes::Fence& fence);
 
-/// Why a text in UTF-8 cannot be a title; empty if it can.
+/// Reason why a text in UTF-8 cannot be a title; empty if it can.
 [[nodiscard]] std::string objection_to_title(std::string_view title);
 
-/// Number of codes that the 1993 program could store.
+/// Maximum number of codes that the 1993 program could store.
 inline constexpr std::size_t most_history_codes = 8;
 /// Largest code of a quantity in its list.
 inline constexpr int last_history_code = 61;

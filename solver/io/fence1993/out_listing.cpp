@@ -20,7 +20,7 @@ using scenes::FenceElement;
 using scenes::FenceMember;
 using scenes::FenceScene;
 
-/// Writes the part of the listing that comes before the states.
+/// Writes the part of the listing before the states.
 class Head {
  public:
   Head(const Fence& fence, const FenceScene& made, const RunPlan& plan) : fence_{fence}, made_{made}, plan_{plan} {}
@@ -188,8 +188,8 @@ void Head::masses() {
 }
 
 void Head::contacts() {
-  // Both lines print the overlap of two layers, also the one below the stiffness of rock and fence, which is made with
-  // the other (.6 in the deck that the manual shows, .5 in its listing).
+  // Both lines print the overlap of two layers, even the one below the stiffness of rock and fence, which is computed
+  // with the rock/fence overlap (0.6 in the deck that the manual shows, 0.5 in its listing).
   const std::string penetration = e4(fence_.layer_overlap, dimension::length);
   line("Normal contact stiffness (rock/fence) = {}\n", e4(made_.rock_column.stiffness, dimension::stiffness));
   line("Maximum fence penetration = {}\n", penetration);
@@ -207,7 +207,7 @@ void Head::time_step() {
   line("of element no. = {}\n", fence_.rocks.size() + 2);
 }
 
-/// Coordinates and velocities of an element, world; a fixed end has its place and zeros, as in 1993.
+/// Coordinates and velocities of an element, world; a fixed end has its position and zero velocities, as in 1993.
 struct Kinematics1993 {
   Vec2 p;
   double angle{};

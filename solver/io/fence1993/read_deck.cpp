@@ -20,14 +20,14 @@ namespace {
 using scenes::ElementType;
 using scenes::Fence;
 
-/// Rocks, and elements of the histories, that a deck may have.
+/// Maximum number of rocks, and of elements with histories, of a deck.
 constexpr long most_items = 1000;
 
 std::string words_for(Range range) {
   return range == Range::any ? "a number" : fmt::format("a number {}", words(range));
 }
 
-/// Reads what deck_records::pass goes through.
+/// Reads the records that deck_records::pass visits.
 class DeckReader {
   struct Place {
     int line{};
@@ -39,7 +39,7 @@ class DeckReader {
     throw InputError{fmt::format("{}:{}: {}{}: {}", name_, place.line, record, name, words)};
   }
 
-  /// Calls `action`; an InputError of it gets the place in front.
+  /// Calls `action`; prepends the location to an InputError that it throws.
   template <class Action>
   auto placed(std::string_view name, Action&& action) {
     try {
@@ -126,7 +126,7 @@ class DeckReader {
     return text;
   }
 
-  /// A member of several numbers is called by all their names.
+  /// Names a member that consists of several numbers by all their names.
   void call(std::string_view field, std::string_view names) { places_[{element_, std::string{field}}].second = names; }
 
   double number(std::string_view name, std::string_view field, Dimension dimension, Range range) {
@@ -157,7 +157,7 @@ class DeckReader {
                              : fmt::format("a whole number between {} and {}", least, most);
   }
 
-  /// A wrong count of elements shows where an element is of another type than its place demands.
+  /// Fails if the type of an element does not fit its position in the deck, which reveals a wrong count of elements.
   void check_type(ElementType type) const {
     const bool last = static_cast<long>(element_) == elements_;
     if (last == (type == ElementType::column)) return;
@@ -174,7 +174,7 @@ class DeckReader {
   Place place_;
   std::size_t element_{0};
   long elements_{};
-  /// Where the members of the fence (0) and of its elements (their numbers) stand.
+  /// Locations of the members of the fence (element 0) and of its elements (by their numbers).
   std::map<std::pair<std::size_t, std::string>, std::pair<Place, std::string>> places_;
 };
 

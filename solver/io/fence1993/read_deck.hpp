@@ -10,10 +10,10 @@ namespace talus {
 
 /// Reads an input file of the 1993 program FENCE, NAME.DAT (Mustoe & Huttelmaier 1993, Appendix II.4): a title, then
 /// list-directed records in feet, slugs, pounds and seconds (areas in in^2, Young's modulus in lb/in^2). The fence is
-/// in US units; each number has the bits that a scene file's quantity of the same digits has. Whole numbers may be
-/// written as reals. What follows the last record is ignored. Errors: IoError if the file cannot be read; InputError
-/// for everything in it that is wrong, of the form `sample2.DAT:5: nel, igrav, grav: nel: found "2"; it must be a whole
-/// number between 3 and 1002`.
+/// in US units; each number is bit-identical to a scene file's quantity with the same digits. Whole numbers may be
+/// written as reals. Text after the last record is ignored. Errors: IoError if the file cannot be read; InputError for
+/// invalid content, of the form `sample2.DAT:5: nel, igrav, grav: nel: found "2"; it must be a whole number between 3
+/// and 1002`.
 [[nodiscard]] scenes::Fence read_deck(const std::filesystem::path& file);
 
 /// The same from a text; `name` is the file named in errors.

@@ -16,7 +16,7 @@ namespace {
 
 using scenes::Fence;
 
-/// Writes what deck_records::pass goes through.
+/// Writes the records that deck_records::pass visits.
 class DeckWriter {
  public:
   explicit DeckWriter(const Fence& fence) : text_{fence.title}, units_{fence.units} {}
@@ -58,7 +58,7 @@ class DeckWriter {
     record(item);
     for (const int value : values)
       values_.push_back(fmt::format("{}", value));
-    // The 1993 program reads hvmax codes, more than it stores; its sample deck ends them with one 0 more.
+    // The 1993 program reads hvmax codes, more than it stores; its sample deck ends the codes with an additional 0.
     if (field == "history_codes") values_.resize(most_history_codes + 1, "0");
   }
 
@@ -80,12 +80,12 @@ class DeckWriter {
 
   std::string text_;
   UnitSystem units_;
-  std::string names_;  ///< of the values of the record under way
+  std::string names_;  ///< of the values of the current record
   std::size_t element_{0};
   std::vector<std::string> values_;
 };
 
-/// `name = "choice"` of each option, and whether the cables have a table.
+/// Each option as `name = value`, and whether the cables have a table.
 std::vector<std::string> choices(const scenes::FenceOptions& options) {
   std::vector<std::string> result;
   for_each_choice(options, [&](std::string_view name, auto choice) {

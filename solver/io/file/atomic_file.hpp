@@ -10,18 +10,18 @@ namespace talus {
 
 using records::remove_remains;
 
-/// As records::write_whole(): the file appears whole or not at all. Errors: IoError
-/// "out/history.csv: No space left on device"; a former content of the file is then still there.
+/// As records::write_whole(): the file appears complete or not at all. Errors: IoError
+/// "out/history.csv: No space left on device"; the file then has its previous content.
 enum class Durability { now, later };
 void write_whole(const std::filesystem::path& file, std::string_view content, Durability durability = Durability::now);
 
-/// Brings to the disk all that was written in the file system of a folder. Errors: IoError with the system's reason.
+/// Flushes all data written in the file system of a folder to the disk. Errors: IoError with the system's reason.
 void sync_folder(const std::filesystem::path& folder);
 
-/// Removes the files of a folder for whose names `of` holds. What cannot be removed stays.
+/// Removes the files of a folder whose names satisfy `of`. Files that cannot be removed remain.
 void remove_files(const std::filesystem::path& folder, const std::function<bool(std::string_view)>& of);
 
-/// Makes a folder and those above it. Errors: IoError with the system's reason.
+/// Creates a folder and its parent folders. Errors: IoError with the system's reason.
 void make_folder(const std::filesystem::path& folder);
 
 }  // namespace talus

@@ -18,7 +18,8 @@
 namespace talus {
 namespace {
 
-/// " (process 4321)", the holder of the lock by the kernel's list; empty if it is not listed, as of another machine.
+/// The holder of the lock by the kernel's list, " (process 4321)"; empty if it is not listed, for example because it
+/// runs on another machine.
 std::string holder(int descriptor) {
   struct stat status {};
   if (::fstat(descriptor, &status) != 0) return {};

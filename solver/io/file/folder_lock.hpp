@@ -4,12 +4,13 @@
 
 namespace talus {
 
-/// Keeps a folder for one run: two that write into it at once leave a mixture that no file tells of. Nothing is written
-/// for it, and it ends with the program, however that ends. Where the file system knows no locks there is none.
+/// Lock of a folder for one run: two runs that write into it at the same time would leave an undetectable mixture of
+/// their files. The lock writes no file and ends with the program, however that ends. On a file system without locks it
+/// has no effect.
 class FolderLock {
  public:
-  /// The folder must be there. Errors: IoError, which names the process where it is known, if another program, or
-  /// another lock of this one, has it.
+  /// The folder must exist. Errors: IoError, naming the process if it is known, if another program, or another lock of
+  /// this one, holds the folder.
   explicit FolderLock(const std::filesystem::path& folder);
   FolderLock(const FolderLock&) = delete;
   FolderLock& operator=(const FolderLock&) = delete;

@@ -10,7 +10,7 @@
 namespace talus {
 namespace {
 
-/// A number rounded to .ddd times ten to an exponent.
+/// A rounded number: sign, digits d of 0.ddd, and exponent of ten.
 struct Rounded {
   std::string sign;
   std::string digits;
@@ -26,7 +26,7 @@ Rounded rounded(double value, int digits) {
   if (digits > 1) made.digits += text.substr(2, mark - 2);
   const char* exponent = text.data() + mark + (text[mark + 1] == '+' ? 2 : 1);
   std::from_chars(exponent, text.data() + text.size(), made.exponent);
-  ++made.exponent;  // the point stands one place further left
+  ++made.exponent;  // the decimal point moves one digit to the left
   return made;
 }
 

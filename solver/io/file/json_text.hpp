@@ -5,8 +5,8 @@
 
 namespace talus {
 
-/// The text of a JSON file, which is not nested too deeply to be worked with (records::demand_shallow_json). Errors:
-/// IoError with the system's reason; InputError with file and line.
+/// The text of a JSON file. Errors: IoError with the system's reason; InputError with file and line if it is nested too
+/// deeply to be processed (records::demand_shallow_json).
 [[nodiscard]] std::string read_json_text(const std::filesystem::path& file);
 
 }  // namespace talus

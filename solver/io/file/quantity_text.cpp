@@ -27,7 +27,7 @@ Decimal decimal(double value, std::string_view unit, Dimension dimension, const 
     const std::string text = fmt::format("{:.{}g}", quotient, digits);
     if (same_bits(read_back(text, unit, dimension, system), value)) return {text, true};
   }
-  // The quotient and the product are rounded on their own: the number sought may lie some places beside.
+  // The quotient and the product are rounded separately: the number sought may differ by a few units in the last place.
   Decimal nearest;
   double least = INFINITY;
   for (const int places : {0, -1, 1, -2, 2}) {

@@ -7,22 +7,22 @@
 
 namespace talus {
 
-/// A number as text, in some unit.
+/// A number as text in a unit.
 struct Decimal {
   std::string text;
-  bool exact{};  ///< whether reading it gives the value back to the last bit
+  bool exact{};  ///< whether reading it restores the value to the last bit
 };
 
-/// The decimal number, of the fewest digits, that read in `unit` gives `value` [consistent units of `system`] to the
-/// last bit. Where no double in that unit does (its spacing can be wider), the nearest, which is not `exact`.
+/// The decimal number with the fewest digits that, read in `unit`, gives `value` [consistent units of `system`] to the
+/// last bit. If no double in that unit does (their spacing can be wider), the nearest one, which is not `exact`.
 [[nodiscard]] Decimal decimal(double value, std::string_view unit, Dimension dimension, const UnitSystem& system);
 
-/// The unit that the deck of 1993 gives a quantity of this dimension in: feet, slugs, pounds (force) and seconds, but
-/// inches for areas and stresses; empty for pure numbers.
+/// The unit of a quantity of this dimension in the deck of 1993: feet, slugs, pounds (force) and seconds, but inches
+/// for areas and stresses; empty for pure numbers.
 [[nodiscard]] std::string deck_unit(Dimension dimension);
 
-/// The quantity given to an option. Errors: InputError with the option's name in front; if not in the range, what is
-/// allowed.
+/// Reads the quantity given to an option. Errors: InputError that begins with the option's name; if `positive`, also
+/// for a value <= 0.
 [[nodiscard]] double option_quantity(const std::string& option, const std::string& text, Dimension dimension,
                                      const UnitSystem& units, bool positive = true);
 

@@ -5,7 +5,7 @@
 
 namespace talus {
 
-/// A title as headings show it: without blanks at its ends, and if nothing is left the name of its file without the
+/// A title as shown in headings: without blanks at its ends; if it is blank, the name of its file without the
 /// extension, or of its folder.
 [[nodiscard]] std::string shown_title(const std::string& title, const std::filesystem::path& file);
 

@@ -22,12 +22,12 @@ TomlTable copied_table(const toml::table& table) {
   TomlTable result;
   for (const auto& [key, value] : table) {
     TomlValue copy = copied(value);
-    // A value is reported on the line of its key, which is where a reader looks; an array of tables has none of its
-    // own.
+    // Errors of a value are reported on the line of its key, where a reader expects them; an array of tables has no
+    // line of a key.
     if (!value.is_array_of_tables() && !value.is_table()) copy.line = line_of(key.source());
     result.push_back({std::string{key.str()}, std::move(copy)});
   }
-  // toml++ sorts keys; the file's order is what messages and models go by.
+  // toml++ sorts keys; messages and models use the file's order.
   std::stable_sort(result.begin(), result.end(),
                    [](const TomlEntry& a, const TomlEntry& b) { return a.value.line < b.value.line; });
   return result;
@@ -58,7 +58,7 @@ TomlValue copied(const toml::node& node) {
   return value;
 }
 
-/// Refuses keys of very many parts, a.b.c: the library nests a table for each, and its destructor then leaves the stack.
+/// Rejects keys of very many parts, a.b.c: the library nests a table for each, and its destructor overflows the stack.
 void refuse_long_keys(std::string_view text, std::string_view name) {
   constexpr std::size_t most = 100;
   std::size_t line = 1, parts = 1;

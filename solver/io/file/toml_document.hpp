@@ -15,10 +15,10 @@ struct TomlEntry;
 using TomlArray = std::vector<TomlValue>;
 /// Keys and values of a table, in the file's order.
 using TomlTable = std::vector<TomlEntry>;
-/// A date or time: TOML has them, a scene has no use for them.
+/// A date or time, which TOML has but a scene does not use.
 struct TomlDate {};
 
-/// One value of a TOML file and the line it stands on.
+/// One value of a TOML file and its line.
 struct TomlValue {
   std::variant<std::string, double, std::int64_t, bool, TomlDate, TomlArray, TomlTable> data;
   int line{};  ///< counted from 1; of a table: its header or opening brace
@@ -30,8 +30,8 @@ struct TomlEntry {
   TomlValue value;
 };
 
-/// The value as it is shown in a message: `"3 kg"`, `3`, `true`, `["1 m", "2 m"]` (beyond 60 characters "an array of
-/// 12"), "a table".
+/// The value as shown in a message: `"3 kg"`, `3`, `true`, `["1 m", "2 m"]` (beyond 60 characters "an array of 12"),
+/// "a table".
 [[nodiscard]] std::string found(const TomlValue& value);
 
 /// Parses TOML text; `name` is the file named in errors.

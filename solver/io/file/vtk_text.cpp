@@ -5,7 +5,7 @@
 namespace talus {
 namespace {
 
-/// Text as it may stand in an attribute of XML.
+/// Text escaped for an XML attribute.
 std::string escaped(std::string_view text) {
   std::string made;
   for (const char c : text) {

@@ -26,7 +26,7 @@ nlohmann::json item(const std::vector<double>& numbers) {
 
 nlohmann::json item(const std::string& text) { return text; }
 
-/// Reads fields of the file, or says what is wrong with them.
+/// Reads fields of the file. Errors: InputError naming file, field, what was found and what is allowed.
 class Reader {
  public:
   Reader(const std::filesystem::path& file, const nlohmann::json& json) : file_{file}, json_{json} {}

@@ -13,7 +13,7 @@
 namespace talus {
 namespace {
 
-/// Refuses the codes that are no histories, all at once.
+/// Rejects the codes that have no history, all in one error.
 void demand_histories(const std::vector<int>& numbers) {
   std::vector<std::string> refused;
   for (const int number : numbers) {
@@ -54,7 +54,7 @@ void FenceHistory::choose(int number) {
   }
 }
 
-/// Why an element has no such quantity; empty if it has.
+/// Reason why an element has no such quantity; empty if it has.
 std::string_view FenceHistory::objection(int number, const FenceCode& code) const {
   const scenes::FenceMember& member = made_->members[static_cast<std::size_t>(number - 1)];
   if (!member.body) return "it is a fixed end of the top cable, not a body";

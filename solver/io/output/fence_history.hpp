@@ -9,30 +9,30 @@
 
 namespace talus {
 
-/// The histories that a deck asks for: its elements times its codes, every `history_every` steps from the start and at
-/// the last step, each from a state whose parts are all at the same time. Pairs that do not fit (the tension at a rock)
-/// are left out, never written as zeros.
+/// The histories that a deck requests: each of its elements with each of its codes, every `history_every` steps from
+/// the start and at the last step, each row from a state whose parts are all at the same time. Pairs of element and
+/// code that do not fit (the tension at a rock) are skipped, never written as zeros.
 class FenceHistory {
  public:
-  /// All arguments must outlive it. Errors: InputError naming the codes that no element has a history of, and why.
+  /// All arguments must outlive it. Errors: InputError naming the codes that have no history, and why.
   FenceHistory(const scenes::Fence& fence, const scenes::FenceScene& made, const Dynamics& dynamics);
 
-  /// Adds a row if one is due and all its numbers are finite. That of a step with which the run stops gives way when
-  /// it is taken on.
+  /// Adds a row if one is due and all its numbers are finite. A row added only because the run stops is removed when
+  /// the run is resumed.
   void operator()(const Snapshot& snapshot, const StepInfo& info);
 
-  /// Names what it carries from one step to the next; one of the same run goes on from it.
+  /// Saves or restores the rows; a FenceHistory of the same run continues from them.
   void serialize(Archive& archive) { history_.serialize(archive); }
 
   /// Columns "time", "element3.top_joint_force", ...
   const History& history() const { return history_; }
-  /// Pairs left out, in words: "element 2: codes 51, 52 left out: ...".
+  /// Skipped pairs, as text: "element 2: codes 51, 52 left out: ...".
   const std::vector<std::string>& left_out() const { return left_out_; }
 
-  /// A history as CSV; lines that begin with # say first what was left out.
+  /// The history as CSV, after lines beginning with # that list the skipped pairs.
   [[nodiscard]] std::string csv_text() const;
-  /// The same as JSON: title, unit system, one entry for each column with element, code, the name of 1993, unit and
-  /// values, and what was left out.
+  /// The history as JSON: title, unit system, one entry for each column with element, code, the name of 1993, unit and
+  /// values, and the skipped pairs.
   [[nodiscard]] std::string json_text() const;
 
  private:

@@ -14,7 +14,7 @@
 namespace talus {
 namespace {
 
-/// One XML file of VTK's, read whole.
+/// A VTK XML file, read completely.
 class VtkFile {
  public:
   explicit VtkFile(const std::filesystem::path& path) : name_{path.string()} {
@@ -36,7 +36,7 @@ class VtkFile {
     return found;
   }
 
-  /// The numbers of an array of the piece: section "Points", name "Points".
+  /// The numbers of an array of the piece, e.g. of section "Points" and name "Points".
   template <class Number>
   std::vector<Number> array(const char* section, const char* name) const {
     const pugi::xml_node found =
@@ -62,8 +62,8 @@ class VtkFile {
   pugi::xml_document document_;
 };
 
-/// The place of the disc that a point stands for, from its number; the image of a disc has the negative of its number.
-/// Beyond all discs for 0.
+/// Index of the disc that a point represents, from the point's number; the image of a disc has the negative of its
+/// number. For 0, an index beyond all discs.
 std::size_t disc_of(long number) {
   const auto size = static_cast<std::size_t>(number);
   return (number < 0 ? 0 - size : size) - 1;
@@ -131,7 +131,7 @@ DiscFrame read_discs(const GeometryFile& file) {
     if (count != ids.size()) vtk.report(fmt::format("PointData: found {} values for {} points", count, ids.size()));
   }
   DiscFrame frame{file.time, {}, {}};
-  // The discs by their numbers, then images of some of them.
+  // The points are the discs in the order of their numbers, then images of some of them.
   for (std::size_t i = 0; i < ids.size() && ids[i] == static_cast<long>(i) + 1; ++i) {
     frame.discs.push_back(
         {{points[3 * i], points[3 * i + 1]}, radii[i], {velocities[3 * i], velocities[3 * i + 1]}, walls[i] != 0});

@@ -86,13 +86,13 @@ RunFolder read_run_folder(const std::filesystem::path& folder) {
 
 namespace {
 
-/// Files of every run, sheet and cell.
+/// Files with fixed names of all runs, sheets and cells.
 constexpr std::array<std::string_view, 12> single{"history.csv", "final_state.json", "summary.json", "plot.json",
                                                   "sheet.json",  "sheet.pdf",        "sheet.html",   "checkpoint.json",
                                                   "profile.csv", "cell.pvd",         "PIC.DAT",      "RESTART.DAT"};
 bool names_file(std::string_view file) { return std::find(single.begin(), single.end(), file) != single.end(); }
 
-/// Whether a name is `before`, at least `digits` digits, and ".vtp".
+/// Whether a name consists of `before`, at least `digits` digits, and ".vtp".
 bool names_vtp(std::string_view file, std::string_view before, std::size_t digits) {
   constexpr std::string_view after = ".vtp";
   if (!file.starts_with(before) || !file.ends_with(after) || file.size() < before.size() + digits + after.size())
@@ -111,8 +111,8 @@ bool ends_with_any(std::string_view name, std::initializer_list<std::string_view
 
 constexpr std::string_view geometry_ending = "_geometry";
 
-/// The stems by which runs named their geometry, listing and histories: that of the record, and those of folders of
-/// geometry, which a run that was killed leaves without a record.
+/// The stems with which runs named their geometry, listing and histories: the stem in the record, and those of the
+/// folders of geometry, which a killed run leaves without a record.
 std::set<std::string> stems_of(const std::filesystem::path& folder) {
   std::set<std::string> stems;
   try {
@@ -125,7 +125,7 @@ std::set<std::string> stems_of(const std::filesystem::path& folder) {
     const std::string name = entry.path().filename().string();
     if (!entry.is_directory(none) || !name.ends_with(geometry_ending)) continue;
     const std::string stem = name.substr(0, name.size() - geometry_ending.size());
-    // Another's folder of this name holds no such file.
+    // A folder with such a name that no run wrote contains no such file.
     if (std::any_of(Entries{entry.path(), none}, Entries{},
                     [&](const auto& file) { return names_geometry(file.path().filename().string(), stem); }))
       stems.insert(stem);
@@ -150,10 +150,10 @@ void remove_unfinished(const std::filesystem::path& folder) {
 void remove_run(const std::filesystem::path& folder) {
   const std::set<std::string> stems = stems_of(folder);
   std::error_code none;
-  // First what would vouch for the rest.
+  // First the files that indicate that the others are valid.
   std::filesystem::remove(folder / "checkpoint.json", none);
   remove_unfinished(folder);
-  // A folder is removed if nothing else is in it.
+  // Removes the folder, too, if it is then empty.
   const auto remove_from = [&](const std::filesystem::path& inner, const std::function<bool(std::string_view)>& of) {
     remove_files(inner, of);
     std::filesystem::remove(inner, none);

@@ -11,35 +11,35 @@
 
 namespace talus {
 
-/// A body as pictures name it.
+/// Name and kind of a body for pictures.
 struct DrawnBody {
   std::string name;
-  int number{};      ///< of the element (a fence: by the numbering of 1993) > 0; 0 if it has none of its own
+  int number{};      ///< of the element (in a fence: by the numbering of 1993) > 0; 0 if it has none
   std::string kind;  ///< one of body_kinds
 };
 
-/// Kinds of bodies that pictures tell apart.
+/// Kinds of bodies that pictures distinguish.
 inline constexpr std::string_view body_kinds[] = {"ground", "rock", "column", "body"};
 
-/// The files of a run that pictures are drawn from, by their names in its folder. Its states are either of bodies and
-/// cables or of discs.
+/// The files of a run from which pictures are drawn, by their names in its folder. The states are either those of
+/// bodies and cables or those of discs.
 struct RunFiles {
-  std::vector<std::string> histories;  ///< CSV; where two hold a quantity, the first one counts
-  std::string geometry;                ///< index of the VTP series; empty if the run left none
+  std::vector<std::string> histories;  ///< CSV; if two contain a quantity, the first one is used
+  std::string geometry;                ///< index of the VTP series; empty if the run wrote none
   std::vector<DrawnBody> bodies;       ///< in the order of the model
   std::vector<std::string> cables;     ///< names, in the order of the model
-  bool mirrored{};                 ///< all off z = 0 stands for its mirror image too, as in the half model of a fence
-  std::optional<double> period{};  ///< of discs: after how far along x their field repeats itself [L] > 0
+  bool mirrored{};                     ///< all parts off z = 0 have a mirror image, as in the half model of a fence
+  std::optional<double> period{};      ///< of discs: period of their field along x [L] > 0
 };
 
-/// What a run left in its folder for those who draw it.
+/// Data in the folder of a run from which its pictures are drawn.
 struct RunFolder {
   std::filesystem::path folder;
   std::string title;
-  std::optional<UnitSystem> units{si};  ///< none: the run named no system
+  std::optional<UnitSystem> units{si};  ///< empty: the run has no unit system
   RunFiles files;
 
-  /// Symbol of the unit of a dimension; empty where the run named no system.
+  /// Symbol of the unit of a dimension; empty if the run has no unit system.
   std::string unit(Dimension dimension) const;
 };
 
@@ -51,16 +51,16 @@ struct RunFolder {
 /// `talus cell` writes.
 [[nodiscard]] RunFolder read_run_folder(const std::filesystem::path& folder);
 
-/// Removes what an earlier run of a scene or cell left in a folder: its records, sheet, histories, listing, geometry,
-/// the pictures made of it, and unfinished files; but RESTART.DAT, from which another cell may start. Files of other
-/// names stay, and files that cannot be removed.
+/// Removes the files that an earlier run of a scene or cell left in a folder: records, sheet, histories, listing,
+/// geometry, the pictures made from it, and unfinished files; except RESTART.DAT, from which another cell may start.
+/// Files with other names remain, as do files that cannot be removed.
 void remove_run(const std::filesystem::path& folder);
 
-/// For a run that is resumed in its folder: removes summary.json, which would say that all files are there, and the
-/// temporary files of a program that was killed.
+/// Removes, for a run that is resumed in its folder, summary.json, which would indicate that all files are complete,
+/// and the temporary files of a program that was killed.
 void remove_unfinished(const std::filesystem::path& folder);
 
-/// The folder of a cell's states and a state in it, by its place in the series: "cell_states/cell_000003.vtp".
+/// The folder of a cell's states, and the path of a state by its index in the series: "cell_states/cell_000003.vtp".
 inline constexpr std::string_view cell_states_folder = "cell_states";
 [[nodiscard]] std::string cell_state_name(std::size_t place);
 

@@ -12,7 +12,7 @@
 
 namespace talus {
 
-/// Where a body is and how it moves.
+/// Position and velocity of a body.
 struct BodyState {
   std::string name;
   Vec2 p;          ///< centre of mass, world [L]
@@ -21,37 +21,37 @@ struct BodyState {
   double spin{};   ///< [rad/T]
 };
 
-/// How a cable or a hanger is left.
+/// State of a cable or a hanger at the end of a run.
 struct PartState {
   std::string name;
   std::string_view mode;  ///< of its law: "slack", "taut", "broken", ...; of a hanger "holds" or "broken"
-  double stretch{};       ///< plastic stretch [L]; 0 where there is none
+  double stretch{};       ///< plastic stretch [L]; 0 if there is none
 };
 
-/// Smallest and largest value of one quantity over all steps of a run.
+/// Extremes of one quantity over all steps of a run.
 struct ExtremeRecord {
   Column column;
   talus::Extreme extreme;
 };
 
-/// How far the results of a run can be trusted.
+/// Quality of the results of a run.
 struct RunQuality {
   std::string flaw;  ///< why the results are unusable; empty: they are usable
-  /// Largest error of the energy balance over the largest energy; empty where no balance was kept.
+  /// Largest error of the energy balance, relative to the largest energy; empty if no balance was computed.
   std::optional<double> balance;
   double balance_time{};                ///< [T]
-  std::string step;                     ///< the step against its limit, or what chooses it
+  std::string step;                     ///< text: the step relative to its limit, or the method that chooses it
   std::optional<double> contact_steps;  ///< steps in the shortest contact; empty for methods that locate events
 
-  /// A contact of the run.
+  /// The last contact of the run.
   struct LastContact {
     std::string name;
-    double time{};  ///< of the first step after it; of the last step if it still acts [T]
+    double time{};  ///< of the first step after it ended; of the last step if it still acts [T]
     bool touching{};
   };
-  std::optional<LastContact> last_contact;  ///< empty where nothing touched
+  std::optional<LastContact> last_contact;  ///< empty if nothing touched
 
-  /// A run of the same fence with the rocks' velocities changed.
+  /// A repeated run of the same fence with changed velocities of the rocks.
   struct Repeat {
     double change{};  ///< relative, of the velocities at the start
     scenes::Verdict verdict{};
@@ -60,32 +60,32 @@ struct RunQuality {
   };
   std::optional<Repeat> repeat;
 
-  /// A run of the same scene by located events, after a run whose results are unusable.
+  /// A run of the same scene with located events, after a run whose results are unusable.
   struct Repair {
     std::string option;  ///< of `talus run`
-    std::string flaw;    ///< why its results are unusable, too; empty: it repairs the run
+    std::string flaw;    ///< why its results are unusable, too; empty: they are usable
     std::optional<double> balance;
     scenes::Verdict verdict{};
   };
   std::optional<Repair> repair;
 };
 
-/// A run as it is reported: everything that the summary, the files and the plots say.
+/// The results of a run that the summary, the files and the plots report.
 struct RunRecord {
   std::string title;
   UnitSystem units{si};
   std::string integrator;
-  std::string integrator_why;  ///< where it was chosen automatically
+  std::string integrator_why;  ///< reason, if it was chosen automatically
   RunPlan plan;
   Outcome outcome;
   long steps{};                ///< steps done
   long evaluations{};          ///< force evaluations done
-  std::optional<long> events;  ///< located, by an integrator that does
+  std::optional<long> events;  ///< number of located events; empty for an integrator that locates none
   std::size_t coordinates{};
   std::size_t laws{};  ///< law instances: point contacts and cables
   std::size_t contacts{};
   std::size_t cables{};
-  std::vector<BodyState> bodies;        ///< at the last step that was finite
+  std::vector<BodyState> bodies;        ///< at the last step with a finite state
   Energies start_energies;              ///< of the first state
   std::vector<PartState> cables_left;   ///< at that step
   std::vector<PartState> hangers_left;  ///< at that step
@@ -93,14 +93,14 @@ struct RunRecord {
   double largest_energy_closure{};
   double energy_scale{};
   std::vector<ExtremeRecord> extremes;
-  std::vector<Failure> failures;  ///< in the order in which cables yielded, and cables and hangers broke
-  History history;                ///< rows up to the first that holds a number that is not finite
-  std::size_t rows_cut{};         ///< rows left out after that
+  std::vector<Failure> failures;  ///< yielding of cables, breaking of cables and hangers, in order of time
+  History history;                ///< rows before the first with a number that is not finite
+  std::size_t rows_cut{};         ///< rows omitted from that one on
   RunQuality quality;
-  std::optional<scenes::FenceSummary> fence;  ///< of a fence
-  std::vector<std::string> watched;           ///< what the watch over the run saw, in words
-  std::vector<std::string> warnings;          ///< and what it warns of
-  std::vector<std::string> notes;             ///< what was asked for and is not in the files, in words
+  std::optional<scenes::FenceSummary> fence;  ///< only of a fence
+  std::vector<std::string> watched;           ///< findings of the run monitor, as text
+  std::vector<std::string> warnings;          ///< all warnings of the run
+  std::vector<std::string> notes;             ///< requested output that the files do not contain, as text
 };
 
 /// The final positions and velocities of a scene's bodies.
@@ -110,8 +110,8 @@ struct RunRecord {
 [[nodiscard]] std::vector<PartState> cable_states(const Dynamics& dynamics, const State& state);
 [[nodiscard]] std::vector<PartState> hanger_states(const Dynamics& dynamics, const State& state);
 
-/// What `recorder` kept: fills history, rows_cut, extremes and accounts of the record, the latter as far as it kept
-/// any.
+/// Fills history, rows_cut, extremes and accounts of the record from `recorder`, the accounts as far as it computed
+/// them.
 void record_history(RunRecord& record, const Recorder& recorder);
 
 }  // namespace talus

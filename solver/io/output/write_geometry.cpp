@@ -15,7 +15,7 @@
 namespace talus {
 namespace {
 
-/// Poly lines with their data, as they go into a file.
+/// Poly lines with their data, as text for a file.
 class PolyLines {
  public:
   void add(Vec2 p, double z, long body) {
@@ -25,7 +25,7 @@ class PolyLines {
     finite_ = finite_ && std::isfinite(p.x) && std::isfinite(p.y);
     ++count_;
   }
-  /// Ends a line of the points added since the last.
+  /// Ends a line that consists of the points added since the line before.
   void end(long body, long cable, double tension, bool slack) {
     fmt::format_to(fmt::appender{offsets_}, FMT_COMPILE("{} "), count_);
     fmt::format_to(fmt::appender{bodies_}, FMT_COMPILE("{} "), body);
@@ -139,7 +139,7 @@ void VtpSeries::serialize(Archive& archive) {
     files_[i].time = times[i];
     archive.count(fmt::format("step_{}", i), files_[i].step);
   }
-  // At step 0 one is always due.
+  // 0 means none: at step 0 a file is always due.
   long step = of_stop_ ? of_stop_->step : 0;
   archive.count("step_of_stop", step);
   if (archive.is_loading() && step > 0) of_stop_ = File{0.0, step};
@@ -151,7 +151,7 @@ void VtpSeries::bring_files(const std::filesystem::path& from) {
     if (!std::filesystem::equivalent(from, folder_)) write_whole(folder_ / path(file), text);
   }
   remove_stop();
-  // What a run that was killed wrote after its last checkpoint.
+  // Removes the files that a killed run wrote after its last checkpoint.
   const std::filesystem::path geometry = folder_ / (name_ + "_geometry");
   remove_remains(geometry, [](std::string_view) { return true; });
   remove_files(geometry, [&](std::string_view name) {

@@ -15,7 +15,7 @@ namespace {
 
 using records::Json;
 
-/// One kind of figure: all columns whose name ends (or begins) so, against time.
+/// One kind of figure: all columns whose names have one of these endings (or this beginning), against time.
 struct FigureKind {
   std::string_view name;
   std::string_view title;
@@ -47,7 +47,7 @@ bool belongs(const Column& column, const FigureKind& kind) {
   });
 }
 
-/// Curves that all are zero throughout say nothing.
+/// Whether a curve is zero throughout; such curves are not drawn.
 bool is_zero(const History& history, std::size_t column) {
   return std::all_of(history.rows.begin(), history.rows.end(),
                      [column](const std::vector<double>& row) { return row[column] == 0.0; });

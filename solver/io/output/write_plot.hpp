@@ -7,9 +7,9 @@
 
 namespace talus {
 
-/// plot.json: the figures of a run (paths, velocities, contact forces, tensions, energies) as descriptions over the
-/// columns of `csv_file`, in the schema of verification records, which `talus plot` draws; and the files that
-/// histories, snapshots and animations are drawn from (read_run_folder).
+/// plot.json: descriptions of the figures of a run (paths, velocities, contact forces, tensions, energies), which
+/// `talus plot` draws from the columns of `csv_file`, in the schema of verification records; and the files from which
+/// histories, snapshots and animations are drawn (see read_run_folder).
 [[nodiscard]] std::string plot_json(const RunRecord& record, const std::string& csv_file, const RunFiles& files);
 
 }  // namespace talus

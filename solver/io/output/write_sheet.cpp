@@ -15,7 +15,7 @@ using Json = nlohmann::ordered_json;
 using scenes::FenceSummary;
 using scenes::ForceRecord;
 
-/// Writes one run's sheet; quantities turn into SI here.
+/// Writes the sheet of one run; converts all quantities to SI.
 class Sheet {
  public:
   Sheet(const RunRecord& record, const FenceInput& input, const Dynamics& dynamics, const scenes::FenceMonitor& watch,
@@ -217,7 +217,7 @@ Json Sheet::energy() const {
           {"scale", in_si(record_.energy_scale, dimension::energy)}};
 }
 
-/// What stood where in one state: outlines seen along the fence, cables in space.
+/// The geometry of one state: outlines seen along the fence, cables in space.
 Json Sheet::drawn(const char* name, const State& state) const {
   Workspace work = dynamics_.workspace();
   dynamics_.update_all(state, work);

@@ -8,8 +8,8 @@
 
 namespace talus {
 
-/// sheet.json: what the engineer's sheet of a fence says and draws, for talus_report and for other programs. All in SI:
-/// m, kg, s, N, J, rad; a number that is not finite is the text "inf". Meanings: see scenes::FenceSummary.
+/// sheet.json: the numbers and drawings of the engineer's sheet of a fence, for talus_report and for other programs.
+/// All in SI: m, kg, s, N, J, rad; a number that is not finite is the text "inf". Meanings: see scenes::FenceSummary.
 [[nodiscard]] std::string sheet_json(const RunRecord& record, const FenceInput& input, const Dynamics& dynamics,
                                      const scenes::FenceMonitor& watch, const State& end);
 

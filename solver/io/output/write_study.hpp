@@ -7,13 +7,13 @@
 
 namespace talus {
 
-/// A study of so many seeds a point as text: means with standard errors, then the verdicts. Marked are points of which
-/// a run failed, or had discs too deep in each other (CellRun::deepest).
+/// Text of a study with `seeds` runs per point: means with standard errors, then the verdicts. Points are marked if a
+/// run had overlaps beyond CellRun::deepest, or failed.
 [[nodiscard]] std::string study_text(const std::vector<StudyMean>& study, const std::vector<Verdict>& verdicts,
                                      int seeds);
 
-/// Every run of a study as tidy CSV: series, overburden [Pa], speed [d/s], stiffness, number of the run, then what was
-/// measured.
+/// Every run of a study as tidy CSV: series, overburden [Pa], speed [diameters/s], stiffness, seed, then the measured
+/// quantities.
 [[nodiscard]] std::string study_csv(const std::vector<StudyMean>& study);
 
 }  // namespace talus

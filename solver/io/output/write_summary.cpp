@@ -94,14 +94,14 @@ Json bodies(const RunRecord& record) {
   return json;
 }
 
-/// A largest force; margin: over its limit, null where there is none.
+/// A largest force; `margin` is its ratio to the limit, null if there is none.
 Json force(const std::string& name, double peak, double time, double margin) {
   Json json{{"name", name}, {"peak", json_number(peak)}, {"time", json_number(time)}, {"margin", nullptr}};
   if (margin > 0.0) json["margin"] = json_number(margin);
   return json;
 }
 
-/// What the fence did, and the largest forces on its parts.
+/// The verdict on the fence and its rocks, and the largest forces on its parts.
 Json verdict(const RunRecord& record) {
   const scenes::FenceSummary& fence = *record.fence;
   Json rocks = Json::array();

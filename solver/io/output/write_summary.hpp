@@ -7,15 +7,17 @@
 
 namespace talus {
 
-/// summary.json: title, outcome, quality, of a fence its verdict, method, counts, energies with their closure, momenta,
-/// extremes; numbers in the scene's units, which `units` names. A number that is not finite is written as the text
-/// "nan", "inf" or "-inf". With `resume`, the command that takes the run on, that too.
+/// summary.json: title, outcome, quality, verdict of a fence, method, counts, energies and momenta with their balance
+/// errors, extremes, and `resume`, the command that resumes the run, unless it is empty. Numbers are in the scene's
+/// units, which `units` names. A number that is not finite is written as the text "nan", "inf" or "-inf".
 [[nodiscard]] std::string summary_json(const RunRecord& record, const std::string& resume = {});
 
-/// The quality in summary.json and sheet.json. `time_size`: of the unit of time in that file's.
+/// The entry `quality` of summary.json and sheet.json. `time_size` is the size of the scene's unit of time in the
+/// file's.
 [[nodiscard]] nlohmann::ordered_json quality_json(const RunQuality& quality, double time_size = 1.0);
 
-/// final_state.json: time, and position, angle, velocity and spin of each body.
+/// final_state.json: time; position, angle, velocity and spin of each body; mode and plastic stretch of each cable and
+/// hanger.
 [[nodiscard]] std::string final_state_json(const RunRecord& record);
 
 }  // namespace talus

@@ -24,7 +24,7 @@ Shape read_shape(SceneTable table) {
   return shape;
 }
 
-/// Why a body of this mobility has no such quantity; empty if it has.
+/// Reason why a body of this mobility has no such quantity; empty if it has.
 std::string_view objection(std::string_view key, Mobility mobility) {
   const bool fixed = mobility == Mobility::fixed;
   const bool turns = talus::turns(mobility);
@@ -64,7 +64,7 @@ SceneBody read_body(SceneTable table) {
 std::vector<SceneBody> read_bodies(SceneTable& file) {
   std::vector<SceneBody> bodies;
   for (const SceneTable& table : file.tables("body")) {
-    // A body that cannot be read is still one that contacts may name.
+    // Contacts may refer to a body that cannot be read, so its name is kept.
     SceneBody body{table, {.name = table.written("name")}, {}, 0.0};
     table.source().guard(table.line(), [&] { body = read_body(table); });
     bodies.push_back(std::move(body));

@@ -38,15 +38,15 @@ void read_law(SceneTable& table, SceneContact& read) {
   read.contact.law = law;
 }
 
-/// Boundary nodes of both bodies: one number, or one for each.
+/// Numbers of boundary nodes of the two bodies, from one number for both or one for each.
 std::array<int, 2> read_nodes(SceneTable& table) {
   const std::vector<int> counts = table.wholes_or_one("nodes");
   if (counts.size() > 2) table.fail("nodes", fmt::format("found {} numbers; give one, or one a body", counts.size()));
   return {counts.front(), counts.back()};
 }
 
-/// The dashpot of friction that sticks. Without `shear_damping` a law with a retardation time c/k has the same along
-/// the surfaces as along the normal, as a viscoelastic solid has; other laws have none.
+/// Reads the dashpot of sticking friction. Without `shear_damping`, a law with a retardation time c/k has the same
+/// retardation time tangentially as along the normal, like a viscoelastic solid; other laws have no tangential dashpot.
 void read_shear_damping(SceneTable& table, Contact& contact) {
   if (!contact.friction) return table.refuse("shear_damping", "without friction it has no use; leave it out");
   contact.friction->follows_normal =

@@ -31,18 +31,18 @@ std::vector<std::string> keys() {
   return names;
 }
 
-/// Nodes of a quadrant where an element does not say: twelve of a rock, four of a column (1993).
+/// Default points of a quadrant: a rock has twelve nodes, a column four (1993).
 constexpr int usual_rock_points = 4, usual_column_points = 2;
 
-/// What an element is part of.
+/// Role of an element in the fence.
 enum class ElementPart { ground, rock, column };
 
-/// The outline: by `power` as in a deck, or by `shape`, with `exponent` if that is a superquadric.
+/// Reads the outline: by `power` as in a deck, or by `shape`, with `exponent` for a superquadric.
 void read_outline(SceneTable& table, FenceElement& element) {
   const auto names = Names<scenes::ElementOutline>::list;
   if (table.has("shape")) {
     table.refuse("power", "found beside shape; leave one of them out");
-    // With an exponent it is most likely a misspelt superquadric.
+    // A wrong shape with an exponent is most likely a misspelt superquadric.
     if (table.has("exponent")) element.outline = scenes::ElementOutline::superquadric;
     table.guard([&] {
       const std::string shape = table.choice("shape", {names.begin() + 1, names.end()});
@@ -59,14 +59,14 @@ void read_outline(SceneTable& table, FenceElement& element) {
     table.report("exponent", fmt::format("found {}; it must be > 1 and at most 10000", element.exponent));
 }
 
-/// Power 0 of a block or cylinder in contacts by resultants: n = 2/power is a rectangle, as a cylinder is from the
-/// side. By the nodes of 1993 it stands for n = 20.
+/// Makes the outline of a block or cylinder of power 0 a rectangle, for contacts by resultants: n = 2/power is
+/// infinite, and a cylinder seen from the side is a rectangle. In the nodal contacts of 1993, power 0 means n = 20.
 void take_rectangle(FenceElement& element) {
   const bool by_power = element.outline == scenes::ElementOutline::by_power && element.power == 0.0;
   if (by_power && element.solid != scenes::ElementSolid::ellipsoid) element.outline = scenes::ElementOutline::rectangle;
 }
 
-/// The density: as given, or by the mass of the solid.
+/// Reads the density, or computes it from the mass of the solid.
 void read_density(SceneTable& table, FenceElement& element, ElementPart part) {
   if (table.has("mass")) {
     table.refuse("density", "found beside mass; leave one of them out");
@@ -77,7 +77,7 @@ void read_density(SceneTable& table, FenceElement& element, ElementPart part) {
     if (!table.has("density")) return table.report("density", "it is missing; give density or mass");
     element.density = table.quantity("density", dimension::density, Range::positive);
   } else {
-    element.density = 1.0;  // the ground is held: nothing follows from its mass
+    element.density = 1.0;  // the ground is held, so its mass has no effect
   }
 }
 
@@ -125,7 +125,7 @@ scenes::FenceOptions read_options(SceneTable table, scenes::FenceOptions options
   if (table.has("watch")) table.guard([&] { options.watch = read_watch(table, "watch"); });
   if (table.has("integrator")) {
     table.guard([&] { options.integrator = table.choice("integrator", integrator_choices()); });
-    // Another method has its own step control.
+    // The default tolerance does not apply to a method without step control.
     if (!table.has("tolerance") && options.integrator != automatic_integrator && !has_step_control(options.integrator))
       options.tolerance = 0.0;
   }
@@ -148,8 +148,8 @@ const CountField<Fence>& count_field(std::string_view name) {
   return *found;
 }
 
-/// Steps of a fence's run: `steps`, or none yet with the `duration` that is returned [T]; and how often its files get a
-/// state and a row.
+/// Reads the length of a fence's run: `steps`, or the `duration`, which is returned and from which the steps follow
+/// later [T]; and how often a state and a row are written to its files.
 std::optional<double> read_steps(SceneTable& table, Fence& fence) {
   std::optional<double> duration;
   fence.steps = fence.print_every = fence.history_every = 1;
@@ -167,10 +167,10 @@ std::optional<double> read_steps(SceneTable& table, Fence& fence) {
   return duration;
 }
 
-/// As many steps as the duration takes, of a fence that can be built.
+/// Sets the number of steps that the duration takes, for a fence that can be built.
 void set_steps(SceneTable& table, Fence& fence, std::optional<double> duration) {
   if (!table.has("rules") && !table.has("step_factor")) {
-    // The step of the 1993 rule follows from a cable, not from the contacts.
+    // The step of the 1993 rule is derived from a cable, not from the contacts.
     const scenes::FenceScene made = table.placed([&] { return scenes::fence_scene(fence); });
     if (!chooses_steps(made.scene.integrator))
       fence.step_factor = table.placed([&] { return automatic_step(made.scene); }) / made.critical_step;
@@ -187,7 +187,7 @@ void set_steps(SceneTable& table, Fence& fence, std::optional<double> duration) 
   if (!table.has("history_every")) fence.history_every = std::max(1L, fence.steps / usual_rows);
 }
 
-/// A changed column: what its table leaves out is as with the others.
+/// Reads a changed column; values that its table does not give are those of the other columns.
 scenes::ChangedColumn read_changed(SceneTable& table, const Fence& fence) {
   table.allow(keys<scenes::ChangedColumn>());
   const FenceElement& pattern = fence.column;
@@ -198,7 +198,7 @@ scenes::ChangedColumn read_changed(SceneTable& table, const Fence& fence) {
   return column;
 }
 
-/// What is wrong with changed columns of a fence that was read; `tables` are theirs.
+/// Reports errors in the changed columns of a fence that was read from these tables.
 void check_changed(const std::vector<SceneTable>& tables, const Fence& fence) {
   const std::vector<scenes::ChangedColumn>& columns = fence.changed_columns;
   for (std::size_t i = 0; i < columns.size(); ++i) {
@@ -290,7 +290,7 @@ Fence read_fence(SceneTable& file, SceneSource& source) {
     });
   }
   const std::optional<double> duration = read_steps(table, fence);
-  // What follows takes all numbers together.
+  // The following checks combine all numbers, so these must be valid.
   source.check();
   source.collect();
   check_changed(changed, fence);

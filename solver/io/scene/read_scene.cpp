@@ -19,7 +19,7 @@
 namespace talus {
 namespace {
 
-/// The parts of a scene as written, and what they stand in.
+/// Gravity and the parts of a scene as written.
 struct Parts {
   Vec2 gravity;
   std::vector<SceneBody> bodies;
@@ -34,7 +34,7 @@ struct SceneRun {
 
   SceneTable table;
   std::string integrator{automatic_integrator};
-  double tolerance{};                ///< 0: none given
+  double tolerance{};                ///< 0: not given
   double end{};                      ///< [T]
   std::optional<double> step{};      ///< [T]
   bool automatic_step{};             ///< step = "auto"
@@ -43,7 +43,7 @@ struct SceneRun {
   MonitorRules watch;
 };
 
-/// Rows of the history of a run that does not say how many.
+/// Default number of rows of a run's history.
 constexpr double usual_rows = 1000.0;
 
 Parts read_parts(SceneTable& file) {
@@ -80,7 +80,7 @@ SceneRun read_run(SceneTable table) {
   if (run.table.has("interval")) run.interval = run.table.quantity("interval", dimension::time, Range::positive);
   if (run.table.has("ledger")) run.table.guard([&] { run.ledger = run.table.choice("ledger", {"on", "off"}) == "on"; });
   if (run.table.has("watch")) run.table.guard([&] { run.watch = read_watch(run.table, "watch"); });
-  // A method that is named is known without the model; an automatic one is chosen for it (set_run).
+  // A named method is known without the model; an automatic one is chosen for the model in set_run().
   if (has_method && run.integrator != automatic_integrator) {
     run.table.guard([&] {
       const bool usual = run.tolerance == 0.0 && needs_tolerance(run.integrator);
@@ -92,7 +92,7 @@ SceneRun read_run(SceneTable table) {
   return run;
 }
 
-/// Reduced mass of two bodies taken as particles; a fixed one as infinitely heavy [M].
+/// Reduced mass of two bodies treated as particles, with infinite mass for a fixed body [M].
 double particle_mass(const Model& model, const Contact& contact) {
   const Body& a = model.bodies[index(contact.a)];
   const Body& b = model.bodies[index(contact.b)];
@@ -101,7 +101,7 @@ double particle_mass(const Model& model, const Contact& contact) {
   return effective_mass(ContactSide{a.mass, {}, 0.0, false}, ContactSide{b.mass, {}, 0.0, false});
 }
 
-/// Errors: InputError if one resultant cannot follow the contact (objection_to_resultant).
+/// Checks that a single resultant can represent the contact (see objection_to_resultant). Errors: InputError.
 void check_resultant(const Contact& contact, const Model& model) {
   if (contact.method != ContactMethod::resultant) return;
   const auto& bodies = model.bodies;
@@ -109,12 +109,12 @@ void check_resultant(const Contact& contact, const Model& model) {
   if (!objection.empty()) throw InputError{fmt::format("contact '{}': {}", contact.name, objection)};
 }
 
-/// The contact of these bodies, with damping by Eq. 21 where it requires that.
+/// The contact as part of the model, with damping by Eq. 21 if it requires that.
 Contact between(const SceneContact& read, const Model& bodies) {
   Contact contact = read.contact;
   check_resultant(contact, bodies);
   if (!read.restitution) return contact;
-  // Eq. 21 is that of the attractive end rule.
+  // Eq. 21 holds for the attractive end rule.
   const double mass = particle_mass(bodies, contact);
   std::visit(
       [&]<class L>(L& law) {
@@ -137,7 +137,7 @@ Cable with_length(const SceneCable& read, const Model& bodies) {
   return cable;
 }
 
-/// The model of the parts; what a builder refuses gets the line of the table concerned.
+/// The model built from the parts; errors of the builder get the line of the table concerned.
 Model built(const Parts& parts, const SceneTable& file) {
   ModelBuilder builder{file.units()};
   builder.gravity(parts.gravity);
@@ -146,7 +146,7 @@ Model built(const Parts& parts, const SceneTable& file) {
   };
   for (const SceneBody& read : parts.bodies)
     add(read.table, [&] { return read.body; });
-  // What refers to bodies needs all of them.
+  // Contacts and cables refer to bodies, so that all bodies must have been added.
   if (builder.model().bodies.size() != parts.bodies.size()) file.source().check();
   for (const SceneContact& read : parts.contacts)
     add(read.table, [&] { return between(read, builder.model()); });
@@ -160,7 +160,7 @@ Model built(const Parts& parts, const SceneTable& file) {
   return file.placed([&] { return builder.build(); });
 }
 
-/// Method and plan of a scene that has its model and start.
+/// Sets integrator and plan of a scene that has its model and initial state.
 void set_run(const SceneRun& run, Scene& scene) {
   const SceneTable& table = run.table;
   const IntegratorChoice chosen =

@@ -6,16 +6,17 @@
 
 namespace talus {
 
-/// Reads a scene from a TOML text: bodies with what acts between them and a plan, or a table [fence]. Quantities are
-/// texts with units ("65 ft/s"), pure numbers are bare; `name` is the file named in errors.
-/// Errors: InputError for everything in it that is wrong, of the form
-/// `file.toml:17: body 'rock': mass: found "-3 kg"; it must be > 0`.
+/// Reads a scene from a TOML text: bodies, the contacts, cables and hangers between them and a plan, or a table
+/// [fence]. Quantities are quoted strings with units ("65 ft/s"), pure numbers are not quoted; `name` is the file named
+/// in errors. Errors: InputError with all errors of the text, each of the form `file.toml:17: body 'rock': mass: found
+/// "-3 kg"; it must be > 0`.
 [[nodiscard]] SceneFile read_scene_file(std::string_view text, std::string_view name);
 
-/// The scene alone.
+/// As read_scene_file, but returns only the scene.
 [[nodiscard]] Scene read_scene(std::string_view text, std::string_view name);
 
-/// Refuses a plan of more steps than can be run. Errors: InputError with the number of steps.
+/// Rejects a plan with more steps than can be run, or with a step longer than the run. Errors: InputError with the
+/// number of steps, or with both times.
 void check_step_count(const RunPlan& plan);
 
 }  // namespace talus

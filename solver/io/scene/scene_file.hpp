@@ -6,13 +6,13 @@
 
 namespace talus {
 
-/// A fence as its file describes it, and what was made of it.
+/// A fence as described by its file, and the scene built from it.
 struct FenceInput {
   scenes::Fence fence;
   scenes::FenceScene made;
 };
 
-/// What a scene's file holds.
+/// Content of a scene file.
 struct SceneFile {
   Scene scene;
   std::optional<FenceInput> fence{};  ///< if the scene is a fence

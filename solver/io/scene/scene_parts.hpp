@@ -12,7 +12,7 @@
 
 namespace talus {
 
-/// A body as written: what the model gets, and how it starts.
+/// A body as written: its entry in the model and its initial velocity.
 struct SceneBody {
   SceneTable table;
   Body body;
@@ -22,16 +22,16 @@ struct SceneBody {
 
 /// How a required restitution sets the dashpot.
 enum class RestitutionRule {
-  effective_mass,  ///< at every impact, by the effective mass along the normal when the bodies touch and the formula
+  effective_mass,  ///< at every impact, from the effective mass along the normal when the bodies touch, by the formula
                    ///< of the end rule
-  eq_21,           ///< once, by the reduced mass of two particles and the formula of the attractive rule (FENCE 1993)
+  eq_21,           ///< once, from the reduced mass of two particles, by the formula of the attractive rule (FENCE 1993)
 };
 template <>
 struct Names<RestitutionRule> {
   static constexpr std::array<std::string_view, 2> list{"effective_mass", "eq_21"};
 };
 
-/// A contact as written; `restitution` where its damping is to follow from that by Eq. 21.
+/// A contact as written; `restitution` is set if its damping follows from it by Eq. 21.
 struct SceneContact {
   SceneTable table;
   Contact contact;
@@ -42,8 +42,8 @@ struct SceneContact {
 struct SceneCable {
   SceneTable table;
   Cable cable;
-  std::optional<double> rest_length;  ///< none: the distance of its ends at the start [L]
-  double slack{};                     ///< added to it [L]
+  std::optional<double> rest_length;  ///< empty: the distance between its ends at the start [L]
+  double slack{};                     ///< added to the rest length [L]
 };
 
 /// A hanger as written.
@@ -55,32 +55,32 @@ struct SceneHanger {
 /// The names of a scene's bodies, in their order.
 class BodyNames {
  public:
-  /// Errors: two bodies of one name.
+  /// Errors: two bodies with the same name.
   explicit BodyNames(const std::vector<SceneBody>& bodies);
 
-  /// The body of that name, which `key` of a table names. Errors: an unknown name, with the nearest known; not
-  /// reported where it may be meant by a body whose name is missing or wrong, which is an error already.
+  /// The body with the name that `key` of a table gives. Errors: an unknown name, with the nearest known one; not
+  /// reported if it may be the name of a body whose name is missing or wrong, which has already been reported.
   [[nodiscard]] BodyId find(const SceneTable& table, std::string_view key, const std::string& name) const;
 
  private:
   std::map<std::string, BodyId, std::less<>> ids_;
   std::vector<std::string> names_;
-  bool differ_{true};  ///< no two are the same
+  bool differ_{true};  ///< all names are different
 };
 
-/// The readers of a scene's parts. Errors are added to the source's, with file, line, name and field.
+/// Read the parts of a scene. Errors are added to those of the source, with file, line, name and field.
 [[nodiscard]] std::vector<SceneBody> read_bodies(SceneTable& file);
 [[nodiscard]] std::vector<SceneContact> read_contacts(SceneTable& file, const BodyNames& bodies);
-/// `friction` of a contact, if it has any; its `shear_stiffness` is the normal one [F/L] unless it is given. No
-/// dashpot.
+/// Reads `friction` of a contact, if it is given; `shear_stiffness` defaults to the normal stiffness [F/L]. The dashpot
+/// is not read.
 [[nodiscard]] std::optional<CoulombFriction> read_friction(SceneTable& table, double normal_stiffness);
 [[nodiscard]] std::vector<SceneCable> read_cables(SceneTable& file, const BodyNames& bodies);
 [[nodiscard]] std::vector<SceneHanger> read_hangers(SceneTable& file, const BodyNames& bodies);
 
-/// What is watched during a run: `watch = { instability = "error", .. }`, or "off".
+/// Reads the checks of the run monitor: `watch = { instability = "error", .. }`, or "off".
 [[nodiscard]] MonitorRules read_watch(SceneTable& owner, std::string_view key);
 
-/// Calls visit with a default-made value of the alternative of a variant whose `name` is this; false if there is none.
+/// Calls visit with a default-constructed value of the variant's alternative called `name`; false if there is none.
 template <class Variant, std::size_t I = 0, class Visit>
 bool visit_named(std::string_view name, Visit&& visit) {
   if constexpr (I < std::variant_size_v<Variant>) {

@@ -9,10 +9,10 @@
 namespace talus {
 namespace {
 
-/// Stands for a number that is wrong or missing until that is reported: allowed for all ranges.
+/// Replaces a wrong or missing number until the error is reported: allowed by all ranges.
 constexpr double placeholder = 1.0;
 
-/// Why a name cannot head the columns of a history; empty if it can.
+/// Reason why a name cannot be used in the column headers of a history; empty if it can.
 std::string_view objection(std::string_view name) {
   for (const std::string_view taken : {"time", "energy", "lost", "closure"}) {
     if (name == taken) return "a history has columns of that name; choose another";

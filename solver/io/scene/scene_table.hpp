@@ -15,7 +15,7 @@
 
 namespace talus {
 
-/// What all tables of one scene file share, and what is wrong in it so far.
+/// Data shared by all tables of one scene file, and the errors found in it so far.
 class SceneSource {
  public:
   /// Maximum number of errors listed for one file.
@@ -26,32 +26,32 @@ class SceneSource {
 
   SceneSource(std::string name, UnitSystem system) : file{std::move(name)}, units{system} {}
 
-  /// From here on errors of single keys and tables are collected, up to the next check(): a wrong or missing key gets a
-  /// placeholder, a table that cannot be read is left out.
+  /// Collects the errors of single keys and tables from here on up to the next check(): a wrong or missing key gets a
+  /// placeholder, a table that cannot be read is skipped.
   void collect() const { collects_ = true; }
   bool collects() const { return collects_; }
-  /// Whether a table of this kind, "body", has an error that leaves its name unknown.
+  /// Whether a table of this kind, e.g. "body", has an error that leaves its name unknown.
   bool has_nameless(std::string_view kind) const;
-  /// Throws all errors collected so far, by lines, in one InputError with one line for each.
+  /// Throws all errors collected so far, sorted by line, as one InputError with one line for each.
   void check() const;
 
-  /// Adds an error, and throws all if there are too many.
+  /// Adds an error; throws all errors if there are too many.
   void add(int line, std::string message) const;
-  /// Calls `read`; what it throws is added, of the given line if it names none.
+  /// Calls `read`; adds an InputError that it throws for the given line, unless that error is already in the list.
   template <class Read>
   void guard(int line, Read&& read) const {
     if (!collects_) return void(read());
     try {
       read();
     } catch (const Collected&) {
-      // It is in the list.
+      // It is already in the list.
     } catch (const InputError& error) {
-      if (!collects_) throw;  // there were too many: it holds all of them
+      if (!collects_) throw;  // too many errors: this one contains all of them
       add(line, error.what());
     }
   }
 
-  /// An error that is in the list.
+  /// An error that is already in the list.
   class Collected : public InputError {
    public:
     using InputError::InputError;
@@ -67,12 +67,12 @@ class SceneSource {
 };
 
 /// One table of a scene file, read key by key. All errors are InputError of the form
-/// `file.toml:17: body 'rock': mass: found "-3 kg"; it must be > 0`; see SceneSource for several. Keys that were
-/// neither read nor allowed are refused by allow(), which a reader calls first: a key that is missing under its own
-/// name, but there under one much like it, is one error.
+/// `file.toml:17: body 'rock': mass: found "-3 kg"; it must be > 0`; see SceneSource for several errors. allow()
+/// rejects keys that were neither read nor allowed. A reader calls it first, so that a misspelt key is one error: it is
+/// not also reported as missing.
 class SceneTable {
  public:
-  /// `noun` says in messages what the table describes: "body 'rock'"; empty for the file itself. `value` must be a
+  /// `noun` names in messages what the table describes: "body 'rock'"; empty for the file itself. `value` must be a
   /// table.
   SceneTable(const SceneSource& source, const TomlValue& value, std::string noun);
 
@@ -80,10 +80,10 @@ class SceneTable {
   const SceneSource& source() const { return *source_; }
   const UnitSystem& units() const { return source_->units; }
   bool has(std::string_view key);
-  /// Whether it is there, and a text in quotes.
+  /// Whether the key is present and its value is a text in quotes.
   bool is_text(std::string_view key) const;
 
-  /// A quantity with its unit, in consistent units of the scene; one without dimension is a pure number.
+  /// A quantity with its unit, in consistent units of the scene; without dimension, a pure number.
   [[nodiscard]] double quantity(std::string_view key, Dimension dimension, Range range = Range::any);
   [[nodiscard]] double quantity_or(std::string_view key, Dimension dimension, double absent, Range range = Range::any);
   /// An array of `least` to `most` quantities of one dimension.
@@ -95,23 +95,23 @@ class SceneTable {
   [[nodiscard]] double number(std::string_view key, Range range = Range::any);
   /// A whole number.
   [[nodiscard]] int whole(std::string_view key);
-  /// A whole number between these, both among them.
+  /// A whole number from `least` to `most`.
   [[nodiscard]] std::int64_t whole_between(std::string_view key, std::int64_t least, std::int64_t most);
-  /// A whole number, or an array of them that is not empty.
+  /// A whole number, or a non-empty array of whole numbers.
   [[nodiscard]] std::vector<int> wholes_or_one(std::string_view key);
   /// An array of pairs of quantities.
   [[nodiscard]] std::vector<std::array<double, 2>> pairs(std::string_view key, Dimension first, Dimension second);
   /// An array of whole numbers.
   [[nodiscard]] std::vector<int> wholes(std::string_view key);
   [[nodiscard]] std::string text(std::string_view key);
-  /// The text under `title`; empty if there is none.
+  /// The text of `title`; empty if there is none.
   [[nodiscard]] std::string title();
   [[nodiscard]] std::vector<std::string> texts(std::string_view key, std::size_t count);
-  /// Any of a closed list of names, in an array.
+  /// An array of names from a closed list.
   [[nodiscard]] std::vector<std::string> choices(std::string_view key, const std::vector<std::string>& known);
-  /// One of a closed list of names.
+  /// One name from a closed list.
   [[nodiscard]] std::string choice(std::string_view key, const std::vector<std::string>& known);
-  /// One of the names of an enum; `absent` where the key is not given, or wrong.
+  /// The enum value that the key names; `absent` if the key is missing or wrong.
   template <class Enum>
   [[nodiscard]] Enum choice_or(std::string_view key, Enum absent) {
     if (!has(key)) return absent;
@@ -122,19 +122,19 @@ class SceneTable {
     }
     return absent;
   }
-  /// Calls `read`, for a part of the table without which the rest can be read; see SceneSource::guard().
+  /// Calls `read` for a part of the table on which reading the rest does not depend; see SceneSource::guard().
   template <class Read>
   void guard(Read&& read) const {
     source_->guard(line_, std::forward<Read>(read));
   }
   /// A table inside this one.
   [[nodiscard]] SceneTable table(std::string_view key);
-  /// The tables of an array of tables, [[key]]; none if the key is absent, or wrong. Each is called by its own `name`.
+  /// The tables of an array of tables, [[key]]; empty if the key is missing or wrong. Messages use each table's `name`.
   [[nodiscard]] std::vector<SceneTable> tables(std::string_view key);
-  /// The same for tables without names, called by their numbers from 1.
+  /// The same for tables without names; messages use their numbers from 1.
   [[nodiscard]] std::vector<SceneTable> numbered_tables(std::string_view key);
 
-  /// Reads every field of T; one whose value is allowed as it stands may be left out.
+  /// Reads all fields of T; a field whose value before reading is allowed is optional.
   template <class T>
   void read_fields(T& value) {
     for (const auto& field : T::fields())
@@ -145,26 +145,26 @@ class SceneTable {
     if (contains(field.range, value.*field.member) && !has(field.name)) return;
     value.*field.member = quantity(field.name, field.dimension, field.range);
   }
-  /// A whole number in the range of its field.
+  /// Reads a whole number in the range of its field.
   template <class T>
   void read_count(T& value, const CountField<T>& field) {
     const auto count = static_cast<int>(whole_between(field.name, field.least, field.most));
     std::visit([&](auto member) { value.*member = count; }, field.member);
   }
 
-  /// Refuses a key that is there, saying why it has no place.
+  /// Reports an error if the key is present, with the reason why it is not allowed.
   void refuse(std::string_view key, std::string_view why);
-  /// Refuses all keys but these and those asked for so far, naming the nearest known one.
+  /// Reports all keys of the table except these and those requested so far, naming the nearest known one.
   void allow(std::vector<std::string> keys);
 
-  /// A text as it stands there, without its quotes; empty if the key is missing or no text.
+  /// The text of a key as written, without its quotes; empty if the key is missing or its value is not a text.
   [[nodiscard]] std::string written(std::string_view key) const;
 
   /// Throws an error about a key (or about the table itself, if it has no such key).
   [[noreturn]] void fail(std::string_view key, std::string_view message) const;
-  /// Adds such an error to the source's, or throws it if the source does not collect them.
+  /// Adds such an error to those of the source, or throws it if the source does not collect errors.
   void report(std::string_view key, std::string_view message) const;
-  /// Calls `action`; an InputError of it gets this table's file and line in front.
+  /// Calls `action`; prepends this table's file and line to an InputError that it throws.
   template <class Action>
   auto placed(Action&& action) const {
     try {
@@ -176,9 +176,9 @@ class SceneTable {
 
  private:
   const TomlValue* find(std::string_view key) const;
-  /// The value of a key; none if it is missing, which is then an error.
+  /// The value of a key; null if it is missing, which is reported as an error.
   const TomlValue* demand(std::string_view key);
-  /// The value of a key without which the table cannot be read.
+  /// The value of a key without which the table cannot be read; throws if it is missing.
   const TomlValue& demand_at_once(std::string_view key);
   double number_of(std::string_view key, const TomlValue& value, Range range) const;
   double quantity_of(std::string_view key, const TomlValue& value, Dimension dimension, Range range) const;
@@ -193,7 +193,7 @@ class SceneTable {
   int line_;
   std::string noun_;
   std::vector<std::string> known_;
-  std::vector<std::string> misspelt_;  ///< keys that unknown ones were meant to be
+  std::vector<std::string> misspelt_;  ///< known keys for which unknown ones were presumably meant
 };
 
 /// Names of the fields of T, as written in a scene.

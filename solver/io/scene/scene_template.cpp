@@ -8,7 +8,7 @@
 namespace talus {
 namespace {
 
-/// Of `<a|b>` a stands in a file in SI units, b in one in US units.
+/// `<a|b>` becomes a in a file in SI units and b in one in US units.
 constexpr std::string_view fence =
     R"(# A rockfall fence: columns of tyres hang side by side from a top cable, a bottom cable ties them together, and a
 # rock hits the central column. x is horizontal across the fence (the rock comes from the right), y is up, z along it.
@@ -167,7 +167,7 @@ end = "40 ms" # time that the run lasts
 constexpr std::pair<std::string_view, std::string_view> templates[] = {
     {"fence", fence}, {"scene", scene}, {"cell", cell}};
 
-/// Takes the first or the second of each `<first|second>`.
+/// Replaces each `<first|second>` by its first or its second part.
 std::string chosen(std::string_view text, bool first) {
   std::string made;
   for (std::size_t open; (open = text.find('<')) != std::string_view::npos;) {
@@ -179,7 +179,7 @@ std::string chosen(std::string_view text, bool first) {
   return made.append(text);
 }
 
-/// Moves the comments behind fields to one column, if the fields are short enough.
+/// Aligns the comments after fields at one column, if the fields are short enough.
 std::string aligned(std::string_view text) {
   constexpr std::size_t column = 46;
   std::string made;

@@ -12,7 +12,8 @@ namespace {
 using scenes::Fence;
 using scenes::FenceElement;
 
-/// A quantity in quotes, in the units of the deck where they keep its bits, else in consistent units; a bare number.
+/// A quantity in quotes, in the units of the deck if they preserve its bits, otherwise in consistent units; a pure
+/// number is not quoted.
 std::string quantity(double value, Dimension dimension, const UnitSystem& units) {
   if (dimension == dimension::number) {
     const std::string text = decimal(value, "", dimension, units).text;
@@ -47,7 +48,7 @@ std::string number_lines(const T& value, const UnitSystem& units) {
   return text;
 }
 
-/// A text cut into its lines, each with its end.
+/// The lines of a text, each with its line end.
 std::vector<std::string> lines_of(const std::string& text) {
   std::vector<std::string> lines;
   for (std::size_t from = 0; from < text.size();) {
@@ -77,7 +78,7 @@ std::string element_lines(std::string_view head, const FenceElement& element, co
   for (std::size_t i = 0; i < element.held.size(); ++i) {
     if (element.held[i]) held.push_back(in_quotes(held_axes[i]));
   }
-  // The ground is held unless its table says otherwise.
+  // The ground is held by default, so that its `held` is always written.
   const bool said = !held.empty() || head == "[fence.ground]";
   return said ? text + fmt::format("held = [{}]\n", fmt::join(held, ", ")) : text;
 }

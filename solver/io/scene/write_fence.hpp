@@ -6,7 +6,7 @@
 
 namespace talus {
 
-/// The scene file of a fence, in the units of the fence. Reading it gives the fence back to the last bit.
+/// Text of the scene file of a fence, in the units of the fence. Reading it restores the fence to the last bit.
 [[nodiscard]] std::string write_fence(const scenes::Fence& fence);
 
 }  // namespace talus

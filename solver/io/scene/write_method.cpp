@@ -16,7 +16,7 @@
 namespace talus {
 namespace {
 
-/// Where a position stands in a text: toml++ counts lines and, in a line, code points from 1.
+/// Offset of a source position in the text: toml++ counts lines and, in a line, code points from 1.
 std::size_t offset(std::string_view text, toml::source_position position) {
   std::size_t at = 0;
   for (toml::source_index line = 1; line < position.line; ++line)
@@ -34,9 +34,9 @@ std::size_t line_start(std::string_view text, std::size_t at) {
   return before == std::string_view::npos ? 0 : before + 1;
 }
 
-/// A key of [run] in the text.
+/// Location of a key of [run] in the text.
 struct Place {
-  std::size_t key{}, begin{}, end{};  ///< where the key begins, and its value begins and ends
+  std::size_t key{}, begin{}, end{};  ///< start of the key, start and end of its value
 };
 
 std::optional<Place> place_of(std::string_view text, const toml::table& run, std::string_view wanted) {
@@ -48,10 +48,10 @@ std::optional<Place> place_of(std::string_view text, const toml::table& run, std
   return {};
 }
 
-/// [run] of a parsed file. (A copy of a table does not know its places any more.)
+/// [run] of a parsed file. (A copy of a table loses its source positions.)
 const toml::table& run_of(const toml::table& document) { return *document["run"].as_table(); }
 
-/// Takes a key and its value out: its whole line, or from an inline table with one comma.
+/// Removes a key and its value: its whole line, or from an inline table with one comma.
 void take_out(std::string& text, std::string_view key) {
   const toml::table document = toml::parse(text);
   const toml::table& run = run_of(document);
@@ -78,8 +78,8 @@ void put(std::string& text, std::string_view key, const std::string& value) {
     text.replace(place->begin, place->end - place->begin, value);
     return;
   }
-  // Beside the integrator, or else the end, which is always there; in a line like its own, "run." and blanks in front
-  // included.
+  // Inserted after the integrator, or otherwise after the end, which is always present; on a line of the same form,
+  // including a leading "run." and blanks.
   const auto integrator = place_of(text, run, "integrator");
   const Place beside = integrator ? *integrator : place_of(text, run, "end").value();
   const std::size_t start = line_start(text, beside.key);
@@ -114,7 +114,7 @@ std::string changed_text(const Scene& wanted, std::string text, std::string_view
                   name)};
 }
 
-/// A count of steps that falls on the nearest time among other steps.
+/// The count among `new_steps` steps whose time is nearest to that of `count` among `steps`; at least 1.
 long at_same_time(long count, long steps, long new_steps) {
   return std::max(
       1L, std::lround(static_cast<double>(count) * static_cast<double>(new_steps) / static_cast<double>(steps)));
