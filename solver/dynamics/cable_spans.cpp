@@ -100,10 +100,10 @@ template <bool recorded, class Joints>
     const Pack deformation = lengths - rest;
     Pack tension;
     line_tension(tension, stiffness, deformation, natural);
-    Lanes extents, lows, highs;
-    extents.set(deformation), lows.set(low), highs.set(high);
+    Lanes deformations, lows, highs;
+    deformations.set(deformation), lows.set(low), highs.set(high);
     Sizes off;
-    ask_lanes(off, [&](std::size_t i) { return !(extents[i] > lows[i] && extents[i] < highs[i]); });
+    ask_lanes(off, [&](std::size_t i) { return !(deformations[i] > lows[i] && deformations[i] < highs[i]); });
     left |= off & is;
     if constexpr (recorded) {
       rate.get(pack);

@@ -18,7 +18,7 @@ Bounds box(const HalfPlane&) { return {0.0, 0.0, false, true}; }
 Bounds box(const Terrain&) { return {1e150, 1e150, true, false}; }
 
 /// Half widths of the box along the axes of a frame in which its orientation is R.
-Vec2 deformation(const Bounds& bounds, Rotation R) {
+Vec2 half_size(const Bounds& bounds, Rotation R) {
   if (bounds.round) return {bounds.half_width, bounds.half_height};
   const double c = std::abs(R.cosine), s = std::abs(R.sine);
   return {c * bounds.half_width + s * bounds.half_height, s * bounds.half_width + c * bounds.half_height};
@@ -27,13 +27,13 @@ Vec2 deformation(const Bounds& bounds, Rotation R) {
 /// True if box A lies beyond a side of box B by more than a margin: the separating-axis test with the axes of B.
 bool beyond(const Bounds& a, const Pose& A, const Bounds& b, const Pose& B, double margin) {
   const Placement seen = placement(A, B);
-  const Vec2 reach = deformation(a, seen.R);
+  const Vec2 reach = half_size(a, seen.R);
   return std::abs(seen.p.x) > b.half_width + reach.x + margin || std::abs(seen.p.y) > b.half_height + reach.y + margin;
 }
 
 bool above(const Bounds& bounds, const Pose& body, const Pose& plane, double margin) {
   const Vec2 n = plane.R_WB * Vec2{0.0, 1.0};
-  const Vec2 reach = deformation(bounds, body.R_WB);
+  const Vec2 reach = half_size(bounds, body.R_WB);
   return dot(body.p_WB - plane.p_WB, n) > std::abs(n.x) * reach.x + std::abs(n.y) * reach.y + margin;
 }
 
@@ -69,7 +69,7 @@ constexpr std::size_t most_swept = 4000;
 
 /// Range along x: the box, widened by the skin and slightly more.
 Stretch stretch(const Bounds& bounds, const Pose& pose, double skin) {
-  const double reach = skin + deformation(bounds, pose.R_WB).x * (1.0 + 1e-12) + 1e-12 * std::abs(pose.p_WB.x);
+  const double reach = skin + half_size(bounds, pose.R_WB).x * (1.0 + 1e-12) + 1e-12 * std::abs(pose.p_WB.x);
   return {pose.p_WB.x - reach, pose.p_WB.x + reach};
 }
 

@@ -134,6 +134,12 @@ void add_pair(Workspace& work, const ContactGroup& group, const Gap& gap, Vec2 o
 /// True for a body and ground.
 bool is_unbounded(const Candidate& pair) { return is_unbounded(pair.bounds_a) || is_unbounded(pair.bounds_b); }
 
+/// Step [T] in which a pair with this closing speed [L/T] moves by the distance `way` [L] > 0 under the acceleration `pull`
+/// [L/T^2]: way = speed h + pull h^2/2, solved without cancellation.
+double step_over(double way, double speed, double pull) {
+  return 2.0 * way / (speed + std::sqrt(speed * speed + 2.0 * pull * way));
+}
+
 /// Reduces the longest step to the one that a pair with this closing speed [L/T] allows, under the acceleration `pull`
 /// [L/T^2].
 void limit_step(ContactForces::TunnellingLimit& tunnelling_limit, const Candidate& pair, std::size_t contact,
@@ -141,8 +147,7 @@ void limit_step(ContactForces::TunnellingLimit& tunnelling_limit, const Candidat
   const double way = tunnelling_distance(pair);
   const double most = tunnelling_limit.longest_step;
   if ((speed + 0.5 * pull * most) * most <= way) return;
-  // way = speed h + pull h^2/2, solved without cancellation.
-  const double step = 2.0 * way / (speed + std::sqrt(speed * speed + 2.0 * pull * way));
+  const double step = step_over(way, speed, pull);
   if (step < most) tunnelling_limit = {step, static_cast<ContactId>(contact)};
 }
 
@@ -434,6 +439,19 @@ ContactForces::TunnellingLimit ContactForces::tunnelling_limit(const Workspace& 
     limit_step(found, pair, c, largest_closing_speed(pair, work.poses[index(pair.a)], work.poses[index(pair.b)]), pull);
   }
   return found;
+}
+
+double ContactForces::safe_step(const Workspace& work, double ahead, double pull) const {
+  double longest = ahead;
+  for (const Candidate& pair : search_.pairs()) {
+    if (is_unbounded(pair)) continue;
+    const Pose A = work.poses[index(pair.a)], B = work.poses[index(pair.b)];
+    const double speed = largest_closing_speed(pair, A, B);
+    const double apart = norm(B.p_WB - A.p_WB) - furthest(pair.bounds_a) - furthest(pair.bounds_b) - pair.reach;
+    const double way = tunnelling_distance(pair) + std::max(apart, 0.0);
+    if ((speed + 0.5 * pull * longest) * longest > way) longest = step_over(way, speed, pull);
+  }
+  return longest;
 }
 
 ContactForces::Overlap ContactForces::deepest_overlap(const Workspace& work) const {

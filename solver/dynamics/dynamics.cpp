@@ -282,6 +282,10 @@ void Dynamics::guards_of(const State& state, std::span<const std::size_t> modes,
 
 bool Dynamics::follows(const State& state) const { return contacts_.follows(state) || cables_.follows(state); }
 
+double Dynamics::safe_step(const Workspace& work, double ahead) const {
+  return contacts_.safe_step(work, ahead, gravity_magnitude_);
+}
+
 double Dynamics::longest_step(const Workspace& work) const {
   return contacts_.tunnelling_limit(work, gravity_magnitude_).longest_step;
 }

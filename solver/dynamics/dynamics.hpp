@@ -110,6 +110,8 @@ class Dynamics {
 
   /// True if, in the state's modes, some memory is changed by update_modes() alone.
   [[nodiscard]] bool follows(const State& state) const;
+  /// See ContactForces::safe_step(), with gravity as the acceleration.
+  double safe_step(const Workspace& work, double ahead) const;
   /// After update(): longest step [T] from here in which no body can tunnel through another; infinite if none can.
   [[nodiscard]] double longest_step(const Workspace& work) const;
   /// Displacement [L] of a body for one unit of each coordinate: 1, or the radius of gyration.

@@ -50,6 +50,12 @@ GuardBounds RigidBodySystem::guards(const State& state, bool same, double ahead,
   return {!none_ends && dynamics_->guards(state, work_, out, ahead), longest_step};
 }
 
+double RigidBodySystem::safe_step(const State& state, double ahead) {
+  if (dynamics_->contacts().candidates() == 0) return ahead;
+  dynamics_->update(state, work_);
+  return dynamics_->safe_step(work_, ahead);
+}
+
 void RigidBodySystem::guards_of(const State& state, std::span<const std::size_t> modes, std::span<double> out) {
   dynamics_->guards_of(state, modes, work_, out);
 }

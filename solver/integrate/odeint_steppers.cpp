@@ -173,7 +173,8 @@ namespace {
 /// string. `Method` is OdeintStepper::Method.
 template <class Stepper, class Method>
 std::string controlled_steps(Stepper& stepper, Method& method, const OdeintStepper::Derivative& derivative,
-                             const OdeintStepper::Accepted& accepted, Vector& x, double t, double h) {
+                             const OdeintStepper::Accepted& accepted, const OdeintStepper::Longest& longest, Vector& x,
+                             double t, double h) {
   const auto try_step = [&](double& attempt) {
     if constexpr (keeps_derivative<Stepper>) {
       return stepper.try_step(std::cref(derivative), x, method.last_derivative, t, attempt) == odeint::success;
@@ -185,16 +186,19 @@ std::string controlled_steps(Stepper& stepper, Method& method, const OdeintStepp
   if constexpr (std::is_same_v<Stepper, BulirschStoer>) stepper.reset();
   const double end = t + h;
   double dt = method.internal_step == 0.0 ? h : std::min(method.internal_step, h);
+  double most = longest(h);
   for (long steps = 0; t < end; ++steps) {
     if (steps == most_internal_steps) return internal_steps_failure(t);
-    const bool last = t + dt * (1.0 + 1e-12) >= end;
-    double attempt = last ? end - t : dt;
+    const double next = std::min(dt, most);
+    const bool last = t + next * (1.0 + 1e-12) >= end;
+    double attempt = last ? end - t : next;
     const double wanted = attempt;
     if (try_step(attempt)) {
       if (last) t = end;
-      // A step cut short by the end of the interval is no reason to shorten the next one.
-      dt = last ? std::max(dt, attempt) : attempt;
+      // A step cut short by the end of the interval or by a contact to come is no reason to shorten the next one.
+      dt = last || next < dt ? std::max(dt, attempt) : attempt;
       accepted(x, t);
+      most = longest(end - t);
     } else {
       dt = attempt;
     }
@@ -217,8 +221,8 @@ OdeintStepper& OdeintStepper::operator=(const OdeintStepper& other) {
 OdeintStepper::OdeintStepper(OdeintStepper&&) noexcept = default;
 OdeintStepper& OdeintStepper::operator=(OdeintStepper&&) noexcept = default;
 
-std::string OdeintStepper::advance(const Derivative& derivative, const Accepted& accepted, Vector& x, double t,
-                                   double h) {
+std::string OdeintStepper::advance(const Derivative& derivative, const Accepted& accepted, const Longest& longest,
+                                   Vector& x, double t, double h) {
   return std::visit(
       [&]<class Stepper>(Stepper& stepper) -> std::string {
         if constexpr (keeps_derivative<Stepper>) {
@@ -230,7 +234,7 @@ std::string OdeintStepper::advance(const Derivative& derivative, const Accepted&
         if constexpr (requires(Vector & v, double& time, double& dt) {
                         stepper.try_step(std::cref(derivative), v, time, dt);
                       }) {
-          return controlled_steps(stepper, *method_, derivative, accepted, x, t, h);
+          return controlled_steps(stepper, *method_, derivative, accepted, longest, x, t, h);
         } else {
           if constexpr (keeps_derivative<Stepper>) {
             stepper.do_step(std::cref(derivative), x, method_->last_derivative, t, h);

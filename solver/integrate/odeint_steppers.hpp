@@ -47,6 +47,9 @@ class OdeintStepper {
   using Derivative = std::function<void(const Vector& x, Vector& dxdt, double t)>;
   /// Called after each accepted internal step with the vector and its time; may change the vector.
   using Accepted = std::function<void(Vector& x, double t)>;
+  /// Longest internal step from the state accepted last, at most `ahead` [T]: step control does not see a contact that
+  /// begins and ends between two of its evaluations.
+  using Longest = std::function<double(double ahead)>;
 
   /// tolerance > 0: relative and absolute error allowed in each step, with step control; 0: steps of fixed length. The
   /// caller must ensure that the method supports this (see odeint_traits).
@@ -59,8 +62,8 @@ class OdeintStepper {
 
   /// Advances x from t to t + h, in one step or as many as step control needs; returns the error message, or an empty
   /// string.
-  [[nodiscard]] std::string advance(const Derivative& derivative, const Accepted& accepted, Vector& x, double t,
-                                    double h);
+  [[nodiscard]] std::string advance(const Derivative& derivative, const Accepted& accepted, const Longest& longest,
+                                    Vector& x, double t, double h);
 
   /// Serializes what is carried to the next advance(), for vectors of `size` numbers.
   void serialize(Archive& archive, std::size_t size);
@@ -112,7 +115,11 @@ class Odeint {
       pack(state, x);
     };
     // Passed by reference: copies of functions with this many captures would allocate at each step.
-    failure_ = stepper_->advance(std::cref(derivative), std::cref(accepted), x_, state.t, h);
+    const auto longest = [&](double ahead) {
+      if constexpr (requires { system.safe_step(state, ahead); }) return system.safe_step(state, ahead);
+      return ahead;
+    };
+    failure_ = stepper_->advance(std::cref(derivative), std::cref(accepted), std::cref(longest), x_, state.t, h);
   }
 
   /// Why the method cannot continue; empty while it can.

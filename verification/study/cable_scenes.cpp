@@ -65,9 +65,9 @@ Scene parted_pair_scene(const reference::HungPair& pair, const State& at_break) 
   return scene;
 }
 
-CableSpan run_cables(const Scene& scene, const State& start, const Integrator& method, const CableRunPlan& plan,
-                     Findings& findings) {
-  CableSpan run;
+CableRunResult run_cables(const Scene& scene, const State& start, const Integrator& method, const CableRunPlan& plan,
+                          Findings& findings) {
+  CableRunResult run;
   Scene from = scene;
   from.initial = start;
   from.initial = first_state(from);

@@ -24,7 +24,7 @@ inline constexpr double cable_length = 8.0;
 [[nodiscard]] Scene parted_pair_scene(const reference::HungPair& pair, const State& at_break);
 
 /// Result of a run up to its end time, or until the first cable, having been taut, is slack or broken.
-struct CableSpan {
+struct CableRunResult {
   State end;
   std::vector<double> time, elongation, tension;  ///< of the first cable, every step, if `watched`
   std::vector<double> second_tension;             ///< of the second cable, if there is one
@@ -38,8 +38,8 @@ struct CableRunPlan {
   bool watched{false};
 };
 
-[[nodiscard]] CableSpan run_cables(const Scene& scene, const State& start, const Integrator& method,
-                                   const CableRunPlan& plan, Findings& findings);
+[[nodiscard]] CableRunResult run_cables(const Scene& scene, const State& start, const Integrator& method,
+                                        const CableRunPlan& plan, Findings& findings);
 
 /// Work recorded for one mechanism.
 [[nodiscard]] double booked(const State& state, Mechanism mechanism);

@@ -22,14 +22,14 @@ constexpr double half_swing = std::numbers::pi;
 std::size_t phases(const Setup& setup) { return setup.coarse ? 16 : fewest_phases; }
 
 /// A throw from the share `phase` of a step before the cable is taut.
-CableSpan throw_once(const ElasticPlastic& law, double step, double phase, Findings& findings) {
+CableRunResult throw_once(const ElasticPlastic& law, double step, double phase, Findings& findings) {
   const Scene scene = thrown_mass(law, mass, speed);
   State state = scene.initial;
   state.q[0] -= phase * step * speed;
   return run_cables(scene, state, VelocityVerlet{}, {step, 20.0, true}, findings);
 }
 
-bool broke(const CableSpan& run) { return run.end.mode[0] == ElasticPlastic::broken; }
+bool broke(const CableRunResult& run) { return run.end.mode[0] == ElasticPlastic::broken; }
 
 /// A thousandth below and above the largest tension, and the largest plastic stretch: 64 phases each.
 void check_both_sides(Findings& findings, const Setup& setup) {
@@ -65,7 +65,7 @@ void check_release(Findings& findings, const Setup& setup) {
     double step = 0.0;
     for (std::size_t i = 0; i < phases(setup); ++i) {
       step = offset_step(half_swing, count, i);
-      CableSpan run =
+      CableRunResult run =
           throw_once({.stiffness = stiffness, .strength = strength}, step, even_phases(phases(setup))[i], findings);
       energy.add(booked(run.end, Mechanism::cable_break) - reference::broken_energy(stiffness, strength));
       exit.add(run.end.v[0] - reference::speed_kept(stiffness, strength, mass, speed));
@@ -121,7 +121,7 @@ void check_located_breaks(Findings& findings, const Setup& setup) {
     if (!method.locates_events || !takes_tolerance(method.step_control)) continue;
     for (const auto& [what, cable, stretch, law] : breaks) {
       const Scene scene = thrown_mass(law, mass, thrown);
-      const CableSpan run =
+      const CableRunResult run =
           run_cables(scene, scene.initial, make_integrator(name, tolerance), {half_swing, 10.0, true}, findings);
       const char* const words =
           "steps whose local errors are below 1e-10 of the distance travelled and the speed, a dozen of them in one "
@@ -147,8 +147,8 @@ void check_located_breaks(Findings& findings, const Setup& setup) {
 
 const reference::HungPair pair{2.0, 1.0, 3.0, 5.0, 1.5};
 
-CableSpan run_pair(double strength, double step, double phase, double end, const Integrator& method, Findings& findings,
-                   bool watched = false) {
+CableRunResult run_pair(double strength, double step, double phase, double end, const Integrator& method,
+                        Findings& findings, bool watched = false) {
   const Scene scene = hung_pair(pair, strength);
   State state = scene.initial;
   state.q[1] -= phase * step * pair.speed;
@@ -198,8 +198,8 @@ void check_hanger_orders(Findings& findings, const Setup& setup) {
     PhaseError of_b, of_lost, of_exit, open;
     for (std::size_t i = 0; i < phases(setup); ++i) {
       const double step = offset_step(exact.slack_time, count * 4.0, i);
-      CableSpan run = run_pair(strength, step, even_phases(phases(setup))[i], 1.02 * exact.slack_time + 4.0 * step,
-                               VelocityVerlet{}, findings);
+      CableRunResult run = run_pair(strength, step, even_phases(phases(setup))[i], 1.02 * exact.slack_time + 4.0 * step,
+                                    VelocityVerlet{}, findings);
       of_b.add(run.end.v[0] - exact.at_break.speed_b);
       of_lost.add(booked(run.end, Mechanism::hanger_break) - exact.lost);
       of_exit.add(-run.end.v[1] - exact.exit_speed_c);
@@ -239,7 +239,7 @@ void check_merged(Findings& findings, const Setup& setup) {
   const reference::HangerBreak exact = reference::break_hanger(pair, strength);
   const double step = exact.slack_time / 400.0;
   // To the break, and a few steps on.
-  const CableSpan first = run_pair(strength, step, 0.5, exact.time + 4.0 * step, VelocityVerlet{}, findings);
+  const CableRunResult first = run_pair(strength, step, 0.5, exact.time + 4.0 * step, VelocityVerlet{}, findings);
   const double left = 0.9 * (exact.slack_time - first.end.t);
   const Scene two = hung_pair(pair, strength);
   reference::HungPair told = pair;
@@ -248,8 +248,10 @@ void check_merged(Findings& findings, const Setup& setup) {
     told.stiffness_2 = 1e9;
   }
   const Scene one = parted_pair_scene(told, first.end);
-  const CableSpan a = run_cables(two, first.end, VelocityVerlet{}, {step, first.end.t + left, false, true}, findings);
-  const CableSpan b = run_cables(one, one.initial, VelocityVerlet{}, {step, first.end.t + left, false, true}, findings);
+  const CableRunResult a =
+      run_cables(two, first.end, VelocityVerlet{}, {step, first.end.t + left, false, true}, findings);
+  const CableRunResult b =
+      run_cables(one, one.initial, VelocityVerlet{}, {step, first.end.t + left, false, true}, findings);
   double apart = 0.0, tensions = 0.0;
   for (std::size_t i = 0; i < a.time.size(); ++i) {
     apart = std::max(apart, std::abs(a.tension[i] - b.tension[i]));
@@ -279,7 +281,7 @@ void check_merged_plastic(Findings& findings) {
   state.z = {drawn[0], drawn[1]};
   state.q[0] += drawn[0], state.q[1] += drawn[0] + drawn[1];
   const double step = exact.slack_time / 400.0, end = exact.time + 0.5 * (exact.slack_time - exact.time);
-  const CableSpan run = run_cables(scene, state, VelocityVerlet{}, {step, end, false, true}, findings);
+  const CableRunResult run = run_cables(scene, state, VelocityVerlet{}, {step, end, false, true}, findings);
   const double elongation = run.end.q[1] - 2.0 * cable_length - drawn[0] - drawn[1];
   double apart = std::abs(run.tension.back() - run.second_tension.back());
   keep_worst(apart, run.tension.back() - exact.merged_stiffness * elongation);
@@ -304,8 +306,8 @@ constexpr const char* control_words =
 void check_hanger_exactly(Findings& findings, const Setup& setup) {
   const double strength = (setup.has("strength_unread") ? 0.998 : 1.0) * 0.7 * reference::first_load_peak(pair).load;
   const reference::HangerBreak exact = reference::break_hanger(pair, 0.7 * reference::first_load_peak(pair).load);
-  const CableSpan run = run_pair(strength, exact.slack_time / 40.0, 0.5, 1.1 * exact.slack_time,
-                                 make_integrator("odeint_dopri5", 1e-11), findings);
+  const CableRunResult run = run_pair(strength, exact.slack_time / 40.0, 0.5, 1.1 * exact.slack_time,
+                                      make_integrator("odeint_dopri5", 1e-11), findings);
   findings.expect("energy lost by the hanger's break under step control", booked(run.end, Mechanism::hanger_break),
                   exact.lost, Tolerance::truncation(2e-8, 1.0, control_words), "J");
   findings.expect("exit speed of the mass on the one cable under step control", -run.end.v[1], exact.exit_speed_c,
@@ -314,8 +316,8 @@ void check_hanger_exactly(Findings& findings, const Setup& setup) {
   Scene scene = hung_pair(pair, strength);
   scene.model.hangers.insert(scene.model.hangers.begin(), Hanger{"holds", *find_body(scene.model, "c"), {}, 1e9});
   scene.initial.mode.push_back(Mode{0});
-  const CableSpan located = run_cables(scene, scene.initial, make_integrator("stormer_cowell", 1e-11),
-                                       {exact.slack_time / 4.0, 1.1 * exact.slack_time, false}, findings);
+  const CableRunResult located = run_cables(scene, scene.initial, make_integrator("stormer_cowell", 1e-11),
+                                            {exact.slack_time / 4.0, 1.1 * exact.slack_time, false}, findings);
   const Tolerance located_words = Tolerance::truncation(
       1e-10, 1.0, "local errors below 1e-11 of speed and distance travelled, some ten in one direction");
   findings.expect("energy lost by the located break of the second of two hangers",
@@ -327,7 +329,7 @@ void check_hanger_exactly(Findings& findings, const Setup& setup) {
 void draw_hanger(Findings& findings) {
   const double strength = 0.7 * reference::first_load_peak(pair).load;
   const reference::HangerBreak exact = reference::break_hanger(pair, strength);
-  const CableSpan run =
+  const CableRunResult run =
       run_pair(strength, exact.slack_time / 480.0, 0.5, 1.1 * exact.slack_time, VelocityVerlet{}, findings, true);
   Series one{"anchor to mass, solver", {}, {}, Style::points}, two{"mass to mass, solver", {}, {}, Style::crosses};
   for (std::size_t i = 0; i < run.time.size(); i += 11) {

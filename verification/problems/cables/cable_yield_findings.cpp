@@ -47,9 +47,9 @@ constexpr const char* stretch_words =
 
 /// Throws one after the other, each from the stretch that the last one left, all from the share `phase` of a step
 /// before the cable is taut.
-std::vector<CableSpan> throws(const ElasticPlastic& law, const std::vector<double>& speeds, double step, double phase,
-                              const Setup& setup, Findings& findings, bool watched = false) {
-  std::vector<CableSpan> runs;
+std::vector<CableRunResult> throws(const ElasticPlastic& law, const std::vector<double>& speeds, double step,
+                                   double phase, const Setup& setup, Findings& findings, bool watched = false) {
+  std::vector<CableRunResult> runs;
   const Scene scene = thrown_mass(law, mass, 1.0);
   State state = scene.initial;
   for (const double speed : speeds) {
@@ -78,7 +78,7 @@ DrawErrors draw_errors(const reference::YieldingCable& cable, double speed, doub
   DrawErrors errors;
   PhaseError closure;
   for (const auto& [i, step, phase] : offset_phases(half_swing, count)) {
-    const CableSpan run = throws(law_of(cable, setup), {speed}, step, phase, setup, findings).front();
+    const CableRunResult run = throws(law_of(cable, setup), {speed}, step, phase, setup, findings).front();
     errors.exit.add(-run.end.v[0] / exact.exit_speed - 1.0);
     errors.stretch.add(run.end.z[0] - exact.stretch);
     errors.lost.add(booked(run.end, Mechanism::cable_yield) - exact.lost);
@@ -163,7 +163,7 @@ void check_speeds(Findings& findings, const Setup& setup) {
 
 /// Tension against elongation over throws one after the other, solver and exact.
 Figure loops(const std::string& name, const std::string& title, const std::string& caption,
-             const reference::YieldingCable& cable, const std::vector<CableSpan>& runs,
+             const reference::YieldingCable& cable, const std::vector<CableRunResult>& runs,
              const std::vector<reference::CableDraw>& exact) {
   Series lines{"exact", {}, {}, Style::lines}, points{"solver", {}, {}, Style::points};
   double stretch = 0.0;

@@ -34,7 +34,7 @@ Fall run_fall(const CableLaw& law, double gravity, double step, const Integrator
   State state = scene.initial;
   state.q[0] -= fall.height;
   const double end = 1.8 * reference::bungee_period(fall);
-  const CableSpan run = run_cables(scene, state, method, {step, end, false, true}, findings);
+  const CableRunResult run = run_cables(scene, state, method, {step, end, false, true}, findings);
   std::vector<Turn> turns;
   std::vector<double> times;
   const auto& e = run.elongation;
@@ -108,7 +108,7 @@ void check_damped_throw(Findings& findings, const Setup& setup) {
     wh += step / static_cast<double>(fewest_phases);
     State state = scene.initial;
     state.q[0] -= phase * step;
-    const CableSpan run = run_cables(scene, state, VelocityVerlet{}, {step, 20.0, true}, findings);
+    const CableRunResult run = run_cables(scene, state, VelocityVerlet{}, {step, 20.0, true}, findings);
     exit.add(-run.end.v[0] / exact.restitution - 1.0);
     let_go.add(booked(run.end, Mechanism::cable_release) / held - 1.0);
     damped.add(booked(run.end, Mechanism::cable_damping) / eaten - 1.0);

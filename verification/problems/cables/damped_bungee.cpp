@@ -51,7 +51,7 @@ Catch caught(double gravity, double step, double phase, const Setup& setup, Find
   const Scene scene = thrown_mass(TensionOnly{1.0, 2.0 * xi}, 1.0, 1.0 - used * phase * step, used);
   State state = scene.initial;
   state.q[0] -= phase * step * (1.0 - 0.5 * used * phase * step);
-  const CableSpan run = run_cables(scene, state, VelocityVerlet{}, {step, 50.0, true, true}, findings);
+  const CableRunResult run = run_cables(scene, state, VelocityVerlet{}, {step, 50.0, true, true}, findings);
   const double back = setup.has("read_where_seen_slack") ? 0.0 : run.end.q[0] - cable_length;
   return {std::sqrt(run.end.v[0] * run.end.v[0] - 2.0 * used * back),
           *std::min_element(run.tension.begin(), run.tension.end())};

@@ -32,7 +32,7 @@ Snatch snatched(double xi, double step, double phase, const Setup& setup, Findin
   State state = scene.initial;
   state.q[0] -= phase * step;
   const Integrator method = make_integrator(setup.has("rk4") ? "rk4" : "velocity_verlet");
-  const CableSpan run = run_cables(scene, state, method, {step, 20.0, true, true}, findings);
+  const CableRunResult run = run_cables(scene, state, method, {step, 20.0, true, true}, findings);
   return {*std::max_element(run.tension.begin(), run.tension.end()), run.tension.back() == 0.0 && run.end.v[0] < 0.0};
 }
 

@@ -41,7 +41,7 @@ std::vector<Cable> cables() {
 }
 
 /// A second mass on a cable that a first one has drawn out by `stretch`, in a scene that knows the first no longer.
-CableSpan throw_second(const ElasticPlastic& law, double stretch, Findings& findings, const Setup& setup) {
+CableRunResult throw_second(const ElasticPlastic& law, double stretch, Findings& findings, const Setup& setup) {
   const ElasticPlastic carried = setup.has("cable_like_new") ? law : law.drawn_before(stretch);
   const Scene scene = thrown_mass(carried, mass, second_speed);
   return run_cables(scene, scene.initial, make_integrator("stormer_cowell", tolerance), {1.0, 30.0, true}, findings);
@@ -51,7 +51,7 @@ void check_carried_cables(Findings& findings, const Setup& setup) {
   for (const auto& [name, exact, law] : cables()) {
     const double before = reference::draw(exact, mass, first_speed).stretch;
     const reference::CableDraw second = reference::draw(exact, mass, second_speed, before);
-    const CableSpan run = throw_second(law, before, findings, setup);
+    const CableRunResult run = throw_second(law, before, findings, setup);
     const Tolerance to_tolerance =
         Tolerance::truncation(5.0 * tolerance * second_speed, 1.0,
                               "local errors below 1e-11 of speed and distance travelled, some ten in one direction");

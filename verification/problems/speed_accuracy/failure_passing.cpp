@@ -81,6 +81,35 @@ int unseen_passes(double step, Findings& findings) {
   return passes;
 }
 
+/// Flights in one output interval by a method with step control, from 16 distances to the touch.
+struct ControlledFlights {
+  int passed = 0;      ///< of them, those in which the disc was not thrown back
+  double error = 0.0;  ///< of the exit speed, the largest of those that were
+};
+
+/// No force acts before the touch, so that the error estimate of a step alone would allow any step.
+ControlledFlights controlled_flights(const std::string& method, double tolerance, Findings& findings) {
+  ControlledFlights found;
+  for (int i = 0; i < 16; ++i) {
+    Scene scene = flight(0.37 * radius * std::pow(1.4, i), 2.0);
+    const double interval = 120.0 * radius;
+    scene.integrator = make_integrator(method, tolerance);
+    scene.plan = {.step = interval, .end = interval, .interval = interval};
+    record_use(scene.integrator);
+    const Dynamics dynamics{scene.model};
+    RigidBodySystem system{dynamics, false};
+    State state = scene.initial;
+    system.begin(state);
+    const Outcome outcome = simulate(system, scene.integrator, state, scene.plan);
+    findings.count(system.evaluations());
+    if (!outcome || state.v[0] > 0.0)
+      ++found.passed;
+    else
+      keep_worst(found.error, state.v[0] + 1.0);
+  }
+  return found;
+}
+
 /// An upright bar that drifts to the right across a fixed level one.
 Scene crossed(double height, ContactMethod method) {
   ModelBuilder builder;
@@ -199,6 +228,36 @@ FailureFound check_long_step(Findings& findings, const Setup& setup) {
                                    "phases one more or less"));
   findings.expect("long step: passes unseen of 64 phases without the watch, v h = .9 of 4 r", seen, 0.0,
                   Tolerance::exact("no step is longer than the overlap"));
+  double worst_exit = 0.0;
+  for (const std::string& method : integrator_names()) {
+    if (!has_step_control(method)) continue;
+    const auto claim = findings.in("integrator." + method);
+    const ControlledFlights flights = controlled_flights(method, 1e-8, findings);
+    findings.expect(
+        fmt::format("long step: {} with step control, impacts missed in 16 flights of one output interval", method),
+        flights.passed, 0.0,
+        Tolerance::exact("step control sees no error in free flight, so that steps must end where discs may "
+                         "have met: no impact is missed"));
+    if (method != "odeint_fehlberg78") {
+      keep_worst(worst_exit, flights.error);
+      continue;
+    }
+    // Fehlberg's estimate compares derivatives at the ends of the step alone: c = 0, 1, 0, 1.
+    const ControlledFlights finer = controlled_flights(method, 1e-11, findings);
+    findings.expect(
+        "long step: odeint_fehlberg78 with step control, error of the exit speed at a thousandth of the "
+        "tolerance over that at 1e-8",
+        finer.error / flights.error, 1.0,
+        Tolerance::model(0.75,
+                         "its error estimate is a difference of derivatives at the two ends of a step, "
+                         "and hardly sees a contact that begins within it: the tolerance decides "
+                         "little"));
+  }
+  findings.expect("long step: exit speed with step control, largest error, methods with an estimate of each stage",
+                  worst_exit, 0.0,
+                  Tolerance::model(1e-4,
+                                   "no method is smooth across the two kinks of the force: a step that begins before "
+                                   "one has an error far above its tolerance, 1e-8, unless it is short"));
   if (!setup.coarse) findings.figure(pass_figure(findings));
   return {fmt::format("v h = 1.1 r: refused at t = 0; not watched, 4.4 r: {} of 64 pass", passes),
           fmt::format("v h = .9 r: runs; not watched, 3.6 r: {}", seen)};

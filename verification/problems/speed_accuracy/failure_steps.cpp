@@ -70,7 +70,7 @@ Drift ln_speed(const char* method, double eta, long bounces, double xi, Findings
 struct Least {
   double tension{}, let_go{};
 
-  void look_at(const CableSpan& run, double damping) {
+  void look_at(const CableRunResult& run, double damping) {
     for (std::size_t i = 1; i < run.time.size(); ++i) {
       tension = std::min(tension, run.tension[i]);
       const bool free = run.elongation[i] > 0.0 && run.tension[i] == 0.0;
@@ -140,7 +140,7 @@ FailureFound check_snatch(Findings& findings, const Setup& setup) {
     const double step = offset_step(exact.contact_time, steps, phase);
     State state = scene.initial;
     state.q[0] -= even_phases(fewest_phases)[phase] * step;
-    const CableSpan run = run_cables(scene, state, method, {step, exact.contact_time + 2.0, false, true}, findings);
+    const CableRunResult run = run_cables(scene, state, method, {step, exact.contact_time + 2.0, false, true}, findings);
     least.look_at(run, 2.0 * used);
     return std::abs(run.end.v[0]) / exact.restitution - 1.0;
   };
