@@ -98,7 +98,11 @@ std::vector<std::string> faults_of_form(const std::string& page) {
   for (const std::string& heading : matches(prose(page), "\n(#+ [^\n]*)", 1))
     faults.push_back("a heading of its own: " + heading);
   const std::vector<std::string> parts = matches(page, R"((^|\n)\*\*([^*]+)\*\*)", 2);
-  if (parts.empty() || parts.front() != "Problem.") faults.push_back("it does not begin with **Problem.**");
+  if (parts.size() < 2 || parts[0] != "Conclusion." || parts[1] != "Problem.")
+    faults.push_back("it does not begin with **Conclusion.** and **Problem.**");
+  const std::vector<std::string> conclusions = matches(page, R"(^\*\*Conclusion\.\*\* ([^\n]+(\n[^\n]+)*))", 1);
+  if (!conclusions.empty() && std::ranges::count(conclusions.front(), ' ') > 60)
+    faults.push_back("its conclusion has more than 60 words");
   if (parts.empty() || parts.back().rfind("What would break", 0) != 0)
     faults.push_back("it does not end with **What would break it.**");
   if (std::set<std::string>(parts.begin(), parts.end()).size() < parts.size())
@@ -199,11 +203,13 @@ BOOST_AUTO_TEST_CASE(faults_of_pages_are_found) {
                             "$$$$", "$m_{\\rm eff}$"})
     BOOST_TEST(number(faults_of_formulas(wrong)) == 1u, wrong);
 
-  const std::string whole = "**Problem.** One.\n\n```\n# drawn\n```\n\n**What would break it.** All.\n";
+  const std::string whole =
+      "**Conclusion.** Yes.\n\n**Problem.** One.\n\n```\n# drawn\n```\n\n**What would break it.** All.\n";
   BOOST_TEST(number(faults_of_form(whole)) == 0u);
   for (const std::string& wrong :
        {whole + "\n# More\n", whole + "\n**More.** Yes.", "Before.\n\n**First.** One.\n\n" + whole, whole + "caf\xc3",
-        whole + "a\tb", "**Problem.** One.\n\n" + whole})
+        whole + "a\tb", "**Conclusion.** Yes.\n\n**Problem.** One.\n\n**What would break it.** All.\n\n" + whole,
+        whole.substr(whole.find("**Problem")), "**Conclusion.** Yes" + std::string(122, ' ') + whole.substr(19)})
     BOOST_TEST(number(faults_of_form(wrong)) == 1u, wrong);
 
   BOOST_TEST(number(dead_references("`friction`, `exact`, `table_2.DAT`, `reference/jacobi.hpp`, `cases/`, `sample2`, "

@@ -149,7 +149,7 @@ void run(Findings& findings, const Setup& setup) {
 Case definition() {
   return {
       .id = "cables",
-      .title = "Cables that yield and break",
+      .title = "Yielding and breaking cables",
       .requirements =
           {{"Eq. 14",
             {"order_of_depth", "order_of_period", "depth", "period",

@@ -148,7 +148,7 @@ void run(Findings& findings, const Setup& setup) {
 Case definition() {
   const std::string speeds = "e of a caught fall, rms error over its prediction, G = ";
   return {.id = "damped_bungee",
-          .title = "Fall into a cable with a dashpot",
+          .title = "Damped bungee: fall into a cable with a dashpot",
           .requirements = {{"D2", {"restitution", "least tension of all runs", "order of e of a caught fall"}},
                            {"Eq. 14", {"least tension of all runs"}},
                            {"law.tension_only", {"restitution", "order of e of a caught fall"}},

@@ -143,7 +143,7 @@ Case definition() {
   const std::string phases = "largest tension undamped, error of each phase from its prediction, over (w h)^2";
   const std::string damped = "largest tension, rms error at the smallest step over its prediction, xi = 0.3";
   return {.id = "slack_taut_slack",
-          .title = "Slack, taut, slack",
+          .title = "Cable becoming taut and slack again: peak tension",
           .requirements = {{"D8",
                             {"largest tension undamped, error of each phase from its prediction, over (w h)^2",
                              "largest tension undamped, largest error of all phases over (w h)^2", "tension",

@@ -140,7 +140,7 @@ Case definition() {
   const std::string loads = "loads P(w) at rest at w, largest relative way over that of a rounded length";
   return {
       .id = "transverse_oscillator",
-      .title = "Mass between two straight cables without tension",
+      .title = "Transverse oscillator: mass between two untensioned cables",
       .requirements = {{"D5",
                         {"order of the period in the step", "period, error of the smallest step over its prediction",
                          "period at A = .02 L from the cubic oscillator's",

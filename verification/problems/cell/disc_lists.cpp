@@ -289,7 +289,7 @@ void run(Findings& findings, const Setup& setup) {
 
 Case definition() {
   return {.id = "disc_lists",
-          .title = "Neighbour lists to their edges, stripes with walls and friction, losses of an impact",
+          .title = "Neighbour lists and parallel stripes: edge cases",
           .family = "the shear cell",
           .requirements = {{"F3", {"edges", "stripes", "losses", "flight"}}},
           .main_checks = {"numbers that differ from a loop over all pairs, plain engine",

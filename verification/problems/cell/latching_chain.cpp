@@ -186,7 +186,7 @@ void run(Findings& findings, const Setup& setup) {
 Case definition() {
   return {
       .id = "latching_chain",
-      .title = "A row of discs that latch",
+      .title = "Chain of latching discs",
       .family = "the shear cell",
       .requirements = {{"B15", {"final_velocities", "order of the final velocities of 4 discs"}},
                        {"law.latching_spring", {"final_velocities", "order of the final velocities of 4 discs"}},

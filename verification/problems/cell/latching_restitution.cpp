@@ -436,7 +436,7 @@ void run(Findings& findings, const Setup& setup) {
 Case definition() {
   return {
       .id = "latching_restitution",
-      .title = "What two discs keep, by four methods",
+      .title = "Restitution of latching contacts, four integrators",
       .family = "the shear cell",
       .requirements =
           {{"B14",

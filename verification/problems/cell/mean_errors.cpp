@@ -234,7 +234,7 @@ void run(Findings& findings, const Setup& setup) {
 Case definition() {
   return {
       .id = "mean_errors",
-      .title = "Errors of means, and what a study concludes from them",
+      .title = "Standard errors of time averages",
       .family = "the shear cell",
       .requirements = {{"F8", {"errors"}}},
       .main_checks = {"error that is given over the exact one, mean, a = 0.8",

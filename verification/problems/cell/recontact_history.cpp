@@ -291,7 +291,7 @@ void run(Findings& findings, const Setup& setup) {
 
 Case definition() {
   return {.id = "recontact_history",
-          .title = "Discs struck again",
+          .title = "Repeated impacts of latching discs",
           .family = "the shear cell",
           .requirements = {{"B16", {"speeds", "speeds that differ after restarts every 1, 7, 20 steps, of 27"}},
                            {"F5", {"speeds that differ after restarts every 1, 7, 20 steps, of 27"}},

@@ -256,7 +256,7 @@ void run(Findings& findings, const Setup& setup) {
 
 Case definition() {
   return {.id = "shear_cell",
-          .title = "Sheared cell of discs: what the walls feel and what is inside",
+          .title = "Sheared cell: wall forces and internal stress",
           .family = "the shear cell",
           .requirements = {{"F4", {"shear"}}},
           .main_checks = {"shear on the base over that on the block, 32 kPa",

@@ -335,7 +335,7 @@ void run(Findings& findings, const Setup& setup) {
 
 Case definition() {
   return {.id = "shear_cell_failures",
-          .title = "Sheared cell: where it fails, and what shows it",
+          .title = "Sheared cell: failures and their detection",
           .family = "the shear cell",
           .requirements = {{"law.latching_spring", {"the right law keeps within the limits"}}},
           .main_checks = {"the right law keeps within the limits", "a contact cleared at no force passes the limits",

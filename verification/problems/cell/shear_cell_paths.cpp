@@ -267,7 +267,7 @@ void run(Findings& findings, const Setup& setup) {
 
 Case definition() {
   return {.id = "shear_cell_paths",
-          .title = "Sheared cell: virtual discs, mirror, restart and jumps move it alike",
+          .title = "Sheared cell: equivalent formulations",
           .family = "the shear cell",
           .requirements = {{"F3",
                             {"places beside virtual discs and all pairs, over a diameter",

@@ -211,7 +211,7 @@ void run(Findings& findings, const Setup& setup) {
 
 Case definition() {
   return {.id = "shear_study",
-          .title = "Sheared cell: do multiple contacts lower the stress ratio?",
+          .title = "Sheared cell: stress ratio and multiple contacts",
           .family = "the shear cell",
           .requirements = {{"law.latching_spring", {"S/N at 32 kPa over that at 2 kPa, 5000 d/s"}}},
           .main_checks = {"the field compresses", "multiple contacts form",

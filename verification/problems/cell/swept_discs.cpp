@@ -232,7 +232,7 @@ void run(Findings& findings, const Setup& setup) {
 Case definition() {
   return {
       .id = "swept_discs",
-      .title = "Discs swept in lanes and by threads: the bits of a loop over all pairs",
+      .title = "Vectorised and threaded disc engine against a loop over all pairs",
       .family = "the shear cell",
       .requirements = {{"F3", {"engines", "threads", "numbers that differ from a loop over all pairs"}}},
       .main_checks = {"numbers that differ from the plain engine's, latching spring",

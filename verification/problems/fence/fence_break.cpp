@@ -216,7 +216,7 @@ void run(Findings& findings, const Setup& setup) {
 
 Case definition() {
   return {.id = "fence_break",
-          .title = "A fence whose hangers break",
+          .title = "Fence with breaking hangers",
           .family = "the fence",
           .requirements = {{"law.elastic_plastic",
                             {"closure of the energy ledger at the smallest step, of the largest energy"}},

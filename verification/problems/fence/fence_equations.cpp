@@ -246,7 +246,7 @@ void run(Findings& findings, const Setup& setup) {
 
 Case definition() {
   return {.id = "fence_equations",
-          .title = "Equations of the fence, as printed and as corrected",
+          .title = "Fence equations, printed and corrected",
           .family = "the fence",
           .requirements =
               {{"Eq. 2", {"contact forces on column and rock, sum over one (Eqs. 5, 6, 8, 9)"}},

@@ -494,7 +494,7 @@ void run(Findings& findings, const Setup& setup) {
 Case definition() {
   return {
       .id = "fence_layouts",
-      .title = "Fences of every layout",
+      .title = "Fence layouts",
       .family = "the fence",
       .requirements = {{"Eq. 14", {"horizontal tension of every segment over that by moments, worst"}}},
       .main_checks = {"pulls on columns of every layout over their weight, worst",

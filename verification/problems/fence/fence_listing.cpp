@@ -379,7 +379,7 @@ void run(Findings& findings, const Setup& setup) {
 Case definition() {
   return {
       .id = "fence_listing",
-      .title = "The listing of sample2, digit by digit",
+      .title = "Printed listing of sample2, to its last digits",
       .family = "the fence",
       .requirements =
           {{"Eq. 1", {"elements 11 to 13 at .00993 s"}},

@@ -237,7 +237,7 @@ void run(Findings& findings, const Setup& setup) {
 Case definition() {
   return {
       .id = "fence_models",
-      .title = "Models of one fence: halves, nodes, dashpots",
+      .title = "Models of one fence: half model, nodes, dashpots",
       .family = "the fence",
       .requirements = {{"Eq. 21",
                         {"restitution with the effective mass, -3 to 3 ft off centre, furthest from .4",

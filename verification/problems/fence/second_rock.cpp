@@ -415,7 +415,7 @@ void run(Findings& findings, const Setup& setup) {
 
 Case definition() {
   return {.id = "second_rock",
-          .title = "The next rock on the same fence",
+          .title = "Second impact on a deformed fence",
           .family = "the fence",
           .requirements = {{"law.elastic_plastic", {"second_exit", "second_stretch", "second_rupture"}},
                            {"mechanism.cable_yield", {"second_exit", "second_stretch"}},

@@ -413,7 +413,7 @@ void run(Findings& findings, const Setup& setup) {
 Case definition() {
   return {
       .id = "timestep",
-      .title = "Error against time step: contacts, smooth motion",
+      .title = "Convergence with the time step: contacts and smooth motion",
       .family = "founding problems",
       .requirements = {{"Eq. 17", {"undamped_impacts", "damped_impacts"}},
                        {"Eq. 23", {"leapfrog_orders"}},

@@ -290,7 +290,7 @@ void run(Findings& findings, const Setup& setup) {
 
 Case definition() {
   return {.id = "prescribed_motion",
-          .title = "Motions prescribed: cables, and friction with a memory",
+          .title = "Prescribed motion: yielding cables and history-dependent friction",
           .requirements = {{"law.tension_only", {"cables"}},
                            {"Eq. 13", {"cables"}},
                            {"Eq. 14", {"cables"}},

@@ -190,7 +190,7 @@ void run(Findings& findings, const Setup& setup) {
 
 Case definition() {
   return {.id = "spinning_discs",
-          .title = "Discs that meet spinning",
+          .title = "Impacts of spinning discs",
           .requirements =
               {{"C6", {"rms error of the slip rate of unlike discs, largest of 5 spins", "order_slip_rate_unlike"}},
                {"Eq. 18",

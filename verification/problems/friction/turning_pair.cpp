@@ -172,7 +172,7 @@ void run(Findings& findings, const Setup& setup) {
 Case definition() {
   return {
       .id = "turning_pair",
-      .title = "A locked pair turned round, and closed paths that stick",
+      .title = "Rigid rotation and closed paths of a sticking contact",
       .requirements =
           {{"C8",
             {"stretch gained in a turn of 256 steps", "stretch after a turn and back",

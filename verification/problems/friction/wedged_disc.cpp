@@ -206,7 +206,7 @@ void run(Findings& findings, const Setup& setup) {
 
 Case definition() {
   return {.id = "wedged_disc",
-          .title = "A small disc between two large ones",
+          .title = "Wedged disc: three contacts with friction",
           .requirements = {{"C11", {"errors", "orders"}}, {"Eq. 18", {"errors"}}},
           .checks_of_runs = {"errors", "orders"},
           .main_checks = {"error over its prediction, velocity_verlet, R/r = 1",

@@ -220,7 +220,7 @@ void run(Findings& findings, const Setup& setup) {
 Case definition() {
   return {
       .id = "cooling_gas",
-      .title = "A gas of discs cools",
+      .title = "Homogeneous cooling of a gas of discs",
       .requirements = {{"F1", {"slopes"}},
                        {"law.latching_spring",
                         {"slope of T^-1/2, latching spring, over Haff's",

@@ -67,7 +67,7 @@ void run(Findings& findings, const Setup& setup) {
 
 Case definition() {
   return {.id = "dense_flow",
-          .title = "A dense flow of discs of unlike size",
+          .title = "Dense flow of discs of different size",
           .requirements = {{"F7", {"friction at the slowest flow", "inertial number of the slowest flow"}}},
           .main_checks = {"friction at the slowest flow", "inertial number of the slowest flow"},
           .source = "da Cruz et al. 2005; Peyneau & Roux 2008",

@@ -322,7 +322,7 @@ void run(Findings& findings, const Setup& setup) {
 Case definition() {
   return {
       .id = "dense_rheology",
-      .title = "Friction and solid fraction of dense flows of discs",
+      .title = "Rheology of dense flows: friction and solid fraction",
       .requirements = {{"F7",
                         {"friction grows with the inertial number, least step over its error",
                          "solid fraction falls with the inertial number, least step over its error",

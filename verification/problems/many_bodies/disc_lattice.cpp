@@ -122,7 +122,7 @@ void run(Findings& findings, const Setup& setup) {
 
 Case definition() {
   return {.id = "disc_lattice",
-          .title = "Lattice of discs: the step at which it grows unstable",
+          .title = "Lattice of discs: stability limit of the step",
           .requirements = {{"F2", {"growth"}}},
           .main_checks = {"growth per step, velocity_verlet, step 1.01 of the limit",
                           "growth per step, euler_cromer, step 1.02 of the limit",

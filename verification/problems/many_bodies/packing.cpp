@@ -286,7 +286,7 @@ void run(Findings& findings, const Setup& setup) {
 
 Case definition() {
   return {.id = "packing",
-          .title = "Discs packed at random",
+          .title = "Random packings of discs",
           .family = "F: many bodies",
           .requirements = {{"F9", {"packings", "velocities"}}},
           .main_checks = {"least distance over the sum of radii, grown in a periodic box", "temperature"},

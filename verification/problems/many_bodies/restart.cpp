@@ -189,7 +189,7 @@ void run(Findings& findings, const Setup& setup) {
 
 Case definition() {
   return {.id = "restart",
-          .title = "Stopped at half time and resumed",
+          .title = "Restart: interrupted and resumed runs",
           .requirements = {{"F5", {"restarts"}},
                            {"law.linear_spring_dashpot", {"yard", "fence"}},
                            {"law.tension_only", {"yard"}},

@@ -198,7 +198,7 @@ Case definition() {
   const std::string temperature = "temperature over the theory's, farthest";
   const std::string balance = "account of loss over heat, farthest";
   return {.id = "sheared_gas",
-          .title = "A gas of discs in uniform shear",
+          .title = "Gas of discs in uniform shear",
           .requirements = {{"F6", {friction, temperature, balance}}, {"law.latching_spring", {temperature, balance}}},
           .main_checks = {friction, temperature, balance},
           .source = "Lees & Edwards 1972; Jenkins & Richman 1985; Jenkins & Richman 1988",

@@ -272,7 +272,7 @@ void run(Findings& findings, const Setup& setup) {
 
 Case definition() {
   return {.id = "frame_invariance",
-          .title = "A motion does not depend on who looks at it",
+          .title = "Frame invariance: turned, mirrored and relisted scenes",
           .requirements = {{"A6", {"numbers_that_differ", "differences"}},
                            {"law.linear_spring_dashpot", {"group", "yard"}},
                            {"law.tension_only", {"group", "yard"}},

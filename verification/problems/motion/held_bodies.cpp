@@ -372,7 +372,7 @@ void run(Findings& findings, const Setup& setup) {
 Case definition() {
   const std::string guided = "angular momentum balance with reactions, guided_x";
   return {.id = "held_bodies",
-          .title = "Bodies held in every way, and bodies that stand for two",
+          .title = "Constrained bodies and symmetry multiplicity",
           .family = "A: motion and bodies",
           .requirements = {{"law.elastic_plastic", {"energy_balance", "half_energies"}},
                            {"law.tension_only", {"energy_balance", "half_energies"}},

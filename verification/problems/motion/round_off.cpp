@@ -443,7 +443,7 @@ void run(Findings& findings, const Setup& setup) {
 
 Case definition() {
   return {.id = "round_off",
-          .title = "What rounding leaves",
+          .title = "Round-off: growth over long runs",
           .requirements = {{"A8",
                             {"rounding_of_scene", "distance_from_map",
                              "log2 of the rounding over its prediction, furthest of all methods and numbers",

@@ -180,7 +180,7 @@ void run(Findings& findings, const Setup& setup) {
 
 Case definition() {
   return {.id = "time_reversal",
-          .title = "There and back: time reversal",
+          .title = "Time reversal",
           .requirements = {{"A5", {"returns"}},
                            {"law.linear_spring_dashpot", {"bounce"}},
                            {"law.tension_only", {"cables"}},

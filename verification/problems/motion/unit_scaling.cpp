@@ -242,7 +242,7 @@ void run(Findings& findings, const Setup& setup) {
 
 Case definition() {
   return {.id = "unit_scaling",
-          .title = "The same scene in other units",
+          .title = "Unit scaling: one scene in many units",
           .requirements = {{"A7", {"numbers_that_differ"}},
                            {"law.linear_spring_dashpot", {"yard", "fence"}},
                            {"law.tension_only", {"yard"}},

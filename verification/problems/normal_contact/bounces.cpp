@@ -324,7 +324,7 @@ void run(Findings& findings, const Setup& setup) {
 Case definition() {
   const std::string heights = "rms error of the heights over the predicted, farthest, ";
   return {.id = "bounces",
-          .title = "Bounces under gravity",
+          .title = "Bouncing disc under gravity",
           .requirements =
               {{"B6",
                 {"heights", "order of the first height, undamped", "order of the fifth height, xi = 0.1, attractive",

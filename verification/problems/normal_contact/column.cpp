@@ -91,7 +91,7 @@ void run(Findings& findings, const Setup& setup) {
 
 Case definition() {
   return {.id = "column",
-          .title = "A column at rest",
+          .title = "Column of discs at rest",
           .requirements = {{"B9", {"overlaps", "forces"}},
                            {"pair.circle.circle", {"overlaps"}},
                            {"pair.circle.half_plane", {"overlaps"}},

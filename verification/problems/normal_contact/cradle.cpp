@@ -158,7 +158,7 @@ void run(Findings& findings, const Setup& setup) {
 Case definition() {
   return {
       .id = "cradle",
-      .title = "Three discs in a row",
+      .title = "Newton's cradle of three discs",
       .requirements = {{"B8", {"speeds", "order of the speeds, discs that touch", "momentum of the three discs"}},
                        {"law.linear_spring_dashpot", {"speeds"}},
                        {"shape.circle", {"speeds"}},

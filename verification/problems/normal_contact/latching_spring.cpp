@@ -296,7 +296,7 @@ void run(Findings& findings, const Setup& setup) {
 
 Case definition() {
   return {.id = "latching_spring",
-          .title = "A spring that latches",
+          .title = "Latching spring: impacts and unloading",
           .requirements = {{"B11", {"impacts", "order of e = 0.7", "change of e, speeds 2^-8 ... 2^8"}},
                            {"B12",
                             {"rms error of e over the predicted, K2 growing with the force, farthest of five speeds"}},

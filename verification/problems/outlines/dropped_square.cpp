@@ -144,7 +144,7 @@ void run(Findings& findings, const Setup& setup) {
 
 Case definition() {
   return {.id = "dropped_square",
-          .title = "A square that falls on edge and corner",
+          .title = "Square dropped on edge and corner",
           .requirements = {{"E7", {"mirror", "flat_falls", "tilts"}},
                            {"shape.rectangle", {"mirror"}},
                            {"shape.half_plane", {"plane"}},

@@ -209,7 +209,7 @@ void run(Findings& findings, const Setup& setup) {
 Case definition() {
   return {
       .id = "energy_slope",
-      .title = "Force as the slope of the stored energy",
+      .title = "Contact force as gradient of the stored energy",
       .requirements = {{"E6",
                         {"slope", "slope_by_nodes", "force against the slope of the energy, cable, farthest",
                          "share of places where the rule of the smoother outline has no potential",

@@ -213,7 +213,7 @@ void run(Findings& findings, const Setup& setup) {
 
 Case definition() {
   return {.id = "nearest_points",
-          .title = "Nearest points: a map of the search",
+          .title = "Nearest-point search: map of convergence",
           .requirements = {{"E2", {"nearest_points", "distances"}},
                            {"shape.superquadric", {"nearest_points", "distances"}},
                            {"method.nodes",

@@ -195,7 +195,7 @@ void run(Findings& findings, const Setup& setup) {
 
 Case definition() {
   return {.id = "node_spacing",
-          .title = "Nodes on a disc, and on a sharp corner",
+          .title = "Boundary nodes: spacing and sharp corners",
           .requirements = {{"E4",
                             {"ripple of the overlap less r (1 - cos(pi/M)), over r, farthest of 8 to 256 nodes",
                              "force less the sum over the nodes, farthest", "order of the ripple in 1/nodes",

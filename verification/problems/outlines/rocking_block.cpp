@@ -142,7 +142,7 @@ void run(Findings& findings, const Setup& setup) {
 Case definition() {
   return {
       .id = "rocking_block",
-      .title = "A block that rocks from corner to corner",
+      .title = "Rocking block (Housner)",
       .requirements = {{"E9",
                         {"time of a fall over the rigid block's, k = 1e+06",
                          "energy left by a change of corner over Housner's, k = 1e+06",

@@ -127,7 +127,7 @@ void run(Findings& findings, const Setup& setup) {
 Case definition() {
   return {
       .id = "rocking_ellipse",
-      .title = "An ellipse that rocks on a plane",
+      .title = "Rocking ellipse on a plane",
       .requirements = {{"E3",
                         {"periods", "shift of the frequency by the springs, over its prediction",
                          "order of the shift in the compliance", "order of the period in the step",

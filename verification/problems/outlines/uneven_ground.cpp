@@ -177,7 +177,7 @@ void run_all(Findings& findings, const Setup& setup) {
 Case definition() {
   return {
       .id = "uneven_ground",
-      .title = "Straight ground, a crest and a notch",
+      .title = "Uneven ground: slope, crest and notch",
       .family = "E: outlines in contact",
       .requirements = {{"shape.terrain",
                         {"numbers that differ between straight terrain and a half-plane",

@@ -189,7 +189,7 @@ void run(Findings& findings, const Setup& setup) {
 
 Case definition() {
   return {.id = "calibrated_contact",
-          .title = "A calibrated contact",
+          .title = "Calibration by `talus calibrate`",
           .requirements = {{"G3", {"calibration"}}},
           .main_checks = {"damping, over the exact one: largest deviation from 1",
                           "restitution with the advised step: largest error over phases"},

@@ -655,7 +655,7 @@ void run(Findings& findings, const Setup& setup) {
 
 Case definition() {
   return {.id = "cell_files",
-          .title = "The files of a cell",
+          .title = "Output files of a sheared cell",
           .requirements = {{"G5", {"cell"}}},
           .main_checks = {"history.csv: means over each LOOP, largest error",
                           "profile.csv: velocity, temperature and solid fraction, largest error",

@@ -228,7 +228,7 @@ void run(Findings& findings, const Setup& setup) {
 
 Case definition() {
   return {.id = "converted_files",
-          .title = "Files for other programs and for the next rock",
+          .title = "Exported and converted files",
           .requirements = {{"G6", {"converted"}}},
           .main_checks = {"numbers of the scene that are not in the deck",
                           "stretch of the cables for the third rock, largest relative error",

@@ -203,7 +203,7 @@ void run(Findings& findings, const Setup& setup) {
 Case definition() {
   return {
       .id = "fence_files",
-      .title = "The files of a fence",
+      .title = "Output files of a fence",
       .requirements = {{"G4", {"fence"}}},
       .main_checks = {"sheet: impulse of the anchor from the states of the geometry, largest error of three components",
                       "sheet: energy of approach"},

@@ -86,7 +86,7 @@ void run(Findings& findings, const Setup& setup) {
 
 Case definition() {
   return {.id = "recorded_bits",
-          .title = "Results equal to recorded ones, bit by bit",
+          .title = "Bitwise reproducibility of recorded results",
           .requirements = {{"G8", {"recorded"}}, {"F5", {"restored"}}},
           .main_checks = {"results that differ from the recorded ones, integrators",
                           "objects that differ from what they were restored from, integrators"},

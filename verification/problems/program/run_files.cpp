@@ -410,7 +410,7 @@ void run(Findings& findings, const Setup& setup) {
 Case definition() {
   return {
       .id = "run_files",
-      .title = "The files of a run",
+      .title = "Output files of a run",
       .requirements = {{"G1", {"files"}}},
       .main_checks = {"history.csv: motion and forces, largest error", "summary.json: extremes, largest error"},
       .source = "Textbook mechanics",

@@ -311,7 +311,7 @@ void run(Findings& findings, const Setup& setup) {
 
 Case definition() {
   return {.id = "step_limits",
-          .title = "Limits of the step",
+          .title = "Step limits reported by `talus check`",
           .requirements = {{"G2", {"limits"}}},
           .main_checks = {"wrong verdicts of `talus check` at 0.999 and 1.001 of the limit",
                           "growth in 400 steps at 1.01 of the limit, least, in powers of ten"},

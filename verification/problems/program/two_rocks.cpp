@@ -299,7 +299,7 @@ void run(Findings& findings, const Setup& setup) {
 
 Case definition() {
   return {.id = "two_rocks",
-          .title = "The sheet of a fence with two rocks and two layers",
+          .title = "Output files of a fence with two rocks and two layers",
           .requirements = {{"G7", {"rocks"}}},
           .main_checks = {"sheet: velocities and spins of both rocks, largest error",
                           "sheet: largest forces of hangers and segments, largest error",

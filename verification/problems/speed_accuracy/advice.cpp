@@ -347,7 +347,7 @@ void run(Findings& findings, const Setup& setup) {
 Case definition() {
   return {
       .id = "advice",
-      .title = "Advice on method and step",
+      .title = "Advice on integrator and step",
       .family = "speed and accuracy",
       .requirements = {{"integrator.velocity_verlet",
                         {"caught bob, fixed steps: error of the advised run over the accuracy"}},

@@ -260,7 +260,7 @@ void run(Findings& findings, const Setup& setup) {
 
 Case definition() {
   return {.id = "defaults",
-          .title = "Scenes with all defaults",
+          .title = "Accuracy of default settings",
           .family = "speed and accuracy",
           .requirements = {{"integrator.stormer_cowell", {"scenes", "fences"}},
                            {"integrator.exact", {"scenes"}},

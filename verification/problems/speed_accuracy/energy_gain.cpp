@@ -331,7 +331,7 @@ void run(Findings& findings, const Setup& setup) {
 Case definition() {
   return {
       .id = "energy_gain",
-      .title = "One-sided contacts gain energy below the limit of stability",
+      .title = "Energy gain of one-sided contacts below the stability limit",
       .family = "speed and accuracy",
       .requirements = {{"Eq. 25", {"gain_of_speed"}},
                        {"pair.circle.circle", {"gases"}},

@@ -323,7 +323,7 @@ void run(Findings& findings, const Setup& setup) {
 Case definition() {
   return {
       .id = "exact_pieces",
-      .title = "Linear pieces, exactly",
+      .title = "Exact solution between events",
       .family = "speed and accuracy",
       .requirements = {{"integrator.exact",
                         {"damped bounce to rest: force evaluations",

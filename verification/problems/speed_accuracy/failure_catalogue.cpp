@@ -86,7 +86,7 @@ std::vector<Fault> faults() {
 Case definition() {
   return {
       .id = "failure_catalogue",
-      .title = "Failures, each on two sides",
+      .title = "Failure catalogue: both sides of each threshold",
       .family = "speed and accuracy",
       .requirements = {{"method.nodes",
                         {"crossed bars: change of speed on the way across, by nodes, without the watch",

@@ -295,7 +295,7 @@ void run(Findings& findings, const Setup& setup) {
 
 Case definition() {
   return {.id = "fidelity_ladder",
-          .title = "No more model than a question needs",
+          .title = "Fidelity ladder: error and cost of simplified models",
           .family = "speed and accuracy",
           .requirements =
               {{"integrator.stormer_cowell",

@@ -334,7 +334,7 @@ void run(Findings& findings, const Setup& setup) {
 
 Case definition() {
   return {.id = "located_events",
-          .title = "Steps of variable order, cut at events",
+          .title = "Located events: variable-order steps",
           .family = "speed and accuracy",
           .requirements = {{"integrator.stormer_cowell",
                             {"evaluations_to_1e_6", "evaluations_to_1e_9", "fence_evaluations"}}},

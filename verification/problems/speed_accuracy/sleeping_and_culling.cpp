@@ -406,7 +406,7 @@ void run(Findings& findings, const Setup& setup) {
 Case definition() {
   return {
       .id = "sleeping_and_culling",
-      .title = "What is left out changes nothing",
+      .title = "Sleeping bodies and culled contacts: results unchanged",
       .family = "speed and accuracy",
       .requirements = {{"E10", {"state_at_end"}}},
       .main_checks = {"101 columns, sleep exact: state at .05 s from that without sleep, largest difference",

@@ -406,7 +406,7 @@ void run(Findings& findings, const Setup& setup) {
 
 Case definition() {
   return {.id = "stability_maps",
-          .title = "Growth per step against damping and step",
+          .title = "Stability maps: growth per step against damping and step",
           .family = "speed and accuracy",
           .requirements = {{"Eq. 25",
                             {"sides_of_limit", "sides_of_2", "advice", "step advice: methods with a linear limit",

@@ -407,7 +407,7 @@ Case definition() {
       "error of rk4 over that of velocity_verlet at equal work, over its prediction, wall, damped";
   return {
       .id = "work_precision",
-      .title = "Work and precision of all methods",
+      .title = "Work-precision diagrams of all integrators",
       .family = "speed and accuracy",
       .requirements = {},
       .main_checks = {"order of velocity_verlet, wall, damped", "order of velocity_verlet, wall, undamped", equal_work,
