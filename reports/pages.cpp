@@ -122,11 +122,18 @@ std::vector<ReportPage> report_pages(const Results& results, const Trials& trial
   values.set("date", results.provenance.date);
   for (const char* name : {"coverage", "formulas", "peers", "errata"})
     chapter(name, values, Volume::main);
-  for (std::size_t i = 0; i < results.records.size(); ++i) {
-    const Record& record = results.records[i];
-    pages.push_back({record.id, case_heading(record), record.family.empty() ? "others" : record.family,
-                     case_page(record, i + 1, drawn, templates), case_details(record, i + 1, drawn, templates)});
-  }
+  std::size_t number = 0;
+  const auto family = [&](const std::string& name) {
+    for (const Record& record : results.records) {
+      if (record.family != name) continue;
+      ++number;
+      pages.push_back({record.id, case_heading(record), name.empty() ? "others" : name,
+                       case_page(record, number, drawn, templates), case_details(record, number, drawn, templates)});
+    }
+  };
+  for (const std::string& name : results.families)
+    family(name);
+  family("");
   for (const char* name : {"margins", "mutants", "rounding", "traceability"})
     chapter(name, values, Volume::details);
   for (const char* name : {"provenance", "references", "colophon"})

@@ -15,7 +15,7 @@ using namespace talus;
 
 namespace {
 
-using Archive = std::span<const double>;
+using Memory = std::span<const double>;
 
 /// All that a law must have, and no hook.
 struct Plain {
@@ -29,9 +29,9 @@ struct Plain {
     return {{{"stiffness", dimension::stiffness, &Plain::stiffness, Range::positive, "stiffness"}}};
   }
   static constexpr bool acts(Mode mode) { return mode == 1; }
-  constexpr LawForce operator()(Kinematics, Archive, Mode) const { return {}; }
-  constexpr double stored_energy(Kinematics, Archive, Mode) const { return 0.0; }
-  constexpr double guard(Kinematics, Archive, Mode) const { return 1.0; }
+  constexpr LawForce operator()(Kinematics, Memory, Mode) const { return {}; }
+  constexpr double stored_energy(Kinematics, Memory, Mode) const { return 0.0; }
+  constexpr double guard(Kinematics, Memory, Mode) const { return 1.0; }
   constexpr Reset reset(Kinematics, std::span<double>, Mode mode) const { return {mode, 0.0}; }
   constexpr Tangent tangent() const { return {}; }
   friend constexpr bool operator==(const Plain&, const Plain&) = default;
@@ -64,23 +64,23 @@ struct OrdersOfAnother : Plain {
   static std::array<FieldOrder<Cohesive>, 1> orders();
 };
 struct PartOfTheMemoryAlone : Plain {
-  Tangent linear_part(Archive) const;
+  Tangent linear_part(Memory) const;
 };
 struct PieceIsATangent : Plain {
-  Tangent linear_piece(Archive, Mode) const;
+  Tangent linear_piece(Memory, Mode) const;
 };
 struct PieceOfTwoNumbers : Plain {
   static constexpr std::size_t memory_size = 2;
-  LinearBranch linear_piece(Archive, Mode) const;
+  LinearBranch linear_piece(Memory, Mode) const;
 };
 struct ElongationOfTheMode : Plain {
-  double natural_elongation(Archive, Mode) const;
+  double natural_elongation(Memory, Mode) const;
 };
 struct YieldsWithoutElongation : Plain {
   static bool yields(Mode);
 };
 struct YieldsWithoutLimit : Plain {
-  double natural_elongation(Archive) const;
+  double natural_elongation(Memory) const;
   static bool yields(Mode);
 };
 struct BrokenIsAMode : Plain {
@@ -160,7 +160,7 @@ struct ActsIsUnknown : Plain {
   static void acts(Mode);
 };
 struct ForceIsADouble : Plain {
-  double operator()(Kinematics, Archive, Mode) const;
+  double operator()(Kinematics, Memory, Mode) const;
 };
 
 /// Whether LawList<L> would compile.

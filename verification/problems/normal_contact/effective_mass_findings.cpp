@@ -131,7 +131,7 @@ double mass_at(const StruckBar& bar, double distance) {
 
 /// Of two errors the one farther from the predicted one; a NaN stays.
 double farther(double error, double other, double predicted) {
-  return std::abs(other - predicted) < std::abs(error - predicted) ? error : other;
+  return std::isnan(error) || std::abs(other - predicted) < std::abs(error - predicted) ? error : other;
 }
 
 /// What Eq. 21 as printed takes.
