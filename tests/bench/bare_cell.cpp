@@ -12,7 +12,7 @@
 namespace talus::bench {
 namespace {
 
-constexpr double near = 0.02;  ///< reach of the near list beyond contact, in diameters: .01 to .04 take as long
+constexpr double near = 0.02;  ///< reach of the near list beyond contact, in diameters: 0.01 to 0.04 take as long
 
 std::size_t whole_packs(std::size_t pairs) { return (pairs + pack_size - 1) / pack_size * pack_size; }
 
@@ -136,7 +136,7 @@ void BareCell::prune() {
     largest_[k] = std::exchange(kept_[near_.listed[k]], 0.0);
 }
 
-/// What near pairs do to each other; how many touch.
+/// Computes the forces of the near pairs; returns the number of pairs in contact.
 TALUS_CLONES std::size_t BareCell::push() {
   const double* const places = places_.data();
   const std::uint32_t *const first = near_.first.data(), *const second = near_.second.data();

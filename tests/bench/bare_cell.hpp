@@ -12,10 +12,10 @@
 
 namespace talus::bench {
 
-/// The shear cell by a loop that is written for it alone: discs of one size with latching springs, without friction,
-/// one thread, walls by the numbers of their discs. The law is asked of all pairs of a near list, of which a third
-/// touch: what they remember stays in its place, and no pair is looked up. To the bits of FastDiscSystem: what that one
-/// takes beyond this is the price of what else it can do.
+/// The shear cell by a loop written for it alone: discs of one size with latching springs, without friction, one
+/// thread, walls identified by the numbers of their discs. The law is evaluated for all pairs of a near list, a third
+/// of which are in contact: their history stays in its array, and no pair is looked up. Bit-identical to
+/// FastDiscSystem: the additional time of FastDiscSystem is the cost of its generality.
 class BareCell {
  public:
   BareCell(const ShearCell& cell, const FilledCell& start, double skin);
@@ -27,11 +27,11 @@ class BareCell {
   void list(Discs& discs);
   void load(const Discs& discs);
   void store(Discs& discs) const;
-  /// Where the place of the disc begins that is, or whose image is, there.
+  /// Index of the x coordinate of the disc that is at, or has its ghost at, this index.
   std::size_t own(std::size_t place) const {
     return place < velocities_.size() ? place : ghosts_[(place - velocities_.size()) / 2];
   }
-  /// All discs, to be moved so long.
+  /// A block of all discs that drift for this time.
   StepBlock all(double drift);
   void place_ghosts();
   void prune();
@@ -42,17 +42,17 @@ class BareCell {
   NeighbourList list_;
   LatchingSpring law_;
   double diameter_, block_mass_, gravity_, reach_;
-  std::size_t base_, block_;                 ///< where the places of their discs begin
-  std::vector<double> places_, velocities_;  ///< x, y of discs; of ghosts, and of one that is nowhere
-  double impulse_{};                         ///< of a force of 1 on a disc that is free [T/M]
-  std::vector<std::uint32_t> ghosts_;        ///< where the places of their discs begin
-  std::vector<double> shifts_;               ///< of ghosts, along x [L]
+  std::size_t base_, block_;                 ///< index of the x coordinate of their first discs
+  std::vector<double> places_, velocities_;  ///< x, y of discs, then of ghosts, then NaN as padding
+  double impulse_{};                         ///< velocity change of a free disc by a force of 1 [T/M]
+  std::vector<std::uint32_t> ghosts_;        ///< index of the x coordinate of the disc of each ghost
+  std::vector<double> shifts_;               ///< x offset of each ghost from its disc [L]
   SweptPairs listed_, near_;
-  double used_{};                        ///< of the reach [L]
-  std::vector<double> kept_;             ///< between two near lists what listed pairs remember [L]
-  std::vector<double> largest_;          ///< overlap of near pairs that touch [L], else 0
-  std::vector<double> forces_;           ///< of near pairs on their second discs: x, y of each [F]
-  std::vector<std::uint32_t> touching_;  ///< numbers of near pairs
+  double used_{};                        ///< part of the reach that motion has used up [L]
+  std::vector<double> kept_;             ///< history of listed pairs between two near lists [L]
+  std::vector<double> largest_;          ///< largest overlap so far of near pairs in contact [L], else 0
+  std::vector<double> forces_;           ///< x, y of the force on the second disc of each near pair [F]
+  std::vector<std::uint32_t> touching_;  ///< indices of the near pairs in contact
   double force_on_block_{};              ///< along y [F]
 };
 

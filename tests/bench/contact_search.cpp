@@ -17,7 +17,7 @@ namespace {
 
 constexpr int searches = 4000;
 
-/// Discs of radius 1, each with each, strewn over a square in which they fill half of the room.
+/// Discs of radius 1, every pair a candidate, scattered over a square of twice their total area.
 struct Strewn {
   Poses poses;
   ContactSearch search;
@@ -57,7 +57,8 @@ void print_search_costs() {
                          benchmark::DoNotOptimize(scene.found.data());
                        }
                      }});
-    // A body that goes to and fro by more than the skin has the pairs listed again each time; one that creeps does not.
+    // A body that moves back and forth by more than the skin causes a new list at each search; one that creeps does
+    // not.
     for (const double way : {0.5, 1e-9}) {
       tasks.push_back({fmt::format("{} {}", count, way), [&scene, way] {
                          for (int i = 0; i < searches; ++i) {

@@ -2,8 +2,8 @@
 
 namespace talus::bench {
 
-/// Prints what finding the pairs within reach costs: by looking at each, by listing those that are close, and while
-/// that list stands.
+/// Prints the cost of finding the pairs within reach: by checking each pair, by listing the close pairs, and with a
+/// list that is still valid.
 void print_search_costs();
 
 }  // namespace talus::bench

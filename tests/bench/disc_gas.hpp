@@ -10,7 +10,7 @@
 
 namespace talus::bench {
 
-/// Equal discs of diameter 1 and mass 1 in a box that repeats itself, numbered by rows.
+/// Equal discs of diameter 1 and mass 1 in a periodic box, numbered row by row.
 struct DiscGas {
   DiscShapes shapes;
   Discs discs;
@@ -19,24 +19,24 @@ struct DiscGas {
 
 /// Elastic, with angular frequency 1 of two discs in contact: k = 1/2.
 inline constexpr LinearSpringDashpot elastic{0.5, 0.0};
-/// The same motion by a law that remembers: its way back is as stiff.
+/// The same motion with a history-dependent law: its unloading stiffness equals its loading stiffness.
 inline constexpr LatchingSpring remembering{0.5, 0.5, 0.0};
-/// A twentieth of the contact time pi.
+/// About a twentieth of the contact time pi.
 inline constexpr double gas_step = 0.157;
 
-/// Friction beside the elastic springs.
+/// Friction in addition to the elastic springs.
 inline constexpr CoulombFriction rough{0.5, 0.35};
 
-/// What a run of the elastic gas by FastDiscSystem took, and what came out.
+/// Cost and result of a run of the elastic gas by FastDiscSystem.
 struct GasRun {
-  double nanoseconds{};  ///< of the processor, a disc-step
-  std::uint64_t bits{};  ///< of all places and velocities, mixed
+  double nanoseconds{};  ///< processor time of a disc-step
+  std::uint64_t bits{};  ///< hash of all positions and velocities
 };
-/// After a thousand steps that are not timed.
+/// Runs the gas; the first thousand steps are not timed.
 [[nodiscard]] GasRun run_gas(std::size_t columns, std::size_t rows, double solid_fraction, long steps);
 
-/// A triangular lattice of columns times rows (even) at this solid fraction, with velocities that are normally
-/// distributed, deviation .0014: the hardest of many impacts press discs about a hundredth of their diameter.
+/// A triangular lattice of columns times rows (even) at this solid fraction, with normally distributed velocities of
+/// standard deviation 0.0014: in the hardest of many impacts the overlap is about a hundredth of the diameter.
 [[nodiscard]] DiscGas lattice(std::size_t columns, std::size_t rows, double solid_fraction);
 
 }  // namespace talus::bench

@@ -1,6 +1,7 @@
-/// Disc-steps a second of Talus beside LAMMPS, from the same start, in turn within one run: `make bench-discs`.
-/// Arguments choose tables: --cell, --one, --friction, --two; none chooses all. --quick leaves a million discs out.
-/// --skins: what neighbour lists cost by their reach.
+/// Disc-steps per second of Talus and LAMMPS from the same start, interleaved within one run: `make bench-discs`.
+/// Arguments select tables: --cell, --one, --friction, --two; without any, all are printed. --quick omits a million
+/// discs.
+/// --skins: cost of neighbour lists by their reach.
 #include <fmt/format.h>
 #include <malloc.h>
 
@@ -31,14 +32,14 @@ using namespace talus::bench;
 
 constexpr double plain_skin = 0.3;
 
-/// Of the processor, so that other programs on the machine do not count.
+/// Processor time, so that other programs on the machine do not count.
 double seconds_of(const std::function<void()>& work) {
   const std::clock_t start = std::clock();
   work();
   return static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC;
 }
 
-/// Of the clock: of several threads at once.
+/// Wall-clock time, for several threads.
 double clock_seconds_of(const std::function<void()>& work) {
   const auto start = std::chrono::steady_clock::now();
   work();
@@ -50,7 +51,7 @@ double median(std::vector<double> times) {
   return times.empty() ? 0.0 : times[times.size() / 2];
 }
 
-/// Of each round's times.
+/// Median of the ratios of the rounds.
 double median_ratio(std::vector<double> over, const std::vector<double>& under) {
   for (std::size_t round = 0; round < over.size(); ++round)
     over[round] /= under[round];
@@ -68,7 +69,7 @@ struct Size {
   std::size_t discs() const { return columns * rows; }
   bool large() const { return discs() > 200000; }
   long steps(double disc_steps) const { return std::max(200L, std::lround(disc_steps / static_cast<double>(discs()))); }
-  /// Nanoseconds a disc-step.
+  /// Nanoseconds per disc-step.
   double ns(double seconds, long steps) const {
     return 1e9 * seconds / static_cast<double>(steps) / static_cast<double>(discs());
   }
@@ -82,7 +83,7 @@ std::vector<Size> sizes(double solid_fraction, bool quick) {
   return all;
 }
 
-/// The gas after it has mixed.
+/// The gas after mixing.
 DiscGas mixed(const Size& size) {
   DiscGas gas = lattice(size.columns, size.rows, size.solid_fraction);
   FastDiscSystem mixing{gas.shapes, gas.box, elastic, size.skin()};
@@ -91,7 +92,7 @@ DiscGas mixed(const Size& size) {
   return gas;
 }
 
-/// What a command says.
+/// Standard output of a command.
 std::string answer(const std::string& command) {
   std::string text;
   if (FILE* const pipe = ::popen(command.c_str(), "r")) {
@@ -102,7 +103,7 @@ std::string answer(const std::string& command) {
   return text;
 }
 
-/// The portable build's nanoseconds over ours, in turn; says so if its bits are others.
+/// Nanoseconds of the portable build over those of this build, interleaved; reports a difference in bits.
 std::string portable_ratio(const Size& size) {
   std::vector<double> theirs, ours;
   const long steps = size.steps(3e7);
@@ -118,13 +119,13 @@ std::string portable_ratio(const Size& size) {
   return fmt::format("{:.2f}", median_ratio(theirs, ours));
 }
 
-/// Of memory that is taken and not given back.
+/// Memory that is allocated at present.
 double bytes_taken() {
   const auto taken = ::mallinfo2();
   return static_cast<double>(taken.uordblks + taken.hblkhd);
 }
 
-/// Bytes a disc that a system and its discs take once lists have been made again: of a process of its own.
+/// Bytes per disc of a system and its discs after lists have been rebuilt; runs in a separate process.
 template <class L, class F>
 double bytes_of(const Size& size, const L& law, const F& friction) {
   const double before = bytes_taken();
@@ -207,7 +208,7 @@ void print_gases(const LammpsProgram& lammps, bool quick, const std::string& sel
   }
 }
 
-/// Friction takes energy out: each round restarts.
+/// Friction dissipates energy, so each round restarts.
 void print_rough_gases(const LammpsProgram& lammps, bool quick) {
   fmt::print(
       "\nThe same discs with friction .5 (k_s = .7 k) and spin; LAMMPS with its history of stretch, spheres that turn "
@@ -284,7 +285,7 @@ void print_two_cores(const LammpsProgram& lammps, bool quick) {
   }
 }
 
-/// The table of list_skin().
+/// Prints the measurements from which list_skin() is tabulated.
 void print_skins() {
   constexpr std::array skins{0.1, 0.2, 0.3, 0.4, 0.5, 0.7, 1.0};
   fmt::print("\nns a disc-step of fast by the skin over a diameter, least of three\n\n{:>9} {:>5}", "discs", "phi");
@@ -315,7 +316,7 @@ void print_skins() {
   }
 }
 
-/// Whether the discs are in the same places with the same velocities.
+/// True if the discs have the same positions and velocities.
 bool same(const Discs& a, const Discs& b) { return a.x == b.x && a.y == b.y && a.vx == b.vx && a.vy == b.vy; }
 
 void print_cell() {
@@ -323,7 +324,7 @@ void print_cell() {
   std::vector<double> plain_us, fast_us, bare_us;
   long evaluations = 0, builds = 0, prunings = 0;
   bool same_bits = true;
-  // How many touch changes in the course of a run, and from one run to another.
+  // The number of contacts changes during a run, and from one run to another.
   for (std::uint64_t seed = 1; seed <= 8; ++seed) {
     const ShearCell cell = ice_cell(8e3, 5e3, seed);
     const auto law = std::get<LatchingSpring>(cell.law);
@@ -358,7 +359,7 @@ void print_cell() {
       prunings);
 }
 
-/// What passing time in which nothing can touch at once is worth.
+/// Prints the gain from skipping time intervals in which no discs can touch.
 void print_jumps() {
   struct Of {
     int columns, rows;

@@ -1,4 +1,4 @@
-/// Microseconds a step of each founding scene, and work-precision tables with times: medians of interleaved
+/// Microseconds per step of each founding scene, and work-precision tables with times: medians of interleaved
 /// repetitions, and ratios within this one run.
 #include <benchmark/benchmark.h>
 #include <fmt/format.h>
@@ -36,7 +36,7 @@ struct Run {
   long evaluations{};
 };
 
-/// The scene for `steps` steps, without observers.
+/// Runs the scene for `steps` steps, without observers.
 Run advanced(const Scene& scene, const Dynamics& dynamics, Integrator integrator, double step, long steps,
              bool ledger) {
   RigidBodySystem system{dynamics, ledger};
@@ -46,7 +46,7 @@ Run advanced(const Scene& scene, const Dynamics& dynamics, Integrator integrator
   return {state, system.evaluations()};
 }
 
-/// The founding scenes with a step of a hundredth of their contact time or period.
+/// A founding scene with a step of a hundredth of its contact time or period.
 struct Named {
   std::string name;
   Scene scene;
@@ -165,7 +165,7 @@ int main(int count, char** arguments) {
   bench::print_event_costs();
   bench::print_reading_costs();
 
-  // Not 90 degrees: there the leapfrog's error of second order vanishes by a coincidence of the elliptic integrals.
+  // Not 90 degrees: there the second-order error of the leapfrog vanishes by a coincidence of the elliptic integrals.
   const scenes::Pendulum parameters{.amplitude = 2.0};
   const double frequency = scenes::small_swing_frequency(parameters);
   const auto swing = verification::reference::PendulumMotion::from_rest(frequency, parameters.amplitude);

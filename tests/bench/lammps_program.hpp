@@ -6,7 +6,7 @@
 
 namespace talus::bench {
 
-/// LAMMPS as it is installed, in a folder of its own.
+/// The installed LAMMPS, run in a temporary folder.
 class LammpsProgram {
  public:
   LammpsProgram();
@@ -15,12 +15,12 @@ class LammpsProgram {
   LammpsProgram& operator=(const LammpsProgram&) = delete;
 
   bool there() const { return there_; }
-  /// Whether it can be run on several cores.
+  /// True if it can be run on several cores.
   bool has_mpi() const { return has_mpi_; }
-  /// Seconds in its loop over all steps, as it says itself: without reading and setting up. On one core those of the
-  /// processor, on several those of the clock. 0 if it failed.
+  /// Seconds in its loop over all steps, as LAMMPS reports them: without reading and setup. Processor time on one core,
+  /// wall-clock time on several. 0 if the run failed.
   double seconds(const LammpsScene& scene, const LammpsRun& run, int cores = 1) const;
-  /// The fastest of its styles, of newton on and off, and of several skins, on one core.
+  /// The fastest combination of style, newton on or off, and skin, on one core.
   LammpsRun best_run(const LammpsScene& scene, double step, long steps) const;
 
  private:

@@ -21,7 +21,7 @@ namespace {
 
 constexpr int repetitions = 25;
 
-/// The motion of a scene whose modes last.
+/// The motion of a scene without event location: its modes do not end.
 class Unguarded {
  public:
   explicit Unguarded(const Dynamics& dynamics) : system_{dynamics, false} {}
@@ -37,7 +37,7 @@ class Unguarded {
   RigidBodySystem system_;
 };
 
-/// Asks for every guard at each step.
+/// Evaluates every guard at each step.
 class AllGuards : public RigidBodySystem {
  public:
   explicit AllGuards(const Dynamics& dynamics) : RigidBodySystem{dynamics, false} {}
@@ -51,7 +51,7 @@ class NextGuards : public RigidBodySystem {
   explicit NextGuards(const Dynamics& dynamics) : RigidBodySystem{dynamics, false} {}
 };
 
-/// A run to its end: evaluations and events.
+/// Evaluations and events of a run to its end.
 struct Counts {
   long evaluations{};
   long events{};
@@ -68,7 +68,7 @@ Counts run(const Scene& scene, const Dynamics& dynamics, double tolerance, doubl
   return {system.evaluations(), method.events()};
 }
 
-/// A fence that nothing hits and whose columns swing a little, so that no mode ends.
+/// A fence that is not hit and whose columns oscillate slightly, so that no mode ends.
 Scene swinging(int columns) {
   scenes::Fence fence = long_fence(columns, 1, Sleep::off);
   fence.rocks.front().position.x += 100.0;
@@ -82,7 +82,7 @@ struct Row {
   std::string what;
   Scene scene;
   double tolerance{}, end{};
-  bool without{};  ///< beside it no guards at all; else all
+  bool without{};  ///< compare with no guards; otherwise with all guards
 };
 
 }  // namespace

@@ -1,4 +1,5 @@
-/// The elastic gas by an engine that is compiled once, for every processor: columns rows solid_fraction steps.
+/// The elastic gas by an engine that is compiled once for every processor. Arguments: columns rows solid_fraction
+/// steps.
 #include <fmt/format.h>
 
 #include <string>

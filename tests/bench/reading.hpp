@@ -2,7 +2,7 @@
 
 namespace talus::bench {
 
-/// Prints what reading scenes of many bodies costs.
+/// Prints the cost of reading scenes of many bodies.
 void print_reading_costs();
 
 }  // namespace talus::bench

@@ -17,10 +17,10 @@
 namespace talus::bench {
 namespace {
 
-constexpr long steps = 25000;  // .05 s
+constexpr long steps = 25000;  // 0.05 s
 constexpr int repetitions = 9;
 
-/// A scene that is run, or looked at again and again where it stands.
+/// A scene that is run, or evaluated repeatedly in its initial state.
 struct Compiled {
   Scene scene;
   Dynamics dynamics;
@@ -52,7 +52,7 @@ struct Compiled {
   }
 };
 
-/// Two tasks, of which the second does less.
+/// Two tasks; the second one does less.
 struct Pair {
   std::string what;
   std::function<void()> more, less;
@@ -102,7 +102,7 @@ void print_structure_savings() {
             long_fence(101, 1, Sleep::on, Sag::as_tight));
   pairs.add("sleep by default, 1,001 columns: 101, with its share of sag", long_fence(1001, 1, Sleep::on),
             long_fence(101, 1, Sleep::on));
-  // One evaluation where the scene stands, the rock just off the fence.
+  // One evaluation of the initial state, with the rock just off the fence.
   scenes::Fence apart = long_fence(13, 2, Sleep::off);
   apart.rocks.front().position.x += 0.1;
   pairs.add_looks("2 layers, every gap of every pair: those within reach", apart);

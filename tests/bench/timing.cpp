@@ -8,7 +8,7 @@
 namespace talus::bench {
 namespace {
 
-/// Keeps every repetition's time and prints nothing.
+/// Stores the time of every repetition and prints nothing.
 class Collector : public benchmark::BenchmarkReporter {
  public:
   bool ReportContext(const Context&) override { return true; }

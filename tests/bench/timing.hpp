@@ -6,10 +6,10 @@
 
 namespace talus::bench {
 
-/// One thing to time.
+/// A task to time.
 struct Task {
   std::string name;            ///< unique
-  std::function<void()> work;  ///< does the whole of it once and lets the result be used
+  std::function<void()> work;  ///< does the whole task once and lets the result be used
 };
 
 /// Wall time of one task over all repetitions [s].
@@ -20,7 +20,7 @@ struct Timing {
 };
 
 /// Times all tasks in one run, their repetitions interleaved in random order (Google Benchmark), so that a disturbance
-/// of the machine meets all of them alike. The order of the answer is that of the tasks.
+/// of the machine affects all of them equally. Results are in the order of the tasks.
 [[nodiscard]] std::vector<Timing> time_tasks(const std::vector<Task>& tasks, int repetitions);
 
 }  // namespace talus::bench

@@ -23,7 +23,7 @@ namespace fs = std::filesystem;
 
 constexpr int repetitions = 9;
 
-/// A folder that is removed again.
+/// A temporary folder, removed by the destructor.
 class OwnFolder {
  public:
   OwnFolder() : path_{fs::temp_directory_path() / fmt::format("talus-bench-{}", ::getpid())} { make_folder(path_); }
@@ -36,7 +36,7 @@ class OwnFolder {
   fs::path path_;
 };
 
-/// The loop that a benchmark of forces measures: no observers.
+/// The loop that a benchmark of forces measures: without observers.
 void bare(const SceneFile& file, const Dynamics& dynamics, bool ledger) {
   RigidBodySystem system{dynamics, ledger};
   Integrator method = file.scene.integrator;
@@ -46,7 +46,7 @@ void bare(const SceneFile& file, const Dynamics& dynamics, bool ledger) {
   benchmark::DoNotOptimize(state);
 }
 
-/// What `talus run` does between reading the scene and printing the summary.
+/// The work of `talus run` between reading the scene and printing the summary.
 void observed(const SceneFile& file, const fs::path& folder, bool sheet) {
   app::SceneRun run{file, folder, "scene.toml", 0, sheet};
   Progress progress;

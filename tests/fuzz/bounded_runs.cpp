@@ -27,7 +27,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Steps before the checkpoint that a run leaves.
+/// Steps before the checkpoint of a run is written.
 constexpr long saved_steps = 20;
 
 bool is_large(const Model& model) {
@@ -37,7 +37,7 @@ bool is_large(const Model& model) {
   return model.bodies.size() > Bounds::bodies || model.contacts.size() > Bounds::contacts || nodes > Bounds::nodes;
 }
 
-/// Advances the run by 100 steps, and reports it.
+/// Advances the run by up to 100 steps and makes its record. Returns whether it stayed within the bounds.
 bool advance(app::SceneRun& run) {
   bool cut = false;
   long steps = 0;

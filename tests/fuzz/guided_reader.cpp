@@ -1,5 +1,5 @@
-/// talus_guided_reader: a libFuzzer target (LLVM), which seeks inputs that take a reader along new paths. The
-/// environment says which reader: TALUS_READER=NAME, as `talus_mutate_inputs --list` has it.
+/// talus_guided_reader: a libFuzzer target (LLVM), which searches for inputs that lead a reader along new code paths.
+/// The environment selects the reader: TALUS_READER=NAME, as listed by `talus_mutate_inputs --list`.
 #include <fmt/format.h>
 #include <unistd.h>
 
@@ -21,7 +21,7 @@ using talus::fuzz::Reader;
 
 constexpr int wrong_usage = 2, failed = 4;
 
-/// The reader and a folder for its inputs, in memory where there is such a one; removed when the process ends.
+/// The reader and a folder for its inputs, in memory (/dev/shm) where available; removed when the process ends.
 class Target {
  public:
   Target() : folder_{root() / fmt::format("talus_guided_{}", ::getpid())} {
@@ -43,7 +43,7 @@ class Target {
   Target& operator=(const Target&) = delete;
   ~Target() { remove(); }
 
-  /// What is wrong about how the reader ended; empty if nothing is.
+  /// Describes what is wrong with how the reader ended; empty if nothing is.
   std::string case_error(std::string input) const {
     if (reader_->seal) reader_->seal(input);
     return talus::fuzz::read(*reader_, talus::fuzz::put(*reader_, input, folder_ / "input")).flaw;

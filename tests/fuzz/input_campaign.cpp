@@ -34,20 +34,20 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Inputs that one child process reads.
+/// Number of inputs that one child process reads.
 constexpr long batch = 2000;
 /// Address space of a child; the address sanitizer reserves far more, and is limited elsewhere (mutate_inputs.cpp).
 [[maybe_unused]] constexpr rlim_t most_memory = rlim_t{3} << 30U;
 /// Exit code of a child that found a flaw.
 constexpr int flawed = 77;
 
-/// What a child writes and its parent reads.
+/// Data that a child writes and its parent reads.
 struct Progress {
-  long number{};  ///< of the input that is being read
+  long number{};  ///< number of the input that is being read
   long accepted{}, refused{}, cut_short{};
 };
 
-/// Archive that child processes share.
+/// Memory that is shared with child processes.
 class SharedProgress {
  public:
   SharedProgress()
@@ -71,13 +71,13 @@ void redirect(int stream, const fs::path& file) {
   ::close(opened);
 }
 
-/// From now on this many seconds of processor time end the process.
+/// Ends the process after this many more seconds of processor time.
 void limit_time(long seconds) {
   const itimerval limit{{0, 0}, {seconds, 0}};
   ::setitimer(ITIMER_PROF, &limit, nullptr);
 }
 
-/// The files of a batch in the folder of a reader.
+/// Output files of a batch in the folder of a reader.
 struct BatchFiles {
   fs::path errors, messages;
   explicit BatchFiles(const fs::path& folder) : errors{folder / "stderr.txt"}, messages{folder / "messages.txt"} {}
@@ -125,7 +125,7 @@ struct BatchFiles {
   std::_Exit(0);
 }
 
-/// What a child left on its standard error: a line that says what went wrong, and the first frame in our sources.
+/// Summary of a child's standard error: the line that says what went wrong, and the first frame in our sources.
 std::string text_of(const fs::path& errors) {
   std::ifstream in{errors};
   std::string what, frame;
@@ -148,7 +148,7 @@ std::string how_it_ended(int status, const fs::path& errors, long seconds) {
   return fmt::format("{}: {}", ::strsignal(signal), text);
 }
 
-/// Starts a child for the rest of a batch and waits for it.
+/// Starts a child for the remaining inputs of a batch and waits for it.
 int status_of_batch(const Reader& reader, const CampaignPlan& plan, const fs::path& folder, Progress& progress,
                     long end) {
   std::fflush(nullptr);
@@ -161,7 +161,7 @@ int status_of_batch(const Reader& reader, const CampaignPlan& plan, const fs::pa
   return status;
 }
 
-/// Saves the input of a finding unless one of the same pattern was saved before.
+/// Saves the input of a finding unless one with the same pattern was saved before.
 void save(Finding& finding, const std::vector<Finding>& others, const Reader& reader, const CampaignPlan& plan) {
   const std::string pattern = pattern_of(finding.what, reader.file);
   const auto same = [&](const Finding& other) { return pattern_of(other.what, reader.file) == pattern; };

@@ -1,5 +1,5 @@
-/// talus_mutate_inputs: lets the readers of Talus read mutated files; a crash, a hang, a lack of memory and an error
-/// without a place are findings.
+/// talus_mutate_inputs: lets the readers of Talus read mutated files. Findings are crashes, hangs, excessive memory and
+/// errors that do not say where.
 
 #include <fmt/format.h>
 #include <unistd.h>
@@ -13,7 +13,7 @@
 
 #include "tests/fuzz/input_campaign.hpp"
 
-/// Of the address sanitizer: a request for more memory throws std::bad_alloc, as without it.
+/// Options of the address sanitizer: a request for more memory throws std::bad_alloc, as without it.
 extern "C" const char* __asan_default_options() {
   return "allocator_may_return_null=1:max_allocation_size_mb=2048:detect_leaks=0";
 }

@@ -7,7 +7,7 @@
 namespace talus::fuzz {
 namespace {
 
-/// The changed text may be longer than this only by what one change adds.
+/// Maximum length of a changed text, which one change may still exceed.
 constexpr std::size_t longest = 200'000;
 
 /// A span of a text.
@@ -16,7 +16,7 @@ struct Span {
   std::size_t size() const { return end - begin; }
 };
 
-/// Numbers that no reader may stumble over: limits of types, of what decimals can say, and of list-directed records.
+/// Numbers that every reader must handle: limits of types, of decimal notation, and of list-directed records.
 constexpr std::array<std::string_view, 34> extremes{
     "nan",        "inf",         "-inf",       "1e400",      "-1e400",      "1e-400",
     "-0",         "-0.0",        "0",          "1",          "-1",          "2",
@@ -81,7 +81,7 @@ bool is_number(std::string_view token) {
   return digit < 2 && token[digit] >= '0' && token[digit] <= '9';
 }
 
-/// Lines with their ends.
+/// Lines with their line ends.
 std::vector<Span> lines_of(std::string_view text) {
   std::vector<Span> lines;
   for (std::size_t begin = 0; begin < text.size();) {
@@ -92,7 +92,7 @@ std::vector<Span> lines_of(std::string_view text) {
   return lines;
 }
 
-/// A span of up to 64 bytes; of up to all in one of eight.
+/// A random span of up to 64 bytes; one in eight may be as long as the text.
 Span any_span(std::mt19937_64& random, std::size_t size) {
   const std::size_t begin = below(random, size + 1);
   const std::size_t room = size - begin, most = below(random, 8) == 0 ? room : std::min<std::size_t>(room, 64);
@@ -152,7 +152,7 @@ void change_number(std::string& text, std::mt19937_64& random) {
   }
 }
 
-/// A token of one text becomes a token of another.
+/// Replaces a token of one text by a token of another.
 void change_token(std::string& text, const std::string& other, std::mt19937_64& random) {
   const std::vector<Span> here = tokens_of(text), there = tokens_of(other);
   if (here.empty() || there.empty()) return;
@@ -190,7 +190,7 @@ void change_lines(std::string& text, std::mt19937_64& random) {
   }
 }
 
-/// Opens, and in most cases closes, many brackets at the place of a token.
+/// Opens many brackets at the position of a token and, in most cases, closes them.
 void nest(std::string& text, std::mt19937_64& random) {
   constexpr std::array<std::array<std::string_view, 2>, 5> kinds{
       {{"[", "]"}, {"{\"a\":", "}"}, {"{ a = ", " }"}, {"<a>", "</a>"}, {"a.", ""}}};
@@ -207,7 +207,7 @@ void nest(std::string& text, std::mt19937_64& random) {
   text.insert(token.begin, open);
 }
 
-/// The beginning of one text and the end of another; in most cases cut between lines.
+/// Joins the beginning of one text and the end of another; in most cases cut between lines.
 void splice(std::string& text, const std::string& other, std::mt19937_64& random) {
   const std::vector<Span> here = lines_of(text), there = lines_of(other);
   if (here.empty() || there.empty()) return;

@@ -37,7 +37,7 @@ namespace {
 namespace fs = std::filesystem;
 using Texts = std::vector<std::string>;
 
-/// The texts of the files in a folder whose names end so, in the order of their names.
+/// Texts of the files in a folder whose names have this ending, in the order of their names.
 Texts texts_in(const fs::path& folder, std::string_view end) {
   std::vector<fs::path> files;
   for (const fs::directory_entry& entry : fs::directory_iterator{folder})
@@ -49,7 +49,7 @@ Texts texts_in(const fs::path& folder, std::string_view end) {
   return texts;
 }
 
-/// Of texts with a line for each record, the first 30 lines: longer ones are not mutated often enough in their head.
+/// The first 30 lines of texts with a line for each record: longer ones are rarely mutated in their head.
 Texts first_lines(Texts texts) {
   for (std::string& text : texts) {
     std::size_t end = 0;
@@ -65,7 +65,7 @@ Texts joined(Texts one, const Texts& other) {
   return one;
 }
 
-/// Of the files that together have every field, those that hold a table.
+/// The files that contain a table, out of those that together have every field.
 Texts complete_files_with(std::string_view table) {
   Texts texts;
   for (const std::string_view file : complete_files)
@@ -73,7 +73,7 @@ Texts complete_files_with(std::string_view table) {
   return texts;
 }
 
-/// Reads a file that is no model.
+/// Reads a file that is not a model.
 template <class Read>
 std::function<bool(const fs::path&)> only(Read read) {
   return [read](const fs::path& file) {
@@ -103,7 +103,7 @@ void seal_checkpoint(std::string& text) {
   if (digits + hash.size() <= text.size()) text.replace(digits, hash.size(), hash);
 }
 
-/// Readers of what people write: scenes, decks, cells.
+/// Adds readers of files that users write: scenes, decks, cells.
 void add_scene_readers(const fs::path& scratch, std::vector<Reader>& readers) {
   const fs::path cases = TALUS_CASES;
   readers.push_back({.name = "scene",
@@ -142,7 +142,7 @@ void add_scene_readers(const fs::path& scratch, std::vector<Reader>& readers) {
                      }});
 }
 
-/// Readers of what a run leaves for others.
+/// Adds readers of files that a run writes.
 void add_run_readers(const fs::path& scratch, std::vector<Reader>& readers) {
   const fs::path scene = scratch / "scene", fence = scratch / "fence", cell = scratch / "cell";
   readers.push_back({.name = "scene_checkpoint",
@@ -201,7 +201,7 @@ void add_run_readers(const fs::path& scratch, std::vector<Reader>& readers) {
                      })});
 }
 
-/// Readers of what the verification leaves and what stands beside its cases.
+/// Adds readers of the verification's results and of the files beside its cases.
 void add_verification_readers(std::vector<Reader>& readers) {
   const fs::path data = TALUS_TEST_DATA, catalogue = TALUS_CATALOGUE;
   const Texts results = joined(texts_in(data / "pass", "results.json"), texts_in(data / "fail", "results.json"));
@@ -267,15 +267,17 @@ std::string type_name(const std::exception& error) {
   return result;
 }
 
-/// Whether the text behind a file's name says where in it: ":12: ...", ": field: ...", ".member: ..." or "... line 12 ...".
+/// True if the text behind a file's name gives a position in it: ":12: ...", ": field: ...", ".member: ..." or "...
+/// line 12 ...".
 bool says_where(std::string_view rest) {
   if (rest.size() > 1 && rest[0] == ':' && std::isdigit(static_cast<unsigned char>(rest[1])) != 0) return true;
   if (rest.find("line ") != std::string_view::npos || rest.starts_with(".")) return true;
   return rest.starts_with(": ") && rest.substr(2).find(": ") != std::string_view::npos;
 }
 
-/// What is wrong with an error's message; empty if nothing is. It names the file, or one of those beside it, and a line
-/// or a field in it; not so where the system refuses the file, it is empty, or is another value than an object.
+/// Describes what is wrong with an error's message; empty if nothing is. The message must name the file, or one of
+/// those beside it, and a line or a field in it; except where the system refuses the file, the file is empty, or its
+/// value is not an object.
 std::string case_error(const std::string& message, const fs::path& file) {
   const std::string name = file.string(), folder = file.parent_path().string() + "/";
   const std::size_t place = message.find(name), beside = message.find(folder);

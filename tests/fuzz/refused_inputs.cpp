@@ -9,13 +9,13 @@
 #include "tests/fuzz/readers.hpp"
 #include "tests/solver/io/folder.hpp"
 
-// Inputs that were findings of talus_mutate_inputs: each is refused by the message that it has now.
+// Inputs that were findings of talus_mutate_inputs: each is refused by its present message.
 
 using namespace talus::fuzz;
 
 namespace {
 
-/// A reader with its first sound file.
+/// A reader with its first valid file.
 class Tried {
  public:
   explicit Tried(const std::string& name) {
@@ -28,7 +28,7 @@ class Tried {
   }
 
   const std::string& sound() const { return reader_->corpus.front(); }
-  /// The sound file with its first `from` replaced.
+  /// The valid file with its first occurrence of `from` replaced.
   std::string changed(const std::string& from, const std::string& to) const {
     std::string text = sound();
     const std::size_t at = text.find(from);
@@ -37,7 +37,7 @@ class Tried {
     if (reader_->seal) reader_->seal(text);
     return text;
   }
-  /// The text is refused by FILE, then this message, or one that begins so.
+  /// Checks that the text is refused by a message that begins with FILE and `message`.
   void refuses(const std::string& text, const std::string& message) const {
     const std::filesystem::path file = put(*reader_, text, folder_.path);
     const Reading reading = read(*reader_, file);
@@ -45,7 +45,7 @@ class Tried {
     BOOST_TEST(reading.flaw == "");
     BOOST_TEST(reading.message.starts_with(file.string() + message), reading.message);
   }
-  /// What is wrong with how the reader ended; empty if it read the text, or refused it properly.
+  /// Describes what is wrong with how the reader ended; empty if it read the text, or refused it properly.
   std::string flaw(const std::string& text) const { return read(*reader_, put(*reader_, text, folder_.path)).flaw; }
 
  private:
@@ -70,7 +70,7 @@ BOOST_AUTO_TEST_CASE(json_that_is_nested_too_deeply) {
     for (const std::string& text : {lists + repeated("]", 10'000) + "}", lists, objects})
       reader.refuses(text, ": line 2: found lists and objects nested deeper than 64 levels");
   }
-  // Brackets in a text nest nothing, and 64 levels are read.
+  // Brackets in a string do not nest, and 64 levels are read.
   const Tried sheet{"sheet"};
   sheet.refuses("{\"a\\\"" + repeated("[", 100) + "\": 1}", ".schema: is missing");
   sheet.refuses(repeated("[", 64) + repeated("]", 64), ": must be an object");
@@ -83,7 +83,7 @@ BOOST_AUTO_TEST_CASE(geometry_that_is_wrong_says_where) {
                    ": Lines: array 'connectivity': it is missing");
   geometry.refuses(geometry.changed("<PolyData>", "<PolyDatum/><PolyData>").substr(0, 40), ":");
   discs.refuses(discs.changed("Name=\"radius\"", "Name=\"\""), ": PointData: array 'radius': it is missing");
-  // The number of a disc whose size is no number of the type: the image of a disc has the negative of its number.
+  // A disc number whose absolute value its type cannot represent: the image of a disc has the negative of its number.
   const std::string ids = "Name=\"id\"";
   std::string text = discs.sound();
   const std::size_t begin = text.find('>', text.find(ids)) + 1, end = text.find('<', begin);

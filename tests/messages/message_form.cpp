@@ -14,7 +14,7 @@ std::string replaced(const std::string& text, const std::regex& what, const char
   return std::regex_replace(text, what, by);
 }
 
-/// Shorter first: an example is to be read.
+/// Shorter first, because the first is used as the example.
 bool before(const std::string& a, const std::string& b) { return a.size() != b.size() ? a.size() < b.size() : a < b; }
 
 }  // namespace
@@ -27,7 +27,7 @@ std::string lasting(const std::string& line) {
 
 std::string form_of(const std::string& line) {
   static const std::regex quoted{R"("(?:[^"\\]|\\.)*")"}, named{R"('[^']*')"};
-  // Where it is: segments that end in ": ", up to one of the words with which a message begins.
+  // The position: segments that end in ": ", up to one of the words with which a message begins.
   static const std::regex place{
       R"(^(?:(?:[^;:]|:(?=[0-9]))*: )+?(?=(?:found|it|its|this|give|the|a|an|no|not|neither|there|is|without|several) )"
       R"(|contact by |[a-z ]+ '\.\.\.' (?:is|was|exists)|[0-9]+ cables end))"};

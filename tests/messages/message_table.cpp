@@ -1,5 +1,6 @@
-/// talus_message_table RECORDED OUT: the messages that a recorder noted (recorder.cpp), as the page docs/messages.md.
-/// Exit status: 0 written, 1 it could not be, 2 wrong command line.
+/// talus_message_table RECORDED OUT: writes the messages that a recorder noted (recorder.cpp) as the page
+/// docs/messages.md.
+/// Exit status: 0 written, 1 it could not be written, 2 wrong command line.
 #include <fmt/format.h>
 
 #include <exception>
@@ -63,7 +64,7 @@ int main(int argc, char** argv) {
     std::vector<std::string> lines;
     for (std::string line; std::getline(in, line);)
       lines.push_back(line);
-    // Mutated files are refused in all ways; what a user meets is what the tests write on purpose.
+    // Mutated files are refused in many ways; users meet the messages that the tests provoke on purpose.
     const auto forms = talus::messages::forms_of(lines, {"talus_mutate_inputs", "test_catalogue_bibliography",
                                                          "test_catalogue_catalogue", "test_input_campaign"});
     talus::records::write_whole(argv[2], page(forms));

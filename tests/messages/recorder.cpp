@@ -1,5 +1,5 @@
-/// A library that is loaded before a program (LD_PRELOAD) and notes each error of Talus that is thrown: a line with its
-/// kind, the program and the message, in a file of the process in the folder that TALUS_MESSAGES names. Line breaks within a
+/// A library that is loaded before a program (LD_PRELOAD) and records each error of Talus that is thrown: a line with
+/// its kind, the program and the message, in a file for each process in the folder TALUS_MESSAGES. Line breaks within a
 /// message become \x1f.
 #include <dlfcn.h>
 #include <errno.h>
@@ -25,7 +25,7 @@ void note(std::string_view kind, const char* what) {
   const std::string file = std::string{folder} + '/' + std::to_string(::getpid()) + ".tsv";
   const int to = ::open(file.c_str(), O_WRONLY | O_CREAT | O_APPEND, 0644);
   if (to < 0) return;
-  // Tests limit the size of files: a message that does not fit is one that other tests provoke as well.
+  // Some tests limit the size of files; a message that does not fit is also provoked by other tests.
   const auto before = std::signal(SIGXFSZ, SIG_IGN);
   [[maybe_unused]] const ssize_t written = ::write(to, line.data(), line.size());
   std::signal(SIGXFSZ, before);
@@ -34,7 +34,7 @@ void note(std::string_view kind, const char* what) {
 
 }  // namespace
 
-/// In place of the C++ library's, which it calls.
+/// Replaces the function of the C++ library, which it calls.
 extern "C" [[noreturn, gnu::visibility("default")]] void __cxa_throw(void* object, std::type_info* type,
                                                                      void (*destroy)(void*)) {
   const std::string_view name = type->name();

@@ -58,13 +58,13 @@ struct Options {
   std::vector<std::string> cases;
 };
 
-/// What one case leaves in its child process.
+/// Result of one case in its child process.
 struct Outcome {
   Trial trial{};
   double seconds{};  ///< processor time
 };
 
-// --- The child's side -------------------------------------------------------------------------------------------------
+// --- Child process ---------------------------------------------------------------------------------------------------
 
 double size_of(const records::Check& check) {
   if (!std::isfinite(check.error)) return std::numeric_limits<double>::infinity();
@@ -72,7 +72,7 @@ double size_of(const records::Check& check) {
   return check.pass ? 0.0 : std::numeric_limits<double>::infinity();
 }
 
-/// Runs the right setup of a case; its controls are no part of what notices a mutant.
+/// Runs the right setup of a case; its controls do not count as detecting a mutant.
 Trial tried(const Case& one, records::Tier tier) {
   verification::Findings findings;
   try {
@@ -108,7 +108,7 @@ std::string text_of(const Trial& trial) {
   return text;
 }
 
-/// Limits of a child: it must not take the machine with it.
+/// Limits of a child process, to protect the machine.
 void limit(double seconds, double memory) {
   const auto whole = static_cast<rlim_t>(std::ceil(seconds));
   const rlimit time{whole, whole + 1};
@@ -122,9 +122,9 @@ void limit(double seconds, double memory) {
 
 struct Request {
   const Case* one{};
-  int number{};      ///< of the mutant; 0 none; -1 none, and what is reached is recorded
+  int number{};      ///< of the mutant; 0: none; -1: none, and mutants that are reached are recorded
   double seconds{};  ///< limit of processor time
-  fs::path reached;  ///< file for what is reached
+  fs::path reached;  ///< file for the mutants that are reached
   records::Tier tier{};
 };
 
@@ -140,13 +140,13 @@ struct Request {
   if (!request.reached.empty()) ::setenv("TALUS_MUTANTS_REACHED", request.reached.c_str(), 1);
   const std::string text = text_of(tried(*request.one, request.tier));
   if (!request.reached.empty()) write_reached();
-  // The pipe takes so much before it is read: the names of some hundred checks.
+  // Capacity of the pipe before it is read: the names of some hundred checks.
   const std::size_t fits = std::min(text.size(), std::size_t{60000});
   const bool written = ::write(result, text.data(), fits) == static_cast<ssize_t>(fits);
   ::_exit(written ? 0 : 1);
 }
 
-// --- The parent's side ------------------------------------------------------------------------------------------------
+// --- Parent process --------------------------------------------------------------------------------------------------
 
 class Child {
  public:
@@ -169,7 +169,7 @@ class Child {
     ::close(result_);
   }
 
-  /// What it left, once it has ended. It is killed when it waits for longer than it may compute.
+  /// Its result, once it has ended. It is killed if it waits for longer than its limit of processor time allows.
   std::optional<Outcome> outcome() {
     int status = 0;
     rusage usage{};
@@ -222,7 +222,7 @@ class Child {
   bool late_{};
 };
 
-/// Runs work in parallel: `next` gives a request for a free place, or nothing; `done` takes what it came to.
+/// Runs work in parallel: `next` returns a request for a free job slot, or nothing; `done` receives its outcome.
 template <class Next, class Done>
 void run_side_by_side(unsigned jobs, Next&& next, Done&& done) {
   struct Place {
@@ -249,7 +249,7 @@ void run_side_by_side(unsigned jobs, Next&& next, Done&& done) {
   }
 }
 
-/// A case without a mutant: what it takes, and which mutants it evaluates.
+/// A case without a mutant: its time, and the mutants that it evaluates.
 struct Unchanged {
   const Case* one{};
   double seconds{};
@@ -264,7 +264,7 @@ std::set<int> read_reached(const fs::path& file) {
   return numbers;
 }
 
-/// Errors: std::runtime_error if a case is red without a mutant.
+/// Runs all cases without a mutant. Errors: std::runtime_error if a case is red.
 std::vector<Unchanged> run_unchanged(const std::vector<Case>& cases, records::Tier tier, unsigned jobs,
                                      const fs::path& folder) {
   std::vector<Unchanged> all;
@@ -294,12 +294,12 @@ std::vector<Unchanged> run_unchanged(const std::vector<Case>& cases, records::Ti
   return all;
 }
 
-/// Whether every case that evaluates the mutant must turn red.
+/// True if every case that evaluates the mutant must turn red.
 bool concerns_every_case(const MutantRecord& mutant) {
   return std::find(mutant.cases.begin(), mutant.cases.end(), "*") != mutant.cases.end();
 }
 
-/// One mutant on its way through the cases that evaluate it.
+/// Progress of one mutant through the cases that evaluate it.
 struct Passage {
   MutantRecord* mutant{};
   std::vector<const Unchanged*> cases{};
@@ -312,8 +312,8 @@ struct Passage {
   }
 };
 
-/// Cases that a bug names first, then by time; those that compare with recorded results last, so that they kill only what
-/// no other case does.
+/// Order of the cases: those that a bug names first, then by time; those that compare with recorded results last, so
+/// that they kill only mutants that no other case kills.
 std::vector<const Unchanged*> order_of(const MutantRecord& mutant, const std::vector<Unchanged>& unchanged) {
   std::vector<const Unchanged*> order;
   for (const Unchanged& one : unchanged) {
@@ -330,7 +330,7 @@ std::vector<const Unchanged*> order_of(const MutantRecord& mutant, const std::ve
   return order;
 }
 
-/// Errors: std::invalid_argument for an id that no mutant has.
+/// Checks that all ids exist. Errors: std::invalid_argument for an id that no mutant has.
 void demand_known(const records::Mutants& mutants, const std::vector<std::string>& ids) {
   for (const std::string& id : ids) {
     if (std::none_of(mutants.mutants.begin(), mutants.mutants.end(),
@@ -339,7 +339,7 @@ void demand_known(const records::Mutants& mutants, const std::vector<std::string
   }
 }
 
-/// `save` is called now and then with what is known so far: mutants that still run are pending.
+/// Runs the mutants. `save` is called about once a minute with the results so far: unfinished mutants are pending.
 template <class Save>
 void run_mutants(records::Mutants& mutants, const std::vector<Unchanged>& unchanged, const Options& options,
                  records::Tier tier, unsigned jobs, Save&& save) {
@@ -361,8 +361,8 @@ void run_mutants(records::Mutants& mutants, const std::vector<Unchanged>& unchan
   Clock::time_point saved = start;
   std::size_t ended = 0;
   Progress progress;
-  // The shortest of all next cases comes first: most mutants are soon killed, and a run that is stopped has missed only
-  // the longest cases of those that were not.
+  // The mutant whose next case is shortest comes first: most mutants are soon killed, and an interrupted run has missed
+  // only the longest cases of the others.
   run_side_by_side(
       jobs,
       [&](std::size_t& task) -> std::optional<Request> {
@@ -405,7 +405,8 @@ void run_mutants(records::Mutants& mutants, const std::vector<Unchanged>& unchan
   mutants.run_seconds = std::chrono::duration<double>(Clock::now() - start).count();
 }
 
-/// By file the score, and what survived; the mutants of operation "bug" apart. Returns the score of the generated ones.
+/// Prints the score and the surviving mutants by file; the mutants of operation "bug" separately. Returns the score of
+/// the generated ones.
 records::Score print(const records::Mutants& mutants) {
   std::map<std::string, records::Score> files;
   records::Score all, bugs;
@@ -434,7 +435,7 @@ records::Score print(const records::Mutants& mutants) {
   return all;
 }
 
-/// A bug must turn a case red that it names, or every case that evaluates it. Returns whether all did.
+/// Checks that each bug turns a case red that it names, or every case that evaluates it. Returns true if all do.
 bool demand_named(const records::Mutants& mutants) {
   bool all = true;
   for (const MutantRecord& mutant : mutants.mutants) {
@@ -473,7 +474,7 @@ std::vector<Case> chosen_cases(const Options& options, records::Tier tier) {
   return cases;
 }
 
-/// A bug that names none of the chosen cases is nothing to them.
+/// Removes bugs that name none of the chosen cases.
 void leave_out_others(records::Mutants& mutants, const std::vector<std::string>& cases) {
   const auto chosen = [&](const std::string& id) {
     return id == "*" || std::find(cases.begin(), cases.end(), id) != cases.end();

@@ -1,4 +1,4 @@
-/// The switch of mutants, for the copy of the sources in which they are compiled. No other build includes it.
+/// The switch of mutants, for the copy of the sources into which they are compiled. No other build includes it.
 #pragma once
 
 #include <cstdio>
@@ -6,20 +6,20 @@
 
 namespace talus::mutants {
 
-/// Largest number of mutants in one build.
+/// Maximum number of mutants in one build.
 inline constexpr int capacity = 1 << 16;
 
-/// Number of the mutant that is switched on; 0: none; -1: none, and those that are reached are recorded. Before it is
+/// Number of the mutant that is switched on; 0: none; -1: none, and mutants that are reached are recorded. Before it is
 /// initialised no mutant is on. Programs started by a case get it from the environment.
 inline int active = [] {
   const char* const number = std::getenv("TALUS_MUTANT");
   return number == nullptr ? 0 : std::atoi(number);
 }();
 
-/// Whether a mutant was evaluated since recording began, by its number.
+/// By number of the mutant: nonzero if it was evaluated since recording began.
 inline unsigned char reached[capacity] = {};
 
-/// Adds the numbers of those that were reached to the file TALUS_MUTANTS_REACHED names, if any.
+/// Appends the numbers of the mutants that were reached to the file named by TALUS_MUTANTS_REACHED, if set.
 inline void write_reached() {
   const char* const name = std::getenv("TALUS_MUTANTS_REACHED");
   std::FILE* const file = name == nullptr ? nullptr : std::fopen(name, "a");
@@ -30,12 +30,12 @@ inline void write_reached() {
   std::fclose(file);
 }
 
-/// Writes what a program reached when it ends.
+/// Writes the reached mutants when the program ends.
 inline struct Ending {
   ~Ending() { write_reached(); }
 } ending;
 
-/// Is mutant `number` switched on? Never where a constant is evaluated by the compiler.
+/// True if mutant `number` is switched on; false in constant expressions.
 constexpr bool on(int number) {
   if (__builtin_is_constant_evaluated()) return false;
   const int now = active;

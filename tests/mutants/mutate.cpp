@@ -1,4 +1,4 @@
-/// talus_mutate: a copy of the source tree with mutants compiled in, and their list.
+/// talus_mutate: writes a copy of the source tree with mutants compiled in, and a list of them.
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
@@ -39,12 +39,12 @@ struct Options {
   bool sources = false;
   bool list = false;
   fs::path blame;
-  /// Folders whose sources are mutated: what a run computes.
+  /// Folders whose sources are mutated: those that a run executes.
   std::vector<std::string> folders{"solver/dynamics", "solver/granular", "solver/integrate", "solver/laws",
                                    "solver/scenes"};
 };
 
-/// FNV-1a.
+/// FNV-1a hash.
 std::uint64_t hash_of(std::string_view text, std::uint64_t hash = 14695981039346656037ULL) {
   for (const char letter : text) {
     hash ^= static_cast<unsigned char>(letter);
@@ -53,13 +53,13 @@ std::uint64_t hash_of(std::string_view text, std::uint64_t hash = 14695981039346
   return hash;
 }
 
-/// A candidate with all that is asked of it.
+/// A candidate mutant with its source text and its position in the sample.
 struct Candidate {
   Mutant mutant{};
   std::string original{};
   std::string line{};     ///< the source line on which it begins, trimmed
-  std::uint64_t order{};  ///< place in the sample: smaller is drawn earlier
-  std::string reason{};   ///< why it is equivalent; empty: it may be none
+  std::uint64_t order{};  ///< rank in the sample: smaller is drawn earlier
+  std::string reason{};   ///< why it is equivalent; empty: it is not known to be
 };
 
 std::string line_at(const std::string& text, std::size_t at) {
@@ -69,8 +69,8 @@ std::string line_at(const std::string& text, std::size_t at) {
   return line;
 }
 
-/// The texts' hash, then the finaliser of splitmix64: an order that depends on the texts of a mutant and the seed alone, so that
-/// the sample changes only where the sources do.
+/// Hash of the texts, then the finaliser of splitmix64: an order that depends only on the texts of a mutant and the
+/// seed, so that the sample changes only where the sources do.
 std::uint64_t order_of(const Candidate& candidate, std::uint64_t seed) {
   const Edit& edit = candidate.mutant.edits[0];
   std::uint64_t hash = hash_of(edit.file);
@@ -94,7 +94,7 @@ std::vector<std::string> mutated_files(const Options& options) {
   return {files.begin(), files.end()};
 }
 
-/// Of all headers that a source may include.
+/// Hash of all headers that a source may include.
 std::uint64_t hash_of_headers(const fs::path& root) {
   std::set<fs::path> files;
   for (const auto& entry : fs::recursive_directory_iterator(root / "solver")) {
@@ -109,7 +109,8 @@ std::uint64_t hash_of_headers(const fs::path& root) {
 fs::path absolute_root(const Options& options) { return fs::absolute(options.root).lexically_normal(); }
 fs::path precompiled(const Options& options) { return fs::absolute(options.out) / "candidates" / "libraries.pch"; }
 
-/// The mutants of a file, which take a second to find, from `kept` if they were found in the same sources before.
+/// The mutants of a file, which take a second to find; from the file `kept` if they were found in the same sources
+/// before.
 std::vector<Mutant> known_mutants(const Options& options, const std::string& file, const fs::path& kept) {
   std::vector<Mutant> mutants;
   if (fs::exists(kept)) {
@@ -134,7 +135,7 @@ std::vector<Mutant> known_mutants(const Options& options, const std::string& fil
   return mutants;
 }
 
-/// All candidates in the order of the sample; each entry of the list of equivalents must name one.
+/// All candidates in the order of the sample. Each entry of the list of equivalents must name one.
 std::vector<Candidate> candidates(const Options& options) {
   const auto files = mutated_files(options);
   std::vector<std::vector<Candidate>> found(files.size());
@@ -212,14 +213,14 @@ records::MutantRecord record_of(const Mutant& mutant, int number, const fs::path
   return record;
 }
 
-/// Writes a file if its content differs, so that only what changed is compiled again.
+/// Writes a file only if its content differs, so that only changed files are compiled again.
 void write_changed(const fs::path& file, const std::string& text) {
   if (fs::exists(file) && records::read_whole(file) == text) return;
   fs::create_directories(file.parent_path());
   records::write_whole(file, text, records::Durability::later);
 }
 
-/// Everything that a build needs, with the switches in.
+/// Writes all files that a build needs, with the switches compiled in, and removes others.
 void write_tree(const fs::path& root, const fs::path& copy, const std::map<std::string, std::vector<Switched>>& edits) {
   std::set<fs::path> kept;
   for (const char* part : {"CMakeLists.txt", "cases", "reports", "scripts", "solver", "tests", "verification"}) {
@@ -265,7 +266,7 @@ void mutate(const Options& options) {
     for (const Edit& edit : mutant.edits)
       edits[edit.file].push_back({edit, number});
   };
-  // What does not compile keeps its number, so that the sources of the others stay as they were compiled.
+  // A mutant that does not compile keeps its number, so that the sources of the others need no recompilation.
   std::size_t places = 0;
   if (options.bugs) {
     const auto files = mutated_files(options);
@@ -301,8 +302,8 @@ void mutate(const Options& options) {
              edits.size(), all.size(), list.uncompiled);
 }
 
-/// Adds the mutants that a failed build stopped at to those that do not compile. Errors: std::runtime_error if there is
-/// an error that no mutant explains.
+/// Adds the mutants at which a build failed to the list of those that do not compile. Errors: std::runtime_error for a
+/// compiler error that no mutant explains.
 void blame(const Options& options) {
   const auto list = records::read_mutants(options.out / "mutants.json");
   auto uncompiled = lines_of(options.out / "uncompiled.txt");
@@ -315,7 +316,7 @@ void blame(const Options& options) {
   for (std::string line; std::getline(log, line);) {
     std::smatch part;
     if (!std::regex_match(line, part, error)) continue;
-    // Some messages quote the switch; of the others the place tells.
+    // Some messages quote the switch; for the others the position identifies it.
     std::smatch quoted;
     const std::string words = part[5];
     const int number = std::regex_search(words, quoted, named) ? std::stoi(quoted[1])

@@ -20,7 +20,7 @@ std::string trimmed(std::string_view text) {
   return std::string(text.substr(first, text.find_last_not_of(" \t\r\n") - first + 1));
 }
 
-/// In one line, so that the lines of the source keep their numbers; nothing if it holds a comment.
+/// The text in one line, so that the lines of the source keep their numbers; nothing if it contains a comment.
 std::optional<std::string> one_line(std::string text) {
   if (text.find("//") != std::string::npos || text.find("/*") != std::string::npos) return std::nullopt;
   std::replace(text.begin(), text.end(), '\n', ' ');
@@ -45,7 +45,7 @@ bool is_dependent(const Node& node) {
          node.type_kind() == CXType_Invalid;
 }
 
-/// Numbers and vectors of them: what is added and multiplied. Not texts, iterators or paths.
+/// True for numbers and vectors of numbers, which can be added and multiplied; false for texts, iterators and paths.
 bool is_number(const Node& node) {
   if (is_integer(node) || is_dependent(node)) return true;
   if (node.type_kind() == CXType_Double || node.type_kind() == CXType_Float || node.type_kind() == CXType_Vector ||
@@ -56,7 +56,7 @@ bool is_number(const Node& node) {
          (type.find("talus::") != std::string::npos || type.find("Eigen::") != std::string::npos);
 }
 
-/// Names of which one is easily written for the other: both bodies, both directions, two times.
+/// Pairs of names that are easily confused: two bodies, two directions, two times.
 const std::map<std::string, std::string>& partners() {
   static const std::map<std::string, std::string> both = [] {
     std::map<std::string, std::string> names;
@@ -134,7 +134,7 @@ class Search {
     add(operation, node.extent(), Form::expression, replacement);
   }
 
-  /// FILE:LINE:COLUMN:OPERATION, with a number if there are several.
+  /// Sets the ids FILE:LINE:COLUMN:OPERATION, with a number if there are several.
   void name_all() {
     std::map<std::string, int> used;
     for (Mutant& mutant : mutants_) {
@@ -148,8 +148,8 @@ class Search {
     }
   }
 
-  // --- Walking ------------------------------------------------------------------------------------------------------
-  /// Declarations of constants and what else the compiler evaluates.
+  // --- Traversal -----------------------------------------------------------------------------------------------------
+  /// True for declarations of constants and other code that the compiler evaluates.
   [[nodiscard]] bool is_constant(const Node& node) const {
     switch (node.kind()) {
       case CXCursor_EnumDecl:
@@ -207,7 +207,7 @@ class Search {
     }
   }
 
-  /// Is child `i` a statement of its parent?
+  /// True if child `i` is a statement of its parent.
   static bool is_statement(const Node& parent, std::size_t i, std::size_t count) {
     switch (parent.kind()) {
       case CXCursor_CompoundStmt:
@@ -251,7 +251,7 @@ class Search {
     }
   }
 
-  /// The operator between two operands; empty if something else stands there.
+  /// The operator between two operands; empty if there is other text between them.
   [[nodiscard]] std::string operator_between(const Node& left, const Node& right) const {
     const Extent a = left.extent();
     const Extent b = right.extent();
@@ -335,7 +335,7 @@ class Search {
   void change_integer(const Node& node) {
     const Extent extent = node.extent();
     if (extent.size() == 0) return;
-    // Template arguments, sizes of arrays and first elements (another one may not be there).
+    // Not template arguments, sizes of arrays and index 0 (element 1 may not exist).
     const std::string& all = source_.text();
     const char before = extent.begin > 0 ? all[extent.begin - 1] : ' ';
     const char after = extent.end < all.size() ? all[extent.end] : ' ';
@@ -365,7 +365,7 @@ class Search {
     swap_arguments(node, {children.begin() + 1, children.end()});
   }
 
-  /// Of an operator that is a function the children are both operands and its name, in some order.
+  /// The children of an overloaded operator's call are its two operands and its name, in any order.
   void change_operation_of_call(const Node& node, std::vector<Node> children) {
     std::sort(children.begin(), children.end(),
               [](const Node& a, const Node& b) { return a.extent().begin < b.extent().begin; });
@@ -375,7 +375,7 @@ class Search {
     change_operation(node, *left, *right);
   }
 
-  /// Neighbours of one type that are written differently.
+  /// Swaps adjacent arguments of the same type whose texts differ.
   void swap_arguments(const Node& whole, const std::vector<Node>& arguments) {
     const Extent all = whole.extent();
     for (std::size_t i = 0; i + 1 < arguments.size(); ++i) {
@@ -391,7 +391,7 @@ class Search {
       const std::string between(source_.text({a.end, b.begin}));
       if (trimmed(between) != ",") continue;
       if (whole.kind() == CXCursor_InitListExpr) {
-        // Both arguments in their places: an initialiser list is no expression.
+        // Swaps the two arguments by separate edits: an initialiser list is not an expression.
         mutants_.push_back({.operation = "swapped_argument",
                             .edits = {{file_, a.begin, a.end, Form::expression, other},
                                       {file_, b.begin, b.end, Form::expression, one}}});
@@ -430,7 +430,7 @@ class Search {
     express("other_of_pair", node, partner->second);
   }
 
-  /// An assignment, a call for its effect, a jump.
+  /// Removes an assignment, a call for its effect, or a jump.
   void drop_statement(const Node& node) {
     const auto children = node.children();
     switch (node.kind()) {

@@ -7,8 +7,8 @@
 
 namespace talus::mutants {
 
-/// The same results as JSON of mutation-testing-report-schema 2 (Stryker), which viewers of mutation tests show: a file
-/// for each mutated source with its text, a test for each case. Mutants and cases go by their ids.
+/// The results as JSON of mutation-testing-report-schema 2 (Stryker), for viewers of mutation tests: a file for each
+/// mutated source with its text, a test for each case. Mutants and cases are identified by their ids.
 /// Errors: records::FileError if a source below `root` cannot be read.
 [[nodiscard]] std::string schema_report(const records::Mutants& mutants, const std::filesystem::path& root);
 

@@ -13,7 +13,7 @@ namespace {
 
 constexpr std::string_view call = "talus::mutants::on(";
 
-/// Outer edits before those inside them; of the same place by number.
+/// Order of edits: outer edits before those inside them; edits of the same position by number.
 bool comes_before(const Switched& a, const Switched& b) {
   if (a.edit.begin != b.edit.begin) return a.edit.begin < b.edit.begin;
   if (a.edit.end != b.edit.end) return a.edit.end > b.edit.end;
@@ -22,7 +22,7 @@ bool comes_before(const Switched& a, const Switched& b) {
 
 bool same_place(const Edit& a, const Edit& b) { return a.begin == b.begin && a.end == b.end && a.form == b.form; }
 
-/// `inner`: what stands there without these mutants.
+/// `inner`: the text at this position without these mutants.
 std::string switched(std::span<const Switched> here, const std::string& inner) {
   std::string text;
   if (here.front().edit.form == Form::expression) {

@@ -12,7 +12,7 @@ using talus::mutants::switch_at;
 using talus::mutants::Switched;
 using talus::mutants::with_switches;
 
-/// The edit that replaces the only `old` of a text.
+/// The edit that replaces the first `old` of a text.
 Switched edit(const std::string& text, const std::string& old, const std::string& replacement, int number,
               Form form = Form::expression) {
   const std::size_t at = text.find(old);

@@ -18,7 +18,7 @@ std::string taken(CXString string) {
   return result;
 }
 
-/// Byte of a place; `as_written` is false where a macro stands.
+/// Byte offset of a location; sets `as_written` to false in a macro.
 std::size_t offset_of(CXSourceLocation place, bool& as_written) {
   unsigned expansion = 0;
   unsigned spelling = 0;
@@ -30,7 +30,7 @@ std::size_t offset_of(CXSourceLocation place, bool& as_written) {
   return expansion;
 }
 
-/// Reads a file; `more` are further options. Errors: std::runtime_error with the first error in it.
+/// Parses a file; `more` are further options. Errors: std::runtime_error with the first error in it.
 Unit parsed(CXIndex index, const std::filesystem::path& root, const std::filesystem::path& file,
             std::vector<std::string> more, unsigned how) {
   more.insert(more.end(), {"-std=c++20", "-I" + root.string(), "-isystem/usr/include/eigen3", "-w", "-ferror-limit=1"});

@@ -10,7 +10,7 @@
 
 namespace talus::mutants {
 
-/// A piece of a source: bytes [begin, end).
+/// Part of a source: bytes [begin, end).
 struct Extent {
   std::size_t begin{};
   std::size_t end{};
@@ -18,28 +18,29 @@ struct Extent {
   [[nodiscard]] std::size_t size() const { return end - begin; }
 };
 
-/// A node of a source's syntax tree, as libclang has it.
+/// A node of a source's syntax tree, as given by libclang.
 class Node {
  public:
   explicit Node(CXCursor cursor) : cursor_{cursor} {}
 
   [[nodiscard]] CXCursorKind kind() const { return clang_getCursorKind(cursor_); }
-  /// In the main file; size 0 if it is of another, or a macro is part of it.
+  /// Extent in the main file; size 0 if the node is in another file, or contains a macro.
   [[nodiscard]] Extent extent() const;
   [[nodiscard]] std::string name() const;
-  /// Canonical, as the compiler writes it; of a template that is not instantiated "<dependent type>" or with its parameters.
+  /// Canonical type, as the compiler writes it; for an uninstantiated template "<dependent type>" or with its
+  /// parameters.
   [[nodiscard]] std::string type() const;
   [[nodiscard]] CXTypeKind type_kind() const { return clang_getCanonicalType(clang_getCursorType(cursor_)).kind; }
   [[nodiscard]] std::vector<Node> children() const;
-  /// The declaration that a name refers to; nothing of kind CXCursor_InvalidFile if it is not known.
+  /// The declaration that a name refers to; a node of kind CXCursor_InvalidFile if it is not known.
   [[nodiscard]] Node referenced() const { return Node{clang_getCursorReferenced(cursor_)}; }
-  /// What a declaration belongs to.
+  /// The scope to which a declaration belongs.
   [[nodiscard]] Node owner() const { return Node{clang_getCursorSemanticParent(cursor_)}; }
   [[nodiscard]] bool is_null() const { return clang_Cursor_isNull(cursor_) != 0; }
   [[nodiscard]] bool in_main_file() const {
     return clang_Location_isFromMainFile(clang_getCursorLocation(cursor_)) != 0;
   }
-  /// Without what the compiler puts around an expression: conversions, temporaries. Parentheses stay.
+  /// The expression without implicit conversions and temporaries. Parentheses remain.
   [[nodiscard]] Node bare() const;
 
  private:
@@ -52,15 +53,15 @@ struct Dispose {
 };
 using Unit = std::unique_ptr<CXTranslationUnitImpl, Dispose>;
 
-/// Reads the headers of libraries that the files include, once: `precompiled` is written. Each source is read in a third
-/// of the time then. Errors: std::runtime_error.
+/// Parses the library headers that the files include, once, and writes `precompiled`. Each source is then parsed in a
+/// third of the time. Errors: std::runtime_error.
 void precompile_libraries(const std::filesystem::path& root, const std::vector<std::string>& files,
                           const std::filesystem::path& precompiled);
 
 /// The syntax tree of one source or header, read as C++20 with the project's include folders.
 class Source {
  public:
-  /// `precompiled`: of precompile_libraries().
+  /// `precompiled`: written by precompile_libraries().
   /// Errors: std::runtime_error if it cannot be read or has errors, with the first of them.
   Source(const std::filesystem::path& root, const std::string& file, const std::filesystem::path& precompiled);
 

@@ -54,7 +54,7 @@ bool holds(const std::string& text, const std::string& part) { return text.find(
 }  // namespace
 
 BOOST_AUTO_TEST_CASE(every_bug_applies_and_names_cases) {
-  // Every case has a page of its name, and no page is without a case (verification/problems/CMakeLists.txt).
+  // Every case has a page of its name, and every page has a case (verification/problems/CMakeLists.txt).
   std::vector<std::string> cases;
   for (const auto& entry : fs::recursive_directory_iterator(root / "verification/problems")) {
     if (entry.path().extension() == ".md") cases.push_back(entry.path().stem().string());
@@ -71,7 +71,7 @@ BOOST_AUTO_TEST_CASE(every_bug_applies_and_names_cases) {
     for (const std::string& name : bug.cases)
       BOOST_TEST((std::find(cases.begin(), cases.end(), name) != cases.end()), bug.id << ": there is no case " << name);
   }
-  // They are compiled together: none may cross another.
+  // They are compiled together, so none may cross another.
   for (const auto& [file, list] : edits)
     BOOST_CHECK_NO_THROW(static_cast<void>(with_switches(talus::records::read_whole(root / file), list)));
 }

@@ -1,4 +1,4 @@
-/// A disc on a linear spring without a dashpot leaves the plane as fast as it came.
+/// A disc that hits a linear spring without a dashpot leaves the plane with its speed of approach.
 #include <cmath>
 #include <cstdio>
 

@@ -16,7 +16,7 @@ namespace {
 
 std::string partial(pid_t process) { return ".partial-" + std::to_string(process); }
 
-/// Number of a process that has ended.
+/// Process id of a process that has ended.
 pid_t ended_process() {
   const pid_t child = ::fork();
   if (child == 0) ::_exit(0);

@@ -31,7 +31,7 @@ MutantRecord mutant(const std::string& id, const std::string& operation, std::ve
   return one;
 }
 
-/// Four that count, of which three are killed; one equivalent; one bug.
+/// Four mutants that count, of which three are killed; one equivalent mutant; one bug.
 Mutants some() {
   Mutants all;
   all.candidates = 100;

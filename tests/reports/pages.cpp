@@ -1,4 +1,4 @@
-/// The report's text from records made by hand: what is counted, and what is said of what is missing.
+/// Text of the report from records made by hand: counts, and statements about missing parts.
 #define BOOST_TEST_MODULE reports_pages
 #include <boost/test/unit_test.hpp>
 
@@ -112,10 +112,10 @@ BOOST_AUTO_TEST_CASE(the_worst_margin_shows_the_verdict) {
 BOOST_AUTO_TEST_CASE(coverage_counts_checks_and_names_empty_cells) {
   const std::string text = coverage(results(), nullptr);
   BOOST_TEST(contains(text, "| spring | touching 2, released **none** |"), text);
-  // Of the law's two checks one is of the clamped end, none of the attractive one.
+  // One of the law's two checks is of the clamped end rule, none of the attractive one.
   BOOST_TEST(contains(text, "| spring | 1 | **none** |"), text);
-  // A declared order 4 that nothing shows, 2 and 1 that contacts leave; that in the stiffness is not the method's, nor
-  // a false one.
+  // A declared order 4 that no check shows, and orders 2 and 1 with contacts; the order in the stiffness is not counted
+  // as one of the method, nor as a false one.
   BOOST_TEST(contains(text, "| rk4 | 4 | **none** | 1.02 (1); 1.98 (1) | 4 |"), text);
   BOOST_TEST(contains(text, "| circle | **none** | 1 |"), text);
 }

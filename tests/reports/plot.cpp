@@ -148,7 +148,7 @@ BOOST_AUTO_TEST_CASE(heat_maps_are_drawn_in_their_panels) {
   BOOST_TEST(page.panels.size() == 2u);
   BOOST_TEST(page.panels[0].figure.title == "first");
   const std::string script = page_script(page, {"preamble.gp", scratch.folder, {"svg"}}, "f");
-  BOOST_TEST(names(script, "0 1 5 48 97\n"));  // below the scale: its blue end
+  BOOST_TEST(names(script, "0 1 5 48 97\n"));  // below the scale: blue, the colour of its lower end
   BOOST_TEST(names(script, "1 1 247 247 247\n"));
   BOOST_TEST(names(script, "with rgbimage"));
   BOOST_TEST(names(script, "with lines linetype 2 lc rgb '#000000'"));

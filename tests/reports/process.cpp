@@ -34,7 +34,7 @@ BOOST_AUTO_TEST_CASE(signals_differ_from_exit_codes) {
 
 BOOST_AUTO_TEST_CASE(standard_input_is_empty) { BOOST_TEST(run({"wc", {"-c"}, {}, {}}).output == "0\n"); }
 
-// A child that held the pipes of another would keep run() waiting for its own end.
+// A child that inherited the pipes of another would keep run() waiting for its own end.
 BOOST_AUTO_TEST_CASE(children_of_other_threads_hold_no_pipe) {
   const Command list{"ls", {"/proc/self/fd"}, {}, {}};
   const std::string alone = run(list).output;

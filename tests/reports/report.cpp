@@ -42,7 +42,7 @@ BOOST_AUTO_TEST_CASE(the_same_records_give_the_same_bytes) {
   const fs::path first = scratch.folder / "first";
   const fs::path second = scratch.folder / "second";
   BOOST_TEST_REQUIRE(program({(data / "pass").string(), first.string()}).status == 0);
-  std::this_thread::sleep_for(std::chrono::milliseconds(1100));  // another second on the clock of PDF dates
+  std::this_thread::sleep_for(std::chrono::milliseconds(1100));  // the clock of PDF dates shows another second
   BOOST_TEST_REQUIRE(program({(data / "pass").string(), second.string()}).status == 0);
   for (const char* name : {"verification.md", "verification-details.md", "html/index.html", "html/two_cable.html",
                            "html/search.js", "verification.pdf", "verification-details.pdf", "figures/margins.svg",
@@ -54,7 +54,8 @@ BOOST_AUTO_TEST_CASE(the_same_records_give_the_same_bytes) {
   }
 }
 
-// Each link of the site leads to a file, and to an id there; each picture is a file; nothing comes from the network.
+// Each link of the site leads to a file, and to an id there; each picture is a file; nothing is loaded from the
+// network.
 BOOST_AUTO_TEST_CASE(the_site_has_a_page_for_each_case_and_no_dead_link) {
   const Scratch scratch("report");
   BOOST_TEST_REQUIRE(program({(data / "pass").string(), scratch.folder.string()}).status == 0);
@@ -66,7 +67,7 @@ BOOST_AUTO_TEST_CASE(the_site_has_a_page_for_each_case_and_no_dead_link) {
     const std::regex link("(href|src)=\"([^\"#]*)(#([^\"]+))?\"");
     for (std::sregex_iterator it(html.begin(), html.end(), link), end; it != end; ++it) {
       const std::string name = (*it)[2].str(), id = (*it)[4].str();
-      if (name.rfind("https://", 0) == 0 && (*it)[1] == "href") continue;  // of the references
+      if (name.rfind("https://", 0) == 0 && (*it)[1] == "href") continue;  // links of the references
       const fs::path file = name.empty() ? entry.path() : site / name;
       BOOST_TEST(fs::exists(file), entry.path() << ": " << name);
       if (!id.empty())
@@ -162,7 +163,7 @@ BOOST_AUTO_TEST_CASE(the_summary_comes_first_and_the_long_tables_in_a_volume_of_
   const std::string details = read_whole(scratch.folder / "verification-details.md");
   in_order(details, {"# Talus verification: details", "\n## Details of two\\_cable", "\n## Details of pendulum",
                      "\n# Margins", "\n# Mutants", "\n# Rounding", "\n# Traceability"});
-  // One round-off check has used up more than half of its bound.
+  // One round-off check has used more than half of its bound.
   BOOST_TEST(contains(details, "| round\\_off | 2 | 1 | 1 |"));
   BOOST_TEST(contains(details, "| **all** | 13 | 12 | 1 |"));
   BOOST_TEST(contains(read_whole(scratch.folder / "verification.md"), "exact or round-off ones are exempt"));
@@ -233,8 +234,8 @@ BOOST_AUTO_TEST_CASE(missing_tools_and_wrong_usage_have_their_exit_codes) {
   BOOST_TEST(program({"--help"}).status == 0);
 }
 
-// A PATH with all tools but one: what does not need it is made, and an earlier report's file of a kind that cannot be
-// made goes.
+// A PATH with all tools but one: outputs that do not need it are made, and an earlier report's files of a kind that
+// cannot be made are removed.
 BOOST_AUTO_TEST_CASE(a_missing_tool_costs_only_what_needs_it) {
   const Scratch scratch("tools");
   const std::vector<std::string> tools{"gnuplot", "pandoc", "pdflatex"};
@@ -305,7 +306,7 @@ Series shapes(const std::string& label, const Look& look, const std::vector<std:
   return series;
 }
 
-/// A page of two panels of shapes: a square, and two cables coloured by their pull.
+/// A page of two panels of shapes: a square, and two cables coloured by tension.
 Page two_panels() {
   Figure panel{.name = "p",
                .title = "t = 0 s",
@@ -344,7 +345,7 @@ BOOST_AUTO_TEST_CASE(a_page_shows_shapes_in_the_colours_of_their_values) {
   BOOST_TEST(made.warnings == "");
   BOOST_TEST(made.files.size() == 4U);
   const std::string svg = read_whole(scratch.folder / "page.svg");
-  // The scale's dark end for a pull of 8, its pale one for none; a fill and its line; title, key and number.
+  // The dark end of the scale for a tension of 8, its pale end for zero; a fill and its line; title, key and number.
   for (const char* part :
        {"rgb(103,   0,  31)", "rgb(254, 196,  79)", "rgb(160, 176, 192)", "Two", "square", "tension [N]", ">7<"})
     BOOST_TEST(contains(svg, part), part);
@@ -355,8 +356,8 @@ BOOST_AUTO_TEST_CASE(a_page_shows_shapes_in_the_colours_of_their_values) {
   BOOST_TEST(contains(html, R"({"title": "\u003c/script>"})"));
 }
 
-// Of circles with a value the dark and the pale end of the scale, of the others their fill; outlines have few corners
-// where they are small.
+// Circles with a value have the dark and the pale end of the scale, the others their fill; small circles have outlines
+// with few corners.
 BOOST_AUTO_TEST_CASE(circles_are_filled_by_their_values) {
   const Scratch scratch("circles");
   Figure panel{

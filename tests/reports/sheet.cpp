@@ -1,4 +1,4 @@
-/// A fence's sheet from a record made by hand, whose numbers in feet, pounds and kips can be told at sight.
+/// A fence's sheet from a record made by hand, whose numbers in feet, pounds and kips are easily recognized.
 #define BOOST_TEST_MODULE reports_sheet
 #include <algorithm>
 #include <boost/test/unit_test.hpp>
@@ -46,7 +46,7 @@ BOOST_AUTO_TEST_CASE(numbers_in_both_systems) {
   BOOST_TEST((rocks.rows.at(0) == Row{"rock", "453.6 (1000)", "13 (42.65)", "1 (0.7376)", "0.1000", "0.3000",
                                       "5 (16.4)", "0.25 (0.1844)", "75.0", "0.2000", "0.3048 (1)"}));
   BOOST_TEST(rocks.rows.at(1).at(4) == "never");
-  // One kip, straight up, 5 kN s; the segment's 10 kip are 89 % of its limit; the bottom cable never pulled.
+  // One kip, straight up, 5 kN s; the segment's 10 kip are 89 % of its limit; the bottom cable was never taut.
   BOOST_TEST((table(record, "Hangers").rows.at(0) == Row{"column1", "4.448 (1)", "0.2000", "50.0", "90", "5 (1.124)",
                                                          "44.48 (10)", "0.2100", "89.0", "slack", "", ""}));
   BOOST_TEST((table(record, "Anchors").rows.at(0) ==
@@ -61,11 +61,11 @@ BOOST_AUTO_TEST_CASE(numbers_in_both_systems) {
   BOOST_TEST(
       (heights.rows.at(2) == Row{"displacement of a column along x (maximum)", "", "1.5 (4.921)", "0.2500", ""}));
   const SheetTable energy = table(record, "Energy");
-  BOOST_TEST(energy.rows.size() == 7U);  // what did not change and what lost nothing is left out
+  BOOST_TEST(energy.rows.size() == 7U);  // energies that did not change and losses that are zero are omitted
   BOOST_TEST((energy.rows.at(2) == Row{"gained in height", "0.05 (0.03688)"}));
   BOOST_TEST((energy.rows.at(3) == Row{"gained in cables", "-0.001 (-0.0007376)"}));
   BOOST_TEST(energy.rows.at(4).at(0) == "lost: cable yield");
-  // A scene in US units has these first.
+  // A scene in US units has US units first.
   SheetRecord us = record;
   us.us_units = true;
   BOOST_TEST(rock_table(us).rows.at(0).at(1) == "1000 (453.6)");
@@ -118,7 +118,7 @@ BOOST_AUTO_TEST_CASE(long_lists_are_cut_and_say_so) {
   SheetRecord record = read_sheet(record_file);
   record.columns.resize(40, record.columns.front());
   record.events.resize(25, record.events.front());
-  BOOST_TEST(table(record, "Hangers").rows.size() == 10U);  // with two rocks
+  BOOST_TEST(table(record, "Hangers").rows.size() == 10U);  // including those of two rocks
   BOOST_TEST(contains(table(record, "Hangers").note, "30 more are in sheet.json."));
   BOOST_TEST(contains(table(record, "Order").note, "21 more are in sheet.json."));
   record.events.clear();
@@ -154,7 +154,7 @@ BOOST_AUTO_TEST_CASE(the_same_record_gives_the_same_pages) {
              before[0].substr(0, read_whole(scratch.folder / "sheet.pdf").size()));
 }
 
-// Without gnuplot both pages without pictures, without pdflatex the HTML alone.
+// Without gnuplot both pages have no pictures; without pdflatex only the HTML page is made.
 BOOST_AUTO_TEST_CASE(a_missing_tool_costs_only_what_needs_it) {
   const Scratch scratch("sheet");
   write_whole(scratch.folder / "sheet.json", read_whole(record_file));
@@ -175,7 +175,7 @@ BOOST_AUTO_TEST_CASE(a_missing_tool_costs_only_what_needs_it) {
   }
 }
 
-// What a title may hold means something to HTML, LaTeX, gnuplot, a shell or a template.
+// A title may contain characters with a meaning in HTML, LaTeX, gnuplot, a shell or a template.
 BOOST_AUTO_TEST_CASE(a_title_is_text_in_every_format) {
   const Scratch scratch("sheet");
   const std::string title =

@@ -15,7 +15,8 @@ using namespace talus;
 
 namespace {
 
-/// A mass on a spring of frequency 1, without gravity, pulled by 1: x = cos t to t = 10, largest tension 1.
+/// A mass on a spring of frequency 1, without gravity, released at elongation 1: x = cos t to t = 10, largest tension
+/// 1.
 Scene oscillator() {
   ModelBuilder builder;
   const BodyId bob =
@@ -30,7 +31,7 @@ Scene oscillator() {
 
 Pilot pilot_of(const Scene& scene, const std::string& name, const RunMethod& method) {
   const Quantity quantity = quantity_named(scene.model, name);
-  PilotRuns runs{scene, quantity, true};  // one of these scenes overlaps by more than the watch likes
+  PilotRuns runs{scene, quantity, true};  // one of these scenes has overlaps beyond the limit of the run monitor
   return runs.run(method, 1'000'000);
 }
 
@@ -45,7 +46,7 @@ BOOST_AUTO_TEST_CASE(quantities_are_named_as_the_columns_of_the_history) {
     BOOST_TEST(found.column == i);
     BOOST_TEST(found.ledger == (i >= history_columns(model, false).size()));
   }
-  // A body and a cable of one name.
+  // A body and a cable of the same name.
   BOOST_TEST(quantity_named(model, "body.bob.x.end").column == quantity_named(model, "bob.x.end").column);
   BOOST_TEST(columns[quantity_named(model, "cable.bob.tension.min").column].name == "bob.tension");
   BOOST_TEST(quantity_named(model, "bob.vx.abs_max").of(-3.0, 2.0, 1.0) == 3.0);
@@ -68,7 +69,7 @@ BOOST_AUTO_TEST_CASE(unknown_quantities_are_refused_by_name) {
 }
 
 BOOST_AUTO_TEST_CASE(extremes_lie_between_the_steps_where_the_curve_is_smooth) {
-  // sin t to t = 3, largest at pi/2.
+  // sin t to t = 3, with its maximum at pi/2.
   Scene scene = oscillator();
   scene.plan.end = 3.0;
   scene.initial.q[0] = 100.0;
@@ -76,13 +77,13 @@ BOOST_AUTO_TEST_CASE(extremes_lie_between_the_steps_where_the_curve_is_smooth) {
   const Pilot pilot = pilot_of(scene, "bob.elongation.max", {"stormer_cowell", 1e-13, 29});
   const double h = 3.0 / 29.0;
   BOOST_TEST(pilot.printed < 1.0 - 1e-5);
-  // By the parabola off by at most the fourth derivative: h^4/128 at worst.
+  // The parabola's error is at most that of the fourth derivative: h^4/128.
   BOOST_TEST(std::abs(pilot.between - 1.0) < h * h * h * h / 128.0);
   BOOST_TEST(pilot.values.size() == 30U);
 }
 
 BOOST_AUTO_TEST_CASE(no_parabola_goes_through_a_jump) {
-  // A heavily damped contact pushes hardest as it begins: c v, and what is seen later is less.
+  // The force of a heavily damped contact is largest at its beginning, c v; later samples are smaller.
   const Scene scene = [] {
     Scene made = scenes::bouncing_disc(
         {.mass = 1.0, .radius = 1.0, .gap = 0.5, .contact = LinearSpringDashpot{1.0, 2.0, EndRule::clamped}});
@@ -135,7 +136,7 @@ BOOST_AUTO_TEST_CASE(ladders_follow_the_list_of_integrators) {
 }
 
 BOOST_AUTO_TEST_CASE(advice_keeps_its_promise_on_an_exact_motion) {
-  // x - 100 = cos t, so to a relative accuracy of x the motion itself must be a hundred times better.
+  // x - 100 = cos t, so for a relative accuracy of x the motion itself must be a hundred times more accurate.
   const Scene scene = oscillator();
   const Quantity quantity = quantity_named(scene.model, "bob.tension.end");
   for (const double accuracy : {1e-2, 1e-4, 1e-7}) {
@@ -178,7 +179,7 @@ BOOST_AUTO_TEST_CASE(what_no_step_can_give_is_refused_with_the_reason) {
       (kind(advise_method(scene, quantity, {.accuracy = 1e-6, .evaluations = 30000, .among = {"euler_cromer"}})) ==
        Refusal::Kind::unreached));
 
-  // A pendulum on its head: what it starts with grows by e^(t sqrt(g)), so that 1e-9 tells when it falls.
+  // An inverted pendulum: its initial deviation grows by e^(t sqrt(g)), so that 1e-9 determines when it falls.
   Scene balanced = scenes::pendulum(
       {.mass = 1.0, .inertia = 1e-9, .arm = 1.0, .gravity = 9.81, .amplitude = std::numbers::pi * (1.0 - 1e-9)});
   balanced.plan = {0.01, 20.0, 0.1, false};

@@ -49,7 +49,7 @@ BOOST_AUTO_TEST_CASE(the_advised_scene_keeps_the_promise_at_the_cost_that_was_sa
   const auto summary = summary_of(out);
   BOOST_TEST(summary.at("evaluations") == told.at("advice").at("evaluations"));
   BOOST_TEST(summary.at("integrator") == told.at("advice").at("integrator"));
-  // By a method that is not advised, at a step a thousandth of the contact's time.
+  // Reference by a method that is not advised, at a step of a thousandth of the contact time.
   const auto fine = summary_of(scene("two_cable.toml"), {"--integrator", "rk4", "--step", "40 us"});
   BOOST_TEST(std::abs(largest(summary, "particle.x") / largest(fine, "particle.x") - 1.0) < 1e-3);
 }
@@ -79,8 +79,8 @@ BOOST_AUTO_TEST_CASE(a_deck_is_advised_as_a_scene_with_the_same_end) {
   BOOST_TEST(talus::name(after.integrator) != talus::name(before.integrator));
 }
 
-// What is advised is never what a run warns of: a step beyond a linear limit, few steps in a contact, a balance that
-// fails. Three discs that lean on each other on an incline once got 1.7 steps in a contact.
+// Advised scenes never cause a warning of a run: a step beyond a linear limit, few steps in a contact, a failed energy
+// balance. Three discs that lean on each other on an incline once got 1.7 steps in a contact.
 BOOST_AUTO_TEST_CASE(every_advised_scene_runs_without_a_warning) {
   const auto disc = [](const char* name, double x, double y) {
     return fmt::format(

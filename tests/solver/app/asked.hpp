@@ -10,7 +10,7 @@
 #include "solver/app/command.hpp"
 #include "tests/solver/app/program.hpp"
 
-/// What a drawing command would draw: its request, which draws nothing. Throws as the command does.
+/// The request of a drawing command, without drawing it. Throws as the command does.
 struct Asked {
   talus::app::DrawingRequest request;
 
@@ -36,7 +36,7 @@ struct Asked {
   }
 };
 
-/// What a series of shapes or circles shows, by how it looks.
+/// Kind of object that a series of shapes or circles shows, identified by its look.
 inline std::string kind_of(const talus::records::Series& series) {
   const talus::records::Look& look = series.look;
   if (series.style == talus::records::Style::circles) return series.values.empty() ? "wall" : "disc";
@@ -48,13 +48,13 @@ inline std::string kind_of(const talus::records::Series& series) {
   return kinds.at({look.colour, look.fill});
 }
 
-/// A point of a series, with 0 for what it does not have.
+/// A point of a series, with 0 for missing values.
 struct Row {
   double line, x, y, radius, value;
   friend auto operator<=>(const Row&, const Row&) = default;
 };
 
-/// The points of a figure by what they show, those of all its series of a kind.
+/// The points of a figure by kind, collected from all its series of that kind.
 inline std::map<std::string, std::vector<Row>> rows(const talus::records::Figure& figure) {
   std::map<std::string, std::vector<Row>> made;
   for (const talus::records::Series& series : figure.series) {

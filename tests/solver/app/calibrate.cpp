@@ -9,12 +9,12 @@
 
 #include "tests/solver/app/program.hpp"
 
-// `talus calibrate`: what it prints gives the restitution when it is pasted into a scene, and it judges an impact as
-// `talus run` does.
+// `talus calibrate`: the printed lines give the restitution when pasted into a scene, and an impact is judged as by
+// `talus run`.
 
 namespace {
 
-/// A ball of 2 kg that hits a wall at 5 m/s, with the lines of its contact.
+/// A ball of 2 kg that hits a wall at 5 m/s, with these lines of its contact.
 std::string wall_scene(const std::string& contact) {
   return fmt::format(
       "title = \"Ball against a wall\"\nunits = \"SI\"\n"
@@ -27,7 +27,7 @@ std::string wall_scene(const std::string& contact) {
       contact);
 }
 
-/// The lines that are to be pasted: of the form `  name = value`.
+/// The lines to be pasted: of the form `  name = value`.
 std::string pasted(const std::string& printed) {
   std::istringstream lines{printed};
   std::string contact;
@@ -60,7 +60,7 @@ BOOST_AUTO_TEST_CASE(the_printed_lines_give_the_restitution) {
     const Folder folder;
     BOOST_TEST(restitution_of_run(folder.file("wall.toml", wall_scene(contact)).string()) == 0.6,
                boost::test_tools::tolerance(1e-6));
-    // The rule belongs to the damping: with the other one it is another restitution.
+    // The end rule belongs to the damping: with the other rule the restitution differs.
     const std::string other = holds(contact, "clamped") ? "attractive" : "clamped";
     const std::string changed = contact.substr(0, contact.find("end_rule")) + fmt::format("end_rule = \"{}\"\n", other);
     BOOST_TEST(std::abs(restitution_of_run(folder.file("other.toml", wall_scene(changed)).string()) - 0.6) > 0.02);

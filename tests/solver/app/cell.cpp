@@ -1,4 +1,4 @@
-/// The shear cell by the built program: what it leaves, what is refused, and runs that are killed and resumed.
+/// The shear cell by the built program: its output, refused input, and runs that are killed and resumed.
 #define BOOST_TEST_MODULE cell
 #include <signal.h>
 #include <sys/wait.h>
@@ -20,7 +20,7 @@ using Json = nlohmann::json;
 
 const std::string control = "0 1\n1.7e4 34693.877551020405 1e-3 7.2e-7 9.81 0.00897\n8 10 11 5.0\n6e-7 1e-3 1e-2\n";
 
-/// Starts the program and sends it a signal once a file is there; its exit status as waitpid gives it.
+/// Starts the program and sends it a signal once a file exists; returns its exit status as given by waitpid.
 int stopped(const std::vector<std::string>& arguments, const fs::path& once, int signal) {
   StartedProgram program{TALUS_EXECUTABLE, arguments};
   while (!fs::exists(once))
@@ -50,7 +50,7 @@ BOOST_AUTO_TEST_CASE(a_run_leaves_its_files) {
   BOOST_TEST(summary["counts"]["steps"] == 16667);
   const std::string history = left.at("history.csv");
   BOOST_TEST(std::count(history.begin(), history.end(), '\n') == 11);
-  // Without a unit system none is printed; the numbers are the same.
+  // Without a unit system no units are printed; the numbers are the same.
   const Ended bare = talus_ran({"cell", file, "--json"});
   const Json plain = Json::parse(bare.out);
   BOOST_TEST(plain["units"].is_null());
@@ -64,7 +64,7 @@ BOOST_AUTO_TEST_CASE(a_run_that_was_killed_goes_on_to_the_same_files) {
   for (const std::string integrator : {"velocity_verlet", "euler_cromer", "central_difference"}) {
     const std::string whole = folder.path / (integrator + "_whole"), killed = folder.path / (integrator + "_killed");
     BOOST_TEST(talus_ran({"cell", file, "--out", whole, "--integrator", integrator}).code == 0);
-    // No time to write anything; what was half written goes when the run is resumed.
+    // SIGKILL leaves no time to write anything; half-written files are removed when the run is resumed.
     const int status = stopped({"cell", file, "--out", killed, "--integrator", integrator},
                                fs::path{killed} / "cell_states/cell_000003.vtp", SIGKILL);
     BOOST_TEST(WIFSIGNALED(status));
@@ -120,10 +120,11 @@ BOOST_AUTO_TEST_CASE(another_run_is_not_taken_on_for_this_one) {
   const Folder folder;
   const std::string file = folder.file("CNTRL.DAT", control), out = folder.path / "out";
   stopped({"cell", file, "--out", out}, fs::path{out} / "checkpoint.json", SIGKILL);
-  // The next run into the folder is refused in its control file, or begins: then the first one's checkpoint goes.
+  // The next run into the folder is refused because of its control file, or starts and removes the first run's
+  // checkpoint.
   BOOST_TEST(talus_ran({"cell", folder.file("BAD.DAT", "0 1\n"), "--out", out}).code == 2);
   BOOST_TEST(fs::exists(fs::path{out} / "checkpoint.json"));
-  // Or in what its control file names.
+  // Or it is refused because of a file that its control file names.
   const std::string restarted = folder.file("CNTRL_1.DAT", std::string{"1"}.append(control, 1));
   folder.file("RESTART.DAT", "no number\n");
   BOOST_TEST(talus_ran({"cell", restarted, "--out", out}).code == 2);
@@ -139,7 +140,7 @@ BOOST_AUTO_TEST_CASE(no_file_of_an_earlier_run_stays_beside_those_of_another) {
   const Folder folder;
   const std::string file = folder.file("CNTRL.DAT", control), out = folder.path / "out";
   BOOST_TEST(talus_ran({"cell", file, "--out", out}).code == 0);
-  // What was being written when a run was killed, and what is somebody else's.
+  // Unfinished files of a killed run, and files of the user.
   folder.file("out/.history.csv.talus-a1B2c3", ""), folder.file("out/cell_states/.cell_000003.vtp.talus-a1B2c3", "");
   folder.file("out/notes.txt", "mine"), folder.file("out/.history.csv.backup", "mine"),
       folder.file("out/cell_states/cell_notes.vtp", "mine");
@@ -157,7 +158,7 @@ BOOST_AUTO_TEST_CASE(no_file_of_an_earlier_run_stays_beside_those_of_another) {
 BOOST_AUTO_TEST_CASE(what_no_mean_tells_is_null) {
   const Folder folder;
   const std::string out = folder.path / "out";
-  // Nothing drives the discs, and nothing presses them.
+  // Neither shear nor pressure acts on the discs.
   const std::string still =
       folder.file("STILL.DAT", "0 0\n1.7e4 34693.877551020405 1e-3 7.2e-7 0 0.00897\n8 10 11 0\n6e-7 1e-3 1e-2\n");
   const Ended ended = talus_ran({"cell", still, "--out", out, "--json"});
@@ -192,7 +193,7 @@ BOOST_AUTO_TEST_CASE(a_restart_of_1989_warns_of_what_it_forgot) {
   BOOST_TEST(holds(ended.err, "contacts start without memory"));
   const Json summary = Json::parse(ended.out);
   BOOST_TEST(summary["warnings"].size() == 1U);
-  // Interrupted and resumed it ends in the same files, its warning, time and cycles with them.
+  // An interrupted and resumed run ends with the same files, including its warning, time and cycles.
   const std::string whole = folder.path / "whole", left = folder.path / "left";
   BOOST_TEST(talus_ran({"cell", file, "--out", whole}).code == 0);
   stopped({"cell", file, "--out", left}, fs::path{left} / "cell_states/cell_000003.vtp", SIGTERM);
@@ -200,7 +201,7 @@ BOOST_AUTO_TEST_CASE(a_restart_of_1989_warns_of_what_it_forgot) {
   same_files(left, whole);
   BOOST_TEST(talus::read_text(fs::path{whole} / "RESTART.DAT").starts_with("0.02000"));
   BOOST_TEST(holds(talus::read_text(fs::path{whole} / "history.csv"), "\n0.011"));
-  // The time goes on from that of the first run.
+  // The time continues from that of the first run.
   BOOST_TEST(summary["outcome"]["time"].get<double>() > 0.0199);
   fs::remove(folder.path / "RESTART.DAT");
   BOOST_TEST(talus_ran({"cell", file}).code == 4);
@@ -228,14 +229,14 @@ BOOST_AUTO_TEST_CASE(options_that_mean_nothing_are_refused) {
 }
 
 BOOST_AUTO_TEST_CASE(runs_that_fail_say_why) {
-  // A block thrown down on soft discs: they are pressed through each other.
+  // A block that hits soft discs at speed: they are pressed through each other.
   const Folder folder;
   const std::string file =
       folder.file("CNTRL.DAT", "0 0\n1e3 2e3 1e-3 7.2e-7 9.81e5 0.9\n3 10 11 5.0\n2e-6 1e-3 1e-1\n");
   const std::string out = folder.path / "out";
   const Ended ended = talus_ran({"cell", file, "--out", out});
   BOOST_TEST(ended.code == 3);
-  // It failed before its first LOOP: what is named is there, and the beginning of its history.
+  // It failed before its first LOOP: the listed files exist, and the beginning of its history.
   BOOST_TEST(holds(ended.out, "files: " + out + ": summary.json, history.csv, profile.csv, plot.json\n"));
   BOOST_TEST(!fs::exists(fs::path{out} / "RESTART.DAT"));
   BOOST_TEST(talus_ran({"plot", out}).code == 0);
@@ -261,13 +262,13 @@ BOOST_AUTO_TEST_CASE(a_cell_is_exported_for_lammps_with_dashpots_if_they_may_sta
   BOOST_TEST(talus_ran({"export", "lammps", scene("cell/ice.toml"), "--out", out, "--dashpot"}).code == 0);
   BOOST_TEST(holds(talus::read_text(fs::path{out} / "discs.data"), "102 atoms"));
   BOOST_TEST(holds(talus::read_text(fs::path{out} / "in.discs"), "pair_style"));
-  // What LAMMPS knows goes as it stands.
+  // Laws that LAMMPS has are exported without replacement.
   BOOST_TEST(talus_ran({"export", "lammps", scene("cell/rough.toml"), "--out", out}).code == 0);
   BOOST_TEST(holds(talus::read_text(fs::path{out} / "in.discs"), "linear_history"));
 }
 
-// Discs that meet: energies change, stresses and contacts are measured, and their means are those of the same cell
-// here.
+// Colliding discs: energies change, stresses and contacts are measured, and their means are those of the same cell run
+// by Talus.
 BOOST_AUTO_TEST_CASE(lammps_prints_what_a_cell_prints) {
   const Folder folder;
   const std::string text = talus::read_text(scene("cell/ice.toml"));

@@ -9,7 +9,7 @@
 
 #include "tests/solver/app/program.hpp"
 
-// `talus check` against the runs that it speaks of: the size of their output, and their warnings.
+// `talus check` compared with the runs that it describes: the size of their output, and their warnings.
 
 namespace {
 
@@ -49,7 +49,7 @@ std::set<std::string> lines_of(const std::string& text) {
   return lines;
 }
 
-/// What `talus check` expects a run to write.
+/// Output of a run that `talus check` predicts.
 struct Expected {
   long rows{}, columns{}, states{};
   double bytes{};
@@ -71,7 +71,7 @@ Expected expected_of(const std::string& checked) {
   return found;
 }
 
-/// Runs a scene into a folder and compares what is there with what was expected.
+/// Runs a scene into a folder and compares its output with the prediction.
 void check_output(const std::string& file, const std::string& command, const std::string& states) {
   const Folder folder;
   const Ended checked = talus_ran({"check", file});
@@ -133,7 +133,7 @@ BOOST_AUTO_TEST_CASE(histories_that_a_run_refuses) {
   BOOST_TEST(holds(ran.err, "history_codes (variab): found 39"));
 }
 
-// A contact that is closed vibrates at 100 rad/s; the limit of velocity_verlet is 2/100 s.
+// A closed contact vibrates at 100 rad/s; the limit of velocity_verlet is 2/100 s.
 BOOST_AUTO_TEST_CASE(the_verdict_on_the_step_is_that_of_the_run) {
   const Folder folder;
   const auto warnings = [&](double step, std::string_view command) {
@@ -152,7 +152,7 @@ BOOST_AUTO_TEST_CASE(the_verdict_on_the_step_is_that_of_the_run) {
   BOOST_TEST((beyond == warnings(1.01 * 0.02, "run")));
 }
 
-// 1/20 of the limit is 1 ms; 1/200 of the contact, pi/100 s, is shorter.
+// 1/20 of the limit is 1 ms; 1/200 of the contact time, pi/100 s, is shorter.
 BOOST_AUTO_TEST_CASE(the_automatic_step_is_what_the_help_says) {
   const Folder folder;
   BOOST_TEST(holds(talus_ran({"run", "--help"}).out, "1/20"));
@@ -160,7 +160,7 @@ BOOST_AUTO_TEST_CASE(the_automatic_step_is_what_the_help_says) {
   const std::string run = "integrator = \"velocity_verlet\"\nstep = \"1 ms\"\nend = \"0.01 s\"\n";
   const std::string file = folder.file("s.toml", disc(5.0, run)).string();
   BOOST_TEST(holds(talus_ran({"run", file, "--step", "auto"}).out, ", step 0.00015708 s"));
-  // Without contacts the limit alone counts.
+  // Without contacts only the limit counts.
   const std::string hung = scene("cable_pendulum.toml");
   const Ended checked = talus_ran({"check", hung}), ended = talus_ran({"run", hung, "--step", "auto"});
   const auto number_after = [](const std::string& text, const std::string& words) {
@@ -177,7 +177,7 @@ BOOST_AUTO_TEST_CASE(overlaps_at_the_start) {
     return talus_ran({std::string{command}, folder.file("s.toml", disc(height, run, contact)).string()});
   };
   for (const std::string contact : {"", "method = \"nodes\"\nnodes = 12"}) {
-    // 4 % of the radius; 0.2 %; none.
+    // Overlaps of 4 % of the radius, 0.2 %, none.
     const Ended large = ended("check", 0.48, contact), small = ended("check", 0.499, contact);
     const std::string words = "contact 'landing' overlaps by 0.02 m at the start, 4 % of half the width of its smaller";
     BOOST_TEST(holds(large.out, "overlaps at the start 1\n  " + words));
@@ -194,7 +194,7 @@ BOOST_AUTO_TEST_CASE(overlaps_at_the_start) {
   }
 }
 
-// The warning is in the record too, once.
+// The record contains the warning too, once.
 BOOST_AUTO_TEST_CASE(a_run_warns_of_overlaps_at_its_start) {
   const Folder folder;
   const std::string run = "integrator = \"stormer_cowell\"\nend = \"0.01 s\"\n";
@@ -206,7 +206,7 @@ BOOST_AUTO_TEST_CASE(a_run_warns_of_overlaps_at_its_start) {
   BOOST_TEST(holds(talus::read_text(out + "/summary.json"), "overlaps by 0.05 m at the start, 10 %"));
 }
 
-// Sound cases have nothing to warn of but steps; an unlikely fence is warned of by both commands in the same words.
+// Valid cases cause no warnings except about steps; for an implausible fence both commands print the same warnings.
 BOOST_AUTO_TEST_CASE(unlikely_fences) {
   const Folder folder;
   for (const char* const name : {"fence/table_2.toml", "fence/table_3.toml"})

@@ -118,9 +118,9 @@ BOOST_AUTO_TEST_CASE(convert_between_decks_and_scenes) {
   BOOST_TEST(talus_ran({"convert", deck, (folder.path / "no/folder.toml").string()}).code == 4);
 }
 
-// Of methods that choose their steps check tries the run: what it says is what the run takes.
+// For methods with step control, check runs the scene: its number of evaluations is that of the run.
 BOOST_AUTO_TEST_CASE(check_gives_the_cost_of_a_run) {
-  // A fence whose run ends where its rock has gone, too.
+  // Also a fence whose run ends when its rock has passed the exit.
   const Folder folder;
   std::string fence = talus_ran({"new", "fence"}).out;
   for (const char* option : {"# end = \"exit\"", "# exit_x = "})
@@ -135,7 +135,7 @@ BOOST_AUTO_TEST_CASE(check_gives_the_cost_of_a_run) {
   }
 }
 
-// What a user wrote, comments and units, is not written over.
+// A user's file, with its comments and units, is not overwritten.
 BOOST_AUTO_TEST_CASE(a_file_is_not_converted_into_itself) {
   const Folder folder;
   const std::string text = "# mine\n" + talus::read_text(scene("fence/sample2.toml"));
@@ -200,7 +200,7 @@ BOOST_AUTO_TEST_CASE(titles_and_names_in_other_encodings) {
     BOOST_TEST(json.at("title").get<std::string>().substr(0, 14) == "B\xc3\xb6schung <&\"\\", name);
   }
   BOOST_TEST(holds(talus::read_text(out + "/latin.OUT"), "B\xc3\xb6schung <&\"\\"));
-  // To a scene and back: the title as it was read, all else as it was.
+  // Converted to a scene and back: the title as it was read, everything else unchanged.
   const fs::path toml = folder.path / "latin.toml", back = folder.path / "back.DAT", same = folder.path / "same.DAT";
   BOOST_TEST(talus_ran({"convert", file.string(), toml.string()}).code == 0);
   BOOST_TEST(talus_ran({"convert", toml.string(), back.string()}).code == 0);
@@ -241,7 +241,7 @@ BOOST_AUTO_TEST_CASE(check_says_what_a_scene_carries) {
   BOOST_TEST(holds(ended.out, "150000 steps"));
 }
 
-// Values of the closed forms (e = .5 needs xi = .2552756 clamped and .2154538 by Eq. 21), of the pivot's mass I/h^2,
+// Values of the closed forms (e = 0.5 needs xi = 0.2552756 clamped and 0.2154538 by Eq. 21), of the pivot's mass I/h^2,
 // and the simulated e.
 BOOST_AUTO_TEST_CASE(calibration_as_json) {
   const auto two = nlohmann::json::parse(
@@ -266,7 +266,8 @@ BOOST_AUTO_TEST_CASE(calibration_as_json) {
   BOOST_TEST(offset.at("effective_mass").get<double>() == 0.5, boost::test_tools::tolerance(1e-15));
 }
 
-// w1 h = sqrt(1.7e4/3.6e-7) 1e-7 = .021731: e of .45 by euler is .67082 exp[(pi/4) .021731 (1 + 1/.67082)] = .70001.
+// w1 h = sqrt(1.7e4/3.6e-7) 1e-7 = 0.021731: e of 0.45 by euler is 0.67082 exp[(pi/4) 0.021731 (1 + 1/0.67082)] =
+// 0.70001.
 BOOST_AUTO_TEST_CASE(calibration_of_a_latching_spring) {
   const auto found = nlohmann::json::parse(talus_ran({"calibrate", "--law", "latching_spring", "--restitution", ".7",
                                                       "--step", "1e-7", "--integrator", "euler", "--json"})
@@ -299,7 +300,7 @@ BOOST_AUTO_TEST_CASE(calibration_of_a_scene) {
     BOOST_TEST(found.at(key).get<double>() > 0.0);
 }
 
-// The program and its exit code, and a target that stays as it was.
+// The program's exit code and message, and unchanged targets.
 BOOST_AUTO_TEST_CASE(drawing_that_fails_says_why_and_leaves_nothing) {
   const Folder folder;
   const std::string run = (folder.path / "run").string(), pictures = (folder.path / "pictures").string();
@@ -322,7 +323,7 @@ BOOST_AUTO_TEST_CASE(drawing_that_fails_says_why_and_leaves_nothing) {
   for (const std::string command : {"plot", "snapshot"})
     refused({command, run, "--out", pictures}, "/nowhere", 4, missing);
   refused({"animate", run, "--gif", "--out", pictures}, "/nowhere", 4, missing);
-  // Before the run, which leaves no folder.
+  // Before the run, which creates no folder.
   const std::string sheet = (folder.path / "sheet").string();
   refused({"run", scene("fence/table_2.toml"), "--sheet", "--out", sheet}, "/nowhere", 4, missing);
   BOOST_TEST(!fs::exists(sheet));

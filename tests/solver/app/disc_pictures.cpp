@@ -1,4 +1,4 @@
-/// plot, snapshot and animate of a sheared cell: what they draw.
+/// Pictures of a sheared cell by plot, snapshot and animate.
 #define BOOST_TEST_MODULE disc_pictures
 #include <algorithm>
 #include <boost/test/unit_test.hpp>
@@ -13,8 +13,8 @@ namespace {
 
 using Json = nlohmann::json;
 
-/// A cell without units, ten states, run once for all tests; the block falls on the discs, so that many touch at the
-/// end.
+/// A cell without units and with ten saved states, run once for all tests; the block falls on the discs, so that many
+/// are in contact at the end.
 const fs::path& sample() {
   static const Folder folder;
   static const bool made = [] {
@@ -29,10 +29,10 @@ const fs::path& sample() {
 
 constexpr double width = 11e-3;
 
-/// Its last state as it was written.
+/// The last state that the run wrote.
 talus::DiscFrame last_state() { return talus::read_discs(talus::read_geometry_index(sample() / "cell.pvd").back()); }
 
-/// Those of the points that are at a position, or at its images.
+/// The points at a position or at its periodic images.
 std::vector<Row> rows_at(const std::vector<Row>& rows, double x, double y) {
   std::vector<Row> found;
   for (const Row& row : rows) {
@@ -44,7 +44,7 @@ std::vector<Row> rows_at(const std::vector<Row>& rows, double x, double y) {
 
 }  // namespace
 
-// Speeds and forces are summed here from the VTP files, which tests of their reader hold against the run.
+// Speeds and forces are summed here from the VTP files; tests of their reader compare those with the run.
 BOOST_AUTO_TEST_CASE(discs_are_drawn_where_they_stand_and_by_what_colours_them) {
   const talus::DiscFrame state = last_state();
   std::vector<double> forces(state.discs.size(), 0.0);
@@ -73,8 +73,8 @@ BOOST_AUTO_TEST_CASE(discs_are_drawn_where_they_stand_and_by_what_colours_them) 
   }
 }
 
-// The field is 11 mm wide and shown from -6.5 to 6.5 mm: what stands within a disc of a border stands behind the other
-// too.
+// The field is 11 mm wide and shown from -6.5 to 6.5 mm: discs within a disc of a border are also drawn beyond the
+// other border.
 BOOST_AUTO_TEST_CASE(images_stand_beyond_the_borders) {
   const talus::DiscFrame state = last_state();
   const Asked asked{{"snapshot", sample().string(), "--count", "1"}};
@@ -84,10 +84,10 @@ BOOST_AUTO_TEST_CASE(images_stand_beyond_the_borders) {
   const auto drawn = rows(asked.panel(0));
   for (const talus::SeenDisc& disc : state.discs) {
     const double place = disc.p.x - width * std::floor(disc.p.x / width + 0.5);
-    const bool near = std::abs(place) > 0.5 * width - 1.5e-3 - 1e-9;  // some of a wall just touch the view
+    const bool near = std::abs(place) > 0.5 * width - 1.5e-3 - 1e-9;  // some wall discs just touch the edge of the view
     BOOST_TEST(rows_at(drawn.at(disc.wall ? "wall" : "disc"), disc.p.x, disc.p.y).size() == (near ? 2U : 1U));
   }
-  // Two borders of two ends; each bar has four corners.
+  // Two borders with two ends each; each bar has four corners.
   BOOST_TEST(drawn.at("border").size() == 4U);
   BOOST_TEST(drawn.at("border")[0].x == -0.5 * width);
   BOOST_TEST(drawn.at("border")[2].x == 0.5 * width);
@@ -122,7 +122,7 @@ BOOST_AUTO_TEST_CASE(the_options_of_snapshots_hold_for_discs) {
   const Asked asked{
       {"snapshot", sample().string(), "--times", "0.0049,0.025", "--numbers", "--window", "0", "0", "0.005", "0.004"}};
   BOOST_TEST(asked.page().title == "Shear cell");
-  BOOST_TEST(asked.panel(0).title == "t = 0.005");  // no unit was named
+  BOOST_TEST(asked.panel(0).title == "t = 0.005");  // no unit system was named
   BOOST_TEST(asked.panel(0).x.unit == "");
   BOOST_TEST(asked.panel(0).x.max.value() == 0.005);
   const talus::DiscFrame state = last_state();
@@ -168,7 +168,7 @@ BOOST_AUTO_TEST_CASE(histories_and_profiles_of_a_cell_are_drawn) {
   for (const char* name : {"stresses", "stress_ratio", "depth", "shares", "coordination", "velocity_profile",
                            "temperature_profile", "solid_fraction_profile"})
     BOOST_TEST(fs::exists(folder.path / (name + std::string{".svg"})), name);
-  // No unit system, so no unit.
+  // Without a unit system no units are printed.
   BOOST_TEST(!holds(talus::read_text(folder.path / "stresses.svg"), "["));
   const Asked asked{{"plot", sample().string(), "--history", "top_shear,depth", "--apart", "--until", "0.01"}};
   const talus::KeptHistory kept = talus::read_history(sample() / "history.csv");
@@ -181,7 +181,7 @@ BOOST_AUTO_TEST_CASE(histories_and_profiles_of_a_cell_are_drawn) {
   BOOST_TEST(!holds(menu.out, "["));
 }
 
-// The profile ends with the highest layer that a disc was in.
+// The profile ends with the highest layer that contained a disc.
 BOOST_AUTO_TEST_CASE(empty_layers_are_left_out_of_the_profile) {
   const talus::KeptHistory profile = talus::read_history(sample() / "profile.csv");
   BOOST_TEST(profile.find("solid_fraction")->values.back() > 0.0);
@@ -209,7 +209,7 @@ BOOST_AUTO_TEST_CASE(a_cell_moves_in_a_gif_and_in_one_page) {
   BOOST_TEST(data.at("discs").at("colour") == "force");
   BOOST_TEST(data.at("discs").at("walls").size() == 22U);
   BOOST_TEST(data.at("charts").at(0).at("title") == "Stresses on the walls");
-  // Places in thousandths of a diameter, speeds in thousandths of the fastest disc's.
+  // Positions are in thousandths of a diameter, speeds in thousandths of the largest speed.
   const talus::DiscFrame state = last_state();
   const Json& frame = data.at("frames").back();
   const double quantum = data.at("discs").at("quantum").get<double>();

@@ -14,11 +14,11 @@
 #include "solver/io/output/read_history.hpp"
 #include "tests/solver/app/asked.hpp"
 
-// talus plot --history, snapshot and animate: what they draw.
+// Pictures by talus plot --history, snapshot and animate.
 
 namespace {
 
-/// sample2 run once for all tests, with its histories and geometry at the same times: every 60 steps, 50 ms long.
+/// sample2 run for 50 ms, once for all tests, with histories and geometry at the same times: every 60 steps.
 const fs::path& sample() {
   static const Folder folder;
   static const bool made = [] {
@@ -42,7 +42,7 @@ BOOST_AUTO_TEST_CASE(the_menu_tells_what_a_run_kept) {
   BOOST_TEST(holds(ended.out, "energy.kinetic            [lbf ft]"));
 }
 
-// The same history by its number, its title and its name of 1993, and as a column.
+// A history is selected by its number, its title, its name of 1993, or as a column, with the same curve.
 BOOST_AUTO_TEST_CASE(a_history_has_many_names) {
   const Asked number{{"plot", sample().string(), "--history", "48", "--element", "3"}};
   const talus::records::Series& drawn = number.panel(0).series.at(0);
@@ -97,7 +97,8 @@ BOOST_AUTO_TEST_CASE(the_dialogue_of_hplot_as_options) {
   }
 }
 
-// By unit, not --apart: two forces share a panel. An abscissa of the same element; an element's number finds its body.
+// Panels are grouped by unit unless --apart is given: two forces share a panel. The abscissa may be a history of the
+// same element; the number of an element also selects its body.
 BOOST_AUTO_TEST_CASE(panels_and_abscissas) {
   const Asked forces{{"plot", sample().string(), "--history", "48,52,6", "--element", "3"}};
   BOOST_TEST(forces.page().panels.size() == 2U);
@@ -110,8 +111,8 @@ BOOST_AUTO_TEST_CASE(panels_and_abscissas) {
   BOOST_TEST(path.panel(0).x.unit == "ft");
 }
 
-// Two layers of the half fence have 26 segments, 14 columns and a rock 30 coordinates: of more than 8 curves those
-// whose values differ most are drawn.
+// Two layers of the half fence have 26 segments; 14 columns and a rock have 30 coordinates. Of more than 8 curves,
+// those with the largest range are drawn.
 BOOST_AUTO_TEST_CASE(a_panel_has_eight_curves_unless_more_are_requested) {
   const auto labels = [](const talus::records::Figure& figure) {
     std::vector<std::string> found;
@@ -145,14 +146,14 @@ BOOST_AUTO_TEST_CASE(a_panel_has_eight_curves_unless_more_are_requested) {
     for (const std::string& other : drawn)
       BOOST_TEST(range(one) <= range(other), one + " is left out for " + other);
   }
-  // Elements by name and number, of which each figure has what there is.
+  // Elements by name and number; each figure draws the curves that it has of them.
   const Asked named{{"plot", sample().string(), "--element", "2,top1"}};
   BOOST_TEST((labels(named.figure("velocities")) == std::vector<std::string>{"rock.vx", "rock.vy"}));
   BOOST_TEST((labels(named.figure("tensions")) == std::vector<std::string>{"top1.tension"}));
   const Ended unknown = talus_ran({"plot", sample().string(), "--element", "top99"});
   BOOST_TEST(unknown.code == 2);
   BOOST_TEST(holds(unknown.err, "--element: element 'top99' is not known; nearest: top"), unknown.err);
-  // Chosen histories alike.
+  // The same limit applies to selected histories.
   const Asked tension{{"plot", sample().string(), "--history", "tension"}};
   BOOST_TEST(tension.panel(0).series.size() == 8U);
   BOOST_TEST(holds(notes(tension), "panel [lbf]: 8 of 26 curves drawn"), notes(tension));
@@ -175,7 +176,7 @@ BOOST_AUTO_TEST_CASE(several_runs_over_each_other) {
   BOOST_TEST(asked.panel(0).series.at(2).label == "40, particle");
   arguments = {"plot", arguments[1], sample().string(), "--history", "energy.kinetic"};
   const Asked apart{arguments};
-  BOOST_TEST(apart.page().panels.size() == 2U);  // N m and lbf ft are not one axis
+  BOOST_TEST(apart.page().panels.size() == 2U);  // N m and lbf ft do not share an axis
   arguments.push_back("--apart");
   BOOST_CHECK_THROW(Asked{arguments}, talus::InputError);
 }
@@ -228,8 +229,8 @@ BOOST_AUTO_TEST_CASE(histories_are_drawn_in_each_format_the_same_each_time) {
     BOOST_TEST(entry.path().filename().string().front() != '.', "left behind: " << entry.path());
 }
 
-// The outlines' middles against the histories' positions, taut and slack cables against the histories' tensions: the
-// histories do not come through the geometry's files.
+// Compares the centres of the outlines with positions in the histories, and taut and slack cables with tensions in the
+// histories, which are independent of the geometry files.
 BOOST_AUTO_TEST_CASE(snapshots_show_what_the_histories_say) {
   const Asked asked{{"snapshot", sample().string(), "--count", "11"}};
   BOOST_TEST(asked.page().panels.size() == 11U);
@@ -263,8 +264,8 @@ BOOST_AUTO_TEST_CASE(snapshots_show_what_the_histories_say) {
   BOOST_TEST(std::abs(sum) < 1e-5 * 14 * 22e3);
 }
 
-// The half model seen along the fence, its image included, is the full model: the same outlines and cables, at the
-// start and when the wave has reached half of the columns.
+// The half model seen along the fence, with its mirror image, equals the full model: the same outlines and cables, at
+// the start and when the wave has reached half of the columns.
 BOOST_AUTO_TEST_CASE(a_half_model_is_drawn_whole) {
   const Folder folder;
   const std::string text = talus::read_text(scene("fence/sample2.toml"));
@@ -278,7 +279,7 @@ BOOST_AUTO_TEST_CASE(a_half_model_is_drawn_whole) {
   for (const std::size_t frame : {0U, 1U}) {
     const auto some = rows(half.panel(frame)), all = rows(full.panel(frame));
     for (const char* const kind : {"column", "hanger", "taut", "slack"}) {
-      // Both coordinates of each end and corner and the tension, to six digits.
+      // Compares both coordinates of each end and corner, and the tension, to six digits.
       const auto points = [&](const auto& of) {
         const auto rounded = [](double number) {
           char digits[32];
@@ -305,7 +306,8 @@ BOOST_AUTO_TEST_CASE(a_half_model_is_drawn_whole) {
   BOOST_TEST(full.panel(0).x.label == "z");
 }
 
-// Hangers of 20,000 lbf: those of the two central columns break, at 11 and 23 ms by the summary, and no other by 30 ms.
+// Hangers with a strength of 20,000 lbf: those of the two central columns break, at 11 and 23 ms according to the
+// summary, and no other by 30 ms.
 BOOST_AUTO_TEST_CASE(a_broken_hanger_is_drawn_no_more) {
   const Folder folder;
   const std::string deck = (folder.path / "weak.toml").string();
@@ -317,7 +319,7 @@ BOOST_AUTO_TEST_CASE(a_broken_hanger_is_drawn_no_more) {
   BOOST_TEST(holds(ended.out, "hanger 'hanger1' breaks"));
   BOOST_TEST(holds(ended.out, "hanger 'back_hanger1' breaks"));
   const Asked asked{{"snapshot", run, "--times", "0 s,17 ms,29 ms"}};
-  // Two ends for each of 14 columns, 13 and 12.
+  // Two ends for each of 14, 13 and 12 columns.
   for (const auto& [frame, ends] : std::map<std::size_t, std::size_t>{{0, 28}, {1, 26}, {2, 24}})
     BOOST_TEST(rows(asked.panel(frame)).at("hanger").size() == ends);
   BOOST_REQUIRE(talus_ran({"animate", run, "--out", run}).code == 0);
@@ -332,7 +334,7 @@ BOOST_AUTO_TEST_CASE(the_dialogue_of_gplot_as_options) {
   BOOST_TEST(asked.page().title == "Mine");
   BOOST_TEST(asked.page().scale.value().unit == "lbf");
   const talus::records::Figure& panel = asked.panel(1);
-  BOOST_TEST(panel.title == "t = 0.02482 s");  // 300 steps of 82.7374 us: the nearest state to 26 ms
+  BOOST_TEST(panel.title == "t = 0.02482 s");  // 300 steps of 82.7374 us: the state nearest to 26 ms
   BOOST_TEST(panel.y.max.value() == 9.69);
   BOOST_TEST(!panel.grid);
   BOOST_TEST(panel.marks.at(0).words == "2");
@@ -378,7 +380,7 @@ BOOST_AUTO_TEST_CASE(a_gif_has_a_picture_for_each_state) {
   BOOST_TEST(ended.err.empty());
   const std::string gif = talus::read_text(folder.path / "animation.gif");
   BOOST_TEST(gif.rfind("GIF89a", 0) == 0U);
-  // Each picture is announced by a graphic control block: 0x21 0xF9 0x04. States at 0, 5, 10, 15 and 20 ms.
+  // Each picture begins with a graphic control block: 0x21 0xF9 0x04. States at 0, 5, 10, 15 and 20 ms.
   int pictures = 0;
   for (std::size_t at = 0; (at = gif.find("\x21\xF9\x04", at)) != std::string::npos; ++at)
     ++pictures;
@@ -400,7 +402,7 @@ BOOST_AUTO_TEST_CASE(the_player_is_one_file_that_needs_no_other) {
   BOOST_TEST(data.at("bodies").size() == 16U);
   BOOST_TEST(data.at("charts").at(0).at("title") == "Energies");
   const talus::KeptHistory kept = talus::read_history(sample() / "history.csv");
-  // Body 1 is the rock; places have six digits.
+  // Body 1 is the rock; positions have six digits.
   BOOST_TEST(data.at("frames").at(0).at("bodies").at(1).at(0).get<double>() == kept.find("rock.x")->values.front(),
              boost::test_tools::tolerance(1e-5));
   const Ended late = talus_ran({"animate", sample().string(), "--until", "1 us"});
@@ -408,7 +410,7 @@ BOOST_AUTO_TEST_CASE(the_player_is_one_file_that_needs_no_other) {
   BOOST_TEST(holds(late.err, "--until: found \"1 us\"; the run left fewer than two states up to then"));
 }
 
-// No title, an empty one and blanks: the scene's file names the run, in every command.
+// Without a title, or with an empty or blank one, every command uses the name of the scene's file.
 BOOST_AUTO_TEST_CASE(a_blank_title_is_replaced_by_the_name_of_the_file) {
   for (const char* name : {"two_cable.toml", "fence/table_2.toml", "cell/ice.toml"}) {
     const std::string text = talus::read_text(scene(name));
@@ -439,7 +441,7 @@ BOOST_AUTO_TEST_CASE(a_blank_title_is_replaced_by_the_name_of_the_file) {
   }
 }
 
-// What a scene's file says is text wherever it is drawn: no markup, no commands of gnuplot or of a shell.
+// Strings of a scene are drawn as plain text everywhere: no markup, no commands of gnuplot or of a shell.
 BOOST_AUTO_TEST_CASE(texts_of_a_scene_stay_text) {
   const Folder folder;
   std::string text = talus::read_text(scene("two_cable.toml"));

@@ -1,6 +1,6 @@
-/// What can happen to a run while a user waits for it: kill -9 at any time, signals, streams that are closed, disks
-/// that are full or read-only, a second run in its folder, other locales, unusual paths, little memory. The folder holds
-/// whole files at any time, the program ends with a message, and the run continues to the files of an undisturbed one.
+/// Disturbances of a run: kill -9 at any time, signals, closed streams, full or read-only disks, a second run in its
+/// folder, other locales, unusual paths, little memory. The folder contains complete files at any time, the program
+/// ends with a message, and the resumed run writes the files of an undisturbed one.
 #define BOOST_TEST_MODULE faults
 #include <fmt/format.h>
 #include <sys/mount.h>
@@ -27,13 +27,13 @@ using Json = nlohmann::json;
 using Clock = std::chrono::steady_clock;
 using Words = std::vector<std::string>;
 
-/// A shell runs `script`, in which $TALUS is the program and $1, $2, ... are the words.
+/// Runs `script` in a shell, with $TALUS as the program and $1, $2, ... as the words.
 Ended shell(const std::string& script, Words words = {}) {
   words.insert(words.begin(), {"-c", "TALUS='" TALUS_EXECUTABLE "'\n" + script, "sh"});
   return ran("/bin/bash", words);
 }
 
-/// A run by its command without --out, and its files when nothing disturbs it.
+/// A run by its command without --out, and the files that it writes when undisturbed.
 struct Undisturbed {
   Words command;
   std::map<std::string, std::string> content;
@@ -52,7 +52,7 @@ struct Undisturbed {
     all.insert(all.end(), {"--out", out.string()});
     return all;
   }
-  /// Continues the run from its checkpoint, or starts it again if it has none.
+  /// Resumes the run from its checkpoint, or starts it again if it has none.
   Ended continued(const fs::path& out) const {
     if (fs::exists(out / "checkpoint.json")) return talus_ran({command.front(), "--resume", out.string()});
     return talus_ran(into(out));
@@ -70,20 +70,20 @@ Words scene_run(const char* end) {
   return {"run", scene("two_cable.toml"), "--step", "0.5 ms", "--end", end, "--frames", "40"};
 }
 
-/// A cell of 80 discs that writes its state after every LOOP, of 20.
+/// A cell of 80 discs that writes its state after every LOOP; there are 20.
 std::string cell_file(const Folder& folder) {
   return folder.file("CNTRL.DAT",
                      "0 1\n1.7e4 34693.877551020405 1e-3 7.2e-7 9.81 0.00897\n8 10 11 5.0\n6e-7 1e-3 2e-2\n");
 }
 
-/// Temporary names, of files and of the folder in which pages are made.
+/// True for temporary names, of files and of the folder in which pages are made.
 bool is_temporary(const std::string& name) {
   const std::string file = fs::path{name}.filename().string();
   return (file.front() == '.' && file.find(".talus-") != std::string::npos) || name.starts_with(".partial-");
 }
 
-/// Every file of a run that was broken off is whole: it is that of the undisturbed run, or that from before, or it is one
-/// that the run replaces as it advances. Returns how many temporary files there are.
+/// Checks that every file of an interrupted run is complete: it equals that of the undisturbed run, or the one from
+/// before, or it is a file that the run replaces as it advances. Returns the number of temporary files.
 int whole_files(const fs::path& out, const Undisturbed& run, const std::map<std::string, std::string>& before = {}) {
   int temporary = 0;
   if (!fs::exists(out)) return 0;
@@ -113,8 +113,9 @@ long number_of_kills() {
 
 }  // namespace
 
-// The time of each kill is drawn from the first 1.1 times of what the run took, which is shorter where the machine has
-// other work: those of a run take another moment each. One in three runs is killed again while it is continued.
+// The time of each kill is random, up to 1.1 times the duration of the undisturbed run; that duration depends on the
+// load of the machine, so runs are killed at different moments each time. One in three runs is killed again while it is
+// resumed.
 BOOST_AUTO_TEST_CASE(a_run_that_is_killed_continues_to_the_same_files) {
   const Folder folder;
   const std::vector<Undisturbed> runs{Undisturbed{fence_run()}, Undisturbed{scene_run("40 s")},
@@ -137,7 +138,7 @@ BOOST_AUTO_TEST_CASE(a_run_that_is_killed_continues_to_the_same_files) {
         return was;
       };
       const auto count = [&] { ++(fs::exists(out / "checkpoint.json") ? resumed : before_checkpoint); };
-      // From the start, or from a checkpoint in its midst.
+      // From the start, or from a checkpoint in the middle.
       const bool from_midst = fraction() < 0.5 && run.command.front() == "run";
       Words command = run.into(out);
       if (from_midst) {
@@ -169,7 +170,7 @@ BOOST_AUTO_TEST_CASE(a_reader_that_has_gone_costs_no_file) {
   const Folder folder;
   const Undisturbed run{fence_run()};
   const fs::path out = folder.path / "out";
-  // A pipe without a reader, a closed stdout, a full one, all streams closed; what is reported by then.
+  // A pipe without a reader, a closed stdout, a full one, all streams closed; with the exit code and the message.
   const std::string start = "\"$TALUS\" \"$@\" ";
   for (const auto& [script, code, words] :
        {std::tuple{start + "2>/dev/null | head -c 0; exit ${PIPESTATUS[0]}", 128 + SIGPIPE, ""},
@@ -202,7 +203,7 @@ BOOST_AUTO_TEST_CASE(messages_that_nobody_takes_cost_no_run) {
 
 namespace {
 
-/// A file system of its own: a small disk, which root can have.
+/// A separate file system: a small disk, which requires root.
 class Disk {
  public:
   explicit Disk(const fs::path& folder) : path{folder} { fs::create_directories(path); }
@@ -237,7 +238,7 @@ std::uintmax_t bytes(const std::map<std::string, std::string>& content) {
 
 }  // namespace
 
-// A disk of every size up to what the run takes; without one, a limit on the size of files.
+// A disk of every size up to that which the run needs; without a disk, a limit on the size of files.
 BOOST_AUTO_TEST_CASE(a_full_disk_ends_a_run_that_is_continued_where_there_is_room) {
   const Folder folder;
   Disk disk{folder.path / "disk"};
@@ -290,7 +291,7 @@ BOOST_AUTO_TEST_CASE(a_folder_that_is_read_only) {
   if (mounted) {
     disk.change("size=4m", MS_RDONLY);
   } else {
-    if (::geteuid() == 0) return;  // may write to any folder
+    if (::geteuid() == 0) return;  // root may write to any folder
     fs::permissions(out, fs::perms::owner_read | fs::perms::owner_exec);
   }
   const std::string reason = mounted ? ": Read-only file system\n" : ": Permission denied\n";
@@ -313,7 +314,7 @@ BOOST_AUTO_TEST_CASE(a_second_run_in_the_folder_is_refused_and_names_the_first) 
   const Folder folder;
   const Undisturbed run{scene_run("40 s")};
   const fs::path out = folder.path / "out", written = folder.path / "pid";
-  // The shell becomes the program, and keeps its number.
+  // The shell is replaced by the program, which keeps its process id.
   Words words{"-c", "echo $$ > \"$1\"; shift; exec '" TALUS_EXECUTABLE "' \"$@\"", "sh", written.string()};
   const Words command{"run", scene("two_cable.toml"), "--end", "100000 s", "--out", out.string()};
   words.insert(words.end(), command.begin(), command.end());
@@ -347,7 +348,7 @@ BOOST_AUTO_TEST_CASE(a_folder_of_a_run_that_was_killed_is_emptied_for_another) {
     fs::create_directories((folder.path / name).parent_path());
     folder.file(name, "half");
   }
-  // Files of the user stay, also in a folder of a like name.
+  // Files of the user remain, also in a folder of a similar name.
   fs::create_directory(out / "site_geometry");
   folder.file("out/site_geometry/site.vtp", "mine"), folder.file("out/site.OUT", "mine");
   BOOST_TEST(talus_ran(run.into(out)).code == 0);
@@ -367,8 +368,8 @@ struct DecimalComma : std::numpunct<char> {
 
 }  // namespace
 
-// A program that calls the commands may have set its locale. What C's functions take from it is set if there is one
-// with a comma.
+// A program that calls the commands may have set its locale. The locale of C functions is also set, if one with a
+// decimal comma is installed.
 BOOST_AUTO_TEST_CASE(numbers_have_points_in_every_locale) {
   const Folder folder;
   const Undisturbed run{{"run", scene("fence/sample2.toml"), "--end", "20 ms"}};
@@ -391,7 +392,7 @@ BOOST_AUTO_TEST_CASE(numbers_have_points_in_every_locale) {
   }
   std::locale::global(before);
   std::setlocale(LC_ALL, "C");
-  // The program itself, in the environment of such a user.
+  // The program itself, in such a user's environment.
   StartedProgram program{TALUS_EXECUTABLE, run.into(folder.path / "de"), {}, {{"LC_ALL", "de_DE.UTF-8"}}};
   BOOST_TEST(program.exit_code() == 0);
   run.same(folder.path / "de");
@@ -408,7 +409,7 @@ BOOST_AUTO_TEST_CASE(paths_with_blanks_quotes_and_letters_of_all_scripts) {
   until.insert(until.end(), {"--until", "0.1 s"});
   const Ended stopped = talus_ran(until);
   BOOST_TEST_REQUIRE(stopped.code == 0, stopped.err);
-  // A shell takes the printed command as it is.
+  // A shell accepts the printed command unchanged.
   const std::string mark = "\nresume: talus ";
   const std::size_t place = stopped.out.find(mark);
   BOOST_TEST_REQUIRE(place != std::string::npos, stopped.out);
@@ -432,10 +433,10 @@ BOOST_AUTO_TEST_CASE(paths_with_blanks_quotes_and_letters_of_all_scripts) {
   BOOST_TEST((fs::exists(sheet / "sheet.pdf") && fs::exists(sheet / "sheet.html")));
 }
 
-// From too little to load the program up to enough for the run.
+// From too little memory to load the program up to enough for the run.
 BOOST_AUTO_TEST_CASE(too_little_memory_is_an_error_with_its_exit_code) {
 #if defined(__SANITIZE_ADDRESS__)
-  return;  // the sanitizer itself takes terabytes of addresses
+  return;  // the sanitizer itself reserves terabytes of addresses
 #endif
   const Folder folder;
   const fs::path out = folder.path / "out";

@@ -1,4 +1,4 @@
-/// The state in which a run ends is the last one of each file that it leaves, however it ends.
+/// The final state of a run is the last state in each of its files, however the run ends.
 #define BOOST_TEST_MODULE last_state
 #include <boost/test/unit_test.hpp>
 #include <fstream>
@@ -12,12 +12,12 @@
 namespace {
 
 struct Times {
-  double end{};         ///< of the run
-  std::string listing;  ///< of the last state printed
+  double end{};         ///< end of the run
+  std::string listing;  ///< time of the last printed state
   double step{};
 };
 
-/// Runs a fence whose file is called sample2 and compares the times of the last states that its files hold.
+/// Runs a fence whose file is called sample2 and compares the times of the last states in its files.
 Times last_times(std::vector<std::string> order, const fs::path& out) {
   order.insert(order.begin(), "run");
   order.insert(order.end(), {"--sheet", "--out", out.string()});
@@ -57,7 +57,7 @@ BOOST_AUTO_TEST_CASE(of_a_run_that_ends_where_the_rock_has_gone) {
 }
 
 BOOST_AUTO_TEST_CASE(of_a_run_that_ends_by_time_but_for_the_listing) {
-  // The listing of 1993 has a state every nprint = 60 steps, here of 61 steps the first 60.
+  // The listing of 1993 has a state every nprint = 60 steps: here only the 60th of 61 steps.
   const Folder folder;
   const Times last = last_times({scene("fence/sample2.DAT"), "--end", "5 ms"}, folder.path);
   BOOST_TEST(last.end == 61.0 * last.step);

@@ -1,4 +1,4 @@
-/// The life cycle of runs by the built program: the same checks for a scene and for a cell.
+/// Life cycle of runs by the built program: the same checks for a scene and for a cell.
 #define BOOST_TEST_MODULE life_cycle
 #include <signal.h>
 #include <unistd.h>
@@ -18,10 +18,10 @@ using Json = nlohmann::json;
 
 /// A command and a file that it runs.
 struct Kind {
-  std::string command, other;        ///< the other one does not resume its runs
-  std::string file, text;            ///< of its scene
-  std::vector<const char*> written;  ///< files that only this kind leaves
-  std::vector<std::string> option;   ///< that a resumed run keeps
+  std::string command, other;        ///< `other`: command that does not resume these runs
+  std::string file, text;            ///< name and text of the scene file
+  std::vector<const char*> written;  ///< files that only this kind writes
+  std::vector<std::string> option;   ///< option that a resumed run retains
 
   std::string put(const Folder& folder) const { return folder.file(file.c_str(), text); }
 };
@@ -33,19 +33,19 @@ std::vector<Kind> kinds() {
           {"cell", "run", "CNTRL.DAT", cell_text, {"RESTART.DAT", "cell.pvd"}, {"--integrator", "euler_cromer"}}};
 }
 
-/// The arguments of a run of about a second.
+/// Arguments of a run of about a second.
 std::vector<std::string> arguments(const Kind& kind, const std::string& file, const std::string& out) {
   std::vector<std::string> all{kind.command, file, "--out", out};
   if (kind.command == "run") all.insert(all.end(), {"--end", "60 s", "--frames", "7"});
   return all;
 }
 
-/// A run that was interrupted in `out`; what it printed.
+/// Interrupts a run in `out`; returns its output.
 std::string interrupted(const Kind& kind, const std::string& file, const Folder& folder, const std::string& out,
                         int signal = SIGINT) {
   const fs::path output = folder.path / "output";
   fs::remove(output);
-  // A scene's geometry and a cell's first checkpoint are there when the run has begun.
+  // A scene's geometry, or a cell's first checkpoint, exists once the run has begun.
   const fs::path once = fs::path{out} / (kind.command == "run" ? "scene_geometry" : "checkpoint.json");
   StartedProgram program{TALUS_EXECUTABLE, arguments(kind, file, out), {output, output}};
   while (!fs::exists(once))
@@ -170,7 +170,7 @@ BOOST_AUTO_TEST_CASE(what_does_not_fit_the_interrupted_run_is_refused) {
       refused({kind.command, "--resume", out}, 2, checkpoint + ": fnv1a: found ");
       std::ofstream{checkpoint} << before.at("checkpoint.json");
       BOOST_TEST((files(out) == before), "a refused request changed the folder");
-      // A scene file that was moved is named again.
+      // A scene file that was moved is given again.
       const std::string moved = folder.path / ("moved_" + kind.file);
       fs::rename(file, moved);
       refused({kind.command, "--resume", out}, 4,
@@ -202,7 +202,7 @@ BOOST_AUTO_TEST_CASE(no_file_of_the_other_kind_stays) {
       const std::string out = folder.path / "out", fresh = folder.path / "fresh";
       interrupted(first, first.put(folder), folder, out);
       folder.file("out/notes.txt", "mine"), folder.file("out/.history.csv.talus-a1B2c3", "");
-      fs::remove(fs::path{out} / "RESTART.DAT");  // stays for another cell
+      fs::remove(fs::path{out} / "RESTART.DAT");  // is kept for another cell
       const std::string file = second.put(folder);
       BOOST_TEST(talus_ran(arguments(second, file, out)).code == 0);
       BOOST_TEST(talus_ran(arguments(second, file, fresh)).code == 0);

@@ -11,8 +11,8 @@
 
 #include "tests/solver/app/program.hpp"
 
-// `talus new`: its files are accepted without a warning and run as they are; fences made from them by a few changes
-// have the outcome of a converged run.
+// `talus new`: its files are accepted without a warning and run unchanged; fences made from them by a few changes have
+// the outcome of a converged run.
 
 using nlohmann::json;
 
@@ -48,14 +48,14 @@ bool is_option(const std::string& line) {
                      [](char c) { return (c >= 'a' && c <= 'z') || c == '_'; });
 }
 
-/// The text with the comment signs of `count` lines from `first` on removed.
+/// The text after removing the comment signs of `count` lines from `first` on.
 std::string enabled(std::vector<std::string> lines, std::size_t first, std::size_t count) {
   for (std::size_t i = first; i < first + count; ++i)
     lines[i].erase(0, 2);
   return fmt::format("{}\n", fmt::join(lines, "\n"));
 }
 
-/// One number of the template that is changed.
+/// A changed number of the template.
 struct Change {
   std::string table, key, value;
 };
@@ -70,7 +70,7 @@ std::string changed(std::string text, const Change& change) {
 
 std::string rock_velocity(double vx, double vy) { return fmt::format("[\"{} m/s\", \"{} m/s\"]", vx, vy); }
 
-/// What a run of a fence ends with.
+/// Result of a fence's run.
 struct Outcome {
   json summary;
 
@@ -80,7 +80,7 @@ struct Outcome {
     throw std::runtime_error{name + " has no extremes"};
   }
   double largest(const std::string& name) const { return extreme(name).at("largest").get<double>(); }
-  /// Along x the rock no longer moved ahead at some time.
+  /// True if at some time the rock's velocity along x was no longer forward.
   bool stopped() const { return largest("rock.vx") >= 0.0; }
   double peak_tension() const {
     double peak = 0.0;
@@ -98,7 +98,7 @@ struct Outcome {
       if (body.at("name") == "rock") return body.at("position").get<std::array<double, 2>>();
     throw std::runtime_error{"no rock"};
   }
-  /// Distance of the rock's last position from that of another run, over the width of its path.
+  /// Distance between the rock's last position and that of another run, relative to the width of its path.
   double rock_error(const Outcome& other) const {
     const auto one = rock(), two = other.rock();
     const double width = largest("rock.x") - extreme("rock.x").at("least").get<double>();
@@ -135,7 +135,7 @@ BOOST_AUTO_TEST_CASE(new_files_are_accepted_and_run) {
   BOOST_TEST(talus_ran({"new", "fence"}).out == made("fence", "SI"));
 }
 
-// An optional field that needs another stands before it.
+// An optional field that requires another one precedes it.
 BOOST_AUTO_TEST_CASE(optional_fields_of_new_files_are_accepted) {
   for (const std::string& kind : kinds) {
     for (const std::string& units : systems) {
@@ -172,8 +172,8 @@ BOOST_AUTO_TEST_CASE(the_rock_of_the_new_fence_is_stopped) {
   }
 }
 
-// Twenty fences of three changed numbers each, none of which moves chaotically. The default tolerance, 1e-10, leaves an
-// error of 1e-4 of the rock's path at most; 1 % is what an engineer may notice.
+// Twenty fences with three changed numbers each, none of which moves chaotically. The default tolerance, 1e-10, causes
+// an error of at most 1e-4 of the rock's path; 1 % is what an engineer may notice.
 BOOST_AUTO_TEST_CASE(fences_made_from_the_new_one_end_as_converged_runs) {
   const std::string rock = "fence.rock", column = "fence.column", fence = "fence";
   struct Fence {
@@ -222,14 +222,14 @@ BOOST_AUTO_TEST_CASE(fences_made_from_the_new_one_end_as_converged_runs) {
       BOOST_TEST(std::abs(usual.peak_tension() / converged.peak_tension() - 1.0) <= 0.01);
       stopped += converged.stopped() ? 1 : 0;
       BOOST_TEST(usual.rock_error(converged) <= 0.01);
-      // A rock that is 3 % faster would be noticed.
+      // A rock that is 3 % faster must be detected.
       if (i == 0) {
         const Outcome faster = outcome(folder.file("faster.toml", text(1.03 * made.vx)).string());
         BOOST_TEST(faster.rock_error(converged) > 0.01);
       }
     }
   }
-  // Both outcomes are among them.
+  // Both outcomes occur.
   BOOST_TEST(stopped >= 5U);
   BOOST_TEST(stopped <= 15U);
 }

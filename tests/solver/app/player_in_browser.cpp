@@ -10,7 +10,7 @@
 
 #include "tests/solver/app/program.hpp"
 
-// The HTML player as a real browser runs it, without a window.
+// The HTML player in a real browser, run without a window.
 
 namespace {
 
@@ -20,7 +20,7 @@ std::string browser() {
   return {};
 }
 
-/// Ends the test as skipped where there is none.
+/// Reports the test as skipped if there is no browser.
 struct BrowserNeeded {
   BrowserNeeded() {
     if (!browser().empty()) return;
@@ -43,7 +43,7 @@ const fs::path& player() {
   return page;
 }
 
-/// The page as it stands after some time of its own clock.
+/// The page's document after this many milliseconds of its virtual clock.
 std::string document(const fs::path& page, const std::string& hash, int milliseconds = 500) {
   const Folder profile;
   const Ended ended = ran(browser(), {"--headless=new", "--no-sandbox", "--disable-gpu", "--disable-dev-shm-usage",
@@ -56,7 +56,7 @@ std::string document(const fs::path& page, const std::string& hash, int millisec
   return ended.out;
 }
 
-/// What stands in an attribute after the first place of `mark`.
+/// The attribute or text that follows the first occurrence of `mark`.
 std::string after(const std::string& text, const std::string& mark) {
   const std::size_t begin = text.find(mark);
   BOOST_REQUIRE(begin != std::string::npos);
@@ -73,7 +73,7 @@ BOOST_AUTO_TEST_CASE(the_time_in_the_address_is_shown) {
   const std::string start = document(player(), "");
   const std::string later = document(player(), "t=.02");
   BOOST_TEST(time_shown(start) == "t = 0 s");
-  BOOST_TEST(time_shown(later) == "t = 0.01986 s");  // the state nearest to .02 s: 240 steps of 82.7374 us
+  BOOST_TEST(time_shown(later) == "t = 0.01986 s");  // the state nearest to 0.02 s: 240 steps of 82.7374 us
   BOOST_TEST(rock(start) != rock(later));
   // Circles and columns in both views, the top cables taut and coloured, the bottom ones slack.
   for (const char* part : {"<polygon class=\"rock\"", "<polygon class=\"column\"", "class=\"cable\"", "stroke=\"rgb(",
@@ -83,7 +83,8 @@ BOOST_AUTO_TEST_CASE(the_time_in_the_address_is_shown) {
   BOOST_TEST(after(start, "class=\"cursor\"").empty() == after(later, "class=\"cursor\"").empty());
 }
 
-// The half model's 7 columns and 6 bottom and 7 top segments of a layer, all but the central column with their images.
+// The half model's 7 columns, and 6 bottom and 7 top segments per layer, all with mirror images except the central
+// column.
 BOOST_AUTO_TEST_CASE(a_half_model_is_seen_whole_along_the_fence) {
   const std::string page = document(player(), "t=.02");
   const std::size_t begin = page.find("<svg id=\"along\"");
@@ -111,8 +112,7 @@ BOOST_AUTO_TEST_CASE(playing_goes_on_to_the_end) {
   BOOST_TEST(holds(ended, ">Play</button>"));
 }
 
-// 80 discs between two rows of 11, with the images that the view shows, coloured by what is chosen; bars on their
-// edges.
+// 80 discs between two rows of 11, with the images in the view, coloured by the chosen quantity; bars have edges.
 BOOST_AUTO_TEST_CASE(discs_are_played_with_their_images) {
   const Folder folder;
   const std::string file = folder.file(
@@ -129,9 +129,9 @@ BOOST_AUTO_TEST_CASE(discs_are_played_with_their_images) {
   };
   const std::string speed = shown("t=.025"), force = shown("t=.025&colour=force");
   BOOST_TEST(time_shown(speed) == "t = 0.025");
-  // 22 discs of walls and 80 free ones; within 1.5 mm of a border 3 of 11 of a row stand twice, a free one or so more
-  // or less.
-  // Those of the base that just touch the view are drawn or not as their places are rounded.
+  // 22 wall discs and 80 free ones; 3 of 11 in a row lie within 1.5 mm of a border and are drawn twice, free ones
+  // approximately so. Discs of the base that just touch the view are drawn or not depending on the rounding of their
+  // positions.
   const auto walls = count(speed, "class=\"disc wall\"");
   BOOST_TEST((walls >= 28U && walls <= 30U));
   BOOST_TEST(count(speed, "class=\"disc\"") > 80U + 8U);
@@ -143,8 +143,8 @@ BOOST_AUTO_TEST_CASE(discs_are_played_with_their_images) {
   BOOST_TEST(!holds(speed, "NaN"));
 }
 
-/// What a screen of a given width shows of a page: width of all that it holds, smallest letters [px], and names of what
-/// is not within the screen, of those that a reader operates. A browser's window cannot be that narrow, a frame can.
+/// Appearance of a page on a screen of a given width: width of its content, smallest letters [px], and names of
+/// controls outside the screen. A browser's window cannot be that narrow, a frame can.
 struct Screen {
   double width{}, letters{};
   std::string hidden;
@@ -185,7 +185,7 @@ Screen screen(const fs::path& page, int width, const std::string& operated = "")
 
 constexpr double eight_points = 8.0 * 96.0 / 72.0;  // [px]
 
-// A script at the page's end presses keys, moves the slider and points into a chart, and notes the state shown.
+// A script at the page's end presses keys, moves the slider and points into a chart, and records the state shown.
 BOOST_AUTO_TEST_CASE(keys_slider_and_charts_lead_through_time) {
   std::string text = talus::read_text(player());
   const std::string script = R"(<script>{

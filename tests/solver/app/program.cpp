@@ -17,7 +17,7 @@ namespace {
 
 namespace bp = boost::process;
 
-/// A file that is written behind its end; it never becomes the terminal that controls the test.
+/// A file opened for appending; O_NOCTTY prevents it from becoming the controlling terminal of the test.
 struct Sink {
   int descriptor;
   explicit Sink(const fs::path& file)
@@ -46,7 +46,7 @@ StartedProgram::StartedProgram(const std::string& program, const std::vector<std
                       bp::posix::fd.bind(STDERR_FILENO, err.descriptor)}});
 }
 
-// The destructor of a child that was not waited for kills it.
+// The destructor of the child kills it unless it was waited for.
 StartedProgram::~StartedProgram() = default;
 
 void StartedProgram::send(int signal) const { BOOST_REQUIRE(::kill(child_->process.id(), signal) == 0); }

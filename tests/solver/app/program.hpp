@@ -11,7 +11,7 @@
 #include "solver/io/file/toml_document.hpp"
 #include "tests/solver/io/folder.hpp"
 
-// Programs as a user starts them, for tests from end to end.
+// Programs as started by a user, for end-to-end tests.
 
 namespace fs = std::filesystem;
 
@@ -21,13 +21,13 @@ struct Ended {
   std::string err;
 };
 
-/// Where a program writes: behind the end of these files, which may be one.
+/// Output files of a program: appended to, and possibly the same file.
 struct Streams {
   fs::path out{"/dev/null"};
   fs::path err{"/dev/null"};
 };
 
-/// A program that has been started. Killed if the test does not wait for its end.
+/// A started program. Killed if the test does not wait for its end.
 class StartedProgram {
  public:
   /// `environment` is added to that of the test, or replaces entries of it. Errors: boost::process::process_error if it
@@ -39,7 +39,7 @@ class StartedProgram {
   StartedProgram& operator=(const StartedProgram&) = delete;
 
   void send(int signal) const;
-  int wait();       ///< its status as waitpid gives it
+  int wait();       ///< exit status as given by waitpid
   int exit_code();  ///< waits; the test fails if a signal ended it
 
  private:
@@ -47,7 +47,7 @@ class StartedProgram {
   std::unique_ptr<Child> child_;
 };
 
-/// Runs a program with its output in files; `stdout_to` in place of one of them, `path` in place of PATH.
+/// Runs a program with its output in files; `stdout_to` replaces stdout's file, `path` replaces PATH.
 Ended ran(const std::string& program, const std::vector<std::string>& arguments, const std::string& stdout_to = "",
           const char* path = nullptr);
 

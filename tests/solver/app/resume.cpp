@@ -1,5 +1,5 @@
-/// Runs that are stopped and resumed by the built program, their files compared byte for byte with those of a run
-/// that never stopped; and what is refused.
+/// Runs that are stopped and resumed by the built program, their files compared byte for byte with those of an
+/// uninterrupted run; and refused requests.
 #define BOOST_TEST_MODULE resume
 #include <sys/wait.h>
 
@@ -20,7 +20,8 @@ void runs(std::vector<std::string> arguments) {
   BOOST_TEST_REQUIRE(ended.code == 0, ended.err);
 }
 
-/// `command` to its end, against the same stopped in one folder, resumed in another, stopped, and resumed there.
+/// Compares a run of `command` to its end with the same run stopped in one folder, resumed in another, stopped, and
+/// resumed there.
 void stops_and_goes_on(std::vector<std::string> command, const std::string& first, const std::string& second) {
   const Folder folder;
   const auto in = [&](const char* name) { return (folder.path / name).string(); };
@@ -34,7 +35,7 @@ void stops_and_goes_on(std::vector<std::string> command, const std::string& firs
   const auto before = files(folder.path / "stopped");
   runs({"run", "--resume", in("stopped"), "--out", in("on"), "--until", second});
   BOOST_TEST((files(folder.path / "stopped") == before));
-  // Another way to the same step leaves the same, the checkpoint included.
+  // An uninterrupted run to the same step writes the same files, including the checkpoint.
   runs(with({"--out", in("straight"), "--until", second}));
   same_files(in("on"), in("straight"));
   runs({"run", "--resume", in("on")});
@@ -52,14 +53,14 @@ std::string replaced(std::string text, std::string_view what, std::string_view b
 BOOST_AUTO_TEST_CASE(every_integrator_goes_on_to_the_same_files) {
   for (const std::string& integrator : talus::integrator_names()) {
     BOOST_TEST_CONTEXT(integrator) {
-      // The watch would end those that grow where nothing damps.
+      // The run monitor would end undamped runs of methods whose amplitudes grow.
       const talus::IntegratorTraits& traits = talus::integrator_traits(integrator);
       const bool damped = traits.step_control == talus::StepControl::closed_form || traits.amplitude_growth_rate > 0.0;
       const char* file = damped ? "damped_disc.toml" : "two_cable.toml";
       std::vector<std::string> command{"run",   scene(file),    "--step",   "1 ms",     "--end",
                                        "0.4 s", "--integrator", integrator, "--frames", "7"};
       if (talus::needs_tolerance(integrator)) command.insert(command.end(), {"--tolerance", "1e-9"});
-      // 7 ms: amid the contact, no multiple of the interval of the history; .4 s: the plan's last step.
+      // 7 ms: during the contact, not a multiple of the history's interval; 0.4 s: the plan's last step.
       stops_and_goes_on(command, "7 ms", "0.1234 s");
       stops_and_goes_on(command, "1 ms", "0.4 s");
     }
@@ -198,7 +199,7 @@ BOOST_AUTO_TEST_CASE(geometry_that_is_gone_is_missed) {
   BOOST_TEST(ended.err == "talus: " + lost.string() + ": No such file or directory\n");
 }
 
-// Killed without a word, a run goes on from the checkpoint of the last second.
+// A run killed by SIGKILL is resumed from the checkpoint of the last second.
 BOOST_AUTO_TEST_CASE(a_run_that_is_killed_loses_a_second) {
   for (const auto& [file, end] : {std::pair{"two_cable.toml", "2000 s"}, {"fence/table_2.toml", "100 s"}}) {
     const Folder folder;

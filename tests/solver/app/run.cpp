@@ -14,7 +14,7 @@
 #include "solver/io/file/toml_document.hpp"
 #include "tests/solver/app/program.hpp"
 
-// `talus run` of the built program from end to end: its files, its changes of the plan, its failures.
+// `talus run` of the built program from end to end: its files, changes of the plan, and failures.
 
 BOOST_AUTO_TEST_CASE(a_run_leaves_its_files) {
   const Folder folder;
@@ -36,7 +36,7 @@ BOOST_AUTO_TEST_CASE(a_run_leaves_its_files) {
   BOOST_TEST(summary.at("outcome").at("kind").get<std::string>() == "finished");
 }
 
-// The last line says what was written, or how to have it written; JSON is the summary alone.
+// The last line lists the files written, or says how to have them written; with --json only the summary is printed.
 BOOST_AUTO_TEST_CASE(a_run_without_a_folder_says_where_results_could_go) {
   const std::string none = "files: none; --out DIR writes ";
   for (const auto& [command, file, words] :
@@ -58,8 +58,8 @@ BOOST_AUTO_TEST_CASE(a_run_without_a_folder_says_where_results_could_go) {
   }
 }
 
-// Files of a run are JSON, XML and HTML, which are UTF-8: so is a deck's title once it is read, and names must be.
-// The counts are the scene's own; the times are this machine's, and in no file.
+// Files of a run are JSON, XML and HTML, which are UTF-8: a deck's title is converted to it, and names must be UTF-8.
+// The counts are those of the scene; the times are measured on this machine and are in no file.
 BOOST_AUTO_TEST_CASE(a_run_says_what_its_steps_carried_and_cost) {
   const Ended ended = talus_ran({"run", scene("fence/table_2.DAT"), "--end", "8 ms", "--all"});
   BOOST_REQUIRE(ended.code == 0);
@@ -81,7 +81,7 @@ BOOST_AUTO_TEST_CASE(a_run_says_what_its_steps_carried_and_cost) {
   BOOST_TEST(!holds(talus_ran({"run", scene("fence/table_2.DAT"), "--end", "8 ms", "--json"}).out, "looks"));
 }
 
-// Without a ledger the same rows end before the first column of the accounts, and no file speaks of them.
+// Without a ledger the same rows end before the first column of the energy balance, and no file mentions it.
 BOOST_AUTO_TEST_CASE(a_run_without_a_ledger_keeps_no_accounts) {
   const Folder folder;
   const std::string plain = talus::read_text(scene("pendulum.toml"));  // [run] is its last table
@@ -114,7 +114,7 @@ BOOST_AUTO_TEST_CASE(the_command_line_changes_the_plan) {
   BOOST_TEST(summary.at("steps").get<long>() == 100);
 }
 
-// Of several contacts the summary counts those that never touched, and says how close the closest came.
+// For several contacts the summary counts those that never touched, and gives the smallest gap.
 BOOST_AUTO_TEST_CASE(contacts_that_never_touch_are_counted) {
   const Folder folder;
   const std::string text = talus::read_text(scene("rolling_disc.toml"));
@@ -136,7 +136,7 @@ BOOST_AUTO_TEST_CASE(an_unknown_integrator_names_those_there_are) {
   BOOST_TEST(holds(ended.err, "integrator 'autoo' is not known; nearest: auto; known: "), ended.err);
 }
 
-// Of a new fence the summary says whether the verdict stands, of a long run that it was not examined.
+// The summary of a new fence states the sensitivity of its verdict; that of a long run, that it was not examined.
 BOOST_AUTO_TEST_CASE(the_summary_of_a_fence_says_how_sensitive_its_verdict_is) {
   const Folder folder;
   const Ended made = talus_ran({"run", folder.file("my.toml", talus_ran({"new", "fence"}).out).string()});
@@ -151,7 +151,7 @@ BOOST_AUTO_TEST_CASE(boxes_in_a_bin_are_followed_to_the_end) {
   BOOST_TEST(holds(ended.out, "usable; energy balance within"), ended.out);
 }
 
-// The stamp of quality does not hang on what the watch may say.
+// The quality verdict does not depend on the settings of the run monitor.
 BOOST_AUTO_TEST_CASE(quality_is_examined_whatever_is_watched) {
   const Folder folder;
   const std::string text = talus::read_text(std::string{TALUS_TEST_SCENES} + "/unstable.toml");
@@ -167,7 +167,7 @@ BOOST_AUTO_TEST_CASE(quality_is_examined_whatever_is_watched) {
   BOOST_TEST(holds(bare.out, "quality      not examined: no energy balance was kept"), bare.out);
 }
 
-// A history is as long by default whatever the end.
+// A default history has the same number of rows whatever the end.
 BOOST_AUTO_TEST_CASE(another_end_keeps_the_rows_of_a_default_history) {
   for (const char* kind : {"scene", "fence"}) {
     const Folder folder;
@@ -186,7 +186,8 @@ BOOST_AUTO_TEST_CASE(another_end_keeps_the_rows_of_a_default_history) {
   }
 }
 
-// A scene without integrator and step has located events; its outputs are no steps for a method of fixed step.
+// A scene without integrator and step has located events; its output interval is not used as the step of a method with
+// fixed step.
 BOOST_AUTO_TEST_CASE(another_integrator_keeps_the_tolerance_and_takes_a_step_of_its_own) {
   const Folder folder;
   const std::string text = talus::read_text(scene("rolling_disc.toml"));
@@ -205,7 +206,7 @@ BOOST_AUTO_TEST_CASE(another_integrator_keeps_the_tolerance_and_takes_a_step_of_
   BOOST_TEST(fixed.at("step").get<double>() < 0.5 * own.at("step").get<double>());
 }
 
-// A deck whose step of 1993 is too long says so before all else, once, with what repairs it.
+// For a deck whose step of 1993 is too long, the first message is a single warning with the repair.
 BOOST_AUTO_TEST_CASE(a_step_that_is_too_long_is_said_first_and_once) {
   const Ended ended = talus_ran({"run", scene("fence/sample2.DAT")});
   const std::string words = "the linear limit of lagged_central_difference";
@@ -216,17 +217,19 @@ BOOST_AUTO_TEST_CASE(a_step_that_is_too_long_is_said_first_and_once) {
   BOOST_TEST(holds(ended.err, "`talus run " + scene("fence/sample2.DAT") + " --integrator auto`"));
 }
 
-// A particle between two pretensioned cables, stepped far beyond the linear limit, grows until it is no longer finite.
+// A particle between two pretensioned cables, with a step far beyond the linear limit, grows until it is no longer
+// finite.
 BOOST_AUTO_TEST_CASE(a_diverged_run_is_recorded) {
   const Folder folder;
   const std::string out = (folder.path / "run").string();
   const std::string scene_file = std::string{TALUS_TEST_SCENES} + "/unstable.toml";
-  // Its step is beyond the linear limit: said before the run, and the watch ends it at once.
+  // Its step is beyond the linear limit: a warning before the run, and the run monitor ends it at once.
   const Ended watched = talus_ran({"run", scene_file, "--out", out});
   BOOST_TEST(watched.code == 3);
   BOOST_TEST(watched.err.rfind("talus: warning: h omega = ", 0) == 0U);
   BOOST_TEST(holds(watched.err, "\ntalus: at t = 0 h omega = "));
-  // Without the watch it goes on until numbers are no longer finite, and the limit is said again as the reason.
+  // Without the run monitor it continues until numbers are no longer finite, and the limit is reported again as the
+  // reason.
   const std::string alone = (folder.path / "alone.toml").string();
   std::ofstream{alone} << talus::read_text(scene_file) << "watch = { instability = \"off\", accuracy = \"off\" }\n";
   const Ended ended = talus_ran({"run", alone, "--out", out});
@@ -272,7 +275,7 @@ BOOST_AUTO_TEST_CASE(the_next_rock_meets_the_cables_of_the_last) {
   BOOST_TEST(holds(refused.err, "final_state.json: hanger 'hanger1': found it broken; a fence is mended before the"));
   BOOST_TEST(talus_ran({"convert", in("weak.toml"), in("third.toml"), "--after", in("none")}).code == 4);
 
-  // A run ends where its rock has gone: at 65 ft/s and slower 2 ft take 30 ms and more.
+  // A run ends when its rock has passed the exit: at 65 ft/s and slower 2 ft take 30 ms or more.
   std::ofstream{in("exit.toml")} << text << "\n[fence.options]\nend = \"exit\"\nexit_x = \"1 ft\"\n";
   const Ended gone = talus_ran({"run", in("exit.toml"), "--json"});
   BOOST_TEST(gone.code == 0);
@@ -318,7 +321,7 @@ BOOST_AUTO_TEST_CASE(a_fence_leaves_its_listing_histories_and_geometry) {
     BOOST_TEST(talus::read_text(by_deck + file) == talus::read_text(by_scene + file));
 }
 
-// Files may hold 4096 bytes here; a state of the geometry needs more.
+// The size of files is limited to 4096 bytes here; a state of the geometry needs more.
 BOOST_AUTO_TEST_CASE(a_full_disk_leaves_nothing_behind) {
   const Folder folder;
   const std::string out = (folder.path / "run").string();
@@ -334,7 +337,7 @@ BOOST_AUTO_TEST_CASE(a_full_disk_leaves_nothing_behind) {
     BOOST_TEST(entry.is_directory(), "left behind: " << entry.path());
 }
 
-// The first lines say what a run came to; of a fence in the order of what an engineer asks.
+// The first lines state the result of a run; for a fence in the order of importance to an engineer.
 BOOST_AUTO_TEST_CASE(a_summary_begins_with_the_verdict) {
   const Ended fence = talus_ran({"run", scene("fence/table_2.toml")});
   const std::vector<std::string> subjects{"\n  verdict      undecided at the end\n",
@@ -371,7 +374,7 @@ BOOST_AUTO_TEST_CASE(a_run_whose_balance_fails_is_not_usable_and_a_repair_is_tri
   const auto summary = nlohmann::json::parse(talus::read_text(out + "/summary.json"));
   BOOST_TEST(!summary.at("quality").at("usable").get<bool>());
   BOOST_TEST(summary.at("quality").at("repair").at("flaw").get<std::string>().empty());
-  // What the repair promised is what its command gives.
+  // The command of the repair gives the result that the repair announced.
   const auto repaired = nlohmann::json::parse(
       talus_ran({"run", scene("fence/appendix_two_layers.toml"), "--integrator", "auto", "--json"}).out);
   BOOST_TEST(repaired.at("quality").at("usable").get<bool>());
@@ -379,14 +382,14 @@ BOOST_AUTO_TEST_CASE(a_run_whose_balance_fails_is_not_usable_and_a_repair_is_tri
              summary.at("quality").at("repair").at("energy_balance").get<double>());
   BOOST_TEST(repaired.at("verdict").at("fence").get<std::string>() ==
              summary.at("quality").at("repair").at("verdict").get<std::string>());
-  // The warning of the step comes first, and once.
+  // The warning about the step comes first, and once.
   BOOST_TEST(ended.err.rfind("talus: warning: h omega = ", 0) == 0U);
   BOOST_TEST(holds(ended.err, "`talus run " + scene("fence/appendix_two_layers.toml") +
                                   " --integrator auto` chooses its own steps\n"));
   BOOST_TEST(ended.err.find("h omega") == ended.err.rfind("h omega"));
 }
 
-// A sheet's verdict is tried against a start changed by a thousandth: by hand the same.
+// A sheet's verdict is compared with that of a run with the speed changed by a thousandth; a separate run confirms it.
 BOOST_AUTO_TEST_CASE(a_sheet_says_how_sensitive_its_verdict_is) {
   const Folder folder;
   const std::string text = talus::read_text(scene("fence/table_2.toml"));
@@ -407,7 +410,7 @@ BOOST_AUTO_TEST_CASE(a_sheet_says_how_sensitive_its_verdict_is) {
   const double change = other.at("verdict").at("largest_cable_force").at("peak").get<double>() /
                             plain.at("verdict").at("largest_cable_force").at("peak").get<double>() -
                         1.0;
-  // The deck's stiffness follows from the speed too, and the step from it: to first order in the change.
+  // The deck's stiffness, and hence the step, also depends on the speed: agreement to first order in the change.
   BOOST_TEST(std::abs(repeat.at("change_of_largest_cable_force").get<double>() - change) < 2e-3);
   BOOST_TEST(repeat.at("change_of_largest_cable_force").get<double>() != 0.0);
 }

@@ -1,4 +1,4 @@
-/// What the program writes to a terminal, and to one file that takes both of its streams.
+/// Output of the program to a terminal, and to one file that receives both of its streams.
 #define BOOST_TEST_MODULE streams
 #include <pty.h>
 #include <unistd.h>
@@ -14,8 +14,8 @@
 
 namespace {
 
-/// All that the program writes to a terminal as its stderr; stdout goes nowhere. One variable of the environment has
-/// the value given.
+/// Output of the program to a terminal as its stderr; stdout is discarded. One variable of the environment has the
+/// given value.
 std::string shown_on_terminal(const std::vector<std::string>& arguments, const std::string& variable = "NO_COLOR",
                               const std::string& value = "1") {
   int ours = 0, terminal = 0;
@@ -24,7 +24,7 @@ std::string shown_on_terminal(const std::vector<std::string>& arguments, const s
   ::close(terminal);
   std::string shown;
   char text[4096];
-  // Reading fails once nobody has the terminal any more.
+  // Reading fails once the terminal has been closed by all its users.
   for (ssize_t count = ::read(ours, text, sizeof text); count > 0; count = ::read(ours, text, sizeof text))
     shown.append(text, static_cast<std::size_t>(count));
   ::close(ours);
@@ -32,7 +32,7 @@ std::string shown_on_terminal(const std::vector<std::string>& arguments, const s
   return shown;
 }
 
-/// Lines in order of the alphabet, without digits: times that are measured differ.
+/// Lines in alphabetical order, without digits: measured times differ.
 std::vector<std::string> sorted_lines(const std::string& text) {
   std::vector<std::string> lines;
   std::istringstream in{text};
@@ -53,7 +53,7 @@ BOOST_AUTO_TEST_CASE(a_study_shows_how_long_it_takes) {
   BOOST_TEST(holds(shown, " of 44 runs, "), shown);
   BOOST_TEST(holds(shown, " s left of about "), shown);
   BOOST_TEST(!holds(shown, "\x1b"));
-  BOOST_TEST(shown.back() == '\r');  // the line is wiped
+  BOOST_TEST(shown.back() == '\r');  // the line is erased
   BOOST_TEST(talus_ran(command).err == "");
   BOOST_TEST(holds(talus_ran({"study", "--help"}).out, "takes about"));
 }
@@ -64,7 +64,7 @@ BOOST_AUTO_TEST_CASE(long_work_shows_how_far_it_is) {
   const std::string shown =
       shown_on_terminal({"run", scene("two_cable.toml"), "--step", "0.5 us", "--frames", "4", "--out", run});
   BOOST_TEST(holds(shown, " of 3  ("), shown);
-  // A gnuplot that takes its time.
+  // A slow gnuplot.
   const fs::path slow = folder.path / "gnuplot";
   std::ofstream{slow} << "#!/bin/sh\nsleep 2.5\nPATH=${PATH#*:} exec gnuplot \"$@\"\n";
   fs::permissions(slow, fs::perms::owner_all);
@@ -73,7 +73,7 @@ BOOST_AUTO_TEST_CASE(long_work_shows_how_far_it_is) {
   BOOST_TEST(holds(drawn, "drawing, 2 s"), drawn);
 }
 
-// Warnings before, amid and after what is printed; more than a buffer of stdout.
+// Warnings before, during and after the printed output, which is longer than a buffer of stdout.
 BOOST_AUTO_TEST_CASE(lines_are_whole_where_both_streams_go_to_one_file) {
   const Folder folder;
   const std::string run = (folder.path / "run").string();
@@ -89,7 +89,7 @@ BOOST_AUTO_TEST_CASE(lines_are_whole_where_both_streams_go_to_one_file) {
     BOOST_TEST(together == expected, boost::test_tools::per_element());
     if (command.front() == "run") BOOST_TEST((apart.out.size() > 4096U && !apart.err.empty()));
     if (command.front() == "plot") {
-      // What is left out is said before the pictures are drawn.
+      // Omitted curves are reported before the pictures are drawn.
       const std::string text = talus::read_text(log);
       BOOST_TEST(text.find("curves drawn") < text.find("positions.svg"), text);
     }

@@ -17,7 +17,8 @@ using talus::ThreadPool;
 
 namespace {
 
-/// No more address space than is in use, while it lives: the system can then start no thread, for want of a stack.
+/// Limits the address space to the amount in use, during its lifetime: then no thread can be started, because no stack
+/// can be allocated.
 class NoRoom {
  public:
   NoRoom() {
@@ -38,7 +39,7 @@ class NoRoom {
 
 }  // namespace
 
-/// The first test: later ones find the stacks of earlier threads.
+/// Must be the first test: later ones reuse the stacks of earlier threads.
 BOOST_AUTO_TEST_CASE(threads_that_cannot_be_started_are_done_without) {
   std::set<std::thread::id> ids;
   std::vector<int> done(4);

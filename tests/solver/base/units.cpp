@@ -23,7 +23,7 @@ bool starts_with(const std::string& text, std::string_view start) { return text.
 
 }  // namespace
 
-// A unit that the system itself uses must not change a single bit of the number.
+// Units of the system itself must not change a single bit of the number.
 BOOST_AUTO_TEST_CASE(own_units_cancel_exactly) {
   BOOST_TEST(parse_quantity("14.92 slug", dimension::mass, us) == 14.92);
   BOOST_TEST(parse_quantity("85.42 slug ft^2", dimension::inertia, us) == 85.42);
@@ -64,8 +64,8 @@ BOOST_AUTO_TEST_CASE(own_symbols_are_read_back) {
   BOOST_TEST(parse_quantity("0.7", dimension::number, us) == 0.7);
 }
 
-// Decimal parts of own units are correctly rounded quotients; others agree with the definitions to 2 ulp (two
-// roundings).
+// Decimal fractions of the system's units are correctly rounded quotients; other units agree with the definitions to 2
+// ulp (two roundings).
 BOOST_AUTO_TEST_CASE(other_units_convert_by_the_exact_factors) {
   BOOST_TEST(parse_quantity("5 mm", dimension::length, si) == 0.005);
   BOOST_TEST(parse_quantity("3 us", dimension::time, si) == 3e-6);
@@ -133,7 +133,7 @@ BOOST_AUTO_TEST_CASE(messages_say_what_was_found_and_what_is_allowed) {
              "found \"0.5 m\"; that is a length; it must be a pure number, e.g. \"0.5\"");
 }
 
-// A deck's number and a scene's quantity of the same digits are the same double.
+// A deck's number and a scene's quantity with the same digits are the same double.
 BOOST_AUTO_TEST_CASE(numbers_of_a_unit_are_quantities) {
   for (const char* number : {"2e7", "1.076", "0.1", "-3.3333333333333335", "1e-300"}) {
     for (const UnitSystem& system : {si, us}) {

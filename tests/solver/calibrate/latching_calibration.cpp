@@ -12,14 +12,14 @@ using namespace talus;
 
 namespace {
 
-/// Two unit masses, so that w1 h is what is asked for.
+/// Two unit masses, so that w1 h is the requested loading angle.
 SteppedContact contact_of(const char* method, double loading_angle) {
   return {4.0, 1.0, 0.5 * loading_angle, make_disc_method(method)};
 }
 
 }  // namespace
 
-// e of .45 is .7 by euler at w1 h = .02177 and by taylor at .0434; .49 without gain (computed by hand).
+// e of 0.45 is 0.7 by euler at w1 h = 0.02177 and by taylor at 0.0434; 0.49 without gain (computed by hand).
 BOOST_AUTO_TEST_CASE(the_ratio_of_1989) {
   BOOST_TEST(std::abs(ratio_by_formula(contact_of("euler", 0.02177), 0.7) - 0.45) < 5e-5);
   BOOST_TEST(std::abs(ratio_by_formula(contact_of("taylor", 0.0434), 0.7) - 0.45) < 5e-4);
@@ -42,7 +42,7 @@ BOOST_AUTO_TEST_CASE(formula_and_its_inverse) {
   }
   const SteppedContact contact = contact_of("euler", 0.1);
   BOOST_TEST(contact.steps_in_contact(0.25) == 7.5 * std::numbers::pi, boost::test_tools::tolerance(1e-15));
-  // The least there is: a little to either side is more.
+  // The minimum: values on both sides are larger.
   const double root = 0.025 * std::numbers::pi, least = least_restitution(contact);
   BOOST_TEST(stepped_restitution(contact, root * root) == least, boost::test_tools::tolerance(1e-12));
   BOOST_TEST(stepped_restitution(contact, 0.9 * root * root) > least);
@@ -55,7 +55,7 @@ BOOST_AUTO_TEST_CASE(what_is_simulated_has_the_mean_asked_for) {
       const SteppedContact contact = contact_of(method, 0.1);
       const SimulatedRestitution found = simulated_restitution(contact, ratio_by_simulation(contact, e));
       BOOST_TEST(found.mean == e, boost::test_tools::tolerance(1e-9));
-      // Phases of touch, turn and end do about (w2 h)^2/20.
+      // The phases of first contact, reversal and release have an effect of about (w2 h)^2/20.
       BOOST_TEST(found.deviation < 0.1 * 0.1 * 0.1 / (e * e));
       BOOST_TEST(found.deviation > 0.0);
     }
@@ -66,7 +66,7 @@ BOOST_AUTO_TEST_CASE(what_cannot_be_reached_is_refused_with_the_range) {
   const auto says = [](const char* words) {
     return [words](const InputError& error) { return std::string{error.what()}.find(words) != std::string::npos; };
   };
-  // c pi w1 h = .0785: .0785 e^1.0785 = .2309.
+  // c pi w1 h = 0.0785: 0.0785 e^1.0785 = 0.2309.
   BOOST_CHECK_EXCEPTION((void)ratio_by_formula(contact_of("euler", 0.1), 0.2), InputError,
                         says("found 0.2; with euler at this step, w1 h = 0.1, it can be made 0.2309 to 1;"));
   BOOST_CHECK_EXCEPTION((void)ratio_by_simulation(contact_of("velocity_verlet", 0.1), 0.04), InputError,

@@ -28,7 +28,7 @@ BOOST_AUTO_TEST_CASE(clamped_restitution_passes_smoothly_through_critical_dampin
   // d(ln e)/d(xi) at 1 is -4/3: the slope on both sides of the series' range.
   for (const double xi : {1.0 - 2e-4, 1.0 - 5e-5, 1.0 + 5e-5, 1.0 + 2e-4}) {
     const double line = -2.0 - 4.0 / 3.0 * (xi - 1.0);
-    BOOST_TEST(std::abs(std::log(restitution(xi, EndRule::clamped)) - line) < 2e-8);  // second order, .3 (xi - 1)^2
+    BOOST_TEST(std::abs(std::log(restitution(xi, EndRule::clamped)) - line) < 2e-8);  // second order, 0.3 (xi - 1)^2
   }
   BOOST_TEST(restitution(1.0, EndRule::attractive) == 0.0);
 }
@@ -54,7 +54,7 @@ BOOST_AUTO_TEST_CASE(advised_step_keeps_the_stated_error) {
   const ImpactStep advised = advise_impact_step(law, 2.0, 1e-3, VelocityVerlet{});
   for (const double phase : {0.0, 0.11, 0.37, 0.73, 1.0}) {
     const double e = simulate_impact(law, 2.0, 3.0, advised.step, phase, VelocityVerlet{}).restitution;
-    BOOST_TEST(std::abs(e - 0.5) < 1.1e-3);  // phases it was not chosen on
+    BOOST_TEST(std::abs(e - 0.5) < 1.1e-3);  // phases that were not used to choose the step
   }
 }
 
@@ -75,7 +75,7 @@ BOOST_AUTO_TEST_CASE(scene_is_calibrated_by_simulation) {
   scene.plan = {1e-5, 0.2, 0.1, false};
   const Calibration found = calibrate(scene, ContactId{0}, 0.5, 1e-6);
   BOOST_TEST(std::abs(found.restitution - 0.5) < 1e-6);
-  // The pinned column weighs I_p/h^2 at the line of impact: 85.42/16 + 14.92 slug.
+  // Effective mass of the pinned column at the line of impact, I_p/h^2: 85.42/16 + 14.92 slug.
   const double mass = effective_mass({37.23, {}, 0.0, false}, {14.92 + 85.42 / 16.0, {}, 0.0, false});
   const double formula = damping(damping_ratio(0.5, EndRule::attractive), 1e7, mass);
   BOOST_TEST(std::abs(found.damping / formula - 1.0) <
@@ -113,7 +113,7 @@ BOOST_AUTO_TEST_CASE(an_impact_of_any_law_is_followed_to_its_end) {
   const Impact impact = simulate_impact(scene, ContactId{0});
   BOOST_TEST(impact.restitution == 0.5, boost::test_tools::tolerance(1e-5));
   BOOST_TEST(impact.largest_force == 1.0, boost::test_tools::tolerance(1e-5));
-  // A quarter swing of each branch, and up to two steps.
+  // A quarter period of each branch, and up to two steps.
   BOOST_TEST(std::abs(impact.contact_time - 0.75 * std::numbers::pi) < 2.1e-3);
 }
 

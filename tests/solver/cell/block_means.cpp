@@ -18,7 +18,7 @@ BOOST_AUTO_TEST_CASE(means_are_weighted_by_time) {
   BOOST_TEST(means.block_mean(1, 0) == 4.0);
   BOOST_TEST(means.block_mean(2, 0) == 0.0);
   BOOST_TEST(means.ratio(1, 0, 0).value == 5.0);
-  // Beyond the end belongs to the last block.
+  // Samples beyond the end belong to the last block.
   means.add(4.0, 1.0, std::array{7.0, 30.0});
   BOOST_TEST(means.block_mean(3, 0) == 7.0);
 }
@@ -32,7 +32,7 @@ BOOST_AUTO_TEST_CASE(what_cannot_be_told_is_no_number) {
   BOOST_TEST(std::isnan(means.ratio(0, 1, 0).value));
   BOOST_TEST(means.ratio(1, 1, 0).error == 0.0);
   BOOST_TEST(means.ratio(1, 0, 0).value == 0.0);
-  // Three of four blocks have no denominator: series of them alone do not count.
+  // Three of four blocks have no denominator: resamples that consist only of those do not count.
   BOOST_TEST(std::isfinite(means.ratio(0, 0, 0).error));
 }
 
@@ -66,7 +66,7 @@ BOOST_AUTO_TEST_CASE(blocks_are_as_long_as_the_series_remembers) {
 }
 
 BOOST_AUTO_TEST_CASE(errors_of_what_is_made_of_means) {
-  // Of a square of a mean, by its slope there; of what all blocks share, none.
+  // Error of the square of a mean, from its slope at the mean; no error for a value that is the same in all blocks.
   std::mt19937_64 random{5};
   BlockMeans means{2, 400.0, 400};
   double t = 0.5;
@@ -98,7 +98,7 @@ BOOST_AUTO_TEST_CASE(errors_are_those_of_correlated_series) {
       squares += estimate.value * estimate.value / series;
       told += estimate.error / series;
     }
-    // 200 series tell a standard deviation to 5 %; blocks that are drawn whole tell a few per cent too little.
+    // 200 series determine a standard deviation to 5 %; resampling of whole blocks underestimates it by a few per cent.
     BOOST_TEST(told == std::sqrt(squares), boost::test_tools::tolerance(0.2));
     BOOST_TEST(told == std::sqrt(1.0 / (1.0 - a) / (1.0 - a) / 800.0), boost::test_tools::tolerance(0.15));
   }

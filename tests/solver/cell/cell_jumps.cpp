@@ -1,4 +1,4 @@
-/// Runs of cells that pass time in which nothing can touch at once.
+/// Runs of cells that skip time intervals in which no discs can touch.
 #define BOOST_TEST_MODULE cell_jumps
 #include <boost/test/unit_test.hpp>
 #include <cmath>
@@ -9,7 +9,7 @@ using namespace talus;
 
 namespace {
 
-/// Few discs, stiff: contacts are short and flights long.
+/// Few, stiff discs: contacts are short and flights long.
 ShearCell sparse(ShearCell cell) {
   cell.rows = 4, cell.columns = 3, cell.wall_discs = 6;
   cell.block_mass = 2e3 * 6e-6 / 9.81;
@@ -41,7 +41,7 @@ void expect_same_with_jumps(const ShearCell& cell, const std::string& method) {
   BOOST_TEST(norm(impulses(jumping) - impulses(step_by_step)) < 1e-9 * norm(impulses(step_by_step)));
   const auto touching = CellQuantity::touching;
   BOOST_TEST(step_by_step.mean(touching).value > 0.0);
-  // They look at contacts at other times, some hundred of them.
+  // Contacts are sampled at different times, some hundred samples in each run.
   BOOST_TEST(std::abs(jumping.mean(touching).value - step_by_step.mean(touching).value) < 0.02);
 }
 
@@ -70,7 +70,7 @@ BOOST_AUTO_TEST_CASE(discs_that_overlap_at_the_start_do_not_fly) {
 }
 
 BOOST_AUTO_TEST_CASE(profiles_are_those_of_all_moments_with_jumps_too) {
-  // A disc that goes straight up and down between a disc of the base and one of the block.
+  // A disc that moves vertically between a disc of the base and one of the block.
   ShearCell cell = sparse(ice_cell(8e3, 5e3));
   cell.law = LinearSpringDashpot{2e6, 0.0};
   cell.rows = 1, cell.columns = 1, cell.wall_discs = 4, cell.block_speed = 1e-9;
@@ -90,14 +90,14 @@ BOOST_AUTO_TEST_CASE(profiles_are_those_of_all_moments_with_jumps_too) {
   double apart = 0.0, all = 0.0;
   for (std::size_t k = 0; k < one.size(); ++k)
     apart += std::abs(one[k].fraction.value - other[k].fraction.value), all += one[k].fraction.value;
-  BOOST_TEST(apart < 0.006 * all);  // .003 was measured: some thirty looks at each way across
+  BOOST_TEST(apart < 0.006 * all);  // 0.003 was measured: some thirty samples per crossing
 }
 
 BOOST_AUTO_TEST_CASE(means_of_flights_are_those_of_their_steps) {
   // A block thrown up from discs that do not reach it, and a few discs that fly past each other: no contact at all.
   ShearCell cell = sparse(ice_cell(8e3, 5e3));
   cell.rows = 2, cell.gravity = 500.0;
-  cell.block_speed = 0.1;  // by the fastest disc flights are bounded: so they are long
+  cell.block_speed = 0.1;  // the speed of the fastest disc limits the length of flights; a low speed makes them long
   FilledCell start = fill(cell);
   for (std::size_t i = 0; i < start.discs.size(); ++i) {
     if (i < cell.free_discs()) start.discs.vx[i] = 0.1, start.discs.vy[i] = start.discs.y[i] > 2e-3 ? 0.02 : -0.01;
@@ -112,10 +112,10 @@ BOOST_AUTO_TEST_CASE(means_of_flights_are_those_of_their_steps) {
     run(step_by_step), run(jumping);
     BOOST_TEST_REQUIRE(step_by_step.mean(CellQuantity::touching).value == 0.0);
     BOOST_TEST(jumping.jumped() > 9 * jumping.steps() / 10);
-    // Steps are summed at their ends, flights by their integral: half a step of the way apart.
+    // Steps are summed at their ends, flights are integrated: the difference is half a step's displacement.
     for (const CellQuantity quantity : {CellQuantity::depth, CellQuantity::depth_square, CellQuantity::kinetic_shear})
       BOOST_TEST(jumping.mean(quantity).value == step_by_step.mean(quantity).value, boost::test_tools::tolerance(4e-6));
-    // By its value in the middle of each flight.
+    // Sampled in the middle of each flight.
     BOOST_TEST(
         jumping.mean(CellQuantity::solid_fraction).value == step_by_step.mean(CellQuantity::solid_fraction).value,
         boost::test_tools::tolerance(2e-3));

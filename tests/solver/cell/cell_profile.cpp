@@ -11,7 +11,7 @@ using namespace talus;
 BOOST_AUTO_TEST_CASE(layers_share_a_disc_by_its_area) {
   CellProfile profile{1.0, 5.0, 0.0, 1.0};
   profile.look(0.2, 0.5);
-  // A quarter of its height above y = 2: a segment of 60 degrees to either side.
+  // A quarter of its height is above y = 2: a segment of 60 degrees to either side.
   profile.add({.y = 1.5, .vx = 3.0, .vy = 4.0, .radius = 1.0, .mass = 2.0, .spin = -5.0});
   const auto layers = profile.layers();
   const double cap = std::numbers::pi / 3.0 - std::sqrt(3.0) / 4.0;
@@ -36,8 +36,8 @@ BOOST_AUTO_TEST_CASE(temperature_is_about_the_mean_of_the_layer) {
 }
 
 BOOST_AUTO_TEST_CASE(errors_are_those_of_the_blocks_of_time) {
-  // Three looks in each tenth, of discs as fast as the tenth says: the mean's standard error is theirs over the root of
-  // ten. What is the same at all times has none.
+  // Three samples in each tenth of the time, of discs with the speed of that tenth: the standard error of the mean is
+  // that of the ten speeds. A value that is constant in time has no error.
   CellProfile profile{2.0, 5.0, 1.0, 3.0};
   const std::array<double, CellProfile::blocks> speeds{3.0, -1.0, 4.0, 1.0, -5.0, 9.0, 2.0, 6.0, -5.0, 3.5};
   double mean = 0.0, squares = 0.0;
@@ -60,7 +60,7 @@ BOOST_AUTO_TEST_CASE(errors_are_those_of_the_blocks_of_time) {
 }
 
 BOOST_AUTO_TEST_CASE(no_disc_is_too_high) {
-  // What is added later is higher: no area is lost, and what was there before stays in its layer.
+  // Discs that are added later are higher: no area is lost, and earlier discs stay in their layers.
   CellProfile profile{1.0, 5.0, 0.0, 1.0};
   double area = 0.0;
   for (const double y : {0.5, 7.3, 30.2}) {

@@ -22,7 +22,8 @@ void expect_momentum(const ShearCell& cell, const std::string& method) {
   Vec2 gained;
   for (std::size_t i = 0; i < cell.free_discs(); ++i)
     gained += cell.mass * Vec2{after.vx[i] - before.vx[i], after.vy[i] - before.vy[i]};
-  // A method that ends its steps with an evaluation has given half of that force; the first, of discs apart, is zero.
+  // A method that ends its steps with an evaluation has applied half of that force; the first force, of separate discs,
+  // is zero.
   const double ahead = integrator_traits(method).ends_with_evaluation ? 0.5 * how.step : 0.0;
   const Vec2 on_block = ran.impulse_on_block() - ahead * ran.wall_force(block_wall);
   const Vec2 on_base = ran.impulse_on_base() - ahead * ran.wall_force(base_wall);
@@ -34,7 +35,7 @@ void expect_momentum(const ShearCell& cell, const std::string& method) {
   BOOST_TEST(ran.largest_overlap() > 0.0);
   BOOST_TEST(ran.mean(CellQuantity::top_normal).value > 0.0);
   BOOST_TEST(ran.mean(CellQuantity::top_shear).value > 0.0);
-  // Free discs are turned the way that the flow turns; the walls' are held.
+  // Free discs spin in the sense of the flow; wall discs do not spin.
   BOOST_TEST((ran.mean(CellQuantity::spin).value < 0.0) == cell.friction.has_value());
   BOOST_TEST((ran.mean(CellQuantity::sliding).value > 0.0) == cell.friction.has_value());
   for (std::size_t i = cell.free_discs(); i < after.spin.size(); ++i)
@@ -61,8 +62,8 @@ BOOST_AUTO_TEST_CASE(energy_is_accounted_for) {
     BOOST_TEST(ledger.dissipated > 0.0);
     missing.push_back(std::abs(ledger.gained) / ledger.dissipated);
   }
-  // Steps add to a contact some (w1 h)^2/600 of its loss, which is 3e-5 at 20 steps (case cooling_gas); 1.2e-5 and
-  // 7.6e-5 were measured here, where the discs have lost but a few per cent of what moves.
+  // The step adds about (w1 h)^2/600 of a contact's loss to it, which is 3e-5 at 20 steps (case cooling_gas); 1.2e-5
+  // and 7.6e-5 were measured here, where the discs have lost only a few per cent of the kinetic energy.
   BOOST_TEST(missing[0] < 3e-4);
   BOOST_TEST(missing[1] < 3e-4);
 }
@@ -77,7 +78,7 @@ BOOST_AUTO_TEST_CASE(accounts_of_dashpots_and_friction_close_as_the_step_shrinks
       BOOST_TEST((ledger.dissipated > 0.0) == loses);
       BOOST_TEST((ledger.rubbed > 0.0) == cell.friction.has_value());
       BOOST_TEST(ledger.rubbed <= ledger.dissipated);
-      // Powers are taken at the velocities of before a kick: off by some (w h)/10 of a contact's energy.
+      // Powers are evaluated with the velocities before a kick: the error is about (w h)/10 of a contact's energy.
       BOOST_TEST(std::abs(ledger.gained) < 0.6 / steps * (loses ? ledger.dissipated : ledger.driven));
     }
   }
@@ -157,7 +158,8 @@ BOOST_AUTO_TEST_CASE(virtual_discs_act_as_nearest_images_do) {
       how.images = Images::virtual_discs;
       CellRun virtuals{cell, how, start};
       run(nearest), run(virtuals);
-      // Rounded to 1e-15 in boxes that discs leave at other times; impacts have made it up to 3e-9.
+      // Positions are rounded to 1e-15 in boxes that discs leave at different times; impacts have amplified this to up
+      // to 3e-9.
       BOOST_TEST(apart(nearest, virtuals) < 3e-8 * cell.diameter);
       BOOST_TEST(nearest.mean(CellQuantity::contacts).value > 1.0);
       for (const CellQuantity quantity : {CellQuantity::contacts, CellQuantity::multiple, CellQuantity::sliding})
@@ -180,7 +182,8 @@ BOOST_AUTO_TEST_CASE(energy_that_contacts_hold_at_the_start_is_accounted_for) {
     start.discs = before.discs();
     CellRun ran{cell, how, start};
     run(ran);
-    // Without what the contacts of the start hold 4 to 8 % of it are missing; 2.6e-5 and 1.1e-4 were measured.
+    // Without the energy stored in the initial contacts, 4 to 8 % of the dissipation would be missing; 2.6e-5 and
+    // 1.1e-4 were measured.
     BOOST_TEST(std::abs(ran.ledger().gained) < 3e-4 * ran.ledger().dissipated);
   }
 }
@@ -190,21 +193,21 @@ BOOST_AUTO_TEST_CASE(what_is_steady_is_steady_also_where_a_run_is_left) {
   CellRun ran{cell, plan(cell, 20000.0)};
   while (ran.steps() < ran.last_step() * 45 / 100)
     ran.advance();
-  // Blocks that were not reached are no zeros: counted as such they made it some fifty errors.
+  // Blocks that were not reached must not count as zeros: counted as zeros, they made the drift some fifty errors.
   for (const CellQuantity quantity : {CellQuantity::solid_fraction, CellQuantity::depth, CellQuantity::touching})
     BOOST_TEST(std::abs(ran.drift(quantity)) < 3.0);
 }
 
 BOOST_AUTO_TEST_CASE(contacts_are_counted_from_their_first_moment_on) {
   ShearCell cell = ice_cell(32e3, 1e3);
-  cell.law = LinearSpringDashpot{2e4, 0.0};  // pushes as long as discs overlap
+  cell.law = LinearSpringDashpot{2e4, 0.0};  // repulsive as long as discs overlap
   CellPlan how = plan(cell, 1000.0, 10.0);
   how.integrator = "euler_cromer";
   CellRun ran{cell, how};
   std::size_t most = 0;
   while (!ran.finished()) {
     ran.advance();
-    // Those of the walls do not push each other.
+    // Wall discs do not act on each other.
     const Discs discs = ran.discs();
     std::size_t overlaps = 0;
     for (std::size_t i = 0; i < cell.free_discs(); ++i) {
@@ -313,7 +316,7 @@ BOOST_AUTO_TEST_CASE(plans_that_cannot_be) {
   how = plan(large, 20.0);
   how.images = Images::virtual_discs;
   BOOST_TEST(validation_errors(large, how).front().field == "images");
-  // Ten steps in a contact whose way back takes less than one.
+  // Ten steps in a contact whose unloading takes less than one.
   ShearCell dull = cell;
   dull.law = LatchingSpring{1.7e4, 1.7e4 / 0.0009, 0.0};
   how = plan(dull, 20.0, 20.0);
@@ -322,7 +325,7 @@ BOOST_AUTO_TEST_CASE(plans_that_cannot_be) {
   BOOST_TEST(validation_errors(dull, how).empty());
   CellRun ran{dull, how};
   BOOST_TEST(std::abs(run(ran).ledger().unaccounted()) < CellRun::most_unaccounted);
-  // What is known of the law of 1989 alone.
+  // Options that apply only to the law of 1989.
   for (const ShearCell& other : cells()) {
     if (other.law_of_1989() != nullptr) continue;
     how = plan(other, 20.0);

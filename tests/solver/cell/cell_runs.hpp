@@ -8,10 +8,10 @@
 
 #include "solver/cell/cell_run.hpp"
 
-/// Cells of all laws, plans for them, and what tests of their runs share.
+/// Cells of all laws, plans for them, and functions shared by the tests of their runs.
 namespace talus {
 
-/// A cell of each law, smooth and rough: contacts of all last about as long.
+/// A cell of each law, smooth and rough: contact times of all are similar.
 inline std::vector<ShearCell> cells() {
   std::vector<ShearCell> all;
   for (const DiscLaw& law : std::vector<DiscLaw>{
@@ -27,7 +27,7 @@ inline std::vector<ShearCell> cells() {
   return all;
 }
 
-/// Methods that the cell may be run by.
+/// Methods that are allowed for the cell.
 inline std::vector<std::string> methods(const ShearCell& cell) {
   std::vector<std::string> names = disc_method_names();
   std::erase_if(names, [&](const std::string& name) {
@@ -41,7 +41,7 @@ inline CellPlan plan(const ShearCell& cell, double contacts, double steps_in_con
   return {.step = step, .every = contacts / 4.0 * cell.contact_time(), .end = contacts * cell.contact_time()};
 }
 
-/// Largest difference of places [L].
+/// Largest difference of positions [L].
 inline double apart(CellRun& one_run, CellRun& other_run) {
   const Discs one = one_run.discs(), other = other_run.discs();
   const double width = one_run.cell().width();

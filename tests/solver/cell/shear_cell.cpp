@@ -24,7 +24,7 @@ BOOST_AUTO_TEST_CASE(a_cell_is_filled_as_its_numbers_say) {
              boost::test_tools::tolerance(1e-14));
   BOOST_TEST(filled.discs.size() == 80U + 22U);
   BOOST_TEST(filled.box.width == 0.011);
-  // Nothing overlaps.
+  // No discs overlap.
   System system{filled.shapes, filled.box, std::get<LatchingSpring>(cell.law), 0.3 * cell.diameter};
   Discs discs = filled.discs;
   system.begin(discs);

@@ -1,4 +1,4 @@
-/// The contact search against brute force: a pair that it leaves out never touches.
+/// The contact search compared with brute force: an excluded pair never touches.
 #define BOOST_TEST_MODULE candidates
 #include "solver/dynamics/candidates.hpp"
 
@@ -18,7 +18,7 @@ using namespace talus;
 
 namespace {
 
-/// Depth of a rectangle's lowest corner below a half-plane.
+/// Overlap of a rectangle's lowest corner with a half-plane.
 double lowest_corner(const Rectangle& box, const Pose& A, const Pose& plane) {
   double depth = -1e300;
   for (const Vec2 corner : boundary_nodes(Shape{box}, 4))
@@ -32,7 +32,7 @@ struct RandomPoses {
   Pose operator()() { return {{place(random), place(random)}, rotation(angle(random)), {}, 0.0}; }
 };
 
-/// Counts the pairs left out of 20000 and demands that none of them overlaps by the exact gap.
+/// Counts the excluded pairs among 20000 and checks that none of them overlaps according to the exact gap.
 template <class A, class B>
 int left_out(const A& a, const B& b, auto&& depth) {
   RandomPoses pose;
@@ -47,7 +47,7 @@ int left_out(const A& a, const B& b, auto&& depth) {
   return count;
 }
 
-/// Bodies that are strewn about, each paired with each; the last is ground.
+/// Scattered bodies, every pair of which is a candidate; the last one is ground.
 struct Strewn {
   static constexpr std::size_t bodies = 30;
   std::mt19937 random;
@@ -56,7 +56,7 @@ struct Strewn {
   std::vector<Shape> shapes;
   ContactSearch search;
 
-  /// reach [L]: of a third of the pairs; of another twice that.
+  /// `reach` [L] is the reach of a third of the pairs; another third has twice that, the rest zero.
   explicit Strewn(unsigned seed, double reach = 0.0) : random{seed} {
     std::uniform_real_distribution<double> place{-6.0, 6.0}, turn{0.0, 6.3}, size{0.2, 1.0};
     for (std::size_t i = 0; i < bodies; ++i) {
@@ -70,7 +70,7 @@ struct Strewn {
     shapes.back() = HalfPlane{};
     for (std::size_t a = 0; a < bodies; ++a) {
       for (std::size_t b = a + 1; b < bodies; ++b) {
-        // The gap of two rectangles that are apart is no distance.
+        // The gap of two separate rectangles is not a distance.
         const bool boxes = std::holds_alternative<Rectangle>(shapes[a]) && std::holds_alternative<Rectangle>(shapes[b]);
         search.add({static_cast<BodyId>(a), static_cast<BodyId>(b), bounds(shapes[a]), bounds(shapes[b]), 0, 0,
                     boxes ? 0.0 : reach * static_cast<double>(b % 3)});
@@ -79,7 +79,7 @@ struct Strewn {
     search.prepare(bodies);
   }
 
-  /// Moves and turns all bodies but the ground by up to `most`.
+  /// Moves and turns all bodies except the ground by up to `most`.
   void wander(double most) {
     std::uniform_real_distribution<double> step{-most, most};
     for (std::size_t i = 0; i + 1 < bodies; ++i) {
@@ -89,7 +89,7 @@ struct Strewn {
     }
   }
 
-  /// Depth of the pair by its exact gap.
+  /// Overlap of the pair according to its exact gap.
   double depth(const Candidate& pair) const {
     const Pose A = poses[index(pair.a)], B = poses[index(pair.b)];
     return std::visit(
@@ -112,7 +112,8 @@ struct Strewn {
   }
 };
 
-/// Demands that what is found is within reach, and what is not is out of the law's reach; how many pairs are found.
+/// Checks that found pairs are within reach, and that the others are beyond the law's reach; returns the number of
+/// pairs found.
 long check_found(const Strewn& scene, const std::vector<char>& found) {
   for (std::size_t p = 0; p < found.size(); ++p) {
     const Candidate& pair = scene.search.pairs()[p];
@@ -150,7 +151,7 @@ BOOST_AUTO_TEST_CASE(rectangle_and_half_plane_at_any_slope) {
 }
 
 BOOST_AUTO_TEST_CASE(what_touches_is_found_however_the_bodies_move) {
-  // By steps that leave the list of close pairs standing for a while, by steps that never do, and by both in turn.
+  // Steps that keep the list of close pairs valid for a while, and at times one that invalidates it.
   for (unsigned seed = 0; seed < 40; ++seed) {
     Strewn scene{seed};
     Sweep scratch;
@@ -188,8 +189,8 @@ BOOST_AUTO_TEST_CASE(pairs_are_found_from_the_reach_of_their_law_on) {
 }
 
 BOOST_AUTO_TEST_CASE(a_list_stands_until_a_body_has_moved_by_its_skin) {
-  // A disc of radius 1 and a box whose sides are 2 and 1 and whose ends are 1.5 from its middle at most: skins of .05
-  // and .025.
+  // A disc of radius 1 and a box with sides 2 and 1 whose corners are at most 1.5 from its centre: skins of 0.05 and
+  // 0.025.
   ContactSearch search;
   search.add({BodyId{0}, BodyId{1}, bounds(Shape{Circle{1.0}}), bounds(Shape{Rectangle{1.0, 0.5}}), 0, 0});
   search.prepare(2);
@@ -249,7 +250,7 @@ BOOST_AUTO_TEST_CASE(what_is_said_at_once_is_never_too_little) {
 }
 
 BOOST_AUTO_TEST_CASE(bodies_that_come_from_beyond_their_skins_are_found_as_they_touch) {
-  // Both come on, each by a step short of its skin after the list was made; then by another.
+  // Both bodies approach: after the list was made each moves by slightly less than its skin, then by another step.
   ContactSearch search;
   search.add({BodyId{0}, BodyId{1}, bounds(Shape{Circle{1.0}}), bounds(Shape{Circle{2.0}}), 0, 0});
   search.prepare(2);
@@ -263,7 +264,7 @@ BOOST_AUTO_TEST_CASE(bodies_that_come_from_beyond_their_skins_are_found_as_they_
   BOOST_TEST(!search.find(poses, found, scratch));
   poses.x[0] += 0.0001, poses.x[1] -= 0.0003;
   BOOST_TEST(search.find(poses, found, scratch));
-  // Listed with their skins overlapping, they touch without another list.
+  // Pairs whose skins overlap are listed; they are found in contact without a new list.
   Sweep fresh;
   poses.x[0] = 0.0, poses.x[1] = 3.1497;
   found[0] = 0;
@@ -273,7 +274,7 @@ BOOST_AUTO_TEST_CASE(bodies_that_come_from_beyond_their_skins_are_found_as_they_
   BOOST_TEST(fresh.places.x[0] == 0.0);
 }
 
-// With this many bodies the search keeps no table of all pairs: it finds the same pairs, also after a move.
+// With this many bodies the search has no table of all pairs: it finds the same pairs, also after a move.
 BOOST_AUTO_TEST_CASE(a_chain_of_many_discs) {
   constexpr std::size_t discs = 6000;
   Poses poses{discs};
@@ -284,7 +285,7 @@ BOOST_AUTO_TEST_CASE(a_chain_of_many_discs) {
   search.prepare(discs);
   Sweep sweep;
   for (const double shift : {0.0, 0.7}) {
-    // Every third gap is closed; the shift opens these and closes those after them.
+    // Every third gap is closed; the shift opens these gaps and closes the next ones.
     for (std::size_t i = 0; i < discs; ++i)
       poses.set(i, {{2.2 * static_cast<double>(i) + (i % 3 == 1 ? shift - 0.35 : 0.0), 0.0}, {}, {}, 0.0});
     std::vector<char> found(search.pairs().size());

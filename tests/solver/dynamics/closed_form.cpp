@@ -1,4 +1,4 @@
-/// Which scenes have a closed form between events (solver/dynamics/closed_form.hpp), and what is chosen by that.
+/// Scenes with a closed form between events (solver/dynamics/closed_form.hpp), and the integrator chosen for them.
 #define BOOST_TEST_MODULE closed_form
 #include <boost/test/unit_test.hpp>
 #include <string>

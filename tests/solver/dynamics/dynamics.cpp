@@ -18,8 +18,8 @@ namespace {
 
 constexpr LinearSpringDashpot law{900.0, 3.0, EndRule::attractive};
 
-/// One body of each mobility, cables to a body, to the world and along z, contacts of each kind of geometry, all in
-/// touch.
+/// One body of each mobility, cables to a body, to the world and along z, and contacts of each kind of geometry, all of
+/// them closed.
 Model crowded(ContactMethod method = ContactMethod::resultant) {
   ModelBuilder builder;
   builder.gravity({0.3, -9.81});
@@ -90,7 +90,7 @@ double energy(const Dynamics& dynamics, const State& state) {
   return dynamics.energies(state, work).total();
 }
 
-/// The state moved along its own motion by t, modes unchanged.
+/// The state advanced along its own motion by t, modes unchanged.
 State moved(State state, const Rates& rates, double t) {
   for (std::size_t i = 0; i < state.q.size(); ++i) {
     state.q[i] += t * (state.v[i] + 0.5 * t * rates.v[i]);
@@ -113,7 +113,8 @@ BOOST_AUTO_TEST_CASE(every_contact_of_the_crowd_acts) {
     BOOST_TEST(acting >= 1);
     touching += static_cast<std::size_t>(acting);
   }
-  // Of the tilted box two of the four corners are above the ground, and one end of its side is apart from the column.
+  // Two of the four corners of the tilted box are above the ground, and one end of its side is separate from the
+  // column.
   BOOST_TEST(touching == 6U);
   for (std::size_t c = 0; c < model.cables.size(); ++c)
     BOOST_TEST(now.state.mode[layout.cable_slots[c].mode] == 1);
@@ -130,14 +131,15 @@ BOOST_AUTO_TEST_CASE(calling_twice_gives_the_same_bits_and_changes_nothing) {
   BOOST_TEST((now.state == before));
 }
 
-// Power balance: d(energy)/dt along the motion is minus the power of the dashpots. The ledger's parts and the forces
-// are written in different places; a wrong sign or factor of any force, potential or inertia breaks this.
+// Power balance: d(energy)/dt along the motion is minus the power of the dashpots. The terms of the ledger and the
+// forces are computed by separate code; a wrong sign or factor of any force, potential or inertia breaks the balance.
 BOOST_AUTO_TEST_CASE(energy_falls_by_the_dissipated_power) {
   for (const ContactMethod method : {ContactMethod::resultant, ContactMethod::nodes}) {
     const Model model = crowded(method);
     const Dynamics dynamics{model};
     const Evaluation now = evaluate(dynamics, moving(model));
-    // Five-point difference: exact to fourth order in h, for the stiff contacts make the third derivative large (1e6).
+    // Five-point difference: exact to fourth order in h, because the stiff contacts make the third derivative large
+    // (1e6).
     const double h = 1e-5;
     const auto at = [&](double t) { return energy(dynamics, moved(now.state, now.rates, t)); };
     const double change = (8.0 * (at(h) - at(-h)) - (at(2.0 * h) - at(-2.0 * h))) / (12.0 * h);
@@ -146,12 +148,12 @@ BOOST_AUTO_TEST_CASE(energy_falls_by_the_dissipated_power) {
       power += part;
     BOOST_TEST(power > 0.0);
     BOOST_TEST(std::abs(change + power) <
-               1e-6);  // round-off of an energy of 1e3 over h: 1e-13/1e-5 = 1e-8, a hundredfold allowed
+               1e-6);  // round-off of an energy of 1e3 over h: 1e-13/1e-5 = 1e-8, with a margin of 100
   }
 }
 
-// Rate of momentum against the booked impulse from outside: breaks if a force has no reaction or a moment the wrong
-// arm.
+// Rate of momentum compared with the recorded impulse from outside: they differ if a force has no reaction or a moment
+// the wrong arm.
 BOOST_AUTO_TEST_CASE(momentum_changes_by_the_impulse_from_outside) {
   const Model model = crowded();
   const Dynamics dynamics{model};
@@ -185,8 +187,8 @@ BOOST_AUTO_TEST_CASE(spring_gradients_are_the_derivatives_of_their_extents) {
 }
 
 BOOST_AUTO_TEST_CASE(power_of_two_scaling_of_length_mass_and_time_is_exact) {
-  // Lengths by 2^2, masses by 2^3, times by 2^-1; every parameter by its dimension. All results must be the same bits,
-  // scaled.
+  // Lengths are scaled by 2^2, masses by 2^3, times by 2^-1; every parameter by its dimension. All results must be the
+  // same bits, scaled.
   const auto build = [](int L, int M, int T) {
     const auto s = [](double value, int power) { return std::ldexp(value, power); };
     ModelBuilder builder;
@@ -279,7 +281,7 @@ BOOST_AUTO_TEST_CASE(a_contact_pushes_whichever_way_round_its_pair_is_named) {
     LawForces forces;
     dynamics.forces(now.state, now.work, forces);
     BOOST_TEST(forces.contacts[0] == 90.0, boost::test_tools::tolerance(1e-12));
-    BOOST_TEST(now.rates.v[4] == 90.0, boost::test_tools::tolerance(1e-12));  // the upper one goes up
+    BOOST_TEST(now.rates.v[4] == 90.0, boost::test_tools::tolerance(1e-12));  // the upper one moves up
     BOOST_TEST(dynamics.contact_depth(now.work, ContactId{0}) == 0.1, boost::test_tools::tolerance(1e-12));
   }
 }
@@ -315,7 +317,7 @@ BOOST_AUTO_TEST_CASE(a_guard_asked_for_alone_is_the_same_as_among_all) {
       for (std::size_t mode = 0; mode < all.size(); ++mode) {
         RigidBodySystem asked{dynamics};
         Rates rates{state};
-        asked.derivative(moving(model), rates);  // what it keeps is of another state
+        asked.derivative(moving(model), rates);  // its stored values belong to another state
         std::vector<double> alone(all.size(), std::numeric_limits<double>::quiet_NaN());
         asked.guards_of(state, std::array{mode}, alone);
         BOOST_TEST(alone[mode] == all[mode], "mode " << mode << " " << away << ": " << alone[mode] << " " << all[mode]);

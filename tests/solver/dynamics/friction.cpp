@@ -1,4 +1,4 @@
-/// Friction in motion, beside what mechanics says of a disc on a table and of a body on a slope.
+/// Friction in motion, compared with the mechanics of a disc on a table and of a body on a slope.
 #define BOOST_TEST_MODULE dynamics_friction
 #include <boost/test/unit_test.hpp>
 #include <cmath>
@@ -17,7 +17,7 @@ namespace {
 
 constexpr double g = 9.81, radius = 0.1, stiffness = 2e6, mu = 0.3;
 
-/// A disc or particle of mass 2 that presses on a table with its weight; the table tilted, as gravity.
+/// A disc or particle of mass 2 that presses on a table with its weight; gravity is tilted to represent a slope.
 Model on_table(Mobility mobility, double slope, std::optional<CoulombFriction> friction) {
   ModelBuilder builder;
   builder.gravity({g * std::sin(slope), -g * std::cos(slope)});
@@ -54,16 +54,16 @@ Run run(const Model& model, Vec2 velocity, const char* integrator, double step, 
 }  // namespace
 
 BOOST_AUTO_TEST_CASE(a_sliding_disc_ends_rolling_at_two_thirds_of_its_speed) {
-  // mu g t = v0 - v and mu g t = r w/2 until v = r w: v = 2/3 v0 whatever mu. The spring, stretched by
-  // mu m g/k_s when the slip ends, then swings with the mass m/3 that the contact feels: slip rates of up to
-  // mu g sqrt(3 m/k_s) = .0051 m/s, a third of it in the disc's velocity.
+  // mu g t = v0 - v and mu g t = r w/2 until v = r w: v = 2/3 v0 whatever mu. The spring, stretched by mu m g/k_s when
+  // the slip ends, then oscillates with the mass m/3 that the contact feels: slip rates of up to mu g sqrt(3 m/k_s) =
+  // 0.0051 m/s, a third of it in the disc's velocity.
   const Model model = on_table(Mobility::free, 0.0, CoulombFriction{mu, stiffness});
   for (const char* integrator : {"velocity_verlet", "central_difference", "euler_cromer", "rk4", "odeint_dopri5"}) {
     const Run end = run(model, {3.0, 0.0}, integrator, 2e-5, 0.6);
     BOOST_TEST_CONTEXT(integrator) {
       BOOST_TEST(std::abs(end.state.v[0] - 2.0) < 1.8e-3);
       BOOST_TEST(std::abs(end.state.v[0] + radius * end.state.v[2]) < 5.2e-3);
-      // A third of the energy is gone.
+      // A third of the energy is dissipated.
       const double lost = end.state.work[static_cast<std::size_t>(Mechanism::friction)];
       BOOST_TEST(std::abs(lost - 3.0) < 6e-3);
       BOOST_TEST(std::abs(end.closure) < 2e-3);
@@ -72,16 +72,16 @@ BOOST_AUTO_TEST_CASE(a_sliding_disc_ends_rolling_at_two_thirds_of_its_speed) {
 }
 
 BOOST_AUTO_TEST_CASE(on_a_slope_it_slips_above_the_friction_angle_only) {
-  const double steep = 0.5;  // tan = .546 > .3
+  const double steep = 0.5;  // tan = 0.546 > 0.3
   const Model slipping = on_table(Mobility::particle, steep, CoulombFriction{mu, stiffness});
   const Run down = run(slipping, {0.0, 0.0}, "velocity_verlet", 2e-5, 0.5);
   const double acceleration = g * (std::sin(steep) - mu * std::cos(steep));
   // Slip begins when the spring is stretched, after sqrt of a few 1e-5 s.
   BOOST_TEST(std::abs(down.state.v[0] - 0.5 * acceleration) < 5e-3 * acceleration);
-  const double flat = 0.14;  // tan = .141, and twice that still < .3
+  const double flat = 0.14;  // tan = 0.141, and twice that is still < 0.3
   const Model sticking = on_table(Mobility::particle, flat, CoulombFriction{mu, stiffness});
   const Run stays = run(sticking, {0.0, 0.0}, "velocity_verlet", 2e-5, 2.0);
-  // It swings on the spring by twice its static stretch and goes no further.
+  // It oscillates on the spring by up to twice its static stretch.
   BOOST_TEST(stays.state.q[0] <= 2.0 * 2.0 * g * std::sin(flat) / stiffness * 1.0001);
   BOOST_TEST(stays.state.work[static_cast<std::size_t>(Mechanism::friction)] == 0.0);
 }
@@ -95,7 +95,7 @@ BOOST_AUTO_TEST_CASE(slides_the_other_way_alike) {
   BOOST_TEST(left.state.q[1] == right.state.q[1]);
 }
 
-/// A particle of mass 1 above a plane by `gap`, which pushes with stiffness 1 and holds by a spring of 1/4.
+/// A particle of mass 1 at distance `gap` above a plane, with contact stiffness 1 and tangential stiffness 1/4.
 Model above_sticky_plane(double gap) {
   ModelBuilder builder;
   const BodyId table = builder.add(Body{.name = "table", .mobility = Mobility::fixed, .shape = HalfPlane{}});
@@ -110,8 +110,8 @@ Model above_sticky_plane(double gap) {
 }
 
 BOOST_AUTO_TEST_CASE(a_contact_that_sticks_from_the_touch_on_is_of_second_order) {
-  // A particle that sticks swings along the plane, v = cos(w_t t) with w_t = sqrt(k_s/m) = 1/2 and t from the touch,
-  // wherever in a step that was; looked at half-way through the contact.
+  // A particle that sticks oscillates along the plane, v = cos(w_t t) with w_t = sqrt(k_s/m) = 1/2 and t from the first
+  // contact, wherever in a step that occurs; sampled half-way through the contact.
   for (const char* integrator : {"velocity_verlet", "central_difference", "rk4"}) {
     double errors[2]{};
     for (const int refined : {0, 1}) {
@@ -124,7 +124,8 @@ BOOST_AUTO_TEST_CASE(a_contact_that_sticks_from_the_touch_on_is_of_second_order)
     }
     BOOST_TEST_CONTEXT(integrator) {
       BOOST_TEST(std::sqrt(errors[0] / 16.0) < 0.1 * 0.02 * 0.02);
-      // 16 after one halving of the step, as the square; without the slip of the first part step it would be 4.
+      // 16 after one halving of the step, because errors are squared; without the slip of the first partial step it
+      // would be 4.
       BOOST_TEST(errors[0] / errors[1] > 12.0);
       BOOST_TEST(errors[0] / errors[1] < 20.0);
     }
@@ -132,8 +133,9 @@ BOOST_AUTO_TEST_CASE(a_contact_that_sticks_from_the_touch_on_is_of_second_order)
 }
 
 BOOST_AUTO_TEST_CASE(a_scene_that_starts_overlapped_and_closing_starts_with_an_unstretched_spring) {
-  // Overlap .4, closing with 1, so that depth/rate = .4 ago there may have been a touch, of which the scene says
-  // nothing. From now on v = cos(t/2) along the plane; a spring stretched by .4 would make it cos(t/2) - .2 sin(t/2).
+  // Overlap 0.4, closing with speed 1: contact may have begun at overlap/rate = 0.4 earlier, but the scene does not
+  // specify that. From the start v = cos(t/2) along the plane; a spring stretched by 0.4 would make it cos(t/2) - 0.2
+  // sin(t/2).
   const Model model = above_sticky_plane(-0.4);
   const Dynamics dynamics{model};
   for (const std::string& integrator : integrator_names()) {
@@ -156,11 +158,11 @@ BOOST_AUTO_TEST_CASE(a_scene_that_starts_overlapped_and_closing_starts_with_an_u
       BOOST_TEST(static_cast<bool>(simulate(system, method, state, {step, 1.0, 1.0, true}, observers)));
       BOOST_TEST(first_stretch == 0.0);
       BOOST_TEST(energy == 1.0 + 0.5 * 0.4 * 0.4, boost::test_tools::tolerance(1e-15));
-      // Second order: some (h/2)^2 = 6e-6. First: half a step's change of the speed, h/4 sin(1/2) = 6e-4. A stretch of
-      // .4 would make .096.
+      // Second order: about (h/2)^2 = 6e-6. First order: half a step's change of the speed, h/4 sin(1/2) = 6e-4. A
+      // stretch of 0.4 would cause 0.096.
       BOOST_TEST(std::abs(state.v[0] - std::cos(0.5)) < (order(method) == 1 ? 6.1e-4 : 6e-6));
     }
-    // Begun twice is begun once.
+    // A second call of begin() changes nothing.
     State once = given, twice = given;
     system.begin(once);
     system.begin(twice);
@@ -175,7 +177,7 @@ BOOST_AUTO_TEST_CASE(a_smooth_contact_keeps_no_memory) {
   BOOST_TEST(!Dynamics{smooth}.follows_motion());
   const Model rough = on_table(Mobility::free, 0.0, CoulombFriction{mu, stiffness});
   BOOST_TEST(rest_state(rough).z.size() == 1u);
-  // Friction without a coefficient is the smooth contact.
+  // Friction with a coefficient of zero is the smooth contact.
   const Model none = on_table(Mobility::free, 0.0, CoulombFriction{0.0, stiffness});
   const Run a = run(smooth, {3.0, 0.0}, "rk4", 2e-5, 0.02), b = run(none, {3.0, 0.0}, "rk4", 2e-5, 0.02);
   BOOST_TEST(a.state.q == b.state.q, boost::test_tools::per_element());

@@ -1,4 +1,4 @@
-/// Bodies with one held axis, beside energy and momentum: what a guide does shows in what it leaves alone.
+/// Bodies with one guided axis, checked by energy, momentum, and the directions that a guide leaves free.
 #define BOOST_TEST_MODULE dynamics_guides
 #include <boost/test/unit_test.hpp>
 #include <cmath>
@@ -19,7 +19,7 @@ namespace {
 
 constexpr double mass = 2.0, inertia = 0.5, length = 0.8, g = 10.0;
 
-/// A bar hung at a pin that slides along x, or the same turned by a right angle: along y, gravity along x.
+/// A bar that hangs from a pin sliding along x; or the same rotated by a right angle: along y, with gravity along x.
 Model hung(Mobility mobility, double angle) {
   ModelBuilder builder;
   const bool along_x = mobility == Mobility::guided_x;
@@ -54,7 +54,8 @@ BOOST_AUTO_TEST_CASE(a_pendulum_on_a_sliding_pin_keeps_energy_and_its_place_alon
     const Model model = hung(mobility, start);
     const Run end = run(model, rest_state(model), "rk4", 1e-4, 2.0);
     const double theta = end.state.q[1] - model.bodies[0].angle + start, w = end.state.v[1];
-    // No force along the guide: the centre of mass stays where it is; across it falls by L (cos theta - cos theta0).
+    // No force acts along the guide, so the centre of mass keeps its position there; across the guide it falls by L
+    // (cos theta - cos theta0).
     BOOST_TEST(end.state.q[0] == rest_state(model).q[0]);
     const double across = length * std::sin(theta) * w;
     const double energy =
@@ -62,10 +63,10 @@ BOOST_AUTO_TEST_CASE(a_pendulum_on_a_sliding_pin_keeps_energy_and_its_place_alon
     BOOST_TEST(std::abs(energy) < 1e-9);
     BOOST_TEST(std::abs(w) > 0.1);
     BOOST_TEST(std::abs(end.accounts.energy_closure) < 1e-9);
-    // Momentum: weight and the guide's push account for all of it.
+    // Weight and guide force account for all of the momentum.
     BOOST_TEST(norm(end.accounts.momentum_closure) < 1e-9);
     BOOST_TEST(std::abs(end.accounts.angular_momentum_closure) < 1e-9);
-    // The pin has stayed on its guide.
+    // The pin has remained on its guide.
     const Vec2 pin_now = world_point(pose(model, end.state, BodyId{0}), model.bodies[0].p_BPin);
     BOOST_TEST(std::abs(mobility == Mobility::guided_x ? pin_now.y : pin_now.x) < 1e-12);
   }
@@ -99,7 +100,7 @@ BOOST_AUTO_TEST_CASE(a_sliding_body_falls_or_stays) {
 }
 
 BOOST_AUTO_TEST_CASE(springs_at_a_guided_body_stretch_as_it_moves) {
-  // The gradient of the elongation against the elongation of a body moved a little.
+  // Compares the gradient of the elongation with the elongation of a slightly displaced body.
   for (const Mobility mobility : {Mobility::guided_x, Mobility::guided_y}) {
     Model model = hung(mobility, 0.7);
     model.cables.push_back(Cable{.name = "stay",

@@ -1,4 +1,4 @@
-/// Hangers that break: what falls, what the cables do afterwards, and where the energy is booked.
+/// Hangers that break: the bodies that fall, the cables afterwards, and the recorded energy.
 #define BOOST_TEST_MODULE dynamics_hangers
 #include <boost/test/unit_test.hpp>
 #include <cmath>
@@ -16,9 +16,8 @@ using namespace talus;
 
 namespace {
 
-/// Masses in a row on one cable between two anchors 2 apart in z from their neighbours, which stands in the plane of
-/// motion as the along-fence direction does: all hang at x = 0, the second one lower, so that it is pulled from the
-/// start. Each is held by a hanger of its own strength.
+/// Masses in a row on one cable between two anchors, 2 apart along z (the along-fence direction): all hang at x = 0,
+/// the second one lower, so that the cables pull on it from the start. Each is held by a hanger with its own strength.
 Model row(const std::vector<double>& strengths, double of_second_cable = 1e300, double gravity = 10.0) {
   ModelBuilder builder;
   builder.gravity({0.0, -gravity});
@@ -86,7 +85,7 @@ BOOST_AUTO_TEST_CASE(what_lost_its_hanger_falls_freely) {
 }
 
 BOOST_AUTO_TEST_CASE(two_cables_go_on_as_one_with_one_tension) {
-  // The same row without the middle mass, whose cables 1 and 2 of stiffness 2000 and 3000 are one of 1200.
+  // The same row without the middle mass, whose cables 1 and 2 of stiffness 2000 and 3000 are replaced by one of 1200.
   const Model broken = row({strong, 1.0, strong});
   ModelBuilder builder;
   builder.gravity({0.0, -10.0});
@@ -119,7 +118,7 @@ BOOST_AUTO_TEST_CASE(two_cables_go_on_as_one_with_one_tension) {
 }
 
 BOOST_AUTO_TEST_CASE(a_chain_runs_through_several_broken_hangers) {
-  // All hangers but none of the cables hold nothing: what is left is the bare cable, straight, without load.
+  // No hanger holds, but all cables do: the result is the bare cable, straight and without load.
   const Model model = row({1.0, 1.0, 1.0});
   const Run end = run(model, 1e-4, 0.25);
   BOOST_TEST(end.failures.size() == 3u);
@@ -138,8 +137,8 @@ BOOST_AUTO_TEST_CASE(energy_lost_by_straightening_is_booked) {
 }
 
 BOOST_AUTO_TEST_CASE(energy_is_booked_once_when_a_cable_breaks_with_its_hanger) {
-  // Cables 1 and 2, stretched to sqrt(4.04) from 1.9, become one with (4 - 3.8) 1200 = 240 between masses that have not
-  // moved: more than 230. All that they held is lost.
+  // Cables 1 and 2, stretched from 1.9 to sqrt(4.04), become one with tension (4 - 3.8) 1200 = 240 between masses that
+  // have not moved: more than 230. All of their stored energy is lost.
   const Model model = row({strong, 1.0, strong}, 230.0);
   const Dynamics dynamics{model};
   RigidBodySystem system{dynamics};
@@ -152,7 +151,7 @@ BOOST_AUTO_TEST_CASE(energy_is_booked_once_when_a_cable_breaks_with_its_hanger) 
 }
 
 BOOST_AUTO_TEST_CASE(a_cable_that_breaks_in_a_chain_lets_all_of_it_go) {
-  // 240 hold at first; as the outer masses rise unequally the chain is drawn out further.
+  // 240 is below the strength at first; as the outer masses rise unequally the chain is stretched further.
   const Model model = row({strong, 1.0, strong}, 240.5);
   const Run end = run(model, 1e-5, 1.0);
   BOOST_TEST_REQUIRE(end.failures.size() == 2u);
@@ -174,7 +173,8 @@ BOOST_AUTO_TEST_CASE(a_single_cable_is_let_go) {
   builder.add(Hanger{"hanger", body, end.p, 15.0});
   const Run run_end = run(builder.build(), 1e-5, 0.3);
   BOOST_TEST_REQUIRE(run_end.failures.size() == 1u);
-  // The cable pulls with 400 x .05 = 20 > 15: the hanger breaks at the start, the mass falls, k e^2/2 = .5 is lost.
+  // The cable pulls with 400 x 0.05 = 20 > 15: the hanger breaks at the start, the mass falls, and k e^2/2 = 0.5 is
+  // lost.
   BOOST_TEST(std::abs(run_end.state.v[1] + 3.0) < 1e-12);
   BOOST_TEST(run_end.state.work[static_cast<std::size_t>(Mechanism::hanger_break)] == 0.5,
              boost::test_tools::tolerance(1e-12));

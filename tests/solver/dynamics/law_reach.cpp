@@ -1,4 +1,4 @@
-/// Gaps between bodies whose law acts before they touch, by a law that is in no list.
+/// Gaps between bodies whose law acts at a distance, by a law that is in no list.
 #define BOOST_TEST_MODULE law_reach
 #include <boost/test/unit_test.hpp>
 #include <string>
@@ -14,8 +14,8 @@ using namespace talus;
 
 namespace {
 
-/// Rate of the gap of a ball that falls at 2 onto a plane, so far above it, as it is evaluated with the law in mode 0;
-/// 0 where nothing but its depth is.
+/// Rate of the gap of a ball at height `above` that falls onto a plane with speed 2, evaluated with the law in mode 0;
+/// 0 where only the gap itself is evaluated.
 template <class L>
 double rate_of_gap(const L& law, double above) {
   ModelBuilder builder;

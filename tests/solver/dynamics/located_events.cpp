@@ -1,5 +1,5 @@
-/// Events that a method locates (solver/integrate/stormer_cowell.hpp), where they are most easily lost: at the ends of
-/// steps, at the same time, grazing, without end.
+/// Events that a method locates (solver/integrate/stormer_cowell.hpp), where they are most easily missed: at the ends
+/// of steps, simultaneous, grazing, accumulating.
 #define BOOST_TEST_MODULE located_events
 #include <boost/test/unit_test.hpp>
 #include <cmath>
@@ -19,7 +19,7 @@ namespace {
 
 constexpr double stiffness = 1e4;
 
-/// Discs of mass and radius 1 above the ground, side by side, each with its gap and upward speed; gravity 2.
+/// Discs of mass and radius 1 above the ground, side by side, each with its own gap; gravity 2.
 Model discs(const std::vector<double>& gaps, double damping = 0.0, double gravity = 2.0) {
   ModelBuilder builder;
   builder.gravity({0.0, -gravity});
@@ -45,7 +45,7 @@ struct Ran {
   Outcome outcome;
 };
 
-/// tolerance 0: the exact propagator.
+/// Runs a model; tolerance 0 selects the exact propagator.
 Ran run(const Model& model, double end, long steps, double tolerance, std::vector<double> speeds = {}) {
   const Dynamics dynamics{model};
   RigidBodySystem system{dynamics, false};
@@ -58,8 +58,8 @@ Ran run(const Model& model, double end, long steps, double tolerance, std::vecto
   return {state, located_events(method).value(), system.evaluations(), outcome};
 }
 
-/// Half the time between touch and end of an undamped contact that is hit with speed v under gravity g: the overlap
-/// y = g/k + A sin(w (t - t0)) ..., half of it (pi/2 + atan(g/(w v)))/w.
+/// Half the duration of an undamped contact with impact speed v under gravity g: the overlap is y = g/k + A sin(w (t -
+/// t0)) ..., half of its duration (pi/2 + atan(g/(w v)))/w.
 double half_contact(double v, double g) {
   const double w = std::sqrt(stiffness);
   return (0.5 * std::acos(-1.0) + std::atan(g / (w * v))) / w;
@@ -68,7 +68,8 @@ double half_contact(double v, double g) {
 }  // namespace
 
 BOOST_AUTO_TEST_CASE(an_event_at_the_very_end_of_an_output_step) {
-  // Gap 1 under gravity 2: the touch at t = 1, a multiple of the step; then back to rest at the gap after as long.
+  // Gap 1 under gravity 2: first contact at t = 1, a multiple of the step; after the contact the same time back to rest
+  // at the initial gap.
   const double end = 2.0 + 2.0 * half_contact(2.0, 2.0);
   for (const double tolerance : {1e-12, 0.0}) {
     for (const long steps : {1L, 4L, 64L}) {
@@ -80,7 +81,7 @@ BOOST_AUTO_TEST_CASE(an_event_at_the_very_end_of_an_output_step) {
       const Ran back = run(model, end, steps, tolerance);
       BOOST_TEST(back.state.q[1] == 2.0, boost::test_tools::tolerance(1e-11));
       BOOST_TEST(std::abs(back.state.v[1]) < 1e-9);
-      // The last step may go beyond the end, to the next touch.
+      // The last step may extend beyond the end, to the next contact.
       BOOST_TEST(back.events >= 2);
       BOOST_TEST(back.events <= (tolerance > 0.0 ? 2 : 3));
     }
@@ -119,14 +120,16 @@ BOOST_AUTO_TEST_CASE(events_almost_at_one_time) {
 }
 
 BOOST_AUTO_TEST_CASE(grazing) {
-  // Thrown down from a gap of 1 against a pull upwards of 2: turns at the ground exactly, 1e-9 short of it, or within.
+  // Thrown down from a gap of 1 against an upward acceleration of 2: the turning point is exactly at the ground, 1e-9
+  // above it, or below it.
   for (const double beyond : {-1e-9, 0.0, 1e-9, 1e-4}) {
     const double speed = 2.0 * std::sqrt(1.0 + beyond);
     for (const double tolerance : {1e-12, 0.0}) {
       const Ran found = run(discs({1.0}, 0.0, -2.0), speed, 3, tolerance, {-speed});
       BOOST_TEST(static_cast<bool>(found.outcome));
-      // Free, it would be back at its place with its speed; a touch as deep as `beyond` turns it earlier, by
-      // 2 sqrt(beyond) of speed over 2 of pull at most, and moves it by that times its speed.
+      // Without contact it would return to its position with its speed; a contact with overlap `beyond` turns it
+      // earlier, by at most 2 sqrt(beyond) of speed over an acceleration of 2, and displaces it by that times its
+      // speed.
       const double early = 2.0 * std::sqrt(std::max(beyond, 0.0));
       BOOST_TEST(found.state.q[1] >= 2.0 - 1e-9);
       BOOST_TEST(found.state.q[1] <= 2.0 + early * speed + 1e-9);
@@ -136,7 +139,7 @@ BOOST_AUTO_TEST_CASE(grazing) {
 }
 
 BOOST_AUTO_TEST_CASE(a_cable_taut_for_a_moment) {
-  // As grazing, but what turns the particle is a cable from the origin, of length 2: taut only within a step.
+  // As in grazing, but the particle is turned by a cable from the origin, of length 2: taut only within a step.
   for (const double beyond : {-1e-9, 0.0, 1e-9, 1e-4}) {
     ModelBuilder builder;
     builder.gravity({-2.0, 0.0});
@@ -169,14 +172,15 @@ BOOST_AUTO_TEST_CASE(bounces_to_rest_come_to_an_end) {
   BOOST_TEST(found.state.q[1] == 1.0 - 2.0 / stiffness, boost::test_tools::tolerance(1e-9));
   BOOST_TEST(std::abs(found.state.v[1]) < 1e-6);
   BOOST_TEST(found.events > 5);
-  // 848: some 20 for each of 19 events, and the decay in the last contact. At rest stability would hold steps of the
-  // polynomial below a radian of the contact's own oscillation, 3,630 for the 3,000 radians: the steps are implicit.
+  // 848 evaluations: some 20 for each of 19 events, and the decay in the last contact. At rest, stability would limit
+  // explicit steps to less than a radian of the contact's oscillation, 3,630 steps for the 3,000 radians: the steps are
+  // implicit.
   BOOST_TEST(found.evaluations < 1000);
 }
 
 BOOST_AUTO_TEST_CASE(a_fast_body_does_not_pass_another_unseen) {
-  // `exact` takes whole intervals but for the post, and with a ledger ends at outputs. Ten of the longest steps fall
-  // short of the first output by the rounding of their sum: a step of that length comes before the one to the post.
+  // `exact` takes whole intervals except at the post, and with a ledger ends steps at outputs. Ten of the longest steps
+  // fall short of the first output by the rounding of their sum: a step of that length precedes the one to the post.
   for (const std::string method : {"stormer_cowell", "exact"}) {
     for (const bool ledger : {false, true}) {
       for (const double speed : {1.0, 300.0}) {
@@ -213,14 +217,14 @@ BOOST_AUTO_TEST_CASE(nor_does_one_that_a_force_sets_in_motion) {
   RigidBodySystem system{dynamics, false};
   State state = rest_state(model);
   Integrator method = make_integrator("stormer_cowell", 1e-9);
-  // It is at the post at t = 1.6 s and back before 3.25 s.
+  // It reaches the post at t = 1.6 s and is back before 3.25 s.
   BOOST_TEST(static_cast<bool>(simulate(system, method, state, {1.0, 3.0, 1.0, false})));
   BOOST_TEST(state.q[0] < 1.28);
   BOOST_TEST(state.v[0] < 0.0);
 }
 
 BOOST_AUTO_TEST_CASE(what_cannot_go_on_says_why) {
-  // A force that is not a number from the first overlap on: no step is short enough.
+  // A force that is NaN from the first elongation on: no step is short enough.
   ModelBuilder builder;
   const BodyId disc = builder.add(Body{.name = "disc", .mobility = Mobility::particle, .mass = 1.0});
   builder.add(Cable{.name = "cable",

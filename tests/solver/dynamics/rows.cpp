@@ -13,14 +13,14 @@ using namespace talus;
 
 namespace {
 
-/// Where a row of cables is tied to the world as well as to its bodies.
+/// Ends of a row of cables that are tied to the world.
 struct Ties {
   bool first{}, last{};
 };
 
 struct Hung {
   Model model;
-  std::vector<std::array<Vec2, 2>> p_B;  ///< where the two rows end at each body
+  std::vector<std::array<Vec2, 2>> p_B;  ///< ends of the two rows at each body
 };
 
 /// Bodies side by side, tied together by an upper and a lower row of cables.
@@ -60,7 +60,7 @@ Hung hung(std::size_t bodies, Ties ties, const CableLaw& law, std::mt19937& rand
   return made;
 }
 
-/// What a cable pulls with at its end A in a state, one cable at a time.
+/// Force of one cable at its end A, computed separately.
 Vec2 pull(const Cable& cable, const Layout& layout, const State& state, Mode mode) {
   const auto of = [&](const CableEnd& end) {
     Pose at{in_plane(end.p), {}, {}, 0.0};
@@ -100,14 +100,14 @@ BOOST_AUTO_TEST_CASE(rows_of_any_length_pull_as_their_cables_do_one_by_one) {
           q += some(random);
         for (double& v : state.v)
           v = some(random);
-        // Turned by more than an eighth of a turn, by many turns, and by more than series are for.
+        // Rotated by more than an eighth of a turn, by many turns, and beyond the range of the series.
         if (bodies % 3 == 0) state.q[2] += 2.0, state.q[5] -= 40.0;
         if (bodies % 5 == 0) state.q[3 * bodies - 1] += 2e5;
         Workspace work = dynamics.workspace();
         Rates rates{state};
         dynamics.update(state, work);
         dynamics.update_modes(state, work);
-        // In the modes that are found now, laws of straight lines stay on them.
+        // In the modes that were just updated, laws with linear branches remain on them.
         dynamics.update(state, work);
         BOOST_TEST(work.active.on_linear_branch == std::holds_alternative<ElasticPlastic>(law));
         dynamics.rates(state, work, rates);
@@ -137,7 +137,7 @@ BOOST_AUTO_TEST_CASE(rows_of_any_length_pull_as_their_cables_do_one_by_one) {
           const Rotation turned = rotation(state.q[3 * i + 2]);
           BOOST_TEST(work.poses.cosine[i] == turned.cosine);
           BOOST_TEST(work.poses.sine[i] == turned.sine);
-          // Some dozen operations on forces of up to 100, each rounded to 1e-16 of them.
+          // Some dozen operations on forces of up to 100, each rounded to 1e-16 relative.
           BOOST_TEST(std::abs(rates.v[3 * i] - wrenches[i].force.x / body.mass) < 1e-12);
           BOOST_TEST(std::abs(rates.v[3 * i + 1] - wrenches[i].force.y / body.mass) < 1e-12);
           BOOST_TEST(std::abs(rates.v[3 * i + 2] - wrenches[i].moment / body.inertia) < 1e-12);
@@ -167,6 +167,6 @@ BOOST_AUTO_TEST_CASE(cables_that_go_slack_and_yield_move_the_same_whether_paths_
       if (told.q != bare.q || told.v != bare.v || told.mode != bare.mode) BOOST_FAIL("they part at step " << n);
     }
     BOOST_TEST(changes > 20);
-    BOOST_TEST(changes < 3000);  // most steps change none, and tell no path
+    BOOST_TEST(changes < 3000);  // most steps change no mode, and evaluate no path
   }
 }

@@ -18,7 +18,7 @@ Pose at(double x, double y, double angle = 0.0) { return {{x, y}, rotation(angle
 
 double depth_of(const auto& a, const Pose& A, const auto& b, const Pose& B) { return gap(a, A, b, B).depth; }
 
-/// Signed distance of a point to a rectangle by brute force: the nearest of many points of its outline.
+/// Distance of a point to a rectangle by brute force: the nearest of many points of its outline.
 double distance_to_outline(const Rectangle& box, Vec2 p) {
   double nearest = 1e300;
   const int n = 4000;
@@ -39,7 +39,7 @@ BOOST_AUTO_TEST_CASE(circle_pair) {
   BOOST_TEST(found.depth == 0.5);
   BOOST_TEST(found.n_AB.x == 1.0);
   BOOST_TEST(found.n_AB.y == 0.0);
-  BOOST_TEST(found.p_WC.x == 0.75);  // middle of the overlap [.5, 1]
+  BOOST_TEST(found.p_WC.x == 0.75);  // middle of the overlap [0.5, 1]
   BOOST_TEST(depth_of(Ball{{}, 1.0}, at(0, 0), Circle{2.0}, at(3, 4)) == -2.0);
 }
 
@@ -52,7 +52,7 @@ BOOST_AUTO_TEST_CASE(ball_on_rectangle_against_brute_force) {
     const bool inside = std::abs(p.x) < box.half_width && std::abs(p.y) < box.half_height;
     const double found = depth_below(box, p).depth;
     BOOST_TEST((found > 0.0) == inside);
-    // The outline's points are 6e-4 apart: the nearest is at most half that to the side of the true foot.
+    // The outline's points are 6e-4 apart: the nearest is at most half that away from the true foot of the normal.
     BOOST_TEST(std::abs(std::abs(found) - distance_to_outline(box, p)) < 1e-3);
   }
 }
@@ -67,7 +67,7 @@ BOOST_AUTO_TEST_CASE(normal_is_the_gradient_of_the_depth) {
       const Vec2 slope{(depth_below(shape, p + Vec2{h, 0}).depth - depth_below(shape, p - Vec2{h, 0}).depth) / (2 * h),
                        (depth_below(shape, p + Vec2{0, h}).depth - depth_below(shape, p - Vec2{0, h}).depth) / (2 * h)};
       const Vec2 n = depth_below(shape, p).normal;
-      BOOST_TEST(std::abs(slope.x + n.x) < 1e-4);  // depth falls along the outward normal; h^2 of curvature and 1e-10/h
+      BOOST_TEST(std::abs(slope.x + n.x) < 1e-4);  // depth falls along the outward normal; h^2 curvature and 1e-10/h
       BOOST_TEST(std::abs(slope.y + n.y) < 1e-4);
     };
     check(Circle{0.8});
@@ -90,7 +90,7 @@ BOOST_AUTO_TEST_CASE(rectangles_flat_on_each_other_rest_on_both_ends_of_the_comm
   const Gap whole = gap(a, A, b, B);
   BOOST_TEST(whole.depth == 0.05, boost::test_tools::tolerance(1e-13));
   BOOST_TEST(whole.n_AB.y == -1.0);
-  BOOST_TEST(whole.p_WC.x == 0.25, boost::test_tools::tolerance(1e-14));  // common part [-.5, 1]
+  BOOST_TEST(whole.p_WC.x == 0.25, boost::test_tools::tolerance(1e-14));  // common part [-0.5, 1]
   // Counter-clockwise of the normal, which points down, is to the right.
   const Gap behind = gap(RectangleEnd{a, 0}, A, b, B), ahead = gap(RectangleEnd{a, 1}, A, b, B);
   BOOST_TEST(behind.p_WC.x == -0.5, boost::test_tools::tolerance(1e-14));
@@ -101,8 +101,8 @@ BOOST_AUTO_TEST_CASE(rectangles_flat_on_each_other_rest_on_both_ends_of_the_comm
   }
 }
 
-// Whatever the tilt, and wherever the corners pass each other: no depth jumps, and springs at both ends have the
-// potential (d_0^2 + d_1^2)/2.
+// For every tilt, and where corners pass each other, no depth jumps, and springs at both ends have the potential (d_0^2
+// + d_1^2)/2.
 BOOST_AUTO_TEST_CASE(ends_of_two_rectangles_move_without_a_jump_and_have_a_potential) {
   const Rectangle a{0.5, 0.4}, b{0.6, 0.3};
   const auto depths = [&](double x, double tilt) {
@@ -202,7 +202,7 @@ BOOST_AUTO_TEST_CASE(depth_rate_is_the_rate_of_the_depth) {
       const double rate = depth_rate(gap(a, A, b, B), A, B);
       const double later = depth_of(a, moved(A, turn_a, h), b, moved(B, turn_b, h));
       const double sooner = depth_of(a, moved(A, turn_a, -h), b, moved(B, turn_b, -h));
-      BOOST_TEST(std::abs((later - sooner) / (2.0 * h) - rate) < 1e-6);  // curvature h^2, round-off 1e-16/h
+      BOOST_TEST(std::abs((later - sooner) / (2.0 * h) - rate) < 1e-6);  // h^2 times curvature, round-off 1e-16/h
     }
   };
   check(Ball{{0.3, 0.1}, 0.5}, Circle{1.0}, 1.4);

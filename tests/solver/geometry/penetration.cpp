@@ -1,4 +1,5 @@
-/// The overlap of two outlines by all directions (solver/geometry/penetration.hpp), against other roads.
+/// The overlap of two outlines over all directions (solver/geometry/penetration.hpp), compared with independent
+/// methods.
 #define BOOST_TEST_MODULE penetration
 #include "solver/geometry/penetration.hpp"
 
@@ -40,7 +41,7 @@ BOOST_AUTO_TEST_CASE(rectangles_and_circles_as_by_their_gaps) {
   }
 }
 
-/// Of a circle the overlap is its radius and the depth of its centre, which is found by the nearest point.
+/// For a circle the overlap is its radius plus the depth of its centre, which is computed from the nearest point.
 BOOST_AUTO_TEST_CASE(superquadrics_from_above_to_a_thousandth) {
   std::mt19937_64 random{5};
   std::uniform_real_distribution<double> place{-1.2, 1.2}, angle{-std::numbers::pi, std::numbers::pi};

@@ -1,4 +1,4 @@
-/// Superquadrics, the node depths of 1993, mass properties, and the rotation they all stand on.
+/// Superquadrics, the node depths of 1993, mass properties, and the rotation on which they depend.
 #define BOOST_TEST_MODULE superquadric
 #include "solver/geometry/superquadric.hpp"
 
@@ -22,7 +22,7 @@ constexpr double pi = std::numbers::pi;
 
 Superquadric outline(double n) { return {1.25, 4.0, n}; }
 
-/// Nearest distance to the outline by brute force: each face run through along itself, the point folded into the first
+/// Distance to the outline by brute force: each face sampled along its own direction, the point mirrored into the first
 /// quadrant.
 double brute_distance(const Superquadric& shape, Vec2 p) {
   const Vec2 folded{std::abs(p.x), std::abs(p.y)};
@@ -65,7 +65,7 @@ BOOST_AUTO_TEST_CASE(rotation_is_within_a_unit_of_the_last_place) {
     BOOST_REQUIRE(std::abs(static_cast<double>(r.cosine - cosine)) <= 0x1p-53);
   }
   BOOST_TEST(rotation(-0.3).sine == -rotation(0.3).sine);
-  // Beyond an eighth of a turn, near multiples of a quarter turn (where the result is small), and far out.
+  // Beyond an eighth of a turn, near multiples of a quarter turn (where the result is small), and for large angles.
   std::uniform_real_distribution<double> turns{-60.0, 60.0}, far{-2e5, 2e5}, small{-1e-6, 1e-6};
   for (int i = 0; i < 300000; ++i) {
     const double angle = i % 3 == 0   ? turns(random)
@@ -96,7 +96,7 @@ BOOST_AUTO_TEST_CASE(gauge_is_one_on_the_outline) {
 }
 
 BOOST_AUTO_TEST_CASE(nodes_of_1993) {
-  // Four nodes at the parametric 45 degrees: (a, b) 2^(-1/20), which FENCE's columns have at (1.2074, 3.8637).
+  // Four nodes at the parametric 45 degrees: (a, b) 2^(-1/20), in FENCE's columns (1.2074, 3.8637).
   const auto nodes = boundary_nodes(outline(20.0), 4);
   BOOST_TEST(nodes.size() == 4u);
   BOOST_TEST(nodes[0].x == 1.25 * std::pow(2.0, -0.05), boost::test_tools::tolerance(1e-14));
@@ -112,8 +112,8 @@ BOOST_AUTO_TEST_CASE(nearest_depth_agrees_with_brute_force) {
       const Vec2 p{x(random), y(random)};
       const Depth found = depth_below(outline(n), p);
       const double sign = is_inside(outline(n), p) ? 1.0 : -1.0;
-      // Half a grid step of 4e-5 off the nearest point at a distance d costs (2e-5)^2/(2 d), d being .05 or more for
-      // all but points too near to matter.
+      // A nearest sample that is half a grid step of 4e-5 away, at a distance d, causes an error of (2e-5)^2/(2 d),
+      // with d 0.05 or more for all but points that are too near to matter.
       BOOST_TEST(std::abs(found.depth - sign * brute_distance(outline(n), p)) < 1e-8);
       BOOST_TEST(norm(found.normal) == 1.0, boost::test_tools::tolerance(1e-14));
     }
@@ -157,7 +157,8 @@ BOOST_AUTO_TEST_CASE(solids_have_the_masses_that_the_listing_of_sample2_prints) 
 }
 
 BOOST_AUTO_TEST_CASE(curvature_and_normal_at_known_points) {
-  // A circle's everywhere; at 45 degrees of a = b = 1: (n - 1) 2^(1/n - 1/2) (derived from the gradient's formula).
+  // A circle's curvature is constant; at 45 degrees of a = b = 1 it is (n - 1) 2^(1/n - 1/2) (derived from the
+  // gradient's formula).
   for (const double t : {0.3, 1.1, 2.5, 4.0}) {
     const Superquadric circle{2.0, 2.0, 2.0};
     const Vec2 p = boundary_point(circle, t);
@@ -174,8 +175,8 @@ BOOST_AUTO_TEST_CASE(curvature_and_normal_at_known_points) {
 }
 
 BOOST_AUTO_TEST_CASE(the_smoother_outline_gives_the_normal) {
-  // The flat side of a column (its node in the middle of the side) pressed .01 into a circle: seen from the node, which
-  // lies inside the circle off its centre line, the normal is the side's, not the radial one.
+  // The flat side of a column (its node in the middle of the side) overlaps a circle by 0.01: at the node, which lies
+  // inside the circle off its centre line, the normal is that of the side, not the radial one.
   const Superquadric circle{1.0, 1.0, 2.0};
   const Pose column{{1.99, 0.2}, rotation(0.0), {}, 0.0}, rock{{0.0, 0.0}, rotation(0.0), {}, 0.0};
   const Ball node{{-1.0, 0.0}, 0.0};
@@ -185,14 +186,14 @@ BOOST_AUTO_TEST_CASE(the_smoother_outline_gives_the_normal) {
   BOOST_TEST(flat.normal.x == 1.0);
   BOOST_TEST(flat.normal.y == 0.0);
   BOOST_TEST(flat.depth == radial.depth / radial.normal.x, boost::test_tools::tolerance(1e-12));
-  // A node that bends more than the circle leaves its normal.
+  // A node on an outline with larger curvature than the circle uses the circle's normal.
   const Depth sharp = ball_depth(node, placement(column, rock), Smoother{circle, {-1.0, 0.0}, 50.0});
   BOOST_TEST(sharp.normal.y == radial.normal.y);
 }
 
 BOOST_AUTO_TEST_CASE(nearest_point_beside_a_sharp_corner) {
-  // A point inside a corner, about as far from either side, may have two places of the outline that are locally
-  // nearest, close to each other: no point of the outline may be nearer than the one found.
+  // A point inside a corner, at similar distances from both sides, may have two local minima of the distance to the
+  // outline, close to each other: no point of the outline may be nearer than the one found.
   std::mt19937_64 random{5};
   std::uniform_real_distribution<double> share{0.0, 1.0};
   for (const double n : {20.0, 50.0, 200.0}) {
@@ -202,7 +203,7 @@ BOOST_AUTO_TEST_CASE(nearest_point_beside_a_sharp_corner) {
       outline.push_back(boundary_point(shape, 0.5 * std::numbers::pi * i / 2000));
     int farther = 0;
     for (int i = 0; i < 2000; ++i) {
-      const double in = 0.01 + 0.09 * share(random);  // about as far from either side
+      const double in = 0.01 + 0.09 * share(random);  // similar distances from both sides
       const Vec2 p{1.0 - in * (0.9 + 0.2 * share(random)), 0.7 - in};
       double least = 1.0;
       for (const Vec2 q : outline)

@@ -1,4 +1,4 @@
-/// Uneven ground against the distance to a line found by brute force.
+/// Uneven ground compared with the distance to a polyline found by brute force.
 #define BOOST_TEST_MODULE geometry_terrain
 #include <boost/test/unit_test.hpp>
 #include <cmath>
@@ -13,7 +13,7 @@ namespace {
 
 const Terrain valley{{{-2.0, 1.0}, {-1.0, 0.0}, {0.5, -0.3}, {1.0, 1.5}, {2.0, 1.0}}};
 
-/// Height of the line, its end pieces extended.
+/// Height of the polyline, with its end segments extended.
 double height(const Terrain& terrain, double x) {
   std::size_t i = 0;
   while (i + 2 < terrain.points.size() && x > terrain.points[i + 1].x)
@@ -22,7 +22,7 @@ double height(const Terrain& terrain, double x) {
   return a.y + (x - a.x) / (b.x - a.x) * (b.y - a.y);
 }
 
-/// Distance to the line by a fine row of its points.
+/// Distance to the polyline by dense sampling.
 double distance(const Terrain& terrain, Vec2 p) {
   double least = std::numeric_limits<double>::infinity();
   for (double x = p.x - 6.0; x < p.x + 6.0; x += 1e-4)
@@ -38,7 +38,7 @@ BOOST_AUTO_TEST_CASE(depth_is_the_distance_and_its_sign_the_side) {
   for (int i = 0; i < 200; ++i) {
     const Vec2 p{place(random), place(random)};
     const Depth found = depth_below(valley, p);
-    // Neighbours on the row are at most 1e-4 sqrt(1 + 3.6^2) apart: the nearest is off by half of it at most.
+    // Adjacent samples are at most 1e-4 sqrt(1 + 3.6^2) apart: the nearest is off by at most half of it.
     BOOST_TEST(std::abs(std::abs(found.depth) - distance(valley, p)) < 2e-4);
     BOOST_TEST((found.depth > 0.0) == (p.y < height(valley, p.x)));
     BOOST_TEST(norm(found.normal) == 1.0, boost::test_tools::tolerance(1e-12));
@@ -51,7 +51,7 @@ BOOST_AUTO_TEST_CASE(the_normal_leads_out) {
   for (int i = 0; i < 200; ++i) {
     const Vec2 p{place(random), place(random)};
     const Depth found = depth_below(valley, p);
-    // A little along the normal the depth is less by as much.
+    // A small displacement along the normal reduces the depth by the same amount.
     const double moved = depth_below(valley, p + 1e-7 * found.normal).depth;
     BOOST_TEST(std::abs(found.depth - moved - 1e-7) < 1e-11);
   }
@@ -71,7 +71,7 @@ BOOST_AUTO_TEST_CASE(points_on_a_straight_stretch_change_nothing) {
   const Terrain many{{{-2.0, 0.0}, {0.0, 1.0}, {1.0, 1.5}, {2.0, 2.0}, {4.0, 3.0}}};
   for (const double x : {-1.0, -0.25, 0.0, 0.5, 1.0, 2.0}) {
     for (const double y : {-2.0, 0.1, 1.0, 4.0}) {
-      // Straight over and under the points, where two pieces are equally near.
+      // On the normals through the points, where two segments are equally near.
       const Vec2 p = Vec2{x, 1.0 + 0.5 * x} + y * Vec2{-0.5, 1.0};
       BOOST_TEST(depth_below(many, p).depth == depth_below(one, p).depth, boost::test_tools::tolerance(1e-12));
     }

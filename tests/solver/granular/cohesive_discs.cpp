@@ -1,4 +1,4 @@
-/// Discs that attract each other before they touch, by a law that is in no list: in both systems, with the same bits.
+/// Discs that attract each other before they touch, by a law that is in no list: in both systems, with identical bits.
 #define BOOST_TEST_MODULE cohesive_discs
 #include <boost/test/unit_test.hpp>
 #include <cmath>
@@ -21,7 +21,7 @@ struct Pair {
   DiscShapes shapes;
   Discs discs;
 };
-/// Two discs of radius 1 and mass 1 at rest, with so much between their surfaces.
+/// Two discs of radius 1 and mass 1 at rest, with this gap between their surfaces.
 Pair pair_apart(double gap) {
   Pair pair;
   for (const double side : {-1.0, 1.0})
@@ -36,7 +36,7 @@ double stored(const System& system, const Discs& discs) {
   return sum;
 }
 
-/// What becomes of two discs by a system: the largest overlap and how far their energy wanders.
+/// Result of a run of two discs: the largest overlap and the largest energy error.
 struct Course {
   double largest_overlap{-1.0}, energy_error{};
   Discs end;
@@ -49,7 +49,7 @@ Course course(System&& system, Discs discs, long steps) {
   const auto kinetic = [&] { return 0.5 * (discs.vx[0] * discs.vx[0] + discs.vx[1] * discs.vx[1]); };
   const double start = kinetic() + stored(system, discs);
   for (long n = 0; n < steps; ++n) {
-    // A half kick before and behind each drift, so that energies are those of one time.
+    // A half kick before and after each drift, so that kinetic and stored energy belong to the same time.
     system.kick(discs, 0.5 * step), system.drift(discs, step), system.kick(discs, 0.5 * step);
     found.largest_overlap = std::max(found.largest_overlap, 2.0 - (discs.x[1] - discs.x[0]));
     found.energy_error = std::max(found.energy_error, std::abs(kinetic() + stored(system, discs) - start));
@@ -58,7 +58,7 @@ Course course(System&& system, Discs discs, long steps) {
   return found;
 }
 
-/// Discs thrown together, many of them within the range of the law at any time.
+/// Colliding discs, many of them within the range of the law at any time.
 Pair cloud(std::uint32_t seed) {
   std::mt19937 random{seed};
   const auto within = [&](double size) { return size * (static_cast<double>(random()) / 2147483648.0 - 1.0); };
@@ -76,14 +76,15 @@ Pair cloud(std::uint32_t seed) {
 BOOST_AUTO_TEST_CASE(discs_within_the_range_attract_each_other_and_touch) {
   const Cohesive law{.stiffness = 100.0, .range = 0.2, .damping = 0.0};
   const Pair pair = pair_apart(0.1);
-  // By the energy k s^2 (1/2 + s/(3 d)) - const: from rest at s = -d/2 to the root of 2 u^3 + 3 u^2 = 1/2, u = s/d.
+  // From the energy k s^2 (1/2 + s/(3 d)) - const: from rest at s = -d/2 to the root of 2 u^3 + 3 u^2 = 1/2, u = s/d.
   const double turn = 0.2 * 0.36602540378443865;
   for (const double skin : {0.01, 0.5}) {
     const Course plain = course(DiscSystem{pair.shapes, {}, law, skin}, pair.discs, 3000);
     const Course fast = course(FastDiscSystem{pair.shapes, {}, law, skin}, pair.discs, 3000);
     BOOST_TEST((plain.end == fast.end));
     BOOST_TEST(plain.largest_overlap == turn, boost::test_tools::tolerance(1e-3));
-    // Velocity Verlet leaves the energy within (w h)^2/8 of what the pair holds, w^2 = 2 k/m (1 + 2 u) at the turn.
+    // The energy error of velocity Verlet is (w h)^2/8 of the pair's energy, w^2 = 2 k/m (1 + 2 u) at the turning
+    // point.
     const double held = 100.0 * 0.2 * 0.2 / 6.0, wh = step * std::sqrt(200.0 * (1.0 + 2.0 * turn / 0.2));
     BOOST_TEST(plain.energy_error < 0.125 * wh * wh * held);
     BOOST_TEST(fast.energy_error == plain.energy_error);

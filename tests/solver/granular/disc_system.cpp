@@ -22,7 +22,7 @@ struct Packing {
   Discs discs;
 };
 
-/// A square array of discs of unlike sizes, thrown at each other.
+/// A square array of discs of different size, with velocities towards its centre and a random part.
 Packing thrown(int side, unsigned seed, double spread) {
   std::mt19937 random{seed};
   std::uniform_real_distribution<double> unit{-1.0, 1.0};
@@ -31,7 +31,7 @@ Packing thrown(int side, unsigned seed, double spread) {
     const double radius = 1.0 + 0.1 * unit(random);
     packing.shapes.add(radius, 1.0 / (radius * radius));
     const double x = 2.3 * (i % side - 0.5 * (side - 1)), y = 2.3 * (i / side - 0.5 * (side - 1));
-    // One after the other: of two arguments a compiler evaluates either first.
+    // In separate statements: a compiler may evaluate arguments in any order.
     const double vy = -y + spread * unit(random), vx = -x + spread * unit(random);
     packing.discs.add(x, y, vx, vy);
   }
@@ -66,7 +66,7 @@ void for_each_law(Visit&& visit) {
 }  // namespace
 
 BOOST_AUTO_TEST_CASE(an_impact_keeps_what_its_law_says) {
-  // Walton & Braun 1986: the share sqrt(K1/K2) of the speed, after (pi/2)(1/w1 + 1/w2).
+  // Walton & Braun 1986: the fraction sqrt(K1/K2) of the speed, after (pi/2)(1/w1 + 1/w2).
   for (const double ratio : {1.0, 0.49, 0.25}) {
     const double k1 = 1e4, w1 = std::sqrt(2.0 * k1), w2 = std::sqrt(2.0 * k1 / ratio);
     const double contact = 0.5 * std::numbers::pi * (1.0 / w1 + 1.0 / w2), h = contact / 600.0;
@@ -94,7 +94,7 @@ BOOST_AUTO_TEST_CASE(the_skin_of_the_list_does_not_show) {
       run(other, far, 1e-3, 4000);
       BOOST_TEST(one.builds() > 3 * other.builds());
       BOOST_TEST(near.dissipated() > 0.0);
-      // In a box that repeats, what comes back into it does so at another time, and with another rounding.
+      // In a periodic box, discs are wrapped at other times, and with different rounding.
       if (box.repeats_x()) continue;
       BOOST_TEST((near == far));
     }
@@ -103,7 +103,7 @@ BOOST_AUTO_TEST_CASE(the_skin_of_the_list_does_not_show) {
 
 BOOST_AUTO_TEST_CASE(momentum_and_energy_are_kept) {
   for_each_law([](const auto& law) {
-    // Half a step between velocities and places, and what is lost at the rate of each step's end: first order.
+    // Half a step between velocities and positions, and losses at the rate of each step's end: first order.
     std::vector<double> missing;
     for (const double h : {2e-4, 1e-4}) {
       Packing p = thrown(7, 5, 0.5);
@@ -165,8 +165,8 @@ BOOST_AUTO_TEST_CASE(both_engines_move_discs_alike) {
     double lost = 0.0;
     for (const double work : state.work)
       lost += work;
-    // Bodies book forces at the speed before each kick, which is up to (pi/4) w1 h too much: w1 h = .045 for discs of
-    // mass 1, .050 for the lightest. Discs book what the memory of a contact tells.
+    // Bodies accumulate the work of forces at the speed before each kick, which is up to (pi/4) w1 h too large: w1 h =
+    // 0.045 for discs of mass 1, 0.050 for the lightest. Discs compute the loss from the history of a contact.
     const double apart = decltype(system)::loses_by_memory ? 0.04 : 1e-9;
     BOOST_TEST(p.discs.dissipated() == lost, boost::test_tools::tolerance(apart));
   });
@@ -190,7 +190,7 @@ BOOST_AUTO_TEST_CASE(impulses_at_once_are_accelerations_over_the_step) {
 }
 
 BOOST_AUTO_TEST_CASE(a_wall_with_a_mass_moves_as_one) {
-  // Two discs of a wall fall on one that is free and off centre: they stay level, and all momentum is accounted for.
+  // Two discs of a wall fall on a free disc off centre: they stay level, and all momentum is accounted for.
   Packing p;
   const std::size_t block = p.shapes.add(DiscWall{.mass = 5.0, .gravity = 9.81});
   p.shapes.add(1.0, 0.5);
@@ -229,7 +229,7 @@ namespace {
 
 const CoulombFriction rough{0.4, 3e3};
 
-/// The same discs as bodies of the rigid engine.
+/// The same discs as bodies of the rigid-body engine.
 struct Twin {
   Model model;
   State state;
@@ -262,7 +262,7 @@ Twin twin(const Packing& p) {
   return made;
 }
 
-/// Places, speeds and spins of the two engines differ by this at most.
+/// Largest difference of positions, velocities and spins between the two engines.
 double apart(const Discs& discs, const State& state) {
   double most = 0.0;
   for (std::size_t i = 0; i < discs.size(); ++i) {
@@ -302,7 +302,7 @@ BOOST_AUTO_TEST_CASE(rough_discs_turn_as_rigid_bodies_do) {
   BOOST_TEST(*std::max_element(differences.begin(), differences.end()) < 1e-8);
 }
 
-// Discs that touch from the start stick; once they have parted nothing is left of that, also if no force was asked for.
+// Discs in contact from the start stick; after separation no stretch remains, even if no force was evaluated.
 BOOST_AUTO_TEST_CASE(rough_discs_that_part_before_the_first_force_have_no_spring) {
   DiscShapes shapes;
   for (int i = 0; i < 2; ++i)

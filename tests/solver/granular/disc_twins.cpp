@@ -17,7 +17,7 @@ namespace {
 
 constexpr double step = 1e-3;
 
-/// Draws that are the same everywhere, as those of the library's distributions are not.
+/// Random draws that are the same on every platform, unlike the distributions of the standard library.
 class Draw {
  public:
   explicit Draw(std::uint32_t seed) : random_{seed} {}
@@ -35,7 +35,7 @@ struct Scene {
   double skin{};
 };
 
-/// Rows of discs of a wall; in the middle of their numbers one that is free, above or below.
+/// A row of wall discs; in the middle of their numbers is a free disc, above or below the wall.
 void add_wall(Scene& scene, Draw& draw, std::size_t wall, std::size_t side, double y, Vec2 v) {
   for (std::size_t i = 0; i < side; ++i) {
     const double x = 2.35 * (static_cast<double>(i) - 0.5 * static_cast<double>(side - 1));
@@ -48,8 +48,8 @@ void add_wall(Scene& scene, Draw& draw, std::size_t wall, std::size_t side, doub
   }
 }
 
-/// Discs thrown at each other, alike or not, in one of four boxes; in some a wall that is driven or moved above them
-/// and one that falls freely below, before or after them in number.
+/// Colliding discs, of equal or different size, in one of four boxes; in some scenes with a wall above them that is
+/// driven or moved by forces, and one below that falls freely, numbered before or after the discs.
 Scene drawn(Draw& draw) {
   constexpr std::size_t side = 7;
   Scene scene;
@@ -82,7 +82,7 @@ Scene drawn(Draw& draw) {
   return scene;
 }
 
-/// A plain system and a fast one, of as many threads as is drawn, that are asked the same.
+/// A plain system and a fast one with a random number of threads that receive the same calls.
 template <class L, class F>
 class Twins {
  public:
@@ -93,7 +93,7 @@ class Twins {
     fast_->begin(ours_);
   }
 
-  /// The next thing that is drawn.
+  /// Makes the next random call.
   void proceed() {
     const double h = draw_.below(2) == 0 ? step : step * (0.75 + draw_.within(0.25));
     switch (draw_.below(10)) {
@@ -125,7 +125,7 @@ class Twins {
     plain_.evaluate(theirs_, theirs), fast_->evaluate(ours_, ours);
     rates_ = rates_ && theirs.vx == ours.vx && theirs.vy == ours.vy && theirs.spin == ours.spin;
   }
-  /// The fast one saved, and put back into another.
+  /// Saves the fast system, and restores it into another one.
   void put_back() {
     Archive saved;
     fast_->serialize(saved, ours_);
@@ -149,7 +149,7 @@ class Twins {
       if (!(plain_.wall_force(wall) == fast_->wall_force(wall))) return false;
     return true;
   }
-  long contacts() const { return contacts_; }  ///< that were saved
+  long contacts() const { return contacts_; }  ///< number of contacts that were saved
   long prunings() const { return prunings_ + fast_->prunings(); }
   long plain_builds() const { return plain_.builds(); }
   long fast_builds() const { return fast_->builds(); }
@@ -187,7 +187,7 @@ void for_each_law_and_friction(Visit&& visit) {
   with(LatchingSpring{4e3, 8e3, 0.0}), with(LatchingSpring{4e3, 5e3, 2e-3});
 }
 
-/// The examples of each law of discs, as stiff as the others.
+/// The examples of each law of discs, with forces scaled to the stiffness of the others.
 template <class Visit>
 void for_each_disc_law(Visit&& visit) {
   DiscLaws::for_each([&]<class L>(const L&) {
@@ -242,8 +242,8 @@ BOOST_AUTO_TEST_CASE(all_laws_of_discs_answer_the_same) {
 }
 
 BOOST_AUTO_TEST_CASE(a_drift_may_come_before_all_else) {
-  // Of discs that touch, with friction, while pairs are listed that are not near: contacts have no place among the
-  // near.
+  // Discs in contact, with friction, while pairs are listed that are not near: contacts have no index among the near
+  // pairs.
   for_each_law_and_friction([](const auto& law, const auto& friction) {
     Scene scene{.shapes = {}, .discs = {}, .box = {}, .skin = 1.2};
     Draw draw{5};
@@ -261,7 +261,8 @@ BOOST_AUTO_TEST_CASE(a_drift_may_come_before_all_else) {
 }
 
 BOOST_AUTO_TEST_CASE(a_wall_that_brakes_counts_as_fast_as_it_is_after_the_kick) {
-  // A heavy wall is the fastest of all, and slower after each step: how fast says when lists are made, and so the bits.
+  // A heavy wall is the fastest object, and slower after each step: its speed determines when lists are made, and so
+  // the bits.
   for (std::uint32_t seed = 0; seed < 40; ++seed) {
     Draw draw{seed};
     Scene scene{.shapes = {}, .discs = {}, .box = {.width = 24.0}, .skin = 0.3};

@@ -25,7 +25,7 @@ void for_each_law(Visit&& visit) {
   visit(spring), visit(dashpot), visit(sticky), visit(latching), visit(growing);
 }
 
-/// The same, without friction and with.
+/// Visits each law, without friction and with.
 template <class Visit>
 void for_each_law_and_friction(Visit&& visit) {
   for_each_law([&](const auto& law) {
@@ -41,7 +41,7 @@ struct Packing {
   PeriodicBox box;
 };
 
-/// A square array in the middle of its box, thrown at itself.
+/// A square array in the middle of its box, with random velocities and a part towards its centre.
 Packing thrown(std::size_t side, double unlike, const PeriodicBox& box) {
   std::mt19937 random{11};
   std::uniform_real_distribution<double> unit{-1.0, 1.0};
@@ -57,7 +57,7 @@ Packing thrown(std::size_t side, double unlike, const PeriodicBox& box) {
   return p;
 }
 
-/// The last bits of what both keep: all but what a law loses that remembers.
+/// Compares discs bit for bit, except for the dissipation of a history-dependent law.
 template <class L>
 bool same(const L&, Discs a, const Discs& b) {
   const auto lost = static_cast<std::size_t>(L::dissipation);
@@ -65,7 +65,7 @@ bool same(const L&, Discs a, const Discs& b) {
   return a == b;
 }
 
-/// What the plain system remembers of its contacts beside what the fast one does.
+/// Compares the contact history of the plain system with that of the fast one.
 template <class L, class F>
 bool same_memory(DiscSystem<L, F>& plain, FastDiscSystem<L, F>& fast, const Discs& discs) {
   constexpr bool turns = DiscSystem<L, F>::turns;
@@ -158,7 +158,7 @@ BOOST_AUTO_TEST_CASE(any_number_of_threads_gives_the_same_bits) {
         several.keep_work();
         several.begin(together);
         several.advance(together, 1e-3, 290);
-        for (int n = 0; n < 10; ++n)  // the stripes one after the other
+        for (int n = 0; n < 10; ++n)  // one stripe after another
           several.kick(together, 1e-3), several.drift(together, 1e-3);
         together.t = alone.t;
         BOOST_TEST((together == alone));
@@ -195,7 +195,7 @@ BOOST_AUTO_TEST_CASE(threads_share_a_moved_wall) {
 
 namespace {
 
-/// Steps of .001, and one of another length after each twenty.
+/// Compares contacts and losses in every twentieth step of 0.001, whose drift has another length.
 template <class L, class F>
 void expect_contacts_of_the_plain_one(const L& law, const F& friction, double skin, double other) {
   const Packing p = thrown(10, 0.1, boxes[3]);
@@ -241,7 +241,7 @@ void expect_contacts_of_the_plain_one(const L& law, const F& friction, double sk
 BOOST_AUTO_TEST_CASE(contacts_and_losses_are_those_of_the_plain_one) {
   for_each_law_and_friction([](const auto& law, const auto& friction) {
     expect_contacts_of_the_plain_one(law, friction, 0.5, 1e-3);
-    // What touched is beyond the list at once.
+    // Discs that were in contact are beyond the list at once.
     expect_contacts_of_the_plain_one(law, friction, 0.1, 0.2);
   });
 }
@@ -265,7 +265,7 @@ BOOST_AUTO_TEST_CASE(contacts_are_told_after_a_new_list_too) {
         before = touching();
         continue;
       }
-      // In one step at most some of them part.
+      // At most half of them separate in one step.
       BOOST_TEST(2 * touching() >= before);
       lists += before > 2 ? 1 : 0;
     }
@@ -371,7 +371,7 @@ BOOST_AUTO_TEST_CASE(many_steps_at_once_are_those_of_a_leapfrog) {
 }
 
 BOOST_AUTO_TEST_CASE(jammed_discs_are_all_near_and_give_the_same_bits) {
-  // A dense lattice whose discs rattle: the near list saves nothing, until it is looked at again.
+  // A dense lattice with rattling discs: the near list saves nothing, until it is checked again.
   Packing p{.shapes = {}, .discs = {}, .box = {.width = 24.0, .height = 24.0 * std::sqrt(0.75)}};
   std::mt19937 random{3};
   std::uniform_real_distribution<double> unit{-1.0, 1.0};
@@ -397,5 +397,5 @@ BOOST_AUTO_TEST_CASE(jammed_discs_are_all_near_and_give_the_same_bits) {
     BOOST_TEST(fast.prunings() > 3);
     all_near += fast.prunings() < 10 ? 1 : 0;
   });
-  BOOST_TEST(all_near > 10);  // those that friction has brought to rest have a near list again
+  BOOST_TEST(all_near > 10);  // cases that friction has brought to rest have a near list again
 }

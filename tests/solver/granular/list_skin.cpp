@@ -10,7 +10,7 @@ BOOST_AUTO_TEST_CASE(entries_are_those_of_the_nearest_scene) {
   BOOST_TEST(list_skin(1200, 0.38) == 1.0);
   BOOST_TEST(list_skin(1000, 0.75) == 0.7);
   BOOST_TEST(list_skin(100, 0.9) == 0.3);
-  // The middle of two decades is at 316.
+  // The midpoint between two decades is at 316.
   BOOST_TEST(list_skin(310, 0.84) == 0.4);
   BOOST_TEST(list_skin(330, 0.84) == 0.7);
 }

@@ -20,7 +20,7 @@ struct Packing {
   Discs discs;
 };
 
-/// Discs anywhere in a box, of radii between .5 and 1, some of them held.
+/// Randomly placed discs with radii between 0.5 and 1, a fifth of them held.
 Packing scattered(std::size_t count, double width, double height, unsigned seed) {
   std::mt19937 random{seed};
   std::uniform_real_distribution<double> unit{0.0, 1.0};
@@ -33,7 +33,7 @@ Packing scattered(std::size_t count, double width, double height, unsigned seed)
   return packing;
 }
 
-/// Distance between surfaces of the nearest images, by trying many.
+/// Distance between the surfaces of the nearest images, by trying many images.
 double gap(const Packing& p, const PeriodicBox& box, std::size_t i, std::size_t j) {
   double least = 1e300;
   for (int up = -2; up <= 2; ++up) {
@@ -62,7 +62,7 @@ BOOST_AUTO_TEST_CASE(all_pairs_within_the_skin_and_no_others_are_listed_in_order
     for (const double t : {0.0, 0.3, 1.1, 1.9}) {
       Packing p = scattered(120, std::min(box.width, 30.0), std::min(box.height, 25.0), 3);
       p.discs.slid = box.sliding() * t;
-      if (box.shear_rate * box.height * t > 1.5 * box.width) continue;  // as far as gap() tries
+      if (box.shear_rate * box.height * t > 1.5 * box.width) continue;  // beyond the images that gap() tries
       NeighbourList list{box, 0.3};
       list.build(p.shapes, p.discs);
       std::size_t pair = 0;
@@ -98,7 +98,7 @@ BOOST_AUTO_TEST_CASE(pairs_within_the_reach_of_a_law_and_the_skin_are_listed) {
     BOOST_TEST(list.reach() == wide.reach(), boost::test_tools::tolerance(1e-15));
     for (std::size_t pair = 0; pair < list.size(); ++pair)
       BOOST_TEST(list.second(pair) == wide.second(pair));
-    BOOST_TEST(list.left() == 0.1);  // the skin alone is used up by motion
+    BOOST_TEST(list.left() == 0.1);  // motion uses up only the skin
   }
 }
 
@@ -153,7 +153,7 @@ BOOST_AUTO_TEST_CASE(the_list_lasts_until_discs_have_gone_half_its_skin) {
   BOOST_TEST(list.may_end());
   p.discs.x[7] += 0.1;
   BOOST_TEST(list.holds(p.discs));
-  BOOST_TEST(!list.may_end());  // .2 of .5 are used
+  BOOST_TEST(!list.may_end());  // 0.2 of 0.5 are used
   list.use(0.31);
   BOOST_TEST(list.may_end());
   p.discs.y[7] += 0.25;
@@ -165,7 +165,7 @@ BOOST_AUTO_TEST_CASE(the_list_lasts_until_discs_have_gone_half_its_skin) {
 BOOST_AUTO_TEST_CASE(what_leaves_the_box_comes_back_into_it) {
   const PeriodicBox box{.width = 20.0, .height = 12.0, .shear_rate = 0.5};
   Discs discs;
-  discs.slid = 9.0;  // the box above, to the right
+  discs.slid = 9.0;  // boundary shear displacement: the box above is shifted to the right
   discs.add(10.5, 0.0, 1.0, 2.0);
   discs.add(0.0, 6.5, 1.0, 2.0);
   discs.add(-9.0, -6.5, 1.0, 2.0);

@@ -25,7 +25,7 @@ PackingPlan plan_of(std::size_t discs, double fraction, double spread = 0.0, boo
           .seed = 5};
 }
 
-/// The least distance of centres over the sum of radii by all pairs and images.
+/// Smallest ratio of the centre distance to the sum of radii over all pairs and images.
 double least_distance(const Packing& p) {
   double least = 1e300;
   for (std::size_t i = 0; i < p.discs.size(); ++i) {
@@ -44,7 +44,7 @@ double least_distance(const Packing& p) {
   return least;
 }
 
-/// What every packing of a plan must be.
+/// Checks the properties that every packing of a plan must have.
 void demand_that_it_is_as_planned(const Packing& p, const PackingPlan& plan) {
   double area = 0.0, small = 1e300, large = 0.0;
   std::size_t free = 0;
@@ -58,7 +58,7 @@ void demand_that_it_is_as_planned(const Packing& p, const PackingPlan& plan) {
                boost::test_tools::tolerance(1e-12));
     BOOST_TEST((p.discs.vx[i] == 0.0 && p.discs.vy[i] == 0.0));
     BOOST_TEST(std::abs(p.discs.x[i]) <= 0.5 * p.width * (1.0 + 1e-12));
-    // A disc may stand a little between two of a wall.
+    // A disc may lie slightly between two wall discs.
     BOOST_TEST(std::abs(p.discs.y[i]) <= 0.5 * p.height * (1.0 + 1e-12) - (plan.walls ? 0.6 * r : 0.0));
   }
   BOOST_TEST(free == plan.discs);
@@ -71,11 +71,12 @@ void demand_that_it_is_as_planned(const Packing& p, const PackingPlan& plan) {
   BOOST_TEST(p.box.repeats_y() == !plan.walls);
   const double least = least_distance(p);
   BOOST_TEST(least >= 1.0);
-  // It looks as far as 1.1.
+  // closest() searches up to 1.1.
   BOOST_TEST(closest(p) == std::min(least, 1.1), boost::test_tools::tolerance(1e-12));
 }
 
-/// Mean of |psi_6| over the discs, from their six nearest: 1 in a triangular lattice, below .6 without order.
+/// Mean of |psi_6| over the discs, from their six nearest neighbours: 1 in a triangular lattice, below 0.6 without
+/// order.
 double order(const Packing& p) {
   double sum = 0.0;
   const std::size_t discs = p.discs.size();
@@ -151,7 +152,7 @@ BOOST_AUTO_TEST_CASE(agitated_discs_have_a_temperature_and_no_momentum) {
     second += m * v * v / 2000.0, fourth += m * m * v * v * v * v / 2000.0;
   }
   BOOST_TEST(std::abs(px) + std::abs(py) < 1e-9);
-  // Sums of twelve even numbers: 2.9; Gaussian 3; its deviation in 2000 discs is .1.
+  // For sums of twelve uniform numbers 2.9; for a Gaussian 3; the standard deviation for 2000 discs is 0.1.
   BOOST_TEST(fourth / (second * second) == 2.9, boost::test_tools::tolerance(0.1));
 }
 

@@ -19,7 +19,7 @@ constexpr double stiffness = 100.0;
 BOOST_AUTO_TEST_CASE(temperature_is_that_of_the_motion_relative_to_the_flow) {
   DiscShapes shapes;
   Discs discs;
-  // Half of the discs a little faster than the flow, half slower; one is held.
+  // Half of the discs are slightly faster than the flow, half slower; one is held.
   for (int i = 0; i < 6; ++i) {
     shapes.add(0.5, 1.0 / (1.0 + i / 2));
     const double y = 1.5 * (i / 2), side = i % 2 == 0 ? 1.0 : -1.0;
@@ -42,7 +42,7 @@ BOOST_AUTO_TEST_CASE(temperature_is_that_of_the_motion_relative_to_the_flow) {
 }
 
 BOOST_AUTO_TEST_CASE(contacts_carry_their_force_across_the_distance_of_the_centres) {
-  // A row along x that is pressed together by d in a box it fills: the pressure is k d over the height.
+  // A row along x with overlaps d that fills a periodic box: the pressure is k d over the height.
   const double overlap = 0.01, height = 5.0;
   DiscShapes shapes;
   Discs discs;

@@ -1,5 +1,5 @@
-/// What the concepts of methods, systems and motions refuse (solver/integrate/concepts.hpp, hybrid_system.hpp,
-/// located_steps.hpp): an optional member of the wrong form must not be taken for a missing one.
+/// Types that the concepts of methods, systems and motions refuse (solver/integrate/concepts.hpp, hybrid_system.hpp,
+/// located_steps.hpp): an optional member of the wrong form must not be treated as a missing one.
 #define BOOST_TEST_MODULE contract
 #include <boost/test/unit_test.hpp>
 #include <string>
@@ -12,7 +12,7 @@ using namespace talus;
 
 namespace {
 
-// Methods. The first two are right.
+// Methods. The first two are valid.
 struct OfVerlet : VelocityVerlet {};
 struct OfStormerCowell : StormerCowell {};
 struct FailsByValue : VelocityVerlet {

@@ -12,7 +12,7 @@ using namespace talus;
 
 namespace {
 
-/// Quantity c is (t - c/16)^power, and its integrals over time from t0, once and twice.
+/// Quantity c is (t - c/16)^power; its integrals over time from t0, once and twice.
 constexpr int power = 5;
 struct Known {
   double c{}, t0{};
@@ -28,7 +28,7 @@ struct Known {
 }  // namespace
 
 BOOST_AUTO_TEST_CASE(polynomials_are_integrated_exactly) {
-  // Widths about that of a pack; times of uneven distance.
+  // Widths near that of a pack; times at unequal intervals.
   for (const std::size_t width : {1U, 7U, 8U, 9U, 24U}) {
     Differences differences;
     const auto rates = [&](double t) {
@@ -59,7 +59,7 @@ BOOST_AUTO_TEST_CASE(polynomials_are_integrated_exactly) {
       BOOST_TEST(second[c] == 1.0 + 2.0 * (t - 0.8) + known.twice(t), boost::test_tools::tolerance(1e-12));
       BOOST_TEST(speeds[c] == integrals[c]);
     }
-    // From a quantity on; and of the largest sums.
+    // Sums that start at a given quantity, and the largest sums.
     if (width < 3) continue;
     const std::vector<double> none(1, 0.0);
     std::vector<double> last(1);
@@ -75,7 +75,7 @@ BOOST_AUTO_TEST_CASE(polynomials_are_integrated_exactly) {
 }
 
 BOOST_AUTO_TEST_CASE(every_term_is_integrated_to_round_off) {
-  // Gauss's rule of 20 points is exact for these.
+  // The 20-point Gauss rule is exact for these.
   using Rule = boost::math::quadrature::gauss<long double, 20>;
   for (const double growth : {1.0, 1.3, 4.0}) {
     Differences differences;

@@ -1,5 +1,5 @@
-/// The contract of an integrator (solver/integrate/concepts.hpp), tested over the closed list on smooth systems: all
-/// that a method declares is measured here.
+/// The contract of an integrator (solver/integrate/concepts.hpp), tested over the closed list on smooth systems: every
+/// declared trait of a method is measured here.
 #define BOOST_TEST_MODULE every_integrator
 #include <algorithm>
 #include <array>
@@ -39,8 +39,8 @@ End integrated(Integrator integrator, int steps, double duration) {
       integrator);
 }
 
-/// Reference: the adapter's Fehlberg 7(8) under tight control; the methods under test share no formula with it but one,
-/// which is tested by its own order between coarse steps far above the reference's error.
+/// Reference: the adapter's Fehlberg 7(8) under tight control; the methods under test share no formula with it except
+/// one, which is tested by its order between coarse steps far above the reference's error.
 State reference(double duration) { return integrated(make_integrator("odeint_fehlberg78", 1e-14), 1, duration).state; }
 
 std::vector<Integrator> fixed_step_integrators() {
@@ -51,7 +51,7 @@ std::vector<Integrator> fixed_step_integrators() {
   return made;
 }
 
-/// Those with a tolerance.
+/// Integrators with a tolerance.
 std::vector<Integrator> controlled_integrators(double tolerance) {
   std::vector<Integrator> made;
   for (const std::string& known : integrator_names()) {
@@ -60,8 +60,8 @@ std::vector<Integrator> controlled_integrators(double tolerance) {
   return made;
 }
 
-/// The largest coordinate in the second half of a method's steps of the length h over that in the first; infinite once
-/// it is 1e100.
+/// Largest coordinate in the second half of a method's steps of length h, relative to that in the first half; infinite
+/// once it reaches 1e100.
 double growth_of(Integrator integrator, double xi, double h) {
   constexpr int half = 100000;
   return std::visit(
@@ -81,13 +81,13 @@ double growth_of(Integrator integrator, double xi, double h) {
       integrator);
 }
 
-/// A number that counts the additions by which it came about, of the longest chain.
+/// A number that counts the additions in the longest chain that produced it.
 struct Counted {
   double value{};
   int additions{};
 
   constexpr Counted() = default;
-  constexpr Counted(double number) : value{number} {}  // as all other numbers
+  constexpr Counted(double number) : value{number} {}  // implicit, as for other numbers
   constexpr Counted(double number, int count) : value{number}, additions{count} {}
 
   friend constexpr Counted operator+(const Counted& a, const Counted& b) {
@@ -105,11 +105,11 @@ struct Counted {
   Counted& operator+=(const Counted& other) { return *this = *this + other; }
 };
 
-/// x'' = -1 in numbers of any kind; records its calls and where it was evaluated last.
+/// x'' = -1 with numbers of any type; records its calls and the position of the last evaluation.
 template <class Scalar>
 struct Fall {
   Scalar evaluated{};
-  std::vector<std::pair<char, Scalar>> calls;  ///< and their steps, since they were last cleared
+  std::vector<std::pair<char, Scalar>> calls;  ///< with their steps, since they were last cleared
 
   void drift(StateOf<Scalar>& state, Scalar h) {
     calls.emplace_back('d', h);
@@ -154,15 +154,15 @@ BOOST_AUTO_TEST_CASE(declared_order_is_measured) {
       const double coarse = error(integrated(integrator, n, duration).state, exact);
       const double fine = error(integrated(integrator, 2 * n, duration).state, exact);
       const double slope = std::log2(coarse / fine);
-      // Found: at most 0.35 off with orders of 8, else 0.1. A method of the next order would be 1 off.
+      // Found: at most 0.35 off for order 8, otherwise 0.1. A method of the next order would be 1 off.
       BOOST_TEST(std::abs(slope - order(integrator)) < 0.5, slope);
     }
   }
 }
 
 BOOST_AUTO_TEST_CASE(order_of_chosen_steps_is_measured) {
-  // Error against force evaluations, both over 32 times at which runs end, so that no error passes through zero.
-  // Methods of variable order have none: see step_control_keeps_its_tolerance.
+  // Error against force evaluations, both summed over 32 end times, so that no error passes through zero. Methods of
+  // variable order are excluded: see step_control_keeps_its_tolerance.
   for (const std::string& known : integrator_names()) {
     if (integrator_traits(known).step_control != StepControl::fixed_or_tolerance) continue;
     const auto run = [&](double tolerance) {
@@ -185,14 +185,14 @@ BOOST_AUTO_TEST_CASE(order_of_chosen_steps_is_measured) {
 }
 
 BOOST_AUTO_TEST_CASE(work_advances_with_the_motion) {
-  // d(work)/dt = a v integrates to v^2/2 by the same stages; at one order less or better, so a fine step shows
+  // d(work)/dt = a v integrates to v^2/2 by the same stages, at least at one order less, so a fine step shows
   // agreement.
   for (const Integrator& integrator : fixed_step_integrators()) {
     BOOST_TEST_CONTEXT(name(integrator)) {
       const End end = integrated(integrator, 4000, 5.0);
       const double gained = 0.5 * (end.state.v[0] * end.state.v[0] - 0.0625);
-      // Leapfrog methods take the power with the velocity at the start of the kick: first order, h max|a|^2 t/2 = 3e-3;
-      // the lagged one with that of a step before, three times as much.
+      // Leapfrog methods evaluate the power with the velocity at the start of the kick: first order, h max|a|^2 t/2 =
+      // 3e-3; the lagged one with that of the previous step, three times as much.
       BOOST_TEST(std::abs(end.state.work[0] - gained) <
                  (std::holds_alternative<LaggedCentralDifference>(integrator) ? 9e-3 : 3e-3));
       BOOST_TEST(std::abs(end.state.impulse[0] - (end.state.v[0] - 0.25)) < 1e-12);
@@ -214,7 +214,7 @@ BOOST_AUTO_TEST_CASE(step_control_keeps_its_tolerance) {
 }
 
 BOOST_AUTO_TEST_CASE(step_control_repeats_steps_that_overflow) {
-  // The first step that is tried is the whole interval: x'' = -x^3 takes the stages of one of 1000 beyond all numbers.
+  // The first attempted step is the whole interval: x'' = -x^3 makes the stages of a step of 1000 overflow.
   constexpr double tolerance = 1e-6, duration = 1000.0;
   for (const Integrator& integrator : controlled_integrators(tolerance)) {
     const State end = integrated(integrator, 1, duration).state;
@@ -252,12 +252,12 @@ BOOST_AUTO_TEST_CASE(step_control_gives_up_after_a_million_steps) {
 }
 
 BOOST_AUTO_TEST_CASE(linear_motion_is_exact) {
-  // x = e^(-.15 t) (cos w t + (.25 + .15)/w sin w t), w^2 = 4 - .15^2; energy x'^2/2 + 2 x^2.
+  // x = e^(-0.15 t) (cos w t + (0.25 + 0.15)/w sin w t), w^2 = 4 - 0.15^2; energy x'^2/2 + 2 x^2.
   const double t = 20.0, w = std::sqrt(4.0 - 0.0225), b = 0.4 / w, decay = std::exp(-0.15 * t);
   const double x = decay * (std::cos(w * t) + b * std::sin(w * t));
   const double v = decay * w * (b * std::cos(w * t) - std::sin(w * t)) - 0.15 * x;
   for (const int steps : {1, 7, 1000}) {
-    // Times are summed here, each sum rounded by up to 2e-15.
+    // Times are accumulated here, each sum rounded by up to 2e-15.
     const double near = 1e-14 + 2e-15 * std::sqrt(steps);
     const End end = integrated<Oscillator>(make_integrator("exact"), steps, t);
     BOOST_TEST(std::abs(end.state.q[0] - x) < near);
@@ -271,7 +271,7 @@ BOOST_AUTO_TEST_CASE(linear_motion_is_exact) {
 BOOST_AUTO_TEST_CASE(declared_evaluations_are_counted) {
   for (const Integrator& integrator : fixed_step_integrators()) {
     BOOST_TEST_CONTEXT(name(integrator)) {
-      // Between 100 and 200 steps: a start counts in both.
+      // Between 100 and 200 steps: the evaluations of the start cancel.
       const long counted = integrated(integrator, 200, 2.0).evaluations - integrated(integrator, 100, 1.0).evaluations;
       BOOST_TEST(counted == 100 * traits(integrator).evaluations);
     }
@@ -288,7 +288,7 @@ BOOST_AUTO_TEST_CASE(declared_additions_are_counted) {
         const Counted h{0.125};
         const auto most = [&] { return std::max(state.q[0].additions, state.v[0].additions); };
         method.start(system, state, h);
-        // Coefficients are sums, too: their additions count in the first step alone.
+        // Coefficients are also sums: their additions count in the first step only.
         for (int i = 0; i < 10; ++i)
           method.step(system, state, h);
         const int before = most();
@@ -301,9 +301,9 @@ BOOST_AUTO_TEST_CASE(declared_additions_are_counted) {
 }
 
 BOOST_AUTO_TEST_CASE(declared_linear_limits_are_measured) {
-  // A thousandth above a limit, the least growth is that of euler at xi = 0.1: h^2/2 - xi h = 2e-5 a step, so e^2 in
-  // 100000. A thousandth below it, where nothing damps, halves differ by what their samples miss of an oscillation's
-  // top. Farther above, blanes_moan4 does not grow everywhere: its first band ends 0.16 % above the limit.
+  // A thousandth above a limit, the smallest growth is that of euler at xi = 0.1: h^2/2 - xi h = 2e-5 per step, so e^2
+  // in 100000. A thousandth below it, in undamped motion, the two halves differ because samples miss the extreme of an
+  // oscillation. Farther above, blanes_moan4 does not grow everywhere: its first band ends 0.16 % above the limit.
   for (const Integrator& integrator : fixed_step_integrators()) {
     if (!traits(integrator).linear_limit) continue;
     for (const double xi : {0.0, 0.1, 0.4, 0.7, 1.0, 1.5, 2.0}) {
@@ -318,7 +318,7 @@ BOOST_AUTO_TEST_CASE(declared_linear_limits_are_measured) {
 }
 
 BOOST_AUTO_TEST_CASE(declared_growth_of_amplitudes_is_measured) {
-  // x'' = -x: along a quarter, pi/(2 h) steps, by exp(c pi h); so by exp(2 c h^2) a step.
+  // x'' = -x: over a quarter period, pi/(2 h) steps, the amplitude grows by exp(c pi h); so by exp(2 c h^2) per step.
   constexpr int steps = 4000;
   constexpr double h = 2.0 * std::numbers::pi / 400.0;
   for (Integrator integrator : fixed_step_integrators()) {
@@ -332,7 +332,7 @@ BOOST_AUTO_TEST_CASE(declared_growth_of_amplitudes_is_measured) {
           for (int i = 0; i < steps; ++i)
             method.step(system, state, h);
           const double growth = std::log(size(synchronized(method, system, state, h)) / before);
-          // The next power of h, and how a method tilts its ellipse by h once.
+          // Errors: the next power of h, and the tilt of a method's ellipse by h, once.
           BOOST_TEST(std::abs(growth / (2.0 * h * h * steps) - traits_of<Method>.amplitude_growth_rate) < 1e-3,
                      Method::name << ": " << growth / (2.0 * h * h * steps));
         },
@@ -375,7 +375,7 @@ BOOST_AUTO_TEST_CASE(what_steps_are_made_of_is_declared) {
             BOOST_TEST(traits_of<Method>.kick_and_drift == kick_and_drift);
             if constexpr (requires { typename Rebound<Method, State>::type; })
               BOOST_TEST(traits_of<Method>.ends_with_evaluation == (system.evaluated == state.q[0]));
-            // A state of a method that is not staggered is synchronized as it stands.
+            // A state of a method that is not staggered is already synchronized.
             const State seen = synchronized(method, system, state, h);
             BOOST_TEST(traits_of<Method>.is_staggered == (seen != state));
           }
@@ -396,7 +396,7 @@ BOOST_AUTO_TEST_CASE(a_copy_of_a_running_method_and_one_put_back_go_on_as_the_or
   for (const std::string& known : integrator_names()) {
     const Integrator integrator = make_integrator(known, needs_tolerance(known) ? 1e-9 : 0.0);
     BOOST_TEST_CONTEXT(name(integrator)) {
-      // 3 steps: a multistep method is still being started.
+      // 3 steps: the starting procedure of a multistep method is not yet complete.
       for (const int steps : {1, 3, 20}) {
         Integrator running = integrator;
         std::visit(

@@ -1,4 +1,4 @@
-/// What the docstrings of single methods say beyond the contract of all (every_integrator.cpp).
+/// Properties stated by the docstrings of single methods, beyond the contract of all (every_integrator.cpp).
 #define BOOST_TEST_MODULE methods
 #include <boost/test/unit_test.hpp>
 #include <cmath>
@@ -10,7 +10,7 @@
 using namespace talus;
 
 BOOST_AUTO_TEST_CASE(symmetric_methods_run_backwards) {
-  // Undamped, each is its own inverse with -h: only rounding remains after 1000 steps there and back.
+  // In undamped motion each method with -h is its own inverse: only rounding remains after 1000 steps there and back.
   for (const char* known : {"velocity_verlet", "blanes_moan4"}) {
     BOOST_TEST_CONTEXT(known) {
       Integrator integrator = make_integrator(known);
@@ -32,7 +32,7 @@ BOOST_AUTO_TEST_CASE(symmetric_methods_run_backwards) {
 }
 
 BOOST_AUTO_TEST_CASE(counter_examples_gain_energy_and_the_symplectic_method_does_not) {
-  // x'' = -x for 100 periods of 100 steps, the logarithm of the energy's growth in a step.
+  // x'' = -x for 100 periods of 100 steps; the logarithm of the energy's growth in a step.
   const double h = 2.0 * std::numbers::pi / 100.0;
   const auto exponent = [&](const char* known) {
     Integrator integrator = make_integrator(known);
@@ -50,7 +50,7 @@ BOOST_AUTO_TEST_CASE(counter_examples_gain_energy_and_the_symplectic_method_does
         integrator);
   };
   BOOST_TEST(exponent("euler") == std::log1p(h * h), boost::test_tools::tolerance(1e-10));
-  // Its map has the determinant 1 + h^2/2; the shape of its ellipse tilts the energy by h once, not in each step.
+  // The determinant of its map is 1 + h^2/2; the shape of its ellipse tilts the energy by h once, not in each step.
   BOOST_TEST(std::abs(exponent("taylor") - std::log1p(0.5 * h * h)) < h / 10000.0);
   BOOST_TEST(std::abs(exponent("blanes_moan4")) < 1e-6 / 10000.0);
 }
@@ -66,7 +66,8 @@ BOOST_AUTO_TEST_CASE(linear_limits_have_their_closed_forms) {
 }
 
 BOOST_AUTO_TEST_CASE(dashpots_take_the_fourth_order_method_to_the_first) {
-  // x'' = -x - 2 xi x' against its closed form: what the docstring says of velocities taken before their kicks.
+  // x'' = -x - 2 xi x' compared with its closed form: the effect that the docstring describes of velocities taken
+  // before their kicks.
   const double t = 5.0, xi = 0.2, w = std::sqrt(1.0 - xi * xi), fade = std::exp(-xi * t);
   State exact = start();
   exact.q[0] = fade * (std::cos(w * t) + (0.25 + xi) / w * std::sin(w * t));

@@ -6,11 +6,11 @@
 #include "solver/integrate/affine_piece.hpp"
 #include "solver/state/state.hpp"
 
-/// Systems with one coordinate and smooth motion, on which methods are tested.
+/// Systems with one coordinate and smooth motion, for tests of methods.
 namespace talus {
 
-/// x'' = -x^3, a spring that stiffens: smooth, nonlinear, with work that accounts for v^2/2 so that it must stay
-/// constant.
+/// x'' = -x^3, a stiffening spring: smooth, nonlinear, with work that equals the change of v^2/2, so that their
+/// difference must stay constant.
 struct Duffing {
   long evaluations{0};
 
@@ -30,7 +30,7 @@ struct Duffing {
   void evaluate(State& state, Rates& out) { derivative(state, out); }
 };
 
-/// x'' = -4 x - 0.3 x', with the loss as work and the force as impulse: motion in one linear piece.
+/// x'' = -4 x - 0.3 x', with the loss as work and the force as impulse: motion on one linear branch.
 struct Oscillator : Duffing {
   void derivative(const State& state, Rates& out) {
     ++evaluations;
@@ -55,7 +55,7 @@ inline State start() {
   return state;
 }
 
-/// Distance in phase space: a single coordinate's error may pass through zero and show any slope.
+/// Error in phase space: the error of a single coordinate may pass through zero and show any slope.
 inline double error(const State& state, const State& exact) {
   return std::hypot(state.q[0] - exact.q[0], state.v[0] - exact.v[0]);
 }

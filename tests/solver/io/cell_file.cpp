@@ -27,7 +27,7 @@ std::string message(const std::string& text, const std::string& name = "CNTRL.DA
   return "";
 }
 
-/// The sound file with one part replaced.
+/// The valid file with one part replaced.
 std::string with(std::string text, std::string_view what, std::string_view by) {
   const std::size_t place = text.find(what);
   BOOST_REQUIRE(place != std::string::npos);
@@ -80,7 +80,7 @@ BOOST_AUTO_TEST_CASE(the_fifteen_numbers_are_read_in_their_order) {
 }
 
 BOOST_AUTO_TEST_CASE(records_are_list_directed) {
-  // A record goes on over lines, drops what is beyond it, takes D exponents, repeats and commas.
+  // A record may continue over lines; extra items are dropped; D exponents, repeats and commas are accepted.
   const CellScene scene = read_cell(
       "2*0 rest\n1.7D4, 3.4D+4\n 1e-3 7.2e-7,9.81\n9e-3 more\r\n8 10 11. 5\n2e-7 5e-3 0.1\n", "CNTRL.DAT", {});
   BOOST_TEST(!scene.pictures);
@@ -104,7 +104,7 @@ BOOST_AUTO_TEST_CASE(what_is_wrong_is_told_with_its_place) {
   BOOST_TEST(message(with(control, "5e-3 0.1", "5e-7 0.1")) ==
              "CNTRL.DAT:4: STEP LOOP TIME: LOOP: found 5e-07; it must be at least 1e-06: a run has at most 100000 "
              "outputs");
-  BOOST_TEST(message(with(control, "5e-3 0.1", "1e-6 0.1")).empty());  // 1e5 of them, by the last bit but one
+  BOOST_TEST(message(with(control, "5e-3 0.1", "1e-6 0.1")).empty());  // 1e5 outputs, by the last bit but one
   BOOST_TEST(message("\xEF\xBB\xBF" + control).empty());
   BOOST_TEST(message(with(control, "5e-3 0.1", "0.2 0.1")) ==
              "CNTRL.DAT:4: STEP LOOP TIME: LOOP: found 0.2; it must be at most the time that the run takes, 0.1");
@@ -181,7 +181,7 @@ BOOST_AUTO_TEST_CASE(wrong_scene_files) {
              "c.toml:14: cell: seed: found 9007199254740993; it must be a whole number between 0 and 9007199254740991");
   BOOST_TEST(told("seed = 3", "seed = 99999999999").empty());
   BOOST_TEST(told("[run]", "[run]\nhistorical = \"on\"").starts_with("c.toml:"));
-  // What the command line said stands in no line.
+  // Values from the command line have no line number.
   BOOST_TEST(message(toml, "c.toml", {.integrator = "euler"}).starts_with("c.toml:17: run: step: "));
   BOOST_TEST(message(toml, "c.toml", {.integrator = "euler_cromer", .historical = true}) ==
              "--integrator: found euler_cromer; a historical run is Euler's: euler");

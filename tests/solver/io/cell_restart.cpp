@@ -55,7 +55,7 @@ BOOST_AUTO_TEST_CASE(discs_come_back_to_the_last_bit_and_the_block_is_set_down) 
   BOOST_TEST(lowest == 1.0, boost::test_tools::tolerance(1e-12));
   BOOST_TEST(read.vy.back() == 0.0);
   BOOST_TEST(read.vx.back() == 2.0);
-  // Where its drive has brought it.
+  // Its position by its drive.
   const double moved = read.x.back() - discs.x.back();
   BOOST_TEST(std::abs(moved - 5.0 * std::round(moved / 5.0)) < 1e-9);
   CellRun on{cell, ran.plan(), back.start};
@@ -66,7 +66,7 @@ BOOST_AUTO_TEST_CASE(discs_come_back_to_the_last_bit_and_the_block_is_set_down) 
 BOOST_AUTO_TEST_CASE(contacts_that_are_forgotten_are_counted) {
   FilledCell filled = fill(cell);
   filled.discs.x[1] = filled.discs.x[0] + 0.99;
-  filled.discs.y[2] = 0.9, filled.discs.x[2] = 0.0;  // on a disc of the base, and beside the second
+  filled.discs.y[2] = 0.9, filled.discs.x[2] = 0.0;  // in contact with a disc of the base, and with the second disc
   const CellRestart back = read_cell_restart(cell_restart_text(cell, filled.discs, 0), "RESTART.DAT", cell);
   BOOST_TEST(back.forgotten == 3U);
 }
@@ -83,7 +83,7 @@ BOOST_AUTO_TEST_CASE(wrong_restarts) {
   BOOST_TEST(message(text + "\n 1 2 3 4\n") ==
              "RESTART.DAT:15: found a record more; it must hold the 12 free discs of the cell, one a record");
   BOOST_TEST(message(text + "\n \r\n").empty());
-  // Two discs in one place; one in the base. Less than a tenth of a diameter is a contact.
+  // Two discs at one position; one in the base. An overlap of less than a tenth of a diameter is a contact.
   const auto placed = [&](std::size_t disc, double x, double y) {
     FilledCell filled = fill(cell);
     filled.discs.x[disc] = x, filled.discs.y[disc] = y;
@@ -106,7 +106,7 @@ BOOST_AUTO_TEST_CASE(a_picture_has_all_discs_and_the_images_across_the_border) {
   discs.x[0] = 2.4;   // reaches across the right border
   discs.x[1] = -2.3;  // across the left one
   discs.x[2] = 0.0;
-  discs.x[3] = 7.4;  // of another box: at 2.4
+  discs.x[3] = 7.4;  // in another box: equivalent to 2.4
   std::istringstream lines{cell_picture_text(cell, discs)};
   std::map<long, std::pair<double, double>> seen;
   long number = 0;

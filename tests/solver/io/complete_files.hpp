@@ -2,8 +2,8 @@
 
 #include <string_view>
 
-// Files that together have every field, each on a line, and each table under a header whose comment names its group in
-// the catalogue of fields.
+// Files that together contain every field, one per line; the comment in each table's header names its group in the
+// catalogue of fields.
 
 inline constexpr std::string_view complete_files[] = {
     R"(# scene

@@ -47,7 +47,7 @@ constexpr std::string_view layers =
 
 }  // namespace
 
-// Against the listing of Mustoe & Huttelmaier 1993, II.5.1; 1 lb/in^2 = 144 lb/ft^2.
+// Compared with the listing of Mustoe & Huttelmaier 1993, II.5.1; 1 lb/in^2 = 144 lb/ft^2.
 BOOST_AUTO_TEST_CASE(sample_of_the_manual) {
   const Fence f = read_deck(sample());
   BOOST_TEST(f.title == "DOUBLE LAYER FENCE\tROCK WEIGHT = 1200 LBS");
@@ -90,7 +90,7 @@ BOOST_AUTO_TEST_CASE(ways_to_write_the_same) {
   BOOST_TEST((read_deck(write_deck(sound), "s.DAT") == sound));
 }
 
-// READ(iin,*) (variab(i),i=1,hvmax): what totvar does not count is dropped; a list of none still takes its line.
+// READ(iin,*) (variab(i),i=1,hvmax): codes beyond totvar are dropped; an empty list still takes a line.
 BOOST_AUTO_TEST_CASE(histories) {
   BOOST_TEST((with("8\ttotvar", "2\ttotvar").history_codes == std::vector<int>{51, 52}));
   const Fence none = with("5\telstore\n2,3,4,5,6", "0\telstore\n");
@@ -148,8 +148,8 @@ BOOST_AUTO_TEST_CASE(missing_values) {
              "s.DAT:3: nel, igrav, grav: igrav: found \"/\", which ends the record; a value is missing");
 }
 
-// Wherever a deck breaks off, and whichever value is none, a message says where; only the record of the last value may
-// lose the rest of its line.
+// Wherever a deck is truncated, and whichever value is not a number, a message gives the position; only the record of
+// the last value may lose the rest of its line.
 BOOST_AUTO_TEST_CASE(every_value_is_needed) {
   const std::string text = write_deck(read_deck(sample()));
   const std::size_t last = text.rfind("0.5\trf_overlap");
@@ -167,7 +167,7 @@ BOOST_AUTO_TEST_CASE(every_value_is_needed) {
       data = true;
     }
     const bool starts = data && text[at] > ' ' && text[at - 1] <= ' ';
-    if (!starts || text.compare(at, 3, "0\tv") == 0) continue;  // the last code is more than totvar counts
+    if (!starts || text.compare(at, 3, "0\tv") == 0) continue;  // the last code is beyond totvar
     ++values;
     const std::string message = message_of(text.substr(0, at) + "x" + text.substr(at));
     BOOST_TEST(message.rfind("s.DAT:" + std::to_string(line) + ": ", 0) == 0U);
@@ -234,7 +234,7 @@ BOOST_AUTO_TEST_CASE(records_that_do_not_fit_each_other) {
 BOOST_AUTO_TEST_CASE(titles) {
   BOOST_TEST(with("DOUBLE LAYER FENCE\tROCK WEIGHT = 1200 LBS", "").title.empty());
   BOOST_TEST(with("DOUBLE", "Zaun, 5 \xc2\xb0").title.substr(0, 9) == "Zaun, 5 \xc2");
-  // What is not UTF-8 is Latin-1; what is a letter in neither, but in a code page of DOS, is refused.
+  // Text that is not UTF-8 is Latin-1; characters that are letters only in a DOS code page are refused.
   BOOST_TEST(with("DOUBLE", "B\xf6schung \xff").title.substr(0, 12) == "B\xc3\xb6schung \xc3\xbf");
   BOOST_TEST(with("DOUBLE", "B\xc3\xb6schung").title.substr(0, 9) == "B\xc3\xb6schung");
   BOOST_TEST(with("DOUBLE", "\xc3\xb6 \xf6").title.substr(0, 8) == "\xc3\x83\xc2\xb6 \xc3\xb6 ");

@@ -4,7 +4,7 @@
 
 #include <string>
 
-/// A scene of discs in a grid, each in contact with the next.
+/// A scene of discs in a grid, each with a contact to the next.
 inline std::string disc_grid(int discs) {
   std::string text = "units = \"SI\"\n";
   for (int i = 0; i < discs; ++i) {

@@ -25,7 +25,7 @@ FenceInput sample(std::vector<int> elements, std::vector<int> codes, long every 
   return {std::move(fence), std::move(made)};
 }
 
-/// A history after `steps` steps, with what it points to.
+/// A history after `steps` steps, with the objects that it refers to.
 struct Kept {
   FenceInput input;
   Dynamics dynamics{input.made.scene.model};
@@ -91,8 +91,8 @@ BOOST_AUTO_TEST_CASE(pairs_that_do_not_fit_are_left_out_and_named) {
   BOOST_TEST(csv.find("\ntime [s],element1.vx [ft/s],element2.vx [ft/s],element2.load_x [lbf],") != std::string::npos);
 }
 
-// By hand, from the report's static shape: H = (W/sag) sum (i+1/2) d_i = 22046 lb, W = m g, T_i = H l_i/d_i; both
-// segments of the central column pull it up by its weight; the bottom cable is slack by .5 ft.
+// Computed by hand from the report's static shape: H = (W/sag) sum (i+1/2) d_i = 22046 lb, W = m g, T_i = H l_i/d_i;
+// both segments of the central column pull it up by its weight; the bottom cable is slack by 0.5 ft.
 BOOST_AUTO_TEST_CASE(the_start_is_the_static_shape) {
   constexpr double m = 3.14159265358979 * 1.25 * 1.25 * 8.0 * 0.76, W = m * 32.18;
   constexpr double H = W / 5.5 * (2.5 * (0.5 + 1.5 + 2.5 + 3.5 + 4.5 + 5.5) + 6.5 * 12.5);
@@ -109,11 +109,11 @@ BOOST_AUTO_TEST_CASE(the_start_is_the_static_shape) {
     BOOST_TEST(std::abs(bottoms.first(i + 1) - below[i]) <= 1e-9 * std::abs(below[i]));
 }
 
-// Later: a code is what other codes make it, found by formulas of the report.
+// In motion: codes agree with values computed from other codes by formulas of the report.
 BOOST_AUTO_TEST_CASE(codes_agree_with_each_other_in_motion) {
   const Kept cables{sample({3}, {48, 49, 50, 51, 46, 55, 52, 60}), 600};
   const double T = cables.last(1), Tx = cables.last(2), Ty = cables.last(3);
-  BOOST_TEST(near(cables.last(4), 2.0 * std::hypot(Tx, Ty), 1e-12));  // both sides pull alike
+  BOOST_TEST(near(cables.last(4), 2.0 * std::hypot(Tx, Ty), 1e-12));  // both sides have the same tension
   BOOST_TEST(near(std::hypot(Tx, Ty) / T, std::sqrt(1.0 - std::pow(2.5 / cables.last(5), 2)), 1e-12));
   const Kept bottom{sample({3}, {52, 47, 56, 57}), 600};
   double largest = 0.0;
@@ -131,14 +131,14 @@ BOOST_AUTO_TEST_CASE(codes_agree_with_each_other_in_motion) {
   BOOST_TEST(near(motion.last(5), turning, 1e-12));
   BOOST_TEST(near(motion.last(6), linear + turning, 1e-12));
   BOOST_TEST(near(motion.last(7), m * 32.18 * motion.last(8), 1e-12));
-  // What acts on the rock is what its velocity gains: central difference over rows one step apart.
+  // The load on the rock equals the change of its momentum: central difference over rows one step apart.
   const Kept rock{sample({2}, {6, 7, 8, 23, 24, 25}, 1), 30};
   const auto& rows = rock.history.history().rows;
   const double h = rows[1][0] - rows[0][0], mass = 4.0 / 3.0 * 3.14159265358979 * std::pow(1.201, 3) * 5.13;
   const double inertia = 0.4 * mass * 1.201 * 1.201;
   for (const auto& [column, sluggish] : {std::pair{1U, mass}, std::pair{2U, mass}, std::pair{3U, inertia}}) {
     const double gained = sluggish * (rows[21][column] - rows[19][column]) / (2.0 * h);
-    // A node entering within two steps is a jump; the mean of three loads is then within their range.
+    // A node that enters within two steps causes a jump; the mean of three loads is then within their range.
     double low = rows[19][column + 3], high = low;
     for (std::size_t i = 18; i < 23; ++i)
       low = std::min(low, rows[i][column + 3]), high = std::max(high, rows[i][column + 3]);
@@ -164,7 +164,7 @@ BOOST_AUTO_TEST_CASE(rows_come_every_nhisto_steps_in_both_files) {
     BOOST_TEST(joint.at("values").at(i).get<double>() == kept.history.history().rows[i][2]);
 }
 
-// A column that sleeps beside one that is awake still carries both its segments: its weight, until it is pulled.
+// A sleeping column beside one that is awake still has the forces of both its segments: its weight, until it is pulled.
 BOOST_AUTO_TEST_CASE(hangers_of_sleeping_columns_carry_their_weight) {
   scenes::Fence fence = sample({3, 4, 5, 6, 7, 8, 9}, {51}, 1).fence;
   fence.options.sleep = Sleep::on;
@@ -172,6 +172,6 @@ BOOST_AUTO_TEST_CASE(hangers_of_sleeping_columns_carry_their_weight) {
   const Kept kept{{std::move(fence), std::move(made)}, 12};
   for (const std::vector<double>& row : kept.history.history().rows) {
     for (std::size_t column = 3; column < row.size(); ++column)
-      BOOST_TEST(near(row[column], 960.4162901, 1e-5));  // the wave brings less than 1e-5 of it within 12 steps
+      BOOST_TEST(near(row[column], 960.4162901, 1e-5));  // the wave contributes less than 1e-5 of it within 12 steps
   }
 }

@@ -10,7 +10,7 @@
 #include "solver/io/scene/read_fence.hpp"
 #include "solver/io/scene/write_fence.hpp"
 
-// Every number of a fence survives deck -> scene file -> deck to the last bit, whatever digits it was written with.
+// Every number of a fence is unchanged to the last bit by deck -> scene file -> deck, whatever its digits.
 
 using namespace talus;
 using scenes::Fence;
@@ -20,7 +20,7 @@ namespace {
 
 bool same_bits(double a, double b) { return std::memcmp(&a, &b, sizeof a) == 0; }
 
-/// Random numbers with all their 53 bits used, or with few decimal digits as people write them.
+/// Random numbers that use all 53 bits, or that have few decimal digits, as people write them.
 class Numbers {
  public:
   explicit Numbers(unsigned seed) : random_{seed} {}
@@ -101,7 +101,7 @@ bool same_numbers(const T& a, const T& b) {
   return same;
 }
 
-/// Equal, and the zeros of one sign: == takes 0 and -0 for the same.
+/// True for equal numbers, with zeros of the same sign: == treats 0 and -0 as equal.
 bool same(const Fence& a, const Fence& b) {
   bool elements =
       same_numbers(a.ground, b.ground) && same_numbers(a.column, b.column) && a.rocks.size() == b.rocks.size();
@@ -144,7 +144,7 @@ BOOST_AUTO_TEST_CASE(scene_files_keep_any_number_of_any_system) {
 }
 
 // A fence in SI units becomes one in US units: each number to within the rounding of one unit conversion, which is
-// three operations of half a unit in the last place (2^-53) each, once each way.
+// three operations of half a unit in the last place (2^-53) each, once in each direction.
 BOOST_AUTO_TEST_CASE(metric_fences_become_decks) {
   Fence fence = random_fence(7);
   fence.units = si;
@@ -156,8 +156,8 @@ BOOST_AUTO_TEST_CASE(metric_fences_become_decks) {
              boost::test_tools::tolerance(12.0 * 0x1p-53));
 }
 
-// Every unit of a deck, on numbers of all lengths: what was read from digits is written with digits that read the same,
-// and with no more of them.
+// Every unit of a deck, for numbers of all magnitudes: a value that was read is written with digits that give the same
+// value, and with no more digits.
 BOOST_AUTO_TEST_CASE(shortest_digits_of_every_unit) {
   Numbers numbers{5};
   for (const Dimension dimension : {dimension::number, dimension::length, dimension::density, dimension::angle,

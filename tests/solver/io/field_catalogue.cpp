@@ -8,7 +8,7 @@
 
 #include "tests/solver/io/file_tables.hpp"
 
-// The catalogue against the readers: the fields that each reader knows, and those that it requires.
+// The catalogue compared with the readers: the fields that each reader knows, and those that it requires.
 
 using namespace talus;
 
@@ -23,7 +23,7 @@ NameSet names_of(const FieldGroup& group) {
   return names;
 }
 
-/// The field of a table that has it by this name.
+/// The field with this name in the table's group.
 CatalogueField field_of(const FileTable& table, const std::string& name) {
   for (const CatalogueField& field : all_fields(field_group(table.group)))
     if (field.name == name) return field;
@@ -31,15 +31,15 @@ CatalogueField field_of(const FileTable& table, const std::string& name) {
   return {};
 }
 
-/// Whether one table is in another.
+/// True if one table is inside another.
 bool is_inside(const std::string& path, const std::string& outer) {
   return outer.empty() ? !path.empty() : path.starts_with(outer + ".");
 }
 
-/// The last path component, by which a table is a field of the table that it is in.
+/// The last path component: the name of the table as a field of its parent table.
 std::string name_of(const FileTable& table) { return table.path.substr(table.path.rfind('.') + 1); }
 
-/// The table in which table i is; the file itself is in none.
+/// The parent of table i; the file itself has none.
 std::size_t parent_of(const std::vector<FileTable>& tables, std::size_t i) {
   const std::size_t dot = tables[i].path.rfind('.');
   const std::string path = dot == std::string::npos ? "" : tables[i].path.substr(0, dot);
@@ -49,7 +49,7 @@ std::size_t parent_of(const std::vector<FileTable>& tables, std::size_t i) {
   return 0;
 }
 
-/// Whether the table has what makes a field required that is required only then.
+/// True if the field is required, unconditionally or because of another field in this table.
 bool is_required(const FileTable& table, const CatalogueField& field) {
   if (!field.required || field.with.empty()) return field.required;
   return std::ranges::any_of(table.lines, [&](const std::string& line) {
@@ -59,7 +59,7 @@ bool is_required(const FileTable& table, const CatalogueField& field) {
   });
 }
 
-/// The text that follows "known: " in a line of a message with the words.
+/// The names after "known: " in the line of a message that contains `words`.
 NameSet known_names(const std::string& message, const std::string& words) {
   const std::size_t at = message.find(words);
   if (at == std::string::npos) return {};
@@ -119,7 +119,7 @@ BOOST_AUTO_TEST_CASE(the_fields_that_readers_require_are_those_marked) {
     for (std::size_t i = 0; i < tables.size(); ++i) {
       for (const std::string& line : tables[i].lines) {
         const CatalogueField field = field_of(tables[i], key_of(line));
-        // Without it the other fields are of another law.
+        // Without it the other fields would belong to another law.
         if (field.name == "law" && !field.required && value_of(line) != '"' + field.absent + '"') continue;
         auto changed = tables;
         std::erase_if(changed[i].lines, [&](const std::string& other) {
@@ -139,9 +139,9 @@ BOOST_AUTO_TEST_CASE(the_tables_that_readers_require_are_those_marked) {
     for (std::size_t i = 1; i < tables.size(); ++i) {
       const CatalogueField field = field_of(tables[parent_of(tables, i)], name_of(tables[i]));
       const bool one = field.form != FieldForm::tables;
-      // The contacts of a body need its shape.
+      // The contacts of a body require its shape.
       if (tables[i].path == "body.shape" && tables[i].group != "shape none") continue;
-      // Others may refer to a table of an array; see the scene without any, below.
+      // Other tables may refer to a table of an array; see the scene without any, below.
       if (!one && !field.required) continue;
       auto changed = tables;
       const auto goes = [&](std::size_t k) {

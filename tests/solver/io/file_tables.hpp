@@ -12,7 +12,7 @@
 
 /// One table of a complete file.
 struct FileTable {
-  std::string header;              ///< its line; empty for the file itself
+  std::string header;              ///< its header line; empty for the file itself
   std::string path;                ///< "body.shape"; empty for the file itself
   std::string group;               ///< id in the catalogue
   std::vector<std::string> lines;  ///< `key = value`
@@ -49,7 +49,7 @@ inline std::string file_of(const std::vector<FileTable>& tables) {
   return text;
 }
 
-/// What its reader says of a file; empty if nothing.
+/// Error message of a file's reader; empty if there is none.
 inline std::string errors_of(const std::vector<FileTable>& tables) {
   try {
     if (tables.front().group == "cell file") {

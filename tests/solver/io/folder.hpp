@@ -9,7 +9,7 @@
 #include <iterator>
 #include <string>
 
-/// A folder of a test's own, removed at the end.
+/// A temporary folder for a test, removed at the end.
 struct Folder {
   std::filesystem::path path;
 

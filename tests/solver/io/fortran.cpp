@@ -6,8 +6,8 @@
 using talus::fortran_e;
 using talus::fortran_g;
 
-// Expected texts are those that a Fortran compiler prints with Ew.3, Ew.4 and Gw.3, less the leading zero that the 1993
-// listing does not have.
+// Expected texts are those that a Fortran compiler prints with Ew.3, Ew.4 and Gw.3, without the leading zero, which the
+// 1993 listing does not have.
 BOOST_AUTO_TEST_CASE(format_e) {
   BOOST_TEST(fortran_e(0.0, 3) == ".000E+00");
   BOOST_TEST(fortran_e(-0.0, 3) == ".000E+00");

@@ -18,7 +18,7 @@
 #include "tests/solver/io/folder.hpp"
 #include "tests/solver/io/small_cell.hpp"
 
-// The files that a run leaves, read back.
+// Output files of a run, read back.
 
 using namespace talus;
 namespace fs = std::filesystem;
@@ -39,7 +39,7 @@ bool holds(const std::string& text, std::string_view part) { return text.find(pa
 
 }  // namespace
 
-// Positions and tensions against the Dynamics that the series was written from; VTP holds every digit.
+// Positions and tensions compared with the Dynamics from which the series was written; VTP contains every digit.
 BOOST_AUTO_TEST_CASE(what_was_written_is_read) {
   const Folder folder;
   const FenceInput input = *read_scene_file(fs::path{TALUS_CASES} / "fence/sample2.DAT").fence;
@@ -95,7 +95,8 @@ BOOST_AUTO_TEST_CASE(damaged_geometry_is_named) {
   BOOST_CHECK_THROW(static_cast<void>(read_geometry({0.0, folder.path / "none.vtp"})), IoError);
 }
 
-// A cell's state against the run that it was written from, through many states so that some contacts cross the border.
+// A cell's state compared with the run from which it was written, through many states so that some contacts cross the
+// border.
 BOOST_AUTO_TEST_CASE(discs_are_read_as_they_stood) {
   const Folder folder;
   CellRun run = small_cell_run(4000.0);
@@ -116,7 +117,7 @@ BOOST_AUTO_TEST_CASE(discs_are_read_as_they_stood) {
     for (std::size_t k = 0; k < acting.size(); ++k) {
       const SeenContact& seen = frame.contacts[k];
       BOOST_TEST((seen.a == acting[k].a && seen.b == acting[k].b && seen.force == acting[k].force));
-      // It may begin in the half step that contacts are ahead, at the speed that it has then.
+      // It may begin in the half step by which contacts are ahead, at its present speed.
       const Vec2 v{discs.vx[seen.b] - discs.vx[seen.a], discs.vy[seen.b] - discs.vy[seen.a]};
       BOOST_TEST(norm(seen.to - seen.from) < 1.0 + 0.5 * run.plan().step * norm(v));
       const double periods = (seen.to.x - discs.x[seen.b]) / run.cell().width();

@@ -28,7 +28,7 @@ bool has_lammps() {
   return found;
 }
 
-/// Unlike discs that overlap here and there and are thrown at each other, over a floor of held discs.
+/// Discs of different size, some of them overlapping, with random velocities, over a floor of held discs.
 LammpsScene scene(const LinearSpringDashpot& law, const PeriodicBox& box, bool walls) {
   std::mt19937 random{5};
   std::uniform_real_distribution<double> unit{-1.0, 1.0};
@@ -81,7 +81,7 @@ Answer lammps(const LammpsScene& given, LammpsRun::Style style, bool newton, dou
   return answer;
 }
 
-/// The same from Talus.
+/// The same computed by Talus.
 Answer talus_answer(const LammpsScene& given) {
   DiscSystem system{given.shapes, given.box, given.law, 0.6};
   Discs discs = given.discs;
@@ -120,10 +120,10 @@ void compare(const LammpsScene& given, LammpsRun::Style style, bool newton) {
     if (given.shapes.wall[i] == DiscShapes::free) apart = std::max(apart, norm(ours.forces[i] - theirs.forces[i]));
   }
   BOOST_TEST(largest > 1.0);
-  // Both compute each overlap from places of some tens of diameters: 1e-15, of overlaps of a tenth.
+  // Both compute each overlap from positions of some tens of diameters: 1e-15, for overlaps of a tenth.
   BOOST_TEST(apart < 1e-12 * largest);
   BOOST_TEST_REQUIRE(theirs.energies.size() == ours.energies.size());
-  // Round-off grows with each impact, and some discs have met three by the end.
+  // Round-off grows with each impact, and some discs have had three by the end.
   for (std::size_t k = 0; k < ours.energies.size(); ++k)
     BOOST_TEST(ours.energies[k] == theirs.energies[k], boost::test_tools::tolerance(1e-9));
   BOOST_TEST(std::abs(ours.energies.front() - ours.energies.back()) > 0.01 * ours.energies.front());
@@ -133,7 +133,8 @@ void compare(const LammpsScene& given, LammpsRun::Style style, bool newton) {
 
 BOOST_AUTO_TEST_CASE(lammps_turns_discs_by_friction_alike) {
   if (!has_lammps()) return;
-  // Two discs graze and leave turning; LAMMPS has friction at their radius, which is an overlap of .01 off.
+  // Two discs graze and separate with spin; LAMMPS applies friction at their radius, a difference of an overlap of
+  // 0.01.
   for (const auto style : {LammpsRun::Style::granular, LammpsRun::Style::gran_hooke}) {
     for (const double coefficient : {0.1, 5.0}) {
       LammpsScene scene{.shapes = {}, .discs = {}, .box = {.width = 20.0, .height = 20.0}, .law = {4e3, 0.0}};
@@ -153,7 +154,7 @@ BOOST_AUTO_TEST_CASE(lammps_turns_discs_by_friction_alike) {
       for (std::size_t i = 0; i < 2; ++i)
         energy += 0.5 * (discs.vx[i] * discs.vx[i] + discs.vy[i] * discs.vy[i]);
       BOOST_TEST(theirs.energies.back() == energy, boost::test_tools::tolerance(0.01));
-      // Without friction they would have kept what they had.
+      // Without friction their energy would not change.
       BOOST_TEST(energy < 0.97 * 0.5 * (0.25 + 0.25 + 0.49));
     }
   }

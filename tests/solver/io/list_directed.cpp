@@ -7,7 +7,7 @@
 
 #include "solver/base/error.hpp"
 
-// Expected values are read off the rules of list-directed input in the Fortran 77 standard (ANSI X3.9-1978, 13.6).
+// Expected values follow from the rules of list-directed input in the Fortran 77 standard (ANSI X3.9-1978, 13.6).
 
 using namespace talus;
 

@@ -6,11 +6,11 @@
 
 #include "tests/solver/io/file_tables.hpp"
 
-// Independent mistakes in different tables of one file are reported at once, and nothing else.
+// Independent mistakes in different tables of one file are reported together, and nothing else.
 
 namespace {
 
-/// A mistake: `from` of a complete file becomes `to`, and the message has a line with these words.
+/// A mistake: `from` of a complete file becomes `to`, and a line of the message contains `words`.
 struct Mistake {
   std::string_view from, to, words;
 };
@@ -60,13 +60,13 @@ BOOST_AUTO_TEST_CASE(scene) {
        {"between = [\"rock\", \"door\"]", "between = \"rock\"", ": contact 'knock': between: found \"rock\""}});
 }
 
-// That a named method needs a step is known without the model.
+// The missing step of a named method is reported without building the model.
 BOOST_AUTO_TEST_CASE(scene_without_a_step) {
   check_all(complete_files[0], {{"mass = \"3 kg\"", "mass = \"3 m\"", ": body 'rock': mass: found \"3 m\""},
                                 {"step = \"1 ms\"", "", ": run: step: it is missing; rk4 has a fixed step"}});
 }
 
-// With the line of the table.
+// The error gives the line of the table.
 BOOST_AUTO_TEST_CASE(scene_that_the_model_refuses) {
   check_all(complete_files[0], {{"point = [\"0 m\", \"0.4 m\"]", "point = [\"0 m\", \"0.3 m\"]",
                                  ": hanger 'hook': 0 cables end at its point"}});
@@ -99,7 +99,7 @@ BOOST_AUTO_TEST_CASE(fence_with_wrong_rules) {
                                 {"table = [[0.01, 1.2]]", "table = 1.2", ": fence: options: table: found 1.2"}});
 }
 
-// Rules that hold between numbers.
+// Rules between several numbers.
 BOOST_AUTO_TEST_CASE(fence_whose_numbers_do_not_go_together) {
   check_all(complete_files[2],
             {{"y_bottom = \"-1 m\"", "y_bottom = \"2 m\"", ": fence: y_top: found 1.5 m; it must be above"},

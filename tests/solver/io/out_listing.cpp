@@ -18,7 +18,7 @@ namespace {
 
 const std::filesystem::path cases{TALUS_CASES};
 
-/// Lines with one blank between words, without comments and empty lines.
+/// Lines with words separated by single blanks, without comments and empty lines.
 std::vector<std::string> lines_of_words(const std::string& text) {
   std::vector<std::string> lines;
   std::istringstream in{text};
@@ -63,33 +63,33 @@ BOOST_AUTO_TEST_CASE(states_come_every_nprint_steps_and_not_at_the_start) {
   for (const std::string& line : lines_of_words(text)) {
     if (line.rfind("time = ", 0) == 0) times.push_back(line);
   }
-  // 4 and 8 steps of .82737e-4 s.
+  // 4 and 8 steps of 0.82737e-4 s.
   BOOST_TEST(times == (std::vector<std::string>{"time = .331E-03 secs", "time = .662E-03 secs"}),
              boost::test_tools::per_element());
 }
 
-// Fixed ends have their place and zeros; the ground is element 1; coordinates are half a step ahead of the velocities:
-// the rock's first fall in one step from rest is g h at the velocity, and x moves by v (h/2 + h).
+// Fixed ends have their position and zeros; the ground is element 1; coordinates are half a step ahead of the
+// velocities: in the first step from rest the rock's velocity changes by g h, and x moves by v (h/2 + h).
 BOOST_AUTO_TEST_CASE(states_are_as_the_integrator_holds_them) {
   scenes::Fence fence = read_deck(cases / "fence/sample2.DAT");
   fence.print_every = 1;
-  fence.rocks[0].position = {9.0, 0.0};  // flies free
+  fence.rocks[0].position = {9.0, 0.0};  // does not touch the fence
   fence.rocks[0].spin = 0.0;
   const auto lines = lines_of_words(listing(input_of(fence), 1));
   const auto at = std::find_if(lines.begin(), lines.end(), [](const auto& l) { return l.rfind("time = ", 0) == 0; });
   BOOST_REQUIRE(lines.end() - at == 20);
   BOOST_TEST(at[1] == "el. x y theta vx vy ang-v");
   BOOST_TEST(at[2] == "1 .000E+00 -.500E+01 .000E+00 .000E+00 .000E+00 .000E+00");
-  // h = .82737e-4: vy = -32.18 h = -.2662e-2, y = h vy = -.2203e-6, x = 9 - 65 (3/2) h = 8.9919.
+  // h = 0.82737e-4: vy = -32.18 h = -0.2662e-2, y = h vy = -0.2203e-6, x = 9 - 65 (3/2) h = 8.9919.
   BOOST_TEST(at[3] == "2 .899E+01 -.220E-06 .000E+00 -.650E+02 -.266E-02 .000E+00");
   BOOST_TEST(at[11] == "10 .000E+00 .550E+01 .000E+00 .000E+00 .000E+00 .000E+00");
   BOOST_TEST(at[19] == "18 -.260E+01 .550E+01 .000E+00 .000E+00 .000E+00 .000E+00");
 }
 
-// The same fence in metres and kilograms lists in feet and slugs.
+// A fence in metres and kilograms is listed in feet and slugs with the same numbers.
 BOOST_AUTO_TEST_CASE(fences_in_other_units_are_listed_in_those_of_the_deck) {
   scenes::Fence fence = read_deck(cases / "fence/sample2.DAT");
-  fence.rocks[0].position.x = 2.5;  // in the deck it just touches, and in other units round-off parts it
+  fence.rocks[0].position.x = 2.5;  // in the deck it just touches, and in other units round-off separates it
   scenes::Fence metric = fence;
   metric.units = si;
   const auto convert = [](auto& owner) {
@@ -108,7 +108,8 @@ BOOST_AUTO_TEST_CASE(fences_in_other_units_are_listed_in_those_of_the_deck) {
   convert_element(metric.column);
   auto ours = lines_of_words(listing(input_of(metric), 60));
   auto theirs = lines_of_words(listing(input_of(fence), 60));
-  // Head, time, and elements 1 to 5: what the wave has hardly reached is round-off, which depends on the units.
+  // Head, time, and elements 1 to 5: values of elements that the wave has hardly reached are round-off, which depends
+  // on the units.
   BOOST_TEST_REQUIRE(ours.size() == theirs.size());
   for (auto* lines : {&ours, &theirs})
     lines->resize(lines->size() - 13);

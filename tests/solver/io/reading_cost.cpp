@@ -8,14 +8,14 @@
 #include "tests/solver/io/disc_grid.hpp"
 #include "tests/solver/run/counted_memory.hpp"
 
-// Reading a scene, and compiling it, takes memory in proportion to its bodies: what is built once for each body, or for
-// each two of them, takes four times as much for twice as many. `talus_bench` has the seconds.
+// Reading and compiling a scene requires memory in proportion to its bodies; data built for each pair of bodies, or
+// searched once per body, would take four times as much for twice the bodies. Times are measured by `talus_bench`.
 
 using namespace talus;
 
 namespace {
 
-/// Bytes that an action asks for.
+/// Bytes that an action allocates.
 template <class Action>
 double cost(Action&& action) {
   const std::size_t before = taken_bytes;
@@ -26,10 +26,10 @@ double cost(Action&& action) {
 }  // namespace
 
 BOOST_AUTO_TEST_CASE(costs_grow_in_proportion_to_bodies) {
-  constexpr int discs = 5000;  // more than a table of every two bodies is made for
+  constexpr int discs = 5000;  // too many for a table of all pairs of bodies
   const std::string once = disc_grid(discs), twice = disc_grid(2 * discs);
   const auto ratio = [&](auto&& action) { return cost([&] { action(twice); }) / cost([&] { action(once); }); };
-  // Vectors that double their room may do so once more for the longer scene.
+  // Vectors that double their capacity may do so once more for the longer scene.
   BOOST_TEST(ratio([](const std::string& text) { static_cast<void>(read_scene(text, "s.toml")); }) < 2.3);
   const Scene half = read_scene(once, "s.toml"), all = read_scene(twice, "s.toml");
   const auto compiled = [](const Scene& scene) {

@@ -80,7 +80,7 @@ BOOST_AUTO_TEST_CASE(final_state) {
   BOOST_TEST(json.at("bodies").at(0).at("spin").get<double>() == 5.0);
 }
 
-// Curves that are zero throughout are left out; a figure without curves is none.
+// Curves that are zero throughout are omitted, and so are figures without curves.
 BOOST_AUTO_TEST_CASE(plots_name_the_columns_of_the_csv) {
   const auto json = nlohmann::json::parse(plot_json(record(), "history.csv", {{"history.csv"}, "scene.pvd", {}, {}}));
   BOOST_TEST(json.at("figures").size() == 2U);

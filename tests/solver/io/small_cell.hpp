@@ -4,7 +4,7 @@
 
 namespace talus {
 
-/// Three rows of four discs between walls of five, pressed together within some contact times.
+/// Three rows of four discs between walls of five, compressed within a few contact times.
 inline const ShearCell small_cell{.law = LatchingSpring{1e4, 2e4, 0.0},
                                   .diameter = 1.0,
                                   .mass = 1.0,
@@ -16,7 +16,7 @@ inline const ShearCell small_cell{.law = LatchingSpring{1e4, 2e4, 0.0},
                                   .block_speed = 2.0,
                                   .seed = 4};
 
-/// At its start, to be run for so many steps, twenty in a contact.
+/// The cell at its start, with a plan of this many steps, twenty per contact time.
 inline CellRun small_cell_run(double steps) {
   const double step = small_cell.contact_time() / 20.0;
   return {small_cell, {.step = step, .every = steps * step, .end = steps * step}};

@@ -70,7 +70,7 @@ BOOST_AUTO_TEST_CASE(other_ways_to_write_it) {
   BOOST_TEST((read(write_fence(modern)) == modern));
 }
 
-// Power 0 of a column is a rectangle where contacts are resultants, and stays that of 1993 where they are nodes.
+// Power 0 of a column gives a rectangle with contacts by resultants, and the outline of 1993 with contacts by nodes.
 BOOST_AUTO_TEST_CASE(outlines_are_what_the_file_says) {
   using scenes::ElementOutline;
   const auto column = [](const std::string& lines, const std::string& options) {
@@ -96,7 +96,7 @@ BOOST_AUTO_TEST_CASE(outlines_are_what_the_file_says) {
   BOOST_TEST((read(write_fence(made)) == made));
 }
 
-// A round rock stays round: power 1 is n = 2.
+// A round rock remains round: power 1 is n = 2.
 BOOST_AUTO_TEST_CASE(a_round_rock_is_no_square) {
   std::string text = changed("rules = \"1993\"\n", "");
   const std::size_t rock = text.find("[[fence.rock]]"), power = text.find("power = ", rock);
@@ -109,7 +109,7 @@ BOOST_AUTO_TEST_CASE(a_round_rock_is_no_square) {
   BOOST_TEST(made.scene.model.bodies[1].shape.index() == Shape{Circle{}}.index());
 }
 
-/// sample2 with all that no deck has.
+/// sample2 with every field that decks lack.
 Fence beyond_the_deck() {
   Fence fence = read_deck(folder() / "sample2.DAT");
   fence.options.symmetry = scenes::FenceSymmetry::full;

@@ -35,7 +35,7 @@ BOOST_AUTO_TEST_CASE(every_case_is_read) {
   }
 }
 
-// A file and the scene made in code are the same model: values equal to the bit, as no unit conversion is needed.
+// A file and the scene made in code are the same model: values equal to the bit, because no unit conversion is needed.
 BOOST_AUTO_TEST_CASE(two_cable_is_the_scene_in_code) {
   const Scene read = case_scene("two_cable.toml");
   scenes::TwoCable parameters;
@@ -61,7 +61,7 @@ BOOST_AUTO_TEST_CASE(two_cable_is_the_scene_in_code) {
   BOOST_TEST((pose(read.model, read.initial, striker).v_WB == Vec2{2.0, 0.0}));
 }
 
-// The damping follows at each impact: from the ratio alone, with the formula of the end rule.
+// The damping follows at each impact from the ratio alone, with the formula of the end rule.
 BOOST_AUTO_TEST_CASE(restitution_gives_a_damping_ratio) {
   const Scene read = case_scene("pivoted_cylinder.toml");
   BOOST_TEST(law(read).damping == 0.0);

@@ -28,7 +28,7 @@ ptree parsed(const fs::path& file) {
   return tree;
 }
 
-/// The arrays of a piece, as "section.name".
+/// The arrays of a VTP piece, as "section.name".
 std::map<std::string, std::vector<double>> arrays(const ptree& piece) {
   std::map<std::string, std::vector<double>> found;
   for (const char* section : {"PointData", "CellData", "Points", "Lines"}) {
@@ -94,7 +94,7 @@ BOOST_AUTO_TEST_CASE(a_file_holds_outlines_and_cables) {
   for (const char* name : {"CellData.body", "CellData.cable", "CellData.tension", "CellData.slack", "Lines.offsets"})
     BOOST_TEST(data.at(name).size() == lines);
 
-  // The rock's outline is a circle of its radius about its place at that time.
+  // The rock's outline is a circle of its radius about its position at that time.
   const Pose rock = pose(model, seen, *find_body(model, "rock"));
   const auto& xyz = data.at("Points.Points");
   const auto& bodies = data.at("PointData.body");
@@ -107,7 +107,7 @@ BOOST_AUTO_TEST_CASE(a_file_holds_outlines_and_cables) {
   }
   BOOST_TEST(of_rock == 97);
 
-  // A cable's tension is k times what its drawn line is longer than its rest length.
+  // A cable's tension is k times the excess of its drawn length over its rest length.
   for (std::size_t line = model.bodies.size(); line < lines; ++line) {
     const auto cable = static_cast<std::size_t>(data.at("CellData.cable")[line]);
     const auto end = static_cast<std::size_t>(data.at("Lines.offsets")[line]);

@@ -11,7 +11,7 @@
 #include "solver/io/read_scene_file.hpp"
 #include "solver/io/scene/read_scene.hpp"
 
-// Each test takes the sound scene, makes it wrong in one place and expects one message, word for word.
+// Each test takes the valid scene, introduces one mistake and expects one message, word for word.
 
 using namespace talus;
 
@@ -50,7 +50,7 @@ step = "1 ms"
 end = "1 s"
 )";
 
-/// The message of the sound scene with `part` replaced.
+/// The message of the valid scene with `part` replaced.
 std::string message(std::string_view part, std::string_view replacement) {
   std::string text{sound};
   const std::size_t at = text.find(part);

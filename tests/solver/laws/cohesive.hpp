@@ -11,12 +11,12 @@
 
 namespace talus {
 
-/// A law of no list, for tests: surfaces that attract each other before they touch, as by van der Waals forces. With s
-/// the overlap and d the range, while s > -d
+/// A law that is in no list, for tests: surfaces that attract each other before they touch, as by van der Waals forces.
+/// With s the overlap and d the range, while s > -d
 ///
 ///   F = k s (1 + s/d) + c ds/dt
 ///
-/// which pulls between -d and 0 and pushes beyond; the spring's energy is 0 at -d.
+/// which is attractive between -d and 0 and repulsive beyond; the spring's energy is 0 at -d.
 struct Cohesive {
   static constexpr std::string_view name = "cohesive";
   static constexpr std::array<std::string_view, 2> modes{"apart", "near"};
@@ -52,7 +52,7 @@ struct Cohesive {
     const double inside = x.deformation + range;
     return {static_cast<Mode>(inside > 0.0 || (inside == 0.0 && x.deformation_rate >= 0.0) ? 1 : 0), 0.0};
   }
-  /// At half the range of overlap.
+  /// Slope at half the range of overlap.
   constexpr Tangent tangent() const { return {2.0 * stiffness, damping}; }
 
   constexpr bool needs_rate() const { return damping != 0.0; }

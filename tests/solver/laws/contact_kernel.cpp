@@ -17,7 +17,7 @@ using namespace talus;
 
 namespace {
 
-/// All laws of discs, some of them with the numbers of cells, and one of no list that acts at a distance.
+/// All laws of discs, some of them with the parameters of cells, and one that is in no list and acts at a distance.
 template <class Visit>
 void for_each_law(Visit&& visit) {
   DiscLaws::for_each([&]<class L>(const L&) {
@@ -35,14 +35,14 @@ void for_each_law(Visit&& visit) {
   visit(Cohesive{4e3, 0.05, 0.0}), visit(Cohesive{4e3, 0.05, 3.0});
 }
 
-/// A way of two bodies through touches and partings, with steps that turn at any overlap.
+/// A motion of two bodies through contacts and separations, with reversals at any overlap.
 std::vector<Kinematics> way(unsigned seed) {
   std::mt19937 random{seed};
   std::uniform_real_distribution<double> unit{-1.0, 1.0};
   std::vector<Kinematics> points{{-0.1, 1.0}};
   for (int n = 0; n < 4000; ++n) {
     const double to = points.back().deformation + 0.05 * unit(random) - 0.02 * points.back().deformation;
-    // The rate need not be that of the way: rounding may part them.
+    // The rate need not match the path: rounding may cause a difference.
     points.push_back({std::round(1e3 * to) * 1e-3, 100.0 * unit(random)});
   }
   return points;

@@ -1,4 +1,4 @@
-/// Friction by spring and slider, drawn along prescribed slips under prescribed normal forces.
+/// Friction by spring and slider, with prescribed slips under prescribed normal forces.
 #define BOOST_TEST_MODULE coulomb_friction
 #include "solver/laws/coulomb_friction.hpp"
 
@@ -9,7 +9,7 @@ using namespace talus;
 
 namespace {
 
-/// One contact; settles after each slip as the dynamics do before each force evaluation.
+/// One contact; updates its mode after each slip as the dynamics do before each force evaluation.
 struct Drawn {
   CoulombFriction law{0.5, 8.0};
   double stretch{};
@@ -33,15 +33,15 @@ BOOST_AUTO_TEST_CASE(sticks_below_the_limit_and_slips_at_it_both_ways) {
   BOOST_TEST(contact.mode == CoulombFriction::sticking);
   BOOST_TEST(contact.slip(1.0, 4.0) == 2.0);  // mu N
   BOOST_TEST(contact.mode == CoulombFriction::slipping_forward);
-  BOOST_TEST(contact.slip(-0.125, 4.0) == 1.0);  // sticks again at once: the spring is let off
+  BOOST_TEST(contact.slip(-0.125, 4.0) == 1.0);  // sticks again at once: the spring is unloaded
   BOOST_TEST(contact.mode == CoulombFriction::sticking);
   BOOST_TEST(contact.slip(-9.0, 4.0) == -2.0);
   BOOST_TEST(contact.mode == CoulombFriction::slipping_backward);
 }
 
 BOOST_AUTO_TEST_CASE(a_closed_loop_loses_what_the_slider_takes) {
-  // There and back between stretches -.25 and .25 under a limit of 2: of a slip of 1 each way .5 goes into turning the
-  // spring round, the other .5 into the slider, at a force of 2.
+  // Back and forth between stretches -0.25 and 0.25 under a limit of 2: of a slip of 1 in each direction 0.5 reverses
+  // the stretch of the spring, the other 0.5 moves the slider, at a force of 2.
   Drawn contact;
   contact.slip(10.0, 4.0);
   const double before = contact.dissipated;

@@ -1,4 +1,4 @@
-/// A cable that yields and breaks, drawn along prescribed paths whose answers are straight lines.
+/// A cable that yields and breaks, stretched along prescribed paths with piecewise linear results.
 #define BOOST_TEST_MODULE elastic_plastic
 #include "solver/laws/elastic_plastic.hpp"
 
@@ -11,7 +11,7 @@ using namespace talus;
 
 namespace {
 
-/// One cable whose elongation is prescribed; settles as the dynamics do before each force evaluation.
+/// One cable whose elongation is prescribed; updates its mode as the dynamics do before each force evaluation.
 struct DrawnCable {
   ElasticPlastic law;
   std::array<double, 1> memory{};
@@ -22,7 +22,7 @@ struct DrawnCable {
 
   double tension(double rate) const { return law({elongation, rate}, memory, mode).total(); }
 
-  /// Goes to an elongation in equal steps; dissipated work by the trapezoidal rule, exact where tension is constant.
+  /// Changes the elongation in equal steps; dissipated work by the trapezoidal rule, exact where tension is constant.
   void draw(double to, int steps) {
     const double step = (to - elongation) / steps;
     for (int i = 0; i < steps; ++i) {
@@ -49,7 +49,7 @@ struct DrawnCable {
 
 BOOST_AUTO_TEST_CASE(holds_the_yield_force_and_keeps_the_stretch) {
   DrawnCable cable{.law = {.stiffness = 8.0, .yield = 2.0}};
-  cable.draw(1.0, 64);  // yields from .25 on: .75 of plastic stretch
+  cable.draw(1.0, 64);  // yields from 0.25 on: plastic elongation 0.75
   BOOST_TEST(cable.mode == ElasticPlastic::yielding);
   BOOST_TEST(cable.tension(1.0) == 2.0);
   cable.draw(0.875, 8);
@@ -73,8 +73,8 @@ BOOST_AUTO_TEST_CASE(next_impact_starts_from_the_stretch_of_the_last) {
 }
 
 BOOST_AUTO_TEST_CASE(work_done_is_stored_or_dissipated) {
-  // Drawn to 1 and let go: the area under the curve is yield^2/(2k) + yield .75, of which the first comes back. The one
-  // step in which the cable begins to yield is booked at its trapezium, half of 2 x 1/64 less than the whole.
+  // Stretched to 1 and released: the area under the curve is yield^2/(2k) + yield 0.75, of which the first term is
+  // recovered. The step in which yielding begins is integrated by a trapezium, which is too small by half of 2 x 1/64.
   DrawnCable cable{.law = {.stiffness = 8.0, .yield = 2.0}};
   cable.draw(1.0, 64);
   BOOST_TEST(cable.law.stored_energy({1.0, 1.0}, cable.memory, cable.mode) == 0.25);
@@ -105,12 +105,12 @@ BOOST_AUTO_TEST_CASE(breaks_when_drawn_out_to_its_rupture_stretch) {
 }
 
 BOOST_AUTO_TEST_CASE(hardens_along_a_line_and_along_a_table) {
-  // k = 8, yield 2: drawn to e the plastic stretch is p = (8 e - 2)/(8 + H), the tension 2 + H p.
+  // k = 8, yield 2: at elongation e the plastic elongation is p = (8 e - 2)/(8 + H), the tension 2 + H p.
   DrawnCable line{.law = {.stiffness = 8.0, .yield = 2.0, .hardening = 2.0}};
   line.draw(1.0, 4096);
   BOOST_TEST(line.memory[0] == 0.6, boost::test_tools::tolerance(1e-12));
   BOOST_TEST(line.tension(1.0) == 3.2, boost::test_tools::tolerance(1e-12));
-  // The same to p = .25 (tension 2.5), flat from there to p = 1.25, then with slope 4.
+  // The same to p = 0.25 (tension 2.5), constant from there to p = 1.25, then with slope 4.
   DrawnCable table{.law = {.stiffness = 8.0, .yield = 2.0, .hardening = 4.0}};
   table.law.table = {{0.25, 2.5}, {1.25, 2.5}};
   table.draw(1.0, 4096);
@@ -123,8 +123,8 @@ BOOST_AUTO_TEST_CASE(hardens_along_a_line_and_along_a_table) {
 }
 
 BOOST_AUTO_TEST_CASE(drawn_out_before_is_drawn_out_at_once) {
-  // Drawn to 1 and let go, a cable is the cable that was drawn out before: longer by its stretch, it pulls the same.
-  // On the table's first piece, on its second, behind it, and on a line.
+  // Stretched to 1 and released, a cable equals one that was given this plastic elongation at the start: longer by it,
+  // with the same tension. Within the table's first segment, in its second, beyond it, and on a line.
   ElasticPlastic table{.stiffness = 8.0, .yield = 2.0, .rupture = 3.0};
   table.table = {{0.25, 2.5}, {1.25, 4.5}};
   const ElasticPlastic line{.stiffness = 8.0, .yield = 2.0, .hardening = 2.0, .rupture = 3.0};
@@ -147,8 +147,8 @@ BOOST_AUTO_TEST_CASE(drawn_out_before_is_drawn_out_at_once) {
 }
 
 BOOST_AUTO_TEST_CASE(hardening_books_what_is_not_given_back) {
-  // Area under the curve to e = 1 less what is stored there, T^2/(2k): .25 up to the yield at e = .25, a trapezium of
-  // 2 and 3.2 over .75, less .64. The step in which it begins to yield is booked at its trapezium.
+  // Area under the curve to e = 1 minus the stored energy there, T^2/(2k): 0.25 up to the yield at e = 0.25, a
+  // trapezium of 2 and 3.2 over 0.75, minus 0.64. The step in which yielding begins is integrated by a trapezium.
   DrawnCable cable{.law = {.stiffness = 8.0, .yield = 2.0, .hardening = 2.0}};
   cable.draw(1.0, 4096);
   const double area = 0.25 + 0.5 * (2.0 + 3.2) * 0.75;

@@ -30,13 +30,13 @@ void over_all_laws(Test&& test) {
   each(Cohesive{});
 }
 
-/// Archive of the size the law asks for, all zero.
+/// Memory of the size that the law requires, all zero.
 template <class L>
 std::vector<double> memory_of(const L&) {
   return std::vector<double>(L::memory_size);
 }
 
-/// One impact of an effective mass by a law, stepped by the leapfrog until the law acts no more.
+/// One impact of an effective mass by a law, integrated by the leapfrog until the law no longer acts.
 struct SteppedImpact {
   double contact_time{}, restitution{}, largest_overlap{};
 };
@@ -59,7 +59,7 @@ SteppedImpact stepped_impact(const L& law, std::vector<double> memory, double ma
   return found;
 }
 
-/// The mode that the law settles into at x, coming from `mode`.
+/// The mode that the law reaches at x, starting from `mode`.
 template <class L>
 Mode settled(const L& law, Kinematics x, Mode mode) {
   auto memory = memory_of(law);
@@ -180,7 +180,8 @@ BOOST_AUTO_TEST_CASE(linear_parts_are_the_slopes_of_the_force) {
 BOOST_AUTO_TEST_CASE(elastic_force_is_the_derivative_of_the_stored_energy) {
   over_all_laws([]<class L>(const L& law) {
     std::array<bool, L::modes.size()> seen{};
-    // In the modes of paths: on the way in, on the way back, faster than the spring follows, and apart within reach.
+    // Modes reached along paths: loading, unloading, separating faster than the spring can follow, and separate but
+    // within reach.
     std::vector<std::vector<Kinematics>> paths;
     if (reach(law) > 0.0) paths.push_back({{-0.5 * reach(law), -1.0}});
     for (const double s : {0.01, 0.3, 2.0}) {
@@ -195,8 +196,8 @@ BOOST_AUTO_TEST_CASE(elastic_force_is_the_derivative_of_the_stored_energy) {
         update_mode(law, std::span{memory}, x, mode, [](double) {});
       seen[mode] = true;
       const double s = path.back().deformation, d = std::abs(s) * 1e-3;
-      // The difference over four points is exact up to fourth powers, and off by 1e-12 where the energy grows with the
-      // power 5/2; the rest is the round-off of energies over the step.
+      // The four-point difference is exact up to fourth powers, and off by 1e-12 where the energy grows with the power
+      // 5/2; the rest is the round-off of energies divided by the step.
       const auto difference = [&](double by) {
         return law.stored_energy({s + by, 0.0}, memory, mode) - law.stored_energy({s - by, 0.0}, memory, mode);
       };
@@ -234,7 +235,7 @@ BOOST_AUTO_TEST_CASE(same_input_same_bits) {
 }
 
 BOOST_AUTO_TEST_CASE(power_of_two_scaling_is_exact) {
-  // Length by 2^3, mass by 2^-2, time by 2^1; so force [M L/T^2] by 2^-1.
+  // Length by 2^3, mass by 2^-2, time by 2^1; hence force [M L/T^2] by 2^-1.
   over_all_laws([]<class L>(const L& law) {
     const auto memory = memory_of(law);
     L scaled = law;
@@ -262,7 +263,7 @@ BOOST_AUTO_TEST_CASE(guard_is_positive_while_the_mode_lasts) {
 BOOST_AUTO_TEST_CASE(impacts_are_as_long_and_as_elastic_as_laws_say) {
   using boost::test_tools::tolerance;
   int impacts = 0;
-  const double mass = 0.7, speed = 1e-5;  // slow: no law grows stiffer
+  const double mass = 0.7, speed = 1e-5;  // slow: no law becomes stiffer
   over_all_laws([&]<class L>(const L& law) {
     if constexpr (KnowsImpacts<L>) {
       const SteppedImpact found = stepped_impact(law, memory_of(law), mass, speed);
@@ -294,7 +295,7 @@ BOOST_AUTO_TEST_CASE(impacts_are_as_long_and_as_elastic_as_laws_say) {
 }
 
 BOOST_AUTO_TEST_CASE(clamped_contact_never_pulls_and_attractive_does) {
-  const double s = 0.01, fast = -10.0;  // k s + c ds/dt = .05 - 7.5 < 0
+  const double s = 0.01, fast = -10.0;  // k s + c ds/dt = 0.05 - 7.5 < 0
   const LinearSpringDashpot clamped{5.0, 0.75, EndRule::clamped};
   const LinearSpringDashpot attractive{5.0, 0.75, EndRule::attractive};
   const Mode mode = settled(clamped, {s, fast}, 1);
@@ -302,8 +303,8 @@ BOOST_AUTO_TEST_CASE(clamped_contact_never_pulls_and_attractive_does) {
   BOOST_TEST(clamped({s, fast}, {}, mode).total() == 0.0);
   BOOST_TEST(settled(attractive, {s, fast}, 1) == 1);
   BOOST_TEST(attractive({s, fast}, {}, 1).total() < 0.0);
-  BOOST_TEST(settled(clamped, {s, 1.0}, 2) == 1);    // pushed again
-  BOOST_TEST(settled(clamped, {-s, fast}, 2) == 0);  // parted
+  BOOST_TEST(settled(clamped, {s, 1.0}, 2) == 1);    // repulsive again
+  BOOST_TEST(settled(clamped, {-s, fast}, 2) == 0);  // separated
 }
 
 BOOST_AUTO_TEST_CASE(release_books_the_spring_energy_once) {
@@ -314,7 +315,7 @@ BOOST_AUTO_TEST_CASE(release_books_the_spring_energy_once) {
   BOOST_TEST(law.reset({0.0, -1.0}, {}, 1).released == 0.0);
 }
 
-// What the rows of a fence rely on: on its straight line a law need not be asked, with the same bits.
+// Property used by the rows of a fence: on its linear branch a law need not be evaluated, with identical bits.
 BOOST_AUTO_TEST_CASE(a_straight_line_is_the_law_as_long_as_it_lasts) {
   int lines = 0;
   over_all_laws([&lines]<class L>(const L& law) {
@@ -326,7 +327,7 @@ BOOST_AUTO_TEST_CASE(a_straight_line_is_the_law_as_long_as_it_lasts) {
           lines += piece.low < piece.high;
           for (int i = -400; i <= 400; ++i) {
             for (const double end : {0.0, piece.low, piece.high}) {
-              // Spread over the range, and by single roundings around its ends.
+              // Values spread over the range, and within a few roundings of its ends.
               const double deformation = end == 0.0 ? 0.01 * i : end + i * 0x1p-52 * std::abs(end);
               if (!(piece.low < deformation && deformation < piece.high)) continue;
               const double force = piece.stiffness * (deformation - piece.natural);

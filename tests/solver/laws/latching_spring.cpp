@@ -1,4 +1,4 @@
-/// A contact that latches, pressed along prescribed paths whose answers are straight lines.
+/// A latching contact, compressed along prescribed paths with piecewise linear results.
 #define BOOST_TEST_MODULE latching_spring
 #include "solver/laws/latching_spring.hpp"
 
@@ -9,14 +9,14 @@ using namespace talus;
 
 namespace {
 
-/// One contact whose overlap is prescribed; settles as the dynamics do before each force evaluation. All numbers in
-/// the tests are powers of two or short sums of them: no operation rounds.
+/// One contact whose overlap is prescribed; updates its mode as the dynamics do before each force evaluation. All
+/// numbers in the tests are powers of two or short sums of them: no operation rounds.
 struct PressedContact {
   LatchingSpring law;
   std::array<double, 1> memory{};
   Mode mode{LatchingSpring::open};
   double overlap{-0.25};
-  double work{};  ///< put in, by the trapezoidal rule
+  double work{};  ///< work input, by the trapezoidal rule
 
   double force(double rate) const { return law({overlap, rate}, memory, mode).total(); }
   double stored() const { return law.stored_energy({overlap, 0.0}, memory, mode); }
@@ -58,7 +58,7 @@ BOOST_AUTO_TEST_CASE(comes_back_on_the_stiff_line_and_leaves_a_quarter) {
   contact.press(0.5, 24);
   BOOST_TEST(contact.mode == LatchingSpring::slack);
   BOOST_TEST(contact.force(-1.0) == 0.0);
-  BOOST_TEST(contact.work == 1.5);  // 2 put in, 1/2 had back
+  BOOST_TEST(contact.work == 1.5);  // 2 input, 1/2 recovered
 }
 
 BOOST_AUTO_TEST_CASE(within_the_loop_it_goes_up_and_down_the_stiff_line) {
@@ -72,7 +72,7 @@ BOOST_AUTO_TEST_CASE(within_the_loop_it_goes_up_and_down_the_stiff_line) {
   contact.press(0.875, 4);
   BOOST_TEST(contact.work == work);
   contact.press(0.5, 8);
-  contact.press(0.875, 8);  // out of slackness, back on the same line
+  contact.press(0.875, 8);  // from the slack mode back onto the same line
   BOOST_TEST(contact.mode == LatchingSpring::unloading);
   BOOST_TEST(contact.force(1.0) == 2.0);
   contact.press(1.5, 8);

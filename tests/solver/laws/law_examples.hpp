@@ -7,8 +7,8 @@
 
 namespace talus {
 
-/// The law with its parameters set to different values, in their orders, with and without damping and whatever else may
-/// be 0, and with each end rule where it has one.
+/// The law with its parameters set to different values that satisfy its orders, with and without damping and other
+/// parameters that may be 0, and with each end rule where it has one.
 template <Law L>
 std::vector<L> examples() {
   std::vector<L> made;

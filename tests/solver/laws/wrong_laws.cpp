@@ -1,4 +1,4 @@
-/// Laws with a hook of the right name and a wrong signature: none of them is a law, so that no list takes it.
+/// Laws with a hook of the right name and a wrong signature: none of them is a law, so that no list accepts it.
 #define BOOST_TEST_MODULE wrong_laws
 #include "solver/laws/law.hpp"
 
@@ -17,7 +17,7 @@ namespace {
 
 using Memory = std::span<const double>;
 
-/// All that a law must have, and no hook.
+/// The required members of a law, without any hook.
 struct Plain {
   static constexpr std::string_view name = "plain";
   static constexpr std::array<std::string_view, 2> modes{"open", "acting"};
@@ -36,10 +36,10 @@ struct Plain {
   constexpr Tangent tangent() const { return {}; }
   friend constexpr bool operator==(const Plain&, const Plain&) = default;
 };
-static_assert(Plain{} == Plain{});  // a use, without which clang warns
+static_assert(Plain{} == Plain{});  // used here because clang otherwise warns
 static_assert(Law<Plain> && Law<Cohesive> && Law<LatchingSpring> && Law<ElasticPlastic>);
 
-// Each is Plain with one thing wrong.
+// Each of these is Plain with one mistake.
 struct TracksWithoutMode : Plain {
   void track(Kinematics, std::span<double>) const;
   static bool memory_follows(Mode);
@@ -155,7 +155,7 @@ struct HiddenHook : Plain {
   [[maybe_unused]] double reach() const { return 1.0; }
 };
 
-// What a law must have.
+// Required members of a law.
 struct ActsIsUnknown : Plain {
   static void acts(Mode);
 };
@@ -163,7 +163,7 @@ struct ForceIsADouble : Plain {
   double operator()(Kinematics, Memory, Mode) const;
 };
 
-/// Whether LawList<L> would compile.
+/// Checks that LawList<L> would not compile.
 template <class L>
 void refuse_one() {
   BOOST_TEST_CONTEXT(typeid(L).name()) { BOOST_TEST(!Law<L>); }

@@ -17,7 +17,7 @@ Body rock(std::string name = "rock") {
   return {.name = std::move(name), .mass = 2.0, .inertia = 1.0, .shape = Circle{1.0}};
 }
 
-/// Demands an InputError with exactly these words.
+/// Checks that an InputError with exactly this message is thrown.
 template <class Act>
 void refuses(Act&& act, const std::string& words) {
   try {
@@ -143,7 +143,7 @@ BOOST_AUTO_TEST_CASE(a_body_carries_only_the_coordinates_it_has) {
       "body 'column' is pinned and has no independent velocity; give its angular velocity");
   set_velocity(model, state, pinned, {}, 2.0);
   const Pose now = pose(model, state, pinned);
-  BOOST_TEST(now.v_WB.x == 2.0);  // centre one unit below the pin, turning at 2
+  BOOST_TEST(now.v_WB.x == 2.0);  // the centre is one unit below the pin, angular velocity 2
   BOOST_TEST(now.p_WB.y == 0.0);
 }
 
@@ -163,7 +163,8 @@ BOOST_AUTO_TEST_CASE(node_contacts_have_one_instance_a_node_both_ways) {
   BOOST_TEST(Layout{builder.build()}.contact_instances[0] == 16);
 }
 
-// A quarter turn takes the body's x axis to the world's y; the place along the fence is the body's own.
+// A quarter turn rotates the body's x axis to the world's y; the position along the fence is that of the point on the
+// body.
 BOOST_AUTO_TEST_CASE(a_cable_end_stands_with_its_body) {
   ModelBuilder builder;
   Body turned = rock();

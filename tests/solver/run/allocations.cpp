@@ -1,4 +1,4 @@
-/// A step takes no memory from the heap, once it has what it keeps from one to the next.
+/// A step allocates no heap memory once its buffers exist.
 #define BOOST_TEST_MODULE allocations
 #include <boost/test/unit_test.hpp>
 #include <filesystem>
@@ -15,7 +15,7 @@ using namespace talus;
 
 namespace {
 
-/// Pieces of memory taken in so many steps, after as many.
+/// Number of allocations in `count` steps, after as many steps.
 long taken_in_steps(const Scene& scene, Integrator integrator, double step, int count) {
   const Dynamics dynamics{scene.model};
   RigidBodySystem system{dynamics, false};
@@ -44,7 +44,7 @@ Scene fence(const char* file, Sleep sleep) {
 
 BOOST_AUTO_TEST_CASE(what_is_taken_is_counted) {
   const long before = taken;
-  ::operator delete(::operator new(8));  // called by name, which no compiler leaves out
+  ::operator delete(::operator new(8));  // called by name, so that no compiler removes it
   BOOST_TEST(taken == before + 1);
 }
 
@@ -52,9 +52,9 @@ BOOST_AUTO_TEST_CASE(steps_of_a_fence_take_no_memory) {
   for (const char* file : {"table_2.DAT", "sample2.DAT"}) {
     const Scene scene = fence(file, Sleep::off);
     for (const std::string& name : integrator_names()) {
-      // The library's extrapolation takes three pieces a step itself.
+      // The library's extrapolation itself makes three allocations per step.
       if (needs_closed_form(name) || name == Odeint<OdeintMethod::bulirsch_stoer>::name) continue;
-      // The rock hits from the first step on; the second count goes on to cables that come taut.
+      // The rock hits from the first step on; in the counted steps cables become taut.
       const double tolerance = needs_tolerance(name) ? 1e-7 : 0.0;
       const long found = taken_in_steps(scene, make_integrator(name, tolerance), 4e-6, 2000);
       BOOST_TEST(found == 0, file << ", " << name << ": " << found);
@@ -68,7 +68,7 @@ BOOST_AUTO_TEST_CASE(exact_pieces_take_no_memory) {
 }
 
 BOOST_AUTO_TEST_CASE(columns_that_wake_take_little) {
-  // Only where a column wakes are the lists of what is awake laid again.
+  // The lists of active elements are rebuilt only when a column wakes.
   const Scene scene = fence("table_2.DAT", Sleep::on);
   const long found = taken_in_steps(scene, scene.integrator, 2e-6, 5000);
   BOOST_TEST(found < 5000, found);

@@ -3,10 +3,10 @@
 #include <cstdlib>
 #include <new>
 
-// Counts what a test takes from the heap. Its operators replace those of the whole program: for one file of it.
+// Counts the heap allocations of a test. Its operators replace those of the whole program: include it in one file only.
 
-inline long taken = 0;               ///< pieces of memory
-inline std::size_t taken_bytes = 0;  ///< their sizes together
+inline long taken = 0;               ///< number of allocations
+inline std::size_t taken_bytes = 0;  ///< their total size
 
 [[gnu::noinline]] inline void* take(std::size_t size) {
   ++taken;
@@ -17,7 +17,7 @@ inline std::size_t taken_bytes = 0;  ///< their sizes together
 
 void* operator new(std::size_t size) { return take(size); }
 void* operator new[](std::size_t size) { return take(size); }
-// Also those that may fail: the address sanitizer has its own, whose memory must not be freed by std::free.
+// Also the non-throwing ones: the address sanitizer replaces them, and std::free must not free its memory.
 void* operator new(std::size_t size, const std::nothrow_t&) noexcept {
   ++taken;
   taken_bytes += size;

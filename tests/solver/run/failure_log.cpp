@@ -1,4 +1,4 @@
-/// Each failure is found once, with the time of the step after which it is first seen, by modes or by memory alone.
+/// Each failure is found once, with the time of the step after which it is first visible, by modes or by memory alone.
 #define BOOST_TEST_MODULE failure_log
 #include "solver/run/failure_log.hpp"
 
@@ -49,9 +49,9 @@ BOOST_AUTO_TEST_CASE(a_cable_that_yielded_within_a_step_is_found_by_its_memory) 
   BOOST_TEST(run.log.failures()[0].what == "yields");
   BOOST_TEST(run.log.failures()[0].time == 2.0);
   run.state.z[run.slot(1).memory] = 0.5;
-  BOOST_TEST(run.step(3.0) == 1);  // once
+  BOOST_TEST(run.step(3.0) == 1);  // only once
   run.state.z[run.slot(0).memory] = 0.5;
-  BOOST_TEST(run.step(4.0) == 2);  // the other still may
+  BOOST_TEST(run.step(4.0) == 2);  // the other cable can still yield
 }
 
 BOOST_AUTO_TEST_CASE(a_cable_that_breaks_is_found_by_its_mode) {

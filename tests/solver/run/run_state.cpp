@@ -1,5 +1,5 @@
-/// A run that is stopped, saved and taken on by fresh objects ends with the bits of one that never was: every
-/// integrator of the closed list, several scenes, several places.
+/// A run that is stopped, saved and resumed by new objects ends with the bits of an uninterrupted run: every integrator
+/// of the closed list, several scenes, several stops.
 #define BOOST_TEST_MODULE run_state
 #include <boost/test/unit_test.hpp>
 #include <cmath>
@@ -23,7 +23,7 @@ using namespace talus;
 
 namespace {
 
-/// Everything that a run leaves.
+/// Results of a run.
 struct Left {
   State state;
   State held;
@@ -34,7 +34,7 @@ struct Left {
   std::string failures{};
 };
 
-/// A run with its recorder, made afresh for each leg of it.
+/// A run with its recorder, constructed again for each leg of the run.
 class Leg {
  public:
   explicit Leg(const Scene& scene)
@@ -45,7 +45,7 @@ class Leg {
         recorder_{dynamics_, run_state_.state, plan_.ledger},
         failures_{dynamics_} {}
 
-  /// Goes on until so many steps are done.
+  /// Continues to this step.
   void run_to(long step) {
     const Observer observers[] = {[this](const Snapshot& seen, const StepInfo& info) {
       recorder_(seen, info);
@@ -111,7 +111,7 @@ void same_bits(const Left& one, const Left& other) {
   BOOST_TEST(one.failures == other.failures);
 }
 
-/// The run of one leg against that of legs which end at these steps, each taken on by fresh objects.
+/// Compares an uninterrupted run with runs that stop at these steps, each leg resumed by new objects.
 void stopped_runs_end_alike(const Scene& scene, const std::vector<std::vector<long>>& places) {
   const long steps = step_count(scene.plan);
   Leg whole{scene};
@@ -142,14 +142,14 @@ void stopped_runs_end_alike(const Scene& scene, const std::vector<std::vector<lo
   }
 }
 
-/// Each integrator of the list, with fixed steps and, where it has it, with step control.
+/// Each integrator of the list, with fixed steps and, where available, with step control.
 std::vector<Integrator> all_integrators() {
   std::vector<Integrator> made;
   for (const std::string& known : integrator_names()) {
     for (const double tolerance : {0.0, 1e-9}) {
       try {
         made.push_back(make_integrator(known, tolerance));
-      } catch (const InputError&) {  // it has the other only
+      } catch (const InputError&) {  // it supports only the other
       }
     }
   }
@@ -168,8 +168,8 @@ void every_integrator(Scene scene, long steps, const std::vector<std::vector<lon
   }
 }
 
-/// sample2 of the manual (Mustoe & Huttelmaier 1993, Appendix II.5.1) with a top cable that yields and hangers that
-/// break soon after the impact, and friction.
+/// sample2 of the manual (Mustoe & Huttelmaier 1993, Appendix II.5.1) with a top cable that yields, hangers that break
+/// soon after the impact, and friction.
 scenes::FenceScene yielding_fence() {
   scenes::Fence fence = scenes::sample2();
   fence.steps = 400;
@@ -186,7 +186,7 @@ const LinearSpringDashpot contact{1e5, 300.0, EndRule::clamped};
 BOOST_AUTO_TEST_CASE(two_cables) {
   Scene scene = scenes::two_cable({.contact = contact});
   scene.plan.step = 1e-3;
-  // Contact lasts until step 15; the cables go slack and taut again later.
+  // Contact lasts until step 15; the cables become slack and taut again later.
   every_integrator(scene, 400, {{1}, {2, 3}, {5}, {14, 15, 16}, {399}, {400}});
 }
 
@@ -196,7 +196,7 @@ BOOST_AUTO_TEST_CASE(pivoted_cylinder_with_nodes) {
   every_integrator(scene, 400, {{1}, {30, 31}, {150}, {399}, {400}});
 }
 
-// Intervals of many internal steps: what step control carries from one to the next matters.
+// Intervals of many internal steps: here the data that step control carries from one to the next matters.
 BOOST_AUTO_TEST_CASE(pendulum_with_long_intervals) {
   Scene scene = scenes::cable_pendulum({.amplitude = 1.0});
   scene.plan = {.step = 0.1, .end = 10.0, .interval = 0.3};

@@ -52,8 +52,8 @@ BOOST_AUTO_TEST_CASE(ledger_closes_at_first_order_through_bounces_with_both_end_
       BOOST_TEST_CONTEXT(integrator) {
         const double coarse = run(bounce(rule, integrator, 1e-4)).closure;
         const double fine = run(bounce(rule, integrator, 1e-5)).closure;
-        // A dashpot's force jump at onset books its power up to a step late: v c v h relative to v^2/2 is 2 c h = 8e-3
-        // at 1e-4.
+        // The force jump of a dashpot at first contact is integrated up to a step late: v c v h relative to v^2/2 is 2
+        // c h = 8e-3 at 1e-4.
         BOOST_TEST(coarse < 4e-2);
         BOOST_TEST(fine < 4e-3);
         BOOST_TEST(fine > 0.0);
@@ -76,8 +76,8 @@ BOOST_AUTO_TEST_CASE(ledger_off_changes_no_motion) {
         scene.plan.ledger = false;
         const Run without = run(scene);
         if (needs_closed_form(known)) {
-          // With accounts its steps end at outputs, where the sums of its series are rounded; a speed of 1e-4 is what
-          // is left of one of 1 just where it turns.
+          // With a ledger its steps end at outputs, where the sums of its series are rounded; the speed is 1e-4,
+          // compared with 1 before, close to the turning point.
           BOOST_TEST(with.state.q == without.state.q, boost::test_tools::tolerance(1e-13)
                                                           << boost::test_tools::per_element());
           BOOST_TEST(with.state.v == without.state.v, boost::test_tools::tolerance(1e-9)
@@ -140,7 +140,8 @@ BOOST_AUTO_TEST_CASE(history_has_first_and_last_state_and_whole_intervals) {
 }
 
 BOOST_AUTO_TEST_CASE(a_run_that_grows_without_bound_is_a_result_with_time_and_reason) {
-  // Held between two cables that stay taut, h w = .05 sqrt(2e4) = 7 > 2: each step multiplies the motion by about 50.
+  // Held between two cables that remain taut, h w = 0.05 sqrt(2e4) = 7 > 2: each step multiplies the motion by about
+  // 50.
   ModelBuilder builder;
   const BodyId bead = builder.add(Body{.name = "bead", .mobility = Mobility::particle, .mass = 1.0});
   for (const double end : {-1.0, 1.0}) {
@@ -169,7 +170,7 @@ BOOST_AUTO_TEST_CASE(step_count_reaches_the_end_and_forgives_round_off) {
 }
 
 BOOST_AUTO_TEST_CASE(turning_point_lies_between_steps_at_fourth_order) {
-  // A body thrown up: q = 2 t - 5 t^2 turns at t = .2, q = .2; a parabola is exact for the cubic.
+  // A body thrown up: q = 2 t - 5 t^2 turns at t = 0.2, q = 0.2; the cubic interpolation is exact for a parabola.
   TurningPointFinder finder{0};
   for (int i = 0; i < 4; ++i) {
     const double t = 0.15 * i;
@@ -183,7 +184,7 @@ BOOST_AUTO_TEST_CASE(turning_point_lies_between_steps_at_fourth_order) {
 }
 
 BOOST_AUTO_TEST_CASE(central_difference_shows_observers_one_time) {
-  // The same-time copy of a pendulum's energy is good to second order; the raw staggered one only to first.
+  // The energy of a pendulum from synchronized values is of second order; from the staggered ones only of first.
   Scene scene = scenes::pendulum({.amplitude = 1.0});
   scene.integrator = CentralDifference{};
   scene.plan = {1e-3, 1.0, 1.0, true};

@@ -1,4 +1,5 @@
-/// What observers see of a run (solver/run/snapshot.hpp): evaluated once, and as the Dynamics evaluates it alone.
+/// Data that observers see of a run (solver/run/snapshot.hpp): evaluated once, and equal to a separate evaluation by
+/// Dynamics.
 #define BOOST_TEST_MODULE snapshot
 #include "solver/run/snapshot.hpp"
 #include "solver/dynamics/rigid_body_system.hpp"
@@ -18,7 +19,8 @@ namespace {
 
 using namespace talus;
 
-/// Scenes that break hangers, sleep, slide, and hold their velocities at another time than their coordinates.
+/// Scenes with breaking hangers, sleeping bodies, sliding, and velocities that belong to another time than the
+/// coordinates.
 const std::vector<const char*> files{"fence/table_2.toml", "fence/appendix_two_layers.DAT",
                                      "fence/sample2.DAT",  "sliding_block.toml",
                                      "two_cable.toml",     "cable_pendulum.toml"};
@@ -29,7 +31,7 @@ Scene scene(const char* name) {
   return read;
 }
 
-/// All that a snapshot tells, beside what the Dynamics tells of its state with every gap of every pair.
+/// Compares all data of a snapshot with the evaluation of its state by Dynamics, with every gap of every pair.
 void is_that_of_the_state(const Snapshot& seen) {
   const Dynamics& dynamics = seen.dynamics();
   const State& state = seen.state();
@@ -77,12 +79,12 @@ BOOST_AUTO_TEST_CASE(it_is_that_of_its_state_at_every_step) {
       Integrator method = run.integrator;
       State state = run.initial;
       long shown = 0;
-      // In another order at each step: no stage spoils another.
+      // In a different order at each step: no stage invalidates another.
       const Observer observer = [&](const Snapshot& seen, const StepInfo& info) {
         if (info.step % 7 == 1) static_cast<void>(seen.loads()), static_cast<void>(seen.pulls());
         if (info.step % 7 == 2) static_cast<void>(seen.pulls()), static_cast<void>(seen.loads());
         if (info.step % 7 == 3) static_cast<void>(seen.energies());
-        if (info.step % 7 == 4) return;  // nobody requests anything
+        if (info.step % 7 == 4) return;  // no data are requested
         is_that_of_the_state(seen);
         ++shown;
       };
@@ -92,7 +94,7 @@ BOOST_AUTO_TEST_CASE(it_is_that_of_its_state_at_every_step) {
   }
 }
 
-/// Who looks does not change the run, whatever is requested.
+/// Observers do not change the run, whatever they request.
 BOOST_AUTO_TEST_CASE(a_run_does_not_depend_on_who_looks) {
   for (const char* const name : files) {
     BOOST_TEST_CONTEXT(name) {
@@ -116,7 +118,7 @@ BOOST_AUTO_TEST_CASE(a_run_does_not_depend_on_who_looks) {
   }
 }
 
-/// A snapshot that the caller keeps is of the last state that was requested, also of a run that diverged.
+/// A snapshot that the caller keeps shows the last state that was requested, also after a run that diverged.
 BOOST_AUTO_TEST_CASE(it_outlasts_the_run) {
   const Scene run = scene("two_cable.toml");
   const Dynamics dynamics{run.model};
@@ -133,7 +135,7 @@ BOOST_AUTO_TEST_CASE(it_outlasts_the_run) {
   BOOST_TEST(std::isfinite(seen.state().v[0]));
 }
 
-/// Extremes against those found one by one, of rows that are no whole number of packs, with what is not a number.
+/// Extremes compared with those found one by one, for row sizes that are not multiples of a pack, with NaNs.
 BOOST_AUTO_TEST_CASE(extremes_are_the_first_of_all_times) {
   for (const std::size_t count : {1U, 7U, 8U, 13U, 41U}) {
     Extremes extremes;
@@ -141,7 +143,7 @@ BOOST_AUTO_TEST_CASE(extremes_are_the_first_of_all_times) {
     for (int step = 0; step < 50; ++step) {
       std::vector<double> row(count);
       for (std::size_t i = 0; i < count; ++i) {
-        row[i] = std::round(4.0 * std::sin(0.7 * step + static_cast<double>(i)));  // equal values come again
+        row[i] = std::round(4.0 * std::sin(0.7 * step + static_cast<double>(i)));  // equal values occur again
         if (step > 0 && (step + static_cast<int>(i)) % 11 == 0) row[i] = std::nan("");
         Extreme& e = expected[i];
         if (step == 0) e = {row[i], 0.0, row[i], 0.0};

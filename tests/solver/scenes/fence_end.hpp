@@ -10,10 +10,10 @@
 
 namespace talus::scenes {
 
-/// A fence's state at the end of a run, and how its energies close.
+/// A fence's state at the end of a run, and its energy balance.
 struct End {
   State state;
-  double closure{};  ///< of the energy [F L]
+  double closure{};  ///< balance error of the energy [F L]
   double scale{};    ///< the largest energy [F L]
 };
 

@@ -1,4 +1,5 @@
-/// A fence as a scene: what the listing of sample2 derives, rest, and the half model beside the full one.
+/// A fence as a scene: derived values in the listing of sample2, equilibrium, and the half model compared with the full
+/// one.
 #define BOOST_TEST_MODULE fence_scene
 #include "solver/scenes/fence_scene.hpp"
 
@@ -48,7 +49,7 @@ BOOST_AUTO_TEST_CASE(derives_what_the_listing_prints) {
 BOOST_AUTO_TEST_CASE(static_shape_balances_each_column) {
   const Fence fence = sample2();
   const StaticShape shape = static_shape(fence);
-  const double weight = std::numbers::pi * 1.25 * 1.25 * 8.0 * 0.76 * 32.18;  // of a cylinder: 960.6 lb
+  const double weight = std::numbers::pi * 1.25 * 1.25 * 8.0 * 0.76 * 32.18;  // weight of a cylinder: 960.6 lb
   for (std::size_t i = 1; i + 1 < shape.heights.size(); ++i) {
     const double inner = shape.horizontal_tension * (shape.heights[i] - shape.heights[i - 1]) / shape.distances[i - 1];
     const double outer = shape.horizontal_tension * (shape.heights[i + 1] - shape.heights[i]) / shape.distances[i];
@@ -58,7 +59,7 @@ BOOST_AUTO_TEST_CASE(static_shape_balances_each_column) {
 
 BOOST_AUTO_TEST_CASE(columns_at_rest_stay_at_rest_exactly) {
   Fence fence = sample2();
-  fence.rocks[0].position.x = 60.0;  // too far to arrive
+  fence.rocks[0].position.x = 60.0;  // too far away to arrive
   const FenceScene made = fence_scene(fence);
   const End end = run(made, 100.0 * made.scene.plan.step);
   const std::size_t rock_coordinates = 3;
@@ -84,7 +85,7 @@ BOOST_AUTO_TEST_CASE(half_and_full_model_agree_to_the_last_bit_for_an_odd_count)
       BOOST_TEST(p.v_WB.x == q.v_WB.x);
       BOOST_TEST(p.w_WB == q.w_WB);
     }
-    // And the full one is symmetric.
+    // The full model is symmetric.
     BOOST_TEST(pose_of(full, b, "column3").p_WB.x == pose_of(full, b, "column-3").p_WB.x);
     BOOST_TEST(pose_of(full, b, "column3").p_WB.x != 0.0);
   }
@@ -105,7 +106,7 @@ BOOST_AUTO_TEST_CASE(half_and_full_model_lose_the_same_hangers) {
     BOOST_TEST(a.mode[of_half.first_hanger + h] == b.mode[of_full.first_hanger + same]);
     broken += a.mode[of_half.first_hanger + h];
   }
-  BOOST_TEST(broken >= 2);  // the central one, which has its segment's mirror image behind it, and a neighbour
+  BOOST_TEST(broken >= 2);  // the central one, next to its segment's mirror image, and a neighbour
   for (const Body& body : half.scene.model.bodies) {
     const Pose p = pose_of(half, a, body.name.c_str()), q = pose_of(full, b, body.name.c_str());
     BOOST_TEST(p.p_WB.x == q.p_WB.x);
@@ -130,12 +131,12 @@ BOOST_AUTO_TEST_CASE(a_broken_hanger_closes_its_ledger_at_the_schemes_order) {
 BOOST_AUTO_TEST_CASE(rocks_off_centre_hit_the_columns_before_them) {
   Fence fence = sample2(1);
   fence.options.symmetry = FenceSymmetry::full;
-  fence.rocks[0].along = 5.0;  // the third column's place
+  fence.rocks[0].along = 5.0;  // the third column's position
   const FenceScene off = fence_scene(fence);
   const State a = run(off, 0.02).state;
   BOOST_TEST(pose_of(off, a, "column3").p_WB.x < -0.1);
   BOOST_TEST(std::abs(pose_of(off, a, "column-3").p_WB.x) < 1e-2);
-  // Its mirror image, to the last digits: cables are summed in another order.
+  // Equal to its mirror image up to the last digits: cables are summed in another order.
   fence.rocks[0].along = -5.0;
   const FenceScene mirrored = fence_scene(fence);
   const State b = run(mirrored, 0.02).state;
@@ -149,7 +150,7 @@ BOOST_AUTO_TEST_CASE(rocks_off_centre_hit_the_columns_before_them) {
 
 BOOST_AUTO_TEST_CASE(columns_unlike_the_others_hang_in_balance) {
   Fence fence = sample2(1);
-  fence.rocks[0].position.x = 60.0;  // too far to arrive
+  fence.rocks[0].position.x = 60.0;  // too far away to arrive
   fence.changed_columns = {{1, 1.25, 5.0, 0.76, 7.67, -5.0}, {3, 1.25, 2.0, 0.9, 4.67, -2.0}};
   const FenceScene made = fence_scene(fence);
   const Pose first = pose_of(made, made.scene.initial, "column1");
@@ -162,14 +163,14 @@ BOOST_AUTO_TEST_CASE(columns_unlike_the_others_hang_in_balance) {
 }
 
 BOOST_AUTO_TEST_CASE(dashpots_by_the_effective_mass_give_the_restitution_off_centre) {
-  // One impact 2 ft above the centre of a column; 1 % of the contact's duration on, nothing else has happened yet.
+  // One impact 2 ft above the centre of a column; 1 % of the contact's duration later, nothing else has happened yet.
   const auto restitution = [](FenceCalibration calibration) {
     Fence fence = sample2(1);
     fence.options.contact = FenceContact::resultant;
     fence.options.start = FenceStart::plain;
     fence.options.integrator = "velocity_verlet";
     fence.options.calibration = calibration;
-    fence.rock_overlap = 0.002;  // an impact so short that the cables do not feel it
+    fence.rock_overlap = 0.002;  // an impact so short that the cables have no influence
     fence.step_factor = 0.001;
     fence.rocks[0].position = {2.4511, 2.0};
     fence.rocks[0].spin = 0.0;
@@ -196,13 +197,13 @@ BOOST_AUTO_TEST_CASE(sleep_costs_nothing_but_digits_that_nobody_reads) {
   for (std::size_t i = 0; i < off.q.size(); ++i)
     BOOST_TEST(std::abs(on.q[i] - off.q[i]) < 1e-10);
   BOOST_TEST(on.v[0] == off.v[0], boost::test_tools::tolerance(1e-10));
-  // The last column has not been reached.
+  // The wave has not reached the last column.
   BOOST_TEST(off.q[off.q.size() - 3] != fence_scene(fence).scene.initial.q[off.q.size() - 3]);
   BOOST_TEST(on.q[off.q.size() - 3] == fence_scene(fence).scene.initial.q[off.q.size() - 3]);
 }
 
 BOOST_AUTO_TEST_CASE(half_model_of_an_even_count_agrees_with_the_full_one) {
-  // The segment between the central columns stays straight: its pull has no part in the plane.
+  // The segment between the central columns remains straight: its tension has no component in the plane.
   Fence fence = sample2(1, 12);
   fence.options.even_centre = EvenCentre::pair;
   const FenceScene half = fence_scene(fence);
@@ -218,7 +219,7 @@ BOOST_AUTO_TEST_CASE(half_model_of_an_even_count_agrees_with_the_full_one) {
 }
 
 BOOST_AUTO_TEST_CASE(ledger_closes_at_the_schemes_order) {
-  // Plastic cables, two layers, one resultant a pair: all mechanisms at once. The scheme is first order.
+  // Plastic cables, two layers, one resultant per pair: all mechanisms at once. The scheme is first order.
   Fence fence = sample2();
   fence.options.contact = FenceContact::resultant;
   fence.limit_top = 4e4;
@@ -235,8 +236,8 @@ BOOST_AUTO_TEST_CASE(ledger_closes_at_the_schemes_order) {
 }
 
 BOOST_AUTO_TEST_CASE(column_against_column_by_the_rule_of_1993_keeps_no_energy) {
-  // Pushed along a gradient, measured along a ray: no potential has that force. What the ledger misses does not fall
-  // with the step; with one layer, where the rule does not act, it does.
+  // The force acts along a gradient, the overlap is measured along a ray: no potential has that force. The balance
+  // error does not decrease with the step; with one layer, where the rule does not act, it does.
   const auto closure = [](int layers, double factor) {
     Fence fence = sample2(layers);
     fence.step_factor = factor;
@@ -266,8 +267,8 @@ BOOST_AUTO_TEST_CASE(what_cannot_be_is_refused) {
 }
 
 BOOST_AUTO_TEST_CASE(a_second_rock_meets_the_cables_of_the_first) {
-  // What the first impact drew out of the top cable is there at the start of the second: the columns hang lower, in
-  // balance, and the cables are less stretched than new ones would be.
+  // The plastic elongation of the top cable from the first impact is present at the start of the second: the columns
+  // hang lower, in balance, and the cables are less stretched than new ones would be.
   Fence fence = sample2(1);
   fence.limit_top = 6e4;
   const FenceScene first = fence_scene(fence);
@@ -280,7 +281,7 @@ BOOST_AUTO_TEST_CASE(a_second_rock_meets_the_cables_of_the_first) {
   BOOST_TEST(!fence.stretched_cables.empty());
   const FenceScene second = fence_scene(fence);
   BOOST_TEST(second.members[2].position.y < first.members[2].position.y - 0.01);
-  fence.rocks[0].position.x = 60.0;  // too far to arrive
+  fence.rocks[0].position.x = 60.0;  // too far away to arrive
   const FenceScene still = fence_scene(fence);
   const State rest = run(still, 20.0 * still.scene.plan.step).state;
   for (std::size_t i = 3; i < rest.q.size(); ++i)

@@ -1,5 +1,5 @@
-/// What the engineer's sheet says of a fence, by other means: the static shape, balances of momentum, states made by
-/// hand.
+/// Contents of the engineer's sheet of a fence, checked independently: the static shape, momentum balances, states made
+/// by hand.
 #define BOOST_TEST_MODULE fence_summary
 #include <boost/test/unit_test.hpp>
 #include <cmath>
@@ -55,16 +55,16 @@ BOOST_AUTO_TEST_CASE(at_rest) {
     BOOST_TEST(anchor.force.impulse.z == -0.25 * outwards * run.made.horizontal_tension, close);
     BOOST_TEST(std::abs(anchor.force.at_peak.x) < 1e-9 * W);
   }
-  // The lowest top joint is that of the central column: 6.67 ft above its centre, the ground's face 4.5 ft below.
+  // The lowest top joint is that of the central column: 6.67 ft above its centre; the ground's surface is 4.5 ft below.
   BOOST_TEST(found.layers.front().top.start == 6.67 + 4.5, close);
-  // The highest bottom joint is that of the outermost: 4 ft below its centre, which stands higher by the sag but one
-  // segment.
+  // The highest bottom joint is that of the outermost column: 4 ft below its centre, which is higher by the sag except
+  // one segment.
   BOOST_TEST(found.layers.front().bottom.start == static_shape(run.fence).heights[6] - 4.0 + 4.5, close);
 }
 
-/// m dv of a column that nothing touches, and of all bodies, against the impulses of hangers, anchors and weights. The
-/// trapezoids stand a time step h = .83e-4 s apart in a motion of the segments of omega ~ 7e2/s: (omega h)^2/12 = 3e-4
-/// of a force's swing, much less of its integral.
+/// Compares m dv of a column without contact, and of all bodies, with the impulses of hangers, anchors and weights. The
+/// trapezoids are a time step h = 0.83e-4 s wide in a motion of the segments of omega ~ 7e2/s: (omega h)^2/12 = 3e-4 of
+/// a force's oscillation, much less of its integral.
 BOOST_AUTO_TEST_CASE(impulses_balance_momentum) {
   Fence fence = modern_sample2();
   fence.connections = 1;
@@ -93,10 +93,11 @@ BOOST_AUTO_TEST_CASE(impulses_balance_momentum) {
   const double scale = norm(momentum(run, start));
   BOOST_TEST(std::abs(change.x + on_anchors.x) < 1e-3 * scale);
   BOOST_TEST(std::abs(change.y + on_anchors.y + weight(run) * t) < 1e-3 * scale);
-  BOOST_TEST(std::abs(on_anchors.z) < 1e-9 * scale);  // a symmetric hit
+  BOOST_TEST(std::abs(on_anchors.z) < 1e-9 * scale);  // a symmetric impact
 }
 
-/// Peaks against those that the recorder keeps of every step; the rock's energy against its law of motion.
+/// Peaks compared with those that the recorder finds over every step; the rock's energy compared with its law of
+/// motion.
 BOOST_AUTO_TEST_CASE(peaks_and_passage) {
   Watched run{modern_sample2()};
   Recorder recorder{run.dynamics, run.state};
@@ -141,7 +142,7 @@ BOOST_AUTO_TEST_CASE(peaks_and_passage) {
   BOOST_TEST(run.summary().travel == largest);
 }
 
-/// States made by hand: a rock that comes, touches, is turned and leaves; a fence that sinks and is pushed.
+/// States made by hand: a rock that approaches, touches, is reversed and leaves; a fence that sinks and is pushed.
 BOOST_AUTO_TEST_CASE(states_made_by_hand) {
   Fence fence = modern_sample2();
   fence.rocks.front().position.x = 4.0;
@@ -203,8 +204,8 @@ BOOST_AUTO_TEST_CASE(a_rock_that_stays_and_one_that_never_touches) {
   BOOST_TEST(away.summary().rocks.front().approach_velocity.x == -65.0);
 }
 
-/// What yields shows its limit, what breaks no more than its own; what lost its hanger hangs no longer, and its joint
-/// falls with it.
+/// A yielding part shows its limit, a broken one at most its own limit; a column without its hanger no longer hangs,
+/// and its joint falls with it.
 BOOST_AUTO_TEST_CASE(limits) {
   Fence fence = modern_sample2();
   fence.limit_top = 4e4;
@@ -238,7 +239,7 @@ BOOST_AUTO_TEST_CASE(limits) {
   BOOST_TEST(run.summary().layers.front().top.end <= joint + 1e-9);
 }
 
-/// Heights over uneven ground, and the joints of a column unlike the others.
+/// Heights over uneven ground, and the joints of a column that differs from the others.
 BOOST_AUTO_TEST_CASE(heights_over_terrain) {
   Fence fence = modern_sample2();
   fence.ground_profile = {{-20.0, -6.0}, {-10.0, -7.0}, {10.0, -7.0}, {20.0, -3.0}};
@@ -252,7 +253,7 @@ BOOST_AUTO_TEST_CASE(heights_over_terrain) {
   BOOST_TEST(layer.bottom.start == run.state.q[outer + 1] - 3.0 + 7.0, close);
 }
 
-/// A watch that is put back sums up the rest as if it had seen all.
+/// A summary that is restored covers the whole run as if it had seen all states.
 BOOST_AUTO_TEST_CASE(a_watch_goes_on) {
   Fence fence = modern_sample2();
   fence.limit_top = 4e4;

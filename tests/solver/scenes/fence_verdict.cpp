@@ -1,4 +1,4 @@
-/// What became of a rock, by states made by hand, and what is unlikely to be meant in a fence.
+/// Verdicts on a rock, from states made by hand, and implausible values of a fence.
 #define BOOST_TEST_MODULE fence_verdict
 #include <boost/test/unit_test.hpp>
 
@@ -16,7 +16,7 @@ Fence far_rock() {
   return fence;
 }
 
-/// Shows one state after another, a second apart, and then what the fence made of the rock.
+/// Shows one state after another, a second apart, and returns the verdict on the rock.
 struct Story : Watched {
   explicit Story(const Fence& given) : Watched{given} { then(given.rocks.front().position, -65.0); }
 
@@ -43,7 +43,7 @@ bool says(const std::vector<std::string>& found, std::string_view words) {
 
 }  // namespace
 
-// The columns are 2.5 ft wide and 8 ft high around x = 0, y = 0; the rock comes with -65 ft/s.
+// The columns are 2.5 ft wide and 8 ft high around x = 0, y = 0; the rock arrives with -65 ft/s.
 BOOST_AUTO_TEST_CASE(a_rock_that_passes) {
   Story under{far_rock()};
   BOOST_TEST((under.then({1.0, -3.0}, -60.0, true) == Verdict::undecided));
@@ -67,7 +67,7 @@ BOOST_AUTO_TEST_CASE(a_column_that_is_pushed_is_not_passed) {
   BOOST_TEST((story.then(pushed) == Verdict::undecided));
   pushed.v[story.first("rock")] = 1.0;
   BOOST_TEST((story.then(pushed) == Verdict::stopped));
-  // A column that swings back towards the rock has not let it pass.
+  // A column that moves back towards the rock has not let it pass.
   State back = story.at({0.5, 0.0}, -10.0);
   back.q[story.first("column1")] += 2.0;
   BOOST_TEST((story.then(back) == Verdict::undecided));
@@ -94,12 +94,12 @@ BOOST_AUTO_TEST_CASE(a_rock_that_breaks_through) {
   State broken = hanger.at({-2.0, -5.0}, -20.0);
   broken.mode[hanger.dynamics.layout().first_hanger] = 1;
   BOOST_TEST((hanger.then(broken) == Verdict::broke_through));
-  // A rock that touched nothing passed where it passed, whatever another one has broken.
+  // The verdict on a rock that touched nothing depends on where it passed, not on parts that another rock has broken.
   Story beside{hanging};
   State gone = beside.at({-2.0, 9.0}, -20.0);
   gone.mode[beside.dynamics.layout().first_hanger] = 1;
   BOOST_TEST((beside.then(gone) == Verdict::passed_over));
-  // What breaks after it has passed does not matter.
+  // Parts that break after it has passed do not matter.
   Story later{hanging};
   BOOST_TEST((later.then({-2.0, -5.0}, -20.0) == Verdict::passed_under));
   State after = later.at({-4.0, -5.0}, -20.0);
@@ -127,7 +127,7 @@ BOOST_AUTO_TEST_CASE(a_rock_that_starts_behind_has_passed_nothing) {
   fence.rocks.front().position.x = -4.0;
   Story story{fence};
   BOOST_TEST((story.then({-9.0, 0.0}, -65.0) == Verdict::undecided));
-  // From the left to the right it is the same fence.
+  // The verdict is the same for a rock from the left.
   fence.rocks.front().velocity.x = 65.0;
   Story mirrored{fence};
   BOOST_TEST((mirrored.then({2.0, -5.0}, 30.0) == Verdict::passed_under));
@@ -171,7 +171,7 @@ BOOST_AUTO_TEST_CASE(geometry_that_is_unlikely_to_be_meant) {
                   "spacing: columns of a width of 2.5 ft stand 2 ft apart, so that neighbours overlap by "
                   "0.5 ft"));
   Fence deep = modern_sample2();
-  deep.ground.position.y = -4.25;  // its surface at -3.75, the columns reach down to -4
+  deep.ground.position.y = -4.25;  // its surface is at -3.75, the columns reach down to -4
   BOOST_TEST(says(found(deep), "ground: it reaches 0.25 ft into the columns"));
   Fence slack = modern_sample2();
   slack.sag = 60.0;
@@ -190,7 +190,7 @@ BOOST_AUTO_TEST_CASE(motion_that_is_unlikely_to_be_meant) {
   story.then({2.0, 0.0}, -20.0, true);
   BOOST_TEST(implausible_motion(story.fence, story.summary()).empty());
   story.then({20.0, 100.0}, 20.0);
-  // 104.5 ft over the ground, the lowest top joint 11.17 ft.
+  // 104.5 ft above the ground; the lowest top joint is at 11.17 ft.
   BOOST_TEST(says(implausible_motion(story.fence, story.summary()),
                   "'rock' flies away: it rises to 104.5 ft over the ground, 9.36 times as high as the fence"));
 }

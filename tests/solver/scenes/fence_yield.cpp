@@ -1,4 +1,4 @@
-/// A fence whose cables yield by a table: the laws it makes, what they carry, and what a second rock meets.
+/// A fence whose cables yield by a table: the resulting laws, their tensions, and a second impact.
 #define BOOST_TEST_MODULE fence_yield
 #include <algorithm>
 #include <boost/test/unit_test.hpp>
@@ -18,7 +18,7 @@ using namespace talus::scenes;
 
 namespace {
 
-/// The sample, one layer, with a top cable that the rock draws out over both pieces of the table.
+/// The sample, one layer, with a top cable that the rock stretches over both segments of the table.
 Fence drawn_out() {
   Fence fence = sample2(1);
   fence.limit_top = 4e4;
@@ -75,8 +75,8 @@ BOOST_AUTO_TEST_CASE(the_largest_tension_of_a_segment_and_its_stretch_lie_on_the
     const double strain = stretch_of(made, state, c) / model.cables[c].rest_length;
     if (strain == 0.0) continue;
     const double multiple = strain < 1e-3 ? 1.0 + 250.0 * strain : std::min(1.25 + 250.0 / 3.0 * (strain - 1e-3), 1.5);
-    // A cable yields at its largest tension. Observers see it half a step from the force evaluation that drew it out;
-    // about a maximum that is of second order in the step, here 1.0e-5 at the most.
+    // A cable yields at its largest tension. Observers see it half a step from the force evaluation that stretched it;
+    // near a maximum that difference is of second order in the step, here at most 1.0e-5.
     BOOST_TEST(largest[c] == multiple * 4e4, boost::test_tools::tolerance(3e-5));
     (strain < 1e-3 ? first_piece : beyond) += 1;
   }
@@ -93,7 +93,7 @@ BOOST_AUTO_TEST_CASE(a_second_rock_meets_what_is_left_of_the_table) {
       fence.stretched_cables.push_back({first.scene.model.cables[c].name, stretch});
   }
   BOOST_TEST_REQUIRE(!fence.stretched_cables.empty());
-  // Hangers demand that cables drawn out by different amounts can come to one tension; these can.
+  // Hangers require that cables with different plastic elongations can reach one tension; these can.
   fence.options.hanger_strength = 3e4;
   const FenceScene second = fence_scene(fence);
   for (const StretchedCable& stretched : fence.stretched_cables) {
@@ -108,7 +108,7 @@ BOOST_AUTO_TEST_CASE(a_second_rock_meets_what_is_left_of_the_table) {
 }
 
 BOOST_AUTO_TEST_CASE(the_ledger_closes_with_a_table_and_broken_hangers) {
-  // The scheme is first order: a quarter of the step leaves less than .4 of what the ledger misses.
+  // The scheme is first order: with a quarter of the step the balance error is less than 0.4 times as large.
   Fence fence = drawn_out();
   fence.options.contact = FenceContact::resultant;
   fence.options.hanger_strength = 3e4;

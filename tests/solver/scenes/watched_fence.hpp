@@ -12,7 +12,7 @@
 
 namespace talus::scenes {
 
-/// sample2 as a full model of one layer, by methods of today.
+/// sample2 as a full model of one layer, with modern methods.
 inline Fence modern_sample2() {
   Fence fence = sample2(1);
   fence.options.symmetry = FenceSymmetry::full;
@@ -21,7 +21,7 @@ inline Fence modern_sample2() {
   return fence;
 }
 
-/// A fence with its watch, run or fed by hand.
+/// A fence with its summary, run or fed with states made by hand.
 struct Watched {
   explicit Watched(const Fence& given)
       : fence{given},

@@ -1,4 +1,4 @@
-/// The watch over a run (solver/stability/run_monitor.hpp), on both sides of each of its limits.
+/// The run monitor (solver/stability/run_monitor.hpp), on both sides of each of its limits.
 #define BOOST_TEST_MODULE watch
 #include <array>
 #include <boost/test/unit_test.hpp>
@@ -19,12 +19,12 @@ using namespace talus;
 
 namespace {
 
-/// A run under watch to its end or to a breach.
+/// A monitored run to its end or to a violation.
 struct WatchedRun {
   std::string violation;
   std::vector<std::string> warnings;
   double time{};
-  double share{};  ///< largest overlap
+  double share{};  ///< largest overlap, relative to half the smallest width of the bodies
 };
 
 WatchedRun run(Scene scene, double step, double end, const char* method = "velocity_verlet",
@@ -50,7 +50,7 @@ WatchedRun run(Scene scene, double step, double end, const char* method = "veloc
 
 bool says(const std::string& text, const char* words) { return text.find(words) != std::string::npos; }
 
-/// A disc of mass and radius 1 pressed between two planes, w = 100 of both springs together.
+/// A disc of mass and radius 1 compressed between two planes, w = 100 of both springs together.
 Scene squeezed() {
   ModelBuilder builder;
   const BodyId disc = builder.add(
@@ -71,7 +71,7 @@ Scene squeezed() {
   return scene;
 }
 
-/// Two discs of radius .1 that fly at each other, 100 apart.
+/// A disc of radius 0.1 that moves towards a fixed one of the same size, 50 away.
 Scene shot(double speed) {
   ModelBuilder builder;
   const BodyId post =
@@ -85,7 +85,7 @@ Scene shot(double speed) {
   return scene;
 }
 
-/// A bar that stands across a fixed one; their corners are far from each other where `height` is zero.
+/// A bar that crosses a fixed one; their corners are far from each other if `height` is zero.
 Scene crossed(double height, ContactMethod method) {
   ModelBuilder builder;
   const BodyId level =
@@ -102,7 +102,7 @@ Scene crossed(double height, ContactMethod method) {
   return scene;
 }
 
-/// Overlap v/w of an impact at v = 1 on a disc of radius 1, in steps of so many a contact.
+/// An impact at v = 1 on a disc of radius 1 with overlap v/w.
 Scene impact(double overlap) {
   const double w = 1.0 / overlap;
   return scenes::bouncing_disc(
@@ -124,20 +124,20 @@ BOOST_AUTO_TEST_CASE(instability_ends_a_run_before_its_first_step) {
   const WatchedRun off =
       run(squeezed(), 0.02001, 0.2, "velocity_verlet", {.instability = CheckAction::off, .accuracy = CheckAction::off});
   BOOST_TEST(off.warnings.empty());
-  // Springs that do not act set no limit.
+  // Springs that do not act impose no limit.
   Scene apart = squeezed();
   apart.model.bodies[1].p_WB.y = -3.0, apart.model.bodies[2].p_WB.y = 3.0;
   BOOST_TEST(run(apart, 0.1, 1.0, "velocity_verlet", {.accuracy = CheckAction::off}).violation.empty());
 }
 
 BOOST_AUTO_TEST_CASE(bodies_that_could_pass_unseen_are_refused) {
-  // Half of .1 and .1 together are .1 of way: at a step of 1e-3 a speed of 100.
+  // Half the sum of 0.1 and 0.1 is a displacement of 0.1: at a step of 1e-3 a speed of 100.
   const MonitorRules rules{.instability = CheckAction::off, .accuracy = CheckAction::off};
   BOOST_TEST(run(shot(99.0), 1e-3, 0.1, "velocity_verlet", rules).violation.empty());
   const WatchedRun beyond = run(shot(101.0), 1e-3, 0.1, "velocity_verlet", rules);
   BOOST_TEST(beyond.time == 0.0);
   BOOST_TEST(says(beyond.violation, "the bodies of contact 'hit' may pass each other unseen"));
-  // Located steps see to that themselves.
+  // Methods with located steps need no such limit.
   BOOST_TEST(run(shot(101.0), 0.1, 0.1, "stormer_cowell", rules).violation.empty());
 }
 
@@ -153,7 +153,7 @@ BOOST_AUTO_TEST_CASE(overlaps_are_measured_against_the_smaller_body) {
   const WatchedRun through = run(impact(0.501), 1e-4, 3.0);
   BOOST_TEST(says(through.violation, "the bodies may slip through each other"));
   BOOST_TEST(through.time < 1.4);
-  // Where both sides of the second limit only warn, each is said once, at whatever many steps.
+  // If both checks of the second limit only warn, each warning is given once, whatever the number of steps.
   const WatchedRun warned = run(impact(0.501), 1e-4, 3.0, "velocity_verlet",
                                 {.tunnelling = CheckAction::warning, .accuracy = CheckAction::warning});
   BOOST_TEST(warned.violation.empty());
@@ -166,13 +166,13 @@ BOOST_AUTO_TEST_CASE(outlines_that_cross_where_no_node_is_in_the_other) {
   BOOST_TEST(across.time == 0.0);
   BOOST_TEST(says(across.violation, "no node of either is in the other"));
   BOOST_TEST(says(across.violation, "'across' overlaps by 11 of half the least width"));
-  // With corners in the other bar, and by the one resultant, a force acts.
+  // With corners in the other bar, or with a single resultant, a force acts.
   const WatchedRun corners = run(crossed(1.08, ContactMethod::nodes), 1e-3, 0.1);
   BOOST_TEST(corners.violation.empty());
   BOOST_TEST(corners.share == 0.2, boost::test_tools::tolerance(1e-12));
   const WatchedRun resultant = run(crossed(0.0, ContactMethod::resultant), 1e-3, 0.1, "velocity_verlet", rules);
   BOOST_TEST(says(resultant.violation, "the bodies may slip through each other"));
-  // Apart, or told not to look, it says nothing.
+  // Separate bodies, or a check that is off, cause no message.
   BOOST_TEST(run(crossed(1.2, ContactMethod::nodes), 1e-3, 0.1, "velocity_verlet", rules).violation.empty());
   const MonitorRules off{.tunnelling = CheckAction::off, .accuracy = CheckAction::off};
   BOOST_TEST(run(crossed(0.0, ContactMethod::nodes), 1e-3, 0.1, "velocity_verlet", off).violation.empty());
@@ -181,7 +181,7 @@ BOOST_AUTO_TEST_CASE(outlines_that_cross_where_no_node_is_in_the_other) {
 BOOST_AUTO_TEST_CASE(contacts_of_few_steps_are_warned_of_where_they_touch) {
   // Contact time pi/100.
   const Scene scene = impact(0.01);
-  BOOST_TEST(run(scene, 0.0314, 0.4).warnings.empty());  // does not touch before t = .5
+  BOOST_TEST(run(scene, 0.0314, 0.4).warnings.empty());  // does not touch before t = 0.5
   const auto few = run(scene, std::acos(-1.0) / 100.0 / 9.9, 0.7).warnings;
   BOOST_TEST(!few.empty());
   BOOST_TEST(says(few.front(), "lasts 9.9 steps"));
@@ -190,7 +190,7 @@ BOOST_AUTO_TEST_CASE(contacts_of_few_steps_are_warned_of_where_they_touch) {
 }
 
 BOOST_AUTO_TEST_CASE(a_ledger_that_does_not_close_is_warned_of) {
-  // Euler-Cromer's energy of a swing is off by h w/2 at first order, back and forth.
+  // The energy of an oscillation by Euler-Cromer is off by h w/2 at first order, back and forth.
   Scene swings = squeezed();
   set_velocity(swings.model, swings.initial, static_cast<BodyId>(0), {0.0, 0.1}, 0.0);
   MonitorRules rules;
@@ -224,7 +224,7 @@ BOOST_AUTO_TEST_CASE(a_watch_put_back_goes_on) {
   BOOST_TEST(other.extreme(Watched::overlap).time == watch.extreme(Watched::overlap).time);
 }
 
-// A scene with one contact, number 0, and the same without: the step over its limit is at no contact.
+// A scene with one contact, number 0, and the same scene without it, where an extreme at a contact is invalid.
 BOOST_AUTO_TEST_CASE(an_extreme_of_a_contact_that_is_not_there_is_refused) {
   Scene one = impact(0.251);
   one.integrator = make_integrator("velocity_verlet");
@@ -242,7 +242,7 @@ BOOST_AUTO_TEST_CASE(an_extreme_of_a_contact_that_is_not_there_is_refused) {
       ArchiveItems kept = saving.items();
       const std::size_t first = 5 * static_cast<std::size_t>(which);
       auto& numbers = std::get<std::vector<double>>(kept.at("extremes"));
-      numbers[first + 3] = 1.0;  // seen
+      numbers[first + 3] = 1.0;  // a value has been found
       const auto is_loading = [&](double contact) {
         numbers[first + 2] = contact;
         Archive putting_back{kept};

@@ -22,12 +22,12 @@ bool met(std::atomic<int>& arrived, int count) {
   return arrived >= count;
 }
 
-/// What the loop throws; `begun` counts the calls.
+/// Error message that the loop throws; `begun` counts the calls.
 std::string thrown(std::size_t count, unsigned threads, std::size_t first_bad, std::atomic<int>& begun) {
   try {
     parallel_for(count, threads, [&](std::size_t i) {
       ++begun;
-      // Of those that fail, later ones fail sooner.
+      // Among the failing calls, later ones fail sooner.
       if (i >= first_bad) {
         std::this_thread::sleep_for(std::chrono::microseconds{i == first_bad ? 300 : 0});
         throw std::runtime_error{std::to_string(i)};
@@ -64,7 +64,7 @@ BOOST_AUTO_TEST_CASE(one_thread_is_the_callers_and_goes_in_order) {
     BOOST_REQUIRE(order[i] == i);
 }
 
-// Three tasks that wait for each other end only if they have three threads.
+// Three tasks that wait for each other end only with three threads.
 BOOST_AUTO_TEST_CASE(threads_work_at_the_same_time) {
   std::atomic<int> arrived{0}, together{0};
   parallel_for(3, 3, [&](std::size_t) { together += met(arrived, 3) ? 1 : 0; });

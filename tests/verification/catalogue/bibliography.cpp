@@ -1,4 +1,4 @@
-/// The reader of references.bib, and what a text cites.
+/// The reader of references.bib, and the citations in a text.
 #define BOOST_TEST_MODULE catalogue_bibliography
 #include "verification/catalogue/bibliography.hpp"
 
@@ -12,7 +12,7 @@ namespace {
 
 Bibliography read(const std::string& text) { return parse_bibliography(text, "r.bib"); }
 
-/// What the reader says of a text.
+/// Error message of the reader for a text.
 std::string complaint(const std::string& text) {
   try {
     static_cast<void>(read(text));
@@ -22,7 +22,7 @@ std::string complaint(const std::string& text) {
   return "none";
 }
 
-/// An article; its sixth line is this one.
+/// An article whose sixth line is `line`.
 std::string article(const std::string& line, const std::string& key = "hertz1882") {
   return "@article{" + key +
          ",\n  author = {Hertz, H.},\n  title = {{Über}},\n  journal = {Journal},\n  year = 1882,\n" + line + "\n}\n";
@@ -55,7 +55,7 @@ BOOST_AUTO_TEST_CASE(entries_fields_and_strings_are_read) {
   BOOST_TEST(bibliography.has("hertz1882"));
   BOOST_TEST(!bibliography.has("hertz"));
   BOOST_TEST(read("").works.empty());
-  // An editor may stand for the author; a work without year has a name without one.
+  // An editor may replace the author; the key of a work without year has none.
   BOOST_TEST(complaint(entry("@book{ed1964", " editor = {Ed, A.},\n year = 1964,\n")) == "none");
   BOOST_TEST(complaint(entry("@misc{web")) == "none");
 }
@@ -128,7 +128,7 @@ BOOST_AUTO_TEST_CASE(what_is_cited_is_found_and_what_lacks_an_entry_is_named) {
   BOOST_TEST((all.keys == std::vector<std::string>{"hertz1882", "tsuji1992", "walton1986"}));
   const Citations some = citations_in("Hertz 1882; Nobody & Noone 1993, section 5; of 1882", works);
   BOOST_TEST((some.keys == std::vector<std::string>{"hertz1882"}));
-  BOOST_TEST_REQUIRE(some.missing.size() == 2u);  // a name before a semicolon lends itself to no year after it
+  BOOST_TEST_REQUIRE(some.missing.size() == 2u);  // a name before a semicolon is not combined with a year after it
   BOOST_TEST(some.missing[0] == "nobody 1993");
   BOOST_TEST(some.missing[1] == "1882");
 }

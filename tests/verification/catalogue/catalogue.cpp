@@ -1,4 +1,4 @@
-/// The readers of requirements.toml, peers.toml and errata.toml: what they take, and what they say of a mistake.
+/// The readers of requirements.toml, peers.toml and errata.toml: accepted input, and messages for mistakes.
 #define BOOST_TEST_MODULE catalogue_catalogue
 #include "verification/catalogue/catalogue.hpp"
 
@@ -43,7 +43,7 @@ Catalogue read(const std::map<std::string, std::string>& files) {
   return read_catalogue(folder);
 }
 
-/// What the reader says where `old` in a file of the sound catalogue is `changed`, from the file's name on.
+/// Error message for the valid catalogue with `old` in a file replaced by `changed`, from the file's name on.
 std::string complaint(const std::string& file, const std::string& old, const std::string& changed) {
   auto files = sound;
   std::string& text = files.at(file);
@@ -69,7 +69,7 @@ BOOST_AUTO_TEST_CASE(a_sound_catalogue_is_read_whole) {
   BOOST_TEST(catalogue.requirements[2].id == "A2");
   BOOST_TEST(catalogue.requirements[2].group == "A: motion");
   BOOST_TEST(catalogue.requirements[2].text == "spin");
-  BOOST_TEST(catalogue.requirement("shape.circle") != nullptr);  // of the solver's lists
+  BOOST_TEST(catalogue.requirement("shape.circle") != nullptr);  // from the solver's lists
   BOOST_TEST(catalogue.requirement("A3") == nullptr);
   BOOST_TEST_REQUIRE(catalogue.peers.size() == 2u);
   BOOST_TEST(catalogue.peers[0].remark == "");

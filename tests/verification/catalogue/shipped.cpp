@@ -1,4 +1,4 @@
-/// The catalogue as it is shipped.
+/// The shipped catalogue.
 #define BOOST_TEST_MODULE catalogue_shipped
 #include <algorithm>
 #include <boost/test/unit_test.hpp>
@@ -36,7 +36,7 @@ BOOST_AUTO_TEST_CASE(requirements_are_unique_and_hold_all_equations) {
 
 BOOST_AUTO_TEST_CASE(integrators_and_nothing_else_declare_an_order) {
   for (const auto& requirement : catalogue().requirements) {
-    // What is exact has no error to be of an order.
+    // An exact method has no error that could have an order.
     const bool has_order = requirement.group == "integrator" && requirement.id != "integrator.exact";
     BOOST_TEST((requirement.order > 0) == has_order, requirement.id);
     if (requirement.id == "integrator.rk4") BOOST_TEST(requirement.order == 4);
@@ -45,7 +45,7 @@ BOOST_AUTO_TEST_CASE(integrators_and_nothing_else_declare_an_order) {
 
 BOOST_AUTO_TEST_CASE(a_case_has_the_family_of_most_of_its_problems) {
   BOOST_TEST(catalogue().family_of("", {"A3", "E1", "E2", "Eq. 1"}) == "E: outlines in contact");
-  BOOST_TEST(catalogue().family_of("", {"B1", "A1"}) == "A: motion and bodies");  // of equally many the first
+  BOOST_TEST(catalogue().family_of("", {"B1", "A1"}) == "A: motion and bodies");  // of equal numbers the first
   BOOST_TEST(catalogue().family_of("the fence", {"B1"}) == "the fence");
   BOOST_TEST(catalogue().family_of("", {"Eq. 1", "end_rule.clamped", "Z1"}) == "");
 }
@@ -61,7 +61,7 @@ BOOST_AUTO_TEST_CASE(what_other_codes_check_is_all_there) {
   BOOST_TEST(catalogue().errata.size() == 21u);
 }
 
-// The numbers that the errata print, from the data of validation problem 2 (pivoted cylinder).
+// The numbers printed by the errata, computed from the data of validation problem 2 (pivoted cylinder).
 BOOST_AUTO_TEST_CASE(the_numbers_of_the_errata_are_right) {
   const double m = 14.92, l = 8.0, i_g = 85.42, M = 37.23, e = 0.5, v0 = 5.0;
   const double g = 32.174;
@@ -86,13 +86,13 @@ BOOST_AUTO_TEST_CASE(the_numbers_of_the_errata_are_right) {
   BOOST_TEST(std::exp(-pi * xi / std::sqrt(1.0 - xi * xi)) == 0.537, boost::test_tools::tolerance(1e-3));
 }
 
-// The numbers of the errata of the fence, from Table 1 (gravity of the decks).
+// The numbers of the errata of the fence, computed from Table 1 (gravity of the decks).
 BOOST_AUTO_TEST_CASE(the_numbers_of_the_errata_of_the_fence_are_right) {
   const double g = 32.18, d = 2.5, pi = std::acos(-1.0);
   BOOST_TEST(0.76 * g == 24.5, boost::test_tools::tolerance(2e-3));
   BOOST_TEST(0.38 * g == 12.2, boost::test_tools::tolerance(3e-3));
   BOOST_TEST(4.0 * std::pow(std::sin(13.0 * pi / 28.0), 2) == 3.95, boost::test_tools::tolerance(1e-3));
-  // The segment beside the centre: half a column's weight W at the horizontal tension W/f sum (i + 1/2) d_i.
+  // The segment next to the centre: half a column's weight W at the horizontal tension W/f sum (i + 1/2) d_i.
   const double weight = 0.38 * g * pi * 1.25 * 1.25 * 8.0;
   const double horizontal = weight / 5.5 * (d * (0.5 + 1.5 + 2.5 + 3.5 + 4.5 + 5.5) + 12.5 * 6.5);
   const double length = d * std::sqrt(1.0 + std::pow(0.5 * weight / horizontal, 2));

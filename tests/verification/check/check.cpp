@@ -1,4 +1,4 @@
-// The comparator, tested once and by itself: the cases' controls plant faults in the code under test instead.
+// The comparator, tested separately: the controls of cases inject faults into the code under test instead.
 #define BOOST_TEST_MODULE check
 #include "verification/check/check.hpp"
 
@@ -56,7 +56,7 @@ BOOST_AUTO_TEST_CASE(numbers_that_are_not_finite_fail) {
   }
 }
 
-// Rounded to two or three digits, .9996 and 1.0004 are both 1.
+// Rounded to two or three digits, 0.9996 and 1.0004 are both 1.
 BOOST_AUTO_TEST_CASE(a_printed_margin_shows_the_verdict) {
   using talus::records::margin_text;
   const double below = std::nextafter(1.0, 0.0), above = std::nextafter(1.0, 2.0);

@@ -27,7 +27,7 @@ BOOST_AUTO_TEST_CASE(a_pure_power_gives_its_order_and_constant) {
 }
 
 BOOST_AUTO_TEST_CASE(the_fit_is_least_squares) {
-  // ln h = 0, 1, 2 and ln e = 0, 1, 5: slope (5 - 0)/2, mean 2, residuals .5, -1, .5.
+  // ln h = 0, 1, 2 and ln e = 0, 1, 5: slope (5 - 0)/2, mean 2, residuals 0.5, -1, 0.5.
   const PowerLaw law = Convergence({1.0, std::exp(1.0), std::exp(2.0)}, {1.0, std::exp(1.0), std::exp(5.0)}).fit();
   BOOST_TEST(law.order == 2.5, boost::test_tools::tolerance(1e-14));
   BOOST_TEST(law.constant == std::exp(-0.5), boost::test_tools::tolerance(1e-14));

@@ -1,4 +1,4 @@
-// The comparison of two results: every class of difference, what is allowed, and renames.
+// The comparison of two results: every class of difference, allowances, and renames.
 #define BOOST_TEST_MODULE baseline
 #include "verification/driver/baseline.hpp"
 
@@ -25,7 +25,7 @@ Comparison compared(const RecordedResults& before, const RecordedResults& after,
   return compare(before, after, allowance, renames);
 }
 
-/// One check before and after.
+/// Compares one check before and after.
 CheckChange compared(const RecordedCheck& before, const RecordedCheck& after, const Allowance& allowance = {}) {
   const Comparison comparison = compared(recorded_results({recorded_case("a", {before})}),
                                          recorded_results({recorded_case("a", {after})}, "new.json"), allowance);
@@ -61,7 +61,7 @@ BOOST_AUTO_TEST_CASE(equal_results_are_not_worse) {
   BOOST_TEST(totals.cases.compared == 2u);
   BOOST_TEST(totals.checks.compared == 3u);
   BOOST_TEST(totals.controls.compared == 1u);
-  BOOST_TEST(totals.identical == 3u);  // NaN and NaN, too
+  BOOST_TEST(totals.identical == 3u);  // including NaN with NaN
   BOOST_TEST(totals.evaluations_before == 200u);
   BOOST_TEST(totals.seconds_after == 2.0);
   BOOST_TEST(comparison.renaming_errors.empty());
@@ -103,7 +103,7 @@ BOOST_AUTO_TEST_CASE(checks_that_count_roundings_may_move_within_their_bound) {
   BOOST_TEST(within.worse == Reasons{});
   BOOST_TEST(compared(rounded(1e-16), rounded(-3e-16)).worse == (Reasons{Reason::margin, Reason::round_off}));
   BOOST_TEST(compared(rounded(3e-16), rounded(-2e-16), allowance).worse == Reasons{Reason::value});
-  // The same change of a check of another kind is not round-off.
+  // The same change of a check of another kind does not count as round-off.
   RecordedCheck other = rounded(-3e-16);
   other.kind = Kind::truncation;
   BOOST_TEST(compared(rounded(1e-16), other).movement == Movement::changed);
@@ -122,7 +122,7 @@ BOOST_AUTO_TEST_CASE(a_tolerance_is_in_bounds_on_both_sides) {
   BOOST_TEST(compared(before, measured("value", 1.21), tolerance(0.2)).worse ==
              (Reasons{Reason::value, Reason::margin}));
   BOOST_TEST(compared(before, measured("value", 0.99), tolerance(0.2)).worse == Reasons{Reason::value});
-  // At the limit itself; all numbers are exact in binary.
+  // Exactly at the limit; all numbers are exact in binary.
   BOOST_TEST(compared(measured("value", 1.125), measured("value", 1.25), tolerance(0.25)).worse == Reasons{});
 }
 
@@ -138,7 +138,7 @@ BOOST_AUTO_TEST_CASE(a_relative_bound_is_taken_times_the_reference) {
 }
 
 BOOST_AUTO_TEST_CASE(the_bound_of_the_baseline_counts) {
-  // A bound ten times as wide does not admit a change ten times as large.
+  // A bound ten times as wide does not allow a change ten times as large.
   const CheckChange change = compared(measured("value", 1.0, 0.5), measured("value", 1.5, 5.0), tolerance(0.2));
   BOOST_TEST(change.moved == 1.0);
   BOOST_TEST(change.worse == Reasons{Reason::value});
@@ -221,8 +221,8 @@ BOOST_AUTO_TEST_CASE(a_margin_limits_the_growth_of_error_over_bound) {
   BOOST_TEST(compared(before, tighter).worse == Reasons{Reason::margin});
   BOOST_TEST(compared(before, tighter, {.tolerances = {}, .margin = 0.19}).worse == Reasons{Reason::margin});
   BOOST_TEST(compared(before, tighter, {.tolerances = {}, .margin = 0.21}).worse == Reasons{});
-  BOOST_TEST(compared(before, tighter, tolerance(0.21)).worse == Reasons{});  // Without --margin that is the limit.
-  // A margin that is given is the limit, whatever the tolerance.
+  BOOST_TEST(compared(before, tighter, tolerance(0.21)).worse == Reasons{});  // The limit without --margin.
+  // A given margin is the limit, whatever the tolerance.
   BOOST_TEST(compared(before, measured("value", 1.2), {.tolerances = {{"", 1.0}}, .margin = 0.1}).worse ==
              Reasons{Reason::margin});
   BOOST_TEST(compared(tighter, before).worse == Reasons{});
@@ -338,13 +338,13 @@ BOOST_AUTO_TEST_CASE(only_the_cases_selected_are_compared) {
   const RecordedResults before = recorded_results(
       {recorded_case("a", {measured("value", 1.1)}, {control("f")}), recorded_case("b", {measured("value", 1.1)})});
   RecordedResults after = recorded_results({recorded_case("b", {measured("value", 1.1)})});
-  BOOST_TEST(totals_of(compared(before, after)).worse() == 3u);  // Without --only a is gone.
+  BOOST_TEST(totals_of(compared(before, after)).worse() == 3u);  // Without --only, a is gone.
   after.source.only = {"b"};
   const Comparison by_run = compared(before, after);
   BOOST_TEST(totals_of(by_run).worse() == 0u);
   BOOST_TEST(by_run.unselected == std::vector<std::string>{"a"}, boost::test_tools::per_element());
   BOOST_TEST(by_run.checks.size() == 1u);
-  // The same of two whole results.
+  // The same for two complete results.
   const Comparison by_option = compared(before, before, {.tolerances = {}, .margin = {}, .only = {"a"}});
   BOOST_TEST(by_option.cases.size() == 1u);
   BOOST_TEST(by_option.checks.size() == 1u);
@@ -435,7 +435,7 @@ BOOST_AUTO_TEST_CASE(renames_that_the_new_results_contradict) {
   BOOST_TEST(still[0].starts_with("r:2: found 'a/x'; new.json still has it"));
   BOOST_TEST(errors(after, {{name("a", "x"), std::nullopt, "r:3"}}).size() == 1u);
   BOOST_TEST(errors(after, {{name("a", "y"), name("a", "z"), "r:4"}}).empty());
-  // A case that did not come to its end makes no check; and what is not compared is not required.
+  // A case that did not finish makes no check; and names that are not compared are not required.
   RecordedResults stopped = recorded_results({recorded_case("a", {})});
   stopped.cases[0].outcome.status = Status::timeout;
   BOOST_TEST(errors(stopped, {{name("a", "y"), name("a", "w"), "r:1"}}).empty());
@@ -444,7 +444,7 @@ BOOST_AUTO_TEST_CASE(renames_that_the_new_results_contradict) {
   BOOST_TEST(errors(partial, {{name("a", "y"), name("a", "w"), "r:1"}}).empty());
 }
 
-// --- What is refused before a run -----------------------------------------------------------------------------------
+// --- Refused before a run ------------------------------------------------------------------------------------------
 
 BOOST_AUTO_TEST_CASE(what_is_refused_before_a_run) {
   const RecordedResults before = recorded_results({recorded_case("a", {measured("x", 1.1)}, {control("f")})});

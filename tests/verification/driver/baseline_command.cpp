@@ -24,18 +24,18 @@ int run(const std::vector<Case>& cases, std::vector<std::string> options) {
   return verify(cases, TALUS_CATALOGUE, static_cast<int>(argv.size()), argv.data());
 }
 
-/// A case that measures another value than `sound`, in its bound of 0.1 or not.
+/// A case that measures another value than `sound`, within its bound of 0.1 or not.
 template <int hundredths>
 void measuring(Findings& findings, const Setup& setup) {
   findings.expect("value", setup.has("shifted") ? 2.0 : 1.0 + 0.01 * hundredths, 1.0, Tolerance::model(0.1, "chosen"));
 }
 
-/// As `sound`, under another name.
+/// The same as `sound`, under another name.
 void renamed(Findings& findings, const Setup& setup) {
   findings.expect("value of the same", setup.has("shifted") ? 2.0 : 1.05, 1.0, Tolerance::model(0.1, "chosen"));
 }
 
-/// `sound` with evaluations.
+/// `sound` with n evaluations.
 template <unsigned n>
 void counting(Findings& findings, const Setup& setup) {
   sound(findings, setup);
@@ -62,7 +62,7 @@ struct Baseline {
     BOOST_REQUIRE(run(cases, options) == 0);
   }
 
-  /// Runs cases against the baseline.
+  /// Runs cases and compares them with the baseline.
   int against(const std::vector<Case>& cases, std::vector<std::string> options = {}) const {
     options.insert(options.begin(), {"--out", out, "--baseline", file});
     return run(cases, options);
@@ -159,7 +159,7 @@ BOOST_AUTO_TEST_CASE(a_case_that_moved_to_the_full_tier_is_gone_from_the_quick_o
 BOOST_AUTO_TEST_CASE(tiers_must_be_equal) {
   const Baseline full(same, {"--full"});
   BOOST_TEST(full.against(same) == 2);
-  BOOST_TEST(!std::filesystem::exists(full.out));  // Nothing was run.
+  BOOST_TEST(!std::filesystem::exists(full.out));  // No case was run.
   BOOST_TEST(full.against(same, {"--full"}) == 0);
 }
 
@@ -178,8 +178,8 @@ BOOST_AUTO_TEST_CASE(renames) {
   BOOST_TEST(status("older -> new\n") == 2);
   BOOST_TEST(status("old -> newer\n") == 2);
   BOOST_TEST(status("old = new\n") == 2);
-  BOOST_TEST(!std::filesystem::exists(baseline.out));  // All three before anything was run.
-  // The name of a check is known when it was made.
+  BOOST_TEST(!std::filesystem::exists(baseline.out));  // All three were refused before any case was run.
+  // The name of a check is known only after it was made.
   BOOST_TEST(status("old -> new\nold/value -> new/valeu\n") == 2);
   BOOST_TEST(baseline.comparison().at("renaming_errors").size() == 1u);
 }
@@ -188,7 +188,7 @@ BOOST_AUTO_TEST_CASE(the_baseline_may_be_in_the_output_folder) {
   const Baseline baseline;
   const auto old = baseline.folder.path / "old";
   BOOST_TEST(run(other, {"--out", old.string(), "--baseline", baseline.file}) == 6);
-  BOOST_TEST(run(other, {"--out", old.string(), "--baseline", baseline.file}) == 0);  // It is the new one now.
+  BOOST_TEST(run(other, {"--out", old.string(), "--baseline", baseline.file}) == 0);  // It is the new baseline now.
   const auto here = std::filesystem::current_path();
   std::filesystem::current_path(old);
   BOOST_TEST(run(same, {"--out", ".", "--baseline", "results.json"}) == 6);
@@ -278,7 +278,7 @@ BOOST_AUTO_TEST_CASE(two_files_are_compared_without_a_run) {
   const Baseline full(same, {"--full"});
   BOOST_TEST(status(full.file) == 2);
   const Baseline partial(same, {"--only", "a"});
-  BOOST_TEST(status(partial.file) == 0);  // The file says that only a was run.
+  BOOST_TEST(status(partial.file) == 0);  // The file records that only a was run.
   json failed = json::parse(contents_of(baseline.file));
   failed["verdict"] = "fail";
   BOOST_TEST(status(baseline.folder.write("failed.json", failed.dump())) == 1);

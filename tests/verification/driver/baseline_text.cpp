@@ -35,7 +35,8 @@ RecordedResults baseline() {
   return results;
 }
 
-/// Everything differs: a check, a control, a case that is stopped, evaluations, a verdict that improves, a wider bound.
+/// Results in which everything differs: a check, a control, a case that is stopped, evaluations, a verdict that
+/// improves, a wider bound.
 RecordedResults changed() {
   RecordedResults results = recorded_results(
       {recorded_case("a", {measured("distance | x_1", 1.3), measured("kept", 1.05, 1.0), measured("new", 1.0)},
@@ -82,7 +83,7 @@ BOOST_AUTO_TEST_CASE(a_line_says_what_became_worse_and_by_how_much) {
        "largest changes that are not worse:\n", "  improved        c/value: FAIL 1.6 m -> 1.4 m",
        "  bound widened   a/kept: 1.05 m -> 1.05 m; change/bound 0; error/bound 0.1 -> 0.05; bound 0.5 m -> 1 m\n",
        "WORSE: 2 cases, 3 checks and 2 controls are worse than the baseline\n"});
-  // What is gone with a case that was stopped is in the line of the case.
+  // Checks that are missing because a case was stopped are covered by the line of the case.
   BOOST_TEST(!holds_text(text, "b/value"), text);
   BOOST_TEST(!holds_text(text, "b/control"), text);
   BOOST_TEST(text.find("  status ") < text.find("  verdict "));

@@ -1,4 +1,4 @@
-/// All cases beside the catalogue, without running them.
+/// All cases compared with the catalogue, without running them.
 #define BOOST_TEST_MODULE driver_case_list
 #include "verification/driver/case_list.hpp"
 
@@ -21,7 +21,7 @@ const std::vector<Case>& cases() {
   return all;
 }
 
-/// The works that cases, checks of other codes or other works cite.
+/// The works cited by cases, checks of other codes or other works.
 std::set<std::string> cited_works() {
   std::set<std::string> cited;
   const auto add = [&](const std::string& text) {

@@ -1,4 +1,4 @@
-// The driver from its command line to its exit status, on cases that misbehave in each way known.
+// The driver from its command line to its exit status, with cases that misbehave in each known way.
 #define BOOST_TEST_MODULE command
 #include "verification/driver/command.hpp"
 
@@ -31,10 +31,10 @@ using nlohmann::json;
 
 namespace {
 
-/// Where a case that spoils its own record finds it; set before the case's process is started.
+/// Folder of a case that damages its own record; set before the case's process is started.
 std::string spoiled_folder;
 
-/// Runs the driver in a folder of its own and keeps what it wrote.
+/// Runs the driver in a separate folder and stores its output.
 struct Run {
   fs::path out;
   int status = -1;
@@ -62,7 +62,8 @@ struct Run {
   }
 };
 
-/// One misbehaving case: exit status 1, its status, and words in its message; the sound case beside it still passes.
+/// Checks one misbehaving case: exit status 1, its status, and text of its message; the sound case beside it still
+/// passes.
 void demand_failure(const Case& bad, const std::string& status, const std::string& words) {
   const Run run({bad, synthetic("sound", sound)});
   BOOST_TEST_CONTEXT(bad.id) {
@@ -156,7 +157,7 @@ BOOST_AUTO_TEST_CASE(memory_that_is_refused_fails) {
 
 namespace {
 
-/// What a case leaves that a driver under a limit cannot read back: a figure of 16 MB. The case lifts the limit for
+/// A case whose record, a figure of 16 MB, a driver under a limit cannot read back. The case lifts the limit for
 /// itself.
 void large_record(Findings& findings, const Setup& setup) {
   rlimit limit{};
@@ -176,13 +177,13 @@ void large_record(Findings& findings, const Setup& setup) {
                    .series = {{"a", x, x}}});
 }
 
-/// Notes of 8 MB: the driver can read back two such records in less memory than it takes to write its results.
+/// Notes of 8 MB: the driver can read back two such records in less memory than writing its results requires.
 void long_notes(Findings& findings, const Setup& setup) {
   sound(findings, setup);
   if (!setup.coarse) findings.note(std::string(std::size_t{8} << 20U, 'n'));
 }
 
-/// Runs the driver in a child process under `limited`; its exit status, or the negative number of a signal.
+/// Runs the driver in a child process under `limited`; returns its exit status, or the negative number of a signal.
 template <class Limit>
 int verified_under(const std::vector<Case>& cases, const fs::path& out, Limit&& limited) {
   std::fflush(nullptr);
@@ -201,7 +202,7 @@ int verified_under(const std::vector<Case>& cases, const fs::path& out, Limit&& 
   return WIFEXITED(status) ? WEXITSTATUS(status) : -WTERMSIG(status);
 }
 
-/// This process may take `bytes` more address space than it has.
+/// Limits this process to `bytes` more address space than it has.
 void limit_memory(std::size_t bytes) {
   std::size_t pages = 0;
   std::ifstream("/proc/self/statm") >> pages;
@@ -213,7 +214,7 @@ void limit_memory(std::size_t bytes) {
 
 }  // namespace
 
-// From hardly more than the driver's reserve, where it cannot even start a case, to enough for all.
+// From hardly more than the driver's reserve, with which it cannot even start a case, to enough for all.
 BOOST_AUTO_TEST_CASE(a_driver_that_runs_out_of_memory_writes_its_results) {
   const std::vector<Case> cases{synthetic("large", large_record), synthetic("sound", sound)};
   const fs::path out = fs::temp_directory_path() / ("talus_memory_" + std::to_string(::getpid()));
@@ -240,7 +241,7 @@ BOOST_AUTO_TEST_CASE(a_driver_that_runs_out_of_memory_writes_its_results) {
   fs::remove_all(out);
 }
 
-// Where a record fits into memory and the results do not, they are written without its largest parts.
+// If the records fit into memory and the results do not, they are written without their largest parts.
 BOOST_AUTO_TEST_CASE(results_that_do_not_fit_into_memory_are_written_without_notes) {
   const fs::path out = fs::temp_directory_path() / ("talus_notes_" + std::to_string(::getpid()));
   bool shortened = false;
@@ -266,8 +267,8 @@ BOOST_AUTO_TEST_CASE(results_that_do_not_fit_into_memory_are_written_without_not
   fs::remove_all(out);
 }
 
-// RLIMIT_NPROC does not bind root: the driver then runs as nobody, but with root's files, among them the catalogue, which
-// may be in root's own folder.
+// RLIMIT_NPROC does not apply to root: the driver then runs as user nobody, but accesses files as root, among them the
+// catalogue, which may be in root's home folder.
 BOOST_AUTO_TEST_CASE(a_case_without_a_process_fails) {
   const fs::path out = fs::temp_directory_path() / ("talus_processes_" + std::to_string(::getpid()));
   const int status = verified_under({synthetic("sound", sound)}, out, [] {
@@ -479,7 +480,7 @@ BOOST_AUTO_TEST_CASE(a_folder_that_cannot_be_made_is_four) {
   BOOST_TEST(verify({synthetic("first", sound)}, TALUS_CATALOGUE, 3, argv) == 4);
 }
 
-// No case runs, and no results stand there; those of an earlier run stay.
+// No case runs, and no results are written; those of an earlier run remain.
 BOOST_AUTO_TEST_CASE(a_wrong_catalogue_is_two_and_one_that_is_not_there_four) {
   const fs::path folder = fs::temp_directory_path() / ("talus_wrong_catalogue_" + std::to_string(::getpid()));
   const std::string out = (folder / "out").string();
@@ -525,8 +526,8 @@ struct Scratch {
   }
 };
 
-/// A case that writes down how it is run: a letter for the right setup, the coarse one, and each fault; in capitals in
-/// the full tier.
+/// A case that records how it is run: a letter for the right setup, the coarse one, and each fault; in capitals in the
+/// full tier.
 Case noted(const std::string& id, double full_seconds) {
   Case one = synthetic(id, [](Findings& f, const Setup& setup) {
     std::string letter = !setup.fault.empty() ? "f" : setup.coarse ? "c" : "r";
@@ -554,12 +555,12 @@ BOOST_AUTO_TEST_CASE(what_the_same_program_found_is_taken_over) {
   const Case plain = noted("plain", 0.0), longer = noted("longer", 1.0);
   BOOST_TEST(letters_of(plain, {}) == "rcf");
   BOOST_TEST(letters_of(longer, {}) == "rcf");
-  // A case without a full part is the same in both tiers; of another the controls are.
+  // A case without a full part is the same in both tiers; for another case the controls are.
   BOOST_TEST(letters_of(plain, {"--full", "--reuse"}) == "");
   BOOST_TEST(letters_of(longer, {"--full", "--reuse"}) == "R");
   BOOST_TEST(letters_of(plain, {"--full"}) == "rcf");
   BOOST_TEST(letters_of(longer, {"--full"}) == "Rcf");
-  // What cases read has changed.
+  // A file that cases read has changed.
   scratch.write(data, "2\n");
   BOOST_TEST(letters_of(plain, {"--reuse"}) == "rcf");
   BOOST_TEST(letters_of(plain, {"--reuse"}) == "");
@@ -569,7 +570,7 @@ BOOST_AUTO_TEST_CASE(what_the_same_program_found_is_taken_over) {
   BOOST_TEST(letters_of(plain, {"--reuse"}) == "rcf");
   fs::remove(record);
   BOOST_TEST(letters_of(plain, {"--reuse"}) == "rcf");
-  // Other roundings leave records that nothing is taken over from.
+  // Records of other rounding modes are not reused.
   BOOST_TEST(letters_of(plain, {"--rounding", "upward"}) == "rcf");
   BOOST_TEST(letters_of(plain, {"--reuse"}) == "rcf");
 }

@@ -9,7 +9,7 @@
 
 namespace talus::verification {
 
-/// A check as results.json records it, with its verdict.
+/// A check as recorded in results.json, with its verdict.
 inline RecordedCheck recorded(const Check& check) {
   return {check.name,  check.unit,  check.kind,   check.relative, check.measured,     check.reference,
           check.error, check.bound, check.margin, check.pass,     check.text_measured};
@@ -36,7 +36,7 @@ inline RecordedCase recorded_case(const std::string& id, std::vector<RecordedChe
   return c;
 }
 
-/// Results of the quick tier with these cases, all that are registered.
+/// Results of the quick tier with these cases, which are all registered ones.
 inline RecordedResults recorded_results(std::vector<RecordedCase> cases, const std::string& file = "old.json") {
   RecordedResults results;
   results.source.file = file;

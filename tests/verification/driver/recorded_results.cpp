@@ -1,5 +1,5 @@
-// The reader of results.json for comparisons: all that the driver writes is read with the same bits, and anything else
-// is refused with its path.
+// The reader of results.json for comparisons: all values that the driver writes are read with the same bits, and
+// anything else is refused with its path.
 #define BOOST_TEST_MODULE recorded_results
 #include "verification/driver/recorded_results.hpp"
 
@@ -42,7 +42,7 @@ std::string message_of(const std::string& file) {
   return "it was read";
 }
 
-/// `text` of a results.json is refused with `words` behind the file's name.
+/// Checks that `text` of a results.json is refused by a message that begins with the file's name and `words`.
 void demand_refused(const std::string& text, const std::string& words) {
   const TemporaryFolder folder;
   const std::string file = folder.write("results.json", text);

@@ -10,7 +10,7 @@ using namespace talus::verification;
 
 namespace {
 
-/// The line `number` is refused: FILE:number and `words`.
+/// Checks that line `number` is refused by a message with FILE:number and `words`.
 void demand_refused(const std::string& text, int number, const std::string& words) {
   const TemporaryFolder folder;
   const std::string file = folder.write("renames.txt", text);

@@ -51,7 +51,7 @@ BOOST_AUTO_TEST_CASE(the_provenance_names_build_and_machine) {
   BOOST_TEST(from.cores >= 1u);
   for (const auto& library : from.libraries)
     BOOST_TEST(!library.second.empty(), library.first);
-  // Every sine and cosine of the solver is SLEEF's.
+  // The solver computes every sine and cosine with SLEEF.
   const auto sleef = std::find_if(from.libraries.begin(), from.libraries.end(),
                                   [](const auto& library) { return library.first == "SLEEF"; });
   BOOST_REQUIRE(sleef != from.libraries.end());
@@ -109,7 +109,7 @@ BOOST_AUTO_TEST_CASE(families_orders_and_peers_are_told) {
   BOOST_TEST(found == 2u);  // MFiX's DEM04 and LAMMPS's sphere that slides until it rolls
 }
 
-// The report sets the references of a run without another look at the sources.
+// The report uses the references of a run without reading the sources again.
 BOOST_AUTO_TEST_CASE(the_bibliography_is_recorded_as_it_is_in_the_file) {
   BOOST_TEST(written(one_case()).at("bibliography") == read_catalogue(TALUS_CATALOGUE).bibliography.text);
 }
@@ -124,7 +124,7 @@ BOOST_AUTO_TEST_CASE(xml_is_escaped) {
   BOOST_TEST(escaped("a<b & \"c\">\x01\n") == "a&lt;b &amp; &quot;c&quot;&gt;?&#10;");
 }
 
-// Read by an XML parser, which demands that it is well-formed.
+// Read by an XML parser, which requires well-formed text.
 BOOST_AUTO_TEST_CASE(junit_holds_times_that_add_up_and_the_numbers_of_each_check) {
   Record record = run_case(synthetic("a", sound), Tier::quick);
   record.seconds = 1.25;

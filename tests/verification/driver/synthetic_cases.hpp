@@ -8,7 +8,7 @@
 
 namespace talus::verification {
 
-/// A case around `run` that is well formed in all else.
+/// A case that runs `run` and is well formed in all other respects.
 inline Case synthetic(const std::string& id, void (*run)(Findings&, const Setup&)) {
   return {.id = id,
           .title = "Synthetic case " + id,
@@ -23,7 +23,7 @@ inline Case synthetic(const std::string& id, void (*run)(Findings&, const Setup&
           .run = run};
 }
 
-/// Measures 1 within .1, or 2 with the fault: green as it stands, red with the fault.
+/// Measures 1 within 0.1, or 2 with the fault: green without the fault, red with it.
 inline void sound(Findings& findings, const Setup& setup) {
   findings.expect("value", setup.has("shifted") ? 2.0 : 1.05, 1.0, Tolerance::model(0.1, "chosen"));
 }

@@ -30,13 +30,13 @@ struct TemporaryFolder {
   }
 };
 
-/// All of a file; empty if there is none.
+/// Content of a file; empty if there is none.
 inline std::string contents_of(const std::filesystem::path& file) {
   std::ifstream in(file, std::ios::binary);
   return {std::istreambuf_iterator<char>(in), {}};
 }
 
-/// Does `text` hold `part`?
+/// True if `text` contains `part`.
 inline bool holds_text(const std::string& text, const std::string& part) {
   return text.find(part) != std::string::npos;
 }

@@ -48,7 +48,7 @@ bool is_balanced(const std::string& formula) {
   int braces = 0;
   for (std::size_t i = 0; i < formula.size() && braces >= 0; ++i) {
     if (formula[i] == '\\') {
-      ++i;  // \{ and \} are printed
+      ++i;  // braces after a backslash are printed
     } else {
       braces += formula[i] == '{' ? 1 : formula[i] == '}' ? -1 : 0;
     }
@@ -56,7 +56,8 @@ bool is_balanced(const std::string& formula) {
   return braces == 0 && matches(formula, R"(\\left[^a-z])", 0).size() == matches(formula, R"(\\right[^a-z])", 0).size();
 }
 
-/// What is wrong with a formula between one or two dollars; empty if nothing is. `after`: the character behind it.
+/// Describes what is wrong with a formula between one or two dollars; empty if nothing is. `after`: the character
+/// behind it.
 std::string fault_of_formula(const std::string& formula, bool display, char after) {
   const auto blank = [](char c) { return std::isspace(static_cast<unsigned char>(c)) != 0; };
   if (formula.empty()) return "a formula is empty";
@@ -68,7 +69,7 @@ std::string fault_of_formula(const std::string& formula, bool display, char afte
   return "";
 }
 
-/// Formulas that LaTeX or pandoc would not take as such.
+/// Errors in formulas that LaTeX or pandoc would not accept.
 std::vector<std::string> faults_of_formulas(const std::string& page) {
   const std::string text = without(prose(page), "`[^`]*`");
   std::vector<std::string> faults;
@@ -88,8 +89,8 @@ std::vector<std::string> faults_of_formulas(const std::string& page) {
   return faults;
 }
 
-/// Characters that the report's LaTeX stops on, and headings: a page stands under that of its case, and its parts begin
-/// with words in bold, among them these.
+/// Characters that the report's LaTeX does not accept, headings, and missing parts: a page is printed under the heading
+/// of its case, and its parts begin with bold text, among them those required here.
 std::vector<std::string> faults_of_form(const std::string& page) {
   std::vector<std::string> faults;
   for (const char c : page) {
@@ -111,8 +112,8 @@ std::vector<std::string> faults_of_form(const std::string& page) {
 }
 
 /// Everything that a page may name in `code`: cases, members of the solver's closed lists, the values `auto` and `off`
-/// of a scene's keys, the program and the files of its runs, and the listing of 1993, of which cases/published holds the
-/// numbers.
+/// of a scene's keys, the program and the files of its runs, and the listing of 1993, whose numbers are in
+/// cases/published.
 std::set<std::string> known_names() {
   std::set<std::string> names{"auto", "off", "sample2.OUT", "talus", "history.csv", "summary.json", "final_state.json"};
   for (const Case& c : cases())
@@ -124,7 +125,7 @@ std::set<std::string> known_names() {
   return names;
 }
 
-/// Files and folders of what a page may point at, from the root with '/' before and after.
+/// Files and folders that a page may refer to, from the root, with '/' before and after.
 std::set<std::string> known_files() {
   std::set<std::string> files;
   for (const char* tree : {"cases", "reports", "scripts", "solver", "tests", "verification"}) {
@@ -150,7 +151,7 @@ std::string text_of(const fs::path& file) {
   return text.str();
 }
 
-/// Names, files, commands, links and citations on a page that lead nowhere.
+/// Names, files, commands, links and citations on a page whose target does not exist.
 std::vector<std::string> dead_references(const std::string& page) {
   static const std::set<std::string> names = known_names(), files = known_files();
   static const std::vector<std::string> targets = matches(text_of(root / "Makefile"), "\n([a-z-]+):", 1);
@@ -214,7 +215,7 @@ BOOST_AUTO_TEST_CASE(faults_of_pages_are_found) {
 
   BOOST_TEST(number(dead_references("`friction`, `exact`, `table_2.DAT`, `reference/jacobi.hpp`, `cases/`, `sample2`, "
                                     "`cases/fence/appendix_*.DAT`, `make bench`, [a](CONTRIBUTING.md), "
-                                    "[b](https://example.org)")) == 1u);  // the root's own files are not among them
+                                    "[b](https://example.org)")) == 1u);  // files in the root folder are not among them
   for (const char* wrong : {"`frictions`", "`table_9.DAT`", "`reference/nothing.hpp`", "`verification/none/`",
                             "`make nothing`", "[a](none.md)", "text\n\n**Source.** Nobody 1993."})
     BOOST_TEST(number(dead_references(wrong)) == 1u, wrong);

@@ -8,14 +8,14 @@
 #include "tests/verification/record/scratch.hpp"
 #include "verification/record/json_node.hpp"
 
-/// A member of a JSON document: its path ("record.checks[0].name"), its key, and how to reach it.
+/// A member of a JSON document: its path ("record.checks[0].name"), its key, and a pointer to it.
 struct Field {
   std::string path;
   std::string key;
   talus::records::Json::json_pointer pointer;
 };
 
-/// All members of all objects within a value.
+/// Collects all members of all objects within a value.
 inline void collect(const talus::records::Json& value, const std::string& path,
                     const talus::records::Json::json_pointer& pointer, std::vector<Field>& fields) {
   if (value.is_object()) {
@@ -29,8 +29,8 @@ inline void collect(const talus::records::Json& value, const std::string& path,
   }
 }
 
-/// Demands that `read` refuses the document without any one of its members, but for those whose keys may be absent, and
-/// with a value of another type in the place of any member; each time by the member's path.
+/// Checks that `read` refuses the document if any member is absent, except those whose keys may be absent, and if any
+/// member has a value of another type; the error must give the member's path.
 inline void demand_strict(const talus::records::Json& good, const std::string& root,
                           const std::set<std::string>& may_be_absent,
                           const std::function<void(const talus::records::Json&)>& read) {

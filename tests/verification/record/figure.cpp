@@ -43,7 +43,7 @@ Figure without_points(Figure figure) {
   return figure;
 }
 
-/// What demand_sound() says of a figure that `spoil` spoilt: part and fault.
+/// Part and fault that demand_sound() reports for a figure changed by `spoil`.
 std::string fault_of(Figure figure, void (*spoil)(Figure&)) {
   spoil(figure);
   try {

@@ -12,7 +12,7 @@ using namespace talus::records;
 
 namespace {
 
-/// What `read` says of the member "x" of an object with that value.
+/// Error message of `read` for the member "x" of an object with this value.
 std::string refused(const std::string& value, const std::function<void(const Node&)>& read) {
   const Json json = Json::parse("{\"x\": " + value + "}");
   return complaint([&] { read(Node{json, "a.json: all"}.at("x")); });

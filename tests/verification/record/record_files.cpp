@@ -26,7 +26,7 @@ Check check(const std::string& name, double measured, double reference, double b
   return made;
 }
 
-/// A record in which no field has its default.
+/// A record in which no field has its default value.
 Record full_record() {
   Record record;
   record.id = "example";
@@ -87,12 +87,12 @@ Record full_record() {
   return record;
 }
 
-/// What read_record() says of the folder.
+/// Error message of read_record() for the folder.
 std::string refused(const Scratch& folder) {
   return complaint([&] { (void)read_record(folder.path); });
 }
 
-/// The same after `from` was replaced by `to` in record.json.
+/// The error message after `from` was replaced by `to` in record.json.
 std::string refused_edited(const std::string& from, const std::string& to) {
   const Scratch folder;
   write_record(full_record(), folder.path);
@@ -118,7 +118,7 @@ BOOST_AUTO_TEST_CASE(a_record_comes_back_the_same) {
     BOOST_TEST(fs::exists(folder.path / name), name);
 }
 
-// Each member by itself: one that is not in the list of fields would be lost on both sides of the text.
+// Compares each member separately: one that is missing from the list of fields would be lost in both texts.
 BOOST_AUTO_TEST_CASE(each_member_of_a_record_comes_back) {
   const Scratch folder;
   const Record record = full_record();
@@ -338,7 +338,7 @@ BOOST_AUTO_TEST_CASE(a_record_that_cannot_be_written_leaves_the_old_one) {
   Record other = full_record();
   other.title = "Another";
   other.figures.resize(1);
-  other.figures[0].csv = "none/error.csv";  // data come first
+  other.figures[0].csv = "none/error.csv";  // data are written first
   BOOST_CHECK_THROW(write_record(other, folder.path), FileError);
   BOOST_TEST(text_of(read_record(folder.path)) == text_of(full_record()));
 }

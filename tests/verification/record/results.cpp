@@ -25,14 +25,14 @@ Results read(const Json& document) {
   return results;
 }
 
-/// The complaint about a changed sample, empty when there is none.
+/// Error message for a changed sample; empty if there is none.
 std::string refused(const std::function<void(Json&)>& change) {
   Json document = sample();
   change(document);
   return complaint([&] { (void)read(document); });
 }
 
-/// Results in which no field has its default; of the case one check.
+/// Results in which no field has its default value; the case has one check.
 Results full_results() {
   Results results;
   results.provenance = {.revision = "8ca10df",

@@ -14,7 +14,7 @@ using namespace talus::records;
 
 namespace {
 
-/// Limits the size of the files that this process writes, as a disk that fills up.
+/// Limits the size of the files that this process writes, like a disk that fills up.
 struct FileLimit {
   rlimit before{};
 
@@ -60,7 +60,7 @@ BOOST_AUTO_TEST_CASE(a_new_file_has_the_usual_permissions) {
   BOOST_TEST(permissions(folder.path / "a") == 0640U);
 }
 
-// The disk fills up half-way: the old file stays as it was, and no other is left behind.
+// The disk fills up half-way: the old file is unchanged, and no other file remains.
 BOOST_AUTO_TEST_CASE(a_failure_leaves_the_old_file) {
   const Scratch folder;
   const fs::path file = folder.path / "results.json";

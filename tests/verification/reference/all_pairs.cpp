@@ -23,7 +23,7 @@ AllPairs two(double damping) {
 }  // namespace
 
 BOOST_AUTO_TEST_CASE(two_discs_swap_their_speeds_in_half_a_period) {
-  // w = sqrt(2 k/m) = 1: they part after pi.
+  // w = sqrt(2 k/m) = 1: they separate after pi.
   AllPairs discs = two(0.0);
   constexpr int steps = 2000;
   for (int n = 0; n < steps; ++n)

@@ -20,7 +20,8 @@ double first_limit(Scheme scheme, double xi, double most) {
   return all.empty() ? std::numeric_limits<double>::quiet_NaN() : all.front();
 }
 
-/// The largest modulus by running Adams' eight-value pair, coefficients as printed in tables, on y' = lambda y.
+/// Logarithm of the largest modulus, from a run of the eight-value Adams pair on y' = lambda y with coefficients as
+/// printed in tables.
 double ln_growth_of_run(std::complex<double> z) {
   const double b[] = {434241, -1152169, 2183877, -2664477, 2102243, -1041723, 295767, -36799};
   const double m[] = {36799, 139849, -121797, 123133, -88547, 41499, -11351, 1375};
@@ -57,7 +58,7 @@ BOOST_AUTO_TEST_CASE(leapfrogs_have_the_limits_of_their_characteristic_polynomia
     BOOST_TEST(first_limit(Scheme::verlet_old, xi, 5.0) == std::sqrt(xi * xi + 2.0) - xi, near);
     BOOST_TEST(first_limit(Scheme::verlet_predicted, xi, 5.0) == 2.0 * (std::sqrt(1.0 + 4.0 * xi * xi) - 2.0 * xi),
                near);
-    // Its growth passes zero so flatly at small xi that the limit is found to 1e-10/(2 xi^2) only.
+    // At small xi its growth crosses zero so slowly that the limit is determined only to 1e-10/(2 xi^2).
     const double euler = xi < 1.0 ? 2.0 * xi : 2.0 / (xi + std::sqrt(xi * xi - 1.0));
     BOOST_TEST(first_limit(Scheme::euler, xi, 2.0 * euler) == euler,
                boost::test_tools::tolerance(1e-6 + 1e-10 / (xi * xi)));
@@ -65,10 +66,10 @@ BOOST_AUTO_TEST_CASE(leapfrogs_have_the_limits_of_their_characteristic_polynomia
 }
 
 BOOST_AUTO_TEST_CASE(growth_of_a_leapfrog_beyond_its_limit) {
-  // Real pair around -1: 2 cosh(g) = eta^2 - 2.
+  // A real pair around -1: 2 cosh(g) = eta^2 - 2.
   BOOST_TEST(ref::ln_growth(Scheme::half_step, 2.02, 0.0) == std::acosh(0.5 * 2.02 * 2.02 - 1.0),
              boost::test_tools::tolerance(1e-12));
-  // Complex pair below it: the determinant is 1 - 2 xi eta.
+  // A complex pair below it: the determinant is 1 - 2 xi eta.
   BOOST_TEST(ref::ln_growth(Scheme::half_step, 0.5, 0.1) == 0.5 * std::log(0.9), boost::test_tools::tolerance(1e-12));
 }
 
@@ -115,7 +116,7 @@ BOOST_AUTO_TEST_CASE(euler_and_taylor_grow_by_their_determinants_where_they_turn
       BOOST_TEST(std::abs(ref::ln_growth(Scheme::taylor, eta, xi) - 0.5 * std::log1p(0.5 * k - d)) < 1e-15);
     }
   }
-  // Its end: the determinant is one up to xi = 1/2, from there on an eigenvalue is -1.
+  // Limit of taylor: the determinant is one up to xi = 1/2; beyond, an eigenvalue is -1.
   for (const double xi : {0.1, 0.4, 0.49, 0.51, 1.0, 1.5, 2.0}) {
     BOOST_TEST(first_limit(Scheme::taylor, xi, 4.0) == (xi < 0.5 ? 4.0 * xi : 1.0 / xi),
                boost::test_tools::tolerance(1e-7));
@@ -126,12 +127,12 @@ BOOST_AUTO_TEST_CASE(euler_and_taylor_grow_by_their_determinants_where_they_turn
 
 namespace {
 
-/// SRKN_6^b as tabulated with all its digits, kicks b and drifts a in turn.
+/// SRKN_6^b as tabulated with all its digits, kicks b and drifts a alternating.
 constexpr std::array kicks{0.082984406417405200, 0.39630980149836800, -0.039056304922348600, 0.1195241940131508};
 constexpr std::array drifts{0.24529895718427100, 0.60487266571108000, -0.35017162289535100};
 
-/// Half the trace of a step without damping: 1 + 2 q_v v_q, of half a step's matrix ((q_q, q_v), (v_q, v_v)), for the
-/// other half is its mirror image.
+/// Half the trace of an undamped step: 1 + 2 q_v v_q, from the matrix ((q_q, q_v), (v_q, v_v)) of half a step, because
+/// the other half is its mirror image.
 double half_trace(double eta) {
   const double k = eta * eta;
   double qq = 1.0, qv = 0.0, vq = 0.0, vv = 1.0;
@@ -146,8 +147,8 @@ double half_trace(double eta) {
 }  // namespace
 
 BOOST_AUTO_TEST_CASE(tabulated_kicks_and_drifts_hold_the_conditions_of_order_four) {
-  // Of Nystroem methods, all sums over kicks at the times c: b = 1, b c = 1/2, b c^2 = 1/3, b_i b_j (c_i - c_j) = 1/6,
-  // i > j; of order four by symmetry.
+  // Conditions for Nystroem methods, with sums over kicks at the times c: b = 1, b c = 1/2, b c^2 = 1/3, b_i b_j (c_i -
+  // c_j) = 1/6, i > j; order four follows by symmetry.
   const std::array b{kicks[0], kicks[1], kicks[2], kicks[3], kicks[2], kicks[1], kicks[0]};
   const std::array a{drifts[0], drifts[1], drifts[2], drifts[2], drifts[1], drifts[0]};
   double time = 0.0, once = 0.0, squared = 0.0, weights = 0.0, twice = 0.0;
@@ -173,16 +174,16 @@ BOOST_AUTO_TEST_CASE(blanes_and_moans_method_grows_by_its_trace_where_nothing_da
     BOOST_TEST(ref::ln_growth(Scheme::blanes_moan4, eta, 0.0) == std::acosh(std::abs(half_trace(eta))),
                boost::test_tools::tolerance(1e-9));
   }
-  // A narrow window, then growth for good (up to 7.6).
+  // A narrow window of growth, then permanent growth (up to 7.6).
   const std::vector<double> ends = ref::limits(Scheme::blanes_moan4, 0.0, 7.0, 5000);
   BOOST_REQUIRE(ends.size() == 3);
   for (const double end : ends)
     BOOST_TEST(std::abs(half_trace(end)) == 1.0, boost::test_tools::tolerance(1e-12));
-  BOOST_TEST(ref::limits(Scheme::blanes_moan4, 0.0, 7.0, 70).size() == 1);  // the window is not seen
+  BOOST_TEST(ref::limits(Scheme::blanes_moan4, 0.0, 7.0, 70).size() == 1);  // the window is missed
 }
 
 BOOST_AUTO_TEST_CASE(blanes_and_moans_method_dies_by_its_determinant_where_it_turns) {
-  // A kick takes b d of the velocity of before it; the last of a step and the first of the next are one.
+  // A kick removes b d of the velocity before it; the last kick of a step and the first of the next are one.
   for (const double xi : {0.02, 0.1, 0.2}) {
     for (const double eta : {0.1, 0.7, 1.5}) {
       const double d = 2.0 * xi * eta;
@@ -195,7 +196,7 @@ BOOST_AUTO_TEST_CASE(blanes_and_moans_method_dies_by_its_determinant_where_it_tu
 }
 
 BOOST_AUTO_TEST_CASE(multipliers_of_a_made_up_motion_are_found) {
-  // Three eigenvalues: a complex pair of modulus .8 and a real one of .95, mixed in both numbers.
+  // Three eigenvalues: a complex pair of modulus 0.8 and a real one of 0.95, mixed in both numbers.
   ref::Motion states;
   for (int n = 0; n < 30; ++n) {
     const double pair = std::pow(0.8, n), real = std::pow(-0.95, n);
@@ -208,9 +209,9 @@ BOOST_AUTO_TEST_CASE(multipliers_of_a_made_up_motion_are_found) {
   BOOST_TEST(std::abs(ref::ln_multiplier({&pair, 1}, 2, 1e-22) - std::log(3.0)) < 1e-9);
   const ref::Motion two{pair[0], pair[1]}, others{pair[4], pair[5]};
   BOOST_TEST(std::isnan(ref::ln_multiplier({&two, 1}, 2, 1e-22)));
-  // Two runs of one step each tell as much as one of two.
+  // Two runs of one step each give as much information as one run of two steps.
   const std::array both{two, others};
   BOOST_TEST(std::abs(ref::ln_multiplier(both, 2, 1e-22) - std::log(3.0)) < 1e-9);
-  // Nothing but noise.
+  // Only noise.
   BOOST_TEST(std::isnan(ref::ln_multiplier(both, 2, 1.0)));
 }

@@ -14,7 +14,7 @@ namespace {
 
 constexpr ref::BedOfSprings bed{.radius = 0.9, .stiffness = 2.0e5, .relaxation = 1e-3};
 
-/// Force of so many springs around the circle, one by one, each pushing or not.
+/// Force of `count` springs around the circle, computed one by one, each pushing or not.
 double spring_by_spring(int count, double relaxation, double depth, double rate) {
   double sum = 0.0;
   for (int i = 0; i < count; ++i) {
@@ -42,14 +42,14 @@ BOOST_AUTO_TEST_CASE(force_is_the_slope_of_the_energy) {
   BOOST_TEST(ref::bed_energy(bed, 0.0) == 0.0);
 }
 
-// Small depths: A = (4/3) sqrt(2 R) d^(3/2) (1 - 3 d/(20 R) ...) from the series of sine and cosine.
+// Small overlaps: A = (4/3) sqrt(2 R) d^(3/2) (1 - 3 d/(20 R) ...) from the series of sine and cosine.
 BOOST_AUTO_TEST_CASE(shallow_contact_grows_with_the_power_three_halves) {
   const double d = 1e-6;
   const double shallow = bed.stiffness * (4.0 / 3.0) * std::sqrt(2.0 * bed.radius) * d * std::sqrt(d);
   BOOST_TEST(ref::bed_force(bed, d) == shallow, boost::test_tools::tolerance(1e-6));
 }
 
-// The power 3/2 at touch and end keeps the integrator from its order there: measured, 2e-10 is left.
+// The power 3/2 at first contact and end reduces the integrator's order there: the measured error is 2e-10.
 BOOST_AUTO_TEST_CASE(without_dashpots_energy_gives_the_force) {
   const double mass = 8.0, depth = 0.07;
   const ref::BedOfSprings springs{bed.radius, bed.stiffness, 0.0};
@@ -59,8 +59,8 @@ BOOST_AUTO_TEST_CASE(without_dashpots_energy_gives_the_force) {
   BOOST_TEST(found.restitution == 1.0, boost::test_tools::tolerance(1e-9));
 }
 
-// 4000 springs and dashpots one by one, by velocity Verlet with the rate of the half step: second order but where a
-// spring begins or ends, of which there are 4000.
+// 4000 springs and dashpots computed one by one, by velocity Verlet with the rate of the half step: second order except
+// where one of the 4000 springs begins or ends to act.
 BOOST_AUTO_TEST_CASE(damped_impact_is_that_of_many_springs) {
   const double mass = 8.0, speed = 40.0, h = 2e-6;
   double depth = 0.0, rate = speed, largest = 0.0;

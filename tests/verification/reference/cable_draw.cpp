@@ -13,7 +13,7 @@ namespace {
 const ref::YieldingCable straight{8.0, {{0.0, 2.0}}, 2.0};
 const ref::YieldingCable bent{8.0, {{0.0, 2.0}, {0.25, 2.5}, {1.25, 2.5}, {1.5, 4.0}}, 1.0};
 
-/// Y(p) in plain doubles.
+/// The yield force Y(p) in plain doubles.
 double plain_yield_force(const ref::YieldingCable& cable, double p) {
   for (std::size_t i = 1; i < cable.points.size(); ++i) {
     const auto &from = cable.points[i - 1], &to = cable.points[i];
@@ -22,7 +22,7 @@ double plain_yield_force(const ref::YieldingCable& cable, double p) {
   return cable.points.back().force + cable.last_slope * (p - cable.points.back().stretch);
 }
 
-/// The same draw by small steps of the mass (leapfrog), the cable drawn out as k (e - p) passes Y(p).
+/// The same draw by small steps of the mass (leapfrog); the cable elongates plastically when k (e - p) exceeds Y(p).
 ref::CableDraw stepped(const ref::YieldingCable& cable, double mass, double speed, double stretch) {
   double e = stretch, p = stretch, v = speed, peak = 0.0, lost = 0.0;
   const double h = 1e-5;
@@ -93,7 +93,7 @@ BOOST_AUTO_TEST_CASE(bungee_obeys_energy_and_time) {
   const ref::Bungee b{40.0, 2.0, 10.0, 0.7};
   const double x = ref::bungee_depth(b);
   BOOST_TEST(b.mass * b.gravity * (b.height + x) == 0.5 * b.stiffness * x * x, boost::test_tools::tolerance(1e-14));
-  // By small steps from rest to the turn: half the period.
+  // Integrated by small steps from rest to the turning point: half the period.
   double y = -b.height, v = 0.0, t = 0.0;
   const double h = 1e-6;
   do {
@@ -120,7 +120,7 @@ BOOST_AUTO_TEST_CASE(drawn_out_until_it_breaks) {
         work += h * plain_yield_force(*cable, p);
       BOOST_TEST(std::abs(ref::plastic_work(*cable, stretch) - work) < 1e-6);
       if (stretch == 0.0) continue;
-      // A mass that turns there keeps nothing; what it is faster by, in squares, it keeps.
+      // A mass that turns at this elongation keeps no speed; the excess of the squared speed remains.
       const double turns = std::sqrt(
           (2.0 * ref::plastic_work(*cable, stretch) + std::pow(ref::yield_force(*cable, stretch), 2) / 8.0) / 1.5);
       BOOST_TEST(ref::draw(*cable, 1.5, turns).stretch == stretch, boost::test_tools::tolerance(1e-13));

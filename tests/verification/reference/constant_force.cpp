@@ -14,7 +14,7 @@ constexpr ref::ConstantForce flight{1.25, -3.5, 9.75};
 BOOST_AUTO_TEST_CASE(equation_start_and_energy) {
   BOOST_TEST(ref::place_at(flight, 0.0) == 1.25);
   BOOST_TEST(ref::speed_at(flight, 0.0) == -3.5);
-  // Second differences of a parabola are exact: all numbers here are short in binary.
+  // Second differences of a parabola are exact: all numbers here have few binary digits.
   const double h = 0.125;
   for (const double t : {0.5, 1.0, 7.0}) {
     const double before = ref::place_at(flight, t - h), now = ref::place_at(flight, t),

@@ -19,7 +19,7 @@ namespace {
 
 constexpr double eps = std::numeric_limits<double>::epsilon();
 
-// Ends of the first contacts by tight integration with events: another algorithm.
+// Ends of the first contacts by tight integration with events: an independent algorithm.
 std::vector<ref::Bounce> integrated(const ref::DampedBounce& drop, int count) {
   const long double w = drop.frequency;
   const long double xi = drop.damping_ratio;
@@ -85,7 +85,7 @@ BOOST_AUTO_TEST_CASE(bounces_match_a_tight_integration) {
       const auto list = ref::bounces(drop, 3);
       BOOST_TEST(list.size() >= truth.size());
       for (std::size_t i = 0; i < truth.size(); ++i) {
-        const double bound = 1e-14;  // a few 1e-17 steps, magnified by each rebound; doubles of order 1
+        const double bound = 1e-14;  // a few steps with errors of 1e-17, amplified by each rebound; doubles of order 1
         BOOST_TEST(std::abs(list[i].start_time - truth[i].start_time) < bound);
         BOOST_TEST(std::abs(list[i].start_speed - truth[i].start_speed) < bound);
         BOOST_TEST(std::abs(list[i].end_time - truth[i].end_time) < bound);
@@ -123,7 +123,7 @@ BOOST_AUTO_TEST_CASE(damped_bounces_end_in_rest) {
     BOOST_TEST(states[0].touching);
     BOOST_TEST(std::abs(states[0].gap + 9.81 / 1600.0) < 1e-12);
   }
-  // Critical and overdamped attractive contacts never let go.
+  // Critical and overdamped attractive contacts never end.
   BOOST_TEST(ref::bounces({40.0, 1.0, 9.81, 0.3, 0.0, EndRule::attractive}, 9).size() == 1u);
   BOOST_TEST(ref::bounces({40.0, 1.5, 9.81, 0.3, 0.0, EndRule::attractive}, 9).size() == 1u);
 }

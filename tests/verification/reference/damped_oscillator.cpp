@@ -16,7 +16,7 @@ BOOST_AUTO_TEST_CASE(equation_start_and_energy) {
     BOOST_TEST(start.velocity == -1.25);
     BOOST_TEST(std::abs(start.squared_velocity) < 1e-15);
     for (const double t : {0.2, 1.0, 2.5}) {
-      // Sixth-order differences: what they leave out is (w0 h)^6/140, rounding 1e-16/h.
+      // Sixth-order differences: the truncation is (w0 h)^6/140, rounding 1e-16/h.
       const double h = 2e-3;
       const auto slope = [&](auto member) {
         const auto value = [&](int n) { return ref::state_at(oscillator, t + n * h).*member; };

@@ -9,7 +9,7 @@ namespace ref = talus::verification::reference;
 
 namespace {
 
-/// A disc of mass 2 on a level table, m/n = 2/3, L = .003.
+/// A disc of mass 2 on a level table, m/n = 2/3, L = 0.003.
 ref::DraggedSlider disc() {
   return {.mass = 2.0,
           .mobility = 3.0,
@@ -21,7 +21,8 @@ ref::DraggedSlider disc() {
           .stretch = 0.0};
 }
 
-/// m v^2/(2 n) + k_s s^2/2 + mu N (path of the slider) - m a (slip)/n: what the contact point's motion keeps.
+/// The conserved quantity of the contact point's motion: m v^2/(2 n) + k_s s^2/2 + mu N (path of the slider) - m a
+/// (slip)/n.
 double energy(const ref::DraggedSlider& p, const ref::SliderState& x, double slip) {
   return p.mass * x.slip_rate * x.slip_rate / (2.0 * p.mobility) +
          0.5 * p.tangential_stiffness * x.stretch * x.stretch + p.friction * p.normal_force * x.slipped -
@@ -31,7 +32,8 @@ double energy(const ref::DraggedSlider& p, const ref::SliderState& x, double sli
 }  // namespace
 
 BOOST_AUTO_TEST_CASE(obeys_its_equations_between_and_across_phases) {
-  // dv/dt = a - n k_s s/m in both modes, ds/dt = v or 0, the slider's path grows by the rest: by central differences.
+  // Checked by central differences: dv/dt = a - n k_s s/m in both modes, ds/dt = v or 0, and the slider's path grows by
+  // the rest.
   for (const double drive : {0.0, 1.0, 4.0, 20.0}) {
     ref::DraggedSlider p = disc();
     p.drive = drive;
@@ -65,7 +67,8 @@ BOOST_AUTO_TEST_CASE(keeps_energy_and_starts_as_told) {
 }
 
 BOOST_AUTO_TEST_CASE(a_rigid_disc_rolls_at_two_thirds) {
-  // k_s to infinity: slip ends after v/(n mu N/m) = 3/9 s, the centre has lost a third of its slip.
+  // k_s to infinity: slip ends after v/(n mu N/m) = 3/9 s, when the speed of the centre has changed by a third of the
+  // initial slip rate.
   ref::DraggedSlider p = disc();
   p.tangential_stiffness = 2e12;
   const ref::DraggedSliderMotion motion{p, 1.0};
@@ -85,8 +88,8 @@ BOOST_AUTO_TEST_CASE(swings_after_the_slip) {
 }
 
 BOOST_AUTO_TEST_CASE(a_block_on_a_slope) {
-  // tan = .15, mu = .3: from an unstretched spring it swings to twice the static stretch, which is the limit; beyond
-  // (.16) it slips by d = v^2/(2 a), v^2 = w^2 L (2 rest - L), and then stays.
+  // tan = 0.15, mu = 0.3: from an unstretched spring it oscillates up to twice the static stretch, which is the limit;
+  // beyond (0.16) it slips by d = v^2/(2 a), v^2 = w^2 L (2 rest - L), and then sticks.
   const double g = 10.0;
   for (const double tangent : {0.149, 0.16, 0.25, 0.31}) {
     const double cosine = 1.0 / std::sqrt(1.0 + tangent * tangent), sine = tangent * cosine;
@@ -110,7 +113,7 @@ BOOST_AUTO_TEST_CASE(a_block_on_a_slope) {
     } else {
       BOOST_TEST(motion.at(20.0).slip_rate > 0.15);
     }
-    // Preloaded it does not move at all below the threshold.
+    // With a preloaded spring it does not move at all below the threshold.
     p.stretch = std::min(rest, limit);
     const ref::DraggedSliderMotion held{p, 20.0};
     BOOST_TEST((held.at(20.0).slipped > 0.0) == (tangent > 0.3));

@@ -13,8 +13,8 @@ namespace {
 constexpr double pi = std::numbers::pi;
 const GasOfDiscs heavy{.solid_fraction = 0.3, .restitution = 0.8, .diameter = 0.4, .mass = 3.0};
 
-/// Of a disc, collisions per time and area of their surfaces: n d chi int dk int q f(q) w(q) dq, f that of the closing
-/// speed of two discs of temperature T, whose variance is 2 T/m.
+/// Sum over the collisions of a disc, per time: n d chi int dk int q f(q) w(q) dq, with f the distribution of the
+/// closing speed of two discs of temperature T, whose variance is 2 T/m.
 template <class Weight>
 double over_collisions(const GasOfDiscs& gas, double temperature, Weight&& weight) {
   const double s = std::sqrt(2.0 * temperature / gas.mass), step = 1e-3 * s;
@@ -32,11 +32,12 @@ BOOST_AUTO_TEST_CASE(discs_collide_lose_and_press_as_sums_over_speeds_say) {
   BOOST_TEST(contact_density(0.3) == (1.0 - 0.13125) / 0.49, boost::test_tools::tolerance(1e-14));
   BOOST_TEST(collision_rate(heavy, t) == over_collisions(heavy, t, [](double) { return 1.0; }),
              boost::test_tools::tolerance(1e-6));
-  // Half of what a pair loses, m (1 - e^2) q^2/4, is a disc's.
+  // Half of the energy loss of a pair, m (1 - e^2) q^2/4, belongs to each disc.
   const double lost =
       over_collisions(heavy, t, [&](double q) { return 0.5 * 0.25 * heavy.mass * (1.0 - e * e) * q * q; });
   BOOST_TEST(2.0 * t * cooling_rate(heavy, t) == lost, boost::test_tools::tolerance(1e-6));
-  // An impulse m (1 + e) q/2 goes over the distance d, half of which is a disc's; of two directions.
+  // An impulse m (1 + e) q/2 acts over the distance d, half of which belongs to each disc; averaged over two
+  // directions.
   const double virial = n * over_collisions(heavy, t, [&](double q) {
                           return 0.5 * 0.5 * heavy.diameter * 0.5 * heavy.mass * (1.0 + e) * q;
                         });
@@ -74,7 +75,7 @@ BOOST_AUTO_TEST_CASE(shear_heats_as_much_as_collisions_lose) {
       const SteadyShear simple = newtonian_shear(gas, 1.7);
       const double lost = 2.0 * number_density(gas) * simple.temperature * cooling_rate(gas, simple.temperature);
       BOOST_TEST(simple.loss == lost, boost::test_tools::tolerance(1e-12));
-      // Lengths, masses and times are units.
+      // The result scales with the units of length, mass and time.
       const SteadyShear unit = gaussian_shear({phi, e, 1.0, 1.0}, 1.0);
       BOOST_TEST(steady.temperature == unit.temperature * 3.0 * 0.16 * 1.7 * 1.7, boost::test_tools::tolerance(1e-12));
       BOOST_TEST(steady.friction() == unit.friction(), boost::test_tools::tolerance(1e-12));
@@ -83,7 +84,7 @@ BOOST_AUTO_TEST_CASE(shear_heats_as_much_as_collisions_lose) {
 }
 
 BOOST_AUTO_TEST_CASE(elastic_discs_have_the_viscosity_of_enskog) {
-  // Both closures meet as 1 - e goes to 0, in proportion to it.
+  // Both closures converge as 1 - e goes to 0; their difference is proportional to it.
   for (const double phi : {0.01, 0.1, 0.3, 0.5}) {
     double apart[2];
     for (int i = 0; i < 2; ++i) {
@@ -99,9 +100,9 @@ BOOST_AUTO_TEST_CASE(elastic_discs_have_the_viscosity_of_enskog) {
 }
 
 BOOST_AUTO_TEST_CASE(dilute_discs_in_shear_solve_the_moments_of_boltzmanns_equation) {
-  // To first order in the anisotropy, and without an extension of discs, collisions change K_xy at the rate -nu K_xy
-  // and K_yy at -nu (K_yy - T) - z T, with z = 2/tau and nu = (1 + e) (7 - 3 e)/8 collisions of a disc: K_yy = T (1 -
-  // z/nu) does not change, -K_xy = rate K_yy/nu neither, and heating rate K_xy makes up for z T.
+  // To first order in the anisotropy, and for discs of negligible size, collisions change K_xy at the rate -nu K_xy and
+  // K_yy at -nu (K_yy - T) - z T, with z = 2/tau and nu = (1 + e) (7 - 3 e)/8 collisions of a disc: K_yy = T (1 - z/nu)
+  // is steady, so is -K_xy = rate K_yy/nu, and the heating rate K_xy balances z T.
   const GasOfDiscs gas{1e-3, 0.98};
   const SteadyShear steady = gaussian_shear(gas, 1.0);
   const double e = gas.restitution, w = collision_rate(gas, steady.temperature);

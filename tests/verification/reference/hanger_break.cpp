@@ -51,7 +51,7 @@ BOOST_AUTO_TEST_CASE(what_is_lost_is_what_the_cables_held_less_what_the_one_hold
   const double before = 0.5 * pair.stiffness_1 * at.b * at.b + 0.5 * pair.stiffness_2 * (at.c - at.b) * (at.c - at.b);
   const double after = 0.5 * broken.merged_stiffness * at.c * at.c;
   BOOST_TEST(broken.lost == before - after, boost::test_tools::tolerance(1e-12));
-  // Two springs in a row: 1/k = 1/3 + 1/5.
+  // Two springs in series: 1/k = 1/3 + 1/5.
   BOOST_TEST(broken.merged_stiffness == 15.0 / 8.0, boost::test_tools::tolerance(1e-15));
 }
 

@@ -41,7 +41,7 @@ BOOST_AUTO_TEST_CASE(softening_is_the_rate_of_the_places) {
   const auto at = ref::hung_chain(chain, 0.0), near = ref::hung_chain(chain, 1e-5), far = ref::hung_chain(chain, 2e-5);
   const auto slope = [](double f0, double f1, double f2) { return (4.0 * f1 - 3.0 * f0 - f2) / 2e-5; };
   for (std::size_t i = 0; i < 9; ++i) {
-    // The third derivative, below 300, times 1e-10/3.
+    // Error: the third derivative, below 300, times 1e-10/3.
     BOOST_TEST(std::abs(slope(at.x[i], near.x[i], far.x[i]) - rate.x[i]) < 1e-7);
     BOOST_TEST(std::abs(slope(at.y[i], near.y[i], far.y[i]) - rate.y[i]) < 1e-7);
     BOOST_TEST(std::abs(slope(at.tension[i], near.tension[i], far.tension[i]) - rate.tension[i]) < 1e-6);
@@ -49,7 +49,7 @@ BOOST_AUTO_TEST_CASE(softening_is_the_rate_of_the_places) {
 }
 
 BOOST_AUTO_TEST_CASE(many_links_hang_in_a_catenary) {
-  // Level ends a = 1 apart, length 2 p sinh(1/(2 p)) = 1.5; the sag is p (cosh(1/(2 p)) - 1).
+  // Ends at the same height, a = 1 apart, length 2 p sinh(1/(2 p)) = 1.5; the sag is p (cosh(1/(2 p)) - 1).
   double low = 0.1, high = 1.0;
   for (int i = 0; i < 60; ++i) {
     const double p = 0.5 * (low + high);

@@ -9,7 +9,7 @@ using ref::Real, ref::SmoothState, ref::SmoothSystem, ref::Triple;
 
 namespace {
 
-/// Minus the slope of an energy along each coordinate.
+/// Negative gradient of an energy with respect to each coordinate.
 template <class Energy>
 Triple downhill(const Energy& energy, const Triple& q) {
   Triple out{};
@@ -74,13 +74,13 @@ BOOST_AUTO_TEST_CASE(pressed_disc_keeps_its_energy) {
     }
     return sum;
   };
-  // Runge-Kutta of order 4: (w h)^4 w t/120 = 1e-12 of the 60 that the energy counts.
+  // Runge-Kutta of order 4: error (w h)^4 w t/120 = 1e-12, relative to an energy of 60.
   const SmoothState end = ref::moved(system, start, 0.5L, 4000);
   BOOST_TEST(std::abs(energy(end) - energy(start)) < 1e-10L);
 }
 
 BOOST_AUTO_TEST_CASE(disc_rolls_on_a_post_as_on_a_plane) {
-  // A disc that rolls round a post of radius R, both rigid: r (w - W) = R W with W the rate about the post.
+  // A disc that rolls around a post of radius R, both rigid: r (w - W) = R W with W the rate about the post.
   const ref::PressedDisc disc{0.5, 1.0, 0.1, 1.0, 1.0, 0.0, {{0.0, 0.0, 2.0}}};
   const Real about = 0.3L, spin = about * 2.5L / 0.5L;
   const auto slip = ref::pressed_disc(disc).slip({0.0L, 2.5L, 0.0L}, {-about * 2.5L, 0.0L, spin});

@@ -26,7 +26,7 @@ BOOST_AUTO_TEST_CASE(shifts_by_one_term_and_has_the_mean_zero) {
     // zeta(-p, 1/2) = (2^-p - 1) zeta(-p).
     BOOST_TEST(std::abs(ref::hurwitz_zeta_of_minus(p, 0.5) - (std::pow(2.0, -p) - 1.0) * boost::math::zeta(-p)) <
                1e-14);
-    // Of n equally spaced u the sum is n^-p zeta(-p, n u): the multiplication theorem.
+    // The sum over n equally spaced u is n^-p zeta(-p, n u): the multiplication theorem.
     double sum = 0.0;
     for (int i = 0; i < 5; ++i)
       sum += ref::hurwitz_zeta_of_minus(p, (0.4 + i) / 5.0);

@@ -17,7 +17,7 @@ namespace {
 double momentum(const std::vector<double>& v) { return std::accumulate(v.begin(), v.end(), 0.0); }
 double energy(const std::vector<double>& v) { return 0.5 * std::inner_product(v.begin(), v.end(), v.begin(), 0.0); }
 
-/// A pair in which the first is struck again while the second has not parted from it.
+/// A pair whose first disc is struck again, by a third disc, before the second has separated from it.
 const ref::LatchingChain restruck{1.0, 1.0 / 0.49, 1.0, {3.0, 1.0, 0.0}, {3.5, 0.0}};
 
 }  // namespace
@@ -59,7 +59,7 @@ BOOST_AUTO_TEST_CASE(momentum_is_kept_and_energy_where_the_latches_keep_it) {
 }
 
 BOOST_AUTO_TEST_CASE(chains_of_three_and_four_end_as_another_program_found) {
-  // By another's leapfrog with ever shorter steps, five digits.
+  // Computed by another program with a leapfrog and decreasing steps, to five digits.
   const std::array<double, 3> three{0.06106, 0.20237, 0.73657};
   const std::array<double, 4> four{0.06047, 0.08188, 0.21149, 0.64616};
   const ref::ChainRebound a = ref::chain_rebound(ref::struck_chain(3, 0.49, 1.0, 1.0, 1.0));

@@ -19,7 +19,7 @@ constexpr ref::LatchingImpact growing{3.0, 3.0, 2.5, 0.4, 1.7};
 
 }  // namespace
 
-// Loading and unloading by tight integration with located events: nothing is known of swings and frequencies.
+// Loading and unloading by tight integration with located events, without using closed forms or frequencies.
 BOOST_AUTO_TEST_CASE(events_match_a_tight_integration) {
   for (const ref::LatchingImpact& impact : {constant, growing}) {
     const auto loading = [&](const ref::Coordinates& y, ref::Coordinates& dydt) {

@@ -44,7 +44,7 @@ BOOST_AUTO_TEST_CASE(mean_of_the_inverse_square_is_one_and_the_mean_logarithm_po
     BOOST_TEST(std::abs(gain.inverse_square - 1.0) < 1e-6);
     BOOST_TEST(gain.mean_ln > 0.0);
   }
-  // The next order in eta.
+  // The difference is of the next order in eta.
   for (const double eta : {0.1, 0.2, 0.3})
     BOOST_TEST(std::abs(ref::leapfrog_gain(eta, 200000).mean_ln / ref::small_step_heating(eta) - 1.0) < eta * eta);
 }

@@ -54,13 +54,13 @@ BOOST_AUTO_TEST_CASE(periods_are_those_integrated) {
 BOOST_AUTO_TEST_CASE(amplitude_lengthens_the_period) {
   for (const double a : {0.01, 0.02}) {
     const double found = ref::mid_span_period(span, a) / ref::cubic_period(span, a) - 1.0;
-    // The next power of A/L is (A/L)^2 of it, 1e-4.
+    // The next term is (A/L)^2 times this one, 1e-4.
     BOOST_TEST(found == ref::longer_by_amplitude(span, a), boost::test_tools::tolerance(1e-4));
   }
 }
 
 BOOST_AUTO_TEST_CASE(steps_shorten_the_period_of_the_cubic_oscillator) {
-  // Velocity Verlet written out, to the first passage, there interpolated along v = const (x'' = x''' = 0).
+  // Velocity Verlet written out, up to the first passage, which is interpolated with v = const (x'' = x''' = 0).
   const double h = ref::cubic_period(span, 1.0) / 2000.3;
   double x = 1.0, v = 0.0, t = 0.0;
   for (;; t += h) {

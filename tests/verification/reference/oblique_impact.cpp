@@ -11,7 +11,7 @@ using ref::EndRule;
 
 namespace {
 
-/// A disc, k = m = v_n = 1, k_s/k = kappa.
+/// A disc with k = m = v_n = 1, k_s/k = kappa.
 ref::ObliqueImpact disc(double kappa, double mu, double slip, double damping = 0.0) {
   return {.normal = {1.0, damping, 1.0, 1.0},
           .tangential_stiffness = kappa,
@@ -20,7 +20,7 @@ ref::ObliqueImpact disc(double kappa, double mu, double slip, double damping = 0
           .slip_rate = slip};
 }
 
-/// The same by small steps of another kind: the spring is drawn along and cut off at the limit (return mapping).
+/// The same by small steps of another method: the spring is stretched and limited by friction (return mapping).
 double stepped(const ref::ObliqueImpact& p, int steps) {
   const double h = 4.0 / steps;
   double d = 0.0, vn = p.normal.approach_speed, s = 0.0, v = p.slip_rate;
@@ -53,7 +53,7 @@ BOOST_AUTO_TEST_CASE(agrees_with_small_steps) {
 }
 
 BOOST_AUTO_TEST_CASE(energy_is_kept) {
-  // Undamped, with the spring slack at the end: m (v^2 - v'^2)/(2 n) is what the slider took.
+  // Without damping and with the spring slack at the end, m (v^2 - v'^2)/(2 n) is the friction work.
   for (const double kappa : {0.1, 0.25, 1.0 / 3.0, 0.8, 1.5}) {
     for (const double slip : {0.05, 0.3, 0.8, 1.5, 3.0}) {
       const ref::ObliqueRebound found = ref::rebound(disc(kappa, 0.3, slip), EndRule::clamped);
@@ -65,7 +65,7 @@ BOOST_AUTO_TEST_CASE(energy_is_kept) {
 }
 
 BOOST_AUTO_TEST_CASE(sliding_all_through) {
-  // dv = mu (1 + e) v_n, spin as much over r/2, so that the slip changes by three times that.
+  // dv = mu (1 + e) v_n, the spin changes by as much over r/2, so that the slip changes by three times dv.
   const ref::ObliqueRebound found = ref::rebound(disc(0.5, 0.3, 4.0), EndRule::clamped);
   BOOST_TEST(found.phases.size() == 1u);
   BOOST_TEST(found.speed_lost == ref::speed_lost_by_gross_sliding(0.3, 1.0, 1.0), boost::test_tools::tolerance(1e-12));
@@ -83,8 +83,8 @@ BOOST_AUTO_TEST_CASE(full_stick_turns_the_slip_round) {
 }
 
 BOOST_AUTO_TEST_CASE(restitution_of_slip_at_a_quarter) {
-  // -v'/v for kappa = .25, found before by other means to three digits: slip ends what -cos(pi sqrt(3 kappa)) = .913
-  // would have begun.
+  // -v'/v for kappa = 0.25, found earlier by other means to three digits: sticking would give -cos(pi sqrt(3 kappa)) =
+  // 0.913, which slip at the end of the contact reduces.
   const struct {
     double ratio, restitution;
   } known[] = {{0.1, 0.911}, {1.0, 0.886}, {2.0, 0.838}, {3.0, 0.740}, {4.0, 0.500}};

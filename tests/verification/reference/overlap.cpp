@@ -47,11 +47,11 @@ BOOST_AUTO_TEST_CASE(half_planes) {
   const Outline ground{OutlineKind::half_plane, {}, 0.0, 0.0, std::numbers::pi / 4.0};
   BOOST_TEST(ref::contains(ground, {1.0, 0.9}));
   BOOST_TEST(!ref::contains(ground, {1.0, 1.1}));
-  BOOST_TEST(ref::overlap_by_points(disc(1.0, -0.7, 0.7), ground));  // .99 above it
+  BOOST_TEST(ref::overlap_by_points(disc(1.0, -0.7, 0.7), ground));  // centre 0.99 above it
   BOOST_TEST(!ref::overlap_by_points(ground, disc(1.0, -0.72, 0.72)));
 }
 
-// Closed forms: circles, boxes whose sides are parallel, a corner over a side.
+// Closed forms: circles, boxes with parallel sides, a corner over a side.
 BOOST_AUTO_TEST_CASE(least_displacements_of_outlines_with_a_closed_form) {
   const double of_discs = ref::least_displacement(disc(1.0, 0.0, 0.0), disc(0.5, 0.9, 0.9), 1600);
   BOOST_TEST(of_discs == 1.5 - 0.9 * std::numbers::sqrt2, boost::test_tools::tolerance(1e-4));

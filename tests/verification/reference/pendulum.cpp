@@ -53,7 +53,7 @@ BOOST_AUTO_TEST_CASE(decimal_arithmetic_gives_the_same_period) {
     const Decimal half = Decimal(a * degree) / 2;
     const Decimal period = 4 * boost::math::ellint_1(Decimal(sin(half)));
     const Decimal ours(PendulumMotion::from_rest(1.0, a * degree).period_45_digits());
-    BOOST_TEST((abs(ours / period - 1) < Decimal("1e-43")));  // k near 1 at 179 deg costs boost's form four digits
+    BOOST_TEST((abs(ours / period - 1) < Decimal("1e-43")));  // at 179 deg, k near 1: boost's form loses four digits
   }
 }
 
@@ -106,7 +106,8 @@ BOOST_AUTO_TEST_CASE(long_double_agrees_with_50_digits) {
     for (const double t : {0.3, 1.1, 4.7, 100.3, 62831.9}) {
       const ref::PendulumState fast = motion.at(t);
       const ref::PendulumState slow = motion.at_50_digits(t);
-      // Round-off of long double grows with the phase: 62832 2^-64 times the slope of the motion, 2 at most, and 2 eps.
+      // The round-off of long double grows with the phase: 62832 2^-64 times the slope of the motion, at most 2, and 2
+      // eps.
       const double bound = 2 * eps + 1e-18 * t * 10.0;
       BOOST_TEST(std::abs(fast.angle - slow.angle) < bound);
       BOOST_TEST(std::abs(fast.rate - slow.rate) < bound);
@@ -125,7 +126,7 @@ BOOST_AUTO_TEST_CASE(from_the_bottom) {
     BOOST_TEST(std::abs(swing.at(t).angle - rest.at(late).angle) < 20 * eps);
     BOOST_TEST(std::abs(swing.at(t).rate - rest.at(late).rate) < 20 * eps);
   }
-  // Rotation: energy, one turn a period, the equation.
+  // Rotation: energy, one turn per period, the equation.
   const PendulumMotion turn = PendulumMotion::from_bottom(w0, 3.1);
   BOOST_TEST(std::abs(turn.at(turn.period()).angle - 2.0 * std::numbers::pi) < 20 * eps);
   for (const double t : {0.4, 1.7, 5.5}) {
@@ -135,7 +136,7 @@ BOOST_AUTO_TEST_CASE(from_the_bottom) {
     const double h = 1e-4;
     BOOST_TEST(std::abs((turn.at(t + h).angle - turn.at(t - h).angle) / (2.0 * h) - s.rate) < 1e-7);
   }
-  // Separatrix, and both sides close to it.
+  // Separatrix, and motions close to it on both sides.
   const PendulumMotion edge = PendulumMotion::from_bottom(w0, 2.0 * w0);
   BOOST_TEST(std::isinf(edge.period()));
   for (const double factor : {1.0 - 1e-12, 1.0 + 1e-12}) {

@@ -11,7 +11,8 @@ namespace ref = talus::verification::reference;
 BOOST_AUTO_TEST_CASE(declared_orders_are_measured) {
   for (const ref::PendulumStepper& stepper : ref::pendulum_steppers()) {
     if (!stepper.fixed_step) continue;
-    // Steps small enough for the leading term, large enough to stay far above round-off (8th order: 1e-8 .. 1e-11).
+    // Steps are small enough for the leading term to dominate, large enough for errors far above round-off (8th order:
+    // 1e-8 .. 1e-11).
     const int coarse = stepper.order >= 8 ? (stepper.name == "fehlberg78" ? 24 : 120) : 150;
     const auto run = [&](int steps) {
       return ref::run_pendulum({std::string(stepper.name), 1.0, 1.5, 11.0, steps, 0.0});
@@ -29,7 +30,7 @@ BOOST_AUTO_TEST_CASE(evaluations_are_counted) {
   };
   BOOST_TEST(evaluations("rk4") == 400);
   BOOST_TEST(evaluations("cash_karp54") == 600);
-  BOOST_TEST(evaluations("dopri5") == 601);  // its last stage is the next step's first
+  BOOST_TEST(evaluations("dopri5") == 601);  // its last stage is the first of the next step
   BOOST_TEST(evaluations("fehlberg78") == 1300);
 }
 
@@ -39,7 +40,8 @@ BOOST_AUTO_TEST_CASE(tolerances_are_obeyed) {
     double before = 1.0;
     for (const double tolerance : {1e-5, 1e-8, 1e-11}) {
       const auto result = ref::run_pendulum({std::string(stepper.name), 2.0, 2.5, 20.0, 0, tolerance});
-      // Some hundred steps, each below the tolerance, on a motion that magnifies errors by the time run.
+      // Some hundred steps, each with an error below the tolerance, in a motion that amplifies errors by the duration
+      // of the run.
       BOOST_TEST(result.largest_angle_error < 5e3 * tolerance, stepper.name << " " << result.largest_angle_error);
       BOOST_TEST(result.largest_energy_error < 5e3 * tolerance);
       BOOST_TEST(result.largest_angle_error < before);

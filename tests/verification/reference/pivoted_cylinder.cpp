@@ -69,7 +69,7 @@ BOOST_AUTO_TEST_CASE(eq_21_with_particle_masses_gives_another_restitution) {
 }
 
 BOOST_AUTO_TEST_CASE(stiff_contact_tends_to_the_rigid_impact) {
-  // Here gravity and the turning of the arm act during the contact at once: all errors go as t_c ~ k_n^(-1/2).
+  // Here gravity and the rotation of the arm act during the contact as well: all errors scale as t_c ~ k_n^(-1/2).
   const ref::PivotedImpact rigid = ref::rigid_impact(report);
   const double angle = ref::corrected_largest_angle(report, rigid.angular);
   const double quarter = ref::swing(report, rigid.angular).period() / 4.0;
@@ -90,7 +90,8 @@ BOOST_AUTO_TEST_CASE(stiff_contact_tends_to_the_rigid_impact) {
 }
 
 BOOST_AUTO_TEST_CASE(energy_and_moment_through_the_contact) {
-  // Without a dashpot the energy is kept exactly, contact spring included, and the event times do not matter.
+  // Without a dashpot the energy is conserved exactly, including that of the contact spring, and the event times do not
+  // matter.
   const std::array<double, 4> times{0.002, 0.006, 0.01, 0.3};
   const ref::PivotedSoftImpact soft = ref::soft_impact(report, {1e6, 0.0, EndRule::clamped}, times);
   const double start = report.rock_mass * 25.0 / 2.0;

@@ -37,7 +37,7 @@ BOOST_AUTO_TEST_CASE(exact_points_give_their_coefficients) {
 }
 
 BOOST_AUTO_TEST_CASE(errors_in_x_weigh_as_the_slope_makes_them) {
-  // Of a straight line the same points with the errors moved from y to x, over the slope, have the same fit.
+  // For a straight line, the same points with the errors moved from y to x, divided by the slope, have the same fit.
   std::mt19937 random{5};
   std::normal_distribution<double> gauss{0.0, 1.0};
   std::vector<ref::FitPoint> in_y, in_x;
@@ -55,8 +55,9 @@ BOOST_AUTO_TEST_CASE(errors_in_x_weigh_as_the_slope_makes_them) {
 }
 
 BOOST_AUTO_TEST_CASE(errors_tell_how_far_the_limit_scatters) {
-  // A Gaussian number is within its standard error 68 times in a hundred. Of 200 fits that share scatters by .033.
-  // Where the power is sought, errors are the larger of two sides of a curved fit, and more may be within.
+  // A Gaussian number is within its standard error 68 times in a hundred. For 200 fits this fraction has a standard
+  // deviation of 0.033. If the power is fitted, errors are the larger of two sides of a curved fit, and more may be
+  // within.
   std::mt19937 random{7};
   std::normal_distribution<double> gauss{0.0, noise};
   int within = 0, within_given = 0;
@@ -76,13 +77,13 @@ BOOST_AUTO_TEST_CASE(errors_tell_how_far_the_limit_scatters) {
   BOOST_TEST(within_given < 0.78 * draws);
   BOOST_TEST(within > 0.6 * draws);
   BOOST_TEST(within < 0.85 * draws);
-  // Six points less three coefficients; the mean of 200 scatters by sqrt(2 * 3/200) = .17.
+  // Six points minus three coefficients; the standard deviation of the mean of 200 is sqrt(2 * 3/200) = 0.17.
   BOOST_TEST(chi_squared / draws == 3.0, boost::test_tools::tolerance(0.17));
 }
 
 BOOST_AUTO_TEST_CASE(chi_squared_of_two_is_exponential) {
   BOOST_TEST(ref::rare_chi_squared(2, 1e-3) == -2.0 * std::log(1e-3), boost::test_tools::tolerance(1e-12));
-  // Of one it is the square of a Gaussian number.
+  // With one degree of freedom it is the square of a Gaussian number.
   BOOST_TEST(ref::rare_chi_squared(1, std::erfc(3.0 / std::sqrt(2.0))) == 9.0, boost::test_tools::tolerance(1e-12));
 }
 

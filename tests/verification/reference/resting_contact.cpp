@@ -14,7 +14,7 @@ const ref::SlidingBlock block{10.0, 0.25, 0.4, 1e4, 4e4, 0.3, 9.81, 3.0};
 
 }  // namespace
 
-// The slide is integrated with its vertical oscillation, which is damped and has decayed at the end.
+// The sliding motion is integrated with its vertical oscillation, which is damped and has decayed at the end.
 BOOST_AUTO_TEST_CASE(the_block_stops_where_an_integration_stops) {
   const long double m = block.mass, k = 2.0 * block.normal_stiffness, g = block.gravity, mu = block.friction;
   const auto normal = [=](long double y, long double v) { return -k * y - 600.0L * v; };
@@ -24,7 +24,7 @@ BOOST_AUTO_TEST_CASE(the_block_stops_where_an_integration_stops) {
     dydt[2] = -mu * normal(y[1], y[3]) / m;
     dydt[3] = normal(y[1], y[3]) / m - g;
   };
-  // From the sunk position by half: the force then pushes all the time.
+  // Starts at half the static overlap: the normal force then remains repulsive.
   const double sunk = block.mass * block.gravity / (2.0 * block.normal_stiffness);
   ref::Trajectory truth(rates, {0.0L, -0.5L * sunk, 3.0L, 0.0L}, 0.0L, 0.001L);
   truth.advance_to(ref::stopping_time(block));
@@ -33,14 +33,14 @@ BOOST_AUTO_TEST_CASE(the_block_stops_where_an_integration_stops) {
   BOOST_TEST(std::abs(static_cast<double>(truth.coordinates()[0]) - slid) < 1e-12 * slid);
 }
 
-// What the springs recover is what holds them in balance while the block slides.
+// The displacement that the springs recover is that of their equilibrium while the block slides.
 BOOST_AUTO_TEST_CASE(the_springs_recover_what_friction_had_stretched) {
   const double m = block.mass, g = block.gravity, mu = block.friction, k = block.normal_stiffness;
   const double tilt = mu * m * g * block.half_height / (2.0 * k * block.half_width * block.half_width);
   const double front = k * (m * g / (2.0 * k) + tilt * block.half_width);
   const double rear = k * (m * g / (2.0 * k) - tilt * block.half_width);
   BOOST_TEST(front + rear == m * g, boost::test_tools::tolerance(1e-14));
-  // Moments about the centre: friction acts forward-turning at the arm h.
+  // Moments about the centre: friction causes a forward rotation at the arm h.
   BOOST_TEST((front - rear) * block.half_width == mu * m * g * block.half_height, boost::test_tools::tolerance(1e-14));
   const double stretch = 0.5 * mu * (front + rear) / block.shear_stiffness;
   const double slid = block.speed * block.speed / (2.0 * mu * g) + mu * m * g / (2.0 * k);

@@ -20,7 +20,8 @@ struct Phase {
   Real50 d, v;
 };
 
-// d'' + 2 xi d' + d = 0 (w = 1) by the Taylor series of its own recurrence, 40 terms, in steps of 1/8: no closed form.
+// Solves d'' + 2 xi d' + d = 0 (w = 1) by the Taylor series of its recurrence, 50 terms, in steps of 1/8: no closed
+// form.
 Phase series_step(const Phase& start, const Real50& xi, const Real50& h) {
   Real50 c0 = start.d;
   Real50 c1 = start.v;
@@ -42,7 +43,7 @@ struct End {
   Real50 t, d, v;
 };
 
-// The end by marching and bisection of the last step.
+// Finds the end by stepping, and by bisection of the last step.
 End march(const Real50& xi, EndRule rule) {
   const auto inside = [&](const Phase& y) { return rule == EndRule::clamped ? y.d + 2 * xi * y.v > 0 : y.d > 0; };
   Phase y{Real50(0), Real50(1)};
@@ -69,7 +70,7 @@ double relative(double value, const Real50& truth) { return std::abs(ref::neares
 BOOST_AUTO_TEST_CASE(closed_forms_match_an_independent_50_digit_series) {
   for (const double xi : {0.01, 0.2, 0.45, 0.5, 0.6, 0.9, 0.999, 1.0, 1.0 + 1e-9, 1.001, 1.7, 5.0}) {
     for (const EndRule rule : {EndRule::attractive, EndRule::clamped}) {
-      if (rule == EndRule::attractive && xi > 0.95) continue;  // e below 1e-8: nothing left to march to
+      if (rule == EndRule::attractive && xi > 0.95) continue;  // e below 1e-8: the end cannot be resolved
       const ref::ImpactEvents events = ref::impact_events({1.0, 2.0 * xi, 1.0, 1.0}, rule);
       const End end = march(Real50(xi), rule);
       // Exponents up to 2 xi A = 4.6 and pi xi/s = 7 multiply the eps of their arguments.
@@ -108,7 +109,7 @@ BOOST_AUTO_TEST_CASE(the_depth_satisfies_its_equation_and_its_extrema) {
 }
 
 BOOST_AUTO_TEST_CASE(known_values) {
-  // Restitution under Eq. 21's damping when clamped: the printed .902 .718 .550 .397 .253.
+  // Restitution with Eq. 21's damping and the clamped rule: the printed 0.902 0.718 0.550 0.397 0.253.
   const double targets[] = {0.9, 0.7, 0.5, 0.3, 0.1};
   const double clamped[] = {0.902, 0.718, 0.550, 0.397, 0.253};
   for (int i = 0; i < 5; ++i) {
@@ -117,7 +118,7 @@ BOOST_AUTO_TEST_CASE(known_values) {
   }
   BOOST_TEST(ref::restitution(1.0, EndRule::clamped) == std::exp(-2.0));
   BOOST_TEST(ref::restitution(1.5, EndRule::attractive) == 0.0);
-  // e -> 1/(4 xi^2) far beyond: 2 xi A = 2 ln(2 xi) (1 + O(1/xi^2)) + ...
+  // e -> 1/(4 xi^2) for large xi: 2 xi A = 2 ln(2 xi) (1 + O(1/xi^2)) + ...
   BOOST_TEST(std::abs(ref::restitution(1e4, EndRule::clamped) * 4e8 - 1.0) < 1e-6);
   const ref::ImpactEvents elastic = ref::impact_events({4.0, 0.0, 1.0, 3.0}, EndRule::attractive);
   BOOST_TEST(elastic.restitution == 1.0);
@@ -169,7 +170,8 @@ BOOST_AUTO_TEST_CASE(eq_21_as_printed) {
 BOOST_AUTO_TEST_CASE(effective_masses) {
   // A rod m l^2/12 hit at its end: 1/m + (l/2)^2 12/(m l^2) = 4/m.
   BOOST_TEST(ref::free_mobility(3.0, 3.0 * 4.0 / 12.0, 1.0) == 4.0 / 3.0);
-  // Free and pivoted at the centre of percussion of the rod's end: pivot at one end, hit at the other, m_eff = m/3.
+  // Free, and pivoted with an impact at the centre of percussion of the rod's end: pivot at one end, impact at the
+  // other, m_eff = m/3.
   BOOST_TEST(ref::effective_mass(ref::pivoted_mobility(3.0 * 4.0 / 3.0, 2.0), 0.0) == 1.0);
   BOOST_TEST(ref::effective_mass(0.5, 0.5) == 1.0);
   BOOST_CHECK_THROW((void)ref::effective_mass(0.0, 0.0), std::invalid_argument);

@@ -31,7 +31,7 @@ BOOST_AUTO_TEST_CASE(time_of_the_fall) {
       BOOST_TEST(ref::fall_time(block, tilt) == time_by_steps(block, tilt, 1e-5), boost::test_tools::tolerance(1e-8));
     }
   }
-  // As the catalogue of cases has it: +.12 % at alpha = .2 and +.7 % at .5 over the slender block.
+  // Values of the catalogue of cases: +0.12 % at alpha = 0.2 and +0.7 % at 0.5 relative to the slender block.
   const auto over_slender = [](double alpha) {
     const ref::RockingBlock block{std::sin(alpha), std::cos(alpha), 9.81};
     return ref::fall_time(block, 0.5 * alpha) / ref::slender_fall_time(block, 0.5 * alpha) - 1.0;
@@ -45,7 +45,7 @@ BOOST_AUTO_TEST_CASE(impact_and_energy) {
   const double b2 = 0.09, h2 = 1.0, inertia = (b2 + h2) / 3.0;
   const double kept = (inertia + h2 - b2) / (inertia + h2 + b2);
   BOOST_TEST(ref::impact_energy_ratio(block) == kept * kept, boost::test_tools::tolerance(1e-14));
-  // The height gained by the centre on its way about the corner.
+  // The height gained by the centre as it rotates about the corner.
   const double height = 0.3 * std::sin(0.1) + std::cos(0.1) - 1.0;
   BOOST_TEST(ref::tilt_energy(block, 0.1) == 9.81 * height, boost::test_tools::tolerance(1e-13));
 }

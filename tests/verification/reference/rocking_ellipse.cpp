@@ -11,7 +11,7 @@ namespace {
 
 constexpr ref::RockingEllipse ellipse{1.0, 0.6, 9.81};
 
-/// Acceleration by the equation of motion M q'' + M' q'^2/2 + g h' = 0, slopes by central differences.
+/// Acceleration from the equation of motion M q'' + M' q'^2/2 + g h' = 0, slopes by central differences.
 double acceleration(double q, double rate) {
   const auto h = [](double at) { return ref::centre_height(ellipse, at); };
   const double d = 1e-4;
@@ -40,7 +40,7 @@ BOOST_AUTO_TEST_CASE(small_swings) {
   BOOST_TEST(w * w == 9.81 * (1.0 / 0.6 - 0.6) / (0.36 + 0.34), boost::test_tools::tolerance(1e-14));
   const double rest = 2.0 * std::numbers::pi / w;
   BOOST_TEST(std::abs(ref::rocking_period(ellipse, 1e-4) / rest - 1.0) < 1e-7);
-  // As the catalogue of cases has them, to their last digit.
+  // Values of the catalogue of cases, to their last digit.
   BOOST_TEST(std::abs(ref::rocking_period(ellipse, 0.02) / rest - 1.0 - 4.9e-4) < 0.05e-4);
   BOOST_TEST(std::abs(ref::rocking_period(ellipse, 0.05) / rest - 1.0 - 3.0e-3) < 0.1e-3);
 }
@@ -54,7 +54,7 @@ BOOST_AUTO_TEST_CASE(large_swings_by_their_equation) {
 BOOST_AUTO_TEST_CASE(the_centre_goes_as_it_rolls) {
   BOOST_TEST(ref::centre_height(ellipse, 0.0) == 0.6);
   BOOST_TEST(ref::centre_height(ellipse, 0.5 * std::numbers::pi) == 1.0, boost::test_tools::tolerance(1e-15));
-  // Half a turn rolls half the circumference of the circle.
+  // In half a turn a circle rolls half its circumference.
   BOOST_TEST(ref::centre_way({0.5, 0.5, 1.0}, std::numbers::pi) == -0.5 * std::numbers::pi,
              boost::test_tools::tolerance(1e-15));
 }

@@ -10,7 +10,7 @@ using ref::Leapfrog, ref::Memories, ref::Real, ref::SmoothState, ref::SmoothSyst
 
 namespace {
 
-/// Nothing in it is linear but the slip in the velocity; it depends on the time.
+/// A system that depends on time, in which only the slip is linear, in the velocity.
 SmoothSystem wild(Real damping) {
   SmoothSystem system;
   system.damped = damping != 0.0L;
@@ -41,7 +41,7 @@ void kick(SmoothState& x, const Triple& a, Real h) {
     x.v[i] += h * a[i];
 }
 
-/// The methods, written out.
+/// The methods, written out explicitly.
 SmoothState stepped(const SmoothSystem& system, SmoothState x, Real end, long steps, Leapfrog method) {
   const Real h = end / static_cast<Real>(steps);
   const auto a = [&](const Triple& v, Real t) { return system.acceleration({x.q, v, x.z}, t); };
@@ -66,8 +66,8 @@ SmoothState stepped(const SmoothSystem& system, SmoothState x, Real end, long st
   return x;
 }
 
-/// Largest difference between the error of the written-out method, extrapolated to no step, and the leading error, over
-/// the latter's largest part.
+/// Largest difference between the error of the written-out method, extrapolated to a step of zero, and the leading
+/// error, relative to the largest component of the latter.
 Real difference(const SmoothSystem& system, Leapfrog method) {
   constexpr Real end = 2.5L;
   const SmoothState exact = ref::moved(system, wild_start, end, 4000);
@@ -77,7 +77,7 @@ Real difference(const SmoothSystem& system, Leapfrog method) {
     const Real h = end / static_cast<Real>(steps);
     return (1.0L / std::pow(h, p)) * (stepped(system, wild_start, end, steps, method) + (-1.0L) * exact);
   };
-  // What is left of the next power, h or h^2.
+  // Eliminates the next power, h or h^2.
   const Real weight = p == 1 ? 2.0L : 4.0L / 3.0L;
   const SmoothState found = weight * error(8000) + (1.0L - weight) * error(4000);
   const SmoothState off = found + (-1.0L) * leading;

@@ -12,7 +12,8 @@ namespace {
 
 constexpr std::array maps{ref::StepMap::euler, ref::StepMap::taylor, ref::StepMap::leapfrog};
 
-/// The impact itself, step by step, of a unit mass at unit speed: K1 = 1, min(K1 d, K2 (d - d0)) cut off at 0.
+/// Restitution of an impact of a unit mass at unit speed, computed step by step: K1 = 1, force min(K1 d, K2 (d - d0))
+/// limited to be >= 0.
 double stepped(const ref::SteppedLatch& latch, double phase) {
   const double h = latch.step;
   double x = -phase * h, v = 1.0, largest = 0.0;
@@ -41,7 +42,7 @@ BOOST_AUTO_TEST_CASE(each_impact_to_fourth_order) {
     for (const double ratio : {1.0, 0.81, 0.49, 0.25}) {
       std::array<double, 2> worst{};
       for (std::size_t k = 0; k < 2; ++k) {
-        // Not a part of the contact, so that all shares of a step come up.
+        // Not a divisor of the contact time, so that all fractions of a step occur.
         const double step = k == 0 ? 0.0413 : 0.01037;
         for (int i = 0; i < 200; ++i) {
           const double phase = (i + 0.5) / 200.0;
@@ -70,7 +71,7 @@ BOOST_AUTO_TEST_CASE(means_of_impacts) {
 }
 
 BOOST_AUTO_TEST_CASE(leading_terms) {
-  // e of .45 by euler at w1 h = .02177 and by taylor at .0434: .700.
+  // e of 0.45 by euler at w1 h = 0.02177 and by taylor at 0.0434: 0.700.
   BOOST_TEST(std::abs(ref::leading_restitution({0.45, 0.02177, ref::StepMap::euler}) - 0.7) < 5e-5);
   BOOST_TEST(std::abs(ref::leading_restitution({0.45, 0.0434, ref::StepMap::taylor}) - 0.7) < 5e-4);
   BOOST_TEST(ref::leading_restitution({0.49, 0.3, ref::StepMap::leapfrog}) == 0.7);

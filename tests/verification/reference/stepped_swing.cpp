@@ -18,7 +18,7 @@ constexpr std::array methods{SwingMethod::euler_cromer, SwingMethod::central_dif
 }  // namespace
 
 BOOST_AUTO_TEST_CASE(one_step_by_hand) {
-  // c = 1, h = 1/2, from rest at 1; v after a kick is -1/2, lagged or not: the dashpot sees no velocity yet.
+  // c = 1, h = 1/2, from rest at 1; v after a kick is -1/2, lagged or not, because the dashpot has no velocity yet.
   const auto place = [](SwingMethod method, long n) { return ref::unrounded_place({method, 1.0, 0.5, n}); };
   for (const SwingMethod method : methods)
     BOOST_TEST(place(method, 0) == 1.0);
@@ -26,9 +26,9 @@ BOOST_AUTO_TEST_CASE(one_step_by_hand) {
   BOOST_TEST(place(SwingMethod::central_difference, 1) == 0.875);
   BOOST_TEST(place(SwingMethod::lagged_central_difference, 1) == 0.875);
   BOOST_TEST(place(SwingMethod::velocity_verlet, 1) == 0.875);
-  // 1 - h^2/2 + h^3/6 (c = 1 takes the third derivative of -x - x' to 1, the fourth to 0).
+  // 1 - h^2/2 + h^3/6 (with c = 1 the third derivative of -x - x' is 1, the fourth is 0).
   BOOST_TEST(place(SwingMethod::runge_kutta, 1) == 1.0 - 0.125 + 0.125 / 6.0);
-  // Second step: x = 3/4, v = -1/2: the kick is -3/8 + 1/4, or the dashpot sees the zero of before.
+  // Second step: x = 3/4, v = -1/2: the kick is -3/8 + 1/4, or the dashpot uses the previous zero velocity.
   BOOST_TEST(place(SwingMethod::euler_cromer, 2) == 0.75 + 0.5 * (-0.5 - 0.125));
   BOOST_TEST(place(SwingMethod::central_difference, 2) == 0.75 + 0.25 * (-0.5 - 0.125));
   BOOST_TEST(place(SwingMethod::lagged_central_difference, 2) == 0.75 + 0.25 * (-0.5 - 0.375));
@@ -37,8 +37,8 @@ BOOST_AUTO_TEST_CASE(one_step_by_hand) {
 }
 
 BOOST_AUTO_TEST_CASE(undamped_maps_have_closed_forms) {
-  // Leapfrog turns by theta a step, sin(theta/2) = h/2; Euler-Cromer's places are half a step ahead of it. A few n
-  // eps of the closed form's own rounding.
+  // Leapfrog advances the phase by theta per step, sin(theta/2) = h/2; positions of Euler-Cromer are half a step ahead.
+  // The closed form itself is rounded by a few n eps.
   for (const double h : {0.5, 0.1, 0.013}) {
     const double theta = 2.0 * std::asin(0.5 * h);
     for (const long n : {1L, 2L, 17L, 500L}) {
@@ -54,7 +54,7 @@ BOOST_AUTO_TEST_CASE(undamped_maps_have_closed_forms) {
 }
 
 BOOST_AUTO_TEST_CASE(errors_fall_at_the_orders_with_the_constants_of_the_methods) {
-  // Leapfrog runs fast by h^2/24, Runge-Kutta slow by h^4/120; Euler-Cromer is half a step ahead.
+  // Leapfrog is fast by h^2/24, Runge-Kutta slow by h^4/120; Euler-Cromer is half a step ahead.
   const double t = 10.0;
   for (const long n : {1000L, 2000L}) {
     const double h = t / static_cast<double>(n);
@@ -73,8 +73,8 @@ BOOST_AUTO_TEST_CASE(errors_fall_at_the_orders_with_the_constants_of_the_methods
 }
 
 BOOST_AUTO_TEST_CASE(damped_maps_tend_to_the_damped_oscillator) {
-  // x = e^(-c t/2) (cos w t + c/(2 w) sin w t), w^2 = 1 - c^2/4; at c = .1, t = 10 the slowest, first order with a lag
-  // of 3/2 h, is off by less than c h t.
+  // x = e^(-c t/2) (cos w t + c/(2 w) sin w t), w^2 = 1 - c^2/4; at c = 0.1, t = 10 the least accurate method, first
+  // order with a lag of 3/2 h, is off by less than c h t.
   const double c = 0.1, t = 10.0, w = std::sqrt(1.0 - 0.25 * c * c), h = 1e-4;
   const double exact = std::exp(-0.5 * c * t) * (std::cos(w * t) + c / (2.0 * w) * std::sin(w * t));
   for (const SwingMethod method : methods)
@@ -83,7 +83,7 @@ BOOST_AUTO_TEST_CASE(damped_maps_tend_to_the_damped_oscillator) {
 }
 
 BOOST_AUTO_TEST_CASE(distances_are_told_below_a_double_s_last_place) {
-  // x = 7/8 after a step; a place 2^-100 beside it, in parts.
+  // x = 7/8 after a step; a position 2^-100 away, given in parts.
   const ref::SteppedSwing swing{SwingMethod::velocity_verlet, 0.0, 0.5, 1};
   const std::vector<double> errors = ref::rounding_errors(swing, {{0.875, 0.0, 0.0}, {0.875, 0x1p-100, -0x1p-101}});
   BOOST_TEST(errors[0] == 0.0);

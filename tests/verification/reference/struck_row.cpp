@@ -15,7 +15,8 @@ namespace {
 
 constexpr double eps = std::numeric_limits<double>::epsilon();
 
-/// The same row by tight integration: y = x1, x2, x3, v1, v2, v3; a contact changes where its overlap changes sign.
+/// The same row by tight integration: y = x1, x2, x3, v1, v2, v3; a contact opens or closes where its overlap changes
+/// sign.
 class IntegratedRow {
  public:
   explicit IntegratedRow(const ref::StruckRow& row) : row_{row} {}
@@ -89,7 +90,7 @@ BOOST_AUTO_TEST_CASE(keeps_momentum_and_energy) {
 }
 
 BOOST_AUTO_TEST_CASE(far_apart_the_speed_is_handed_on) {
-  // The first contact is over, half a swing long, before the second disc has crossed a gap of pi v/w.
+  // The first contact, which lasts half a period, ends before the second disc has crossed a gap of pi v/w.
   const ref::RowRebound found = ref::rebound({1.0, 1.0, 1.0, 4.0});
   BOOST_TEST(std::abs(found.velocity[0]) < 4 * eps);
   BOOST_TEST(std::abs(found.velocity[1]) < 4 * eps);

@@ -35,7 +35,7 @@ BOOST_AUTO_TEST_CASE(area_and_moment_by_quadrature) {
   boost::math::quadrature::tanh_sinh<double> rule;
   for (const double n : {2.5, 3.0, 8.0, 50.0}) {
     const ref::Superellipse s{1.25, 4.0, n};
-    // A quarter, in u = x/a: height b (1 - u^n)^(1/n); near u = 1 from the distance to the end.
+    // A quarter, in u = x/a: height b (1 - u^n)^(1/n); near u = 1 computed from the distance to the end.
     const auto height = [&](double u, double to_end) {
       const double share = u > 0.5 ? -std::expm1(n * std::log1p(-std::abs(to_end))) : 1.0 - std::pow(u, n);
       return std::pow(share, 1.0 / n);
@@ -57,7 +57,7 @@ BOOST_AUTO_TEST_CASE(polygons) {
   const std::vector<ref::Point> box{{1.0, 2.0}, {-1.0, 2.0}, {-1.0, -2.0}, {1.0, -2.0}};
   BOOST_TEST(ref::polygon_area(box) == 8.0);
   BOOST_TEST(ref::polygon_polar_moment(box) == 8.0 * (4.0 + 16.0) / 12.0, boost::test_tools::tolerance(2 * eps));
-  // What a regular polygon lacks of a circle: pi - M/2 sin(2 pi/M) = 2 pi^3/(3 M^2).
+  // Area that a regular polygon lacks compared with a circle: pi - M/2 sin(2 pi/M) = 2 pi^3/(3 M^2).
   BOOST_TEST(ref::area_cut_off({1.0, 1.0, 2.0}, 100.0) == 2.0 * pi * pi * pi / 3e4,
              boost::test_tools::tolerance(1e-13));
 }
@@ -80,7 +80,7 @@ BOOST_AUTO_TEST_CASE(support_is_the_largest_reach) {
 
 BOOST_AUTO_TEST_CASE(curvature_of_the_corner_by_the_circle_through_three_points) {
   for (const double n : {2.0, 3.0, 8.0, 20.0}) {
-    // 4 area/(product of the sides), the points a little beside the corner on either side of it.
+    // 4 area/(product of the sides), with points slightly to either side of the corner.
     const double d = 1e-3 / n;
     const ref::Point p = on_outline({1.5, 1.5, n}, pi / 4 - d), q = on_outline({1.5, 1.5, n}, pi / 4),
                      r = on_outline({1.5, 1.5, n}, pi / 4 + d);
@@ -104,7 +104,7 @@ BOOST_AUTO_TEST_CASE(nearest_point_of_circles_and_along_normals) {
   const ref::Superellipse circle{1.5, 1.5, 2.0};
   for (const ref::Point p : {ref::Point{0.3, 0.4}, {-2.0, 1.0}, {0.0, 3.0}, {1.0, -1.0}})
     BOOST_TEST(std::abs(ref::nearest_point(circle, p).distance - std::abs(1.5 - std::hypot(p.x, p.y))) < 4 * eps);
-  // A point outside on the normal of an outline's point has that point as its nearest, whatever n.
+  // A point outside on the normal through a point of an outline has that point as its nearest, whatever n.
   for (const double n : {2.0, 3.0, 8.0, 50.0}) {
     const ref::Superellipse s{1.25, 4.0, n};
     for (const double t : {0.2, 0.7, 1.1, 2.0, 4.0}) {

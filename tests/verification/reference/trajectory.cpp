@@ -22,8 +22,8 @@ BOOST_AUTO_TEST_CASE(an_oscillator_keeps_its_digits) {
   ref::Trajectory path(oscillator, {0.0L, 1.0L}, 0.0L, 0.05L);
   path.advance_to(20.0L);
   BOOST_TEST((path.time() == 20.0L));
-  // Tolerance 1e-17 a step over 400 steps is 4e-15 at worst; at this step length the truncation is far below, and
-  // 400 roundings of 1.1e-19/2 add up to 2e-17 at worst.
+  // A tolerance of 1e-17 per step over 400 steps is 4e-15 at worst; at this step length the truncation is far below,
+  // and 400 roundings of 1.1e-19/2 add up to at most 2e-17.
   BOOST_TEST((std::abs(path.coordinates()[0] - std::sin(20.0L)) < 2e-17L));
 }
 
@@ -38,6 +38,6 @@ BOOST_AUTO_TEST_CASE(events_are_located_to_round_off) {
   const std::array<ref::Guard, 1> depth{guards[0]};
   BOOST_TEST((path.advance_until(depth, 10.0L) == std::size_t{0}));
   BOOST_TEST((std::abs(path.time() - std::numbers::pi_v<long double>) < 1e-17L));
-  BOOST_TEST(!path.advance_until(depth, 6.0L).has_value());  // negative until 2 pi: not watched
+  BOOST_TEST(!path.advance_until(depth, 6.0L).has_value());  // negative until 2 pi: not located
   BOOST_TEST((path.time() == 6.0L));
 }

@@ -52,15 +52,15 @@ BOOST_AUTO_TEST_CASE(speed_is_energy_and_both_forms_agree) {
     const double v = motion.speed_at_distance(x);
     const double stretch = std::hypot(problem.length, x) - problem.length;
     const double energy = problem.mass * v * v / 2.0 + problem.stiffness * stretch * stretch;
-    BOOST_TEST(std::abs(energy / 2.0 - 1.0) < 1e-13);  // the stretch by difference: eps l/s_max, squared
+    BOOST_TEST(std::abs(energy / 2.0 - 1.0) < 1e-13);  // the elongation by difference: eps l/s_max, squared
     BOOST_TEST(std::abs(motion.speed_at_angle(std::atan(x / problem.length)) - v) < 1e-9);  // v ~ sqrt near the end
     BOOST_TEST(std::abs(ref::cable_tension(problem, x) - problem.stiffness * stretch) < 1e-13);
   }
 }
 
 BOOST_AUTO_TEST_CASE(time_against_the_singular_integral) {
-  // The plain integral of dx/v by tanh-sinh, which copes with the end-point singularity. Near x_max the rule hands over
-  // the distance to the end, so v keeps its digits.
+  // The plain integral of dx/v by tanh-sinh, which handles the end-point singularity. Near x_max the rule provides the
+  // distance to the end, so that v keeps its digits.
   const ref::TwoCableMotion motion = report_motion();
   const Real50 s_max = 1 / sqrt(Real50(2));
   const Real50 x_max = sqrt(s_max * (s_max + 20));
@@ -116,7 +116,7 @@ BOOST_AUTO_TEST_CASE(time_and_position_are_inverse) {
   }
   BOOST_TEST(motion.time_to_distance(0.0) == 0.0);
   BOOST_TEST(motion.time_to_distance(motion.largest_distance()) == motion.time_to_turning(),
-             boost::test_tools::tolerance(2e-8));  // t ~ sqrt of the half-ulp by which x_max is rounded
+             boost::test_tools::tolerance(2e-8));  // t ~ sqrt of the half ulp by which x_max is rounded
   BOOST_CHECK_THROW((void)motion.time_to_distance(3.9), std::invalid_argument);
   BOOST_CHECK_THROW((void)motion.at(-1.0), std::invalid_argument);
 }

@@ -51,7 +51,7 @@ BOOST_AUTO_TEST_CASE(energy_without_damping) {
                           4.0 * stretch * stretch + 1e4 * depth * depth / 2.0;
     BOOST_TEST(std::abs(energy / 4.0 - 1.0) < 1e-14);
   }
-  // And the turning point by energy from the end of contact.
+  // The turning point from the energy at the end of contact.
   const ref::TwoCableState& end = soft.at_end;
   const double s0 = std::hypot(10.0, end.particle_position) - 10.0;
   const double s1 = std::sqrt(s0 * s0 + end.particle_velocity * end.particle_velocity / 8.0);
@@ -67,18 +67,18 @@ BOOST_AUTO_TEST_CASE(both_end_rules_tend_to_their_rigid_limits) {
   BOOST_TEST(std::abs(attractive.turning_angle - 0.36546) < 5e-6);
   BOOST_TEST(!attractive.struck_again);
   BOOST_TEST(std::abs(attractive.turning_time - rigid.time_to_turning()) < 1e-4);
-  // Clamped, e is .5502 in place of .5: v1 = 2 (1 + e) 2/3 = 2.067, x = 3.892.
+  // With the clamped rule e is 0.5502 instead of 0.5: v1 = 2 (1 + e) 2/3 = 2.067, x = 3.892.
   const ref::TwoCableContact clamped = ref::soft_impact(problem, report_contact(1e10, EndRule::clamped));
   BOOST_TEST(std::abs(clamped.turning_distance - 3.892) < 5e-4);
-  // The peak speed of the attractive contact is where its force turns to pull: the clamped exit speed.
+  // The peak speed of the attractive contact occurs where its force becomes attractive: the clamped exit speed.
   const double e = ref::restitution(ref::damping_ratio(0.5, EndRule::attractive), EndRule::clamped);
   BOOST_TEST(std::abs(attractive.peak_speed - 4.0 / 3.0 * (1.0 + e)) < 1e-5);
   BOOST_TEST(std::abs(clamped.at_end.particle_velocity - 4.0 / 3.0 * (1.0 + e)) < 1e-5);
 }
 
 BOOST_AUTO_TEST_CASE(approach_to_the_rigid_limit) {
-  // t_c ~ k_n^(-1/2). The pull of the cables goes as x^3 ~ (v t)^3, so its impulse during the contact goes as t_c^4:
-  // exit speed and distance approach as k_n^(-2). The turning time is late by the start within the contact: t_c.
+  // t_c ~ k_n^(-1/2). The force of the cables scales as x^3 ~ (v t)^3, so its impulse during the contact scales as
+  // t_c^4: exit speed and distance converge as k_n^(-2). The turning time is late by the delay within the contact: t_c.
   const ref::TwoCable problem;
   const ref::TwoCableMotion rigid(problem, 2.0);
   std::vector<double> speed;

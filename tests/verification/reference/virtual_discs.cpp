@@ -9,7 +9,7 @@ using talus::verification::reference::VirtualDiscs;
 
 namespace {
 
-/// Two free discs, three in each wall out of their reach.
+/// Two free discs, and three in each wall out of their reach.
 VirtualDiscs pair(double apart, double speed) {
   VirtualDiscs discs{.k1 = 4.9e3,
                      .k2 = 1e4,

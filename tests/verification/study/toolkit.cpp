@@ -116,7 +116,7 @@ BOOST_AUTO_TEST_CASE(a_run_counts_its_evaluations_and_is_seen_at_every_step) {
 }
 
 BOOST_AUTO_TEST_CASE(a_run_that_diverges_ends_as_nan) {
-  // Ten times the stability limit 2/w.
+  // A step far beyond the stability limit: coordinates overflow.
   const RunEnd end = run_steps(scenes::pendulum({.amplitude = 0.5}), make_integrator("euler"), 1e200, 10);
   BOOST_TEST(!end.finished);
   for (const double number : {end.state.q[0], end.state.v[0]})

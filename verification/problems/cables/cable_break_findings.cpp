@@ -18,10 +18,10 @@ namespace {
 constexpr double stiffness = 1.0, mass = 1.0, speed = 1.0;  // peak tension 1
 constexpr double half_swing = std::numbers::pi;
 
-/// Phases of a root mean square: fewer where only a fault is to be seen.
+/// Number of phases of a root mean square: fewer if only a fault must be detected.
 std::size_t phases(const Setup& setup) { return setup.coarse ? 16 : fewest_phases; }
 
-/// A throw from the share `phase` of a step before the cable is taut.
+/// Runs one throw, which starts the fraction `phase` of a step before the cable is taut.
 CableRunResult throw_once(const ElasticPlastic& law, double step, double phase, Findings& findings) {
   const Scene scene = thrown_mass(law, mass, speed);
   State state = scene.initial;
@@ -31,7 +31,8 @@ CableRunResult throw_once(const ElasticPlastic& law, double step, double phase, 
 
 bool broke(const CableRunResult& run) { return run.end.mode[0] == ElasticPlastic::broken; }
 
-/// A thousandth below and above the largest tension, and the largest plastic stretch: 64 phases each.
+/// Strengths of 0.999 and 1.001 times the largest tension, and rupture stretches of 0.999 and 1.001 times the largest
+/// plastic stretch: 64 phases each.
 void check_both_sides(Findings& findings, const Setup& setup) {
   const double yield = 0.5;
   const double drawn = reference::perfectly_plastic_draw(stiffness, yield, mass, speed).stretch;
@@ -55,7 +56,7 @@ void check_both_sides(Findings& findings, const Setup& setup) {
                                      "phases all break, or none"));
 }
 
-/// What a break releases, and what it leaves to the mass.
+/// Energy released by a break, and the energy balance error.
 void check_release(Findings& findings, const Setup& setup) {
   const double strength = 0.6;
   Convergence released, kept, closure;
@@ -94,8 +95,8 @@ void check_release(Findings& findings, const Setup& setup) {
                                    "whatever the phase; the next power of the step is 2 % of it"));
 }
 
-/// Cables that are drawn out until they break, at a rupture stretch or where they have hardened to their strength, by
-/// the methods that locate events.
+/// Cables that yield until they break, at a rupture stretch or when they have hardened to their strength, by the
+/// methods that locate events.
 void check_located_breaks(Findings& findings, const Setup& setup) {
   constexpr double tolerance = 1e-10, thrown = 2.0;
   const double off = setup.has("strength_unread") ? 0.998 : 1.0;
@@ -105,7 +106,7 @@ void check_located_breaks(Findings& findings, const Setup& setup) {
   const struct {
     const char* name;
     const reference::YieldingCable& cable;
-    double stretch;  ///< at which it breaks
+    double stretch;  ///< plastic stretch at the break
     ElasticPlastic law;
   } breaks[] = {{"rupture, perfectly plastic", flat, 0.1, {.stiffness = stiffness, .yield = 0.5, .rupture = off * 0.1}},
                 {"strength, hardening line",
@@ -135,7 +136,7 @@ void check_located_breaks(Findings& findings, const Setup& setup) {
           ->expect("stretch at a located break" + by, run.end.z[0], stretch,
                    Tolerance::round_off(4e-15, "the event is the stretch itself: a difference of lengths up to 10"),
                    "m");
-      if (!law.table.empty()) continue;  // at its corners the power of yielding jumps, which no event cuts
+      if (!law.table.empty()) continue;  // the power of yielding jumps at its corners, which are not events
       findings.in("located_breaks")
           ->expect("energy closure after a located break" + by, run.closure, 0.0,
                    Tolerance::truncation(tolerance * mass * thrown * thrown, 3.0, words), "J");
@@ -155,7 +156,7 @@ CableRunResult run_pair(double strength, double step, double phase, double end, 
   return run_cables(scene, state, method, {step, end, false, watched}, findings);
 }
 
-/// Change of a quantity of the reference with the time at which the hanger breaks.
+/// Derivative of a quantity of the reference with respect to the time at which the hanger breaks.
 template <class Of>
 double change_with_time(const reference::HangerBreak& broken, Of&& of) {
   constexpr double d = 1e-5;
@@ -181,7 +182,7 @@ void check_hanger_sides(Findings& findings, const Setup& setup) {
                   all_or_none);
 }
 
-/// Late by up to a step: speeds, energy lost, and the ledger.
+/// Errors of a break that is found up to a step late: speeds, energy lost, and energy balance.
 void check_hanger_orders(Findings& findings, const Setup& setup) {
   const double strength = 0.7 * reference::first_load_peak(pair).load;
   const reference::HangerBreak exact = reference::break_hanger(pair, strength);
@@ -190,7 +191,7 @@ void check_hanger_orders(Findings& findings, const Setup& setup) {
   const double exit_rate = change_with_time(exact, [](const auto& x) { return x.exit_speed_c; });
   Convergence speed_b, lost, exit, closure;
   double ratios[4]{};
-  // What the break takes from the power of the cables' forces on both masses.
+  // Change by the break of the power of the cable forces on both masses.
   const reference::PairState& at = exact.at_break;
   const double pull = pair.stiffness_2 * (at.c - at.b);
   const double power = -strength * at.speed_b + (pull - exact.merged_stiffness * at.c) * at.speed_c;
@@ -233,12 +234,12 @@ void check_hanger_orders(Findings& findings, const Setup& setup) {
                         "is");
 }
 
-/// The two cables as one, against a scene that has one.
+/// Compares the two cables past the broken hanger with a scene that has a single cable.
 void check_merged(Findings& findings, const Setup& setup) {
   const double strength = 0.7 * reference::first_load_peak(pair).load;
   const reference::HangerBreak exact = reference::break_hanger(pair, strength);
   const double step = exact.slack_time / 400.0;
-  // To the break, and a few steps on.
+  // Until a few steps after the break.
   const CableRunResult first = run_pair(strength, step, 0.5, exact.time + 4.0 * step, VelocityVerlet{}, findings);
   const double left = 0.9 * (exact.slack_time - first.end.t);
   const Scene two = hung_pair(pair, strength);
@@ -271,7 +272,7 @@ void check_merged(Findings& findings, const Setup& setup) {
       "N");
 }
 
-/// Two cables that were drawn out by different amounts come to one tension as well, over the sum of their lengths.
+/// Two cables with different plastic stretch also have one tension, given by the sum of their lengths.
 void check_merged_plastic(Findings& findings) {
   constexpr double drawn[] = {0.05, 0.02};
   const double strength = 0.7 * reference::first_load_peak(pair).load;
@@ -288,7 +289,7 @@ void check_merged_plastic(Findings& findings) {
   findings.expect("tensions of two drawn cables without hanger from that of one cable",
                   run.hanger_broken ? apart : std::nan(""), 0.0,
                   Tolerance::round_off(1e-13, "k (l - l0 - p) of lengths of 16: a few roundings, times 5"), "N");
-  // The point between the cables, where the first one ends: beyond its length by what the tension stretches it.
+  // The first cable ends at the point between the cables: at its plastic length plus the elastic elongation.
   const Dynamics dynamics{scene.model};
   const Snapshot seen{dynamics, run.end};
   const double place = seen.geometry().joints.p_WP(dynamics.cables().ends()[0].b).x;
@@ -302,7 +303,7 @@ constexpr const char* control_words =
     "jump of "
     "a force times its square is below that: 1e-6 s early or late, of which the energy shows all and the speed half";
 
-/// Under step control the break is met to the tolerance.
+/// With step control the break is resolved to the tolerance.
 void check_hanger_exactly(Findings& findings, const Setup& setup) {
   const double strength = (setup.has("strength_unread") ? 0.998 : 1.0) * 0.7 * reference::first_load_peak(pair).load;
   const reference::HangerBreak exact = reference::break_hanger(pair, 0.7 * reference::first_load_peak(pair).load);
@@ -312,7 +313,7 @@ void check_hanger_exactly(Findings& findings, const Setup& setup) {
                   exact.lost, Tolerance::truncation(2e-8, 1.0, control_words), "J");
   findings.expect("exit speed of the mass on the one cable under step control", -run.end.v[1], exact.exit_speed_c,
                   Tolerance::truncation(2e-9, 1.0, control_words), "m/s");
-  // Where it is located it makes no difference that another hanger comes first, which holds.
+  // A method that locates the break finds it also if a hanger that holds comes first in the list.
   Scene scene = hung_pair(pair, strength);
   scene.model.hangers.insert(scene.model.hangers.begin(), Hanger{"holds", *find_body(scene.model, "c"), {}, 1e9});
   scene.initial.mode.push_back(Mode{0});

@@ -13,7 +13,7 @@
 namespace talus::verification::problems {
 namespace {
 
-/// A point of a chain: a broken hanger of a body, in its coordinates, or an anchor.
+/// Point of a chain: a broken hanger of a body, in body coordinates, or an anchor.
 struct ChainPoint {
   std::optional<Body> body;
   Vec3 p;  ///< [m]
@@ -24,16 +24,16 @@ struct ChainCable {
   ElasticPlastic law;
 };
 
-/// Cables in the order in which they are listed; of cable c the ends are exchanged if bit c of `turned` is set.
+/// Order in which the cables are listed; the ends of cable c are exchanged if bit c of `turned` is set.
 struct Listing {
   std::vector<std::size_t> order;
   unsigned turned{};
 };
 
-/// A chain past its broken hangers.
+/// Result for a chain past its broken hangers.
 struct LaidChain {
   std::vector<double> tensions;  ///< of the cables [N]
-  std::vector<Vec2> places;      ///< of the points [m]
+  std::vector<Vec2> places;      ///< positions of the points [m]
   double lost{};                 ///< energy recorded as lost by breaking cables [J]
 };
 
@@ -79,7 +79,7 @@ LaidChain laid(const std::vector<ChainPoint>& points, const std::vector<ChainCab
   return found;
 }
 
-/// Three cables of different length and stiffness, and the compliance [m/N] and rest length [m] of all.
+/// Three cables of different length and stiffness, and their total compliance [m/N] and rest length [m].
 const std::vector<ChainCable> three{
     {3.0, {.stiffness = 100.0}}, {4.0, {.stiffness = 50.0}}, {2.0, {.stiffness = 200.0}}};
 constexpr double compliance_of_three = 1.0 / 100.0 + 1.0 / 50.0 + 1.0 / 200.0, rest_of_three = 9.0;
@@ -88,7 +88,7 @@ std::vector<ChainPoint> line_of_four(Vec2 to) {
   return {{{}, {}}, {hung("first", 3.0), {}}, {hung("second", 7.0), {}}, {{}, {to.x, to.y, 0.0}}};
 }
 
-/// In every order and with either end first: the tension, and where the massless points between the cables are.
+/// Tension, and positions of the massless points between the cables, in every order and with either end first.
 void check_listings(Findings& findings) {
   const Vec2 to{10.0, 3.0};
   const double length = norm(to), tension = (length - rest_of_three) / compliance_of_three;
@@ -111,8 +111,9 @@ void check_listings(Findings& findings) {
                   0.0, Tolerance::round_off(1e-14, "a dozen roundings of lengths of ten"), "m");
 }
 
-/// Behind a plane of symmetry: the body in the plane hangs there once, the cable and the next body stand for two. Both
-/// hangers are broken, so the cables run straight along the fence to their mirror image and pull nothing out of that.
+/// Chain at a plane of symmetry: the body in the plane represents only itself, the cables and the next body represent
+/// two. Both hangers are broken, so the cables run straight along the fence to their mirror image and exert no force
+/// across it.
 void check_mirror_image(Findings& findings) {
   const std::vector<ChainCable> two{{3.0, {.stiffness = 100.0}}, {4.0, {.stiffness = 50.0}}};
   const double from = 1.0, to = 10.0;  // along the fence
@@ -135,8 +136,8 @@ void check_mirror_image(Findings& findings) {
                   place_error, 0.0, Tolerance::exact("all are where the last one is"), "m");
 }
 
-/// The middle cable is pulled beyond its strength: all let go at once, and the energy that they stored, T^2/2 times the
-/// sum of their compliances, is lost.
+/// The middle cable is loaded beyond its strength: all cables lose their tension at once, and their stored energy,
+/// T^2/2 times the sum of their compliances, is lost.
 void check_break_within(Findings& findings) {
   const double length = 10.0, tension = (length - rest_of_three) / compliance_of_three;
   std::vector<ChainCable> cables = three;

@@ -9,16 +9,16 @@ namespace talus::verification::problems {
 void check_bungee(Findings& findings, const Setup& setup);
 void check_damped_throw(Findings& findings, const Setup& setup);
 
-/// Throws on cables that yield: perfectly plastic, hardening along a line and along a table, twice.
+/// Throws on cables that yield, single and repeated: perfectly plastic, with linear hardening, with a hardening table.
 void check_yielding(Findings& findings, const Setup& setup);
 
-/// Cables that break, by their strength and by their stretch.
+/// Cables that break, at their strength or at their rupture stretch.
 void check_breaking(Findings& findings, const Setup& setup);
 
-/// Accelerations of bodies in nets of cables, in many listings, beside a sum over the cables.
+/// Accelerations of bodies in nets of cables, in many listings, compared with a sum over the cables.
 void check_nets(Findings& findings);
 
-/// Chains of cables past broken hangers: in every listing, to their mirror image, and when one of them breaks.
+/// Chains of cables past broken hangers: in every listing, to their mirror image, and when one of the cables breaks.
 void check_chains(Findings& findings);
 
 /// A hanger that breaks.

@@ -14,10 +14,10 @@
 namespace talus::verification::problems {
 namespace {
 
-/// An end of a cable as the check lists it: a body of the net, or an anchor.
+/// Cable end in the check's separate list: a body of the net, or an anchor.
 struct NetEnd {
   std::optional<std::size_t> body;
-  Vec2 place;  ///< [m]
+  Vec2 place;  ///< position [m]
 };
 
 struct NetCable {
@@ -26,12 +26,13 @@ struct NetCable {
 };
 
 struct Net {
-  std::vector<Vec2> places;    ///< of the bodies [m]
+  std::vector<Vec2> places;    ///< positions of the bodies [m]
   std::vector<double> masses;  ///< [kg]
   std::vector<NetCable> cables;
 };
 
-/// Draws of a seed, the same on every machine: the distributions of the standard library need not be.
+/// Pseudo-random numbers from a seed, the same on every machine, which the distributions of the standard library do not
+/// guarantee.
 class NetDraw {
  public:
   explicit NetDraw(unsigned seed) : engine_{seed} {}
@@ -44,8 +45,8 @@ class NetDraw {
   std::mt19937 engine_;
 };
 
-/// Adds cables from one body to the next, with an anchor before the first or after the last or without. Now and then a
-/// cable is listed with its ends the other way round, or two cables change places.
+/// Adds cables from each of `count` bodies to the next, with or without an anchor before the first and after the last.
+/// Occasionally the ends of a cable are exchanged, or two cables exchange their positions in the list.
 void add_chain(Net& net, std::size_t first, std::size_t count, NetDraw& draw) {
   std::vector<NetEnd> points;
   const auto anchor = [&](std::size_t beside) {
@@ -68,7 +69,7 @@ void add_chain(Net& net, std::size_t first, std::size_t count, NetDraw& draw) {
     std::swap(net.cables[begin + draw.below(added)], net.cables[begin + draw.below(added)]);
 }
 
-/// Two to four chains over bodies that follow one another; the next may begin at the last body of the one before.
+/// Net of two to four chains over consecutive bodies; a chain may begin at the last body of the previous one.
 Net drawn_net(NetDraw& draw) {
   Net net;
   const std::size_t chains = 2 + draw.below(3);
@@ -107,7 +108,7 @@ Model model_of(const Net& net) {
   return builder.build();
 }
 
-/// Accelerations of the bodies [m/s^2] from k (l - l0) along each cable that is taut.
+/// Accelerations of the bodies [m/s^2] from the tension k (l - l0) of each taut cable.
 std::vector<Vec2> accelerations(const Net& net, const std::vector<Vec2>& at) {
   std::vector<Vec2> found(at.size());
   for (const NetCable& cable : net.cables) {

@@ -14,14 +14,14 @@ namespace talus::verification::problems {
 namespace {
 
 constexpr double stiffness = 1.0, mass = 1.0, yield = 0.5;
-constexpr double half_swing = std::numbers::pi;  // of the mass on the elastic cable
+constexpr double half_swing = std::numbers::pi;  // half a period of the mass on the elastic cable
 
-/// Yield force of the three cables: flat, along a line, along a table.
+/// The three cables: perfectly plastic, with linear hardening, with a hardening table.
 reference::YieldingCable flat() { return {stiffness, {{0.0, yield}}, 0.0}; }
 reference::YieldingCable line() { return {stiffness, {{0.0, yield}}, 0.25}; }
 reference::YieldingCable table() { return {stiffness, {{0.0, yield}, {0.5, 0.75}, {1.5, 0.75}, {2.0, 1.25}}, 0.1}; }
 
-/// The same as the solver is told it, with the setup's fault in it.
+/// The solver's law for this cable, with the fault of the setup.
 ElasticPlastic law_of(const reference::YieldingCable& cable, const Setup& setup) {
   ElasticPlastic law{.stiffness = cable.stiffness, .yield = cable.points.front().force, .hardening = cable.last_slope};
   for (std::size_t i = 1; i < cable.points.size(); ++i)
@@ -37,7 +37,7 @@ constexpr const char* exit_words =
     "that of an elastic impact, (w h)^2/(2 sqrt(90)), from the shares of a step at which the cable becomes taut and "
     "slack";
 
-/// Rms error of the plastic stretch after throws of this sum of squared speeds [L].
+/// Rms error of the plastic stretch after throws with this sum of squared speeds [L].
 double stretch_error(double count, double squares) {
   return std::pow(half_swing / (count + 0.5), 2) * mass * squares / (2.0 * std::sqrt(30.0) * yield);
 }
@@ -45,8 +45,8 @@ constexpr const char* stretch_words =
     "taut at the share u of a step, the energy is off by (w h)^2 u (1 - u) of m v^2/2, rms (w h)^2/sqrt(30) with its "
     "mean; over the yield force that is a stretch, less what Verlet's spring is softer by, and summed over the throws";
 
-/// Throws one after the other, each from the stretch that the last one left, all from the share `phase` of a step
-/// before the cable is taut.
+/// Runs successive throws, each with the plastic stretch that the previous one produced. All start the fraction `phase`
+/// of a step before the cable is taut.
 std::vector<CableRunResult> throws(const ElasticPlastic& law, const std::vector<double>& speeds, double step,
                                    double phase, const Setup& setup, Findings& findings, bool watched = false) {
   std::vector<CableRunResult> runs;
@@ -63,13 +63,13 @@ std::vector<CableRunResult> throws(const ElasticPlastic& law, const std::vector<
   return runs;
 }
 
-/// Phases of a root mean square: fewer where only a fault is to be seen.
+/// Number of phases of a root mean square: fewer if only a fault must be detected.
 std::size_t phases(const Setup& setup) { return setup.coarse ? 16 : fewest_phases; }
 
-/// What a throw gives over what it should, rms over 64 phases.
+/// Errors of a throw over 64 phases; that of the exit speed is relative.
 struct DrawErrors {
   PhaseError exit, stretch, lost;
-  double closure{};  ///< of the energy, rms
+  double closure{};  ///< energy balance error, rms
 };
 
 DrawErrors draw_errors(const reference::YieldingCable& cable, double speed, double count, const Setup& setup,
@@ -88,7 +88,7 @@ DrawErrors draw_errors(const reference::YieldingCable& cable, double speed, doub
   return errors;
 }
 
-/// Speed at which the cable begins to yield.
+/// Speed of the mass when the cable begins to yield.
 double speed_at_yield(double speed) { return std::sqrt(speed * speed - yield * yield / (stiffness * mass)); }
 
 void check_orders(Findings& findings, const Setup& setup) {
@@ -128,7 +128,7 @@ void check_orders(Findings& findings, const Setup& setup) {
                               {1.0, closure.steps().front(), 1.6 * closure.errors().front(), "h"}}});
 }
 
-/// Both sides of the speed at which it yields, and far beyond.
+/// Throws just below and above the lowest speed at which the cable yields, and far from it.
 void check_speeds(Findings& findings, const Setup& setup) {
   const double limit = yield / std::sqrt(stiffness * mass);
   double exit = 0.0, stretch = 0.0;
@@ -161,7 +161,7 @@ void check_speeds(Findings& findings, const Setup& setup) {
   if (!setup.coarse) findings.table(shown);
 }
 
-/// Tension against elongation over throws one after the other, solver and exact.
+/// Figure of tension against elongation over successive throws, solver and exact.
 Figure loops(const std::string& name, const std::string& title, const std::string& caption,
              const reference::YieldingCable& cable, const std::vector<CableRunResult>& runs,
              const std::vector<reference::CableDraw>& exact) {
@@ -192,7 +192,7 @@ Figure loops(const std::string& name, const std::string& title, const std::strin
           .series = {lines, points}};
 }
 
-/// Throws on one cable after the other: work, stretch and exit speed of each.
+/// Successive throws on one cable: total work of yielding, residual stretch, and exit speed of the last throw.
 void check_cycles(Findings& findings, const Setup& setup, const std::string& stem, const std::string& name,
                   const reference::YieldingCable& cable, const std::vector<double>& speeds) {
   std::vector<reference::CableDraw> exact;

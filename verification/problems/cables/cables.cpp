@@ -14,13 +14,13 @@ namespace {
 
 constexpr reference::Bungee fall{40.0, 2.0, 10.0, 0.7};
 
-/// First turn below, and time from there to the next.
+/// Elongation at the first lower turning point, and time from there to the next one.
 struct Fall {
   double depth{}, period{};
   State end;
 };
 
-/// Where the parabola through three values one step apart turns: its place in steps from the middle, and its value.
+/// Vertex of the parabola through three values one step apart: its position in steps from the middle, and its value.
 struct Turn {
   double place{}, value{};
 };
@@ -61,7 +61,7 @@ void check_bungee(Findings& findings, const Setup& setup) {
     const auto counts = doublings(setup.coarse ? 512.0 : 64.0, setup.coarse ? 1 : 4);
     for (const double count : counts) {
       PhaseError of_depth, of_period;
-      // Let go at t = 0, a run has no onset to vary: the steps spread over a tenth, which spreads the phases.
+      // The release at t = 0 leaves no onset to vary. Steps that vary by 10 % distribute the phases instead.
       for (const double phase : golden_phases(fewest_phases)) {
         const double step = period / (count * (0.95 + 0.1 * phase));
         const Fall found = run_fall(TensionOnly{fall.stiffness}, gravity, step, make_integrator(method.name), findings);

@@ -20,7 +20,7 @@ reference::Bounce exact_catch(double frequency, double xi, double gravity, doubl
   return reference::bounces({frequency, xi, gravity, 0.0, speed, reference::EndRule::clamped}, 1).front();
 }
 
-/// Speed at x = 0 of a mass let go like this, under the true weight.
+/// Speed at x = 0 of a mass that leaves the taut cable in this state, under the true weight.
 double return_speed(const reference::Bounce& taut, double gravity) {
   return std::sqrt(taut.end_velocity * taut.end_velocity - 2.0 * gravity * taut.end_depth);
 }
@@ -29,7 +29,7 @@ double exact_restitution(double gravity) {
   return return_speed(exact_catch(1.0, damping_ratio, gravity, 1.0), gravity);
 }
 
-/// Root mean square over the phases of the relative error of e, for steps of this length.
+/// Predicted root mean square over the phases of the relative error of e, for steps of this length.
 double predicted_error(double gravity, double step) {
   const double exact = exact_restitution(gravity), lag = damping_ratio * step, small = 1e-4;
   const auto changed = [&](double share, double speed) {

@@ -55,7 +55,7 @@ double distance(const State& state, const reference::HungChain& shape) {
   return std::sqrt(sum / static_cast<double>(joints));
 }
 
-/// Places of the weights after so many peaks of the kinetic energy, from rest at `start`.
+/// State of the chain after `peaks` peaks of the kinetic energy, from rest at `start`.
 State relaxed(double stiffness, const reference::HungChain& start, int peaks, const Setup& setup, Findings& findings) {
   Scene scene = chain_scene(stiffness, start, setup);
   const double step = 0.4 * std::sqrt(mass / stiffness);
@@ -83,7 +83,7 @@ double root_mean_square(const reference::HungChain& shape) {
   return std::sqrt(sum / static_cast<double>(joints));
 }
 
-/// Accelerations at the exact places, over what a rounded place, k eps/m, makes of them.
+/// Accelerations at the exact positions, as displacements: a rounded position causes an acceleration of k eps/m.
 void check_balance(Findings& findings, const Setup& setup) {
   double largest = 0.0;
   for (const double stiffness : {4.0, 64.0, 1e3, 1e6}) {

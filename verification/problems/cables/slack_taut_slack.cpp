@@ -20,11 +20,11 @@ reference::ImpactEvents exact_snatch(double xi) {
 }
 
 struct Snatch {
-  double tension{};  ///< largest of the steps
-  bool slack{};      ///< at the end
+  double tension{};  ///< largest at the steps
+  bool slack{};      ///< at the end, with the mass moving back
 };
 
-/// A throw that becomes taut the share `phase` of a step after its start.
+/// Runs a throw whose cable becomes taut the fraction `phase` of a step after the start.
 Snatch snatched(double xi, double step, double phase, const Setup& setup, Findings& findings) {
   const double used = setup.has("dashpot_stronger") ? 1.05 * xi : xi;
   const double stiffness = setup.has("cable_softer") ? 0.999 : 1.0;
@@ -44,7 +44,7 @@ double phase_error(double step, double phase) {
   return 0.125 - 0.5 * late * (1.0 - late) - 0.5 * nearest * nearest;
 }
 
-/// Root mean square of the relative error over all phases.
+/// Predicted root mean square of the relative error over all phases.
 double predicted_rms(double xi, double step) {
   if (xi == 0.0) return step * step / std::sqrt(360.0);
   const double small = 1e-5;

@@ -22,13 +22,13 @@ constexpr auto modes = static_cast<std::size_t>(chain.masses);
 
 enum class Way { along, across };
 
-/// The same chain with the stiffness that acts across.
+/// The chain with the stiffness that acts in this direction: k along the row, T0/L across it.
 reference::StretchedChain exact_chain(Way way) {
   const double tension = chain.stiffness * (spacing - rest_length);
   return {chain.masses, chain.mass, way == Way::along ? chain.stiffness : tension / spacing};
 }
 
-/// The row with its modes at these amplitudes, at rest.
+/// The row at rest, displaced by its modes with these amplitudes.
 Scene chain_scene(Way way, const std::vector<double>& amplitudes, const Setup& setup) {
   ModelBuilder builder;
   std::vector<CableEnd> ends{CableEnd{}};
@@ -60,7 +60,7 @@ Scene chain_scene(Way way, const std::vector<double>& amplitudes, const Setup& s
   return scene;
 }
 
-/// One value of each mode, from one of each mass.
+/// Projection of one value per mass onto the modes.
 class ModeView {
  public:
   ModeView() {
@@ -86,11 +86,11 @@ std::vector<double> displacements(const State& state, Way way) {
 }
 
 struct Swings {
-  std::vector<double> frequencies;  ///< of each mode, as the run has them
-  double error{};                   ///< largest of a mode's displacement from its swing, over the amplitude
+  std::vector<double> frequencies;  ///< measured, of each mode
+  double error{};                   ///< largest error of a mode's displacement, over the amplitude
 };
 
-/// All modes at once from rest, in steps of length h.
+/// Runs all modes at once from rest, in steps of length h.
 Swings swings(Way way, double amplitude, double h, const Setup& setup, Findings& findings) {
   static const ModeView view;
   const auto w = reference::chain_frequencies(exact_chain(way));
@@ -122,7 +122,7 @@ Swings swings(Way way, double amplitude, double h, const Setup& setup, Findings&
 
 double limit(Way way) { return 2.0 / reference::chain_frequencies(exact_chain(way)).back(); }
 
-/// Largest relative error of the eight frequencies against leapfrog's own.
+/// Largest error of the eight frequencies relative to the numerical frequencies of the leapfrog.
 double frequency_error(const Swings& found, Way way, double h) {
   const auto w = reference::chain_frequencies(exact_chain(way));
   double largest = 0.0;
@@ -133,7 +133,7 @@ double frequency_error(const Swings& found, Way way, double h) {
   return largest;
 }
 
-constexpr double shares[] = {0.25, 0.5, 0.9, 0.999};  ///< of the limit
+constexpr double shares[] = {0.25, 0.5, 0.9, 0.999};  ///< steps over the limit
 
 void check_frequencies(Findings& findings, const Setup& setup) {
   Figure figure{.name = "dispersion",
@@ -153,7 +153,7 @@ void check_frequencies(Findings& findings, const Setup& setup) {
     const double h = share * limit(Way::along);
     const Swings found = swings(Way::along, 0.03, h, setup, findings);
     worst = std::max(worst, frequency_error(found, Way::along, h));
-    // At .999 of the limit a rounded velocity throws the last mode 22 times as far.
+    // At 0.999 of the limit a rounding error of the velocity is amplified 22 times in the last mode.
     if (share < 0.95 && !(found.error <= farthest)) farthest = found.error;
     const double h_across = share * limit(Way::across);
     across =
@@ -183,7 +183,7 @@ void check_frequencies(Findings& findings, const Setup& setup) {
   findings.figure(figure);
 }
 
-/// Amplitude of the last mode step by step, from 1e-9, at this share of the limit.
+/// Amplitude of the last mode at each step, from 1e-9, with steps of `share` times the limit.
 Series last_mode(double share, long count, const Setup& setup, Findings& findings) {
   static const ModeView view;
   std::vector<double> amplitudes(modes, 0.0);

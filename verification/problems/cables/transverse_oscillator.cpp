@@ -99,7 +99,7 @@ void check_amplitudes(Findings& findings, const Setup& setup) {
        .lines = {{'y', 2.0 * std::numbers::pi / std::sqrt(2.0), "2 pi sqrt(m/2k)"}}});
 }
 
-/// A mass that carries P(w), let go at w, must stay there.
+/// A mass under the load P(w), released at rest at w, must remain there.
 void check_balance(Findings& findings, const Setup& setup) {
   double largest = 0.0;
   for (const double w : {0.01, -0.1, 0.5, -1.0, 3.0}) {

@@ -4,10 +4,11 @@
 
 namespace talus::verification::problems {
 
-/// Velocity Verlet with so many steps in a contact, for a time [s] in `loops` LOOPs.
+/// Plan of a run of `time` [s] in `loops` LOOPs, with `steps_in_contact` steps in a contact and the default integrator,
+/// central difference.
 [[nodiscard]] CellPlan cell_plan(const ShearCell& cell, double time, double steps_in_contact = 20.0, int loops = 50);
 
-/// Advances until the end or a failure; what the run is then.
+/// Advances the run to its end or to a failure, and returns it.
 CellRun& run_to_end(CellRun& run);
 
 }  // namespace talus::verification::problems

@@ -21,7 +21,7 @@
 namespace talus::verification::problems::disc_lists {
 namespace {
 
-/// Numbers of two states that differ: places, velocities, spins.
+/// Number of values that differ between two states: positions, velocities, spins.
 long differing(const Discs& a, const Discs& b) {
   long differ = 0;
   const auto compare = [&](const std::vector<double>& one, const std::vector<double>& other) {
@@ -34,9 +34,9 @@ long differing(const Discs& a, const Discs& b) {
 
 constexpr double radius = 0.5, skin = 0.5, speed = 8e-4, step = 0.157;
 
-/// Head-on impacts of two discs that start at gaps about the skin: within it, so that they are listed at the start, and
-/// beyond, so that they are not. Each step brings them nearer by 1/2000 of the skin, and the gaps are so close to each
-/// other that some pair is at each edge of a near list, too.
+/// Head-on impacts of two discs that start at gaps close to the skin: within it, so that the pair is listed at the
+/// start, and beyond it, so that it is not. Each step brings the discs nearer by 1/2000 of the skin, and the gaps are
+/// spaced so closely that some pair is also at each edge of a near list.
 void expect_edges(Findings& findings, const Setup& setup) {
   const LinearSpringDashpot law{0.5, 0.1};
   record_use(law);
@@ -88,13 +88,13 @@ void expect_edges(Findings& findings, const Setup& setup) {
   findings.in("edges")->expect("numbers that differ from a loop over all pairs, fast engine", fast_differs, 0.0, same);
 }
 
-/// A cell of rough discs, whose block is driven, by several threads: friction turns both discs of a pair and pushes the
-/// walls, also where they are in other stripes.
+/// A cell of rough discs with a driven block, run by several threads: friction turns both discs of a pair and acts on
+/// the walls, also where they belong to other stripes.
 void expect_stripes(Findings& findings, const Setup& setup) {
   ShearCell cell = ice_cell(8e3, 5e3);
   FilledCell start = fill(cell);
   for (std::size_t i = 0; i < cell.free_discs(); ++i) {
-    // Discs of two sizes, whose arms differ.
+    // Discs of two sizes, whose lever arms differ.
     if (i % 3 == 0) start.shapes.radius[i] *= 0.8;
     start.discs.vy[i] *= 60.0;
   }
@@ -132,8 +132,9 @@ void expect_stripes(Findings& findings, const Setup& setup) {
   }
 }
 
-/// Two rough discs of unlike size and mass that meet obliquely, and turn: what they lose of their energy of motion is
-/// what contacts have kept, and what is said of the contact half-way is what places and velocities make of it.
+/// Oblique impact of two rough, spinning discs of different size and mass. The kinetic energy that they lose is
+/// compared with the energy dissipated by contacts, and the reported overlap and force of the contact with those
+/// computed from positions and velocities.
 template <class System>
 void expect_losses(Findings& findings, const Setup& setup, const std::string& engine) {
   const LinearSpringDashpot law{1e4, 8.0};
@@ -144,7 +145,7 @@ void expect_losses(Findings& findings, const Setup& setup, const std::string& en
   Discs discs;
   for (std::size_t i = 0; i < 2; ++i)
     shapes.add(radii[i], 1.0 / masses[i]);
-  // Across both borders of the box.
+  // The discs meet across both borders of the box.
   const PeriodicBox box{.width = 5.0, .height = 3.0};
   discs.add(2.3, 1.3, 0.3, 0.4), discs.add(3.02 - box.width, 1.861 - box.height, -1.1, -0.7);
   discs.spin = {3.0, -2.0};
@@ -192,8 +193,8 @@ void expect_losses(Findings& findings, const Setup& setup, const std::string& en
                             "powers are those at the beginning of each step: first order in w h"));
 }
 
-/// A list is made with the skin that was best for the nearest of the solid fractions and decades that were timed: on
-/// either side of the middle between two of them another one.
+/// The skin of a list is the one that was fastest for the nearest of the tabulated solid fractions and decades: it
+/// changes at the middle between two of them.
 void expect_skins(Findings& findings) {
   double wrong = 0.0;
   const auto demand = [&](std::size_t discs, double fraction, std::size_t like, double of) {
@@ -210,7 +211,7 @@ void expect_skins(Findings& findings) {
 }
 
 /// Two discs that never meet, by every method that steps discs: states are reported at the time of their velocities,
-/// also of methods that hold places half a step later.
+/// also by methods that store positions half a step later.
 template <class System>
 void expect_flight(Findings& findings, const std::string& engine) {
   constexpr double h = 0.1;
@@ -246,7 +247,7 @@ void expect_flight(Findings& findings, const std::string& engine) {
                                 Tolerance::round_off(1e-14, "eleven additions to numbers of up to 3"));
 }
 
-/// Where a pair is in a list: beside a search through the whole list, for pairs that are in it and pairs that are not.
+/// NeighbourList::find compared with a search through the whole list, for listed and unlisted pairs.
 void expect_places(Findings& findings) {
   const FilledCell start = fill(ice_cell(8e3, 5e3));
   NeighbourList list{start.box, 0.3 * 2.0 * start.shapes.radius[0]};

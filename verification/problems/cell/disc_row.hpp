@@ -8,7 +8,7 @@
 #include "solver/granular/disc_system.hpp"
 #include "verification/study/usage.hpp"
 
-/// Equal discs on a line, left to right along x, in the engine of discs.
+/// Rows of equal discs along x, from left to right, run by DiscSystem.
 namespace talus::verification::problems {
 
 struct DiscRow {
@@ -18,20 +18,20 @@ struct DiscRow {
   std::vector<double> gap;       ///< between neighbours [L] >= 0
 };
 
-/// Of the list of neighbours: a step moves a disc by some .05, so that lists are made again every few steps [L].
+/// Skin of the neighbour list [L]: a step moves a disc by about 0.05, so that lists are rebuilt every few steps.
 inline constexpr double row_skin = 0.25;
 
 struct FilledRow {
   DiscShapes shapes;
   Discs discs;
 };
-/// The last disc lies at x = 0, so that discs that touch do so exactly where the radius is a power of two.
+/// Discs of a row. The last one is at x = 0, so that touching discs touch exactly if the radius is a power of two.
 [[nodiscard]] FilledRow fill(const DiscRow& row);
 
-/// No disc is faster than the next.
+/// Whether no disc is faster than the next.
 [[nodiscard]] bool ordered(const Discs& discs);
 
-/// No force is left, and none will come.
+/// Whether no contact force acts and no further contact will occur.
 template <class L>
 bool over(const DiscSystem<L>& system, const Discs& discs) {
   if (!ordered(discs)) return false;
@@ -40,7 +40,7 @@ bool over(const DiscSystem<L>& system, const Discs& discs) {
   return !forced;
 }
 
-/// Steps a row until all is over; calls seen(system) after each step. False if that takes more steps than `most`.
+/// Steps a row until over(); calls seen(system) after each step. Returns false if that takes more than `most` steps.
 template <class L, class Seen>
 bool run_row(DiscSystem<L>& system, FilledRow& row, DiscMethod method, double step, long most, Seen&& seen) {
   record_use(method);

@@ -22,7 +22,7 @@ constexpr int phases = 64;
 
 double contact_time() { return 0.5 * std::numbers::pi * 1.7; }
 
-/// `lead`: time before the touch.
+/// Row of `count` discs whose first disc touches the second after the time `lead`.
 FilledRow thrown_row(std::size_t count, double lead, const Setup& setup) {
   DiscRow row{.radius = 8.0, .velocity = std::vector<double>(count), .gap = std::vector<double>(count - 1)};
   row.velocity[0] = 1.0, row.gap[0] = lead;
@@ -37,7 +37,8 @@ DiscMethod method_of(const Setup& setup) {
   return make_disc_method(setup.has("taylor_for_verlet") ? "taylor" : "velocity_verlet");
 }
 
-/// Largest error of the final velocities for each phase, and the mean of the last disc's; `steps` in a contact.
+/// Errors over all phases, with `steps` steps in a contact: the largest error of the final velocities in each phase,
+/// the largest error of the momentum, and the mean final velocity of the last disc.
 struct ChainErrors {
   PhaseError of_velocity;
   double momentum{}, last{};
@@ -51,7 +52,8 @@ ChainErrors errors(std::size_t count, double steps, const reference::ChainReboun
     FilledRow row = thrown_row(count, shares[k] * h, setup);
     DiscSystem system{row.shapes, {}, LatchingSpring{0.5, 0.5 / ratio, 0.0}, row_skin};
     const auto most = static_cast<long>(500.0 * contact_time() / h);
-    // Discs that leave at nearly one speed may be about to touch again for long: then they are looked at as they are.
+    // Discs that leave at nearly equal speeds may approach each other for a long time; they are then evaluated as they
+    // are.
     (void)run_row(system, row, method_of(setup), h, most, [](const auto&) {});
     findings.count(system.evaluations());
     double worst = 0.0;
@@ -159,7 +161,7 @@ void draw_history(Findings& findings, const Setup& setup) {
       line.add(times[k] / contact_time(), exact[k][i]);
     all.push_back(line);
   }
-  // One word for all points.
+  // One legend entry for all points.
   Series points{"solver", {}, {}, Style::points};
   for (std::size_t i = 0; i < count; ++i) {
     points.x.insert(points.x.end(), all[i].x.begin(), all[i].x.end());

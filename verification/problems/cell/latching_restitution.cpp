@@ -21,30 +21,30 @@ namespace {
 struct Meeting {
   double ratio{};  ///< K1/K2
   double step{};   ///< [T]
-  double phase{};  ///< share of a step that passes before the touch
+  double phase{};  ///< fraction of a step before touch
   const char* method{"velocity_verlet"};
   double speed{1.0};   ///< of approach [L/T]
   double radius{8.0};  ///< [L]
 };
 
 struct Parting {
-  double restitution{};   ///< not a number if they do not part
-  double contact_time{};  ///< until the force has gone [T]; of a method whose modes are those of the step's end
-  double largest{};       ///< overlap [L]
-  double residual{};      ///< overlap at which the force has gone [L]
+  double restitution{};   ///< NaN if the discs do not separate
+  double contact_time{};  ///< until the force vanishes [T]; for methods whose modes are those at the end of a step
+  double largest{};       ///< largest overlap [L]
+  double residual{};      ///< overlap at which the force vanishes [L]
 };
 
 constexpr int latch_phases = 200;
 
-/// What the phases do.
+/// Statistics of the restitution e over the phases.
 struct PhasesOfLatch {
   double mean{}, deviation{};       ///< of e
   double least{}, most{};           ///< of e
-  PhaseError found{}, predicted{};  ///< of ln e, from the predicted mean
-  double beyond{};                  ///< largest difference of ln e and the prediction for that impact
+  PhaseError found{}, predicted{};  ///< deviation of ln e from the predicted mean
+  double beyond{};                  ///< largest difference of ln e from the prediction for the same impact
 };
 
-/// Time, depth and force at the ends of steps, to the first without force.
+/// Time, overlap and force at the ends of steps, up to the first step without force.
 struct Course {
   std::vector<double> time, depth, force;
 
@@ -55,7 +55,7 @@ struct Course {
 
   void summarize(double step, Parting& found) const {
     if (depth.size() < 4) return;
-    // Force against depth is a straight line on the way out, whose zero is the residual depth.
+    // During unloading the force is linear in the overlap; its zero is the residual overlap.
     const std::size_t last = depth.size() - 1;
     const double slope = (force[last - 1] - force[last - 2]) / (depth[last - 1] - depth[last - 2]);
     found.residual = depth[last - 1] - force[last - 1] / slope;
@@ -88,10 +88,10 @@ Parting parting(const Meeting& meeting, Findings& findings, const Setup& setup) 
   return found;
 }
 
-/// Evenly spread over a step.
+/// Phase i of `latch_phases`, evenly spread over a step.
 double latch_phase(int i) { return (i + 0.5) / latch_phases; }
 
-/// w1 h at so many steps in a contact.
+/// w1 h for a number of steps in a contact.
 double latch_step(double steps_in_contact, double ratio) {
   return 0.5 * std::numbers::pi * (1.0 + std::sqrt(ratio)) / steps_in_contact;
 }
@@ -135,7 +135,7 @@ SteppedLatch latch_of(const LatchScheme& scheme, double steps) {
   return {shown_ratio, latch_step(steps, shown_ratio), scheme.map};
 }
 
-/// By scheme, then by steps in a contact.
+/// Statistics by scheme, then by steps in a contact.
 using Measured = std::array<std::map<double, PhasesOfLatch>, latch_schemes.size()>;
 
 Measured measure(Findings& findings, const Setup& setup) {
@@ -180,7 +180,7 @@ void check_means(const Measured& measured, Findings& findings) {
   gains(1, 5.0, 10.0);
 }
 
-/// The leapfrog does not gain on the whole; single impacts do beyond its limit of stability.
+/// The leapfrog gains no energy in the mean; single impacts do beyond its stability limit.
 void check_limit(Findings& findings, const Setup& setup) {
   const char* method = setup.has("euler_for_verlet") ? "euler" : "velocity_verlet";
   const auto of = [&](double steps) { return phases_of(latch_of(latch_schemes[3], steps), method, findings, setup); };
@@ -278,7 +278,8 @@ void draw_phases(Findings& findings, const Setup& setup) {
                    .series = all});
 }
 
-/// Mean and deviation over the phases at 5 to 120 steps in a contact, where methods gain energy, and what phases do.
+/// Mean and deviation over the phases at 5 to 120 steps in a contact; steps at which methods gain energy; effect of the
+/// phase.
 void check_latching_table(Findings& findings, const Setup& setup) {
   const Measured measured = measure(findings, setup);
   check_means(measured, findings);
@@ -292,7 +293,7 @@ void check_latching_table(Findings& findings, const Setup& setup) {
 using reference::StepMap;
 
 constexpr std::array ratios{0.25, 0.49, 0.81};
-/// Steps in a contact, and a bit: in a whole number of them errors of touch and end cancel.
+/// Steps in a contact. Not a whole number, because then the errors of touch and end would cancel.
 constexpr double production = 60.0 + 0.382;
 
 void check_verlet(Findings& findings, const Setup& setup) {
@@ -316,7 +317,7 @@ void check_verlet(Findings& findings, const Setup& setup) {
                   Tolerance::model(0.005, "predicted to third order; (w2 h)^2 to .006"));
 }
 
-/// Where w1 h <= .045 and K1/K2 >= .25.
+/// Growth for w1 h <= 0.045 and K1/K2 >= 0.25.
 void check_growth(Findings& findings, const Setup& setup) {
   for (const LatchScheme& scheme : {latch_schemes[0], latch_schemes[1]}) {
     const bool euler = scheme.map == StepMap::euler;
@@ -349,7 +350,7 @@ void check_growth(Findings& findings, const Setup& setup) {
   }
 }
 
-/// K1/K2 of which a restitution falls on .7, by bisection.
+/// K1/K2 at which a restitution is 0.7, by bisection.
 template <class Restitution>
 double ratio_for_seven_tenths(const SteppedLatch& latch, Restitution&& restitution) {
   double low = 0.3, high = 0.7;
@@ -360,7 +361,7 @@ double ratio_for_seven_tenths(const SteppedLatch& latch, Restitution&& restituti
   return low;
 }
 
-/// SNOFLO's .45, and what `talus calibrate` finds for .7.
+/// SNOFLO's ratio 0.45, and the ratios that `talus calibrate` finds for a restitution of 0.7.
 void check_history(Findings& findings, const Setup& setup) {
   for (const LatchScheme& scheme : {latch_schemes[0], latch_schemes[1]}) {
     const bool euler = scheme.map == StepMap::euler;
@@ -405,7 +406,7 @@ void check_times(Findings& findings, const Setup& setup) {
   expect("residual overlap", residual, of_depth, "a fixed share of the largest overlap");
 }
 
-/// The gap at the start goes with the speed, and so the phase stays.
+/// The initial gap is proportional to the speed, so that the phase does not change.
 void check_speeds(Findings& findings, const Setup& setup) {
   const double step = latch_step(production, 0.49);
   const auto restitution = [&](double speed) {

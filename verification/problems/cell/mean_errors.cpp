@@ -21,7 +21,7 @@ namespace {
 
 using Q = StudyQuantity;
 
-/// Numbers near to normal ones: sums of twelve uniform ones, less six.
+/// Nearly normal random numbers: sums of twelve uniform ones, less six.
 class Normal {
  public:
   explicit Normal(std::uint64_t seed) : random_{seed} {}
@@ -36,7 +36,7 @@ class Normal {
   std::mt19937_64 random_;
 };
 
-/// x' = a x + sqrt(1 - a^2) g with normal g: variance 1, autocorrelations a^lag.
+/// Series x' = a x + sqrt(1 - a^2) g with normal g: variance 1, autocorrelations a^lag.
 std::vector<double> series_with_memory(Normal& normal, double a, std::size_t length) {
   std::vector<double> series;
   double x = normal();
@@ -53,14 +53,14 @@ double variance_of_mean(double a, std::size_t length) {
   return sum / std::pow(static_cast<double>(length), 2);
 }
 
-/// Of many series: root mean square of the errors that are given, over the exact one, and the share of means that are
-/// within two of their errors.
+/// Reported errors of the means of many series: root mean square over the exact error, and fraction of means within two
+/// of their errors.
 struct Coverage {
   double ratio{}, within{};
 };
 Coverage coverage(double a, std::size_t length, int count, bool of_ratio) {
   Normal normal{static_cast<std::uint64_t>(1000.0 * a) + (of_ratio ? 1U : 0U)};
-  constexpr double small = 0.2;  // of a ratio's two series, about 1
+  constexpr double small = 0.2;  // deviation of the two series of a ratio from 1
   double squares = 0.0, within = 0.0;
   for (int n = 0; n < count; ++n) {
     const std::vector<double> x = series_with_memory(normal, a, length), y = series_with_memory(normal, a, length);
@@ -91,7 +91,7 @@ void expect_coverage(Findings& findings, const Setup& setup) {
       const std::string name = fmt::format("{}, a = {}", of_ratio ? "ratio" : "mean", a);
       if (!setup.needs(name)) continue;
       Coverage found = coverage(a, length, count, of_ratio);
-      // The error of independent neighbours is smaller by sqrt((1 - a)/(1 + a)).
+      // The error for independent neighbours is smaller by sqrt((1 - a)/(1 + a)).
       if (setup.has("neighbours_independent")) found.ratio *= std::sqrt((1.0 - a) / (1.0 + a));
       findings.in("errors")->expect_between(
           "error that is given over the exact one, " + name, found.ratio, 0.8, 1.12,
@@ -108,7 +108,7 @@ void expect_coverage(Findings& findings, const Setup& setup) {
   if (!setup.coarse) findings.table(table);
 }
 
-/// Two loads of the study, three seeds each, beside cells that are run one by one.
+/// Two loads of the study with three seeds each, compared with cells that are run one by one.
 void expect_study(Findings& findings, const Setup& setup) {
   const std::vector<StudyPoint> points{{"5000 d/s", 2e3, 5000.0, 1.0}, {"5000 d/s", 32e3, 5000.0, 1.0}};
   const StudyPlan plan{.time = 0.003, .seeds = 3};
@@ -130,7 +130,7 @@ void expect_study(Findings& findings, const Setup& setup) {
     }
     const double mean = (depths[0] + depths[1] + depths[2]) / 3.0;
     keep_worst(means, point.of(Q::depth).value - mean);
-    // s/sqrt(n), s^2 as half the mean square of all differences.
+    // s/sqrt(n), with s^2 half the mean square of all differences.
     double differences = 0.0;
     for (const auto& [i, j] : {std::pair{0U, 1U}, std::pair{0U, 2U}, std::pair{1U, 2U}})
       differences += (depths[i] - depths[j]) * (depths[i] - depths[j]);
@@ -146,7 +146,7 @@ void expect_study(Findings& findings, const Setup& setup) {
                                        "their differences are left"));
 }
 
-/// A point whose seeds gave these numbers, with their mean and standard error.
+/// Study point with these numbers for its seeds, and their mean and standard error.
 StudyMean made_point(const std::string& series, double load,
                      const std::vector<std::array<double, study_quantities>>& numbers) {
   StudyMean point{.point = {series, load, 5000.0, 1.0}, .seeds = static_cast<int>(numbers.size()), .runs = {}};
@@ -164,7 +164,7 @@ StudyMean made_point(const std::string& series, double load,
   return point;
 }
 
-/// Chance of a larger t of either sign with 4 or 5 degrees of freedom: Student's distribution, integrated.
+/// Probability of a larger t of either sign with 4 or 5 degrees of freedom: Student's distribution, integrated.
 double chance(double t, int freedom) {
   const double angle = std::atan(std::abs(t) / std::sqrt(static_cast<double>(freedom)));
   const double s = std::sin(angle), c = std::cos(angle);
@@ -172,8 +172,8 @@ double chance(double t, int freedom) {
   return 1.0 - 2.0 / std::numbers::pi * (angle + s * c * (1.0 + 2.0 / 3.0 * c * c));
 }
 
-/// Verdicts on made numbers: two loads with three seeds each, whose numbers scatter alike, so that Welch's degrees of
-/// freedom are 4, and those of the differences between the two ratios 5.
+/// Verdicts on synthetic numbers: two loads with three seeds each. The numbers have equal scatter, so that Welch's
+/// degrees of freedom are 4, and those of the differences between the two ratios are 5.
 void expect_verdicts(Findings& findings, const Setup& setup) {
   const std::array scatter{-0.02, -0.01, 0.03};
   std::vector<StudyMean> study;

@@ -17,8 +17,8 @@
 namespace talus::verification::problems::recontact_history {
 namespace {
 
-/// Forgets the largest overlap where the force falls to zero, not where the discs part: the soft line restarts in
-/// the middle of the overlap, with a force at once.
+/// Resets the largest overlap when the force falls to zero, not when the discs separate: the soft branch restarts in
+/// the middle of the overlap, with a sudden force.
 struct ForgettingLatch : LatchingSpring {
   explicit ForgettingLatch(const LatchingSpring& law) : LatchingSpring{law} {}
   constexpr Reset reset(Kinematics x, std::span<double> memory, Mode mode) const {
@@ -28,7 +28,7 @@ struct ForgettingLatch : LatchingSpring {
   }
 };
 
-/// Takes the contact for ended where the force falls to zero: none comes before the discs have parted.
+/// Ends the contact when the force falls to zero: no force acts until the discs have separated.
 struct ClearedLatch : LatchingSpring {
   explicit ClearedLatch(const LatchingSpring& law) : LatchingSpring{law} {}
   constexpr Reset reset(Kinematics x, std::span<double> memory, Mode mode) const {
@@ -37,7 +37,8 @@ struct ClearedLatch : LatchingSpring {
   }
 };
 
-/// Never forgets: discs that have parted meet again where the force left off.
+/// Never resets the largest overlap: when separated discs meet again, the force restarts at the overlap where it
+/// vanished.
 struct RetentiveLatch : LatchingSpring {
   explicit RetentiveLatch(const LatchingSpring& law) : LatchingSpring{law} {}
   constexpr Reset reset(Kinematics x, std::span<double> memory, Mode mode) const {
@@ -51,7 +52,7 @@ const LatchingSpring law{0.5, 0.5 / 0.49, 0.0};
 constexpr std::array<double, 3> speeds{3.0, 1.0, 0.0};
 constexpr std::size_t gaps_of_each = 24;
 
-/// Where the second blow falls.
+/// Branch on which the second blow falls, with its range of gaps.
 struct Moment {
   const char* name;
   double first, last;  ///< gaps
@@ -69,7 +70,7 @@ reference::ChainRebound exact_of(double gap) {
       {law.stiffness, law.unloading_stiffness, 1.0, {speeds.begin(), speeds.end()}, {gap, 0.0}});
 }
 
-/// `lead`: time before 2 touches 3.
+/// Row in which disc 2 touches disc 3 after the time `lead`, with the gap `gap` between 1 and 2 at that time.
 FilledRow row_of(double gap, double lead) {
   return fill({.radius = 8.0,
                .velocity = {speeds.begin(), speeds.end()},
@@ -78,7 +79,7 @@ FilledRow row_of(double gap, double lead) {
 
 struct Watched {
   std::array<double, 3> velocity{};
-  std::vector<double> depth, force;  ///< of the second and third disc
+  std::vector<double> depth, force;  ///< of the contact of the second and third disc
 };
 
 template <class L>
@@ -107,7 +108,7 @@ Watched run_right_or_wrong(double gap, double step, double phase, Findings& find
   return run_by(told, gap, step, phase, findings);
 }
 
-/// By moment, for each of its gaps.
+/// Exact results by moment and gap.
 using Exact = std::array<std::array<reference::ChainRebound, gaps_of_each>, moments.size()>;
 
 Exact exact_of_all() {
@@ -119,7 +120,7 @@ Exact exact_of_all() {
   return exact;
 }
 
-/// Largest errors of the three speeds for the gaps of a moment, each of which is a phase of its own.
+/// Largest error of the three speeds for each gap of a moment; each gap has a different phase.
 PhaseError errors_of(const Exact& exact, std::size_t m, double steps, Findings& findings, const Setup& setup) {
   PhaseError found;
   for (std::size_t k = 0; k < gaps_of_each; ++k) {
@@ -135,7 +136,7 @@ PhaseError errors_of(const Exact& exact, std::size_t m, double steps, Findings& 
   return found;
 }
 
-/// Does the reference strike the line that the moment is named after, for all of its gaps?
+/// Whether the second blow of the reference falls on the branch that the moment is named after, for all of its gaps.
 bool strikes(const Exact& exact, std::size_t m) {
   return std::all_of(exact[m].begin(), exact[m].end(), [&](const reference::ChainRebound& one) {
     const std::string line = one.reloads_from_slack > 0 ? "slack" : one.reloads > 0 ? "unloading" : "parted";
@@ -171,7 +172,8 @@ void check_order(const Exact& exact, Findings& findings, const Setup& setup) {
                         "forces are continuous and their slopes jump where lines change, which costs h^2");
 }
 
-/// The run of one gap, written down and put back into another system every few steps.
+/// Final speeds for one gap, in a run that is saved and restored into another system every `every` steps. `dropped`:
+/// the restored system restarts without memory.
 std::array<double, 3> restarted(double gap, double step, long every, bool dropped) {
   FilledRow row = row_of(gap, 0.3 * step);
   using Method = VelocityVerletOf<Discs>;
@@ -218,7 +220,7 @@ void check_restarts(Findings& findings, const Setup& setup) {
                   Tolerance::exact("what is put back is what was written down, bit for bit"));
 }
 
-/// A skin that discs do not leave: a list that forgets a pair would forget its memory, too.
+/// Skin so wide that discs do not leave it: a list that drops a pair would also drop its memory.
 constexpr double wide = 8.0;
 
 void show_mistakes(Findings& findings) {

@@ -50,16 +50,17 @@ void expect_balances(Findings& findings, const Setup& setup) {
                                         "are off by the same order, of the other sign"));
 }
 
-/// What friction turns the free discs with, over what it would if all of it turned one way; means after the start-up.
+/// Means after the start-up. `torque` is that of friction on the free discs, over its value if all contacts turned them
+/// the same way.
 struct Flow {
   double torque{};
   double spin{}, rate{};  ///< mean [1/T]
-  double layers{};        ///< spin over half the shear rate, of layers inside
+  double layers{};        ///< spin over half the shear rate, inner layers
   double ratio{}, sliding{}, rubbed{};
 };
 
-/// Where the drive's work has gone, as it adds up: in units of the kinetic energy of all free discs at the block's
-/// speed.
+/// Accumulated energy balance, in units of the kinetic energy of all free discs at the block's speed: work of the
+/// drive, dissipation, and increase of the present energy.
 class Accounts {
  public:
   explicit Accounts(const ShearCell& cell)
@@ -93,8 +94,8 @@ class Accounts {
       Series{.label = "friction", .style = Style::lines}, Series{.label = "held", .style = Style::lines}};
 };
 
-/// Draws spins over the height beside half of how fast the layers pass each other; their ratio in layers that are two
-/// diameters from both walls. Above them the block rises and falls through layers of few discs.
+/// Draws spin and half the shear rate over the height. Returns their ratio in the layers that are at least two
+/// diameters from both walls; above them the block rises and falls through layers of few discs.
 double spins_over_rates(Findings& findings, const CellRun& run, double depth) {
   Series spins{.label = "-spin"}, rates{.label = "half the shear rate"};
   const std::vector<CellProfile::Layer> layers = run.profile().layers();
@@ -121,7 +122,7 @@ Flow flow(Findings& findings, const Setup& setup, bool rough) {
   ShearCell cell = cell_with(setup);
   if (!rough) cell.friction.reset();
   CellRun run{cell, cell_plan(cell, setup.coarse ? 0.1 : 0.2)};
-  std::array<double, 2> turning{}, all{};  // in each half of what is looked at
+  std::array<double, 2> turning{}, all{};  // in each half of the averaging time
   Accounts accounts{cell};
   while (!run.finished() && run.failure().empty()) {
     run.advance();
@@ -153,7 +154,7 @@ Flow flow(Findings& findings, const Setup& setup, bool rough) {
 }
 
 void run(Findings& findings, const Setup& setup) {
-  // What a planted fault has no part in need not be run again.
+  // Checks that the injected fault does not affect are not run again.
   const bool of_flow = setup.has("one_way_torque") || setup.has("walls_turn") || setup.has("smooth_discs");
   if (!of_flow) expect_balances(findings, setup);
   if (!of_flow && !setup.fault.empty()) return;

@@ -14,7 +14,7 @@ namespace {
 
 struct Balance {
   double top{}, bottom{};  ///< shear [Pa]
-  double inside{};         ///< of contacts and motion, over the block's
+  double inside{};         ///< shear of contacts and motion, over that on the block
 };
 
 double value(const CellRun& run, CellQuantity quantity) { return run.mean(quantity).value; }
@@ -23,7 +23,7 @@ Balance balance(const CellRun& run, const Setup& setup) {
   using Q = CellQuantity;
   Balance found{value(run, Q::top_shear), value(run, Q::bottom_shear), 0.0};
   const double inside = value(run, Q::shear_virial) + (value(run, Q::kinetic_shear));
-  // The centre lines are a diameter further apart than the depth says.
+  // The distance of the centre lines is the depth plus one diameter.
   const double separate = value(run, Q::top_shear) * (value(run, Q::depth) + run.cell().diameter);
   found.inside = inside / (setup.has("product_of_means") ? separate : value(run, Q::top_moment));
   return found;
@@ -33,8 +33,8 @@ void expect_limits(Findings& findings, const CellRun& run, const std::string& wh
   findings.expect_true("no disc passed another, " + where,
                        run.failure().empty() && run.largest_fraction() <= CellRun::fullest,
                        "equal discs fill at most pi/sqrt(12) = .9069 of the plane");
-  // The deepest of millions of contacts: in runs of .25 s with six seeds .042 to .057 at 8 kPa, .075 to .104 at 32 kPa,
-  // where chains press more.
+  // Largest overlap of millions of contacts: in runs of 0.25 s with six seeds 0.042 to 0.057 at 8 kPa, and 0.075 to
+  // 0.104 at 32 kPa, where chains press more.
   const bool heavy = run.cell().overburden() > 16e3;
   findings.expect_between(
       "largest overlap over a diameter, " + where, run.largest_overlap() / run.cell().diameter, heavy ? 0.05 : 0.025,
@@ -63,14 +63,14 @@ void expect_walls(Findings& findings, const CellRun& run, const Setup& setup, co
                        "walls, and what is not seen between two samples in a contact"));
 }
 
-/// Depth by which the discs' area has the mean solid fraction [L].
+/// Depth at which the discs' area gives the mean solid fraction [L].
 double depth_of_fraction(const CellRun& run) {
   const ShearCell& cell = run.cell();
   const double area = 0.25 * std::numbers::pi * cell.diameter * cell.diameter * static_cast<double>(cell.free_discs());
   return area / (cell.width() * value(run, CellQuantity::solid_fraction));
 }
 
-/// I is of the depth that the field has, not of the array that it was filled with.
+/// The inertial number must use the depth of the field, not that of the initial array.
 void expect_inertial_number(Findings& findings, CellRun& run, const Setup& setup, const std::string& where) {
   const ShearCell& cell = run.cell();
   const auto inertial_number = [&](double depth) {
@@ -88,8 +88,8 @@ void expect_inertial_number(Findings& findings, CellRun& run, const Setup& setup
                        "deviation, .1 of it at most"));
 }
 
-/// Momentum of the free discs and the block against impulses; of the first over N m VXT, of the second over the
-/// weight's.
+/// Momentum of the free discs and of the block compared with impulses; errors are relative to N m VXT and to the
+/// impulse of the weight.
 void expect_momentum(Findings& findings, const Setup& setup, const std::string& integrator) {
   const ShearCell cell = ice_cell(8e3, 5e3);
   CellPlan plan = cell_plan(cell, setup.coarse ? 5e-3 : 2e-2);
@@ -99,7 +99,8 @@ void expect_momentum(Findings& findings, const Setup& setup, const std::string& 
   run_to_end(run);
   findings.count(run.evaluations());
   const Discs after = run.discs();
-  // A method that ends its steps with an evaluation has given half of that force; the first, of discs apart, is zero.
+  // A method that ends its steps with an evaluation has applied half of that force; the first force, of separate discs,
+  // is zero.
   const double ahead = integrator_traits(integrator).ends_with_evaluation ? 0.5 * plan.step : 0.0;
   const Vec2 on_block = run.impulse_on_block() - ahead * run.wall_force(block_wall);
   const Vec2 on_base = run.impulse_on_base() - ahead * run.wall_force(base_wall);
@@ -119,7 +120,7 @@ void expect_momentum(Findings& findings, const Setup& setup, const std::string& 
                   (cell.block_mass * after.vy.back() - (on_block.y - weight)) / weight, 0.0, tolerance);
 }
 
-/// Without loss the drive's work is there.
+/// Without dissipation the present energy grows by the work of the drive.
 void expect_energy(Findings& findings, const Setup& setup) {
   ShearCell cell = ice_cell(8e3, 5e3);
   auto& law = std::get<LatchingSpring>(cell.law);
@@ -233,7 +234,7 @@ void run(Findings& findings, const Setup& setup) {
   for (const double pressure : {8e3, 32e3}) {
     if (pressure > 10e3 ? setup.has("product_of_means") : setup.has("soft_discs") || setup.has("nominal_depth"))
       continue;
-    // The momentum that the means' difference is made of counts for more where the walls press less.
+    // The change of momentum, which causes the difference of the means, counts for more where the walls press less.
     const double time = setup.has("stopped_early") ? 0.02 : setup.coarse && pressure > 10e3 ? 0.2 : 0.8;
     ShearCell cell = ice_cell(pressure, 5e3);
     auto& law = std::get<LatchingSpring>(cell.law);

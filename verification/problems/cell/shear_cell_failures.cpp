@@ -16,7 +16,7 @@
 namespace talus::verification::problems::shear_cell_failures {
 namespace {
 
-/// A latching spring that is wrong in one way.
+/// Mistakes of a latching spring; a wrong law makes one of them.
 enum class Wrong { flag_cleared, d0_forgotten };
 
 template <Wrong wrong>
@@ -41,19 +41,19 @@ struct Flow {
   double fullest{};          ///< largest solid fraction after the start
   double fraction{};         ///< mean
   double largest_overlap{};  ///< over a diameter
-  double motion{};           ///< mean energy of the discs' motion across the field about their mean, over m VXT^2
-  double unaccounted{};      ///< energy that is there or was kept and that nobody put in, over what was
-  bool burst{};              ///< numbers beyond all sense: the run was ended
+  double motion{};           ///< kinetic energy of a disc across the field, relative to the mean, over m VXT^2
+  double unaccounted{};      ///< present and dissipated energy beyond initial energy and input, over the input
+  bool burst{};              ///< solid fraction outside (0.02, 5): the run was stopped
 };
 
 struct FlowPlan {
   double time{0.4};
   double steps_in_contact{20.0};
   std::string integrator{"velocity_verlet"};
-  double forget_every{};  ///< after so long contacts forget what they remember [T]; 0: never
+  double forget_every{};  ///< interval after which contact memories are cleared [T]; 0: never
 };
 
-/// What moves, is lifted and pressed, and what contacts have kept.
+/// Kinetic, potential and stored energy, plus the energy dissipated by contacts.
 template <class System>
 double account(const ShearCell& cell, const System& system, const Discs& discs) {
   double energy = 0.5 * cell.block_mass * discs.vy.back() * discs.vy.back() +
@@ -65,7 +65,7 @@ double account(const ShearCell& cell, const System& system, const Discs& discs) 
   return energy;
 }
 
-/// The cell without the run's own refusals and limits.
+/// Runs the cell without the refusals and limits of CellRun.
 template <class L>
 Flow flow(const ShearCell& cell, const L& law, const FlowPlan& plan, Findings& findings) {
   const FilledCell filled = fill(cell);
@@ -89,7 +89,7 @@ Flow flow(const ShearCell& cell, const L& law, const FlowPlan& plan, Findings& f
         long looks = 0;
         for (long n = 0; n < steps && !found.burst; ++n) {
           if (forgetful > 0 && n > 0 && n % forgetful == 0) {
-            if constexpr (requires { system.lost(); }) lost += system.lost();  // forgotten, too
+            if constexpr (requires { system.lost(); }) lost += system.lost();  // begin() clears it, too
             system.begin(discs), stepper.start(system, discs, h);
           }
           stepper.step(system, discs, h);
@@ -101,7 +101,7 @@ Flow flow(const ShearCell& cell, const L& law, const FlowPlan& plan, Findings& f
           const double fraction = solid_fraction(cell, discs);
           found.fraction += fraction;
           found.fullest = std::max(found.fullest, fraction);
-          // About their mean: the discs rise and fall with the block.
+          // Relative to the mean, because the discs rise and fall with the block.
           double sum = 0.0, squares = 0.0;
           const auto count = static_cast<double>(cell.free_discs());
           for (std::size_t i = 0; i < cell.free_discs(); ++i)
@@ -168,10 +168,10 @@ Figure figure_of(const std::vector<Row>& rows) {
   return figure;
 }
 
-/// Steps of a leapfrog in a contact: what the ratio shows, and what the account of energy does.
+/// Leapfrogs with few steps in a contact, and the range of their unaccounted energy.
 struct Long {
   double steps;
-  double least, most;  ///< of the energy unaccounted for
+  double least, most;  ///< unaccounted energy: smallest and largest value
   const char* why;
   std::uint64_t seeds{1};
 };
@@ -182,7 +182,7 @@ constexpr std::array longs{
     Long{2.45, 0.2, 1.5, "nearer to the 1.91 of any pair; nearly all impacts among others gain", 8},
     Long{2.0, 1.0, 10.0, "at the limit of pairs: contacts put in more than the drive does, in cells that hold", 8}};
 
-/// With the cell's law, and with one that is wrong.
+/// Flow with the cell's law, and with a wrong one.
 Flow right_flow(const ShearCell& cell, const FlowPlan& plan, Findings& findings) {
   return flow(cell, std::get<LatchingSpring>(cell.law), plan, findings);
 }
@@ -191,7 +191,7 @@ Flow wrong_flow(const ShearCell& cell, const FlowPlan& plan, Findings& findings)
   return flow(cell, WrongLatch<wrong>{std::get<LatchingSpring>(cell.law)}, plan, findings);
 }
 
-/// Laws that forget.
+/// Laws and restarts that lose contact memory.
 void expect_laws(Findings& findings, const Setup& setup, const ShearCell& cell, std::vector<Row>& rows) {
   FlowPlan plan;
   if (setup.coarse) plan.time = 0.1;
@@ -223,12 +223,12 @@ void expect_laws(Findings& findings, const Setup& setup, const ShearCell& cell, 
                           "back more than they were given; the drive puts in as much in some ms");
 }
 
-/// Leapfrogs with long steps, over more time: the ratio has a standard error.
+/// Leapfrogs with long steps, over a longer time, because the ratio has a standard error.
 void expect_long_steps(Findings& findings, const Setup& setup, const ShearCell& cell, std::vector<Row>& rows) {
   FlowPlan plan;
   plan.time = setup.coarse ? 0.15 : 2.4;
   ShearCell other = cell;
-  // Discs that lose nothing shear with another ratio.
+  // Elastic discs have a different stress ratio.
   if (setup.has("elastic_discs")) other.law = LatchingSpring{1.7e4, 1.7e4, 0.0};
   const Flow right = right_flow(cell, plan, findings);
   rows.push_back({"Verlet, 20 steps in a contact", right});
@@ -243,7 +243,7 @@ void expect_long_steps(Findings& findings, const Setup& setup, const ShearCell& 
   for (const Long& by : longs) {
     const std::string name = fmt::format("velocity Verlet, {} steps in a contact", by.steps);
     if (!setup.needs(name)) continue;
-    // Sixteen of the twenty cells with long steps, and a fifth of the quick tier's time.
+    // These are sixteen of the twenty cells with long steps, and a fifth of the quick tier's time.
     if (by.seeds > 1 && setup.tier != Tier::full) continue;
     FlowPlan steps = plan;
     steps.steps_in_contact = setup.has("shorter_steps") ? 20.0 : by.steps;
@@ -289,7 +289,7 @@ void expect_long_steps(Findings& findings, const Setup& setup, const ShearCell& 
                    .lines = {{'y', CellRun::most_unaccounted, ""}, {'x', 3.3, ""}}});
 }
 
-/// Euler's and Taylor's steps, which add energy to every impact.
+/// Euler and Taylor steps, which add energy in every impact.
 void expect_first_order(Findings& findings, const Setup& setup, const ShearCell& cell, std::vector<Row>& rows) {
   struct By {
     const char *method, *words;
@@ -309,7 +309,7 @@ void expect_first_order(Findings& findings, const Setup& setup, const ShearCell&
     rows.push_back({fmt::format("{}, {} steps", by.words, by.few), heated});
     findings.expect_true(fmt::format("limits are passed, {} with {} steps in a contact", by.words, by.few),
                          !within_limits(heated), by.gains);
-    // Euler's 120 steps take as long as all other first-order runs together; Taylor's 60 show the same.
+    // Euler with 120 steps takes as long as all other first-order runs together; Taylor with 60 shows the same.
     if (by.many > 100.0 && setup.tier != Tier::full) continue;
     plan.steps_in_contact = setup.has("first_order_coarser") ? by.few : by.many;
     plan.time *= 0.5;

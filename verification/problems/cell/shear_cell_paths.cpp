@@ -13,8 +13,8 @@
 namespace talus::verification::problems::shear_cell_paths {
 namespace {
 
-/// A cell in which discs meet from the first steps on: random velocities so many times what they are, 60 times is as
-/// large as the drive.
+/// Filled cell in which discs meet from the first steps on: its random velocities are multiplied by `times`; with 60
+/// they are as large as the drive.
 FilledCell lively(const ShearCell& cell, double times = 60.0) {
   FilledCell filled = fill(cell);
   for (std::size_t i = 0; i < cell.free_discs(); ++i)
@@ -31,7 +31,7 @@ double apart(const Discs& one, const std::vector<double>& x, const std::vector<d
   return most;
 }
 
-/// Contacts that act across the border of the field, which is wider than two discs.
+/// Number of contacts that act across the border of the field, which is wider than two discs.
 long across_border(CellRun& run) {
   const Discs now = run.discs();
   const std::vector<CellRun::ActingContact> contacts = run.acting_contacts();
@@ -40,7 +40,7 @@ long across_border(CellRun& run) {
   });
 }
 
-/// The solver beside virtual discs and all pairs.
+/// The solver compared with the reference, which uses virtual discs and all pairs.
 void expect_virtual(Findings& findings, const Setup& setup) {
   const ShearCell cell = ice_cell(8e3, 5e3, 4);
   const FilledCell start = lively(cell, 5.0);
@@ -67,7 +67,7 @@ void expect_virtual(Findings& findings, const Setup& setup) {
                                 .vy = start.discs.vy};
   if (setup.has("latch_weaker")) discs.k2 *= 1.0 - 1e-9;
   Series difference{.label = "places", .style = Style::lines};
-  double most = 0.0, early = 0.0;  // `early`: of the first half
+  double most = 0.0, early = 0.0;  // `early`: over the first half
   long across = 0;
   for (long n = 0; !run.finished();) {
     run.advance();
@@ -105,7 +105,7 @@ void expect_virtual(Findings& findings, const Setup& setup) {
                    .lines = {{'y', 1e-12, "bound"}}});
 }
 
-/// The solver by its list beside itself by virtual discs, rough and with dashpots.
+/// The solver's neighbour list compared with its virtual discs, for rough discs with dashpots.
 void expect_own_virtual(Findings& findings, const Setup& setup) {
   ShearCell cell = ice_cell(8e3, 5e3);
   cell.law = LinearSpringDashpot{2e4, 0.02};
@@ -152,7 +152,7 @@ void expect_mirror(Findings& findings, const Setup& setup) {
                        "no sum along y sees the mirror");
 }
 
-/// A second run continues from what the first remembers; both go to their ends.
+/// Restores the saved state of the first run into a second one; runs both to their ends.
 void resume(CellRun& whole, CellRun& rest) {
   Archive saved;
   whole.serialize(saved);
@@ -161,7 +161,7 @@ void resume(CellRun& whole, CellRun& rest) {
   run_to_end(whole), run_to_end(rest);
 }
 
-/// Rough discs carry spins and the stretch of friction's springs as well.
+/// Rough discs also have spins and stretches of friction springs.
 void expect_rough_restart(Findings& findings, ShearCell cell, CellPlan plan) {
   cell.friction = CoulombFriction{0.5, 14214.0};
   plan.end = 0.5 * plan.end, plan.every = plan.end;
@@ -184,7 +184,7 @@ void expect_restart(Findings& findings, const Setup& setup) {
   while (3 * whole.steps() < whole.last_step())
     whole.advance();
   if (setup.has("restart_of_1989")) {
-    // Discs alone; the block too is put back, so that contacts' memory is all that is missing.
+    // The file of 1989 contains the discs alone; the block is restored, too, so that only contact memory is missing.
     FilledCell discs =
         read_cell_restart(cell_restart_text(cell, whole.discs(), whole.steps()), "RESTART.DAT", cell).start;
     discs.discs = whole.discs();
@@ -226,7 +226,7 @@ void expect_jump(Findings& findings, const Setup& setup) {
   plan.jump = true;
   if (setup.has("stiffer_discs")) law.stiffness *= 1.0 + 1e-6;
   CellRun jumping{cell, plan, start};
-  double fastest = 0.0;  // the block
+  double fastest = 0.0;  // largest speed of the block
   while (!step_by_step.finished()) {
     step_by_step.advance();
     fastest = std::max(fastest, std::abs(step_by_step.discs().vy.back()));

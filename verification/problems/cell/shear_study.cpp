@@ -78,7 +78,7 @@ void add_figures(Findings& findings, const std::vector<StudyMean>& study) {
   findings.figure(std::move(shares));
 }
 
-/// Discs at the end of a run, as outlines.
+/// Outlines of the discs at the end of a run.
 Series outlines(double kilopascals, double speed, double time, int panel, const std::string& label) {
   const ShearCell cell = study_cell({"", 1e3 * kilopascals, speed, 1.0}, 1);
   CellRun run{cell, cell_plan(cell, time)};
@@ -163,7 +163,7 @@ void run(Findings& findings, const Setup& setup) {
   std::vector<StudyMean> study = talus::shear_study(points, plan);
   for (StudyMean& point : study) {
     if (setup.has("one_speed") && point.point.series == "1000 d/s") point.point.speed = 1000.0;
-    // 2 kPa for 32 and back.
+    // Exchanges 2 and 32 kPa.
     if (setup.has("loads_exchanged")) point.point.overburden = 1e3 * std::round(64e3 / point.point.overburden);
   }
   const std::vector<Verdict> found = verdicts(study);

@@ -38,7 +38,7 @@ Packing sheared_packing(std::size_t discs) {
   return packing;
 }
 
-/// Places, velocities, spins and works that are not the same.
+/// Number of positions, velocities, spins and dissipated energies that differ.
 long differing(const Discs& a, const Discs& b) {
   long differ = 0;
   const auto compare = [&](const std::vector<double>& one, const std::vector<double>& other) {
@@ -93,8 +93,8 @@ void expect_same(Findings& findings, const Setup& setup, const std::string& name
                           0.2 * static_cast<double>(steps), "contacts must be carried from list to list");
 }
 
-/// Kicks, drifts and evaluations by themselves, of discs that the caller has changed since: velocities are reversed
-/// between a kick and a drift and between a drift and a kick, and at the end one disc is put elsewhere.
+/// Separate calls of kick, drift and evaluate, between which the caller changes the discs: velocities are reversed
+/// between a kick and a drift and between a drift and a kick, and at the end one disc is displaced.
 void expect_single_calls(Findings& findings, const Setup& setup) {
   const std::string name = "numbers that differ after single calls, discs changed in between";
   if (!setup.needs(name)) return;
@@ -132,7 +132,7 @@ void expect_single_calls(Findings& findings, const Setup& setup) {
   findings.in("engines")->expect(name, differ, 0.0, Tolerance::exact("the same sums of the same numbers"));
 }
 
-/// Few steps: where there are fewer processors than threads, they wait for each other.
+/// Several threads compared with one, over few steps: threads wait for each other where there are fewer processors.
 void expect_threads(Findings& findings, const Setup& setup) {
   if (!setup.needs("threads")) return;
   const Packing start = sheared_packing(count);
@@ -154,11 +154,11 @@ void expect_threads(Findings& findings, const Setup& setup) {
   }
 }
 
-/// In the open plane, so that nobody takes a disc back into a box.
+/// The plain engine compared with a loop over all pairs, in the open plane, where no disc is wrapped back into a box.
 void expect_all_pairs(Findings& findings, const Setup& setup) {
   const Packing start = sheared_packing(count);
   Discs discs = start.discs;
-  for (std::size_t i = 0; i < discs.size(); ++i) {  // thrown at the middle
+  for (std::size_t i = 0; i < discs.size(); ++i) {  // towards the middle
     discs.vx[i] -= 0.002 * discs.x[i], discs.vy[i] -= 0.002 * discs.y[i];
   }
   reference::AllPairs all{.stiffness = clamped.stiffness,
@@ -182,7 +182,7 @@ void expect_all_pairs(Findings& findings, const Setup& setup) {
                   Tolerance::exact("the same pairs in the same order; a list leaves out pairs that do not touch"));
 }
 
-/// What another order of the sums does.
+/// Effect of another order of the sums.
 void show_order(Findings& findings) {
   const Packing start = sheared_packing(count);
   std::vector<std::size_t> reverse(count);

@@ -16,28 +16,28 @@
 namespace talus::verification::problems::fence_appendix {
 namespace {
 
-/// One simulation and its twins.
+/// One simulation and its twins, the runs with perturbed settings.
 struct Simulation {
   std::string name;
   FenceRun run;                    ///< with its history, every step
-  std::vector<FenceSample> twins;  ///< their peaks; empty in coarse setups
+  std::vector<FenceSample> twins;  ///< peaks of the twins; empty in coarse setups
 
-  /// Least and largest value of a quantity over the run and its twins.
+  /// Minimum and maximum of a quantity over the run and its twins.
   [[nodiscard]] double low(double FenceSample::*quantity) const;
   [[nodiscard]] double high(double FenceSample::*quantity) const;
 };
 
-/// The paper's four, and one layer with the top cable only.
+/// The paper's four simulations, and one layer with the top cable only.
 struct Simulations {
   Simulation one, two, nine, top_only, one_top_only;
 };
 
-/// A change of what the paper leaves open.
+/// A change of settings that the paper does not state.
 struct AppendixTwin {
   double spin{};    ///< added to each rock's angular velocity [rad/s]
   double height{};  ///< added to each rock's height [ft]
   double angle{};   ///< added to each rock's orientation [deg]
-  int finer{1};     ///< steps for one
+  int finer{1};     ///< number of steps that replace one
 };
 
 constexpr std::array declared{AppendixTwin{.spin = 2.0},     AppendixTwin{.spin = -2.0}, AppendixTwin{.height = 0.02},
@@ -78,7 +78,7 @@ double Simulation::high(double FenceSample::*quantity) const {
   return largest;
 }
 
-/// The fence of a deck as `setup` has it: faults `mass_doubled`, `bottom_cable_left_out`, `one_layer`.
+/// The fence of a deck with the faults of `setup`: `mass_doubled`, `bottom_cable_left_out`, `one_layer`.
 scenes::Fence appendix_fence(const std::string& deck, const Setup& setup) {
   scenes::Fence fence = published_fence(deck);
   if (setup.has("mass_doubled")) fence.column.density *= 2.0;
@@ -113,7 +113,7 @@ double first_pull(const FenceRun& run) {
   return taut == run.history.end() ? std::nan("") : taut->time;
 }
 
-/// Root mean square difference of the rocks' velocities, over the velocity of impact.
+/// Root mean square difference of the rocks' velocities, divided by the impact velocity.
 double apart(const FenceRun& a, const FenceRun& b) {
   double sum = 0.0;
   for (std::size_t i = 0; i < a.history.size(); ++i)
@@ -217,7 +217,7 @@ Table run_table(const Simulations& s) {
   return table;
 }
 
-/// What the choices that are open do to the one number that is not met.
+/// Effect of each choice that the paper leaves open on the exit speed that is not reproduced.
 Table choice_table(const Setup& setup) {
   struct Choice {
     const char* name;

@@ -16,7 +16,7 @@ constexpr double end = 0.12;          // [s]
 constexpr double step = 2e-6;         // [s]
 
 void check_two_sides(Findings& findings, const Setup& setup) {
-  // Of the run whose hangers hold.
+  // Reference run in which no hanger breaks.
   const WeakFenceRun whole = run_weak_fence(weak_fence(1e9), 2e-5, end);
   const auto broken = [&](double share) {
     const WeakFenceRun run = run_weak_fence(weak_fence(share * whole.largest_joint_force), 2e-5, end);
@@ -31,7 +31,7 @@ void check_two_sides(Findings& findings, const Setup& setup) {
 }
 
 constexpr double closure_constant = 126.0;  // [1/s], measured
-/// No step is a whole part of another: an event has another place in the steps of each.
+/// No step divides another, so that an event falls at another position within the steps of each.
 constexpr std::array<double, 4> steps{1.54e-5, 0.79e-5, 0.377e-5, 0.193e-5};
 
 void check_ledger(Findings& findings, const Setup& setup) {
@@ -60,12 +60,12 @@ void check_ledger(Findings& findings, const Setup& setup) {
                    .slopes = {{1.0, steps[0], closures.errors()[0], "h"}}});
 }
 
-/// Largest distance between the bodies of the half model and the same ones of the full one, and between the ends of
-/// cables [ft], and of tensions [lb].
+/// Largest distances between bodies and between cable ends of the half and the full model [ft], and largest difference
+/// of tensions [lb].
 struct HalfAndFull {
   double apart{}, ends{}, tension{};
-  double at_once{};       ///< ends of cables of the half model, evaluated for the end alone [ft]
-  std::size_t longest{};  ///< chain of cables behind broken hangers, in the half model
+  double at_once{};       ///< cable ends of the half model, evaluated in a new workspace [ft]
+  std::size_t longest{};  ///< number of cables in the longest chain behind broken hangers, half model
 };
 HalfAndFull half_from_full(const Setup& setup) {
   scenes::Fence fence = weak_fence(10000.0);
@@ -101,7 +101,8 @@ HalfAndFull half_from_full(const Setup& setup) {
   return {largest, ends, tension, at_once, longest};
 }
 
-/// Numbers of the motion that differ when the cables of a fence are listed in the reverse order, while hangers break.
+/// Number of coordinates and velocities that differ if the cables of a fence are listed in reverse order, and number of
+/// broken hangers.
 struct Reversed {
   double differing{}, broken{};
 };
@@ -123,7 +124,7 @@ Reversed reversed_cables(Findings& findings) {
   return found;
 }
 
-/// Change of the central column's velocity [ft/s] over a time in which nothing touches it, without a bottom cable.
+/// Change of the central column's velocity [ft/s] over a time without contact, without a bottom cable.
 struct Flight {
   Vec2 change;
   double time{};
@@ -132,7 +133,7 @@ struct Flight {
 Flight free_flight(const Setup& setup) {
   scenes::Fence fence = weak_fence(setup.has("hangs_on") ? 1e9 : 10000.0);
   fence.connections = 1;
-  const double from = 0.02, to = 0.15;  // it flies ahead of the rock, and reaches the ground at .165 s
+  const double from = 0.02, to = 0.15;  // it flies ahead of the rock and reaches the ground at 0.165 s
   const WeakFenceRun a = run_weak_fence(fence, 1e-5, from), b = run_weak_fence(fence, 1e-5, to);
   const auto velocity = [](const WeakFenceRun& run) {
     return pose(run.made.scene.model, run.end, *find_body(run.made.scene.model, "column1")).v_WB;

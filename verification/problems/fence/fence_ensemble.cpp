@@ -8,7 +8,7 @@
 namespace talus::verification::problems {
 namespace {
 
-/// The fence with a shift, its step `coarsening` times as long, over the same time.
+/// The fence with a shift and a step that is `coarsening` times as long, over the same duration.
 scenes::Fence shifted(scenes::Fence fence, const FenceShift& shift, double coarsening) {
   scenes::FenceElement& rock = fence.rocks.front();
   rock.spin += shift.spin;

@@ -16,7 +16,7 @@ using scenes::FenceScene;
 
 constexpr double gravity = 32.18;  // [ft/s^2]
 
-/// Table 2 with the rock at a height.
+/// The fence of Table 2 with the rock at a height [ft].
 Fence table_2(double height, const Setup& setup) {
   Fence fence = published_fence("table_2.DAT");
   fence.rocks.front().position.y = height;
@@ -24,7 +24,7 @@ Fence table_2(double height, const Setup& setup) {
   return fence;
 }
 
-/// Positions, accelerations and cable forces of one state, and from them what the contact must exert.
+/// Poses, cable forces and accelerations of one state, and the contact forces that follow from them.
 struct Resultants {
   Resultants(const FenceScene& made, long steps) {
     const Dynamics dynamics{made.scene.model};
@@ -57,11 +57,12 @@ struct Resultants {
   Pose rock, column;
   double angle{};                         ///< of the column [rad]
   Vec2 top, bottom;                       ///< pull of both segments at the column (Eqs. 15, 16) [lb]
-  Vec2 on_rock, on_column;                ///< contact force: mass times acceleration less all else [lb]
+  Vec2 on_rock, on_column;                ///< contact force: mass times acceleration minus all other forces [lb]
   double rock_moment{}, column_moment{};  ///< inertia times angular acceleration [ft lb]
 
  private:
-  /// Eqs. 15 and 16: twice the tension times the share of the segment across the fence; the joint at (0, y).
+  /// Pull by Eqs. 15 and 16: twice the tension times the x and y components of the segment's direction. The joint is
+  /// at (0, y) of the column.
   Vec2 pull(const FenceScene& made, const State& state, const LawForces& forces, CableId cable, BodyId next,
             double y) const {
     const Pose other = pose(made.scene.model, state, next);
@@ -72,7 +73,7 @@ struct Resultants {
   }
 };
 
-/// Eq. 7's cable terms: a and b the distances of the joints. The sign of the first is -1 as corrected.
+/// Cable terms of Eq. 7, with the distances a and b of the joints. `sign_top`: sign of the first term, -1 as corrected.
 double cable_moment(const Resultants& r, double sign_top) {
   constexpr double a = 6.5, b = 4.0;
   const double c = std::cos(r.angle), s = std::sin(r.angle);
@@ -80,7 +81,7 @@ double cable_moment(const Resultants& r, double sign_top) {
 }
 
 void check_balance(Findings& findings, const Setup& setup, Table& table) {
-  // .0004 s after the touch only the foremost of the rock's nodes is inside the column.
+  // 0.0004 s after touch only the foremost of the rock's nodes is inside the column.
   const Resultants r{scenes::fence_scene(table_2(1.5, setup)), 200};
   const Vec2 node = r.rock.p_WB + 0.953951 * Vec2{-r.rock.R_WB.cosine, -r.rock.R_WB.sine};
   const Vec2 on_column = setup.has("contact_on_one_body_left_out") ? Vec2{} : r.on_column;
@@ -113,7 +114,7 @@ void check_balance(Findings& findings, const Setup& setup, Table& table) {
 }
 
 void check_cable_moment(Findings& findings, const Setup& setup, Table& table) {
-  // .045 s: the rock is clear of the column, the bottom cable is taut.
+  // 0.036 s: the rock is clear of the column, the bottom cable is taut.
   const Resultants r{scenes::fence_scene(table_2(0.0, setup)), 18'000};
   const double scale = norm(r.top) + norm(r.bottom);
   findings.expect_between("pull of the bottom cable where Eq. 7 is tried", norm(r.bottom), 1e4, 3e5,
@@ -131,7 +132,7 @@ void check_cable_moment(Findings& findings, const Setup& setup, Table& table) {
                         fmt::format("{:.1f}", cable_moment(r, -1.0)), fmt::format("{:.1f}", r.column_moment)});
 }
 
-/// x velocity at .01 s of a member: 1 the rock, 2 the central column [ft/s].
+/// x velocity at 0.01 s of a member: 1 is the rock, 2 the central column [ft/s].
 double speed(const FenceScene& made, std::size_t member) {
   const State end = run_steps(made.scene, made.scene.integrator, made.scene.plan.step, 5000).state;
   return end.v[Layout{made.scene.model}.first[index(*made.members[member].body)]];
@@ -142,13 +143,13 @@ double chain_eigenvalue(int masses) {
   return 4.0 * std::pow(std::sin(0.5 * std::numbers::pi * masses / (masses + 1)), 2);
 }
 
-/// Eq. 18 as printed.
+/// Friction force by Eq. 18 as printed.
 double printed_friction(double stiffness, double slip, double limit) {
   return stiffness * std::abs(slip) < limit ? stiffness * slip : limit;
 }
 
-/// Signs of Eqs. 5-10: forces and moments of cables and contact on column and rock, from the accelerations of a run,
-/// against the equations as printed and as corrected. Faults `contact_on_one_body_left_out`, `joint_below`.
+/// Checks the signs of Eqs. 5-10: forces and moments of cables and contact on column and rock, from the accelerations
+/// of a run, against the equations as printed and as corrected. Faults `contact_on_one_body_left_out`, `joint_below`.
 void check_resultants(Findings& findings, const Setup& setup) {
   Table table{.name = "resultants",
               .caption =
@@ -160,8 +161,8 @@ void check_resultants(Findings& findings, const Setup& setup) {
   if (!setup.coarse) findings.table(table);
 }
 
-/// Eqs. 12 and 14 have one stiffness: the fence hangs at rest with the tensions of the static shape. Fault
-/// `two_stiffnesses`.
+/// Checks that Eqs. 12 and 14 have the same stiffness: the fence hangs at rest with the tensions of the static shape.
+/// Fault `two_stiffnesses`.
 void check_initial_tension(Findings& findings, const Setup& setup) {
   Fence fence = table_2(0.0, setup);
   FenceScene made = scenes::fence_scene(fence);
@@ -175,7 +176,7 @@ void check_initial_tension(Findings& findings, const Setup& setup) {
   dynamics.update_modes(state, work);
   LawForces forces;
   dynamics.forces(state, work, forces);
-  // Section 2.4 by hand: half the central column's weight at a slope W/(2 H).
+  // Section 2.4, computed by hand: half the central column's weight W at the slope W/(2 H).
   const double weight = 0.38 * std::numbers::pi * 1.25 * 1.25 * 8.0 * gravity;
   const double horizontal = weight / 5.5 * (2.5 * 18.0 + 12.5 * 6.5);
   findings.expect("tension at the start, Eq. 14 with the k of Eq. 12", forces.tensions[index(first)],
@@ -186,7 +187,7 @@ void check_initial_tension(Findings& findings, const Setup& setup) {
                   "lb");
 }
 
-/// Section 3.1: which central columns are doubled. Fault `central_column_doubled`.
+/// Checks which central columns are doubled (section 3.1). Fault `central_column_doubled`.
 void check_doubling(Findings& findings, const Setup& setup) {
   Fence fence = table_2(0.0, setup);
   fence.columns = 15;  // N = (15 + 1)/2 = 8: even, with one central column
@@ -205,9 +206,9 @@ void check_doubling(Findings& findings, const Setup& setup) {
                           "as printed the rule doubles one column that is hit alone");
 }
 
-/// Eq. 18's missing sign, Eq. 25's bound, and what the texts and decks of the report say of the same numbers.
+/// Checks the missing sign of Eq. 18, the bound of Eq. 25, and numbers on which the report's text and decks disagree.
 void check_texts(Findings& findings) {
-  // Eq. 18: sliding to the left, the printed force jumps from -mu Fn to +mu Fn.
+  // Eq. 18: when backward slip begins, the printed force jumps from -mu Fn to +mu Fn.
   const double stiffness = 1e4, limit = 50.0;
   const double jump = printed_friction(stiffness, -1.000001 * limit / stiffness, limit) -
                       printed_friction(stiffness, -0.999999 * limit / stiffness, limit);
@@ -227,7 +228,7 @@ void check_texts(Findings& findings) {
                   Tolerance::round_off(1e-12, "a difference of two numbers of the deck"), "ft");
   findings.expect("history variables in sample2, of \"max. = 6\"", static_cast<double>(sample.history_codes.size()), 8,
                   Tolerance::exact("a count"));
-  // f_penet: with the m and k of ground and rock in sample2's listing the rock sinks in by at most f r.
+  // f_penet: with m and k of the ground-rock contact in sample2's listing the overlap is at most f r.
   const double sink = 65.0 * std::sqrt(37.23 / 0.8723e8);
   findings.expect("largest overlap of rock and ground over f_penet r", sink / (0.05 * 1.201), 1.0 / std::numbers::sqrt2,
                   Tolerance::model(1.5e-4,

@@ -13,7 +13,7 @@
 namespace talus::verification::problems {
 namespace {
 
-/// Where in a scene the quantities of a sample are.
+/// Indices of the bodies and cables of a scene whose quantities a sample contains.
 struct Places {
   explicit Places(const scenes::FenceScene& made) {
     std::size_t member = 1;
@@ -28,10 +28,10 @@ struct Places {
   std::size_t centre{};             ///< member that is the first layer's central column
   std::vector<std::size_t> rocks;   ///< bodies
   std::vector<std::size_t> top;     ///< segments of the first layer, from the centre outwards
-  std::vector<std::size_t> bottom;  ///< the same, perhaps none
+  std::vector<std::size_t> bottom;  ///< likewise; may be empty
 };
 
-/// The system of a scene that keeps what each evaluation finds.
+/// The system of a scene, which records the forces of each evaluation.
 class WatchedFence {
  public:
   WatchedFence(const scenes::FenceScene& made, double step, long every)
@@ -102,7 +102,7 @@ class WatchedFence {
     return momentum / mass_;
   }
 
-  /// Of translation and rotation.
+  /// Kinetic energy of the rocks, translational and rotational.
   double rock_energy(const State& state) const {
     double energy = 0.0;
     for (const std::size_t rock : places_.rocks) {

@@ -34,13 +34,13 @@ namespace {
 using scenes::EvenCentre;
 using scenes::FenceSymmetry;
 
-/// Mass of a solid cylinder of that half-width and half-height [M].
+/// Mass of a solid cylinder of half-width a and half-height b [M].
 double cylinder_mass(double a, double b, double density) { return 2.0 * std::numbers::pi * a * a * b * density; }
 double mass_of_others(const scenes::Fence& fence) {
   return cylinder_mass(fence.column.a, fence.column.b, fence.column.density);
 }
 double mass_of_unlike() { return cylinder_mass(unlike.a, unlike.b, unlike.density); }
-/// Inertia of an upright one over its mass [L^2].
+/// Moment of inertia of an upright cylinder over its mass [L^2].
 double inertia_of_mass(double a, double b) { return (3.0 * a * a + 4.0 * b * b) / 12.0; }
 
 struct Layout {
@@ -49,7 +49,7 @@ struct Layout {
   EvenCentre centre{EvenCentre::pair};
 };
 
-/// Layouts in which every option of the construction is used: two layers, unlike columns, a bottom cable with an end.
+/// Layouts that use every construction option: two layers, dissimilar columns, a bottom cable with anchored ends.
 std::vector<scenes::Fence> fences(const Setup& setup) {
   std::vector<scenes::Fence> all;
   for (const Layout layout : {Layout{13, FenceSymmetry::half}, Layout{13, FenceSymmetry::full},
@@ -93,7 +93,7 @@ struct Segment {
   double tension{};  ///< [F]
 };
 
-/// What the cables of a model pull up on one body of each name, and along the fence [F].
+/// Sums of the cable pulls on each body, upwards and along the fence, for one of the columns that it represents [F].
 struct Pulls {
   std::vector<double> up, along;
 };
@@ -112,7 +112,7 @@ Pulls pulls_of(const Model& model) {
   return pulls;
 }
 
-// ---- how fences hang ----
+// ---- equilibrium of fences at rest ----
 
 void check_hanging(Findings& findings, const Setup& setup) {
   double balance = 0.0, sideways = 0.0, horizontal = 0.0, sag = 0.0, span = 0.0, slack = 0.0, mass = 0.0, inertia = 0.0,
@@ -133,17 +133,17 @@ void check_hanging(Findings& findings, const Setup& setup) {
       keep_worst(off_plane,
                  fence.column.position.x - (body.name.starts_with("back") ? fence.layer_spacing : 0.0) - body.p_WB.x);
       keep_worst(balance, pulls.up[i] / (body.mass * fence.gravity) - 1.0);
-      // The half model has the other side's pull as a mirror image only.
+      // The half model contains the pull of the other side only as a mirror image.
       if (fence.options.symmetry == FenceSymmetry::full)
         keep_worst(sideways, pulls.along[i] / (body.mass * fence.gravity));
     }
     keep_worst(mass, masses / (fence.layers * fence.columns) - 1.0);
     keep_worst(inertia, inertias / (fence.layers * fence.columns) - 1.0);
-    // Moments about an end of half the top cable: weights and the sag give the horizontal tension.
+    // Moments of weights about an end of half the top cable give, with the sag, the horizontal tension.
     double moment = 0.0;
     for (int i = 0; i < fence.columns; ++i) {
       const double along = std::abs(i - 0.5 * (fence.columns - 1)) * fence.spacing;
-      const int place = 1 + static_cast<int>(along / fence.spacing);  // 0 and 0.5 are the first
+      const int place = 1 + static_cast<int>(along / fence.spacing);  // 0 and 0.5 spacings: place 1
       const bool other = std::ranges::count(fence.changed_columns, place, &scenes::ChangedColumn::place) > 0;
       moment += 0.5 * (other ? mass_of_unlike() : usual) * fence.gravity * (0.5 * fence.span - along);
     }
@@ -182,7 +182,7 @@ void check_hanging(Findings& findings, const Setup& setup) {
                   Tolerance::exact("the same difference of two numbers"), "ft");
 }
 
-/// Stretched cables hang as low wherever the fence is.
+/// Checks that the sag of stretched cables does not depend on the height of the fence.
 void check_raised(Findings& findings) {
   constexpr double raised = 100.0;  // [ft]
   const auto made = [](double by) {
@@ -202,8 +202,8 @@ void check_raised(Findings& findings) {
                   "ft");
 }
 
-/// Cables so much longer than the first ones that the columns hang many sags lower. Nothing but the first guess can come
-/// there: Newton's method moves them by a tenth of the sag at a time, a hundred times.
+/// Checks cables so much longer than the original ones that the columns hang many sags lower. The first guess must be
+/// close: Newton's method moves columns by at most a tenth of the sag per iteration, in at most a hundred iterations.
 void check_long_cables(Findings& findings) {
   scenes::Fence fence = fence_of_today();
   fence.layers = 2, fence.connections = 1;
@@ -227,7 +227,7 @@ void check_long_cables(Findings& findings) {
                        highest < fence.column.position.y - 10.0 * fence.sag, "half of a cable is 31 ft on 27.5 ft");
 }
 
-/// Springs of the linearization that act on a column along y, for one of its mass, against two segments in space.
+/// Checks the stiffness of each column along y in the linearization, over its mass, against two segments in space.
 void check_linearization(Findings& findings) {
   double worst = 0.0;
   for (const FenceSymmetry symmetry : {FenceSymmetry::half, FenceSymmetry::full}) {
@@ -249,7 +249,7 @@ void check_linearization(Findings& findings) {
         if (!is_top(cable)) continue;
         const Segment segment{model, cable};
         const double sine = segment.line.y / segment.length;
-        // Of the half model's central column the second segment is the mirror image of the first.
+        // For the half model's central column the second segment is the mirror image of the first.
         const double both = symmetry == FenceSymmetry::half && body.name == "column1" ? 2.0 : 1.0;
         for (const CableEnd& end : {cable.a, cable.b})
           if (end.body && index(*end.body) == i) exact += both * stiffness(cable) * sine * sine / body.mass;
@@ -267,7 +267,7 @@ void check_linearization(Findings& findings) {
                                        "makes 1e-10 of a rounding of 1e-16"));
 }
 
-/// The step by the rule of 1993, contacts of columns with the ground, and strengths of cables.
+/// Checks the step by the rule of 1993, contacts of columns with the ground, and strengths of cables.
 void check_numbers(Findings& findings, const Setup& setup) {
   double step = 0.0, ground = 0.0, strength = 0.0;
   for (scenes::Fence fence : fences(setup)) {
@@ -301,7 +301,7 @@ void check_numbers(Findings& findings, const Setup& setup) {
 
 // ---- hangers, starts, contacts ----
 
-/// Each column hangs by one hanger at its top joint; the heaviest one decides which strength is enough.
+/// Checks that each column hangs by one hanger at its top joint, and that the heaviest one sets the strength required.
 void check_hangers(Findings& findings) {
   scenes::Fence fence = fence_of_today();
   fence.changed_columns = {unlike};
@@ -320,7 +320,7 @@ void check_hangers(Findings& findings) {
     }
     missing += model.hangers.size() == (symmetry == FenceSymmetry::half ? 7 : 13) ? 0.0 : 1.0;
   }
-  // Strengths that differ, and a single hanger: each column's record has the strength of its hanger.
+  // With different strengths, and with a single hanger, each column's record has the strength of its hanger.
   double limits = 0.0;
   for (const int columns : {13, 1}) {
     fence.columns = columns, fence.changed_columns.clear();
@@ -356,7 +356,7 @@ void check_hangers(Findings& findings) {
                        "each hanger carries its column's weight");
 }
 
-/// What a fence says of a cable that it does not have, and of the method that it chose.
+/// Checks the error for a stretched cable that does not exist, and the reason given for the integrator chosen.
 void check_words(Findings& findings) {
   scenes::Fence fence = fence_of_today();
   fence.stretched_cables = {{"top99", 0.01}};
@@ -379,7 +379,7 @@ void check_words(Findings& findings) {
                        "the method was not given");
 }
 
-/// Constant forces and a moment of elements, beside the weight and the cables' balance.
+/// Checks accelerations by constant forces and a moment, in addition to weights and balanced cable forces.
 void check_given_forces(Findings& findings, scenes::Fence fence) {
   fence.rocks[0].position.x += 1.0;  // it touches nothing
   fence.rocks[0].force = {120.0, -40.0}, fence.rocks[0].moment = 15.0;
@@ -409,7 +409,7 @@ void check_given_forces(Findings& findings, scenes::Fence fence) {
                   Tolerance::round_off(1e-12, "pulls of 2e4 lb, rounded to 4e-12 lb, sum up to the weight"));
 }
 
-/// Columns that move at the start, and what sleeps after three steps.
+/// Checks initial velocities of columns, and which columns are awake after three steps.
 void check_start(Findings& findings, const Setup& setup) {
   scenes::Fence fence = fence_of_today();
   fence.options.symmetry = FenceSymmetry::full, fence.layers = 2;
@@ -440,7 +440,7 @@ double dashpot(const Model& model, const std::string& name) {
   return std::get<LinearSpringDashpot>(model.contacts[index(*find_contact(model, name))].law).damping;
 }
 
-/// What a rock that hits a column at the rock's height feels of both [M].
+/// Effective mass of the contact of a rock with a column, at the height of the rock [M].
 double felt_mass(const scenes::Fence& fence, const Model& model, const std::string& column) {
   const double a = fence.column.a, b = fence.column.b, mass = mass_of_others(fence);
   const double arm = fence.rocks[0].position.y - model.bodies[index(*find_body(model, column))].p_WB.y;
@@ -448,7 +448,7 @@ double felt_mass(const scenes::Fence& fence, const Model& model, const std::stri
   return 1.0 / (1.0 / rock + 1.0 / mass + arm * arm / (mass * inertia_of_mass(a, b)));
 }
 
-/// Rocks that hit the third columns of both sides and the central one at one height.
+/// Checks rocks that hit the third columns of both sides and the central one at the same height.
 void check_sides(Findings& findings, const Setup& setup) {
   scenes::Fence fence = fence_of_today();
   fence.options.symmetry = FenceSymmetry::full, fence.options.contact = scenes::FenceContact::nodes;

@@ -3,13 +3,13 @@
 #include "solver/scenes/fence.hpp"
 #include "verification/check/case.hpp"
 
-/// What the parts of the case `fence_layouts` share.
+/// Declarations shared by the parts of the case `fence_layouts`.
 namespace talus::verification::problems::fence_layouts {
 
-/// The fence of Table 2 by the methods of today.
+/// The fence of Table 2 with the current options.
 [[nodiscard]] scenes::Fence fence_of_today();
 
-/// A column that is longer, heavier and hung elsewhere than the others; its place is given where it is used.
+/// A column that is longer and heavier than the others and has other joints; each use sets its place.
 inline constexpr scenes::ChangedColumn unlike{3, 1.0, 4.6, 0.8, 7.3, -4.5};
 
 void check_outlines(Findings& findings);  // fence_outlines.cpp

@@ -13,19 +13,19 @@
 namespace talus::verification::problems::fence_listing {
 namespace {
 
-/// How a rule of 1993 is known.
+/// Evidence for a rule of the 1993 program.
 enum class Mark {
   proved,    ///< matches every printed digit, or a closed form
   inferred,  ///< clearly the best of several variants tried
   fitted,    ///< chosen to match the printed numbers
-  unknown,   ///< nothing in the report tells
+  unknown,   ///< no evidence in the report
 };
 
 struct Sample2Rule {
   std::string rule;
   Mark mark{};
-  std::string source;       ///< where the report says it, or what it follows from
-  std::string alternative;  ///< what stands in its place in the run compared
+  std::string source;       ///< where the report states it, or from what it follows
+  std::string alternative;  ///< rule that replaces it in the run compared
   Sample2Change change{};
 };
 
@@ -39,7 +39,7 @@ const char* name_of(Mark mark) {
 
 Sample2Change of_records(std::function<void(Fence&)> change) { return {std::move(change), {}}; }
 
-/// Another rule for nodes in the columns: of the rock (`rock`), or of the other layer's.
+/// Sets another rule for the overlap of nodes in columns: nodes of the rock (`rock`), or of the other layer.
 Sample2Change of_node_depth(bool rock, NodeDepth rule) {
   return {{}, [rock, rule](FenceScene& made) {
             for (Contact& contact : made.scene.model.contacts) {
@@ -49,7 +49,7 @@ Sample2Change of_node_depth(bool rock, NodeDepth rule) {
           }};
 }
 
-/// Columns as true rectangles with their corners as nodes.
+/// Turns columns into true rectangles with their corners as nodes.
 void sharpen(FenceScene& made) {
   for (Body& body : made.scene.model.bodies) {
     if (const auto* outline = std::get_if<Superquadric>(&body.shape); outline && outline->exponent > 2.0)
@@ -59,13 +59,13 @@ void sharpen(FenceScene& made) {
     contact.node_depth = NodeDepth::nearest;
 }
 
-/// Dashpots of the nodes times a factor.
+/// Multiplies the dashpots of the nodes by a factor.
 void scale_dashpots(FenceScene& made, double factor) {
   for (Contact& contact : made.scene.model.contacts)
     std::get<LinearSpringDashpot>(contact.law).damping *= factor;
 }
 
-/// Top cables of stiffness E A over the unstretched length, of the same tension at the start.
+/// Gives top cables the stiffness E A over the unstretched length, with the same tension at the start.
 void unstretch(FenceScene& made) {
   const Model& model = made.scene.model;
   for (Cable& cable : made.scene.model.cables) {
@@ -79,7 +79,7 @@ void unstretch(FenceScene& made) {
   }
 }
 
-/// The step of the rule with E A over the unstretched length of the central column's segment.
+/// Sets the step of the rule with E A over the unstretched length of the central column's segment.
 void shorten_step(FenceScene& made) {
   const Cable& first = made.scene.model.cables[index(*made.members[2].top)];
   const Vec3 a = reference_point(made.scene.model, first.a), b = reference_point(made.scene.model, first.b);
@@ -184,8 +184,8 @@ std::vector<Sample2Rule> sample2_rules() {
   return rules;
 }
 
-/// Each rule with the deviations from the printed states when its alternative is run; first the rules as they are.
-/// `evaluations` takes the force evaluations spent.
+/// Table of the rules with the deviations from the printed states if the alternative is run; the first row has all
+/// rules unchanged. Adds the number of force evaluations to `evaluations`.
 Table rules_table(long& evaluations) {
   Table table{
       "rules",
@@ -215,7 +215,7 @@ Table rules_table(long& evaluations) {
   return table;
 }
 
-/// The wrong setups, by name.
+/// The change that each fault makes.
 Sample2Change change_of(const Setup& setup) {
   Sample2Change change;
   change.records = [&setup](scenes::Fence& fence) {
@@ -258,7 +258,7 @@ void check_derived(Findings& findings, const Sample2Run& run) {
   findings.table(table);
 }
 
-/// One printed number with its deviation, or a dash where it is not compared.
+/// One printed number with its deviation, or a dash if it is not compared.
 std::string cell(const std::vector<Deviation>& all, std::size_t print, int element, const char* quantity) {
   for (const Deviation& d : all) {
     if (d.print == print && d.element == element && d.quantity == quantity)
@@ -287,7 +287,8 @@ void tabulate_states(Findings& findings, const std::vector<Deviation>& all) {
   findings.table(table);
 }
 
-/// What the dashpot of one node takes or gives in one step, at the speed of approach: the grain in which impacts come.
+/// Velocity changes by the dashpot of one node in one step at the approach speed: the increments of which impacts
+/// consist.
 struct Kick {
   double velocity{};  ///< of a column [ft/s]
   double spin{};      ///< of a column, at an arm [rad/s]

@@ -16,7 +16,7 @@ namespace {
 
 scenes::Fence deck(const char* name) { return read_deck(std::filesystem::path{TALUS_CASES} / "fence" / name); }
 
-/// A fence's last state.
+/// A fence and its final state.
 struct Finished {
   scenes::FenceScene made;
   State state;
@@ -27,7 +27,7 @@ struct Finished {
   }
 };
 
-/// Runs it to `end` [s]; `step` [s] instead of the fence's own if > 0.
+/// Runs the fence to `end` [s], with `step` [s] instead of the fence's step if > 0.
 Finished run_to(scenes::FenceScene made, double end, double step = 0.0) {
   const double h = step > 0.0 ? step : made.scene.plan.step;
   const RunEnd ended = run_scene(made.scene, made.scene.integrator, {h, end, end, false}, nullptr);
@@ -38,7 +38,7 @@ Finished run_to(const scenes::Fence& fence, double end, double step = 0.0) {
   return run_to(scenes::fence_scene(fence), end, step);
 }
 
-/// Largest distance between the bodies of a half model and the same ones of the full one [ft].
+/// Largest distance between the bodies of a half model and those of the full one [ft].
 double distance(const Finished& half, const Finished& full) {
   double largest = 0.0;
   for (const Body& body : half.made.scene.model.bodies)
@@ -89,7 +89,7 @@ double rock_speed(Findings& findings, const Setup& setup, int nodes, scenes::Fen
   fence.options.contact = contact;
   scenes::FenceScene made = scenes::fence_scene(fence);
   if (setup.has("shared_stiffness")) {
-    // What would make it converge: all nodes together have as much k and c as 12 nodes have.
+    // With this change it would converge: all nodes together have the k and c of 12 nodes.
     for (Contact& contact_of : made.scene.model.contacts) {
       auto& law = std::get<LinearSpringDashpot>(contact_of.law);
       law.stiffness *= 12.0 / nodes;
@@ -144,7 +144,8 @@ void check_resultant_order(Findings& findings, const Setup& setup) {
     double squares = 0.0;
     constexpr int offsets = 8;
     for (int i = 0; i < offsets; ++i) {
-      // Whole numbers of steps to the end, spread over one octave's eighth: each with other places of the events.
+      // Integer numbers of steps to the end, spread over an eighth of an octave: the events fall at other positions
+      // within the steps of each.
       const double error = speed(first_print / std::round(steps * (1.0 + i / 64.0))) - reference;
       squares += error * error;
     }
@@ -163,7 +164,7 @@ void check_resultant_order(Findings& findings, const Setup& setup) {
                    .slopes = {{1.0, errors.steps()[0], errors.errors()[0], "h"}}});
 }
 
-/// Restitution of the impact that far above a column's centre, and what the two masses predict.
+/// Coefficient of restitution of an impact at a height above a column's centre, measured and predicted.
 struct OffCentre {
   double measured{};
   double predicted{};
@@ -174,7 +175,7 @@ OffCentre off_centre(double height, scenes::FenceCalibration calibration) {
   fence.options.start = scenes::FenceStart::plain;
   fence.options.integrator = "velocity_verlet";
   fence.options.calibration = calibration;
-  fence.rock_overlap = 0.002;  // an impact so short that the cables do not feel it
+  fence.rock_overlap = 0.002;  // an impact so short that the cables have no effect
   fence.rocks[0].position.y = height;
   fence.rocks[0].position.x += 1e-4;
   fence.rocks[0].spin = 0.0;

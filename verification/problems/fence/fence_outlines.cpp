@@ -12,7 +12,7 @@
 
 namespace talus::verification::problems::fence_layouts {
 
-/// Rock and ground: outlines by a power, and ground that is not level.
+/// Checks rock outlines given by a power, and ground that is not level.
 void check_outlines(Findings& findings) {
   scenes::Fence fence = fence_of_today();
   scenes::FenceElement& rock = fence.rocks[0];
@@ -22,7 +22,7 @@ void check_outlines(Findings& findings) {
     const Model model = scenes::fence_scene(fence).scene.model;
     return model.bodies[index(*find_body(model, "rock"))].shape;
   };
-  // The nodes of 1993: at the middles of twelve equal angles.
+  // Nodes of 1993: at the centres of twelve equal angles.
   const std::vector<Vec2> nodes = boundary_nodes(outline(scenes::FenceContact::nodes), 12);
   double apart = nodes.size() == 12 ? 0.0 : std::nan("");
   for (std::size_t i = 0; i < nodes.size(); ++i) {
@@ -34,7 +34,7 @@ void check_outlines(Findings& findings) {
   findings.expect_true("a round outline by its power is a circle where one force acts for a pair",
                        std::holds_alternative<Circle>(outline(scenes::FenceContact::resultant)),
                        "whose gaps are closed forms");
-  fence.ground.angle = 0.3;  // of the level surface, in whose place the profile is
+  fence.ground.angle = 0.3;  // of the level surface, which the profile replaces
   fence.ground_profile = {{-50.0, -6.0}, {50.0, -2.0}};
   fence.options.contact = scenes::FenceContact::resultant;
   const Scene scene = scenes::fence_scene(fence).scene;

@@ -19,8 +19,8 @@ void add_column(Series& series, const Pose& pose, const scenes::FenceElement& co
     add(series, world_point(pose, {x * column.a, y * column.b}));
 }
 
-/// A circle, drawn from its centre and back to it along the radius that was along x at angle 0: it shows how the rock
-/// has turned.
+/// Adds a circle, drawn from its centre and back along the radius that lies along x at angle 0: this radius shows the
+/// rotation of the rock.
 void add_rock(Series& series, const Pose& pose, double radius) {
   constexpr int parts = 48;
   add(series, pose.p_WB);

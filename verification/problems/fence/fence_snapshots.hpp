@@ -8,7 +8,7 @@
 
 namespace talus::verification::problems {
 
-/// Where the rocks and the central column of each layer are at some times [s] of an impact, seen along the fence.
+/// Figure of the rocks and the central column of each layer at given times [s] of an impact, seen along the fence.
 [[nodiscard]] Figure snapshots(std::string name, std::string title, std::string caption, const scenes::Fence& fence,
                                const std::vector<double>& times);
 

@@ -54,14 +54,14 @@ struct HistoryPlot {
   double FenceSample::*value;
 };
 
-/// Printed against computed, one figure for each quantity.
+/// Draws printed against computed values, one figure for each quantity.
 void draw_tables(Findings& findings, const std::vector<RowRun>& rows) {
   static constexpr std::array names{"joint_force", "top_cable_force", "bottom_cable_force", "exit_velocity"};
   for (std::size_t q = 0; q < names.size(); ++q)
     findings.figure(printed_against_ours(rows, fence_quantities()[q], names[q]));
 }
 
-/// Figs. 14 and 15 again: both rocks at yc = 0 with the bottom cable, elastic and elastic-plastic.
+/// Draws Figs. 14 and 15: both rocks at yc = 0 with the bottom cable, elastic and elastic-plastic.
 void draw_histories(Findings& findings) {
   static constexpr std::array plots{
       HistoryPlot{"joint", "force in the top joint", "lb", &FenceSample::joint},
@@ -116,7 +116,7 @@ constexpr std::array choices{
     Choice{"column mass 29.8 slug (sample2)", [](Fence& f) { f.column.density *= 2.0; }},
     Choice{"bottom cable wrapped once", [](Fence& f) { f.area_bottom *= 0.5; }}};
 
-/// Seven mean distances of rows that need no twins.
+/// Name and seven mean distances to the print, for which no twins are required.
 std::vector<std::string> cells_of(const char* name, const std::vector<RowRun>& rows) {
   std::vector<std::string> cells{name};
   for (const bool bottom_cable : {false, true}) {
@@ -149,8 +149,8 @@ void check_bottom_end(Findings& findings, const RowRun& row) {
                   "lb");
 }
 
-/// What each choice that the report does not tell moves: the mean distances to Tables 2 and 3 with that choice made
-/// otherwise (full tier), and that the unknown end of the bottom cable moves nothing.
+/// Tabulates the effect of each choice that the report does not state: mean distances to Tables 2 and 3 with this
+/// choice changed (full tier). Checks that the unknown end of the bottom cable has no effect.
 void check_choices(Findings& findings, const std::vector<RowRun>& rows, const Setup& setup) {
   for (const RowRun& row : rows) {
     const bool quick = row.printed.table == 3 && row.printed.height == 0.0 && !row.printed.plastic;
@@ -169,7 +169,7 @@ void check_choices(Findings& findings, const std::vector<RowRun>& rows, const Se
 }
 
 /// The top cable's segment beside the central column, from Table 1 alone (sections 2.4, 3.3): it carries half the
-/// column's weight W at a horizontal tension H, from which its first length, stiffness E A/l and free length follow.
+/// column's weight W at a horizontal tension H, from which its initial length, stiffness E A/l and free length follow.
 struct FirstSegment {
   explicit FirstSegment(double mass) {
     const double weight = mass * 32.18;
@@ -183,7 +183,7 @@ struct FirstSegment {
     free_length = length - horizontal * std::hypot(1.0, slope) / stiffness;
   }
 
-  /// Joint force at a tension: both segments' pull across, 2 T sin, sin^2 = 1 - (d/l)^2 [lb].
+  /// Joint force at a tension: pull of both segments across the fence, 2 T sin, sin^2 = 1 - (d/l)^2 [lb].
   double joint(double tension) const {
     const double length = free_length + tension / stiffness;
     return 2.0 * tension * std::sqrt(length * length - across * across) / length;
@@ -197,7 +197,7 @@ struct FirstSegment {
     }
     return low;
   }
-  /// Plastic stretch at which a yielding segment gives a joint force [ft].
+  /// Plastic elongation at which a yielding segment gives a joint force [ft].
   double plastic_stretch(double force, double yield) const {
     const double sine = force / (2.0 * yield);
     return across / std::sqrt(1.0 - sine * sine) - free_length - yield / stiffness;
@@ -208,7 +208,7 @@ struct FirstSegment {
   double free_length{};  // [ft]
 };
 
-/// By how much a printed pair misses the relation when each number may be off by half a unit of its last digit [lb].
+/// Violation of the relation by a printed pair beyond the rounding of both numbers, half a unit of the last digit [lb].
 double beyond_digits(const FirstSegment& segment, const PrintedRow& row) {
   const double low = segment.joint(row.top.value - row.top.half), high = segment.joint(row.top.value + row.top.half);
   return std::max({low - row.joint.value - row.joint.half, row.joint.value - row.joint.half - high, 0.0});
@@ -265,7 +265,7 @@ void check_printed_pairs(Findings& findings, const FirstSegment& segment) {
                           "ft");
 }
 
-/// The observations of section 6.3 against the numbers of the tables that they are drawn from.
+/// Checks the observation of section 6.3 against the numbers of the tables.
 void check_observations(Findings& findings) {
   int slower = 0;
   double previous = 0.0;
@@ -279,7 +279,7 @@ void check_observations(Findings& findings) {
                   Tolerance::exact("a count: 4.6, 5.6, 1.6, 1.1, 15.5 ft/s are printed"));
 }
 
-/// The three pairs that cannot be, by the digits of the errata's own words.
+/// Checks the three inconsistent pairs against the numbers in the errata, to their digits.
 void check_errata(Findings& findings, const FirstSegment& segment) {
   const auto group = findings.in("pull_at_a_joint");
   expect_digits(findings, "joint = 2 T sin: joint that 2.62e5 lb gives (9.02e4 printed, Table 2)",
@@ -292,7 +292,7 @@ void check_errata(Findings& findings, const FirstSegment& segment) {
                 segment.tension(9.21e4), 2.87e5, 600.0);
 }
 
-/// The relation between the peaks of joint and top cable: our runs obey it, and of the printed pairs three do not.
+/// Checks the relation between the peak forces of joint and top cable: our runs satisfy it, three printed pairs do not.
 /// Fault `mass_doubled`.
 void check_pairs(Findings& findings, const std::vector<RowRun>& rows, const Setup& setup) {
   const double mass = 0.38 * std::numbers::pi * 1.25 * 1.25 * 8.0 * (setup.has("mass_doubled") ? 2.0 : 1.0);
@@ -316,17 +316,18 @@ void check_pairs(Findings& findings, const std::vector<RowRun>& rows, const Setu
   check_observations(findings);
 }
 
-/// Mean distance of run and twin over all rows, as the full tier measures it: joint, top, bottom [%], speed [ft/s].
+/// Mean distance of run and twin over all rows, as measured by the full tier: joint, top, bottom [%], speed [ft/s].
 struct GroupTwins {
   bool bottom_cable;
-  std::array<double, 4> distance;  ///< 0 where nothing is printed
+  std::array<double, 4> distance;  ///< 0 if nothing is printed
 };
 constexpr std::array<GroupTwins, 2> measured_twins{
     {{false, {5.28, 3.02, 0.0, 0.98}}, {true, {4.65, 2.39, 2.04, 1.88}}}};
 
 std::string group_name(bool bottom_cable) { return bottom_cable ? "with bottom cable" : "no bottom cable"; }
 
-/// Without the bottom cable the print is a twin of ours; with it, it is not, and by how much is told.
+/// Checks that without the bottom cable the print is as close as a twin. With it this does not hold, and the ratio of
+/// the distances is checked.
 void check_distance(Findings& findings, const std::string& name, const FenceDistance& d, double twins,
                     bool bottom_cable, const std::string& unit) {
   if (bottom_cable) {
@@ -373,7 +374,7 @@ void check_distances(Findings& findings, const std::vector<RowRun>& rows, const 
   findings.table(table);
 }
 
-/// Every printed number of one quantity beside ours.
+/// Table of all printed numbers of one quantity and ours.
 Table row_table(const std::vector<RowRun>& rows, const FenceQuantity& quantity, const std::string& name) {
   const auto text = [&](double value) { return fmt::format("{:.{}f}", value, quantity.relative ? 0 : 1); };
   Table table{.name = name,
@@ -394,7 +395,7 @@ Table row_table(const std::vector<RowRun>& rows, const FenceQuantity& quantity, 
   return table;
 }
 
-/// The caps of the plastic rows, and that the last bottom segment, of which nothing is known, never acts.
+/// Checks that the largest cable forces of the plastic rows are the yield forces.
 void check_cables(Findings& findings, const std::vector<RowRun>& rows) {
   double top = 0.0, bottom = 0.0;
   for (const RowRun& row : rows) {
@@ -408,7 +409,7 @@ void check_cables(Findings& findings, const std::vector<RowRun>& rows) {
                   Tolerance::round_off(1e-4, why), "lb");
 }
 
-/// What was found, in words.
+/// Adds the findings as notes.
 void tell(Findings& findings, const std::vector<RowRun>& rows) {
   double any = 0.0;
   int count = 0;

@@ -17,11 +17,11 @@
 
 namespace talus::verification::problems::fence_layouts {
 
-/// Changes of a sound fence a little beyond and a little within where each warning begins: which warnings they give.
+/// Checks the warnings for a sound fence that is changed to slightly within and slightly beyond each warning's limit.
 void check_warnings(Findings& findings) {
   const scenes::Fence sound = fence_of_today();
   struct Change {
-    const char* begins;  ///< of the one warning beyond the limit
+    const char* begins;  ///< beginning of the only warning beyond the limit
     void (*make)(scenes::Fence& fence, double limits);
   };
   static constexpr std::array changes{
@@ -31,7 +31,7 @@ void check_warnings(Findings& findings) {
              [](scenes::Fence& f, double limits) {
                f.spacing = 3.0, f.changed_columns = {unlike}, f.changed_columns[0].b = f.column.b;
                f.changed_columns[0].y_top = f.y_top;
-               f.changed_columns[0].a = limits * 1.75;  // beside a half-width of 1.25
+               f.changed_columns[0].a = limits * 1.75;  // next to a half-width of 1.25
              }},
       Change{"layer_spacing: ",
              [](scenes::Fence& f, double limits) { f.layers = 2, f.layer_spacing = 2.0 * f.column.a / limits; }},
@@ -60,7 +60,7 @@ void check_warnings(Findings& findings) {
   count(motion(4.9999, 4.9999, true), motion(5.0001, 4.9999, true), "'rock' flies away: ");
   count(motion(4.9999, 4.9999, true), motion(4.9999, 5.0001, true), "'rock' is 275 ft ");
   count(motion(1.0, 1.0, true), motion(1.0, 1.0, false), "'rock' never touches ");
-  // A column alone has no neighbour; warnings report overlaps as numbers.
+  // A single column has no neighbour; warnings report overlaps as numbers.
   scenes::Fence single = sound;
   single.columns = 1, single.spacing = 1.0, single.changed_columns = {unlike};
   single.changed_columns[0] = {1, 1.75, sound.column.b, sound.column.density, sound.y_top, sound.y_bottom};
@@ -78,7 +78,7 @@ void check_warnings(Findings& findings) {
                   Tolerance::exact("of eight; a ten-thousandth to either side"));
 }
 
-/// Whole numbers of a fence's file at both ends of their ranges and one beyond: which are refused, by their name.
+/// Checks which integers of a fence file are refused by name: at both ends of their ranges and one beyond each.
 void check_counts(Findings& findings) {
   std::ifstream file{TALUS_CASES "/fence/table_2.toml"};
   const std::string sound{std::istreambuf_iterator<char>{file}, {}};
@@ -111,7 +111,7 @@ void check_counts(Findings& findings) {
   for (const Range& range : ranges) {
     for (const long value : {range.least - 1, range.most + 1})
       wrong += refused(range, value) ? 0.0 : 1.0;
-    // A thousand columns are refused for their width instead.
+    // A thousand columns are refused, but for their width.
     for (const long value : {range.least, range.most})
       wrong += refused(range, value) ? 1.0 : 0.0;
   }
@@ -119,7 +119,7 @@ void check_counts(Findings& findings) {
                   0.0, Tolerance::exact("of 29"));
 }
 
-/// Runs that end by the rocks: behind a place, or at rest.
+/// Checks runs that end when the rocks have passed a position, or are at rest.
 void check_ends(Findings& findings) {
   constexpr double step = 1e-4, exit = -7.003;
   scenes::Fence fence = fence_of_today();

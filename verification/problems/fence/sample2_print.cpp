@@ -21,7 +21,7 @@ constexpr double round_off_of_1993 = 1e-11;  // [ft/s, rad/s]
 
 std::string published(const char* file) { return read_text(std::filesystem::path{TALUS_CASES} / "published" / file); }
 
-/// Lines that are no comments, each with one blank between words and none around.
+/// Lines that are not comments, with single spaces between words and none at the ends.
 std::vector<std::string> lines_of(const std::string& text) {
   std::vector<std::string> lines;
   std::istringstream in{text};
@@ -41,7 +41,7 @@ std::vector<std::vector<std::string>> rows_of(const char* file) {
   return records::data_file(file, records::read_csv(std::filesystem::path{TALUS_CASES} / "published" / file)).rows;
 }
 
-/// What the listing says of a quantity: after its name and " = ", or in the table of masses.
+/// Value that the listing gives for a quantity: after its name and " = ", or in the table of masses.
 std::string listed(const std::vector<std::string>& lines, const std::string& quantity, const std::string& element) {
   bool masses = false;
   for (const std::string& line : lines) {
@@ -59,7 +59,7 @@ std::string listed(const std::vector<std::string>& lines, const std::string& qua
   return "missing";
 }
 
-/// The size of the last digit of ".490E+02": .1.
+/// Value of one unit of the last digit: 0.1 for ".490E+02".
 double last_digit(const std::string& printed) {
   const std::size_t point = printed.find('.'), mark = printed.find('E');
   const double digits = static_cast<double>(mark - point - 1);
@@ -105,7 +105,7 @@ std::vector<Deviation> deviations(const Sample2Run& run) {
       const double value = std::strtod(text.c_str(), nullptr);
       const double speed = std::strtod(rows[r].at(i % 3 + 5).c_str(), nullptr);
       const bool slow = std::abs(speed) < round_off_of_1993;
-      // What hardly moves is at its initial place, which is a derived number.
+      // An element that hardly moves is at its initial position, which is checked as a derived number.
       if (value == 0.0 || slow) continue;
       const double ours = print < run.states.size() ? run.states[print].at(static_cast<std::size_t>(element - 1))[i]
                                                     : std::numeric_limits<double>::quiet_NaN();

@@ -12,20 +12,20 @@ namespace talus::verification::problems {
 
 inline constexpr std::array<long, 2> printed_steps{60, 120};
 
-/// x, y, theta, vx, vy, omega of an element as the listing prints them: velocities at the time, coordinates half a
+/// x, y, theta, vx, vy, omega of an element as the listing prints them: velocities at that time, coordinates half a
 /// step later [ft, rad, s].
 using ElementState = std::array<double, 6>;
 
-/// A departure from the deck or from the choices of the historical fence.
+/// A change of the deck or of the options of the historical fence.
 struct Sample2Change {
   std::function<void(scenes::Fence&)> records{};    ///< of the deck and its options
-  std::function<void(scenes::FenceScene&)> made{};  ///< of what was made of them
+  std::function<void(scenes::FenceScene&)> made{};  ///< of the scene made from them
 };
 
 struct Sample2Run {
   scenes::Fence fence;
   scenes::FenceScene made;
-  std::string listing;                            ///< all of it, with both states
+  std::string listing;                            ///< complete, with both states
   std::vector<std::vector<ElementState>> states;  ///< of each printed step, of each element
   long evaluations{};
 };

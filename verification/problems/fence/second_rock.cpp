@@ -40,7 +40,7 @@ std::vector<Cable> cables() {
        {.stiffness = stiffness, .yield = 0.5, .hardening = 0.1, .table = {{0.4, 0.7}, {1.0, 0.7}, {1.5, 1.2}}}}};
 }
 
-/// A second mass on a cable that a first one has drawn out by `stretch`, in a scene that knows the first no longer.
+/// Runs a second mass on a cable with the plastic elongation `stretch` by a first one, which is not in the scene.
 CableRunResult throw_second(const ElasticPlastic& law, double stretch, Findings& findings, const Setup& setup) {
   const ElasticPlastic carried = setup.has("cable_like_new") ? law : law.drawn_before(stretch);
   const Scene scene = thrown_mass(carried, mass, second_speed);
@@ -61,7 +61,7 @@ void check_carried_cables(Findings& findings, const Setup& setup) {
     findings.in("second_stretch")
         ->expect(fmt::format("stretch by both masses, {}", name), before + run.end.z[0], second.stretch, to_tolerance,
                  "m");
-    // It breaks at a stretch that counts from its first length.
+    // The rupture elongation counts from the original length.
     for (const double share : {0.999, 1.001}) {
       ElasticPlastic weak = law;
       weak.rupture = share * second.stretch;
@@ -74,7 +74,7 @@ void check_carried_cables(Findings& findings, const Setup& setup) {
   }
 }
 
-/// A cable that is drawn out for less than a step is reported all the same, at whatever phase.
+/// Checks that a cable that yields for less than a step is reported, at any phase.
 void check_short_yield(Findings& findings) {
   const double yield = 0.5, speed = 1.0005 * yield;
   const Scene scene = thrown_mass(ElasticPlastic{.stiffness = stiffness, .yield = yield}, mass, speed);
@@ -115,7 +115,7 @@ scenes::Fence two_sided_fence() {
 
 const ElasticPlastic& law_of(const talus::Cable& cable) { return std::get<ElasticPlastic>(cable.law); }
 
-/// Tension of a cable that is being drawn out to an elongation.
+/// Tension of a yielding cable at an elongation.
 double drawn_tension(const ElasticPlastic& law, double elongation) {
   const double memory = 0.0;
   return law({elongation, 1.0}, std::span{&memory, 1}, ElasticPlastic::yielding).total();
@@ -144,7 +144,7 @@ void check_fence_cables(Findings& findings, const Setup& setup) {
   findings.expect("stiffness times length of cables, of both strands below, over E A, worst", strands, 0.0, same);
   findings.expect("rupture of cables as a strain, worst relative error", strain, 0.0, same);
 
-  // Yield forces by a table of strains, and what is left of them after an impact.
+  // Yield forces by a table of strains, and the part of the table that remains after an impact.
   fence = two_sided_fence();
   fence.options.table = {{0.002, 1.25}, {0.006, 1.5}};
   const scenes::FenceScene made = scenes::fence_scene(fence);
@@ -171,7 +171,7 @@ void check_fence_cables(Findings& findings, const Setup& setup) {
                   Tolerance::round_off(1e-12, "an elongation of 0.01 ft is a difference of two of 0.03"));
   findings.expect("slack length for the next rock less the first and the stretch, worst", length, 0.0,
                   Tolerance::round_off(1e-15, "one rounding of a length of 2.5 ft"), "ft");
-  // The columns hang on the longer cables: pulls and weights, from lengths in space.
+  // Equilibrium of the columns on the longer cables: pulls, from lengths in space, and weights.
   const Model& model = next.scene.model;
   std::vector<double> up(model.bodies.size(), 0.0);
   for (const talus::Cable& cable : model.cables) {
@@ -208,7 +208,7 @@ Solid upright_cylinder(double radius, double half_height, double density) {
 }
 double together(double a, double b) { return 1.0 / (1.0 / a + 1.0 / b); }
 
-/// The fence of Table 2 with a smaller, slower rock beside the first, which hits higher.
+/// The fence of Table 2 with a second, smaller and slower rock, which hits higher.
 scenes::Fence fence_of_two(const Setup& setup) {
   scenes::Fence fence = two_sided_fence();
   scenes::FenceElement other = fence.rocks.front();
@@ -231,7 +231,7 @@ void check_two_rocks(Findings& findings, const Setup& setup) {
   const auto spring = [&](double factor, double m, double overlap) {
     return factor * m * speed * speed / (overlap * overlap);
   };
-  // e = exp(-2 xi acos(xi)/sqrt(1 - xi^2)) by bisection: the clamped rule of today.
+  // e = exp(-2 xi acos(xi)/sqrt(1 - xi^2)) by bisection: clamped end rule.
   double low = 0.0, high = 1.0;
   for (int i = 0; i < 60; ++i) {
     const double xi = 0.5 * (low + high);
@@ -256,7 +256,7 @@ void check_two_rocks(Findings& findings, const Setup& setup) {
   keep_worst(
       stiff,
       law("rock1-rock2").stiffness / spring(1.0, together(one.mass, other.mass), stated.penetration * 0.7) - 1.0);
-  // Two layers: the contact of two like columns is made for half the mass of one.
+  // Two layers: the contact of two equal columns is computed for half the mass of one.
   scenes::Fence layers = fence;
   layers.layers = 2, layers.layer_overlap = 0.05;
   const Model behind = scenes::fence_scene(layers).scene.model;
@@ -277,7 +277,8 @@ void check_two_rocks(Findings& findings, const Setup& setup) {
 
 // ---- a run with two rocks, and its summary ----
 
-/// The first rock hits the fence, which has no bottom cable; the second flies over it from behind.
+/// Checks the summary of a run: the first rock hits the fence, which has no bottom cable; the second flies over it from
+/// behind.
 void check_summary(Findings& findings, const Setup& setup) {
   scenes::Fence fence = two_sided_fence();
   fence.connections = 1;
@@ -286,7 +287,7 @@ void check_summary(Findings& findings, const Setup& setup) {
   fence.rocks.push_back(other);
   const scenes::FenceScene made = scenes::fence_scene(fence);
   const Dynamics dynamics{made.scene.model};
-  WatchedSummary watch{fence, made, dynamics, 0.03};  // resumed behind the second rock's passage
+  WatchedSummary watch{fence, made, dynamics, 0.03};  // resumed after the second rock's passage
   constexpr double step = 2e-5, end = 0.045;
   const State start = first_state(made.scene);
   const RunEnd run = run_scene(made.scene, VelocityVerlet{}, {step, end, end, true}, findings, std::ref(watch));
@@ -309,7 +310,7 @@ void check_summary(Findings& findings, const Setup& setup) {
                        "it flies 8 ft above the columns, against the first rock");
   findings.expect("time at which the second rock passed the fence", summary.rocks[1].passed_time, 3.0 / 150.0,
                   Tolerance::truncation(step, 1.0, "the first step after it"), "s");
-  // Momentum of all bodies against the impulse on the anchors, and of a column against that of its hanger.
+  // Momentum change of all bodies against the impulse on the anchors, and of a column against that of its hanger.
   const Model& model = made.scene.model;
   Vec2 change, of_column;
   double weight = 0.0, on_column = 0.0;
@@ -341,8 +342,8 @@ void check_summary(Findings& findings, const Setup& setup) {
                   norm(of_column + Vec2{0.0, on_column * end} - hanger) / norm(hanger), 0.0, sums(words));
 }
 
-/// A rock that hits the lower end of a column and passes below it: with hangers that hold, cannot break, and break. The
-/// ground slopes, and the third columns hang otherwise.
+/// Checks verdicts for a rock that hits the lower end of a column and passes below it, with hangers that hold, that
+/// cannot break, and that break. The ground slopes, and the outermost columns have other joints.
 void check_verdicts(Findings& findings, const Setup& setup) {
   using scenes::Verdict;
   double resumed = 0.0, heights = 0.0, tensions = 0.0, hangers = 0.0;
@@ -371,13 +372,13 @@ void check_verdicts(Findings& findings, const Setup& setup) {
   findings.expect_true("the same rock with hangers of 1.2 times a column's weight breaks through",
                        verdict_of(setup.has("hangers_hold") ? 1e9 : 580.0, 2, 0.02) == Verdict::broke_through,
                        "the struck column pulls at its hanger with more");
-  // Resumed at the step before the touch, and while the rock pushes the column on.
+  // Resumed at the step before touch, and while the rock pushes the column.
   const double before = touch - 1.5 * step, within = touch + 5.0 * step;
   findings.expect_true(
       "a rock that hits the lower end of a column passes under the fence",
       verdict_of(0.0, 2, before) == Verdict::passed_under && verdict_of(1e9, 1, within) == Verdict::passed_under,
       "the cables have no limit that is reached, and the hangers none or one of 1e9 lb");
-  // A light rock that flies back: resumed between its turn and its exit.
+  // A light rock that rebounds: resumed between its turning point and its exit.
   scenes::Fence fence = two_sided_fence();
   fence.rocks[0].density *= 0.05;
   const scenes::FenceScene made = scenes::fence_scene(fence);

@@ -11,7 +11,7 @@
 namespace talus::verification::problems {
 namespace {
 
-/// All that a summary says, as a list of numbers.
+/// All values of a summary, as a list of numbers.
 class Numbers {
  public:
   explicit Numbers(const scenes::FenceSummary& summary) {
@@ -89,7 +89,7 @@ void WatchedSummary::operator()(const Snapshot& seen, const StepInfo& info) {
   at_resume_ = differences(Numbers{summary()}.all, Numbers{resumed()}.all);
 }
 
-/// The largest pull of the top cable on a column, at the joint that is there over its centre.
+/// Largest pull of the top cable on a column, at the joint above the column's centre.
 double WatchedSummary::largest_hanger(const Snapshot& seen) const {
   const std::vector<Joint>& joints = seen.dynamics().cables().joints();
   const Workspace& pulled = seen.pulls();
@@ -101,7 +101,7 @@ double WatchedSummary::largest_hanger(const Snapshot& seen) const {
   return largest;
 }
 
-/// Of the lowest top joint and the highest bottom joint over the plane of the ground, and of the rock.
+/// Records the heights of the lowest top joint, the highest bottom joint and the rock above the plane of the ground.
 void WatchedSummary::take_heights(const Snapshot& seen) {
   const scenes::FenceElement& ground = fence_->ground;
   const Vec2 up{-std::sin(ground.angle), std::cos(ground.angle)};

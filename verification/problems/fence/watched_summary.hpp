@@ -3,21 +3,21 @@
 #include "solver/base/archive.hpp"
 #include "solver/scenes/fence_summary.hpp"
 
-/// A fence's summary beside what it should say, for the case `second_rock`.
+/// Comparison of a fence's summary with independently computed values, for the case `second_rock`.
 namespace talus::verification::problems {
 
-/// Observes a run of a fence with one layer: its summary, a second one that is resumed on the way, and heights, taken
-/// here from poses.
+/// Observes a run of a fence with one layer: its summary, a second summary that is resumed during the run, and heights,
+/// computed here from poses.
 class WatchedSummary {
  public:
-  /// The second summary is resumed at the first step from `stop` [T] on. All other arguments must outlive it.
+  /// The second summary is resumed at the first step from `stop` [T] on. All other arguments must outlive this object.
   WatchedSummary(const scenes::Fence& fence, const scenes::FenceScene& made, const Dynamics& dynamics, double stop);
 
   void operator()(const Snapshot& seen, const StepInfo& info);
 
   [[nodiscard]] const scenes::FenceSummary& summary() const { return watch_.summary(); }
   [[nodiscard]] const scenes::FenceSummary& resumed() const { return resumed_.summary(); }
-  /// Numbers of the resumed summary and its history that differ from those of the first one; NaN if none was resumed.
+  /// Number of values of the resumed summary and its history that differ from the first one; NaN if none was resumed.
   [[nodiscard]] double resumed_differences() const;
   /// Worst error of the layer's heights and the times of their extremes, and of the first rock's largest height and its
   /// distance from the fence [L or T].

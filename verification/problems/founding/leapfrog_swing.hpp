@@ -5,9 +5,9 @@
 
 #include <cmath>
 
-/// What velocity Verlet makes of the pendulum, to the second order in its step, in closed form.
+/// Errors of velocity Verlet on the pendulum, to second order in the step, in closed form.
 ///
-/// Its steps lie on the exact motion of a nearby Hamiltonian (Hairer, Lubich & Wanner, Geometric Numerical Integration,
+/// The steps lie on the exact motion of a nearby Hamiltonian (Hairer, Lubich & Wanner, Geometric Numerical Integration,
 /// 2006, IX.8), in units w0 = 1, H = p^2/2 + V, V = 1 - cos x:
 ///   H~ = H + h^2 D + O(h^4),   D = p^2 V''/12 - V'^2/24 = p^2 cos x/12 - sin^2 x/24.
 /// The start at rest at A fixes E~ = H(A, 0) + h^2 D(A, 0). The action at fixed energy changes by -h^2 oint D dt, and
@@ -17,11 +17,11 @@
 ///   oint cos x dt = 4 (2 E - K),   oint cos^2 x dt = (4/3) [K (4 q - 1) + E (4 - 8 q)],   oint dt = T = 4 K,
 ///   D = (5 cos^2 x - 4 a cos x - 1)/24,
 ///   T_1 = (1/2) [-(sin^2 A/24) dT/dq - dI/dq];   A -> 0: T_1 = -pi/12 = -T/24.
-/// The energy of the steps swings by h^2 (D(A, 0) - D(bottom)) = -h^2 [sin^2 A/24 + (1 - cos A)/6] from A to the
-/// bottom.
+/// From A to the bottom the energy of the steps changes by h^2 (D(A, 0) - D(bottom)) = -h^2 [sin^2 A/24 +
+/// (1 - cos A)/6].
 namespace talus::verification::problems {
 
-/// T_1/T: the relative change of the period over (w0 h)^2, for velocity Verlet released at rest at `amplitude` [rad].
+/// Relative change of the period over (w0 h)^2, T_1/T, for velocity Verlet released at rest at `amplitude` [rad].
 inline double verlet_period_constant(double amplitude) {
   const double s = std::sin(0.5 * amplitude);
   const double c = std::cos(0.5 * amplitude);
@@ -38,8 +38,8 @@ inline double verlet_period_constant(double amplitude) {
   return 0.5 * (-sine * sine / 24.0 * d_period - d_action) / (4.0 * K);
 }
 
-/// Energy at the bottom less energy at the start, over m g a (w0 h)^2 [-]: the largest that the energy of velocity
-/// Verlet is ever off.
+/// Energy at the bottom minus energy at the start, over m g a (w0 h)^2 [-]: the largest energy error of velocity Verlet
+/// over any run.
 inline double verlet_energy_swing(double amplitude) {
   const double sine = std::sin(amplitude);
   return -(sine * sine / 24.0 + (1.0 - std::cos(amplitude)) / 6.0);

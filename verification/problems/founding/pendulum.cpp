@@ -41,8 +41,8 @@ reference::ElasticPendulum elastic(double eps) {
   return {2.0, 0.8, 9.80665, 2.0 * 9.80665 / (eps * 0.8), 60.0 * degree};
 }
 
-/// Position after `steps` steps of the classical Runge-Kutta method, by itself and in extended precision: its error is
-/// that of the method alone.
+/// Position after `steps` steps of the classical Runge-Kutta method, programmed separately in extended precision: its
+/// error is that of the method alone.
 std::array<long double, 2> hung_by_classical_runge_kutta(const reference::ElasticPendulum& p, double duration,
                                                          long steps) {
   using Vector = std::array<long double, 4>;  // x, y upwards, and their rates
@@ -67,8 +67,8 @@ std::array<long double, 2> hung_by_classical_runge_kutta(const reference::Elasti
   return {s[0], s[1]};
 }
 
-/// The bob on a cable whose stiffness grows: period against that of the rigid pendulum, with the predicted slope.
-/// Fault `cable_stiffness_doubled`.
+/// The bob on cables of increasing stiffness: approach of the period to that of the rigid pendulum, with the predicted
+/// slope. Fault `cable_stiffness_doubled`.
 void check_rigid_limit(Findings& findings, const Setup& setup) {
   const double softening = reference::period_softening(60.0 * degree);
   const double rigid = reference::rigid_period(elastic(1.0));
@@ -105,7 +105,8 @@ void check_rigid_limit(Findings& findings, const Setup& setup) {
                    .slopes = {{1.0, 1e-3, softening * 1e-3, fmt::format("{:.4f} eps", softening)}}});
 }
 
-/// The bob on a cable of one fixed stiffness against the elastic reference: only the step separates the two.
+/// The bob on a cable of fixed stiffness, compared with the elastic reference: the only difference is the error of the
+/// step.
 void check_elastic(Findings& findings, const Setup& setup) {
   const double eps = 1e-2;
   const double duration = 1.3 * reference::rigid_period(elastic(eps));
@@ -153,7 +154,7 @@ void check_elastic(Findings& findings, const Setup& setup) {
 
 constexpr double epsilon = std::numeric_limits<double>::epsilon();
 
-/// The pendulum's reference against Boost.Math's elliptic integrals and functions and against itself at 50 digits.
+/// Compares the pendulum's reference with Boost.Math's elliptic integrals and functions and with itself at 50 digits.
 void check_references(Findings& findings) {
   const double w0 = bob_frequency();
   for (const double degrees : {0.1, 60.0, 179.0}) {
@@ -192,7 +193,7 @@ void check_references(Findings& findings) {
                   "rad");
 }
 
-/// odeint by itself, without any of the solver: what its step control keeps of a tolerance.
+/// odeint alone, without the solver: error of its step control against the tolerance.
 void check_odeint(Findings& findings) {
   const double amplitude = 60.0 * degree;
   const double duration = 0.8 * bob_motion(amplitude).period();
@@ -222,7 +223,7 @@ void check_odeint(Findings& findings) {
   findings.figure(chart);
 }
 
-/// The same steppers inside the solver and alone: two roads to one number.
+/// Compares the results of the same steppers inside the solver and alone.
 void check_adapter(Findings& findings, const Setup& setup) {
   const double amplitude = 60.0 * degree;
   const auto motion = bob_motion(amplitude);
@@ -244,7 +245,7 @@ void check_adapter(Findings& findings, const Setup& setup) {
   }
 }
 
-/// Relative energy E/E0 - 1 over 1e4 periods: lowest and highest in each hundredth of the run, and at the end.
+/// Relative energy E/E0 - 1 over 1e4 periods: minimum and maximum in each hundredth of the run, and value at the end.
 struct EnergyHistory {
   std::vector<double> lowest = std::vector<double>(100, 0.0);
   std::vector<double> highest = std::vector<double>(100, 0.0);
@@ -260,7 +261,7 @@ inline EnergyHistory energy_history(const scenes::Pendulum& p, const Integrator&
   EnergyHistory history;
   const Watcher watch = [&](const State& s, const StepInfo& info) {
     const double sine = std::sin(0.5 * s.q[0]);
-    // Differences of squares: the energy is needed to more digits than its two parts have together.
+    // Difference of squares as a product: the energy is needed to more digits than a sum of its two parts would have.
     history.end =
         (0.5 * inertia * s.v[0] * s.v[0] + 2.0 * weight * (sine - half) * (sine + half)) / (2.0 * weight * half * half);
     const auto window = static_cast<std::size_t>(std::min(99L, info.step * 100 / steps));
@@ -273,9 +274,9 @@ inline EnergyHistory energy_history(const scenes::Pendulum& p, const Integrator&
   return history;
 }
 
-constexpr long periods = 10000;  // of the runs whose energy is watched
+constexpr long periods = 10000;  // of the runs whose energy is recorded
 
-/// Small swings, where each method is a 2 x 2 matrix whose rotation and growth are known to all orders.
+/// Small oscillations, for which each method is a 2 x 2 matrix whose rotation and growth are known to all orders.
 void check_small_swings(Findings& findings, const Setup& setup) {
   const double amplitude = 0.1 * degree;
   const double T = bob_motion(amplitude).period();
@@ -298,7 +299,7 @@ void check_small_swings(Findings& findings, const Setup& setup) {
                period_of(scene, make_integrator("rk4"), y / bob_frequency(), 2.0 * T) / T - 1.0, y / angle - 1.0,
                Tolerance::truncation(std::pow(y, 5.0) / 724.0, 1.0, passages));
   constexpr long steps = 64;
-  constexpr long started = 7;  // by Fehlberg 7(8), without an error to speak of
+  constexpr long started = 7;  // steps by Fehlberg 7(8), with negligible error
   const double error =
       swing_error(scene, make_integrator("odeint_abm8"), 0.8 * T, steps, bob_frequency(), bob_motion(amplitude)).error;
   const double predicted = adams_swing_error(0.8 * 2.0 * pi / steps, steps - started);
@@ -318,7 +319,7 @@ void check_small_swings(Findings& findings, const Setup& setup) {
       steps, 2 * steps, std::log2(predicted / halved)));
 }
 
-/// The largest error of the energy within each hundredth of the run, for several methods.
+/// Figure of the largest energy error within each hundredth of the run, for several methods.
 Figure energy_chart(const EnergyHistory& kept, double bound, const Setup& setup) {
   Figure chart{.name = "energy_drift",
                .title = "Energy over ten thousand periods",

@@ -28,7 +28,7 @@ double speed_error(double of_restitution) {
          reference::effective_column_mass(problem);
 }
 
-/// Over 64 phases of the touch, with a step of its own each.
+/// Errors over 64 phases of the touch, each with a different step.
 struct PhaseErrors {
   PhaseError v1, V1;  // [ft/s]
   PhaseError depth;   // relative
@@ -60,7 +60,7 @@ Tolerance near_prediction(EndRule rule) {
       .relative();
 }
 
-/// The errors at n steps per contact beside those predicted of v1 [ft/s] and of the overlap (relative).
+/// Compares the errors at n steps per contact with the predicted errors of v1 [ft/s] and of the overlap (relative).
 void check_errors(const PhaseErrors& errors, const PivotedRun& run, double n, double predicted_v1,
                   double predicted_depth, Findings& findings) {
   const std::string name = run.rule == EndRule::attractive ? "attractive" : "clamped";
@@ -77,8 +77,8 @@ void check_errors(const PhaseErrors& errors, const PivotedRun& run, double n, do
                worst_ratio(rock, overlap), 1.0, near);
 }
 
-/// Errors of the impact at fixed stiffness by velocity Verlet against the soft reference, over the phases of the touch:
-/// order, and root mean squares beside the predicted ones, for both end rules, and a figure. Fault `clamped`.
+/// Errors of the impact at fixed stiffness by velocity Verlet relative to the soft reference, over the phases of the
+/// touch: order, root mean squares compared with predictions, for both end rules, and a figure. Fault `clamped`.
 void check_step(Findings& findings, const Setup& setup) {
   Figure figure{.name = "step_error",
                 .title = "Error of the column's speed against the step",
@@ -155,7 +155,7 @@ void compare_equations(Findings& findings) {
                 reference::printed_largest_angle(problem, rigid.angular), 0.3546, 5e-5, "rad");
 }
 
-/// 1993's way: central difference from touch, Eq. 21 whatever the end rule.
+/// Runs the impact as in 1993: central difference from touch, and, with `eq_21` set, Eq. 21 for both end rules.
 AfterImpact variant(const PivotedRun& run, double steps, Findings& findings) {
   const double time = reference::soft_impact(problem, contact_of(run)).at_end.t;
   return impact(run, CentralDifference{}, incommensurate_step(time, steps), {}, findings);
@@ -174,8 +174,8 @@ std::vector<std::string> row_of(const PivotedRun& run, double steps, const After
           as_printed ? "yes" : "no"};
 }
 
-/// What the 1993 report prints of the pivoted cylinder beside its corrected equations and the solver: tables, and the
-/// setting that gives all three printed numbers.
+/// Compares the values printed in the 1993 report with its corrected equations and the solver: tables, and the setting
+/// that gives all three printed numbers.
 void check_report_of_1993(Findings& findings) {
   compare_equations(findings);
   Table table{.name = "variants",
@@ -211,7 +211,7 @@ void check_report_of_1993(Findings& findings) {
       "one setting that gives them, not proof that it was used.");
 }
 
-/// The ledger's closures against the predicted constant.
+/// Compares the energy balance errors with the predicted constant.
 void check_closures(Findings& findings, const Convergence& closures, double damping) {
   const double e = problem.restitution;
   const double constant = 0.25 * damping * (1.0 - e * e) / (0.5 * problem.rock_mass);
@@ -245,9 +245,9 @@ double about_pin(const State& s) {
          0.4 * problem.rock_mass * problem.rock_radius * problem.rock_radius * s.v[3];
 }
 
-/// The accounts of one impact.
+/// Balance errors of one impact.
 struct Closure {
-  double energy{};    ///< at the end, over the largest kinetic energy
+  double energy{};    ///< balance error at the end, over the largest kinetic energy
   double momentum{};  ///< largest relative change of the angular momentum about the pin
 };
 
@@ -263,7 +263,7 @@ Closure closure_of(const Scene& scene, const Integrator& method, double step, do
   return found;
 }
 
-/// Momentum about the pin and the ledger during the impact, without gravity. Fault `rk4`.
+/// Angular momentum about the pin and energy balance of the impact, without gravity. Fault `rk4`.
 void check_ledger(Findings& findings, const Setup& setup) {
   Convergence closures;
   double worst_momentum = 0.0;
@@ -291,20 +291,20 @@ void check_ledger(Findings& findings, const Setup& setup) {
 }
 
 constexpr double softest = 4e4;                         // [lbf/ft]
-constexpr double stiffest = softest * 4096.0 * 1024.0;  // [lbf/ft], 4^11 times that: rigid to 4e-6
+constexpr double stiffest = softest * 4096.0 * 1024.0;  // [lbf/ft], 4^11 times `softest`: rigid to 4e-6
 
-/// How far the soft contact's answers are from the rigid ones, and from the soft reference's, over k_n.
+/// Differences of the soft contact's results from the rigid ones and from those of the soft reference, over k_n.
 struct Approach {
   Convergence column, rock, swing;  ///< distance of v1 [ft/s], V1 [ft/s] and the largest angle [rad] to the rigid ones
   Series soft_column{.label = "v1 [ft/s], soft reference", .style = Style::lines};
   Series soft_rock{.label = "V1 [ft/s], soft reference", .style = Style::lines};
   Series soft_swing{.label = "largest angle [rad], soft reference", .style = Style::lines};
   double apart{};    ///< largest distance of solver and soft reference [ft/s]
-  double carried{};  ///< of which the interpolated end explains so much
+  double carried{};  ///< largest part of it that the interpolated end explains [ft/s]
   AfterImpact last;  ///< at the largest stiffness
 };
 
-/// Adds one stiffness to the comparison of `a` with the soft reference.
+/// Adds the run at one stiffness to the comparison of `a` with the soft reference.
 void add_soft_reference(Approach& a, const PivotedRun& run, const reference::PivotedImpact& rigid, double angle) {
   const reference::PivotedSoftImpact soft = reference::soft_impact(problem, contact_of(run));
   const double compliance = 1.0 / std::sqrt(run.stiffness);
@@ -313,8 +313,8 @@ void add_soft_reference(Approach& a, const PivotedRun& run, const reference::Piv
   a.soft_column.y.push_back(std::abs(soft.column_speed - rigid.column));
   a.soft_rock.y.push_back(std::abs(soft.at_end.rock_vx - rigid.rock));
   a.soft_swing.y.push_back(std::abs(soft.largest_angle - angle));
-  // The end's time is interpolated: off by at most dt^2 d''/(8 d') = dt^2 2 xi w/8. The weight slows the column by
-  // h w0^2 theta.
+  // The end time is interpolated, with an error of at most dt^2 d''/(8 d') = dt^2 2 xi w/8. The weight decelerates the
+  // column by h w0^2 theta.
   const double late = std::pow(converged_interval, 2) * damping_ratio_of(run) / (4.0 * frequency_of(run));
   a.carried = std::max(a.carried, late * problem.mass * problem.gravity * std::pow(0.5 * problem.length, 2) /
                                       reference::inertia_about_pin(problem) * soft.at_end.angle);
@@ -336,7 +336,8 @@ Approach approach(const reference::PivotedImpact& rigid, double angle, Findings&
   return a;
 }
 
-/// By which power of the stiffness the answers approach, and that the soft reference does the same.
+/// Checks the power of the stiffness with which the results approach the rigid impact, and that the soft reference does
+/// the same.
 void check_approach(const Approach& a, Findings& findings) {
   const std::string why =
       "the column turns during the contact by an angle that goes with the contact time; the next power is at most "
@@ -364,7 +365,8 @@ void check_approach(const Approach& a, Findings& findings) {
                    .slopes = {{1.0, a.column.steps().back(), 5.0 * a.column.errors().back(), "1/sqrt(k_n)"}}});
 }
 
-/// Rigid impact: the soft contact's answers at a stiffness where a sixteenth of it is four times as far away.
+/// Rigid impact: results of the soft contact at the largest stiffness; at a sixteenth of it they differ four times as
+/// much.
 void check_rigid_limit(Findings& findings, const Setup& setup) {
   const reference::PivotedImpact rigid = reference::rigid_impact(problem);
   const double angle = reference::corrected_largest_angle(problem, rigid.angular);
@@ -382,7 +384,7 @@ void check_rigid_limit(Findings& findings, const Setup& setup) {
   if (!setup.coarse) check_approach(a, findings);
 }
 
-/// Restitution that each dashpot gives.
+/// Restitution obtained with each dashpot.
 void check_effective_restitution(Findings& findings, const Setup& setup) {
   for (const Dashpot dashpot : {Dashpot::pivoted_mass, Dashpot::two_masses}) {
     const bool pivoted = dashpot == Dashpot::pivoted_mass;
@@ -392,7 +394,7 @@ void check_effective_restitution(Findings& findings, const Setup& setup) {
     };
     const double exact = reference::restitution_of(problem, contact_of({.stiffness = stiffest, .dashpot = dashpot}));
     const double softer = std::abs(restitution_at(stiffest / 16.0) - exact);
-    // The right dashpot's distance bounds both: a faulty one may not widen it.
+    // The correct dashpot's difference bounds both, so that a faulty dashpot cannot widen the tolerance.
     findings.expect(pivoted ? "effective e, Eq. 21 with the pivoted mass" : "effective e, Eq. 21 with the two masses",
                     restitution_at(stiffest), exact,
                     Tolerance::model(std::min(softer, 5e-5) / 4.0 * 1.2,

@@ -25,8 +25,8 @@ double small_frequency() {
   return std::sqrt(0.5 * pivoted.mass * pivoted.gravity * pivoted.length / reference::inertia_about_pin(pivoted));
 }
 
-/// The exact pendulum through a state of the column: by energy it passes the bottom with `rate`, and has the state's
-/// angle a time `since` later.
+/// Exact pendulum motion through a state of the column: its rate at the bottom follows from energy, and it reaches the
+/// state's angle the time `since` after the bottom.
 struct SwingThrough {
   reference::PendulumMotion motion;
   double since{};
@@ -35,19 +35,19 @@ struct SwingThrough {
       : motion{reference::swing(
             pivoted, std::sqrt(rate * rate + std::pow(2.0 * small_frequency() * std::sin(0.5 * angle), 2)))} {
     since = angle / rate;
-    for (int i = 0; i < 6;
-         ++i)  // Newton: the angle is a few hundredths of the largest, 6 steps are twice what it takes
+    // Newton: the angle is a few hundredths of the largest, and 6 steps are twice as many as needed.
+    for (int i = 0; i < 6; ++i)
       since += (angle - motion.at(since).angle) / motion.at(since).rate;
   }
 };
 
-/// Angle and rate of the column over time, and the rock's speed.
+/// Angle and rate of the column and speed of the rock over time.
 struct Track {
   std::vector<double> t, angle, rate, rock;
-  double turned{};  ///< largest angle, between steps
+  double turned{};  ///< largest angle, interpolated between steps
 };
 
-/// Largest error of the angle over the swing in steps of that length, from the exact motion through `start`.
+/// Largest error of the angle over the swing with this step, relative to the exact motion through `start`.
 double largest_angle_error(const PivotedRun& run, const State& start, double step, const Setup& setup,
                            Findings& findings) {
   const SwingThrough exact{start.q[0], start.v[0]};
@@ -62,13 +62,13 @@ double largest_angle_error(const PivotedRun& run, const State& start, double ste
   return end.finished ? largest : std::nan("");
 }
 
-/// Largest error of the angle that velocity Verlet is predicted to make from that state until `swing_time`, over
-/// (w0 h)^2 [rad].
+/// Predicted largest error of the angle by velocity Verlet from the state `start` until `swing_time`, over (w0 h)^2
+/// [rad].
 ///
-/// Its steps lie on the motion of H + (w0 h)^2 D (leapfrog_swing.hpp), in units w0 = 1 D = p^2 cos x/12 - sin^2 x/24,
-/// from the same x and p. To first order their distance (a, b) from the exact motion obeys
+/// The steps lie on the motion of H + (w0 h)^2 D (leapfrog_swing.hpp), in units w0 = 1, D = p^2 cos x/12 - sin^2 x/24,
+/// from the same x and p. To first order their difference (a, b) from the exact motion satisfies
 ///   a' = b + dD/dp = b + p cos x/6,   b' = -cos(x) a - dD/dx = -cos(x) a + (p^2 + cos x) sin x/12,   a = b = 0 at
-///   first.
+///   the start.
 double predicted_error_constant(const State& start) {
   using Vector = std::array<double, 4>;  // x, p, a, b
   const auto rates = [](const Vector& y) {
@@ -80,7 +80,7 @@ double predicted_error_constant(const State& start) {
       y[i] += h * rate[i];
     return y;
   };
-  constexpr int steps = 1000;  // of Runge-Kutta 4, 3e-3 each: error 1e-10
+  constexpr int steps = 1000;  // of Runge-Kutta 4, each 3e-3 long: error 1e-10
   const double h = (swing_time - start.t) * small_frequency() / steps;
   Vector y{start.q[0], start.v[0] / small_frequency(), 0.0, 0.0};
   double largest = 0.0;
@@ -118,7 +118,7 @@ void check_order(const PivotedRun& run, const State& start, double production_st
                   "rad");
 }
 
-/// Central difference from touch to `swing_time`; every step is kept until `dense`, every 40th later.
+/// Runs central difference from touch to `swing_time`; records every step until `dense`, then every 40th.
 Track whole_run(const PivotedRun& run, double step, double dense, const Setup& setup, Findings& findings) {
   Track track;
   TurningPointFinder finder{0};
@@ -136,7 +136,7 @@ Track whole_run(const PivotedRun& run, double step, double dense, const Setup& s
   return track;
 }
 
-/// Speeds of rock and column's centre until `end`; every fourth sample of the solver is drawn.
+/// Figure of the speeds of the rock and of the column's centre until `end`, with every fourth sample of the solver.
 Figure velocities(const std::string& name, const std::string& title, const std::string& caption, double end,
                   const Track& track, const reference::PivotedSoftImpact& soft) {
   const reference::PivotedImpact rigid = reference::rigid_impact(pivoted);
@@ -162,7 +162,7 @@ Figure velocities(const std::string& name, const std::string& title, const std::
   return figure;
 }
 
-/// What the step makes of the production run, predicted.
+/// Predicted errors of the production run due to the step.
 struct Expected {
   reference::PivotedContact contact;
   double error_of_v1{};     ///< largest [ft/s]
@@ -170,8 +170,8 @@ struct Expected {
   std::string why;
 };
 
-/// The whole run against the soft reference, and its figures. `end` is the state after the contact, `exact` the swing
-/// through it.
+/// Compares the whole run with the soft reference, and draws its figures. `end` is the state after the contact, `exact`
+/// the motion through it.
 void compare_over_time(Findings& findings, const Track& track, const State& end, const SwingThrough& exact,
                        const Expected& expected) {
   const reference::PivotedSoftImpact soft = reference::soft_impact(pivoted, expected.contact, track.t);

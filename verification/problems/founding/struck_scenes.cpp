@@ -29,7 +29,7 @@ double rms_of_difference(double (*f)(double), double offset) {
   return std::sqrt(sum / points);
 }
 
-/// rms over all offsets as well.
+/// The same, rms also over all offsets.
 double rms_of_difference(double (*f)(double)) {
   constexpr int offsets = 64;
   double sum = 0.0;
@@ -100,7 +100,7 @@ PhasedImpact struck_column(double restitution) {
           reference::impact_events({k, contact.damping, m, problem.approach_speed}, contact.end).contact_time,
       .watch = 1.3,
       .observed = 0,
-      // The rock comes up its parabola to G's height at the touch; the column hangs at rest.
+      // The rock rises on its parabola to the height of G at touch; the column hangs at rest.
       .taken_back =
           [g](State& state, double t) {
             state.q[1] -= t * state.v[1];

@@ -18,10 +18,10 @@ namespace {
 using std::numbers::pi;
 constexpr double per_small_swing = 128.0;  // steps
 
-/// A decimal number of 45 digits, rounded to 14 places by way of a long double, which carries 18 digits.
+/// Rounds a decimal number of 45 digits to 14 decimals, through a long double, which has 18 digits.
 std::string rounded(const std::string& decimal) { return fmt::format("{:.14f}", std::stold(decimal)); }
 
-/// Periods over that of small swings, beside the elliptic integral.
+/// Figure of the periods over that of small oscillations, with the elliptic integral.
 Figure period_figure(const Series& ratio) {
   const Series elliptic = curve("2 K/pi", multiples(1.0, 1, 179), [](double degrees) {
     return bob_motion(degrees * degree).period() * bob_frequency() / (2.0 * pi);
@@ -36,7 +36,7 @@ Figure period_figure(const Series& ratio) {
           .series = {elliptic, ratio}};
 }
 
-/// Relative errors of the period over (w0 h)^2, beside the constant of the modified Hamiltonian.
+/// Figure of the relative errors of the period over (w0 h)^2, with the constant of the modified Hamiltonian.
 Figure constant_figure(const Series& measured) {
   const Series theory = curve("modified Hamiltonian", multiples(1.0, 1, 179),
                               [](double degrees) { return verlet_period_constant(degrees * degree); });

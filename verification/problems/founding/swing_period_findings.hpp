@@ -4,8 +4,8 @@
 
 namespace talus::verification::problems {
 
-/// Periods from 0.1 to 179 degrees, by interpolated passages, against the elliptic integral; and by how much velocity
-/// Verlet misses it, against its own theory. Faults of bob() and verlet().
+/// Compares periods from 0.1 to 179 degrees, measured between interpolated passages, with the elliptic integral, and
+/// their errors with the theory of velocity Verlet. Faults of bob() and verlet().
 void check_amplitudes(Findings& findings, const Setup& setup);
 
 }  // namespace talus::verification::problems

@@ -27,13 +27,13 @@ Integrator verlet(const Setup& setup) {
   return make_integrator(setup.has("euler_cromer_for_verlet") ? "euler_cromer" : "velocity_verlet");
 }
 
-/// A smooth motion after an impact, and where it is at the end.
+/// A smooth motion after an impact, and its exact state at the end.
 struct SmoothMotion {
   std::string name;
   Scene scene;
   double duration;
   double position, velocity;  ///< at the end, exact
-  double scale, start;        ///< largest position, and velocity, which is largest at the start
+  double scale, start;        ///< largest position; velocity at the start, which is the largest
 };
 
 SmoothMotion particle_on_cables() {
@@ -41,7 +41,7 @@ SmoothMotion particle_on_cables() {
   const double v1 = reference::rigid_impact(problem).particle;
   const reference::TwoCableMotion motion{problem, v1};
   Scene cables = scenes::two_cable({.contact = LinearSpringDashpot{1.0, 0.0, EndRule::attractive}});
-  cables.initial.q[2] = -100.0;  // the striker is out of the way
+  cables.initial.q[2] = -100.0;  // the striker is out of reach
   cables.initial.v = {v1, 0.0, 0.0, 0.0};
   const double duration = 1.3 * motion.time_to_turning();
   const auto end = motion.at(duration);
@@ -55,14 +55,14 @@ SmoothMotion column_swing() {
   Scene column = scenes::pivoted_cylinder({.rock_radius = problem.rock_radius,
                                            .gravity = problem.gravity,
                                            .contact = LinearSpringDashpot{1.0, 0.0, EndRule::attractive}});
-  column.initial.q[1] = -100.0;  // the rock is out of the way
+  column.initial.q[1] = -100.0;  // the rock is out of reach
   column.initial.v = {w1, 0.0, 0.0, 0.0};
   const double duration = 0.325 * motion.period();
   const auto end = motion.at(duration);
   return {"column's swing", column, duration, end.angle, end.rate, motion.amplitude(), w1};
 }
 
-/// The order of one method on one motion; its curve, and the slope to compare with.
+/// Checks the order of one method on one motion, and draws its curve and, if required, the slope for comparison.
 void study(const SmoothMotion& motion, const std::string& method, bool with_slope, Figure& figure, Findings& findings,
            const Setup& setup) {
   const auto claim = findings.in("integrator." + method), group = findings.in(motion.name);
@@ -96,7 +96,7 @@ void study(const SmoothMotion& motion, const std::string& method, bool with_slop
   figure.series.push_back(series);
 }
 
-/// The smooth motions after the impacts of cases 1 and 2: each method's declared order. Fault
+/// The declared order of each method on the smooth motions after the impacts of cases 1 and 2. Fault
 /// `euler_cromer_for_verlet`.
 void check_smooth(Findings& findings, const Setup& setup) {
   Figure figure{.name = "smooth",
@@ -119,22 +119,22 @@ void check_smooth(Findings& findings, const Setup& setup) {
 
 constexpr double pi = std::numbers::pi;
 
-/// Speed after the contact over that before it, by the exact map of the leapfrog: eta = w h, the touch at the share
+/// Speed after the contact over that before it, by the exact map of the leapfrog: eta = w h, the touch at the fraction
 /// `phase` of a step.
 double leapfrog_exit(double eta, double phase) {
-  const double turn = 2.0 * std::asin(0.5 * eta);  // rotation of the leapfrog a step
+  const double turn = 2.0 * std::asin(0.5 * eta);  // rotation of the leapfrog per step
   const double theta = 1.0 - phase;
   // Angle of the state at its first point in contact.
   const double start = std::atan2(eta * theta * std::sqrt(1.0 - 0.25 * eta * eta), 1.0 - 0.5 * eta * eta * theta);
-  const double inside = std::floor((pi - start) / turn);  // steps after the first point, the depth still positive
-  const double q = std::sin(start + inside * turn);       // last depth in contact over the amplitude
+  const double inside = std::floor((pi - start) / turn);  // steps after the first point with positive overlap
+  const double q = std::sin(start + inside * turn);       // last overlap in contact over the amplitude
   const double p = std::cos(start + inside * turn);       // velocity there, over the amplitude, < 0
   const double amplitude = std::sqrt(1.0 - eta * eta * theta * (1.0 - theta));
   const double depth = q * amplitude / std::sqrt(1.0 - 0.25 * eta * eta);
   return -(p * amplitude - 0.5 * eta * depth);
 }
 
-/// A step that divides the contact time shows an order that the method does not have: false orders, and a figure.
+/// Steps that divide the contact time show an order that the method does not have: false orders, and a figure.
 void check_commensurate(Findings& findings) {
   const PhasedImpact elastic = struck_disc({});
   Table common = common_formula(
@@ -181,8 +181,8 @@ void check_commensurate(Findings& findings) {
   findings.figure(figure);
 }
 
-/// What an undamped impact gains and loses at steps up to 2/w, against the exact map of the leapfrog: a check and a
-/// table.
+/// Compares gain and loss of speed in an undamped impact, at steps up to 2/w, with the exact map of the leapfrog: a
+/// check and a table.
 void check_gain(Findings& findings) {
   Table table = common_formula(
       "gain",
@@ -215,7 +215,7 @@ void check_gain(Findings& findings) {
   findings.table(table);
 }
 
-/// Each onset phase by itself at one coarse step, against the exact map of the leapfrog: a check and a figure.
+/// Compares each single onset phase at one coarse step with the exact map of the leapfrog: a check and a figure.
 void check_phases(Findings& findings) {
   const double count = 16.0;
   const std::vector<double> counts{count};
@@ -240,18 +240,18 @@ void check_phases(Findings& findings) {
 
 constexpr double wall_damping = 0.2;
 
-/// One curve of a figure and the checks on it.
+/// One curve of a figure and its checks.
 struct Study {
-  std::string scene;  ///< named in checks
+  std::string scene;  ///< name in the checks
   PhasedImpact impact;
-  std::string method;          ///< in make_integrator
+  std::string method;          ///< name for make_integrator()
   std::vector<double> counts;  ///< N
   Offset offset;
   int order;
   double constant;  ///< predicted rms relative error times N^order
   double admitted;  ///< relative deviation of the constant that `why` explains
   std::string why;
-  double tilt;  ///< of the order fitted, either way, that `tilt_why` explains
+  double tilt;  ///< deviation of the fitted order, in either direction, that `tilt_why` explains
   std::string tilt_why;
 };
 
@@ -289,8 +289,8 @@ constexpr const char* own_offsets =
     "first-term prediction for phases of onset and release that are spread evenly and independently; 64 pairs stand "
     "for that square to about 3 %";
 
-/// Why the line through six sweeps, from 8 to 8192 steps, may be tilted by .33 of what the order between the first two
-/// is off.
+/// Reason why the line through six sweeps, from 8 to 8192 steps, may be tilted by 0.33 of the error of the order
+/// between the first two.
 std::string pair_why(double off) {
   return fmt::format(
       "between 8 and 32 steps the next order makes it {} off, and a quarter of that from one pair to the next: the "
@@ -298,10 +298,10 @@ std::string pair_why(double off) {
       off);
 }
 
-/// The disc on the wall by one method, undamped and damped: two curves, and the lines predicted for them.
+/// The disc on the wall by one method, undamped and damped: two curves, and their predicted lines.
 void study_wall(const std::string& method, Figure& figure, Findings& findings, const Setup& setup) {
   const bool rk4 = method == "rk4";
-  // The fewest steps tilt most: three sweeps have to do when coarse, and begin at 32.
+  // The smallest numbers of steps tilt the line most: a coarse run, with only three sweeps, begins at 32.
   const std::vector<double> wall_counts = counts_of(setup, setup.coarse ? 32.0 : 8.0, 6);
   const PhasedImpact elastic = struck_disc({});
   const PhasedImpact damped = struck_disc({.damping_ratio = wall_damping, .without_dashpot = setup.has("dashpot_off")});
@@ -310,8 +310,8 @@ void study_wall(const std::string& method, Figure& figure, Findings& findings, c
   const double damped_constant =
       w_tc * (rk4 ? rk4_damped_constant(wall_damping, reference::EndRule::clamped)
                   : leapfrog_impact_error(wall_damping, reference::EndRule::clamped).restitution);
-  // Leapfrog, undamped: its period shifts the offset by -pi^2/(24 N), the error by the share -.411/N. Others
-  // measured.
+  // Leapfrog, undamped: its period shifts the offset by -pi^2/(24 N), the error by a fraction of -0.411/N. The other
+  // values are measured.
   const double elastic_pair = rk4 ? 0.0033 : 0.0277;
   const double damped_pair = rk4 ? 0.0045 : 0.0256;
   const Offset offset = setup.has("commensurate_step") ? Offset::none : Offset::common;
@@ -323,7 +323,7 @@ void study_wall(const std::string& method, Figure& figure, Findings& findings, c
                                            "first-order prediction; its next order is below 1e-3 at the finest step",
                                            0.33 * damped_pair, pair_why(damped_pair)}));
   if (integrator_traits(method).is_staggered) return;
-  // Labels stand at the anchors: those of rk4 apart from those of velocity Verlet.
+  // Labels are drawn at the anchors: those of rk4 away from those of velocity Verlet.
   const double anchor = rk4 ? 4e-4 : 2e-2;
   figure.slopes.push_back(
       {2.0, anchor, elastic_constant * anchor * anchor, fmt::format("{:.3f} h^2", elastic_constant)});
@@ -348,13 +348,12 @@ void check_wall(Findings& findings, const Setup& setup) {
   if (!setup.coarse) findings.figure(figure);
 }
 
-/// The particle on its cables or the column by one method, undamped and damped: two curves, and the lines predicted for
-/// them.
+/// The particle on its cables or the column by one method, undamped and damped: two curves, and their predicted lines.
 void study_case(bool cables, const std::string& method, Figure& figure, Findings& findings, const Setup& setup) {
   const bool rk4 = method == "rk4";
   const double xi = reference::damping_ratio(0.5, reference::EndRule::attractive);
   const double w_tc = pi / std::sqrt(1.0 - xi * xi);
-  // The struck body's speed is proportional to 1 + e: a relative error r of e is one of e r/(1 + e) of the speed.
+  // The struck body's speed is proportional to 1 + e: a relative error r of e changes the speed by e r/(1 + e).
   const double share = 0.5 / 1.5;
   const double scatter = setup.coarse ? 0.04 : 0.0104;
   const std::string scatter_why =

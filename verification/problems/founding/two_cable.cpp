@@ -21,10 +21,10 @@ namespace {
 
 const reference::TwoCable problem{};
 
-/// The particle launched at v1 with the striker out of reach: smooth motion under velocity Verlet.
+/// Errors of the particle launched at v1 with the striker out of reach: smooth motion under velocity Verlet.
 struct Launch {
-  double time_error{};      ///< of the turn, signed [s]
-  double distance_error{};  ///< of the turn, signed [m]
+  double time_error{};      ///< of the turning point, signed [s]
+  double distance_error{};  ///< of the turning point, signed [m]
   double curve_error{};     ///< largest |v^2 - v^2(theta)|, Eq. 27 [m^2/s^2]
   Series curve{.label = "solver, every eighth of 160 steps", .style = Style::points};
 };
@@ -53,7 +53,7 @@ Launch launched(const reference::TwoCableMotion& motion, double turning_time, do
   return launch;
 }
 
-/// D of the Hamiltonian that velocity Verlet really keeps, H + h^2 D: v^2 U''/12 - U'^2/(24 m) (Hairer, Lubich & Wanner
+/// D of the Hamiltonian that velocity Verlet conserves, H + h^2 D: v^2 U''/12 - U'^2/(24 m) (Hairer, Lubich & Wanner
 /// 2006, IX.8), with U'' = 2 k (1 - l/L + x^2 l/L^3), L = sqrt(l^2 + x^2).
 double kept_in_addition(double x, double v) {
   const double l = problem.length, L = std::sqrt(l * l + x * x);
@@ -62,8 +62,8 @@ double kept_in_addition(double x, double v) {
   return v * v * curvature / 12.0 - slope * slope / (24.0 * problem.mass);
 }
 
-/// Integral of D over the quarter swing launched at v1, by Simpson's rule in u with x = x_max sin u: dt = du sqrt(s_max
-/// (L_max + L)/ (1 + s/s_max))/v1, s the stretch (verification/reference/two_cable.hpp).
+/// Integral of D over the quarter period launched at v1, by Simpson's rule in u with x = x_max sin u: dt = du
+/// sqrt(s_max (L_max + L)/ (1 + s/s_max))/v1, s the elongation (verification/reference/two_cable.hpp).
 double integral_in_addition(double v1) {
   const reference::TwoCableMotion motion{problem, v1};
   const double furthest = motion.largest_distance();
@@ -83,10 +83,10 @@ double integral_in_addition(double v1) {
   return sum * 0.5 * std::numbers::pi / (3.0 * n);
 }
 
-/// What the launch at v1 in steps of that length misses, over what it is predicted to miss.
+/// Checks the errors of the launch at v1 with this step against their predictions.
 void check_constants(const reference::TwoCableMotion& motion, double v1, double step, const Launch& launch,
                      Findings& findings) {
-  // At the launch D = 0 (the cables have no stiffness across their line), so E is the true one; the quarter period at
+  // At the launch D = 0 (the cables have no stiffness across their line), so E is exact; the quarter period at
   // fixed energy changes by -h^2 d/dE of the integral of D, dE = m v1 dv1, and the turn lies where U - h^2 U'^2/(24 m)
   // = E.
   const double dv = 1e-3;
@@ -115,7 +115,7 @@ void check_constants(const reference::TwoCableMotion& motion, double v1, double 
                   Tolerance::model(1e-3, argument));
 }
 
-/// Speed over angle, the solver beside Eq. 27.
+/// Figure of the speed over the angle, solver and Eq. 27.
 Figure speed_curve(const reference::TwoCableMotion& motion, const Series& solver) {
   Series exact{.label = "Eq. 27", .style = Style::lines};
   for (int i = 0; i <= 200; ++i) {
@@ -130,12 +130,12 @@ Figure speed_curve(const reference::TwoCableMotion& motion, const Series& solver
           .series = {exact, solver}};
 }
 
-/// The particle of the case `two_cable` launched through its unstretched cables, the striker out of reach, by velocity
-/// Verlet: orders, and the constants that follow from the Hamiltonian which the method keeps. Fault `euler_cromer`.
+/// The particle of the case `two_cable` launched from its unstretched cables, the striker out of reach, by velocity
+/// Verlet: orders, and the constants that follow from the Hamiltonian that the method conserves. Fault `euler_cromer`.
 void check_cables_alone(Findings& findings, const Setup& setup) {
   const double v1 = reference::rigid_impact(problem).particle;
   const reference::TwoCableMotion motion{problem, v1};
-  const double turning_time = motion.time_to_turning();  // at 50 digits: taken once
+  const double turning_time = motion.time_to_turning();  // at 50 digits: evaluated once
   Convergence time, distance;
   Launch launch;
   double step = 0.0;
@@ -155,8 +155,8 @@ void check_cables_alone(Findings& findings, const Setup& setup) {
   findings.figure(speed_curve(motion, launch.curve));
 }
 
-/// Error of the speed after the contact against the soft reference, root mean square over the phases at which the
-/// surfaces can meet within a step, against the step.
+/// Error of the speed after the contact relative to the soft reference, against the step: root mean square over the
+/// phases within a step at which the surfaces can touch.
 Convergence speed_errors(EndRule rule, std::size_t points, const Setup& setup, Findings& findings) {
   const TwoCableEnd end{rule, EndRule::attractive};
   const auto exact = reference::soft_impact(problem, soft_contact(contact_stiffness, end));
@@ -173,7 +173,7 @@ Convergence speed_errors(EndRule rule, std::size_t points, const Setup& setup, F
   return errors;
 }
 
-/// Order and constant under one end rule; its curve, the step in contact times.
+/// Checks order and constant for one end rule; returns its curve, with the step in contact times.
 Series speed_error_curve(EndRule rule, Findings& findings, const Setup& setup) {
   const bool attractive = rule == EndRule::attractive;
   const std::string name = attractive ? "attractive" : "clamped";
@@ -200,8 +200,8 @@ Series speed_error_curve(EndRule rule, Findings& findings, const Setup& setup) {
   return series;
 }
 
-/// The speed after the contact at one stiffness, by central difference, against the soft reference: order and predicted
-/// constant for both end rules, and a figure.
+/// Compares the speed after the contact at one stiffness, by central difference, with the soft reference: order and
+/// predicted constant for both end rules, and a figure.
 void check_contact_at_fixed_stiffness(Findings& findings, const Setup& setup) {
   Figure figure{
       .name = "speed_error",
@@ -219,7 +219,7 @@ void check_contact_at_fixed_stiffness(Findings& findings, const Setup& setup) {
   findings.figure(figure);
 }
 
-/// Where the particle's speed has fallen to v [m], by bisection of the monotone v(x).
+/// Distance at which the particle's speed has fallen to v [m], by bisection of the monotone v(x).
 double distance_at_speed(const reference::TwoCableMotion& motion, double v) {
   double low = 0.0, high = motion.largest_distance();
   for (int i = 0; i < 60; ++i) {
@@ -229,7 +229,7 @@ double distance_at_speed(const reference::TwoCableMotion& motion, double v) {
   return low;
 }
 
-/// The accounts of a production run, and the curve after the impact.
+/// Checks the balances of a production run, and the curve v^2(theta) after the impact.
 void check_accounts(Findings& findings, const std::string& name, TwoCableEnd end, const TwoCableRun& run, double step) {
   const auto soft = reference::soft_impact(problem, soft_contact(contact_stiffness, end));
   findings.expect(
@@ -258,7 +258,7 @@ void check_accounts(Findings& findings, const std::string& name, TwoCableEnd end
                        "the end of the contact within a step, xi w h of it, is not in that"));
 }
 
-/// One production run and its checks against the soft reference.
+/// Runs one production run and compares it with the soft reference.
 TwoCableRun check_production_run(Findings& findings, const Setup& setup, const std::string& name, TwoCableEnd end) {
   constexpr double n = 1024.0;
   const auto soft = reference::soft_impact(problem, soft_contact(contact_stiffness, end));
@@ -266,8 +266,8 @@ TwoCableRun check_production_run(Findings& findings, const Setup& setup, const s
   Scene scene = scene_of(solver_contact(contact_stiffness, end, setup), setup);
   scene.integrator = CentralDifference{};
   const TwoCableRun run = simulated(scene, 0.0, step, true, findings);
-  // The touch falls on a step's start, so of the first-order errors only the dashpot's lag is left, and for the
-  // attractive rule the jump at the end, which lies within half a step of where it should be.
+  // The touch coincides with the start of a step. The only first-order errors are therefore the dashpot's lag and, for
+  // the attractive rule, the jump at the end, which occurs within half a step of its exact time.
   const double xi = reference::damping_ratio(problem.restitution, same(end.formula));
   const double wh = std::sqrt(contact_stiffness / reduced_mass()) * step;
   const double after = particle_share() * reference::restitution(xi, same(end.rule)) * problem.approach_speed;
@@ -298,7 +298,7 @@ TwoCableRun check_production_run(Findings& findings, const Setup& setup, const s
   return run;
 }
 
-/// The production runs beside the rigid impact and the report.
+/// Compares the production runs with the rigid impact and the report.
 void check_production(Findings& findings, const Setup& setup) {
   const reference::TwoCableImpact rigid = reference::rigid_impact(problem);
   const reference::TwoCableMotion motion{problem, rigid.particle};
@@ -358,8 +358,8 @@ Figure rigid_limit(const Convergence& distance, const Convergence& time, const s
                      {0.5, time.steps().front(), 0.4 * time.errors().front(), "1/k_n^{1/2}"}}};
 }
 
-/// As the contact stiffens the answers approach the rigid impact. The step is controlled (tolerance 1e-12), so that
-/// what is left is the contact's softness alone.
+/// Approach of the results to the rigid impact as the contact stiffness increases. The step is controlled (tolerance
+/// 1e-12), so that the only remaining difference is the contact's softness.
 void check_rigid_limit(Findings& findings, const Setup& setup) {
   const reference::TwoCableImpact rigid = reference::rigid_impact(problem);
   const reference::TwoCableMotion motion{problem, rigid.particle};

@@ -14,7 +14,7 @@ namespace {
 
 const reference::TwoCable problem{};
 
-/// Follows the particle: when the contact has ended, and how far Eq. 27 holds from there on.
+/// Observes the particle: detects the end of the contact, and records the deviation from Eq. 27 after it.
 class ParticleMonitor {
  public:
   explicit ParticleMonitor(const Model& model) : probe_{model} {}
@@ -37,8 +37,8 @@ class ParticleMonitor {
   double curve_error{};
 
  private:
-  /// k l^2 (1 - cos theta)^2/(m cos^2 theta), the right-hand side of Eq. 27 over two. The stretch, l (1 - cos theta)/cos theta,
-  /// is x tan(theta/2), without a difference that would cost digits.
+  /// Half the last term of Eq. 27, k l^2 (1 - cos theta)^2/(m cos^2 theta). The elongation l (1 - cos theta)/cos theta
+  /// is computed as x tan(theta/2), which avoids cancellation.
   static double stretch_energy(double x) {
     const double s = x * std::tan(0.5 * std::atan(x / problem.length));
     return problem.stiffness * s * s / problem.mass;

@@ -16,7 +16,7 @@ namespace {
 constexpr double epsilon = std::numeric_limits<double>::epsilon();
 constexpr double amplitude = 60.0 * degree;
 
-/// The swing that all methods run.
+/// The oscillation that all methods integrate.
 struct Swing {
   Scene scene;
   reference::PendulumMotion motion{bob_motion(amplitude)};
@@ -27,13 +27,13 @@ struct Swing {
   }
 };
 
-/// The order of one method; its error against force evaluations.
+/// Checks the order of one method; returns its error against force evaluations.
 Series study(const MethodRange& method, const Swing& swing, Findings& findings, const Setup& setup) {
   const Integrator integrator = method.name == "velocity_verlet" ? verlet(setup) : make_integrator(method.name);
   Convergence convergence;
   Series series{.label = std::string(method.name)};
   const double ratio = setup.coarse ? 8.0 : std::pow(2.0, method.order() < 3 ? 1.0 : 0.5);
-  // Three steps have to do when coarse: four times shorter ones, where the tilt is a sixteenth.
+  // A coarse run uses only three steps, four times shorter, at which the tilt is a sixteenth.
   for (double n = static_cast<double>(method.first) * (setup.coarse ? 4.0 : 0.125); n < 2.5e5; n *= ratio) {
     const long steps = std::lround(n);
     if (steps < 5) continue;
@@ -56,7 +56,8 @@ Series study(const MethodRange& method, const Swing& swing, Findings& findings, 
   return series;
 }
 
-/// odeint_bulirsch_stoer, which has no fixed step, by its tolerance.
+/// Checks the error of odeint_bulirsch_stoer, which has no fixed step, against its tolerance; returns it against force
+/// evaluations.
 Series study_tolerance(const Swing& swing, Findings& findings) {
   Series stepless{.label = "odeint_bulirsch_stoer"};
   Convergence kept;
@@ -72,7 +73,7 @@ Series study_tolerance(const Swing& swing, Findings& findings) {
   return stepless;
 }
 
-/// Error against force evaluations, without curves.
+/// Empty chart of error against force evaluations.
 Figure chart(const char* name, const char* title, const std::string& caption) {
   return {.name = name,
           .title = title,
@@ -86,10 +87,11 @@ Figure chart(const char* name, const char* title, const std::string& caption) {
           .lines = {{'y', 0.5 * epsilon, "round-off of one operation"}}};
 }
 
-/// Where the slope of a method's order is drawn to compare with, so that slopes and labels stand clear of the curves.
+/// Position at which the slope of a method's order is drawn for comparison, so that slopes and labels do not overlap
+/// the curves.
 struct SlopePlace {
-  double share;   ///< of the curve's points before it
-  double height;  ///< over the curve there; 0: the method has no slope
+  double share;   ///< fraction of the curve's points before it
+  double height;  ///< ratio to the curve there; 0: the method has no slope
 };
 SlopePlace slope_place(std::string_view method) {
   if (method == "euler_cromer") return {0.75, 0.2};

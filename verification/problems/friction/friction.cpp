@@ -11,7 +11,7 @@ namespace {
 
 constexpr double loop_friction = 0.25, loop_stiffness = 64.0, loop_normal = 4.0, loop_amplitude = 0.0625;
 
-/// A block of unit mass pressed by a constant force and drawn along a path, all numbers powers of two.
+/// A block of unit mass, pressed by a constant force and drawn along a path; all numbers are powers of two.
 class DrawnBlock {
  public:
   explicit DrawnBlock(double friction)
@@ -29,7 +29,7 @@ class DrawnBlock {
     force_ = drag();
   }
 
-  /// Draws it to x; forces meanwhile go to `loop`.
+  /// Draws the block to x = `to` at unit speed, and adds the drawing forces on the way to `loop`.
   void draw(double to, Series& loop) {
     constexpr double step = 0x1p-12;
     const double way = to > state_.q[0] ? 1.0 : -1.0;
@@ -44,13 +44,13 @@ class DrawnBlock {
     }
   }
 
-  double work() const { return work_; }  ///< put in so far
+  double work() const { return work_; }  ///< of the drawing force so far [J]
   double lost() const { return state_.work[static_cast<std::size_t>(Mechanism::friction)]; }
 
  private:
   static constexpr double normal_stiffness = 1024.0;
 
-  /// Force along the plane on the block: its acceleration.
+  /// Tangential force on the block, equal to its acceleration (unit mass).
   double drag() {
     Rates rates{state_};
     system_.evaluate(state_, rates);

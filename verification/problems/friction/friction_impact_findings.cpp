@@ -14,7 +14,8 @@
 namespace talus::verification::problems {
 namespace {
 
-/// Order of the speed along the plane after the impact, and its error at 128 steps a contact times 128^2.
+/// Checks the order of the tangential speed after the impact. Returns the error with the largest number of steps per
+/// contact (128, or 64 in coarse setups) times the square of that number.
 double check_order(Findings& findings, const Setup& setup, const std::string& name, double kappa, double ratio,
                    const char* method, double width, std::vector<Convergence>& shown) {
   const reference::ObliqueImpact impact = oblique_disc(kappa, ratio);
@@ -38,7 +39,7 @@ void check_orders(Findings& findings, const Setup& setup) {
   struct Kind {
     const char* name;
     double kappa, ratio;
-    double width;  ///< of the order's interval: phases of stick and slip that do not fit the steps scatter
+    double width;  ///< half the interval of the order: stick and slip phases that do not fit the steps scatter errors
   };
   const std::array kinds{Kind{"sliding all through", 0.8, 5.0, 0.008},
                          Kind{"sticking all through", 1.0 / 3.0, 0.6, 0.008},
@@ -75,7 +76,7 @@ void check_orders(Findings& findings, const Setup& setup) {
   findings.figure(figure);
 }
 
-/// Sliding all through: what the friction takes is mu times what the normal force gives, step by step.
+/// Sliding throughout: in each step the friction impulse is mu times the normal impulse.
 void check_gross_sliding(Findings& findings, const Setup& setup) {
   const reference::ObliqueImpact impact = oblique_disc(0.8, 5.0);
   const Scene scene = oblique_scene_told(impact, setup);
@@ -105,7 +106,7 @@ void check_gross_sliding(Findings& findings, const Setup& setup) {
                                    "off; the end's 64 uneven phases leave 5 %"));
 }
 
-/// The slip comes back as it came in where both springs swing in step.
+/// The slip rate is reversed if the normal and the tangential spring oscillate in phase.
 void check_full_stick(Findings& findings, const Setup& setup) {
   const reference::ObliqueImpact impact = oblique_disc(1.0 / 3.0, 0.9);
   const Scene scene = oblique_scene_told(impact, setup);
@@ -123,7 +124,7 @@ void check_full_stick(Findings& findings, const Setup& setup) {
                                         "the end's 64 uneven phases"));
 }
 
-/// The ledger of sliding impacts: the slider's work is booked with the force of the end of each step.
+/// Energy balance of sliding impacts: the slider's work is computed with the force at the end of each step.
 void check_ledger(Findings& findings, const Setup& setup) {
   const double kappa = 0.8;
   const reference::ObliqueImpact impact = oblique_disc(kappa, 5.0);
@@ -153,7 +154,7 @@ void check_ledger(Findings& findings, const Setup& setup) {
                                    "k/k_s) h; the next power of the step, w h = .012, is 1 % of it"));
 }
 
-/// Sliding through a contact with a dashpot: what the plane takes, what the dashpot eats and lets go.
+/// Sliding impact with a dashpot: speed lost to friction, energy dissipated by the dashpot and lost at release.
 void check_damped_sliding(Findings& findings) {
   const double xi = reference::damping_ratio(0.5, reference::EndRule::clamped);
   reference::ObliqueImpact impact = oblique_disc(0.8, 8.0);
@@ -172,7 +173,7 @@ void check_damped_sliding(Findings& findings) {
     damped.add(booked(Mechanism::contact_damping) / eaten - 1.0);
   }
   const double wh = exact.contact_time / 100.5;
-  // Until the spring has been drawn to the limit mu c v_n, at once there, the contact sticks.
+  // The contact sticks until the spring reaches the limit mu c v_n, which is present from the first instant.
   const double c = impact.normal.damping, stick = mu * c / (impact.tangential_stiffness * impact.slip_rate);
   findings.expect(
       "speed lost by sliding, e = .5, over that of a rigid impact, mu (1 + e) v_n",

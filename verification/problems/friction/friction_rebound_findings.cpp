@@ -14,7 +14,7 @@
 namespace talus::verification::problems {
 namespace {
 
-/// One impact over 64 phases: exact and mean slip rate afterwards, rms error.
+/// One impact over 64 phases: slip rate before, exact and mean slip rate afterwards, rms error.
 struct Rebound {
   double before{}, exact{}, mean{}, error{};
 };
@@ -32,10 +32,11 @@ Rebound measure(const reference::ObliqueImpact& impact, const Setup& setup, Find
   return found;
 }
 
-/// -v'/v of a spring that never slips, swinging beside the normal one: right with Coulomb's limit for kappa = 1/3 only.
+/// -v'/v of a spring that never slips while the normal one oscillates; with the Coulomb limit it is correct only for
+/// kappa = 1/3.
 double without_slip(double kappa) { return -std::cos(std::numbers::pi * std::sqrt(3.0 * kappa)); }
 
-/// A row of the common formula's table, and the check of its error at k_s/k_n = 1/4.
+/// Adds a row to the table of the common formula, and checks the formula's error at k_s/k_n = 1/4.
 void compare_without_slip(double kappa, double ratio, const Rebound& found, Table& table, Findings& findings) {
   const double formula = without_slip(kappa);
   const double exact = -found.exact / found.before, solver = -found.mean / found.before;
@@ -50,7 +51,7 @@ void compare_without_slip(double kappa, double ratio, const Rebound& found, Tabl
                                         "rate before; a mean of 64 phases is not farther off than their rms"));
 }
 
-/// -after/before in words, without a minus before zero.
+/// -after/before as text, without a minus sign before zero.
 std::string returned(double after, double before) {
   const double share = -after / before;
   return fmt::format("{:.4f}", std::abs(share) < 5e-5 ? 0.0 : share);

@@ -11,9 +11,9 @@
 namespace talus::verification::problems {
 namespace {
 
-constexpr double stiffness = 2e6;  // along the normal and along the plane
+constexpr double stiffness = 2e6;  // of the normal and of the tangential spring
 
-/// Round-off of the normal force: the overlap is the difference of two lengths of half a metre.
+/// Relative round-off of the normal force: the overlap is the difference of two lengths of half a metre.
 double normal_round_off(const Slope& slope) {
   const double overlap = slope_mass * slope_gravity * std::cos(slope.angle) / slope.normal_stiffness;
   return 0.5 * 0x1p-53 / overlap;
@@ -21,8 +21,8 @@ double normal_round_off(const Slope& slope) {
 
 struct SlopeRun {
   State end{};
-  std::vector<double> time{}, speed{}, rim{};  ///< of every step, if watched: centre, and minus radius times spin
-  double largest_closure{};                    ///< of the energy
+  std::vector<double> time{}, speed{}, rim{};  ///< of every step, if watched; `rim` is -radius x spin
+  double largest_closure{};                    ///< largest energy balance error
 };
 
 SlopeRun run_slope(const Slope& slope, const Setup& setup, double step, double end, bool watched, Findings& findings) {
@@ -42,7 +42,7 @@ SlopeRun run_slope(const Slope& slope, const Setup& setup, double step, double e
   return run;
 }
 
-/// Time at which the slip rate first falls to zero, linear between steps: while the disc slides it is.
+/// Time at which the slip rate first falls to zero. Linear interpolation between steps is exact while the disc slides.
 double end_of_slip(const SlopeRun& run, double arm) {
   for (std::size_t i = 1; i < run.time.size(); ++i) {
     const double before = run.speed[i - 1] - run.rim[i - 1] * arm / slope_radius;
@@ -73,11 +73,11 @@ Figure rolling_figure(const SlopeRun& run, const reference::DraggedSlider& slide
                      rim}};
 }
 
-/// Acceleration over .05 s from rest, the spring preloaded.
+/// Mean accelerations over 0.05 s from rest, with the spring preloaded.
 struct SlopeSweep {
   std::vector<double> tangents, accelerations;
   double farthest{};  ///< relative error against the reference
-  double rigid{};     ///< relative difference to a rigid body
+  double rigid{};     ///< relative difference between the reference and a rigid body
 };
 
 double rigid_acceleration(const Slope& slope) {
@@ -100,7 +100,7 @@ SlopeSweep sweep_slopes(bool rolls, const Setup& setup, Findings& findings) {
     const double a = run.end.v[0] / time, reference = exact.at(time).speed_gain / time;
     sweep.tangents.push_back(tangent);
     sweep.accelerations.push_back(a);
-    // A block that holds has no acceleration: its error counts against gravity along the slope.
+    // A block at rest has no acceleration: its error is relative to gravity along the slope.
     const double scale = reference == 0.0 ? slope_gravity * std::sin(slope.angle) : reference;
     sweep.farthest = std::max(sweep.farthest, std::abs(a - reference) / scale);
     sweep.rigid = std::max(sweep.rigid, std::abs(reference - rigid_acceleration(slope)) / scale);
@@ -133,7 +133,7 @@ Figure slope_figure(const SlopeSweep& disc, const SlopeSweep& block) {
           .lines = {{'x', 3.0 * mu, "3 mu"}, {'x', mu, "mu"}}};
 }
 
-/// The two sides of a threshold, a thousandth apart.
+/// Checks slopes a thousandth below and above the slip threshold.
 void check_threshold(Findings& findings, const Setup& setup, bool rolls, const std::string& name) {
   for (const double share : {0.999, 1.001}) {
     Slope slope{rolls, 0.0, mu, stiffness, stiffness, 0.0, true};
@@ -165,13 +165,15 @@ void check_threshold(Findings& findings, const Setup& setup, bool rolls, const s
   }
 }
 
-/// From an unstretched spring a block between mu/2 and mu slips once and then holds: order of the path of its slider.
+/// Checks the order of the slip distance of a block that is released with an unstretched spring on a slope between mu/2
+/// and mu: it slips once and then sticks.
 void check_first_slip(Findings& findings, const Setup& setup) {
   Slope slope{false, std::atan(0.8 * mu), mu, stiffness, stiffness, 0.0, false};
   const reference::DraggedSlider slider = dragged_slider(slope);
   const double period = 2.0 * std::numbers::pi / std::sqrt(slider.tangential_stiffness / slider.mass);
   const double slipped = reference::DraggedSliderMotion{slider, 3.0 * period}.at(3.0 * period).slipped;
-  // Let go at t = 0, a run has no onset to vary: the steps spread over a tenth, which spreads the phases of the slip.
+  // All runs start at t = 0, so that no onset can be varied. Steps that differ by up to a tenth vary the phase of the
+  // slip instead.
   const std::vector<double> spread = golden_phases(fewest_phases);
   Convergence errors;
   for (const double count : doublings(64.0, 3)) {

@@ -5,9 +5,9 @@
 
 namespace talus::verification::problems {
 
-/// The solver's system with one fault: the slip of a step is that of its velocities where the step ends, not where it
-/// is half done. Velocities of the half step along directions of the full step: what velocity Verlet does in several
-/// codes (Vyas et al. 2025).
+/// The solver's system with one fault: the slip of a step is computed in the configuration at its end instead of its
+/// midpoint. Half-step velocities are thus combined with directions of the full step, as velocity Verlet does in
+/// several codes (Vyas et al. 2025).
 class LateSlipSystem {
  public:
   explicit LateSlipSystem(const Dynamics& dynamics)

@@ -8,8 +8,8 @@
 
 namespace talus::verification::problems {
 
-/// Runs any system that the integrators take for so many equal steps from t = 0, and returns its state at the end, all
-/// parts at the same time.
+/// Runs any system that the integrators accept for `steps` equal steps from t = 0. Returns the synchronised state at
+/// the end, with positions and velocities at the same time.
 template <class System>
 State run_method(System& system, Integrator integrator, State state, double step, long steps) {
   record_use(integrator);

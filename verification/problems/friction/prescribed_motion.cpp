@@ -21,15 +21,15 @@
 namespace talus::verification::problems::prescribed_motion {
 namespace {
 
-/// The solver's system with an acceleration from outside on its first three coordinates, a function of time.
+/// The solver's system with an external acceleration on its first three coordinates, a function of time.
 ///
-/// The time is the place of a clock, a particle of the scene that goes at speed 1 and on which nothing acts: so each
-/// method sees it at the very moment of its places, in every stage.
+/// The time is the position of a clock, a particle of the scene that moves at speed 1 without forces: each method
+/// therefore evaluates the function at the time of its positions, in every stage.
 class ForcedSystem {
  public:
   using Forcing = std::function<reference::Triple(double t)>;
 
-  /// `clock`: coordinate that is the time.
+  /// `clock`: index of the coordinate that is the time.
   ForcedSystem(const Dynamics& dynamics, std::size_t clock, Forcing forcing)
       : system_{dynamics, false}, clock_{clock}, forcing_{std::move(forcing)}, rates_{rest_state(dynamics.model())} {}
 
@@ -65,18 +65,18 @@ class ForcedSystem {
 
 constexpr double end_time = 4.0;
 
-/// A motion, the springs of the body that makes it, and the same in the solver.
+/// A prescribed motion, the springs of the body that performs it, and the same body as a model of the solver.
 struct Exercise {
   std::string name;
   reference::SmoothSystem springs;
   reference::PrescribedMotion motion;
   Model model;
-  std::size_t clock{};  ///< coordinate
+  std::size_t clock{};  ///< index of its coordinate
 
   reference::Triple forcing(double t) const { return reference::forcing(springs, motion, t); }
 };
 
-/// Adds the particle whose place is the time; the last body, of two coordinates.
+/// Adds the particle whose position is the time. It is the last body and has two coordinates.
 void add_clock(ModelBuilder& builder) {
   builder.add(Body{.name = "clock", .mobility = Mobility::particle, .mass = 1.0});
 }
@@ -161,7 +161,7 @@ Exercise rolling(const Setup& setup) {
   return out;
 }
 
-/// Place, velocity and memory in quadrature; the numbers of all are of order 1.
+/// Norm of positions, velocities and history variable, all of order 1.
 double size(const reference::SmoothState& state) {
   reference::Real sum = state.z[0] * state.z[0];
   for (std::size_t i = 0; i < 3; ++i)
@@ -169,7 +169,7 @@ double size(const reference::SmoothState& state) {
   return static_cast<double>(std::sqrt(sum));
 }
 
-/// Distance of the solver's state at the end from the motion prescribed.
+/// Distance of the solver's final state from the prescribed motion.
 double error(const Exercise& exercise, const Integrator& method, long steps, Findings& findings, const Setup& setup) {
   record_use(exercise.model);
   const Dynamics dynamics{exercise.model};
@@ -225,8 +225,8 @@ void check_leapfrogs(const Exercise& exercise, Figure& figure, Findings& finding
     const auto leading =
         reference::leading_error(system, exercise.motion.at(0.0L), end_time, method.kind, setup.coarse ? 200 : 600);
     const double constant = size(leading);
-    // Half a drift forth and half a drift back pass other middles than the whole ones between: the memory of a
-    // staggered method is off by one term of order 3.
+    // The half drifts at the start and at the end have other midpoints than the full drifts between them: the history
+    // variable of a staggered method has one more error term, of order 3.
     const bool odd = order == 1 || (exercise.name == "rolling" && method.kind != reference::Leapfrog::velocity_verlet);
     expect_constant(findings.in(exercise.springs.damped ? "cables" : exercise.name), name, found, constant, order,
                     odd ? 1 : 2, setup.coarse ? 2e-4 : 3e-6);
@@ -240,11 +240,11 @@ void check_leapfrogs(const Exercise& exercise, Figure& figure, Findings& finding
   }
 }
 
-/// A method of higher order, and steps on which its own order shows above round-off.
+/// A method of higher order, with a first number of steps for which its order is visible above round-off.
 struct HighOrder {
   const char* name;
   double order, first;
-  bool rolling_only;  ///< on the cables it is at round-off before its leading term leads
+  bool rolling_only;  ///< on the cables the error reaches round-off before its leading term dominates
 };
 
 constexpr HighOrder high_orders[] = {{"rk4", 4, 256, false},

@@ -24,7 +24,7 @@ namespace {
 constexpr double gravity = 9.81;
 constexpr reference::SlidingBlock block{10.0, 0.25, 0.25, 1e6, 1e6, 0.3, gravity, 3.0};
 constexpr reference::RollingDisc disc{2.0, 0.01, 0.1, 1e6, 1e6, gravity, std::numbers::pi / 9.0};
-constexpr double nudge = 1e-3;  ///< [m/s]: it stretches the springs to 15 % of the limit of friction
+constexpr double nudge = 1e-3;  ///< [m/s]; stretches the springs to 15 % of the friction limit
 
 Scene scene_of(const char* file, const Setup& setup) {
   Scene scene = read_scene(std::filesystem::path{TALUS_CASES} / file);
@@ -35,7 +35,7 @@ Scene scene_of(const char* file, const Setup& setup) {
   return scene;
 }
 
-/// The block at its height at rest, nudged; it cannot turn, so that nothing but friction stops it.
+/// The block at its static height with a small initial speed. It cannot rotate, so that only friction stops it.
 Scene nudged_block(const Setup& setup) {
   Scene scene = scene_of("sliding_block.toml", setup);
   scene.model.bodies[1].mobility = Mobility::particle;
@@ -55,7 +55,7 @@ struct Ended {
   std::vector<double> time, speed;
 };
 
-/// The scene as `talus run` runs it.
+/// Runs the scene as `talus run` does.
 Ended ended(Scene scene, double tolerance, Findings& findings) {
   scene.integrator = make_integrator("stormer_cowell", tolerance);
   Ended found;
@@ -71,13 +71,13 @@ Ended ended(Scene scene, double tolerance, Findings& findings) {
   return found;
 }
 
-/// A system that reports no spring as acting, so that all steps are explicit.
+/// A system with an empty linearization, so that all steps are explicit.
 struct ExplicitSystem : RigidBodySystem {
   using RigidBodySystem::RigidBodySystem;
   void linearization(const State&, AffinePiece&) {}
 };
 
-/// Evaluations of a scene by explicit steps alone; at most 20,000 are made.
+/// Number of evaluations of a scene with explicit steps alone, at most 20,000.
 long explicit_evaluations(const Scene& scene, double tolerance, Findings& findings) {
   const Dynamics dynamics{scene.model};
   ExplicitSystem system{dynamics};
@@ -91,13 +91,13 @@ long explicit_evaluations(const Scene& scene, double tolerance, Findings& findin
     while (state.t < scene.plan.end && method.failure().empty())
       method.step(system, state, scene.plan.step);
   } catch (const TooManyEvaluations&) {
-    // More than a hundred times what is allowed.
+    // More evaluations than the check allows.
   }
   findings.count(system.evaluations());
   return system.evaluations();
 }
 
-/// What scenes cost at several tolerances.
+/// Number of force evaluations of the scenes against the tolerance.
 struct Costs {
   Series block{"block that slides to rest", {}, {}, Style::linespoints};
   Series disc{"disc that rolls", {}, {}, Style::linespoints};
@@ -179,8 +179,8 @@ void nudged(Findings& findings, const Setup& setup) {
                   "m/s");
 }
 
-/// A disc that spins and bounces, with a dashpot along the ground so strong that it carries most of the friction: its
-/// spring goes beyond the limit while the dashpot pulls back.
+/// A disc that spins and bounces, with a tangential dashpot so strong that it carries most of the friction: the spring
+/// force exceeds the friction limit while the dashpot acts in the opposite direction.
 void strong_dashpot(Findings& findings) {
   const Scene scene = read_scene(R"(
 title = "Disc with a strong dashpot along the ground"
@@ -221,8 +221,7 @@ end = "0.2 s"
                           "friction takes no more than the energy of the spin and what it gives the centre");
 }
 
-/// Speed of the block with and without the dashpot of friction.
-/// A body that nothing touches or pulls, by every method that takes a tolerance: no error is to be found in no motion.
+/// A body without contacts or forces, by every method with a tolerance: without motion there is no error to estimate.
 void unmoved(Findings& findings) {
   ModelBuilder builder{si};
   builder.add(Body{.name = "disc", .mass = 2.0, .inertia = 0.01, .shape = Circle{0.1}, .p_WB = {1.0, 2.0}});
@@ -243,6 +242,7 @@ void unmoved(Findings& findings) {
                           "no step is too long where nothing moves: one, or two of Fehlberg's thirteen evaluations");
 }
 
+/// Draws the speed of the block with and without the tangential dashpot.
 void draw_speeds(Findings& findings, const Setup& setup) {
   Scene scene = scene_of("sliding_block.toml", setup);
   scene.plan.interval = scene.plan.step;

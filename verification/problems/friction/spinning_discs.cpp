@@ -24,8 +24,8 @@ constexpr double reduced_mass = first_mass * second_mass / (first_mass + second_
 constexpr double kappa = 2.0 / 7.0, mu = oblique_friction;
 constexpr double first_radius = oblique_radius, second_radius = 0.5 * oblique_radius;
 
-/// Two discs that touch at the origin at t = 0, the first moving to the right at unit speed. Spins as speeds of the
-/// rim.
+/// Two discs that touch at the origin at t = 0, the first moving to the right at unit speed. Spins are given as rim
+/// speeds.
 Scene met_discs(double second, double second_r, double first_rim, double second_rim, const Setup& setup) {
   ModelBuilder builder;
   const auto disc = [&](const char* name, double mass, double radius, double x) {
@@ -65,15 +65,15 @@ State end_of(Scene scene, double contact_time, double step, std::size_t phase, F
   return run_scene(scene, VelocityVerlet{}, {step, step * steps, 1e9, true}, findings).state;
 }
 
-/// The slip rate, positive as at the touch: the first rim goes up past the second.
+/// Slip rate, positive if the first rim moves up past the second, as at touch.
 double slip_rate(const State& end) { return end.v[1] + first_radius * end.v[2] - end.v[4] + second_radius * end.v[5]; }
 
 const double contact_time = std::numbers::pi * std::sqrt(reduced_mass);
 
 struct Met {
   double mean{};
-  double error{};   ///< of the slip rate, root mean square over the phases
-  double shares{};  ///< farthest of what the discs' spins and speeds gain from what J gives, over J/m_i
+  double error{};   ///< rms error of the slip rate over the phases
+  double shares{};  ///< largest relative difference between the impulses J computed from speeds and from spins
 };
 
 Met meet(double ratio, double count, const Setup& setup, Findings& findings) {
@@ -128,7 +128,7 @@ void check_unlike(Findings& findings, const Setup& setup) {
   if (!setup.coarse) findings.table(table);
 }
 
-/// Two equal rough discs that are let go with an overlap, from rest, by both engines for discs: they part without a spin.
+/// Two equal rough discs released from rest with an overlap, in both disc engines: they separate without spin.
 void check_let_go(Findings& findings) {
   const LinearSpringDashpot law{1e3, 0.0};
   const CoulombFriction friction{0.5, 300.0};
@@ -147,7 +147,7 @@ void check_let_go(Findings& findings) {
       method.step(system, discs, 1e-3);
     for (const std::size_t i : {0U, 1U}) {
       keep_worst(aside, discs.vy[i]), keep_worst(aside, discs.spin[i]);
-      // m v^2 of both is what was stored, k d^2/2.
+      // The kinetic energy of both, m v^2, equals the stored energy k d^2/2.
       const double speed = 0.02 * std::sqrt(0.5 * 1e3);
       keep_worst(uneven, std::abs(discs.vx[i]) / speed - 1.0);
     }

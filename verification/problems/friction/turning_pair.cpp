@@ -69,7 +69,7 @@ void check_turn(Findings& findings, const Setup& setup) {
 
 using Place = std::array<double, 3>;  // x, y, angle
 
-/// A disc pressed on a plane and drawn along straight lines, all numbers few powers of two.
+/// A disc pressed on a plane and drawn along straight lines; all numbers are sums of few powers of two.
 class DrawnDisc {
  public:
   explicit DrawnDisc(double friction) : dynamics_{model(friction)}, system_{dynamics_} {
@@ -80,7 +80,7 @@ class DrawnDisc {
     force_ = force();
   }
 
-  /// Draws it to a place, given from where it began.
+  /// Draws the disc to a pose, given relative to its start.
   void draw(const Place& to) {
     constexpr int steps = 64;
     const Place start{0.0, radius - first_overlap, 0.0};
@@ -115,7 +115,7 @@ class DrawnDisc {
     return builder.build();
   }
 
-  /// On the disc of unit mass and inertia.
+  /// Forces and moment on the disc, equal to its accelerations (unit mass and inertia).
   Place force() {
     Rates rates{state_};
     system_.evaluate(state_, rates);

@@ -63,7 +63,7 @@ Scene wedge_scene(double ratio, const Setup& setup) {
   return scene;
 }
 
-/// Differences of two states in place, angle and memory (radius 1: all lengths).
+/// Differences of two states in position, angle and history variables (all are lengths, as the radius is 1).
 using Miss = std::array<double, 5>;
 
 double size(const Miss& miss) {
@@ -82,7 +82,7 @@ Miss lengths(const reference::SmoothState& state) {
   return out;
 }
 
-/// The wedge at one ratio of sizes: exact end and the solver's runs.
+/// The wedge at one size ratio: exact final state and the solver's runs.
 class Wedge {
  public:
   Wedge(double ratio, const Setup& setup)
@@ -91,7 +91,7 @@ class Wedge {
         late_{setup.has("late_slip")},
         exact_{lengths(reference::moved(reference::pressed_disc(wedge(ratio)), exact_start(ratio), end_time, 12000))} {}
 
-  /// Distance of the solver's end from the exact one.
+  /// Distance of the solver's final state from the exact one.
   double error(const Integrator& method, long steps, bool late, Findings& findings) const {
     record_use(scene_.model);
     const Dynamics dynamics{scene_.model};
@@ -116,7 +116,7 @@ class Wedge {
     return found;
   }
 
-  /// Predicted distance, over step^order.
+  /// Predicted distance divided by step^order.
   double constant(reference::Leapfrog method) const {
     return size(lengths(
         reference::leading_error(reference::pressed_disc(wedge(ratio_)), exact_start(ratio_), end_time, method, 1000)));

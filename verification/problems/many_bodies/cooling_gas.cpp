@@ -16,7 +16,7 @@ namespace talus::verification::problems::cooling_gas {
 namespace {
 
 constexpr double restitution = 0.95, drift = 0.5;
-constexpr double length = 1.5;  // of a run, in tau
+constexpr double length = 1.5;  // of a run [tau]
 
 Packing gas_of(std::size_t discs, double fraction, std::uint64_t seed) {
   const PackingPlan plan{.discs = discs, .diameter = 1.0, .mass = 1.0, .solid_fraction = fraction, .seed = seed};
@@ -26,13 +26,13 @@ Packing gas_of(std::size_t discs, double fraction, std::uint64_t seed) {
 }
 
 struct Cooling {
-  double slope{};    ///< of T^-1/2 over the law's
-  double account{};  ///< of what contacts took, over what the discs lost
+  double slope{};    ///< of T^-1/2, over that of Haff's law
+  double account{};  ///< energy dissipated by contacts over energy lost by the discs
   double momentum{};
-  std::vector<double> time, temperature;  ///< over tau
+  std::vector<double> time, temperature;  ///< time over tau
 };
 
-/// Least squares of T^-1/2 = a + b t.
+/// Slope b of the least-squares fit T^-1/2 = a + b t.
 double slope_of(const std::vector<double>& time, const std::vector<double>& temperature) {
   double t = 0.0, y = 0.0, tt = 0.0, ty = 0.0;
   const auto count = static_cast<double>(time.size());
@@ -75,7 +75,7 @@ Cooling cool(const L& law, std::size_t discs, double contact_time, std::uint64_t
 
 struct Elastic {
   Estimate pressure;  ///< over that of hard discs of the same diameter
-  double hardened{};  ///< the same of the hard discs that they stand for
+  double hardened{};  ///< the same for the equivalent hard discs
   double heated{};    ///< energy at the end over that at the start, less 1
   double collisions{};
 };
@@ -87,7 +87,7 @@ Elastic rest_in_motion(double fraction, std::size_t discs, double between, Findi
   const LatchingSpring law = latching_contact(1.0, contact_time);
   FollowPlan plan{.step = contact_time / steps_in_contact, .motion_left_out = setup.has("pressure_without_motion")};
   plan.steps = std::lround(between / reference::collision_rate(gas, 1.0) / plan.step), plan.every = 10;
-  // Ten collisions of a disc to forget the start.
+  // Ten collisions per disc before the averages begin.
   const double before = 10.0 / reference::collision_rate(gas, 1.0);
   BlockMeans means{2, static_cast<double>(plan.steps) * plan.step - before, 20};
   double first = 0.0, last = 0.0;
@@ -114,10 +114,10 @@ void check_elastic(Findings& findings, const Setup& setup) {
                   "Pressure of elastic discs by the virial over that of hard discs of their diameter; what softer "
                   "discs should have; change of the energy.",
               .columns = {"phi", "p", "error", "soft", "energy"}};
-  const double collisions = setup.coarse ? 120.0 : 150.0;  // of a disc
+  const double collisions = setup.coarse ? 120.0 : 150.0;  // per disc
   double worst_pressure = -1.0, worst_energy = -1.0;
   Elastic pressed, heated;
-  // A bounce of random phase changes the energy along the normal, of mean square 2 T^2, by 2 .67/20^2.
+  // A bounce of random phase changes the energy along the normal, of mean square 2 T^2, by the fraction 2 * 0.67/20^2.
   const auto walk = [&](const Elastic& of) {
     return 2.0 * 0.67 / 400.0 * std::sqrt(2.0 * of.collisions) / static_cast<double>(discs);
   };
@@ -139,7 +139,7 @@ void check_elastic(Findings& findings, const Setup& setup) {
                   Tolerance::truncation(walk(heated), 3.0,
                                         "each collision enters at another phase of the step and changes its energy by "
                                         "2 .67/20^2 (root mean square of an undamped bounce): a random walk"));
-  // The other side: steps that are too long.
+  // Counterexample: steps that are too long.
   for (const double steps : {6.0, 4.0}) {
     const Elastic found =
         rest_in_motion(0.1, discs, collisions, findings, setup, setup.has("elastic_steps_short") ? 20.0 : steps);

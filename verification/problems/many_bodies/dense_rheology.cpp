@@ -16,7 +16,7 @@ struct Step {
   double fraction, shear_rate;
 };
 
-/// What is run. Discs of `smooth` and of its stiffer twin are as many.
+/// Flows to be run. Those of `smooth` and the stiffer one have the same number of discs.
 struct Plan {
   DensePlan smooth_base, rough_base;
   std::vector<Step> smooth, rough;
@@ -63,7 +63,7 @@ double over_error(double difference, double error_a, double error_b) {
   return difference / std::hypot(error_a, error_b);
 }
 
-/// What must hold of any mu(I), phi(I): as phi is given, I falls where phi falls with I.
+/// Properties of any mu(I) and phi(I): mu grows with I, and phi falls. As phi is given, I must fall as phi grows.
 void check_slopes(Findings& findings, const std::vector<DenseFlow>& flows) {
   double least_rise = 1e9, least_fall = 1e9;
   for (std::size_t i = 1; i < flows.size(); ++i) {
@@ -84,7 +84,7 @@ void check_slopes(Findings& findings, const std::vector<DenseFlow>& flows) {
 void check_stiffness(Findings& findings, const Plan& plan, const std::vector<DenseFlow>& flows, const Setup& setup) {
   const auto known = std::find_if(flows.begin(), flows.end(),
                                   [&](const DenseFlow& flow) { return flow.fraction == plan.stiffer.fraction; });
-  // The rate in units of the discs' own sqrt(K1/m): half of it is four times the stiffness.
+  // The rate is in units of the discs' sqrt(K1/m): half the rate is equivalent to four times the stiffness.
   const double rate = plan.stiffer.shear_rate * (setup.has("soft_discs") ? 16.0 : 0.5);
   const DenseFlow other = run_all(plan.smooth_base, {{plan.stiffer.fraction, rate}}, findings).front();
   const double error = std::hypot(known->inertial.error, other.inertial.error);
@@ -97,7 +97,7 @@ void check_stiffness(Findings& findings, const Plan& plan, const std::vector<Den
                                    "three standard errors of the difference"));
 }
 
-/// The densest smooth flow that is still faster than this one: its friction is not below that at the same I, and its
+/// The densest smooth flow that is at least as fast as this one: its friction is not below that at the same I, and its
 /// solid fraction not above.
 const DenseFlow& faster(const std::vector<DenseFlow>& smooth, double inertial) {
   const DenseFlow* found = &smooth.front();
@@ -110,7 +110,7 @@ void check_rough(Findings& findings, const std::vector<DenseFlow>& smooth, const
   std::vector<double> excess, loss;
   for (const DenseFlow& flow : rough) {
     const DenseFlow& beside = faster(smooth, flow.inertial.value);
-    if (beside.inertial.value < flow.inertial.value) continue;  // faster than all smooth ones
+    if (beside.inertial.value < flow.inertial.value) continue;  // faster than all smooth flows
     excess.push_back(
         over_error(flow.friction.value - beside.friction.value, flow.friction.error, beside.friction.error));
     loss.push_back(beside.fraction - flow.fraction);
@@ -129,7 +129,7 @@ void check_rough(Findings& findings, const std::vector<DenseFlow>& smooth, const
 using Points = std::vector<reference::FitPoint>;
 
 Points frictions(const std::vector<DenseFlow>& flows) {
-  constexpr double fastest = 0.25;  // beyond, mu bends: discs meet and part
+  constexpr double fastest = 0.25;  // beyond, mu bends: discs collide and separate
   Points points;
   for (const auto& flow : flows) {
     if (flow.inertial.value < fastest)
@@ -138,8 +138,8 @@ Points frictions(const std::vector<DenseFlow>& flows) {
   return points;
 }
 
-/// phi is given; but discs that overlap act as somewhat smaller ones, which shifts it by no more than what is taken as
-/// its error here.
+/// phi is given, but overlapping discs act as somewhat smaller ones, which shifts phi by no more than the error
+/// assigned to it here.
 Points fractions(const std::vector<DenseFlow>& flows) {
   constexpr double fastest = 0.15;  // where one correction to the published power is enough
   Points points;
@@ -166,7 +166,7 @@ void check_slow_friction(Findings& findings, const std::vector<DenseFlow>& smoot
                   fit.limit, fit.factor, fit.power, fit.limit, fit.limit_error, fit.power, fit.power_error));
 }
 
-/// Too few points are slow enough for a power of their own.
+/// Too few points are slow enough to fit the power as well.
 void check_slow_rough_friction(Findings& findings, const std::vector<DenseFlow>& smooth,
                                const std::vector<DenseFlow>& rough) {
   const Points points = frictions(rough);
@@ -189,7 +189,7 @@ void check_slow_rough_friction(Findings& findings, const std::vector<DenseFlow>&
                   reference::fit_power(points).power, reference::fit_power(points).power_error));
 }
 
-/// The published power of phi, and whether these points can tell it from a parabola of as many coefficients.
+/// The published power of phi, and whether these points distinguish it from a parabola with as many coefficients.
 void check_fraction_power(Findings& findings, const std::vector<DenseFlow>& smooth) {
   const Points points = fractions(smooth);
   const auto fit = reference::fit_corrected_power(points, fraction_power);
@@ -229,7 +229,7 @@ Series friction_points(const char* label, const std::vector<DenseFlow>& flows) {
   return out;
 }
 
-/// Here I is what was measured: its error is drawn as what it makes of phi by the slope to the neighbours.
+/// I is the measured quantity here: its error is drawn as an error of phi, by the slope to the neighbours.
 Series fraction_points(const char* label, const std::vector<DenseFlow>& flows) {
   Series out{label, {}, {}, Style::errorbars};
   for (std::size_t i = 0; i < flows.size(); ++i) {
@@ -242,7 +242,7 @@ Series fraction_points(const char* label, const std::vector<DenseFlow>& flows) {
   return out;
 }
 
-/// Over the points that were fitted.
+/// Curve of a fit over the range of its points.
 Series curve(const char* label, const reference::PowerFit& fit, const Points& points) {
   Series out{label, {}, {}, Style::lines};
   const double slowest = points.back().x, fastest = points.front().x;

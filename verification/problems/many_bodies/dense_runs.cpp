@@ -16,8 +16,8 @@ namespace talus::verification::problems {
 namespace {
 
 constexpr double skin = 0.1;              ///< of neighbour lists [d]
-constexpr long steps_a_look = 20;         ///< two contacts long
-constexpr double tangential_share = 0.5;  ///< of the loading stiffness
+constexpr long steps_a_look = 20;         ///< steps between two samples: two contact times
+constexpr double tangential_share = 0.5;  ///< tangential over loading stiffness
 
 using Plain = DiscSystem<LatchingSpring>;
 using Smooth = FastDiscSystem<LatchingSpring>;
@@ -29,10 +29,10 @@ double step_of(const DensePlan& plan) {
   return 0.5 * std::numbers::pi * (1.0 + plan.restitution) / std::sqrt(2.0) / plan.steps_in_contact;
 }
 
-/// What the contacts carry, and their overlaps.
+/// Sums over the contacts that transmit a force.
 struct Pushes {
   Virial virial;
-  double depths{};  ///< sum [d]
+  double depths{};  ///< sum of overlaps [d]
   double count{};
 
   void add(Vec2 force, Vec2 branch, double depth) {
@@ -61,7 +61,8 @@ void advance(System& system, Discs& discs, double h, long steps) {
   }
 }
 
-/// Motion and contacts, from the kick of a step: places are those between the velocities before and after.
+/// Stress from motion and contacts, sampled at the kick of a step: the positions are at the time midway between those
+/// of the velocities before and after.
 struct Look {
   Virial stress{};
   Pushes pushes{};
@@ -80,7 +81,7 @@ Look kick_and_look(System& system, Discs& discs, double h, double area, bool wit
 
 enum Quantity : std::size_t { shear_stress, pressure, contacts, overlaps, quantities };
 
-/// One start. Steps that were taken.
+/// Runs one start; returns the number of steps.
 template <class System>
 long follow(System system, const Packing& start, double h, const DensePlan& plan, BlockMeans& means) {
   Discs discs = start.discs;
@@ -98,7 +99,7 @@ long follow(System system, const Packing& start, double h, const DensePlan& plan
   return last;
 }
 
-/// Mean of the starts' means, with the larger of two errors.
+/// Mean over the starts; its error is the larger of that from blocks and that from the scatter of the starts.
 Estimate of_starts(std::span<const Estimate> starts) {
   const auto count = static_cast<double>(starts.size());
   double sum = 0.0, squares = 0.0, scatter = 0.0;

@@ -37,8 +37,8 @@ Lattice lattice() {
 }
 
 struct Grown {
-  double rate{};  ///< of the amplitude, logarithm for a step
-  double most{};  ///< largest amplitude over the first
+  double rate{};  ///< growth of the amplitude: logarithm per step
+  double most{};  ///< largest amplitude over the initial one
   Series amplitude;
 };
 

@@ -11,33 +11,33 @@
 
 namespace talus::verification::problems {
 
-/// A latching spring with that K1/K2, by which two discs of the mass touch for so long; e = sqrt(K1/K2).
+/// Latching spring with this K1/K2, with which two discs of this mass touch for contact_time; e = sqrt(K1/K2).
 [[nodiscard]] LatchingSpring latching_contact(double stiffness_ratio, double contact_time, double mass = 1.0);
-/// A spring with a dashpot that cannot pull, by which two discs of the mass touch for so long and keep the share e.
+/// Spring and clamped dashpot, with which two discs of this mass touch for contact_time and have this restitution.
 [[nodiscard]] LinearSpringDashpot dashpot_contact(double restitution, double contact_time, double mass = 1.0);
 
-/// Discs as they are at one time; their velocities are taken half a step before and after.
+/// Sample of the discs at one time; numbers from velocities are means of those half a step before and after.
 struct SeenDiscs {
   double t{};
   double temperature{};
-  double motion{};  ///< energy relative to the mean flow [F L]
+  double motion{};  ///< kinetic energy relative to the mean flow [F L]
   Virial stress;    ///< of motion and contacts [F/L]
   ContactSums contacts;
-  double lost{};       ///< by contacts of a law that remembers, from the start [F L]
-  const Discs& discs;  ///< with velocities half a step after
+  double lost{};       ///< energy dissipated by history-dependent contacts since the start [F L]
+  const Discs& discs;  ///< with velocities half a step later
 };
 
 struct FollowPlan {
   double step{};
   long steps{};
-  long every{1};             ///< so many steps from look to look
+  long every{1};             ///< number of steps between two samples
   double skin{0.3};          ///< of the neighbour list
-  bool rest_frame{};         ///< temperature and stress by the velocities as they are, not relative to the mean flow
-  bool motion_left_out{};    ///< stress by the contacts alone
-  bool contacts_left_out{};  ///< stress by the motion alone
+  bool rest_frame{};         ///< temperature and stress from absolute velocities, not relative to the mean flow
+  bool motion_left_out{};    ///< stress from contacts alone
+  bool contacts_left_out{};  ///< stress from motion alone
 };
 
-/// Runs free discs by the leapfrog and shows them to see(SeenDiscs) now and then.
+/// Runs free discs with the leapfrog, and calls see(SeenDiscs) every plan.every steps.
 template <HasContactKernel L, class See>
 void follow(const Packing& start, const L& law, const FollowPlan& plan, See&& see) {
   record_use(law);

@@ -45,7 +45,7 @@ std::vector<Plan> plans() {
 
 bool is_free(const Packing& packing, std::size_t i) { return packing.shapes.wall[i] == DiscShapes::free; }
 
-/// The least distance of two centres over the sum of the radii, by all pairs and images.
+/// Minimum distance of two centres over the sum of the radii, by all pairs and images.
 double least_distance(const Packing& packing) {
   double least = std::numeric_limits<double>::infinity();
   for (std::size_t i = 0; i < packing.discs.size(); ++i) {
@@ -80,8 +80,8 @@ struct Sums {
   }
 };
 
-/// Wall discs that are not where a row of touching discs below or above the rectangle has them, or not of its mass, wall
-/// and radius.
+/// Number of wall discs whose position, mass, wall or radius is not that of a row of touching discs below or above the
+/// rectangle.
 double displaced_wall_discs(const Packing& packing, std::size_t free) {
   const std::size_t row = (packing.discs.size() - free) / 2;
   double wrong = std::abs(static_cast<double>(row) - packing.width / diameter) > 1e-9 ? 1.0 : 0.0;
@@ -134,7 +134,7 @@ void expect_as_planned(Findings& findings, const Setup& setup, const Plan& each,
                           "no disc overlaps another; of a hundred and more some nearly touch", "1");
   findings.expect(name("the same by the neighbour list"), closest(packing), least,
                   Tolerance::round_off(1e-14, "differences of coordinates of up to 30 diameters"));
-  // Of wholly random places the mean has the deviation 1/sqrt(12 n) of the width.
+  // The mean of uniformly random positions has a standard deviation of 1/sqrt(12 n) of the width.
   const double spread_of_mean = 4.0 / std::sqrt(12.0 * n);
   findings.expect(name("mean place along x over the width"), sums.x / n, 0.0,
                   Tolerance::model(spread_of_mean, "four standard deviations of the mean of random places"));
@@ -163,7 +163,7 @@ void expect_as_planned(Findings& findings, const Setup& setup, const Plan& each,
                         fmt::format("{:.6f}", least)});
 }
 
-/// Velocities of a temperature: discs of unequal masses, with walls that stay at rest.
+/// Velocities of a given temperature: discs of unequal masses, with walls that remain at rest.
 void expect_agitated(Findings& findings, const Setup& setup) {
   constexpr double temperature = 3.0;
   constexpr std::size_t count = 2000;
@@ -210,7 +210,7 @@ std::string refusal(const PackingPlan& plan, Packing (*make)(const PackingPlan&)
   return "";
 }
 
-/// What is refused, and its neighbour on the other side of the limit, which is not.
+/// Plans beyond a limit are refused, and their neighbours on the other side of it are not.
 void expect_refusals(Findings& findings) {
   const auto changed = [](auto&& change) {
     PackingPlan plan = plan_of(20, 0.1, 0.0, false, 1.0);

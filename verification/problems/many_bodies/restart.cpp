@@ -30,7 +30,7 @@ struct Half {
 enum class Interrupted { never, by_checkpoint, from_state_alone };
 
 std::string rounded_digits(const std::string& text) {
-  // A number with a decimal point keeps eight digits behind it.
+  // Truncates a number with a decimal point to eight digits after the point.
   std::string out;
   int behind = -1;
   for (const char c : text) {
@@ -43,7 +43,7 @@ std::string rounded_digits(const std::string& text) {
   return out;
 }
 
-/// Saves the run to a file, and puts it back from there into one that has not begun.
+/// Saves the run to a file, and restores it from there into a new run.
 RunState through_file(RunState& run_state, const Scene& scene, const Integrator& method, const Setup& setup) {
   namespace fs = std::filesystem;
   Archive saving;
@@ -137,7 +137,7 @@ void check_restart(Findings& findings, const Setup& setup, const std::string& sc
                         fmt::format("{}", halves.evaluations), fmt::format("{:.1e}", change.place)});
 }
 
-/// One above the other on the ground, sliding along one line, both contacts pressed.
+/// Two discs on the ground, one above the other, sliding along one line; both contacts are compressed.
 Scene two_pressed_discs() {
   ModelBuilder builder{si};
   const Body disc{.mobility = Mobility::sliding_y, .mass = 1.0, .shape = Circle{0.5}};
@@ -172,10 +172,10 @@ void run(Findings& findings, const Setup& setup) {
   const scenes::FenceScene fence = scenes::fence_scene(rough_fence());
   for (const char* name : {"velocity_verlet", "lagged_central_difference"})
     check_restart(findings, setup, "fence", fence.scene, {name, make_integrator(name)}, 2e-5, 3000, table);
-  // In a contact, whose piece the exact method follows.
+  // During a contact, within a segment of the exact method.
   const Scene pressed = scenes::bouncing_disc({.contact = LinearSpringDashpot{1e4, 20.0}});
   check_restart(findings, setup, "pressed disc", pressed, {"exact", make_integrator("exact")}, step, 30, table);
-  // Of two discs on each other on the ground, whose motions are coupled.
+  // Two discs on each other on the ground, whose motions are coupled.
   check_restart(findings, setup, "two pressed discs", two_pressed_discs(), {"exact", make_integrator("exact")}, step,
                 30, table);
   bool same_cost = true;

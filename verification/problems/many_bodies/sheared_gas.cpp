@@ -20,7 +20,7 @@ struct Sheared {
   Estimate temperature, friction;  ///< over the theory's
   double pressure{};               ///< over the theory's
   double difference{};             ///< of the normal stresses, over the pressure
-  double balance{};                ///< account of the contacts over heat, over what it should be
+  double balance{};                ///< energy dissipated by contacts over shear heating
   double balance_error{};
   double deepest{};
 };
@@ -64,13 +64,13 @@ Sheared shear(const reference::GasOfDiscs& gas, std::size_t discs, double softne
   found.pressure = means.mean(2, 0, means.blocks()) / found.theory.pressure;
   found.difference = means.ratio(3, 2, 0).value;
   found.balance = booked / heat;
-  // At both ends the discs hold more or less energy than in the mean.
+  // The energy of the discs at both ends differs from the mean.
   found.balance_error = 2.0 * found.temperature.error * std::sqrt(20.0) * t * static_cast<double>(discs) /
                         (found.theory.loss * start.width * start.height * strain);
   return found;
 }
 
-/// The checks are of the gas that is farthest from the theory.
+/// Checks the gas that is farthest from the theory.
 void check(Findings& findings, const std::vector<Sheared>& all) {
   Estimate friction{1.0, 0.0}, temperature{1.0, 0.0}, balance{1.0, 0.0};
   double scatter = 0.0;
@@ -115,14 +115,14 @@ Table table_of(const std::vector<Sheared>& all) {
   return table;
 }
 
-/// The theory at one restitution, over solid fractions.
+/// Theory at one restitution, over solid fractions.
 struct TheoryLine {
   double restitution{};
   std::vector<double> fractions;
   std::vector<reference::SteadyShear> steady;
 };
 
-/// For each restitution of the gases.
+/// One line for each restitution of the gases.
 std::vector<TheoryLine> theory_of(const std::vector<Sheared>& all) {
   std::vector<TheoryLine> lines;
   for (const Sheared& s : all) {

@@ -19,7 +19,7 @@ constexpr std::array sizes{std::array{0.953951, 0.953951}, std::array{1.25, 4.0}
                            std::array{0.05, 2.0}};
 constexpr double density = 5.127408;
 
-/// A handful of products and sums.
+/// Tolerance of eight products and sums.
 Tolerance few_roundings() {
   return Tolerance::round_off(8.0 * 0x1p-53, "eight operations, each half a unit of the last place").relative();
 }
@@ -58,7 +58,7 @@ void check_rectangle(Findings& findings) {
   }
 }
 
-/// The inertia that the dynamics gives a pinned body, by its answer to a moment, at any angle of the pin's arm.
+/// Checks the inertia of a pinned body, obtained from its response to a moment, for 24 arms of the pin.
 void check_pin(Findings& findings, const Setup& setup) {
   const double mass = 2.3, inertia = 0.71, moment = 1.7;
   double farthest = 0.0;

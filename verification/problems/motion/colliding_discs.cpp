@@ -19,10 +19,10 @@ constexpr double masses[] = {1.3, 0.7}, radii[] = {0.31, 0.24}, approach = 1.7;
 
 double damping(double xi, double effective_mass) { return 2.0 * xi * std::sqrt(stiffness * effective_mass); }
 
-/// What a run leaves over.
+/// Energy balance error of a run, and the largest changes of its momenta.
 struct Ledger {
-  double left_over{};  ///< energy at the end, over that at the start
-  double largest{};    ///< at any step
+  double left_over{};  ///< final energy balance error, relative to the initial kinetic energy
+  double largest{};    ///< largest absolute value over all steps
   double momentum{}, moment{};
 };
 
@@ -48,7 +48,7 @@ Contact touch(std::string name, BodyId a, BodyId b, double dashpot) {
   return {.name = std::move(name), .a = a, .b = b, .law = LinearSpringDashpot{stiffness, dashpot, EndRule::clamped}};
 }
 
-/// Two discs head on, the touch `gap` of travel away.
+/// Two discs that approach head on, initially `gap` apart [L].
 Scene two_discs(double xi, double gap) {
   ModelBuilder builder{si};
   const auto disc = [&](int i, double x) {
@@ -87,7 +87,7 @@ Scene twenty_discs(double xi, double mu, const Setup& setup) {
                                    .inertia = 0.5 * mass * radius * radius,
                                    .shape = Circle{radius},
                                    .p_WB = far * out}));
-    // One after the other: of two operands a compiler evaluates either first.
+    // Drawn in separate statements, because a compiler may evaluate either of two operands first.
     const Vec2 aside{0.3 * share(random), -0.2};
     speeds.push_back(-(1.0 + share(random)) * out + aside);
   }
@@ -105,7 +105,7 @@ Scene twenty_discs(double xi, double mu, const Setup& setup) {
   return scene;
 }
 
-/// Energy left over by two discs, rms and mean over the phases of touch and release.
+/// Checks the energy balance error of two discs: rms and mean over the phases of touch and release.
 void check_two(Findings& findings, const Setup& setup, double xi, Figure& figure) {
   const double effective = masses[0] * masses[1] / (masses[0] + masses[1]);
   const double omega = std::sqrt(stiffness / effective);
@@ -150,7 +150,7 @@ void check_two(Findings& findings, const Setup& setup, double xi, Figure& figure
   }
 }
 
-/// Momentum, moment and order of the ledger of twenty discs.
+/// Checks momentum, angular momentum and the order of the energy balance error of twenty discs.
 void check_twenty(Findings& findings, const Setup& setup, double xi, double mu, Figure& figure) {
   const Scene scene = twenty_discs(xi, mu, setup);
   const std::string what = mu > 0.0 ? "damped, with friction" : xi > 0.0 ? "damped" : "undamped";

@@ -19,15 +19,15 @@ constexpr double mass = 1.7, inertia = 0.45, stiffness = 250.0, damping = 3.0;
 constexpr Vec2 at{0.5, 0.6}, pin_of_body{0.3, -0.2};
 constexpr double tilt = 0.35;
 
-/// Two points of the body, and where the cables from them end.
+/// Attachment point of a cable on the body, and the anchor at which the cable ends.
 struct Line {
   Vec2 point;   ///< in body coordinates [L]
   Vec2 anchor;  ///< world [L]
 };
 constexpr std::array lines{Line{{-0.5, 0.2}, {-1.4, 2.1}}, Line{{0.4, 0.3}, {1.9, -1.2}}};
 
-/// Where the centre of mass is and how the body is turned, for coordinates that start from zero: written down here, for
-/// each way to be held, from what the pin and the guide allow.
+/// Position of the centre of mass and angle of the body, for coordinates that start from zero. They are written here
+/// for each mobility, from what the pin and the guide allow.
 struct Place {
   Vec2 centre;
   double angle{};
@@ -59,8 +59,9 @@ Vec2 direction(const Line& line) {
   return (1.0 / norm(along)) * along;
 }
 
-/// Velocity of the point on one line, along it, for a unit impulse on another: sum of g_1 g_2/M over the coordinates, with
-/// the derivatives g of the points and those of the kinetic energy by central differences of the place.
+/// Velocity of the point on one line, along that line, for a unit impulse on another line [1/M]: sum of g_1 g_2/M over
+/// the coordinates. The derivatives g of the points and those of the kinetic energy are central differences of the
+/// position.
 double mobility_between(Mobility mobility, const Line& one, const Line& two) {
   constexpr double step = 1e-5;
   double sum = 0.0;
@@ -83,7 +84,7 @@ double mobility_between(Mobility mobility, const Line& one, const Line& two) {
   return sum;
 }
 
-/// A body that is held by one cable, or by both.
+/// A body attached to one cable or to both.
 Scene scene_of(Mobility mobility, std::size_t cables, const Setup& setup) {
   ModelBuilder builder;
   Body body{.name = "body", .mobility = mobility, .mass = mass, .inertia = inertia, .shape = Rectangle{0.7, 0.35}};
@@ -137,7 +138,8 @@ void check(Mobility mobility, Findings& findings, const Setup& setup, Table& tab
     findings.in("springs")->expect(fmt::format("damping ratio of {}, {}", spring.name, name), spring.damping_ratio,
                                    0.5 * damping * std::sqrt(exact[c][c] / stiffness), by_differences);
   }
-  // The modes of two springs: eigenvalues of k times the matrix of mobilities between them; no more than coordinates.
+  // Modes of two springs: eigenvalues of k times the matrix of mobilities between them; at most one for each
+  // coordinate.
   const double trace = exact[0][0] + exact[1][1], determinant = exact[0][0] * exact[1][1] - exact[0][1] * exact[1][0];
   const double root = std::sqrt(std::max(0.0, 0.25 * trace * trace - determinant));
   const double fast = std::sqrt(stiffness * (0.5 * trace + root));
@@ -150,7 +152,7 @@ void check(Mobility mobility, Findings& findings, const Setup& setup, Table& tab
     findings.in("modes")->expect(fmt::format("slowest mode, {}", name), advice.modes.front().frequency,
                                  std::sqrt(stiffness * (0.5 * trace - root)), by_differences, "rad/s");
   }
-  // What the forces make of it: pulled by one cable alone, the point starts with its tension times the mobility.
+  // Pulled by one cable alone, the point starts with the acceleration tension times mobility.
   const Scene pulled = scene_of(mobility, 1, setup);
   constexpr double h = 1e-5;
   const RunEnd run = run_steps(pulled, make_integrator("rk4"), h, 1, findings);
@@ -168,7 +170,7 @@ void check(Mobility mobility, Findings& findings, const Setup& setup, Table& tab
                         fmt::format("{:.4f}", advice.modes.back().frequency)});
 }
 
-/// Friction between two discs that touch, both free: 1/m = 1/m_1 + 1/m_2 + r_1^2/I_1 + r_2^2/I_2 along the tangent.
+/// Checks friction between two free discs in contact: 1/m = 1/m_1 + 1/m_2 + r_1^2/I_1 + r_2^2/I_2 along the tangent.
 void check_friction(Findings& findings) {
   constexpr double k_s = 180.0, c_s = 2.5;
   constexpr std::array<double, 2> masses{1.7, 0.6}, inertias{0.45, 0.08}, radii{0.7, 0.4};

@@ -33,8 +33,8 @@ Scene seen_scene(const Scene& scene, const Viewpoint& view, const Setup& setup) 
   return other;
 }
 
-/// The yard without contacts by nodes, whose order a mirror changes, and on level ground: a piece of terrain is
-/// measured from its first point, which in a mirror is its last.
+/// The yard without contacts by nodes, and on a half-plane instead of terrain. A mirror changes the order of nodes; a
+/// segment of terrain is measured from its first point, which becomes its last point in a mirror.
 Scene level_yard() {
   Scene scene = crowded_yard();
   Body& field = scene.model.bodies[index(*find_body(scene.model, "field"))];
@@ -48,7 +48,7 @@ Scene level_yard() {
   return scene;
 }
 
-/// The group's discs as particles on cables at their centres, under a weight.
+/// The group's bodies as round particles under gravity, with the cable attached at their centres.
 Scene round_particles() {
   const Scene group = free_group();
   Scene scene{.title = "Round particles", .model = group.model};
@@ -67,7 +67,7 @@ Scene round_particles() {
   return scene;
 }
 
-/// What the two ways round a change of view gave.
+/// Final states to compare: of the original run, transformed afterwards, and of the run of the transformed scene.
 struct Compared {
   State expected, found;
 };
@@ -78,7 +78,8 @@ Compared compare(const Scene& scene, const Viewpoint& view, const Integrator& me
           run_to(seen_scene(scene, view, setup), method, end, findings)};
 }
 
-/// Growth of small changes of the start: over 1e-9 of all coordinates and velocities.
+/// Largest final change of a coordinate or velocity, relative to random changes of up to 1e-9 of all initial
+/// coordinates and velocities.
 double growth(const Scene& scene, double end, Findings& findings) {
   constexpr double change = 1e-9;
   std::mt19937_64 random{7};
@@ -97,7 +98,7 @@ double growth(const Scene& scene, double end, Findings& findings) {
   return most;
 }
 
-/// Views that round otherwise, and how far their ends may differ.
+/// Checks of transformations that change rounding: final states may differ by n u G.
 class RoundedViews {
  public:
   RoundedViews(Findings& findings, const Setup& setup, std::string name, Scene scene, double end)
@@ -180,8 +181,8 @@ void check_bits(Findings& findings, const Setup& setup) {
          "forces are summed contact by contact, in the contacts' order");
 }
 
-/// Accelerations of both bodies of a pair that overlaps, listed in the one order or the other; empty if the method takes no
-/// such pair.
+/// Accelerations of both bodies of an overlapping pair, listed in either order; empty if the method does not support
+/// the pair.
 std::vector<double> accelerations(const Shape& a, const Shape& b, ContactMethod method, bool exchanged) {
   const auto ground = [](const Shape& s) {
     return std::holds_alternative<HalfPlane>(s) || std::holds_alternative<Terrain>(s);
@@ -216,7 +217,7 @@ std::vector<double> accelerations(const Shape& a, const Shape& b, ContactMethod 
   return {rates.v.begin(), rates.v.end()};
 }
 
-/// All pairs of outlines that can touch, listed either way round.
+/// Checks all pairs of outlines that can touch, listed in either order.
 void check_pairs(Findings& findings) {
   const std::vector<Shape> shapes{Circle{0.7}, Rectangle{0.6, 0.7}, Superquadric{0.6, 0.7, 4.0}, HalfPlane{},
                                   Terrain{{{-5.0, 0.2}, {0.1, 0.0}, {5.0, 0.3}}}};

@@ -40,10 +40,10 @@ Scene flight_scene(const Setup& setup) {
   return scene;
 }
 
-/// Errors of the three coordinates and their rates at the end.
+/// Final errors of the three coordinates and of their rates.
 struct FlightErrors {
   std::array<double, 3> place{}, speed{};
-  double largest{};  ///< coordinate, the angle included
+  double largest{};  ///< largest coordinate or rate, including the angle
 
   double worst_place() const { return std::max({std::abs(place[0]), std::abs(place[1]), std::abs(place[2])}); }
   double worst_speed() const { return std::max({std::abs(speed[0]), std::abs(speed[1]), std::abs(speed[2])}); }
@@ -88,8 +88,8 @@ void check_method(Findings& findings, const Setup& setup, const std::string& met
   }
 }
 
-/// Five bodies at once, some turned by small angles and some by huge ones: their axes against sine and cosine of the C
-/// library.
+/// Checks the axes of five bodies at once, some at small angles and some at very large ones, against sine and cosine of
+/// the C library.
 void check_angles(Findings& findings) {
   ModelBuilder builder{si};
   for (int i = 0; i < 5; ++i)

@@ -17,13 +17,13 @@ namespace {
 constexpr Vec2 gravity{0.8, -2.0};
 constexpr double end = 1.5;
 
-/// How many of the held body there are, and whether one stands for both.
+/// Number of blocks in the scene: one that represents two (`half`), or two.
 enum class Bodies { half, both };
 
 std::string name_of_mobility(Mobility mobility) { return std::string{name_of(mobility)}; }
 
 /// A disc thrown at an oblique block, off its centre, both pulled by cables off their centres: every kind of load on a
-/// block that moves as `mobility` says. `half`: the block stands for two; `both`: there are two, at the same place.
+/// block of the given mobility. `half`: the block represents two; `both`: there are two at the same position.
 Scene scene_of(Mobility mobility, Bodies bodies, const Setup& setup) {
   ModelBuilder builder;
   builder.gravity(gravity);
@@ -103,8 +103,8 @@ Sums sums_of(const Model& model, const State& state) {
   return sums;
 }
 
-/// What a run's balances miss at worst, as shares of the largest that enter them, and how far what is reported of bodies
-/// is from the sums made here.
+/// Largest errors of a run's balances, relative to the scale of their terms, and largest difference of the reported
+/// quantities of bodies from the sums computed here, relative to the same scales.
 struct Missed {
   double energy{}, momentum{}, angular{};
   double reported{};
@@ -149,7 +149,7 @@ Missed missed_by(Mobility mobility, Findings& findings, const Setup& setup) {
   return missed;
 }
 
-/// Checks the three balances of a block on its mobility, which stands for two.
+/// Checks the three balances for a block of the given mobility that represents two.
 void check_balances(Mobility mobility, Missed& worst, Findings& findings, const Setup& setup) {
   const Missed missed = missed_by(mobility, findings, setup);
   const std::string name = name_of_mobility(mobility);
@@ -173,7 +173,8 @@ void check_balances(Mobility mobility, Missed& worst, Findings& findings, const 
   keep_worst(worst.reported, missed.reported);
 }
 
-/// Whether the scene with one block that stands for two is the one with both: where bodies are, and all that is recorded.
+/// Checks that the scene with one block that represents two agrees with the scene with both, in the motion and in all
+/// recorded quantities.
 void check_half(Mobility mobility, Findings& findings, const Setup& setup) {
   const auto end_of = [&](Bodies bodies, Accounts& accounts) {
     const Scene scene = scene_of(mobility, bodies, setup);
@@ -210,7 +211,7 @@ void check_half(Mobility mobility, Findings& findings, const Setup& setup) {
   findings.in("half_impulses")->expect("impulses and momenta of half and both, " + name, impulses, 0.0, same(1e-12));
 }
 
-/// Poses at rest against what was given, and their velocities against difference quotients.
+/// Checks initial poses against those given, and their velocities against difference quotients.
 void check_velocities(const std::vector<Mobility>& mobilities, Findings& findings, const Setup& setup) {
   constexpr double h = 1e-5;
   double worst = 0.0, rest = 0.0;
@@ -224,7 +225,7 @@ void check_velocities(const std::vector<Mobility>& mobilities, Findings& finding
     };
     const Pose before = moved(-h), now = moved(0.0), after = moved(h);
     keep_worst(worst, norm((0.5 / h) * (after.p_WB - before.p_WB) - now.v_WB));
-    // What the forces are evaluated at, and what observers see.
+    // The poses at which forces are evaluated and which observers receive.
     const Dynamics dynamics{scene.model};
     const Snapshot seen{dynamics, scene.initial};
     for (const Pose& at : {now, seen.geometry().poses[1]})
@@ -242,7 +243,8 @@ void check_velocities(const std::vector<Mobility>& mobilities, Findings& finding
                                         "over 2e-5"));
 }
 
-/// A disc on a line strikes one that stands for two, with a dashpot by its damping ratio: both speeds are known.
+/// Checks the impact of a disc on a slide on one that represents two, with a dashpot given by its damping ratio: both
+/// speeds are known.
 void check_mirrored_impact(Findings& findings, const Setup& setup) {
   constexpr double e = 0.6, m = 1.0, each = 0.75, speed = 2.0;
   ModelBuilder builder;
@@ -276,7 +278,7 @@ void check_mirrored_impact(Findings& findings, const Setup& setup) {
   }
 }
 
-/// A disc hits the side of a box at an angle to the slide on which the box moves: the impulse is (1 + e) u m_e with
+/// Checks the impact of a disc on the side of a box, at an angle to the box's slide: the impulse is (1 + e) u m_e with
 /// 1/m_e = 1/m + n_s^2/M, n_s the component of the normal along the slide.
 void check_slides(Findings& findings) {
   constexpr double e = 0.6, m = 1.0, other = 1.75, angle = 0.6;
@@ -304,8 +306,8 @@ void check_slides(Findings& findings) {
   }
 }
 
-/// Equal discs hit a resting one at the same time from all around, each as if it were a wall: their impulses cancel on it.
-/// They touch from the start, so that all impacts begin in one evaluation.
+/// Checks simultaneous impacts of equal discs from all sides on a disc at rest. It acts like a wall, because their
+/// impulses on it cancel. The discs touch from the start, so that all impacts begin in one evaluation.
 void check_ring(Findings& findings) {
   constexpr double e = 0.6, m = 1.0, middle = 0.5, speed = 2.0, overlap = 1e-10;
   for (const int count : {2, 12}) {

@@ -27,7 +27,7 @@ namespace talus::verification::problems::round_off {
 namespace {
 
 /// One body on a spring and a dashpot, x'' = -x - c x', in numbers of any type: the smallest system that the solver's
-/// integrators take. Fault: accelerations that pass through a coarser type, `Force`.
+/// integrators accept. Planted fault: accelerations are rounded to a coarser type, `Force`.
 template <class Scalar, class Force = Scalar>
 class SwingingBody {
  public:
@@ -46,7 +46,7 @@ class SwingingBody {
   }
   void evaluate(StateOf<Scalar>& state, RatesOf<Scalar>& out) { derivative(state, out); }
 
-  /// Force evaluations so far.
+  /// Number of force evaluations so far.
   long evaluations() const { return evaluations_; }
 
  private:
@@ -57,19 +57,19 @@ class SwingingBody {
 
 static_assert(Splittable<SwingingBody<float>, StateOf<float>> && Differentiable<SwingingBody<float>, StateOf<float>>);
 
-/// Accelerations of the planted fault, at their coarsest.
+/// Type to which accelerations are rounded; planted faults except `exact`.
 enum class Forces { exact, in_double, in_float };
 
 struct SwingRun {
-  reference::Parts place{};     ///< x at the end, synchronised
-  std::uint64_t evaluations{};  ///< of the force
+  reference::Parts place{};     ///< final x, synchronised
+  std::uint64_t evaluations{};  ///< number of force evaluations
 };
 
 using Quadruple = boost::multiprecision::cpp_bin_float_quad;
 using reference::SteppedSwing;
 using reference::SwingMethod;
 
-/// Each part is what a double keeps of the rest.
+/// The number as a sum of doubles: each part is the remainder, rounded to double.
 template <class Scalar>
 reference::Parts parts(Scalar number) {
   reference::Parts made{};
@@ -118,8 +118,8 @@ SwingRun swung(const SteppedSwing& swing, Forces forces) {
   return swung<Scalar, Scalar>(swing);
 }
 
-/// The run of `swing` by the solver's integrator, in numbers of `bits` bits. Step and damping must be numbers of 24
-/// bits, so that all run the same problem. Errors: std::invalid_argument for other bits.
+/// Runs `swing` with the solver's integrator in numbers of `bits` bits. Step and damping must be numbers of 24 bits, so
+/// that all types run the same problem. Errors: std::invalid_argument for other bits.
 SwingRun swing_in_numbers(const SteppedSwing& swing, int bits, Forces forces = Forces::exact) {
   switch (bits) {
     case 24:
@@ -139,7 +139,7 @@ struct Method {
   SwingMethod method;
   const char* name;
   int order;
-  int additions;  ///< to x or v in a step; two that round alike count four times
+  int additions;  ///< to x or v per step; two that round alike count as four
 };
 
 constexpr std::array methods{Method{SwingMethod::central_difference, "central_difference", 2, 2},
@@ -149,14 +149,14 @@ constexpr std::array methods{Method{SwingMethod::central_difference, "central_di
                              Method{SwingMethod::runge_kutta, "rk4", 4, 8}};
 constexpr std::array all_bits{24, 53, 64, 113};
 
-/// A run's step: times of the runs are spread over half a swing from 10 on, each step a number of 24 bits.
+/// Step of a run, a number of 24 bits. The end times of the runs are spread over half a period from 10 on.
 double step_of(int run, int runs, long steps) {
   const double time = 10.0 + std::numbers::pi * (run + 0.5) / runs;
   return static_cast<double>(static_cast<float>(time / static_cast<double>(steps)));
 }
 
-/// What rounding leaves in a step, squared: n_a additions, each of a mean square of w^2/12, w the last place of
-/// cos t (u where |cos t| > 1/2, u/2 above 1/4, ...), of which x at the end sees the half.
+/// Contribution of one step to the mean square of the rounding error: each of the step's additions has the mean square
+/// w^2/12, w the last place of cos t (u where |cos t| > 1/2, u/2 above 1/4, ...); half of it enters the final x.
 double rounding_of_a_step(const Method& method, int bits) {
   double places = 0.0;
   for (int k = 0; k < 40; ++k) {
@@ -166,7 +166,7 @@ double rounding_of_a_step(const Method& method, int bits) {
   return method.additions * places / 24.0 * std::ldexp(1.0, -2 * bits);
 }
 
-/// The method's own error at t, to its first term.
+/// Leading term of the method's truncation error at t.
 double truncation(const Method& method, double t, double h) {
   if (method.order == 1) return 0.5 * h * std::sin(t);
   return method.order == 2 ? t * h * h / 24.0 * std::sin(t) : t * std::pow(h, 4) / 120.0 * std::sin(t);
@@ -177,7 +177,7 @@ Forces forces_of(const Setup& setup) {
   return setup.has("forces_in_double") ? Forces::in_double : Forces::exact;
 }
 
-/// Root mean square of rounding over the runs, for each number of bits.
+/// Root mean square of the rounding error over the runs, for each number of bits.
 std::array<double, 4> rounding(Findings& findings, const Method& method, long steps, int runs, Forces forces) {
   std::array<double, 4> squares{};
   for (int i = 0; i < runs; ++i) {
@@ -197,7 +197,7 @@ std::array<double, 4> rounding(Findings& findings, const Method& method, long st
   return squares;
 }
 
-/// With a dashpot, so that it is told which velocity it sees.
+/// Checks a method against its own map in 113 bits, with a dashpot, so that the velocity used by the dashpot matters.
 void check_map(Findings& findings, const Method& method, Forces forces) {
   const long steps = 100;
   const SteppedSwing swing{method.method, 0.125, 0.125, steps};
@@ -211,11 +211,11 @@ void check_map(Findings& findings, const Method& method, Forces forces) {
                                     "each addition rounds by at most half a last place of numbers up to 1"));
 }
 
-/// The error over the runs at one step.
+/// Error over the runs at one step size.
 struct ErrorAt {
   double step{};       ///< mean
   double whole{};      ///< root mean square
-  double predicted{};  ///< of method and rounding
+  double predicted{};  ///< from truncation and rounding
 };
 
 ErrorAt error_at(Findings& findings, const Method& method, int bits, long steps, int runs, double damping) {
@@ -235,7 +235,8 @@ ErrorAt error_at(Findings& findings, const Method& method, int bits, long steps,
   return {sum.step, std::sqrt(sum.whole), std::sqrt(sum.predicted)};
 }
 
-/// Where 2 p (method's error)^2 = (rounding)^2, both as means over half a swing about t = 10 + pi/2.
+/// Step of minimum error: 2 p (truncation error)^2 = (rounding error)^2, both as means over half a period about
+/// t = 10 + pi/2.
 double best_step(const Method& method, int bits) {
   const double t = 10.0 + 0.5 * std::numbers::pi;
   const double constant = truncation(method, t, 1.0) / std::sin(t) * std::sqrt(0.5);
@@ -243,8 +244,8 @@ double best_step(const Method& method, int bits) {
                   1.0 / (2.0 * method.order + 1.0));
 }
 
-/// Numbers of steps, doubled from first to last: the method's error alone up to `method_last`, rounding alone from
-/// `rounding_first`.
+/// Numbers of steps, doubled from `first` to `last`: the error is truncation alone up to `method_last`, rounding alone
+/// from `rounding_first` on.
 struct Range {
   long first, method_last, rounding_first, last;
   int runs;
@@ -266,10 +267,10 @@ Fall measured(Findings& findings, const Method& method, int bits, const Range& r
   return fall;
 }
 
-/// What is furthest off of all methods and numbers.
+/// Largest deviations over all methods and number types.
 struct Furthest {
-  double slope{};  ///< of the rounding against the step, over -1/2
-  double step{};   ///< of least error, log2 over its prediction
+  double slope{};  ///< of the rounding error against the step, minus -1/2
+  double step{};   ///< of minimum error: log2 of its ratio to the prediction
 };
 
 void check_fall(Findings& findings, const Method& method, int bits, const Fall& fall, Furthest& furthest,
@@ -289,7 +290,7 @@ void check_fall(Findings& findings, const Method& method, int bits, const Fall& 
                        1.5, "rounding of runs that take the same way is not independent, and neither of its steps");
   table.rows.push_back({method.name, fmt::format("{}", bits), fmt::format("{:.1e}", best_step(method, bits)),
                         fmt::format("{:.1e}", least->step), fmt::format("{:.1e}", least->whole)});
-  // Undamped, the lagged central difference is the central difference.
+  // Without damping, the lagged central difference equals the central difference.
   if (method.method == SwingMethod::lagged_central_difference) return;
   Series points{of, {}, {}, Style::points}, line{of + ", predicted", {}, {}, Style::lines};
   for (const ErrorAt& at : fall.all) {
@@ -314,8 +315,8 @@ std::optional<Range> range_of(const Method& method, int bits, Tier tier) {
   return std::nullopt;
 }
 
-/// Rounding after 500 steps in numbers of 24 to 113 bits against its prediction, and each method against its own map
-/// in 113 bits.
+/// Checks the rounding error after 500 steps in numbers of 24 to 113 bits against its prediction, and each method
+/// against its own map in 113 bits.
 void check_numbers(Findings& findings, const Setup& setup) {
   const Forces forces = forces_of(setup);
   for (const Method& method : methods)
@@ -342,7 +343,8 @@ void check_numbers(Findings& findings, const Setup& setup) {
   if (!setup.coarse) findings.table(table);
 }
 
-/// The whole error against the step: it falls by the method's order, is least where predicted, and rises by rounding.
+/// Checks the total error against the step: it decreases at the method's order, has its minimum where predicted, and
+/// increases below by rounding.
 void check_best_steps(Findings& findings, const Setup& setup) {
   Figure figure{.name = "least",
                 .title = "The step of least error",
@@ -399,14 +401,14 @@ Integrator integrator_of(SwingMethod method) {
   return method == SwingMethod::velocity_verlet ? Integrator{VelocityVerlet{}} : Integrator{RungeKutta4{}};
 }
 
-/// The solver's place, in swings from the middle.
+/// Final position in the solver, relative to the centre of the oscillation, over its amplitude.
 double solver_place(SwingMethod method, double step, long steps, const Setup& setup, Findings& findings) {
   const Scene scene = swing_scene(setup);
   const RunEnd run = run_steps(scene, integrator_of(method), step, steps, findings);
   return (run.state.q[0] - (scene.initial.q[0] - swing)) / swing;
 }
 
-/// Root mean square over the runs of what rounding leaves after `steps` steps.
+/// Root mean square over the runs of the rounding error after `steps` steps.
 double solver_rounding(SwingMethod method, long steps, const Setup& setup, Findings& findings) {
   double sum = 0.0;
   for (int i = 0; i < runs; ++i) {
@@ -418,11 +420,11 @@ double solver_rounding(SwingMethod method, long steps, const Setup& setup, Findi
   return std::sqrt(sum / runs);
 }
 
-/// The whole solver on a scene.
+/// Checks the rounding error of the complete solver on a scene.
 void check_scene(Findings& findings, const Setup& setup, SwingMethod method) {
   const bool verlet = method == SwingMethod::velocity_verlet;
   const long steps = 2000;
-  // One addition to x, or four; those to v are of numbers eight times as small.
+  // One addition to x, or four with rk4; additions to v are of numbers eight times smaller.
   const double predicted = std::sqrt(static_cast<double>(steps) * (verlet ? 1.0 : 4.0) / 6.0) * 0x1p-53 / swing;
   const double left = solver_rounding(method, steps, setup, findings);
   const auto claim = findings.in(verlet ? "integrator.velocity_verlet" : "integrator.rk4");

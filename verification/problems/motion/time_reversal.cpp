@@ -63,7 +63,7 @@ std::vector<Reversible> reversible_scenes() {
           {"rolling", disc_on_friction_spring(), 0.001}};
 }
 
-/// Goes on from a state for `steps` steps; what is not finite is what a diverged run ends with.
+/// State after `steps` steps from the given one, whose time is set to zero; not finite if the run diverged.
 State proceed(const Scene& scene, State state, const Integrator& method, double step, long steps, Findings& findings) {
   Scene from = scene;
   from.initial = std::move(state);
@@ -77,7 +77,7 @@ State turned(State state) {
   return state;
 }
 
-/// How far from its start a scene returns, and what the growth of differences on the way back explains.
+/// Return error of a scene, the error that rounding explains, and the growth of differences on the way back.
 struct Return {
   double missed{}, rounding{}, growth{};
 };

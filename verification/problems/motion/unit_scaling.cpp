@@ -15,7 +15,7 @@ namespace {
 
 constexpr UnitScale all_units{0x1p43, 0x1p-31, 0x1p-17};
 
-/// A run as the case compares it: its last state, and the accounts, in the scene's own units.
+/// Results of a run that the case compares: final state, energies, momenta and balance errors, in the original units.
 struct UnitRun {
   State end;
   std::array<double, 9> accounts{};
@@ -56,7 +56,7 @@ int differing(const UnitRun& one, const UnitRun& other) {
 
 const char* const same_bits = "powers of two move no digit: the same operations on the same digits";
 
-/// The scene in its own and in other units.
+/// Comparison of a scene in its original units with the same scene in other units.
 class Units {
  public:
   Units(Findings& findings, const Setup& setup, std::string name, const Scene& scene, const Integrator& method,
@@ -86,7 +86,7 @@ class Units {
   UnitRun own_;
 };
 
-/// Numbers that differ in units of length of 2^exponent, until the format's range ends.
+/// Draws how many numbers differ with masses, lengths or times multiplied by 2^exponent, until the format's range ends.
 void draw_range(Findings& findings, const Scene& scene) {
   Figure figure{.name = "range",
                 .title = "How far units reach",
@@ -124,7 +124,8 @@ void draw_range(Findings& findings, const Scene& scene) {
                           "square is squared");
 }
 
-/// Steppers with step control compare errors with a pure number: their steps depend on the units.
+/// Tabulates the effect of units on odeint's steppers with step control. They compare errors with a pure number, so
+/// that their steps depend on the units.
 void tabulate_step_control(Findings& findings, const Scene& scene) {
   Table table{.name = "step_control",
               .caption =
@@ -151,7 +152,7 @@ void tabulate_step_control(Findings& findings, const Scene& scene) {
   findings.table(table);
 }
 
-/// A fence built from a deck in its own and in other units: numbers that differ.
+/// Number of values that differ between a fence built from a deck in its original units and in other units.
 int differing_fences(const scenes::Fence& fence, const Setup& setup) {
   const scenes::FenceScene made = scenes::fence_scene(fence);
   scenes::Fence told = scaled(fence, all_units);
@@ -190,8 +191,8 @@ void check_fence(Findings& findings, const Setup& setup) {
   }
 }
 
-/// Two discs that fall from rest on posts as large as they are, the first larger: of the steps that weight alone allows the
-/// second has the shorter one.
+/// Checks two discs that fall from rest on posts of the same size. The step that weight alone allows is shorter for the
+/// second disc, which is smaller.
 void check_falls(Findings& findings, const Setup& setup) {
   ModelBuilder builder{si};
   builder.gravity({0.0, -0.5});
@@ -224,12 +225,12 @@ void run(Findings& findings, const Setup& setup) {
   verlet.check("unit of length", {1.0, 0x1p7, 1.0});
   verlet.check("unit of time", {1.0, 1.0, 0x1p-5});
   for (const std::string& name : integrator_names()) {
-    // The tolerance of odeint's method is a number with a unit: see below.
+    // The tolerance of odeint's method has a unit: see tabulate_step_control.
     if (name == "velocity_verlet" || name == "odeint_bulirsch_stoer") continue;
     const Integrator method = make_integrator(name, needs_tolerance(name) ? 1e-8 : 0.0);
     const Units units{findings, setup, "yard", yard, method, {1e-3, 0.5}};
     units.check("all units", all_units);
-    // Steps of a thousand units: a time that is left out of a product, or is there once too often, is no small one.
+    // Steps of a thousand units: a time that is missing in a product, or occurs once too often, has a large effect.
     if (integrator_traits(name).locates_events) units.check("short unit of time", {1.0, 1.0, 0x1p20});
   }
   check_falls(findings, setup);

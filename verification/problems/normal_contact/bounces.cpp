@@ -21,24 +21,24 @@ namespace {
 
 constexpr double gravity = 1.0, fall_height = 1.0;
 
-/// The contact that it falls on.
+/// Contact on which the disc falls.
 struct Fall {
   double xi{};  ///< damping ratio
   EndRule rule{};
   double frequency{};  ///< w = sqrt(k/m) [rad/T]
 };
 
-/// "xi = 0.1, clamped"
+/// Label of the contact, for example "xi = 0.1, clamped".
 std::string name_of(const Fall& fall) {
   return fmt::format("xi = {:g}, {}", fall.xi, fall.rule == EndRule::attractive ? "attractive" : "clamped");
 }
 
-/// The reference, from a gap at a speed towards the plane.
+/// Reference motion from a gap, with a speed towards the plane.
 reference::DampedBounce exact_fall(const Fall& fall, double gap, double speed) {
   return {fall.frequency, fall.xi, gravity, gap, speed, same(fall.rule)};
 }
 
-/// The same for the solver. Faults: dashpot_halved, weight_halved, other_end_rule.
+/// The same motion as a scene of the solver. Planted faults: dashpot_halved, weight_halved, other_end_rule.
 Scene falling_disc(const Fall& fall, double gap, double speed, const Setup& setup) {
   const double xi = setup.has("dashpot_halved") ? 0.5 * fall.xi : fall.xi;
   const EndRule other = fall.rule == EndRule::attractive ? EndRule::clamped : EndRule::attractive;
@@ -50,14 +50,14 @@ Scene falling_disc(const Fall& fall, double gap, double speed, const Setup& setu
                                                       setup.has("other_end_rule") ? other : fall.rule)});
 }
 
-/// From touch to the end without weight [T].
+/// Contact time without weight [T].
 double contact_time(const Fall& fall) {
   const reference::Impact impact{fall.frequency * fall.frequency, 2.0 * fall.xi * fall.frequency, 1.0, 1.0};
   return reference::impact_events(impact, same(fall.rule)).contact_time;
 }
 
-/// Apex gaps of the first bounces: of the parabola on which the disc is at the first step without a force. NaN where
-/// the run diverged or the disc stayed.
+/// Apex gaps of the first bounces, each from the parabola on which the disc is at the first step without contact force.
+/// NaN where the run diverged or the disc remained on the plane.
 std::vector<double> apexes(const Scene& scene, double step, int bounces, Findings& findings) {
   std::vector<double> found;
   bool acted = false;
@@ -79,7 +79,7 @@ double mean_drop(const Fall& fall, double steps, Findings& findings, const Setup
   const double e = reference::restitution(fall.xi, same(fall.rule));
   double mean = 0.0;
   for (const Phase& phase : offset_phases(contact_time(fall), steps)) {
-    // Taken back along the fall from its end at the plane: speed v - g t at the gap v t - g t^2/2.
+    // Start on the fall, the time t before touch at speed v: speed v - g t at the gap v t - g t^2/2.
     const double lead = phase.lead();
     const Scene scene = falling_disc(fall, lead * (speed - 0.5 * gravity * lead), speed - gravity * lead, setup);
     const double h1 = apexes(scene, phase.step, 1, findings).front();
@@ -88,12 +88,12 @@ double mean_drop(const Fall& fall, double steps, Findings& findings, const Setup
   return mean;
 }
 
-/// The same with what the dashpot's lag takes, first order in the step, taken out by half the step.
+/// The same without the effect of the dashpot's lag, which is of first order: extrapolated from 200 and 400 steps.
 double measured_drop(const Fall& fall, Findings& findings, const Setup& setup) {
   return 2.0 * mean_drop(fall, 400.0, findings, setup) - mean_drop(fall, 200.0, findings, setup);
 }
 
-/// How a bounce with weight tends to that of a rigid plane as the contact grows stiff.
+/// Checks that a bounce with weight approaches that on a rigid plane as the contact stiffness grows.
 void check_stiff_limit(Findings& findings, const Setup& setup) {
   constexpr double xi = 0.2;
   const double e = reference::restitution(xi, reference::EndRule::clamped);
@@ -136,10 +136,10 @@ void check_stiff_limit(Findings& findings, const Setup& setup) {
 }
 
 constexpr double frequency = 25.0, production_steps = 50.0;
-constexpr int count = 5;     // bounces of a run
-constexpr int compared = 3;  // of these with the errors of impacts without weight: later ones are too slow
+constexpr int count = 5;     // bounces per run
+constexpr int compared = 3;  // of these compared with errors of impacts without weight; later ones are too slow
 
-/// Start of a run on the parabola of the fall, so that the first touch is the share `phase` of a step away from one.
+/// Start of a run on the parabola of the fall, so that the first touch is the fraction `phase` of a step after a step.
 struct Onset {
   double gap{}, speed{};
   double passed{};  ///< time since the apex [T]
@@ -150,8 +150,8 @@ Onset onset(double step, double phase) {
   return {fall_height - 0.5 * gravity * passed * passed, gravity * passed, passed};
 }
 
-/// Relative errors of the heights that an undamped run is predicted to have, bounce after bounce: a disc that leaves
-/// faster comes back later, at another share of a step.
+/// Predicted relative errors of the heights of an undamped run, bounce by bounce: a disc that leaves faster returns
+/// later, at another fraction of a step.
 std::vector<double> undamped_errors(const Fall& fall, const Onset& from, double step,
                                     const std::vector<reference::Bounce>& exact) {
   const double wh = fall.frequency * step;
@@ -168,7 +168,7 @@ std::vector<double> undamped_errors(const Fall& fall, const Onset& from, double 
   return errors;
 }
 
-/// Height errors over 64 runs: as found, and as predicted without damping.
+/// Height errors over 64 runs: measured, and predicted without damping.
 struct HeightErrors {
   std::vector<PhaseError> found = std::vector<PhaseError>(count), undamped = std::vector<PhaseError>(count);
 };
@@ -263,7 +263,7 @@ void check_orders(Findings& findings, const Setup& setup) {
   findings.figure(figure);
 }
 
-/// Contacts until the disc stays, and the overlap at which it does.
+/// Checks the number of contacts until the disc remains on the plane, and its overlap at rest.
 void check_rest(Findings& findings, const Setup& setup) {
   for (const EndRule rule : {EndRule::attractive, EndRule::clamped}) {
     const Fall fall{0.3, rule, frequency};

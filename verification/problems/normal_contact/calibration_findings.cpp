@@ -19,7 +19,7 @@
 namespace talus::verification::problems {
 namespace {
 
-/// Mean over 64 phases of e of a disc on a plane, velocity Verlet, so many steps per contact.
+/// Mean over 64 phases of e of a disc on a plane: velocity Verlet with `steps` steps per contact.
 double measured_restitution(const LinearSpringDashpot& law, double steps, Findings& findings) {
   const double time = reference::impact_events({law.stiffness, law.damping, 1.0, 1.0}, same(law.end_rule)).contact_time;
   double mean = 0.0;
@@ -151,7 +151,7 @@ void check_solver_formulas(Findings& findings) {
       depth = std::max(depth, relative(law.largest_overlap(0.7, 2.5), events.largest_depth));
     }
   }
-  // Around xi = 1, where the solver goes over to a series.
+  // Near xi = 1, where the solver uses a series.
   double near_one = 0.0;
   for (const double off : {-0.99e-4, -3e-5, -1e-9, 0.0, 1e-9, 3e-5, 0.99e-4}) {
     const double xi = 1.0 + off, e = reference::restitution(xi, reference::EndRule::clamped);

@@ -2,23 +2,24 @@
 
 #include "verification/check/findings.hpp"
 
-/// What the case `restitution` finds about calibration: curves over the damping ratio, and the solver's own formulas
-/// and searches against the reference.
+/// Checks of calibration in the case `restitution`: curves against the damping ratio, and the solver's formulas and
+/// searches against the reference.
 namespace talus::verification::problems {
 
-/// e measured over the whole range of damping ratios, both end rules, beside the closed forms: a figure.
+/// Compares e with the closed forms over the whole range of damping ratios, for both end rules: checks and a figure.
 void find_calibration_curves(Findings& findings);
 
-/// What Eq. 21 gives when the contact is clamped: checks, a table and a figure.
+/// Checks the restitution that Eq. 21 gives when the contact is clamped, with tables and a figure.
 void find_clamped_eq_21(Findings& findings);
 
-/// damping_ratio, restitution, contact_time, largest_overlap of the solver against the reference's.
+/// Checks damping_ratio, restitution, contact_time and largest_overlap of the solver against the reference.
 void check_solver_formulas(Findings& findings);
 
-/// The advised step keeps its bound at phases that the advice did not try.
+/// Checks that the advised step satisfies its error bound at phases that the advice did not sample.
 void check_step_advice(Findings& findings);
 
-/// The search by simulation on the pivoted cylinder reaches its target and tends to the effective mass's damping.
+/// Checks that the calibration of the pivoted cylinder by simulation reaches its target, and that its damping tends to
+/// that of the effective mass.
 void check_scene_calibration(Findings& findings);
 
 }  // namespace talus::verification::problems

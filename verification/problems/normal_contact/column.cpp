@@ -39,7 +39,8 @@ Scene column_scene(double spacing, const Setup& setup) {
   return scene;
 }
 
-/// Sets the column down, checks the overlaps and forces at rest, and returns the force on the ground on the way there.
+/// Runs the column until it is at rest, checks overlaps and forces there, and returns the force on the ground over
+/// time.
 Series check_rest(const std::string& how, double spacing, Findings& findings, const Setup& setup) {
   const Scene scene = column_scene(spacing, setup);
   const double w1 = reference::column_frequency(discs, mass, stiffness), rate = 0.5 * w1 * w1 * unit_time;

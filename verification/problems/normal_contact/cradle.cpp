@@ -57,7 +57,7 @@ RowRun run_row(const reference::StruckRow& row, const Phase& phase, double end, 
   return {v, v[0] + v[1] + v[2] - row.speed, (v[0] * v[0] + v[1] * v[1] + v[2] * v[2]) / (row.speed * row.speed) - 1.0};
 }
 
-/// Root mean square of the three velocities' error, over v, from 64 phases.
+/// Root-mean-square error of the three velocities over 64 phases, relative to v.
 double velocity_error(const reference::StruckRow& row, double steps, Findings& findings, const Setup& setup) {
   const reference::RowRebound exact = reference::rebound(row);
   PhaseError error;

@@ -40,7 +40,7 @@ double inertia(const StruckBar& bar) {
 /// Distance of the line of impact from the pin or, of a free bar, from the centre of mass [L].
 double arm(const StruckBar& bar) { return std::abs(bar.pinned ? bar.half_height - bar.height : bar.height); }
 
-/// Bodies "bar" and "disc" (a particle of radius 1), contact "impact". Integrator and plan are left to the caller.
+/// Bodies "bar" and "disc" (a particle of radius 1), contact "impact". Integrator and plan are set by the caller.
 Scene struck_bar(const StruckBar& bar) {
   constexpr double radius = 1.0;
   ModelBuilder builder;
@@ -79,8 +79,8 @@ Scene two_discs(double mass, double other, double frame, const LinearSpringDashp
   return scene;
 }
 
-/// Two discs whose forces see the second one's velocity with that sign: -1 makes the overlap's rate the sum of the
-/// velocities, as Eq. 20 is printed. Forces depend on the velocities by that rate alone.
+/// Two discs whose forces use the second disc's velocity times `sign`: -1 turns the rate of the overlap into the sum of
+/// the velocities, as Eq. 20 is printed. Forces depend on the velocities through that rate only.
 struct SignedDiscs {
   RigidBodySystem* system{};
   double sign{1.0};
@@ -103,7 +103,7 @@ struct SignedDiscs {
   }
 };
 
-/// Speed at which two discs of masses 1 and 2 part in a frame that moves, over that of approach.
+/// Separation speed of two discs of masses 1 and 2 in a moving frame, relative to the approach speed.
 double restitution_in_frame(double frame, bool plus, Findings& findings) {
   const LinearSpringDashpot law =
       dashpot_of(reference::damping_ratio(0.5, reference::EndRule::attractive), 1.0, 2.0 / 3.0, EndRule::attractive);
@@ -113,7 +113,7 @@ double restitution_in_frame(double frame, bool plus, Findings& findings) {
   SignedDiscs system{&discs, plus ? -1.0 : 1.0};
   VelocityVerlet method;
   State state = scene.initial;
-  constexpr double step = 1.0 / 37.0;  // some 100 a contact
+  constexpr double step = 1.0 / 37.0;  // about 100 per contact
   method.start(system, state, step);
   while (state.t < 6.0)
     method.step(system, state, step);
@@ -121,7 +121,7 @@ double restitution_in_frame(double frame, bool plus, Findings& findings) {
   return state.v[2] - state.v[0];
 }
 
-/// Effective mass of disc and bar when the line of impact passes at that distance from the pin or the centre of mass.
+/// Effective mass of disc and bar with the line of impact at `distance` from the pin or the centre of mass.
 double mass_at(const StruckBar& bar, double distance) {
   const double about_pin = inertia(bar) + bar.mass * bar.half_height * bar.half_height;
   return reference::effective_mass(1.0 / bar.disc_mass,
@@ -129,17 +129,17 @@ double mass_at(const StruckBar& bar, double distance) {
                                               : reference::free_mobility(bar.mass, inertia(bar), distance));
 }
 
-/// Of two errors the one farther from the predicted one; a NaN stays.
+/// The error that is farther from the predicted one; `other` if either is NaN.
 double farther(double error, double other, double predicted) {
   return std::isnan(error) || std::abs(other - predicted) < std::abs(error - predicted) ? error : other;
 }
 
-/// What Eq. 21 as printed takes.
+/// Effective mass of the two masses, which Eq. 21 uses as printed.
 double two_masses(const StruckBar& bar) { return reference::effective_mass(1.0 / bar.disc_mass, 1.0 / bar.mass); }
 
-/// Errors of e = .5 with a dashpot made for `mass`.
+/// Errors of e = 0.5 with a dashpot designed for the effective mass `mass`.
 ImpactErrors bar_errors(StruckBar bar, double mass, Findings& findings) {
-  constexpr double stiffness = 1e12;  // overlap 1e-6 of the bar's size: what is left is the step
+  constexpr double stiffness = 1e12;  // overlap 1e-6 of the bar's size: only the step's error remains
   const double xi = reference::damping_ratio(0.5, reference::EndRule::attractive);
   const double true_mass = mass_at(bar, arm(bar));
   bar.law = dashpot_of(xi, stiffness, mass, EndRule::attractive);
@@ -235,7 +235,7 @@ void check_levers(Findings& findings, const Setup& setup) {
       right.add(arm(bar), found.mean_restitution);
       naive.add(arm(bar), bar_errors(bar, two_masses(bar), findings).mean_restitution);
     }
-    // The overlap is 1e-6 of the bar: its turning during contact is not seen, and the error is a central impact's.
+    // The overlap is 1e-6 of the bar: its rotation during contact is negligible, as in a central impact.
     findings.in("rms_error_of_pairs")
         ->expect("rms relative error of e, " + kind, worst, predicted, near_prediction(EndRule::attractive));
     figure.series.insert(figure.series.end(), {right, naive, closed_form_of_two_masses(pinned, kind)});

@@ -2,17 +2,18 @@
 
 #include "verification/check/case.hpp"
 
-/// What the case `restitution` finds about the mass that an impact meets.
+/// Checks of effective masses in the case `restitution`.
 namespace talus::verification::problems {
 
-/// Two discs in a moving frame: e does not depend on the ratio of their masses, their common velocity not on the
-/// impact.
+/// Checks two discs in a moving frame: e does not depend on the ratio of their masses, and the impact does not change
+/// the velocity of their common centre of mass.
 void check_masses(Findings& findings, const Setup& setup);
 
-/// The overlap's rate is the difference of the velocities (Eq. 20 with the minus sign): e is the same in all frames.
+/// Checks that the rate of the overlap is the difference of the velocities (Eq. 20 with the minus sign), so that e is
+/// the same in all frames.
 void check_frames(Findings& findings, const Setup& setup);
 
-/// Off-centre and pivoted impacts: the damping comes from the effective mass at the contact point.
+/// Checks off-centre and pivoted impacts, with the damping from the effective mass at the contact point.
 void check_levers(Findings& findings, const Setup& setup);
 
 }  // namespace talus::verification::problems

@@ -18,7 +18,7 @@ namespace {
 
 constexpr double modulus = 0.75, radius = 4.0, stiffness = 2.0, production_steps = 100.0;
 
-/// A wanted impact with unit mass: what the solver is told, and how it should go.
+/// An impact with unit mass: the law given to the solver, and the exact events.
 struct Ball {
   double xi{}, speed{1.0};
   EndRule rule{EndRule::attractive};
@@ -42,9 +42,9 @@ struct ImpactError {
   double restitution{}, contact_time{}, largest{};
 };
 
-/// Relative change of e for each unit of step by the dashpot's velocity of half a step before: the equations in y and
-/// u with forces larger by the share xi du/dt h, by a fourth-order method of its own. Only the end needs care: the last
-/// step is a linear one to y = 0 or y + 2 xi x' = 0.
+/// Relative change of e per unit of step caused by the dashpot's velocity of half a step earlier: the equations in y
+/// and u with forces larger by the fraction xi du/dt h, integrated by a separate fourth-order method. Only the end
+/// requires care: the last step is interpolated linearly to y = 0 or y + 2 xi x' = 0.
 double lag_shift(const Ball& b) {
   const double unit = std::sqrt(1.25 * stiffness) * std::pow(1.25 / stiffness, 0.1);
   const auto exit = [&](double h) {
@@ -105,7 +105,7 @@ ImpactError impact_error(const Ball& b, double step, double phase, Findings& fin
 
 struct ImpactErrors {
   PhaseError restitution, contact_time, largest;
-  double mean_time{};  ///< of contact, over the exact one
+  double mean_time{};  ///< mean contact time, relative to the exact one
   void add(const ImpactError& error) {
     restitution.add(error.restitution);
     contact_time.add(error.contact_time);
@@ -192,7 +192,8 @@ void check_orders(Findings& findings, const Setup& setup) {
                    .slopes = {{2.5, 1.0 / 64.0, 2e-6, "h^(5/2)"}, {1.0, 1.0 / 64.0, 2e-3, "h"}}});
 }
 
-/// A speed times 2^5 makes depths 2^4 and the time 2^-1 of what they were: the same bits.
+/// Checks that e is the same to the last bit at all speeds: a speed times 2^5 multiplies overlaps by 2^4 and times by
+/// 2^-1.
 void check_speeds(Findings& findings) {
   const auto rebound = [&](int j) {
     const double speed = std::ldexp(1.0, 5 * j), depth = std::ldexp(1.0, 4 * j);

@@ -20,8 +20,8 @@
 namespace talus::verification::problems::latching_spring {
 namespace {
 
-/// A disc pressed by hand along a path with reloads inside the hysteresis loop, out of slackness and after parting:
-/// forces and work against straight lines, to the last bit.
+/// Checks forces and work of a disc pressed along a prescribed path against straight lines, to the last bit. The path
+/// reloads inside the hysteresis loop, from the slack state and after separation.
 void check_latching_path(Findings& findings, const Setup& setup) {
   PressedDisc disc{setup.has("forgets_at_zero_force")};
   const char* exact = "all overlaps, forces and their products are short sums of powers of two";
@@ -33,7 +33,7 @@ void check_latching_path(Findings& findings, const Setup& setup) {
   findings.expect("work of a loop on the stiff line", disc.work() - before, 0.0, Tolerance::exact(exact), "J");
   for (const double turn : {0.125, 0.453125, 0.625, 0.015625, 0.5, -0.015625})
     disc.press(turn);
-  // Whatever the turns, the largest overlap 5/8 decides: K1 M^2/2 (1 - K1/K2).
+  // The work depends only on the largest overlap M = 5/8, not on the turning points: K1 M^2/2 (1 - K1/K2).
   findings.expect("work of the whole path until the surfaces part", disc.work(), 0.5 * 64.0 * 0.390625 * 0.75,
                   Tolerance::exact(exact), "J");
   disc.press(0.25);
@@ -60,7 +60,7 @@ constexpr double production_steps = 100.0;
 
 double gamma(double share) { return share * (1.0 - share); }
 
-/// An impact as the case wants it, as the solver is told, and as it should go.
+/// An impact: speed of approach, the law given to the solver, and the exact events.
 struct Latch {
   double speed{};
   LatchingSpring law;
@@ -80,7 +80,7 @@ Latch growing_latch(double speed, const Setup& setup) {
           reference::latching_events({1.0, 1.0, 1.0, 1.0, speed})};
 }
 
-/// What one impact did: relative errors, and the same as predicted.
+/// Relative errors of one impact, measured or predicted.
 struct ImpactError {
   double restitution{}, contact_time{}, largest{}, residual{}, closure{};
 };
@@ -105,7 +105,7 @@ ImpactError impact_error(const Latch& l, double step, double phase, Findings& fi
   const PlaneRebound seen =
       plane_rebound(l.law, {l.speed, 128.0, step, phase, 3.0 * l.exact.contact_time + 4.0 * step}, findings);
   if (!seen.ended()) return {NAN, NAN, NAN, NAN, NAN};
-  // Force against depth is a straight line, whose zero is the residual depth; the disc passes it in the last step.
+  // The force is linear in the overlap and zero at the residual overlap, which the disc passes in the last step.
   const std::size_t last = seen.depth.size() - 1;
   const auto depth = [&](std::size_t back) { return seen.depth[last - back]; };
   const auto force = [&](std::size_t back) { return seen.force[last - back]; };
@@ -228,7 +228,7 @@ void check_growth(Findings& findings, const Setup& setup) {
                    .series = {line, points}});
 }
 
-/// Nothing but the ratio enters: speeds and lengths in powers of two leave every bit.
+/// Checks that only the ratio K1/K2 enters e: speeds and lengths multiplied by powers of two change no bit.
 void check_speeds(Findings& findings) {
   const auto exit = [&](double scale) {
     const LatchingSpring law{1.0, 2.0, 0.0};
@@ -243,8 +243,8 @@ void check_speeds(Findings& findings) {
                   Tolerance::exact("powers of two change exponents only: every operation rounds alike"));
 }
 
-/// Two discs on one wall, the first of them pressed while the other is still on its way: the memory of a contact follows
-/// its overlap whether others do or not.
+/// Checks two discs on one wall, the first in contact while the second still approaches: the largest overlap stored by
+/// a contact follows its overlap, independently of other contacts.
 void check_pair(Findings& findings) {
   const LatchingSpring law{1e4, 4e4, 0.0};
   ModelBuilder builder{si};
@@ -260,7 +260,7 @@ void check_pair(Findings& findings) {
   Scene scene{.model = builder.build()};
   scene.initial = rest_state(scene.model);
   scene.initial.v[1] = scene.initial.v[3] = -1.0;
-  // Between two events the memory of an output is the overlap itself as long as that grows.
+  // Between two events the largest overlap stored in an output equals the overlap as long as the overlap grows.
   double behind = 0.0;
   int seen = 0;
   const auto watch = [&](const State& state, const StepInfo&) {

@@ -56,7 +56,7 @@ Scene pair_scene(const Pair& pair, const Setup& setup) {
   return scene;
 }
 
-/// Largest difference of both heights from `expected(t)` over the run, over the first displacement.
+/// Largest difference of both heights from `expected(t)` over the run, relative to the first displacement.
 template <class Expected>
 double largest_error(const Pair& pair, const Integrator& method, long steps, const Expected& expected,
                      Findings& findings, const Setup& setup, Series* heights = nullptr) {
@@ -76,7 +76,7 @@ double largest_error(const Pair& pair, const Integrator& method, long steps, con
   return std::isfinite(end.state.q[1]) ? largest : NAN;
 }
 
-/// Heights of the undamped pair from rest as velocity Verlet has them: each mode at its own numerical frequency.
+/// Heights of the undamped pair from rest as velocity Verlet computes them: each mode at its numerical frequency.
 auto leapfrog_heights(const Pair& pair, double step) {
   const auto modes = reference::pair_frequencies(pair.exact());
   const auto rest = reference::pair_at_rest(pair.exact());
@@ -94,9 +94,9 @@ auto leapfrog_heights(const Pair& pair, double step) {
   };
 }
 
-/// Heights with the damping of which velocity Verlet takes the velocity of half a step before: mode by mode the
-/// frequency grows by xi w h/2 and the damping ratio by xi/2 w h, to first order in the step. Scaled to a small step,
-/// the difference to the exact motion is the predicted error.
+/// Predicted error of the heights, relative to the first displacement: velocity Verlet's dashpot uses the velocity of
+/// half a step earlier. In each mode the frequency and the damping ratio grow by the fraction xi w h/2, to first order
+/// in the step; the largest difference from the exact motion is the predicted error.
 double predicted_damped_error(const Pair& pair, double step) {
   const auto modes = reference::pair_frequencies(pair.exact());
   const auto rest = reference::pair_at_rest(pair.exact());

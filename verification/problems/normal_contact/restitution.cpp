@@ -29,7 +29,7 @@ Convergence restitution_errors(const Bounce& b, const Integrator& integrator, co
   return convergence;
 }
 
-/// The curves of e = .5 under one end rule: every method, and what is predicted for the leapfrog ones.
+/// Checks the order of e = 0.5 under one end rule for every method, and draws the errors with the leapfrog prediction.
 void check_damped(EndRule rule, const std::vector<double>& steps, Figure& figure, Findings& findings,
                   const Setup& setup) {
   const Bounce b = bounce(0.5, rule, setup);
@@ -52,9 +52,10 @@ void check_damped(EndRule rule, const std::vector<double>& steps, Figure& figure
   figure.series.push_back(predicted);
 }
 
-/// Contact time and largest overlap at 64 steps. The leapfrog's period is short by (w h)^2/24; the largest sample lies
-/// within half a step of the turn and the energy inside is that of the touch: (w h)^2/2 [s (1 - s) - u (1 - u)] with
-/// the shares u of the touch and s of half a step before the turn, of the same root mean square as the error of e.
+/// Checks contact time and largest overlap at 64 steps. The leapfrog's period is short by (w h)^2/24. The largest
+/// sample lies within half a step of the turning point and the energy during contact is that at touch, so that the
+/// error of the overlap is (w h)^2/2 [s (1 - s) - u (1 - u)], with the fractions of a step u at touch and s at half a
+/// step before the turning point. Its root mean square equals that of the error of e.
 void check_undamped_contact(const Bounce& elastic, Findings& findings) {
   constexpr double steps = 64.0;
   const ImpactErrors found = impact_errors([&elastic](double gap) { return disc_at(elastic, gap); }, elastic.exact,
@@ -71,7 +72,7 @@ void check_undamped_contact(const Bounce& elastic, Findings& findings) {
       Tolerance::model(uneven_end, "shares of a step at touch and turn, spread over 64 uneven pairs").relative());
 }
 
-/// The curves of e = 1, and the slopes to compare with.
+/// Checks the order of e = 1, and draws the errors with slopes for comparison.
 void check_undamped(const std::vector<double>& steps, Figure& figure, Findings& findings, const Setup& setup) {
   const Bounce elastic = bounce(1.0, EndRule::attractive, setup);
   check_undamped_contact(elastic, findings);
@@ -95,8 +96,8 @@ void check_undamped(const std::vector<double>& steps, Figure& figure, Findings& 
   }
 }
 
-/// Error of e against the step for a disc on a plane: order one with a dashpot and two without one, whatever the
-/// method, and a figure beside the predicted errors. Fault `commensurate_step`.
+/// Checks the error of e against the step for a disc on a plane: order one with a dashpot and two without one, for
+/// every method. The figure also shows the predicted errors. Planted fault: `commensurate_step`.
 void check_restitution_orders(Findings& findings, const Setup& setup) {
   Figure figure{.name = "error_of_e",
                 .title = "Error of the restitution against the step",
@@ -113,13 +114,13 @@ void check_restitution_orders(Findings& findings, const Setup& setup) {
   findings.figure(figure);
 }
 
-/// Errors over predicted ones; of several the one farthest from 1 stays.
+/// Ratio of measured to predicted errors; of several, the one farthest from 1.
 struct Ratio {
   double farthest{1.0};
   void add(double measured, double predicted) { farthest = worst_ratio(farthest, measured / predicted); }
 };
 
-/// Check of e, ratios of the others and table row of one target.
+/// Checks e of one target, and adds the ratios of the other errors and a row of the table.
 void check_bounce(double e, EndRule rule, Ratio& time, Ratio& depth, Ratio& identity, Table& table, Findings& findings,
                   const Setup& setup) {
   const Bounce b = bounce(e, rule, setup);
@@ -132,11 +133,12 @@ void check_bounce(double e, EndRule rule, Ratio& time, Ratio& depth, Ratio& iden
   findings.in("rms_error_of_e")
       ->expect("rms relative error of e = " + name, found.restitution.rms(),
                predicted_restitution_error(b, production_steps), near_prediction(rule));
-  // Verlet's own period, short by (w h)^2/24, is all the error that a weak dashpot leaves.
+  // With a weak dashpot, the only error is that of Verlet's period, which is short by (w h)^2/24.
   const double predicted_time = predicted.contact_time * wh + wh * wh / 24.0;
   time.add(found.contact_time.rms(), predicted_time);
   depth.add(found.largest_depth.rms(), predicted.largest_depth * wh);
-  // ln e - 2 ln d_max: shifts add up to xi w h, and of the jump, once in e and twice in d_max^2, one is left.
+  // ln e - 2 ln d_max: the shifts add up to xi w h; the jump enters once in e and twice in d_max^2, so that one
+  // remains.
   identity.add(found.identity.rms(), 2.0 / std::sqrt(3.0) * b.xi * wh);
   table.rows.push_back({word_for(rule), fmt::format("{:g}", e), fmt::format("{:.4f}", b.xi),
                         fmt::format("{:.5f}", found.mean_restitution), fmt::format("{:.2e}", found.restitution.rms()),
@@ -174,13 +176,13 @@ void check_targets(Findings& findings, const Setup& setup) {
   findings.table(table);
 }
 
-/// The force that the motion shows: attractive contacts end with a pull -c e v0, clamped ones never pull.
+/// Checks the force obtained from the motion: attractive contacts end with a pull -c e v0, clamped ones never pull.
 void check_pull(Findings& findings, const Setup& setup) {
   const Bounce b = bounce(0.5, EndRule::attractive, setup);
   const ImpactErrors found = impact_errors([&b](double gap) { return disc_at(b, gap); }, b.exact, production_steps,
                                            VelocityVerlet{}, findings);
   // dF/dt at the end is k d' + c d'' = -k e v0 (1 - 4 xi^2); the middle of the last full step lies between half a step
-  // and one and a half before it.
+  // and one and a half steps before it.
   const double slope = b.e * (1.0 - 4.0 * b.xi * b.xi);
   const double lead = std::hypot(1.0, 1.0 / std::sqrt(12.0)) * reduced_step(b.exact, production_steps);
   findings.expect("pull at the end, e = 0.5, attractive, rms error over c e v0",
@@ -202,7 +204,7 @@ void check_pull(Findings& findings, const Setup& setup) {
                   Tolerance::exact("each kick adds a force >= 0 or none: the speed away from the plane never falls"));
 }
 
-/// Nothing but xi enters e: the same steps per contact, phases and dashpot rule at other masses and stiffnesses.
+/// Checks that only xi enters e: the same steps per contact, phases and dashpot rule at other stiffnesses.
 void check_scales(Findings& findings, const Setup& setup) {
   const Bounce b = bounce(0.5, EndRule::attractive, setup);
   const double step = offset_step(b.exact.contact_time, production_steps, 0);

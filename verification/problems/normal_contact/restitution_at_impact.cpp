@@ -16,7 +16,7 @@ namespace {
 
 constexpr double wanted = 0.6;
 
-/// What one body's contact looks like: speed of separation of the bodies' points along the normal, < 0 on approach.
+/// Speed of separation of the bodies' contact points along the normal; < 0 on approach.
 using NormalSpeed = std::function<double(const Model&, const State&)>;
 
 struct Impact {
@@ -25,8 +25,8 @@ struct Impact {
   double end{};        ///< [s]
   std::size_t impacts{1};
   NormalSpeed speed;
-  /// Error that is not of the change during the contact: of the method where nothing changes, of the tilt of a side
-  /// that lands nearly flat. 0: the error is proportional to the contact time.
+  /// Bound of an error that is not caused by changes during contact: that of the method where nothing changes, or of
+  /// the tilt of a side that lands nearly flat. 0: the error is proportional to the contact time.
   double bound{};
   const char* why{};
 };
@@ -162,7 +162,8 @@ std::vector<Impact> impacts() {
       {"tumbling ellipse, three impacts", joined(ellipse, "", ground), 3.0, 3, ellipse_speed}};
 }
 
-/// A dashpot that stays what it is: by the mass that the contact feels at the start, or of the bodies as particles.
+/// Planted fault: a dashpot that does not change, from the initial effective mass of the contact or from the masses of
+/// the bodies as particles.
 void fix_dashpot(Scene& scene, bool rotation) {
   auto& law = std::get<LinearSpringDashpot>(scene.model.contacts[0].law);
   double mass = 0.0;
@@ -179,7 +180,7 @@ void fix_dashpot(Scene& scene, bool rotation) {
   law.damping_ratio = 0.0;
 }
 
-/// The restitution of each impact: speed of the contact points along the normal after over before.
+/// Restitution of each impact: normal speed of the contact points after the impact over that before it.
 std::vector<double> restitutions(const Impact& impact, double stiffness, const Setup& setup, Findings& findings) {
   const std::string text = fmt::format(R"(
 title = "Restitution at impact"

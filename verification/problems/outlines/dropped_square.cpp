@@ -16,7 +16,7 @@ constexpr double half_side = 0.5, stiffness = 1e4, speed = 1.0, step = 1.0371e-4
 
 enum class Target { plane, square };
 
-/// A square turned by `angle` that falls on a plane, or on the top of a fixed square; not yet touching.
+/// A square turned by `angle` that falls on a plane, or on the top of a fixed block; not yet touching.
 Scene fall(double angle, Target target, ContactMethod method, double aside, const Setup& setup) {
   ModelBuilder builder{si};
   const double reach = half_side * (std::abs(std::cos(angle)) + std::abs(std::sin(angle)));
@@ -55,7 +55,7 @@ const char* name_of(Target target) { return target == Target::plane ? "plane" : 
 const char* name_of(ContactMethod method) { return method == ContactMethod::nodes ? "nodes" : "resultant"; }
 std::string claim_of(ContactMethod method) { return fmt::format("method.{}", name_of(method)); }
 
-/// Left against right, bit for bit, of falls at many angles, corner and edge among them.
+/// Compares falls to the left with their mirror images to the right at many angles, including corner and edge.
 void check_mirror(Findings& findings, const Setup& setup) {
   const double corner = 0.25 * std::numbers::pi;
   for (const Target target : {Target::plane, Target::square}) {
@@ -83,7 +83,7 @@ void check_mirror(Findings& findings, const Setup& setup) {
   }
 }
 
-/// Falls without a tilt keep their symmetry.
+/// Checks that falls without a tilt keep their symmetry.
 void check_even(Findings& findings, const Setup& setup) {
   for (const Target target : {Target::plane, Target::square}) {
     for (const ContactMethod method : {ContactMethod::resultant, ContactMethod::nodes}) {
@@ -97,7 +97,7 @@ void check_even(Findings& findings, const Setup& setup) {
   }
 }
 
-/// Spin over tilt, and the change of the rebound, as the tilt goes to zero.
+/// Order of the spin after the fall in the tilt, as the tilt goes to zero.
 void check_offsets(Findings& findings, const Setup& setup) {
   const double corner = 0.25 * std::numbers::pi;
   Figure figure{.name = "offsets",

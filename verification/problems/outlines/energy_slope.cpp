@@ -43,7 +43,7 @@ std::vector<TouchingPair> pairs() {
           {"nodes, centroid rays: superellipses", ellipse, stone, by_nodes, NodeDepth::centroid_ray}};
 }
 
-/// Whether the rule's force is meant to be the slope of an energy; the other rules of 1993 are measured.
+/// True if the rule's force should derive from an energy on any path; the other rules of 1993 are only measured.
 bool has_potential(const TouchingPair& pair) { return pair.rule == NodeDepth::nearest; }
 
 Model cable_model() {
@@ -60,13 +60,13 @@ Model cable_model() {
   return builder.build();
 }
 
-/// How far force and slope of the energy differ, over the largest of the forces, at the places with contact.
+/// Differences between force and slope of the energy, relative to the largest force, at positions with contact.
 struct Mismatch {
-  int places{}, mismatched{};  ///< mismatched: by more than 1e-6
+  int places{}, mismatched{};  ///< number of positions; those that differ by more than 1e-6
   double largest{};
 };
 
-/// A step beside a corner of V (another face, another node) is not asked: there is no slope at the corner itself.
+/// Positions with a kink of V within the steps (another face, another node) are skipped: V has no slope at a kink.
 Mismatch mismatch(const Model& model, double reach, const Setup& setup) {
   record_use(model);
   Potential potential{model};
@@ -97,7 +97,7 @@ Mismatch mismatch(const Model& model, double reach, const Setup& setup) {
       const double up = energy_at(nudge), down = energy_at(-nudge);
       const double far_up = energy_at(2.0 * nudge), far_down = energy_at(-2.0 * nudge);
       const double slope = (up - down) / (2.0 * nudge), wide = (far_up - far_down) / (4.0 * nudge);
-      // A kink within reach shows as a change of slope with the step far beyond delta^2.
+      // With a kink within reach the slope changes with the step by far more than delta^2.
       smooth = smooth && std::abs(slope - wide) < 1e-4 * largest;
       const double force = setup.has("moments_halved") && k % 3 == 2 ? 0.5 * forces[k] : forces[k];
       worst = std::max(worst, std::abs(force + (setup.has("energy_off") ? 1.001 : 1.0) * slope));

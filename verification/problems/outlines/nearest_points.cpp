@@ -21,7 +21,7 @@ constexpr std::array exponents{1.2, 2.0, 3.0, 5.0, 8.0, 12.0, 20.0, 50.0, 200.0,
 constexpr std::array heights{1.0, 0.7, 0.3, 0.1};
 constexpr std::array kinds{"inside a corner", "anywhere inside", "outside"};
 
-/// A point of a kind, by three random shares.
+/// A random point of a kind, from up to three random numbers between 0 and 1.
 Vec2 placed(std::size_t kind, const Superquadric& shape, std::mt19937_64& random) {
   std::uniform_real_distribution<double> share{0.0, 1.0};
   if (kind == 0) {
@@ -32,7 +32,7 @@ Vec2 placed(std::size_t kind, const Superquadric& shape, std::mt19937_64& random
   return (kind == 1 ? share(random) : 1.0 + 2.0 * share(random)) * on;
 }
 
-/// Distance by Newton's method in the parametric angle; NaN if it does not end in 60 steps.
+/// Distance by Newton's method in the parametric angle; NaN if it does not converge in 60 steps.
 double newton_distance(const Superquadric& shape, Vec2 p, double start) {
   constexpr double d = 1e-4;
   const auto square = [&](double t) {
@@ -52,7 +52,7 @@ double newton_distance(const Superquadric& shape, Vec2 p, double start) {
 
 struct Tried {
   int points{}, wrong{};
-  double farthest{};  ///< error over the size
+  double farthest{};  ///< largest error of the distance, relative to the half axis a = 1
   std::array<int, 3> newton_failed{};
 };
 
@@ -82,7 +82,7 @@ Tried try_points(double n, double height, std::size_t kind, const Setup& setup) 
   return tried;
 }
 
-/// Distance of a point from a line of segments, each tried.
+/// Distance of a point from a line of segments: minimum over all segments.
 double distance_from_line(const std::vector<Vec2>& points, Vec2 p) {
   double least = std::numeric_limits<double>::infinity();
   for (std::size_t i = 0; i + 1 < points.size(); ++i) {
@@ -93,8 +93,9 @@ double distance_from_line(const std::vector<Vec2>& points, Vec2 p) {
   return least;
 }
 
-/// Points about a rectangle and uneven ground, inside and outside: depths against each segment, and whether the normal
-/// leads to the outline. The ground has a sharp ridge and a notch; its end pieces reach far beyond the points.
+/// Points about a rectangle and uneven ground, inside and outside: compares their depths with the distance from all
+/// segments, and checks that the normal leads to the outline. The ground has a sharp ridge and a notch; its end
+/// segments reach far beyond the points.
 void check_straight_outlines(Findings& findings, const Setup& setup) {
   const double a = 1.0, b = 0.4;
   const std::vector<Vec2> box{{a, b}, {-a, b}, {-a, -b}, {a, -b}, {a, b}};
@@ -126,8 +127,8 @@ void check_straight_outlines(Findings& findings, const Setup& setup) {
                   Tolerance::round_off(2e-14, words));
 }
 
-/// By the rule `centroid_ray` a node inside is as deep as the ray from the centre through it is long up to the outline,
-/// which is sought by halving.
+/// By the rule `centroid_ray` the overlap of a node inside is its distance from the outline along the ray from the
+/// centre. The reference finds the outline on this ray by bisection.
 void check_rays(Findings& findings) {
   std::mt19937_64 random{1994};
   std::uniform_real_distribution<double> share{0.05, 0.95};

@@ -30,10 +30,10 @@ Model disc_of_nodes(int nodes, ContactMethod method, const Setup& setup) {
   return builder.build();
 }
 
-/// Overlap and force of a disc led along the plane as it rolls.
+/// Overlap and force of a disc that is moved along the plane as if it rolled.
 struct Rolled {
   double deepest{}, shallowest{1e9};  ///< overlap of the deepest node [L]
-  double force_error{};               ///< largest difference to the sum over the nodes [F]
+  double force_error{};               ///< largest difference from the sum over the nodes [F]
   std::vector<double> turned, force;
 };
 
@@ -43,7 +43,7 @@ Rolled roll(int nodes, double overlap, ContactMethod method, const Setup& setup)
   const Dynamics dynamics{model};
   Workspace work = dynamics.workspace();
   Rolled rolled;
-  const int steps = 2 * 96;  // over two nodes; every 48th place is exactly at or between nodes
+  const int steps = 2 * 96;  // over two node spacings; every 48th position is exactly at or midway between nodes
   for (int i = 0; i <= steps; ++i) {
     const double angle = 4.0 * std::numbers::pi / nodes * i / steps;
     State state = rest_state(model);
@@ -102,8 +102,8 @@ void check_rolling(Findings& findings, const Setup& setup) {
   if (!setup.coarse) findings.figure(figure);
 }
 
-/// A disc of 100 nodes over the upper side of a plank, turned so that each node in turn is the lowest: the largest overlap
-/// beside the least distance of a node from the plank's sides.
+/// A disc of 100 nodes at the upper side of a plank, turned so that each node in turn is the lowest. Compares the
+/// overlap of the contact with that of the deepest node, which is its distance from the nearest side of the plank.
 void check_deepest(Findings& findings) {
   constexpr int nodes = 100;
   constexpr double half_width = 2.0, half_height = 0.3, overlap = 0.04;
@@ -155,7 +155,7 @@ void check_curvature(Findings& findings, const Setup& setup) {
     int nodes = 4;
     for (; nodes < 100000; nodes += 4) {
       const std::vector<Vec2> points = boundary_nodes(Shape{shape}, nodes);
-      // Of an even count of nodes in a quadrant the corner lies in the middle of a chord.
+      // With an even number of nodes in a quadrant the corner lies at the middle of a chord.
       const std::size_t before = static_cast<std::size_t>(nodes) / 8;
       if (nodes % 8 != 0) continue;
       const Vec2 chord = points[before] - points[before - 1];
@@ -166,7 +166,7 @@ void check_curvature(Findings& findings, const Setup& setup) {
   }
   findings.expect("curvature at the corner over its formula, farthest of n = 2 to 50, over n", farthest, 0.0,
                   Tolerance::round_off(4.0 * 0x1p-53, "powers enlarge the rounding of x by n; a few of them"));
-  // Away from the diagonal, where the axes differ: against the turn of the outward normal along the outline.
+  // Away from the diagonal of an outline with unequal axes: compared with the turn of the outward normal along it.
   double turned = 0.0;
   for (const double n : {2.0, 3.0, 8.0}) {
     const Superquadric shape{1.0, 0.4, n};

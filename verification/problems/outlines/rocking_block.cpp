@@ -17,7 +17,7 @@ Scene block_scene(const reference::RockingBlock& block, double tilt, double stif
   ModelBuilder builder{si};
   builder.gravity({0.0, -gravity});
   const double b = block.half_width, h = block.half_height, inertia = (b * b + h * h) / 3.0;
-  // The right corner stands at the origin, sunk under the weight; tilted clockwise.
+  // The right corner is at the origin, sunk by its overlap under the weight; the block is tilted clockwise.
   const double sine = std::sin(-tilt), cosine = std::cos(tilt);
   const Vec2 corner{cosine * b + sine * h, sine * b - cosine * h};
   const BodyId body = builder.add(Body{.name = "block",
@@ -39,10 +39,10 @@ Scene block_scene(const reference::RockingBlock& block, double tilt, double stif
   return scene;
 }
 
-/// Times at which the block stands upright, and the largest tilts between.
+/// Times at which the block is upright, and the largest tilt between them.
 struct Rocked {
   double first{}, second{};  ///< passages of q = 0 [T]
-  double tilt{};             ///< largest to the other side [rad]
+  double tilt{};             ///< largest tilt to the other side [rad]
   std::vector<double> time, angle;
 };
 

@@ -14,7 +14,7 @@ namespace {
 constexpr double axis_a = 1.0, axis_b = 0.6, gravity = 9.81, shear_ratio = 1.0 / 3.0;
 constexpr reference::RockingEllipse ellipse{axis_a, axis_b, gravity};
 
-/// At rest at the amplitude, contact and friction loaded as they are in the swing.
+/// Scene at rest at the amplitude; contact and friction spring are loaded as during the oscillation.
 Scene rocking_scene(double amplitude, double stiffness, const Setup& setup) {
   ModelBuilder builder{si};
   builder.gravity({0.0, -gravity});
@@ -35,7 +35,7 @@ Scene rocking_scene(double amplitude, double stiffness, const Setup& setup) {
   Scene scene{.title = "Rocking ellipse", .model = builder.build()};
   scene.initial = rest_state(scene.model);
   const double frequency = small_rocking_frequency(ellipse);
-  // The force that turns the rolling body holds the spring stretched.
+  // The friction force that turns the rolling body stretches the spring.
   scene.initial.z[0] = axis_b * frequency * frequency * amplitude / (shear_ratio * stiffness);
   return scene;
 }

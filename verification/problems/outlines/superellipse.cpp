@@ -29,7 +29,7 @@ std::vector<reference::Point> polygon(double n, double corners, const Setup& set
   return found;
 }
 
-/// What polygons of 32 ... 2048 nodes lack.
+/// Deficits in area and polar moment of polygons of 32 ... 2048 nodes.
 struct Lacking {
   reference::Superellipse shape;
   double area{}, moment{};  ///< of the shape itself
@@ -48,8 +48,8 @@ Lacking lacking(double n, const Setup& setup) {
   return found;
 }
 
-/// What polygons lack over its leading order, the last of them and extrapolated from the last three: the next terms are
-/// nodes^(-2/n) and, of the moment, nodes^(-6/n).
+/// Deficit over its leading order: for the last polygon, and extrapolated from the last three. The next terms are
+/// nodes^(-2/n) and, for the moment, nodes^(-6/n).
 std::array<double, 2> over_leading_order(const Convergence& lacking, double constant, double n) {
   std::array<double, 3> ratio{};
   for (std::size_t i = 0; i < 3; ++i) {
@@ -94,7 +94,7 @@ void check_area(Findings& findings, const Setup& setup) {
     const auto area = over_leading_order(found.of_area, reference::area_cut_off(found.shape, 1.0), n);
     const auto moment = over_leading_order(found.of_moment, reference::moment_cut_off(found.shape, 1.0), n);
     farthest = std::max({farthest, std::abs(area[1] - 1.0), std::abs(moment[1] - 1.0)});
-    // From n = 8 on the next term, nodes^(-2/n), is felt all along.
+    // From n = 8 on the next term, nodes^(-2/n), lowers the order at all numbers of nodes.
     const double low = n > 4.0 ? 1.96 : 1.98;
     findings.in("order_of_area")
         ->expect_order(fmt::format("order of the polygon's area in 1/nodes, n = {:g}", n), found.of_area, low, 2.01,
@@ -123,7 +123,7 @@ void check_area(Findings& findings, const Setup& setup) {
 
 constexpr double a = superellipse_half_axes[0], b = superellipse_half_axes[1];
 
-/// Overlap with a plane at every angle, both anywhere.
+/// Overlap with a plane at every angle, with body and plane at random positions.
 void check_support(Findings& findings, const Setup& setup) {
   std::mt19937_64 random{1};
   std::uniform_real_distribution<double> place{-3.0, 3.0}, any{-std::numbers::pi, std::numbers::pi};
@@ -171,7 +171,7 @@ Figure support_figure() {
       const double phi = 0.5 * i * std::numbers::pi / 180.0;
       line.add(0.5 * i, reference::support({a, b, n}, std::cos(phi), std::sin(phi)));
       if (i % 10 != 0) continue;
-      // The plane below, the body turned so that its direction phi looks down.
+      // The plane is below; the body is turned so that its direction phi points down.
       const Pose body{{}, rotation(-std::numbers::pi / 2.0 - phi), {}, 0.0};
       points.add(0.5 * i, gap(Superquadric{a, b, n}, body, HalfPlane{}, Pose{}).depth);
     }

@@ -11,13 +11,13 @@ namespace talus::verification::problems {
 /// Half axes of the shapes, those of the columns of 1993 [L].
 inline constexpr std::array superellipse_half_axes{1.25, 4.0};
 
-/// The shape as the solver is told it, with the setup's fault in it.
+/// The shape passed to the solver, including the setup's fault.
 [[nodiscard]] Superquadric superellipse_told(double n, const Setup& setup);
 
-/// Overlaps and distances of pairs of outlines, against brute force.
+/// Compares overlaps and distances of pairs of outlines with brute force.
 void check_pairs(Findings& findings, const Setup& setup);
 
-/// Pairs that the contact search leaves out, against brute force; scenes with and without the search.
+/// Compares the pairs that the contact search omits with brute force, and scenes with and without the search.
 void check_search(Findings& findings, const Setup& setup);
 void check_scenes(Findings& findings, const Setup& setup);
 

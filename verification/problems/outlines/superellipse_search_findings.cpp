@@ -19,7 +19,7 @@ namespace {
 using reference::Outline;
 using reference::OutlineKind;
 
-/// A shape, as solver and reference name it.
+/// A shape in the forms of solver and reference.
 struct Kind {
   const char* name;
   Shape shape;
@@ -36,7 +36,7 @@ const std::array kinds{
          {OutlineKind::superellipse, {0.5, 1.1, 20.0}, 0.0, 0.0, 0.0}},
     Kind{"half_plane", HalfPlane{}, {OutlineKind::half_plane, {}, 0.0, 0.0, 0.0}}};
 
-/// Places bodies at random, the same way for solver and reference.
+/// Places bodies at random; solver and reference get the same positions.
 class RandomPlaces {
  public:
   explicit RandomPlaces(double reach) : place_{-reach, reach} {}
@@ -53,7 +53,7 @@ class RandomPlaces {
 
 Pose pose_of(const Outline& outline) { return {{outline.x, outline.y}, rotation(outline.angle), {}, 0.0}; }
 
-/// What the search makes of one pair of shapes.
+/// Results of the search for one pair of shapes: numbers of positions.
 struct Searched {
   int touching{}, apart{};
   int left_out_touching{}, left_out_apart{};
@@ -76,7 +76,7 @@ Searched search_pairs(const Kind& a, const Kind& b, const Setup& setup) {
   return found;
 }
 
-/// A scene of six bodies at random that all may touch each other and the ground.
+/// A scene of six randomly placed bodies, any of which may touch each other and the ground.
 Model random_scene(RandomPlaces& places) {
   ModelBuilder builder;
   std::vector<BodyId> ids;
@@ -106,7 +106,7 @@ Model random_scene(RandomPlaces& places) {
   return builder.build();
 }
 
-/// Overlap of two outlines as the contact has it.
+/// Overlap of two outlines as computed for their contact.
 double pair_depth(const Kind& a, const Outline& A, const Kind& b, const Outline& B, const Setup& setup) {
   ModelBuilder builder;
   const auto add = [&](const Kind& kind, const Outline& at, const char* name) {

@@ -13,7 +13,7 @@ namespace {
 constexpr double radius = 0.5, mass = 2.0, gravity = 10.0;
 constexpr double sine = 0.6, cosine = 0.8, tangent = 0.75;
 
-/// A disc on fixed ground; contact 0 between them.
+/// A disc on fixed ground; contact 0 is between the disc and the first ground body.
 Scene disc_on(const std::vector<Body>& ground, Vec2 place, const LinearSpringDashpot& law,
               const CoulombFriction& friction, Mobility mobility, double inertia) {
   ModelBuilder builder;
@@ -43,7 +43,7 @@ State run(const Scene& scene, double step, double end, Findings& findings) {
   return run_scene(scene, VelocityVerlet{}, {step, end, 1e9, false}, findings).state;
 }
 
-/// Bounces, slips and rolls down a slope, three pieces long.
+/// A disc bounces, slips and rolls down a slope of three segments: compared with a half-plane, bit for bit.
 void check_straight(Findings& findings, const Setup& setup) {
   const double lift = setup.has("bent_ground") ? 1e-12 : 0.0;
   const Terrain straight{{{-0.3, 0.0}, {0.4, 0.0}, {1.1, lift}, {1.6, 2.0 * lift}}};
@@ -73,7 +73,7 @@ void check_straight(Findings& findings, const Setup& setup) {
                   Tolerance::exact("three runs of 3 places, 3 speeds and a stretch"));
 }
 
-/// Rolls over a crest; returns the speed down the slope.
+/// A disc rolls over a crest: compares its speed down the slope with the rigid disc's, and checks the energy balance.
 void check_crest(Findings& findings, const Setup& setup) {
   const double stiffness = 1e6 * mass, overlap = mass * gravity / stiffness, start_speed = 0.5;
   const double drop = setup.has("slope_too_flat") ? 0.745 : tangent;
@@ -83,9 +83,9 @@ void check_crest(Findings& findings, const Setup& setup) {
   scene.initial.v = {start_speed, 0.0, -start_speed / (radius - 0.5 * overlap)};
   std::optional<RunLedger> ledger;
   Series speed{"solver", {}, {}, Style::points}, exact{"rigid", {}, {}, Style::lines};
-  double worst = std::nan(""), closure = 0.0;  // not a number: the crest was not reached
+  double worst = std::nan(""), closure = 0.0;  // NaN until the crest is reached
   const Watcher watch = [&](const State& seen, const StepInfo&) {
-    if (!ledger) ledger.emplace(scene.model, seen);  // of the first state with its modes settled: the disc is pressed
+    if (!ledger) ledger.emplace(scene.model, seen);  // first state with updated modes: contact closed
     closure = std::max(closure, std::abs((*ledger)(seen).energy_closure));
     const double s = cosine * seen.q[0] - sine * seen.q[1];
     if (s < 0.0) return;
@@ -120,7 +120,7 @@ void check_crest(Findings& findings, const Setup& setup) {
                    .series = {exact, speed}});
 }
 
-/// Falls into a notch, or between two slopes of their own, and comes to rest.
+/// Final state of a disc that falls into a notch, or between two separate slopes, and comes to rest.
 State rest_in_notch(bool two, const Setup& setup, double step, Findings& findings) {
   const double stiffness = 2000.0, low = setup.has("lopsided_notch") ? 0.7 : tangent;
   const std::vector<Body> notch{fixed_body(Terrain{{{-4.0, 3.0}, {0.0, 0.0}, {4.0, 4.0 * low}}})};

@@ -20,7 +20,7 @@ using reference::EndRule;
 
 constexpr double struck_mass = 1.0, striker_mass = 3.0, stiffness = 1e5, bound = 1e-3;
 
-/// How the struck body moves, as options of the program, and the effective mass of the impact.
+/// Mobility of the struck body, as options of the program, and the effective mass of the impact.
 struct Geometry {
   std::vector<std::string> options;
   double effective_mass{};
@@ -55,7 +55,7 @@ Json calibrated(const TemporaryFolder& folder, double restitution, EndRule rule,
   return Json::parse(talus_output(folder, arguments));
 }
 
-/// What the program prints, against closed forms.
+/// Compares the numbers that the program prints with closed forms.
 void check_numbers(const TemporaryFolder& folder, Findings& findings, const Setup& setup) {
   double damping = 0.0, mass = 0.0, time = 0.0, overlap = 0.0;
   const std::vector<double> restitutions = setup.coarse ? std::vector{0.6} : std::vector{0.9, 0.6, 0.2};
@@ -83,7 +83,7 @@ void check_numbers(const TemporaryFolder& folder, Findings& findings, const Setu
   findings.expect("largest overlap, over the exact one: largest deviation from 1", overlap, 0.0, round_off);
 }
 
-/// Restitution of two discs in a run of the program. They touch after a whole number of steps and `phase` of another.
+/// Restitution of two discs in a run of the program. They touch after three steps and the fraction `phase` of a step.
 double simulated(const TemporaryFolder& folder, const std::string& law, double time, double step, double phase) {
   const double gap = (3.0 + phase) * step;
   folder.write("impact.toml", fmt::format(R"(units = "SI"
@@ -122,8 +122,8 @@ watch = "off"
   return velocity(1) - velocity(0);
 }
 
-/// The lines that the program prints for a scene, but with a stiffness times `factor` and the same damping ratio: the
-/// contact time varies, and with it the phase at which the discs part.
+/// The lines that the program prints for a scene, with the stiffness multiplied by `factor` at the same damping ratio:
+/// this changes the contact time and thereby the phase at which the discs part.
 std::string printed_law(const TemporaryFolder& folder, double restitution, EndRule rule, double factor) {
   std::vector<std::string> arguments{"calibrate",
                                      "--restitution",
@@ -140,7 +140,7 @@ std::string printed_law(const TemporaryFolder& folder, double restitution, EndRu
   return text.substr(from, to - from);
 }
 
-/// The step that the program advises, by brute force over phases.
+/// Tests the advised step by brute force over the phases of touch and separation.
 void check_step(const TemporaryFolder& folder, Findings& findings, const Setup& setup) {
   const int phases = setup.coarse ? 3 : 6;
   double largest = 0.0, above_claim = 0.0;
@@ -152,7 +152,7 @@ void check_step(const TemporaryFolder& folder, Findings& findings, const Setup& 
     const double time = printed.at("contact_time").get<double>();
     double worst = 0.0;
     for (int part = 0; part < phases; ++part) {
-      // One step more or less in a contact, in equal parts.
+      // Shortens the contact time by equal fractions of one step.
       const double factor = std::pow(1.0 + step / time * part / phases, 2);
       const std::string law = printed_law(folder, e, rule, factor);
       for (int meet = 0; meet < phases; ++meet)

@@ -27,26 +27,26 @@ using records::Json;
 using records::Node;
 using reference::VirtualDiscs;
 
-/// The deck. Units of SI.
+/// Parameters of the deck, in SI units.
 constexpr int rows = 4, columns = 5, wall_discs = 6;
 constexpr std::size_t free_discs = rows * columns, all_discs = free_discs + 2 * wall_discs;
 constexpr double k1 = 1.7e4, k2 = k1 / 0.49, diameter = 1e-3, mass = 7.2e-7, gravity = 9.81, block_mass = 5e-3,
                  block_speed = 5.0, width = wall_discs * diameter, half = 0.5 * width;
-constexpr double area = width * diameter;  ///< that stresses on the walls refer to
+constexpr double area = width * diameter;  ///< reference area of the stresses on the walls
 constexpr double step = 3e-7;
-constexpr int steps_in_loop = 120, steps = 16 * steps_in_loop + 90;  // the last LOOP is not whole
-/// Contacts are sampled every half contact time, 20 of these steps, and layers at every eighth sample.
+constexpr int steps_in_loop = 120, steps = 16 * steps_in_loop + 90;  // the last LOOP is incomplete
+/// Contacts are sampled every half contact time (20 of these steps), layers at every eighth sample (a look).
 constexpr int steps_in_sample = 20, samples_in_look = 8;
 constexpr double loop = steps_in_loop * step, end = steps * step;
-/// The first quarter of a run does not count for means.
+/// The first quarter of a run is excluded from means.
 constexpr double start_up = 0.25 * end;
-/// RESTART.DAT.
+/// Elapsed time and cycles in RESTART.DAT.
 constexpr double elapsed = 0.0123;
 constexpr long cycles = 41000;
 
 double wrapped(double x) { return x - width * std::floor(x / width + 0.5); }
 
-/// Free discs, the base and the block at the elapsed time, the block set down on the discs.
+/// Initial state: free discs, base and block at the elapsed time; the block is lowered until it touches.
 VirtualDiscs start() {
   VirtualDiscs discs{.k1 = k1,
                      .k2 = k2,
@@ -71,7 +71,7 @@ VirtualDiscs start() {
   };
   for (int row = 0; row < rows; ++row) {
     for (int column = 0; column < columns; ++column) {
-      // Each row over the gaps of the one below, hardly apart from it.
+      // Each row is above the gaps of the row below, with hardly any distance between them.
       const double place = (column + (row % 2 == 0 ? 0.25 : 0.75)) / columns - 0.5;
       // The last disc is the highest, so that the block lies on it across the border.
       const bool highest = row == rows - 1 && column == columns - 1;
@@ -109,7 +109,7 @@ std::string restart_text(const VirtualDiscs& discs, const Setup& setup) {
   return text;
 }
 
-/// What is averaged, in the order of the columns of history.csv; from `moment` on for the summary alone.
+/// Averaged quantities, in the order of the columns of history.csv; from `moment` on for the summary only.
 enum Quantity : std::size_t {
   top_shear,
   top_normal,
@@ -119,15 +119,15 @@ enum Quantity : std::size_t {
   solid_fraction,
   touching,
   coordination,
-  moment,  ///< shear on the block times the height of its centre line over the base's
+  moment,  ///< shear on the block times the height of its centre line above that of the base
   depth_square,
   contacts,
-  multiple,  ///< contacts of which a free disc has another
+  multiple,  ///< contacts with a free disc that has another contact
   shear,     ///< stresses of contacts times the height of the field
   normal,
   multiple_shear,
   multiple_normal,
-  kinetic,  ///< shear that moving discs carry times the height of the field
+  kinetic,  ///< shear transported by moving discs times the height of the field
   count,
 };
 using Values = std::array<double, count>;
@@ -144,10 +144,10 @@ struct Mean {
   double operator()(Quantity quantity) const { return sum[quantity] / weight; }
 };
 
-/// A disc as the layers see it.
+/// A disc in one sample of the layers.
 struct Seen {
-  double time{};    ///< since the start, of the sample [T]
-  double weight{};  ///< time that it counts for [T]
+  double time{};    ///< of the sample, since the start [T]
+  double weight{};  ///< time that the sample represents [T]
   double y{}, vx{}, vy{};
 };
 
@@ -157,18 +157,18 @@ struct State {
   std::vector<bool> multiple;  ///< of each contact
 };
 
-/// What the files should hold, from the reference's motion.
+/// Expected contents of the files, from the reference's motion.
 struct Expected {
   std::vector<Mean> loops;
   Mean steady;  ///< after the start-up
   std::vector<Seen> seen;
-  std::vector<double> weights;  ///< of the looks in each tenth of the time after the start-up [T]
-  std::vector<State> states;    ///< at each LOOP, and at the end
+  std::vector<double> weights;  ///< time represented by the looks in each tenth of the time after the start-up [T]
+  std::vector<State> states;    ///< at the end of each LOOP and of the run
   double largest_overlap{}, largest_fraction{};
-  double work{};  ///< of what drives the block [F L]
+  double work{};  ///< work of the drive of the block [F L]
 };
 
-/// The contacts that act in a state, with memory as it is there, and which of them are multiple.
+/// The contacts that act in a state, with their history at that time, and which of them are multiple.
 State state_of(const VirtualDiscs& discs) {
   State state{discs, {}};
   state.discs.step(0.0);
@@ -210,7 +210,7 @@ Values sampled(const State& state, Expected& expected) {
   return values;
 }
 
-/// Which of the equal parts of a time.
+/// Index of the part that contains `time`, of `parts` equal parts of `whole`.
 std::size_t part(double time, double whole, int parts) {
   return static_cast<std::size_t>(std::clamp(std::floor(parts * time / whole), 0.0, parts - 1.0));
 }
@@ -289,7 +289,7 @@ void check_history(const TemporaryFolder& folder, const Expected& expected, Find
   findings.expect("history.csv: means over each LOOP, largest error", worst, 0.0, of_paths());
 }
 
-/// Area of a disc of radius 1 between two heights over its centre: the integral of 2 cos^2.
+/// Area of a disc of radius 1 between two heights relative to its centre: the integral of 2 cos^2.
 double area_between(double low, double high) {
   const auto integral = [](double height) {
     const double angle = std::asin(std::clamp(height, -1.0, 1.0));
@@ -298,7 +298,7 @@ double area_between(double low, double high) {
   return integral(high) - integral(low);
 }
 
-/// Velocity, temperature and solid fraction of a layer, without the looks of one tenth of the time, or (10) of all.
+/// Velocity, temperature and solid fraction of a layer, omitting the looks in tenth `without` of the time (10: none).
 std::array<double, 3> layer_of(const Expected& expected, double low, double high, std::size_t without) {
   constexpr double radius = 0.5 * diameter;
   const auto each = [&](auto&& visit) {
@@ -329,7 +329,7 @@ void check_profile(const TemporaryFolder& folder, const Expected& expected, Find
   const double thickness = 0.5 * diameter, shift = setup.has("layers_shifted") ? 0.01 * thickness : 0.0;
   double places = 0.0, means = 0.0, errors = 0.0, discs = 0.0;
   const std::array scale{block_speed, 0.5 * mass, 1.0};
-  std::vector<double> lows;  // of the layers that discs were in
+  std::vector<double> lows;  // lower bounds of the layers that contained discs
   for (int layer = 0; layer < 4 * rows; ++layer)
     if (layer_of(expected, layer * thickness, (layer + 1) * thickness, 10)[2] > 0.0) lows.push_back(layer * thickness);
   findings.expect("profile.csv: rows", static_cast<double>(profile.rows()), static_cast<double>(lows.size()),
@@ -340,7 +340,7 @@ void check_profile(const TemporaryFolder& folder, const Expected& expected, Find
     const std::array all = layer_of(expected, low, low + thickness, 10);
     discs += profile.number(row, 5) * width * thickness;
     std::vector<std::array<double, 3>> parts;
-    for (std::size_t tenth = 0; tenth < 10; ++tenth)  // one of which is between two looks
+    for (std::size_t tenth = 0; tenth < 10; ++tenth)  // one tenth contains no look
       if (expected.weights[tenth] > 0.0) parts.push_back(layer_of(expected, low, low + thickness, tenth));
     const auto kept = static_cast<double>(parts.size());
     const bool always = std::ranges::all_of(parts, [](const auto& of) { return of[2] > 0.0; });
@@ -365,7 +365,7 @@ void check_profile(const TemporaryFolder& folder, const Expected& expected, Find
                   Tolerance::round_off(1e-12, "each disc is in some layers with all of its area"));
 }
 
-/// A state of cell.pvd: discs with the images that contacts reach, contacts as lines.
+/// Compares a state of cell.pvd: discs and those images that contacts reach, contacts as lines.
 struct StateErrors {
   double discs{}, contacts{};
 };
@@ -386,7 +386,7 @@ void compare_state(const std::string& text, const State& state, StateErrors& wor
     keep_worst(worst.discs, wall.at(i) - (disc < free_discs ? 0.0 : disc < free_discs + wall_discs ? 1.0 : 2.0));
     if (i < all_discs) keep_worst(worst.discs, id[i] - static_cast<double>(i + 1));
   }
-  // Cells of the file: a vertex for each disc, then the lines; its second array of connections is theirs.
+  // The file's cells are a vertex for each disc, then the lines; the connectivity in <Lines> is that of the lines.
   const std::vector<double> ends = data_array(text.substr(text.find("<Lines>")), "connectivity");
   keep_worst(worst.contacts, static_cast<double>(ends.size()) / 2.0 - static_cast<double>(discs.contacts.size()));
   std::vector<bool> found(discs.contacts.size());
@@ -432,7 +432,7 @@ void check_states(const TemporaryFolder& folder, const Expected& expected, Findi
                           "without them nothing is compared; a disc of a plane has four in the mean where it jams");
 }
 
-/// The page that plays the cell: places in whole quanta, speeds and forces in thousandths of the largest.
+/// The animation of the cell: positions in whole quanta, speeds and forces in whole thousandths of the largest.
 void check_player(const TemporaryFolder& folder, const Expected& expected, Findings& findings) {
   (void)talus_output(folder, {"animate", "out"});
   const std::string page = folder.read("out/plots/animation.html"), begin = "id=\"data\">";
@@ -455,7 +455,7 @@ void check_player(const TemporaryFolder& folder, const Expected& expected, Findi
                             contacts_of = frames[f].at("contacts").list();
     for (std::size_t i = 0; i < free_discs; ++i) {
       keep_worst(places, wrapped(quantum * at.at(2 * i).number() - discs.x[i]) / quantum);
-      keep_worst(places, std::max(0.0, std::abs(at[2 * i].number()) - half / quantum));  // within the field
+      keep_worst(places, std::max(0.0, std::abs(at[2 * i].number()) - half / quantum));  // outside the field
       keep_worst(places, at.at(2 * i + 1).number() - discs.y[i] / quantum);
       keep_worst(thousandths, speeds.at(i).number() - 1e3 * std::hypot(discs.vx[i], discs.vy[i]) / largest_speed);
     }
@@ -485,7 +485,7 @@ std::vector<std::array<double, 4>> numbers_of(const std::string& text, std::size
   return lines;
 }
 
-/// The files of 1989: RESTART.DAT and PIC.DAT of the last LOOP.
+/// Output files of 1989: RESTART.DAT and PIC.DAT of the last LOOP.
 void check_decks(const TemporaryFolder& folder, const Expected& expected, Findings& findings) {
   const VirtualDiscs& discs = expected.states.back().discs;
   const std::string restart = folder.read("out/RESTART.DAT");
@@ -506,7 +506,7 @@ void check_decks(const TemporaryFolder& folder, const Expected& expected, Findin
   findings.expect("RESTART.DAT: discs", static_cast<double>(records.size()), free_discs,
                   Tolerance::exact("the free ones"));
   findings.expect("RESTART.DAT: places and velocities, largest error", worst, 0.0, of_paths());
-  // Each disc and each image of it that is within the field or touches it.
+  // All discs, and their images that are within the field or overlap its border.
   std::vector<std::array<double, 3>> pictures;
   for (std::size_t i = 0; i < all_discs; ++i) {
     for (const double box : {-1.0, 0.0, 1.0}) {
@@ -525,8 +525,8 @@ void check_decks(const TemporaryFolder& folder, const Expected& expected, Findin
   findings.expect("PIC.DAT: discs and virtual discs, number and largest distance", away, 0.0, of_paths());
 }
 
-/// Both sides of the limits that a cell's step must keep: 10 steps in a contact for a leapfrog, and for Euler a
-/// restitution e exp[(w1 + w2) pi h/4] that is off by at most 0.05.
+/// Tests both sides of the limits of a cell's step: 10 steps per contact for a leapfrog, and for Euler a restitution
+/// e exp[(w1 + w2) pi h/4] with an error of at most 0.05.
 void check_limits(const TemporaryFolder& folder, Findings& findings, const Setup& setup) {
   const double w1 = std::sqrt(2.0 * k1 / mass), w2 = std::sqrt(2.0 * k2 / mass);
   const double contact = 0.5 * std::numbers::pi * (1.0 / w1 + 1.0 / w2);
@@ -584,7 +584,7 @@ void check_summary(const Node& summary, const Expected& expected, const VirtualD
       energy += 0.5 * mass * (of.vx[i] * of.vx[i] + of.vy[i] * of.vy[i]);
     return energy;
   };
-  double stored = 0.0;  // what the unloading branch, the stiffer one, gives back
+  double stored = 0.0;  // energy recovered on the unloading branch, the stiffer one
   for (const VirtualDiscs::Contact& contact : discs.contacts)
     stored += 0.5 * contact.force * contact.force / k2;
   const double potential = block_mass * gravity * height_of(discs),
@@ -601,7 +601,7 @@ void check_summary(const Node& summary, const Expected& expected, const VirtualD
                   energy.at("unaccounted").number() - gained / std::max(std::abs(expected.work), discs.lost), 0.0,
                   of_paths());
 
-  // The groups by their definitions; two discs that meet have the effective mass m/2.
+  // The dimensionless groups by their definitions; two colliding discs have the effective mass m/2.
   const double contact = 0.5 * std::numbers::pi * (std::sqrt(0.5 * mass / k1) + std::sqrt(0.5 * mass / k2));
   const double pressure = block_mass * gravity / area,
                density = mass / (0.25 * std::numbers::pi * std::pow(diameter, 3));

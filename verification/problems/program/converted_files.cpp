@@ -25,7 +25,7 @@ namespace {
 using records::Json;
 using records::Node;
 
-/// All numbers of a text, between letters, blanks and quotes.
+/// All numbers of a text that follow a blank, quote, bracket, comma, tab, line end or `=`.
 std::vector<double> numbers_in(std::string_view text) {
   std::vector<double> found;
   for (std::size_t at = 0; at < text.size();) {
@@ -42,14 +42,14 @@ std::vector<double> numbers_in(std::string_view text) {
   return found;
 }
 
-/// How many of `values` no number of the text has all bits of.
+/// Number of `values` that do not occur in the text with all their bits.
 double missing(const std::vector<double>& values, const std::string& text) {
   const std::vector<double> there = numbers_in(text);
   return static_cast<double>(
       std::ranges::count_if(values, [&](double value) { return std::ranges::count(there, value) == 0; }));
 }
 
-/// The numbers that follow the first `words` of a text.
+/// The numbers that follow the first occurrence of `words` in a text, on the same line.
 std::vector<double> numbers_after(const std::string& text, const std::string& words) {
   const std::size_t at = text.find(words);
   if (at == std::string::npos) throw std::runtime_error("'" + words + "' is expected in a file");
@@ -57,7 +57,7 @@ std::vector<double> numbers_after(const std::string& text, const std::string& wo
   return numbers_in(std::string_view{text}.substr(from, text.find('\n', from) - from));
 }
 
-/// The deck of Table 2 with numbers that need all digits of a double, each of which stands once.
+/// The scene of Table 2 with numbers that need all digits of a double and occur once each.
 struct LongScene {
   std::string text = records::read_whole(TALUS_CASES "/fence/table_2.toml");
   std::vector<double> values;
@@ -83,7 +83,7 @@ LongScene long_scene() {
   return scene;
 }
 
-/// A scene as a deck of 1993, and that as a scene again.
+/// Converts a scene to a deck of 1993, and this deck back to a scene.
 void check_deck(const TemporaryFolder& folder, Findings& findings, const Setup& setup) {
   const LongScene scene = long_scene();
   folder.write("fence.toml", scene.text);
@@ -105,13 +105,13 @@ void check_deck(const TemporaryFolder& folder, Findings& findings, const Setup& 
                        "all numbers that the run depends on are in the deck, in their units");
 }
 
-/// The fence after a rock that has drawn out its cables, and after a second one.
+/// The fence after one rock, and after two, that plastically elongated its cables.
 void check_after(const TemporaryFolder& folder, Findings& findings, const Setup& setup) {
   std::string deck = records::read_whole(TALUS_CASES "/fence/sample2.DAT");
   const std::string limits = "1e8 1e8";
   deck.replace(deck.find(limits), limits.size(), "20000. 1e8");
   folder.write("yields.DAT", deck);
-  // Of an unusable run the final state is as good as any other.
+  // The run need not be a usable simulation: any final state with plastic elongation serves.
   (void)talus_output(folder, {"run", "yields.DAT", "--end", "0.1 s", "--out", "first"});
   (void)talus_output(folder, {"convert", "yields.DAT", "second.toml", "--after", "first"});
   (void)talus_output(folder, {"convert", "second.toml", "third.toml", "--after", "first"});
@@ -135,7 +135,7 @@ void check_after(const TemporaryFolder& folder, Findings& findings, const Setup&
                   Tolerance::round_off(1e-15, "the sum of two equal numbers"));
 }
 
-/// xi of a clamped contact with this restitution: ln(1/e) = 2 xi arccos(xi)/sqrt(1 - xi^2), by halving.
+/// xi of a clamped contact with this restitution: ln(1/e) = 2 xi arccos(xi)/sqrt(1 - xi^2), by bisection.
 double damping_ratio(double restitution) {
   double low = 0.0, high = 0.999;
   for (int n = 0; n < 60; ++n) {
@@ -145,7 +145,7 @@ double damping_ratio(double restitution) {
   return low;
 }
 
-/// A cell as LAMMPS reads it: masses by the volumes of spheres, walls, law, step, and the area of the stresses.
+/// A cell as read by LAMMPS: masses by the volumes of spheres, walls, law, step, and the area of the stresses.
 void check_lammps(const TemporaryFolder& folder, Findings& findings, const Setup& setup) {
   constexpr double diameter = 1e-3, mass = 7.2e-7, gravity = 9.81, overburden = 8e3, speed = 5.0;
   constexpr int rows = 8, columns = 10, wall = 11, free = rows * columns;
@@ -154,7 +154,7 @@ void check_lammps(const TemporaryFolder& folder, Findings& findings, const Setup
   constexpr double stiffness = 20305.0, shear_stiffness = 14214.0, friction = 0.5;
   const double ratio = damping_ratio(setup.has("other_restitution") ? 0.7 + 1e-9 : 0.7);
   const auto damping = [&](double k) { return 2.0 * ratio * std::sqrt(k * 0.5 * mass); };
-  // The latching cell with a dashpot in its place.
+  // The cell with latching springs, which --dashpot replaces by springs with dashpots.
   constexpr double latching_stiffness = 1.7e4;
   folder.write("ice.toml", records::read_whole(TALUS_CASES "/cell/ice.toml"));
   (void)talus_output(folder, {"export", "lammps", "ice.toml", "--dashpot", "--out", "ice"});
@@ -203,7 +203,7 @@ void check_lammps(const TemporaryFolder& folder, Findings& findings, const Setup
   findings.expect("discs.data: mass of the block's discs together, over that of the block", block / block_mass, 1.0,
                   round_off);
   findings.expect("discs.data: numbers, types, diameters and places, largest error", places, 0.0, round_off);
-  // Velocities: number, three along the axes, three of the spin.
+  // Velocities: number, three components along the axes, three of the spin.
   std::istringstream velocities{data.substr(data.find("Velocities") + 10)};
   double along = 0.0;
   for (int i = 0; i < free + 2 * wall; ++i) {

@@ -27,7 +27,7 @@ using Vector = std::array<double, 3>;
 // International foot and avoirdupois pound, exact by definition (1959), and standard gravity.
 constexpr double metre = 0.3048, newton = 0.45359237 * 9.80665, kilogram = newton / metre, joule = newton * metre;
 
-/// The deck of Table 2 with its spin in revolutions a minute.
+/// The scene of Table 2 with its spin in revolutions per minute.
 std::string scene_text(const Setup& setup) {
   std::string text = records::read_whole(TALUS_CASES "/fence/table_2.toml");
   const auto replace = [&text](const std::string& old, const std::string& with) {
@@ -51,7 +51,7 @@ std::vector<double> column(const Csv& table, const std::string& name) {
   return values;
 }
 
-/// Largest relative difference of two lists.
+/// Largest difference a - b of two lists, relative to the largest |b|.
 double largest_difference(const std::vector<double>& a, const std::vector<double>& b) {
   double largest = 0.0, scale = 0.0;
   for (std::size_t i = 0; i < b.size(); ++i)
@@ -61,8 +61,8 @@ double largest_difference(const std::vector<double>& a, const std::vector<double
 
 double size(const Vector& v) { return std::hypot(v[0], v[1], v[2]); }
 
-/// The force on an anchor at each state of the geometry: tensions of the cables that end there, towards their other
-/// ends [N].
+/// The force on an anchor at each state of the geometry: sum of the tensions of the cables that end there, each towards
+/// its other end [N].
 struct AnchorForces {
   std::vector<double> times;
   std::vector<Vector> forces;
@@ -152,7 +152,7 @@ void check_anchor(const TemporaryFolder& folder, const Node& sheet, Findings& fi
     return Vector{list.at(0).number(), list.at(1).number(), list.at(2).number()};
   };
   const AnchorForces found = anchor_forces(folder, vector(anchor.at("place")), setup);
-  // Trapezoids over all states, and over every other.
+  // Trapezoidal rule over every state (1) or every other state (2).
   const auto impulse = [&](std::size_t every) {
     Vector sum{};
     for (std::size_t n = every; n < found.times.size(); n += every) {

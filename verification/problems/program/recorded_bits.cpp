@@ -13,7 +13,7 @@
 namespace talus::verification::problems::recorded_bits {
 namespace {
 
-/// By group, then by run and part.
+/// Fingerprints by group, then by run and part.
 using Fingerprints = std::map<std::string, std::map<std::pair<std::string, std::string>, std::string>>;
 
 Fingerprints read_recorded() {
@@ -39,7 +39,7 @@ void run(Findings& findings, const Setup& setup) {
     not_restored[one.group] += one.not_restored;
     ++runs[one.group];
   });
-  // A group that was recorded and is not run any more differs as a whole.
+  // All results of a recorded group that is no longer run count as differing.
   for (const auto& [group, parts] : recorded) {
     if (!setup.coarse) found[group];
   }

@@ -47,7 +47,7 @@ ArchiveItems saved(Object& object, More&... more) {
   return saving.items();
 }
 
-/// 1 if an object differs from what was saved of another, once that is put back into it.
+/// 1 if an object, restored from the saved items of another, differs from these items; otherwise 0.
 template <class Object, class... More>
 int differs_restored(const ArchiveItems& items, Object& object, More&... more) {
   Archive loading{items};
@@ -57,7 +57,7 @@ int differs_restored(const ArchiveItems& items, Object& object, More&... more) {
 
 // --- Bodies -------------------------------------------------------------------------------------
 
-/// The springs and dashpots that act in a state, and how long a step may be there.
+/// The springs and dashpots that act in a state, and the longest step there.
 ArchiveItems linear_parts(const Dynamics& dynamics, const State& state) {
   const Snapshot seen{dynamics, state};
   AffinePiece piece;
@@ -75,7 +75,7 @@ ArchiveItems linear_parts(const Dynamics& dynamics, const State& state) {
           {"longest_step", std::vector{dynamics.longest_step(seen.geometry())}}};
 }
 
-/// The same run with nobody to see it, its balances off.
+/// Final state of the same run without observers and without the energy ledger.
 ArchiveItems unseen(const Scene& scene, Findings& findings) {
   const Dynamics dynamics{scene.model};
   RigidBodySystem system{dynamics, false};
@@ -143,7 +143,7 @@ void run_as_written(Findings& findings, const Take& take) {
     fences.push_back(even);
   for (const VariedScene& varied : fences)
     run_bodies("fences", varied.name, read_scene_file(varied.text, varied.name), findings, take);
-  // Of 1993: steps of fixed length.
+  // Decks of 1993, with steps of fixed length.
   for (const char* name :
        {"table_2", "appendix_one_layer", "appendix_two_layers", "appendix_top_cable_only", "appendix_nine_rocks"}) {
     SceneFile file = read_scene_file(std::filesystem::path{TALUS_CASES} / "fence" / fmt::format("{}.DAT", name));
@@ -153,7 +153,7 @@ void run_as_written(Findings& findings, const Take& take) {
   }
 }
 
-/// In which every kind of force acts, by every integrator.
+/// Runs scenes in which every kind of force acts, with every integrator.
 void run_methods(Findings& findings, const Setup& setup, const Take& take) {
   struct Run {
     std::string name;
@@ -197,7 +197,7 @@ struct NamedLaw {
   DiscLaw law;
 };
 
-/// Every law with its options.
+/// All laws with their options.
 std::vector<NamedLaw> laws(double stiffness, double damping) {
   return {{"latching", LatchingSpring{stiffness, stiffness / 0.49, 0.0}},
           {"latching, growing", LatchingSpring{stiffness, 1.2 * stiffness, 5.0}},
@@ -264,7 +264,7 @@ void run_cells(Findings& findings, const Take& take) {
       }
       plan.integrator = "velocity_verlet", plan.images = Images::virtual_discs;
       run_cell(cell, plan, name + ", virtual discs", findings, take);
-      // Few and hard discs, which fly most of the time.
+      // Few, hard discs, which are in free flight most of the time.
       cell.rows = 2, cell.columns = 4;
       plan.images = Images::nearest, plan.jump = true, plan.end = 40000.0 * step, plan.every = 0.25 * plan.end;
       run_cell(cell, plan, name + ", few discs", findings, take);
@@ -284,7 +284,7 @@ ArchiveItems items_of(const Packing& packing) {
           {"box", std::vector{packing.width, packing.height, packing.box.width, closest(packing)}}};
 }
 
-/// Discs of one packing that flow in one engine.
+/// Runs the flow of the discs of one packing in one engine.
 template <class System>
 void run_flow(System system, const Packing& packing, const std::string& name, Findings& findings, const Take& take) {
   constexpr double step = 0.15;

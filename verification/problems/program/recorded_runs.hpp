@@ -10,18 +10,18 @@
 /// Runs whose results are recorded bit by bit, for the case `recorded_bits`.
 namespace talus::verification::problems {
 
-/// What a run leaves.
+/// Results of one run.
 struct RunResult {
-  std::string group;                          ///< of the case's checks
-  std::string name;                           ///< unlike those of the group's other runs
+  std::string group;                          ///< group of the case's checks
+  std::string name;                           ///< unique within the group
   std::map<std::string, ArchiveItems> parts;  ///< numbers by name
-  int not_restored{};                         ///< objects that differ once they are put back from what was saved
+  int not_restored{};                         ///< objects that differ after they are restored from saved items
 };
 
-/// Bodies: scenes and fences as users write them, and scenes with every mechanism of loss by every integrator; with
-/// histories, energy balances, extremes, summaries of fences, and what a checkpoint holds at the end. Discs: cells of
-/// every law by every method; packings, and their flow in both engines. Calls `take` with one run after the other; with
-/// setup.coarse the yard by velocity Verlet alone.
+/// Runs all recorded runs and calls `take` with the result of each. Bodies: scenes and fences as users write them, and
+/// scenes with every loss mechanism with every integrator; with histories, energy balances, extremes, summaries of
+/// fences, and the content of a checkpoint at the end. Discs: cells of every law with every method; packings, and their
+/// flow in both engines. With setup.coarse only the yard with velocity Verlet.
 void run_all(Findings& findings, const Setup& setup, const std::function<void(const RunResult&)>& take);
 
 }  // namespace talus::verification::problems

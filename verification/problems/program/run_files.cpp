@@ -21,11 +21,11 @@ using records::Csv;
 using records::Json;
 using records::Node;
 
-const std::string frames = "34";  // between states of the geometry
+const std::string frames = "34";  // intervals between states of the geometry
 constexpr double step = 0.0125;
-constexpr int steps = 102, steps_a_row = 4, steps_a_file = 3;  // the last row comes half an interval early
+constexpr int steps = 102, steps_a_row = 4, steps_a_file = 3;  // the last interval between rows is half as long
 
-/// Numbers that the scene's text and its closed forms share.
+/// Parameters used both in the scene's text and in its closed forms.
 constexpr double gravity = 10.0;
 constexpr double thrown_mass = 2.0, thrown_inertia = 0.3, thrown_force_x = 0.5, thrown_force_y = 2.0, moment = 0.12;
 constexpr reference::ConstantForce thrown_x{0.5, -3.0, thrown_force_x / thrown_mass};
@@ -61,7 +61,7 @@ moment = "{} N m"
 )",
                       thrown_mass, thrown_inertia, thrown_x.place, thrown_y.place, thrown_x.speed, thrown_y.speed,
                       thrown_angle.place, thrown_angle.speed, thrown_force_x, thrown_force_y, moment);
-  // Guides take the force along x, with its moment about the origin, and the moment of the rope about the hung body.
+  // The guides carry the force along x, with its moment about the origin, and the rope's moment about the hung body.
   text += fmt::format(R"(
 [[body]]
 name = "pressed"
@@ -117,7 +117,7 @@ interval = "{} s"
 struct Quantity {
   std::string name;
   std::string unit;
-  double scale{};  ///< largest size over the run, of the quantity or of what it is summed from
+  double scale{};  ///< largest magnitude over the run, of the quantity or of its summands
 };
 
 /// All columns of the history, in order.
@@ -138,7 +138,7 @@ const std::vector<Quantity>& quantities() {
                                           {"hung.vx", "m/s", 1.0},
                                           {"hung.vy", "m/s", 1.2},
                                           {"bed.depth", "m", 0.5},
-                                          {"bed.force", "N", 1500.0},  // k times what the overlap is the difference of
+                                          {"bed.force", "N", 1500.0},  // k times the radius: overlap = radius - y
                                           {"rope.elongation", "m", 4.0},
                                           {"rope.tension", "N", 400.0},
                                           {"energy.kinetic", "N m", 70.0},
@@ -161,7 +161,7 @@ const std::vector<Quantity>& quantities() {
   return list;
 }
 
-/// The closed forms of all columns at a time.
+/// The closed forms of all columns at time t.
 std::vector<double> exact_row(double t) {
   using reference::place_at, reference::speed_at;
   const double x = place_at(thrown_x, t), y = place_at(thrown_y, t), vx = speed_at(thrown_x, t),
@@ -222,7 +222,7 @@ std::vector<double> exact_row(double t) {
           0.0};
 }
 
-/// Steps of the rows of the history: every fourth, and the last.
+/// Step numbers of the rows of the history: every fourth, and the last.
 std::vector<int> rows() {
   std::vector<int> found;
   for (int n = 0; n < steps; n += steps_a_row)
@@ -275,7 +275,7 @@ void check_extremes(const Node& summary, Findings& findings) {
     const auto [least, largest] = std::ranges::minmax_element(exact, {}, column);
     keep_worst(value, (found->at("least").number() - (*least)[i]) / quantity.scale);
     keep_worst(value, (found->at("largest").number() - (*largest)[i]) / quantity.scale);
-    // What is constant, or only rounding, has its extremes at any time.
+    // The extremes of a constant quantity, or of rounding errors, may occur at any time.
     if ((*largest)[i] - (*least)[i] < 1e-6 * quantity.scale) continue;
     keep_worst(time, found->at("least_time").number() - (*least)[0]);
     keep_worst(time, found->at("largest_time").number() - (*largest)[0]);
@@ -322,7 +322,7 @@ void check_final_state(const Node& file, Findings& findings) {
   findings.expect("final_state.json: positions and velocities, largest error", worst, 0.0, of_files());
 }
 
-/// Each file of the series: the disc's outline, the rope's ends and its tension.
+/// Checks each file of the series: the disc's outline, the rope's ends and its tension.
 void check_geometry(const TemporaryFolder& folder, Findings& findings, const Setup& setup) {
   double outline = 0.0, rope = 0.0, tension = 0.0, times = 0.0;
   int files = 0;
@@ -350,7 +350,7 @@ void check_geometry(const TemporaryFolder& folder, Findings& findings, const Set
 
 void check_resumed(const TemporaryFolder& folder, Findings& findings, const Setup& setup) {
   const std::vector<std::string> files{"history.csv", "final_state.json", "scene.pvd"};
-  // Between two rows and two states.
+  // The interruption is between two rows and between two states of the geometry.
   const std::string until = setup.has("resumed_from_the_start") ? "" : fmt::format("{} s", 47 * step);
   if (!until.empty()) {
     (void)talus_output(folder, {"run", "scene.toml", "--out", "halves", "--frames", frames, "--until", until});

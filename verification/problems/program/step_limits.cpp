@@ -20,7 +20,7 @@ namespace {
 
 using reference::Scheme;
 
-/// Speed of the disturbance [m/s]: overlaps change by 1e-6 of themselves.
+/// Speed of the disturbance [m/s]: the relative change of overlaps is 1e-6.
 constexpr double speed = 1e-6;
 constexpr int steps = 400;
 constexpr int diverged = 3;  ///< exit code of a run that failed numerically
@@ -30,7 +30,7 @@ struct Mode {
   double damping_ratio{};  ///< [-]
 };
 
-/// A scene at rest, but for the disturbance, with the modes in which it vibrates.
+/// A scene at rest, except for the disturbance, and its modes of vibration.
 struct Vibrating {
   std::string name;
   std::string bodies;  ///< the scene without its [run]
@@ -62,7 +62,7 @@ std::string contact(const std::string& one, const std::string& other, const std:
   return fmt::format("[[contact]]\nname = \"{0}-{1}\"\nbetween = [\"{0}\", \"{1}\"]\n{2}\n", one, other, law);
 }
 
-/// Three discs on each other: w_j = 2 sqrt(k/m) sin((2j - 1) pi/14), xi_j = c w_j/(2k).
+/// Three discs on top of each other: w_j = 2 sqrt(k/m) sin((2j - 1) pi/14), xi_j = c w_j/(2k).
 Vibrating column(const Setup& setup) {
   constexpr double mass = 2.0, gravity = 10.0, stiffness = 3000.0, damping = 8.0;
   const std::vector<double> overlaps = reference::column_overlaps(3, mass, gravity, stiffness);
@@ -85,8 +85,8 @@ Vibrating column(const Setup& setup) {
   return scene;
 }
 
-/// A disc at rest on F = 4/3 E sqrt(R) d^(3/2): the tangent stiffness is 2 E sqrt(R d), 3/2 of the secant. It rests at
-/// the overlap for which the program evaluates the stiffness, a tenth of R, up to which the theory holds.
+/// A disc at rest on F = 4/3 E sqrt(R) d^(3/2): the tangent stiffness is 2 E sqrt(R d), 3/2 of the secant stiffness.
+/// Its overlap at rest is a tenth of R, up to which the theory holds and at which the program evaluates the stiffness.
 Vibrating hertz(const Setup& setup) {
   constexpr double mass = 2.0, modulus = 2e4, radius = 0.5, overlap = 0.1 * radius;
   const double gravity = 4.0 / 3.0 * modulus * std::sqrt(radius) * std::pow(overlap, 1.5) / mass;
@@ -115,7 +115,7 @@ Vibrating pair(const Setup& setup) {
           {{frequency, damping / (2.0 * effective * frequency)}}};
 }
 
-/// A disc that sticks: the spring along the contact is four times as stiff as that across it.
+/// A sticking disc: the tangential spring is four times as stiff as the normal spring.
 Vibrating sticking(const Setup& setup) {
   constexpr double mass = 2.0, gravity = 10.0, stiffness = 1000.0;
   const double along = setup.has("no_friction_spring") ? stiffness : 4.0 * stiffness;
@@ -129,7 +129,7 @@ Vibrating sticking(const Setup& setup) {
           {{std::sqrt(along / mass), 0.0}}};
 }
 
-/// A body that hangs in a cable and slides up and down.
+/// A body that hangs from a cable and slides up and down.
 Vibrating hung(const Setup&) {
   constexpr double mass = 1.5, gravity = 10.0, stiffness = 96.0, damping = 1.2;
   const double frequency = std::sqrt(stiffness / mass);
@@ -158,13 +158,13 @@ rest_length = "2 m"
 struct Method {
   std::string name;
   Scheme scheme;
-  bool grows_fast{};  ///< by more than 100 in 400 steps, 1 % beyond the limit
+  bool grows_fast{};  ///< by a factor of more than 100 in 400 steps, 1 % beyond the limit
 };
 
-/// Longest stable step of a method: the least over the modes of the first eta at which its motion grows, over w.
+/// Longest stable step of a method: minimum over the modes of eta/w, where eta is the first at which the motion grows.
 double limit(const Method& method, const std::vector<Mode>& modes) {
   double least = std::numeric_limits<double>::infinity();
-  // Euler's limits are near zero, and the first unstable band of blanes_moan4 is narrow.
+  // The search is fine: Euler's limits are near zero, and the first unstable band of blanes_moan4 is narrow.
   for (const Mode& mode : modes) {
     const std::vector<double> found = reference::limits(method.scheme, mode.damping_ratio, 8.0, 2000);
     if (found.empty())
@@ -182,7 +182,7 @@ std::string scene_text(const Vibrating& scene, const Method& method, double step
       scene.name, scene.bodies, method.name, step, end, step, watched ? "" : "watch = \"off\"");
 }
 
-/// The largest speed of any body in the last twenty steps, over that of the disturbance, up to 1e9; 1e9 if the run diverged.
+/// Largest speed of any body in the last twenty steps over that of the disturbance, at most 1e9; 1e9 after divergence.
 double growth(const TemporaryFolder& folder, const std::string& text) {
   constexpr double most = 1e9;
   folder.write("free.toml", text);
@@ -201,7 +201,7 @@ double growth(const TemporaryFolder& folder, const std::string& text) {
   return std::min(most, largest / speed);
 }
 
-/// The step that `check` prints as the limit, its verdict on the scene's step, and whether it warns of it.
+/// Output of `check`: the longest step, its verdict on the scene's step, and whether it warns of this step.
 struct Verdict {
   double limit{};
   bool too_long{};
@@ -261,7 +261,7 @@ void run(Findings& findings, const Setup& setup) {
   const std::vector scenes{column(setup), hertz(setup), pair(setup), sticking(setup), hung(setup)};
   for (const Vibrating& scene : scenes) {
     for (const Method& method : methods) {
-      // Explicit Euler and its like grow at any step where nothing damps.
+      // Explicit Euler and Taylor grow at any step if there is no damping.
       const bool always_grows = method.scheme == Scheme::euler || method.scheme == Scheme::taylor;
       if (always_grows && scene.modes.front().damping_ratio == 0.0) continue;
       if (&scene != &scenes.front() && &method != &methods.front() && setup.coarse) continue;

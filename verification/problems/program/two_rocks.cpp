@@ -32,8 +32,8 @@ void replace(std::string& text, const std::string& old, const std::string& with)
   text.replace(at, old.size(), with);
 }
 
-/// The sample deck as a scene, with a second rock that is smaller, hits above the first and a little later. Every step
-/// has its row.
+/// The sample deck as a scene, with a second, smaller rock that hits above the first and a little later. The history
+/// has a row for every step.
 std::string scene_text(const std::string& deck) {
   std::string text = deck;
   const std::size_t first = text.find("[[fence.rock]]"), column = text.find("[fence.column]");
@@ -61,7 +61,7 @@ std::vector<double> column(const Csv& table, const std::string& name) {
   return values;
 }
 
-/// The worst of what a sheet says and what it should, each over its scale.
+/// Largest difference between a sheet's numbers and their references, each relative to its scale.
 class Worst {
  public:
   void compare(double found, double exact, double scale) { keep_worst(worst_, (found - exact) / scale); }
@@ -73,7 +73,7 @@ class Worst {
 
 Tolerance of_units() { return Tolerance::round_off(1e-13, "some ten roundings between feet and metres, in 17 digits"); }
 
-/// A rock touches the fence in the rows in which it overlaps a column, or presses it: at the start it may do so without
+/// A rock touches the fence in the rows in which it overlaps a column or presses it: at the start it may press without
 /// overlap.
 void check_rocks(const Node& sheet, const Csv& history, const Csv& codes, Findings& findings, const Setup& setup) {
   const std::vector<double> time = column(history, "time");
@@ -101,7 +101,7 @@ void check_rocks(const Node& sheet, const Csv& history, const Csv& codes, Findin
       velocities.compare(v.at(1).number(), metre * along_y, 10.0);
     };
     const auto energy = [&](std::size_t row) { return joule * (along[row] + about[row]); };
-    // The approach is the row before the touch; of a rock that touches from the start it is what the scene gives.
+    // The approach is the row before the touch; for a rock that touches from the start, the scene's initial values.
     double approach = 0.0;
     if (touch > 0) {
       velocity("approach_velocity", vx[touch - 1], vy[touch - 1]);
@@ -134,7 +134,7 @@ void check_rocks(const Node& sheet, const Csv& history, const Csv& codes, Findin
   findings.expect("sheet: travel of both rocks, largest error", travels.error(), 0.0, of_units());
 }
 
-/// Peaks and integrals of all columns and segments, those of the second layer too, from the rows of all steps.
+/// Peaks and integrals of all columns and segments, including the second layer, from the rows of all steps.
 void check_parts(const Node& sheet, const Csv& history, const Csv& codes, Findings& findings) {
   const std::vector<double> time = column(history, "time");
   Worst travels, peaks, impulses, times;
@@ -188,7 +188,7 @@ void check_parts(const Node& sheet, const Csv& history, const Csv& codes, Findin
   findings.expect("sheet: history of the rocks, largest error", rows.error(), 0.0, of_units());
 }
 
-/// The same of summary.json, in the scene's units.
+/// Compares the verdicts and numbers of summary.json, in the scene's units, with those of the sheet.
 void check_verdict(const Node& sheet, const Node& summary, Findings& findings) {
   Worst worst;
   const Node verdict = summary.at("verdict");
@@ -217,7 +217,7 @@ void check_verdict(const Node& sheet, const Node& summary, Findings& findings) {
                   of_units());
 }
 
-/// A page's data: bodies as outlines about their places, cables by their ends, in six digits.
+/// Data of the animation page: outlines of bodies relative to their positions, ends of cables, in six digits.
 void check_player(const TemporaryFolder& folder, Findings& findings, const Setup& setup) {
   (void)talus_output(folder, {"animate", "out"});
   const std::string page = folder.read("out/plots/animation.html"), begin = "id=\"data\">";
@@ -242,7 +242,7 @@ void check_player(const TemporaryFolder& folder, Findings& findings, const Setup
         const std::vector<Node> outline = bodies[line].at("outline").list(), place = places.at(line).list();
         const double x = place.at(0).number(), y = place.at(1).number(), c = std::cos(place.at(2).number()),
                      s = std::sin(place.at(2).number());
-        // The ground is drawn longer than it is in the file.
+        // The animation draws the ground longer than the VTK file does.
         const bool ground = bodies[line].at("kind").text() == "ground";
         for (std::size_t i = 0; point < past; ++point, ++i) {
           if (ground) continue;

@@ -26,24 +26,24 @@
 namespace talus::verification::problems::advice {
 namespace {
 
-/// What is asked of one scene.
+/// A scene, the quantity on which advice is requested, and its exact value.
 struct Question {
   const char* name;
   Scene scene;
   const char* quantity;
   double accuracy{};
   std::vector<std::string> among;  ///< integrators to choose from; empty: all
-  double truth{};                  ///< the quantity
-  double doubt{};                  ///< of the truth itself, relative
+  double truth{};                  ///< exact value of the quantity
+  double doubt{};                  ///< relative uncertainty of `truth`
 };
 
 constexpr double pi = std::numbers::pi;
 
-/// A plan of which only the end and the ledger, off, are of use: methods bring their own steps.
+/// A plan that sets the end time and switches the ledger off; its steps are replaced by those of the method.
 RunPlan until(double end) { return {0.001 * end, end, 0.001 * end, false}; }
 
-/// Those that were run while the rules of the advice were made: a bob of mass 1 that falls .8 and is caught by its
-/// cable (k 500, g 9.81, five seconds), and a disc that meets a plane obliquely, with friction (case `friction`).
+/// Scenes that were used to develop the rules of the advice: a bob of mass 1 that falls 0.8 and is caught by its cable
+/// (k 500, g 9.81, five seconds), and a disc that hits a plane obliquely, with friction (case `friction`).
 Question caught_bob(double accuracy, std::vector<std::string> among) {
   const double gravity = 9.81, stiffness = 500.0, fall = 0.8;
   ModelBuilder builder;
@@ -77,9 +77,9 @@ Question oblique_impact(double accuracy, std::vector<std::string> among) {
           impact.slip_rate - reference::rebound(impact, reference::EndRule::clamped).speed_lost};
 }
 
-/// Those that were run first when the rules stood: a ball by Hertz's law (4/3 E sqrt(R) = 1, m = 1, v = 1), a latching
-/// spring (K1 = 1, K2 = 4), and the rock of Table 3's fence to .05 s, of which the truth is that of the central
-/// difference at 4e-7 and 2e-7 s, extrapolated; `findings` counts what those take.
+/// Scenes that were first run after the rules had been fixed: a ball by Hertz's law (4/3 E sqrt(R) = 1, m = 1, v = 1),
+/// a latching spring (K1 = 1, K2 = 4), and the rock of Table 3's fence to 0.05 s. For the fence `truth` is extrapolated
+/// from central differences at 4e-7 and 2e-7 s; `findings` counts their evaluations.
 Question hertz_impact(double accuracy) {
   Scene scene = scenes::bouncing_disc({.mass = 1.0,
                                        .radius = 20.0,
@@ -120,7 +120,8 @@ Question fence_impact(double accuracy, Findings& findings) {
   return question;
 }
 
-/// Five discs in a square box of width 4, without friction or loss, to a time. Nobody knows where they are then.
+/// Five discs in a square box of width 4, without friction or loss, run to `end`. The final positions are chaotic, so
+/// that there is no reference value.
 Question gas(double end, double accuracy) {
   ModelBuilder builder;
   const LinearSpringDashpot bump{1e4, 0.0, EndRule::clamped};
@@ -161,7 +162,7 @@ AdviceRules rules_of(const Question& question, const Setup& setup) {
   return rules;
 }
 
-/// A run as `talus run` makes it, and what it prints of a quantity.
+/// A run as by `talus run`: error of the printed value of the quantity, and cost.
 struct Run {
   double error{std::numeric_limits<double>::infinity()};
   double evaluations{};
@@ -176,7 +177,7 @@ Run run_with(const Question& question, const RunMethod& method, Findings& findin
   return {std::abs(run.value(quantity) / question.truth - 1.0), evaluations};
 }
 
-/// Runs beside an advised one: up to half as many steps again, tolerances down to a third.
+/// Largest error of twelve runs near the advised one: up to 1.5 times as many steps, tolerances down to a third.
 double error_beside(const Question& question, const RunMethod& advised, Findings& findings) {
   double worst = 0.0;
   for (int i = 1; i <= 12; ++i) {
@@ -189,9 +190,9 @@ double error_beside(const Question& question, const RunMethod& advised, Findings
   return worst;
 }
 
-/// The fewest evaluations of all methods, each on a fine ladder of its own, from which on all finer runs up to four
-/// times the cost are as good. `own`: cost and error of those of the advised method, over the advice's and what is
-/// asked.
+/// Smallest number of evaluations of all methods, each on a separate fine ladder, such that all finer runs up to four
+/// times the cost of the advice are as accurate. `own`: receives the runs of the advised method, cost relative to that
+/// of the advice, error relative to the required accuracy.
 double cheapest(const Question& question, const Advice& advice, Findings& findings, Series& own) {
   double best = std::numeric_limits<double>::infinity();
   const double most = 4.0 * static_cast<double>(advice.best->evaluations);
@@ -283,7 +284,7 @@ void check_gas(Findings& findings, const Setup& setup, Table& table) {
   findings.expect_between("gas: largest difference of the result over the accuracy",
                           advice.growth.result / question.accuracy, 1.0, 1e5,
                           "at least what was asked; at most the width of the box over a thousandth of it");
-  // Two fine runs, either of which brute force would take for true.
+  // Two fine runs; brute force would accept either as the reference.
   PilotRuns runs{question.scene, quantity, false};
   const Pilot one = runs.run({"stormer_cowell", 1e-12, 2000}, 10'000'000);
   const Pilot two = runs.run({"rk4", 0.0, 100'000}, 10'000'000);
@@ -330,7 +331,7 @@ void run(Findings& findings, const Setup& setup) {
       .y = {.label = "error over accuracy", .log = true, .min = 1e-3, .max = 1e2},
       .series = {},
       .lines = {{'y', 1.0, "accuracy"}, {'x', 1.0, "advice"}}};
-  // A fault costs a search: it is planted where it must be seen.
+  // Each fault costs a complete search, so that it is injected only where it must be detected.
   const bool in_gas = setup.has("differences_not_followed");
   if (!in_gas) {
     for (const Question& question : questions(findings, setup))

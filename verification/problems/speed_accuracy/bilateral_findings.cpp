@@ -23,11 +23,11 @@ namespace talus::verification::problems {
 namespace {
 
 struct HighestMode {
-  double frequency{};         ///< w [rad/T]; NaN if nothing pulls back
-  std::vector<double> shape;  ///< of the coordinates; sum of inertia times square 1
+  double frequency{};         ///< w [rad/T]; NaN without a restoring force
+  std::vector<double> shape;  ///< of the coordinates; normalized: sum of inertia times square is 1
 };
 
-/// The state moved by so much along a shape of the coordinates, then at rest.
+/// The state displaced by `distance` along a shape of the coordinates, with zero velocities.
 State moved(RigidBodySystem& system, const State& rest, const std::vector<double>& shape, double distance) {
   State state = rest;
   state.v = shape;
@@ -36,7 +36,7 @@ State moved(RigidBodySystem& system, const State& rest, const std::vector<double
   return state;
 }
 
-/// Of two sets of coordinates, the sum of inertia times both.
+/// Scalar product of two sets of coordinates, weighted by the inertias.
 double product(const Dynamics& dynamics, const std::vector<double>& a, const std::vector<double>& b) {
   double sum = 0.0;
   for (std::size_t i = 0; i < a.size(); ++i)
@@ -44,15 +44,16 @@ double product(const Dynamics& dynamics, const std::vector<double>& a, const std
   return sum;
 }
 
-/// By power iteration on the stiffness, which is taken as differences of the forces at `distance` [L] to both sides of
-/// the state. The state drifts there, so that what follows the motion (the springs of friction) does.
+/// The highest mode by power iteration on the stiffness, computed from central differences of the forces at `distance`
+/// [L] on either side of the state. The state drifts there, so that memory that follows the motion (the springs of
+/// friction) is updated.
 HighestMode highest_mode(const Dynamics& dynamics, const State& rest, double distance, int iterations) {
   RigidBodySystem system{dynamics, false};
   State settled = rest;
   system.begin(settled);
   HighestMode mode;
   for (std::size_t i = 0; i < rest.q.size(); ++i)
-    mode.shape.push_back(std::cos(1.0 + 2.4 * static_cast<double>(i)));  // nothing that a scene is orthogonal to
+    mode.shape.push_back(std::cos(1.0 + 2.4 * static_cast<double>(i)));  // not orthogonal to the mode of any scene
   Rates there{settled}, back{settled};
   for (int n = 0; n < iterations; ++n) {
     const double length = std::sqrt(product(dynamics, mode.shape, mode.shape));
@@ -70,8 +71,8 @@ HighestMode highest_mode(const Dynamics& dynamics, const State& rest, double dis
   return mode;
 }
 
-/// ln growth per step of that mode in a run by velocity Verlet from `start` [L] along it, between 1e2 and 1e5 times the
-/// start; 0 if it does not pass 1.5 times its start in `steps` steps, NaN if it comes to neither.
+/// ln growth per step of that mode in a run by velocity Verlet from the amplitude `start` [L], measured between 1e2 and
+/// 1e5 times `start`; 0 if it does not exceed 1.5 times `start` within `steps` steps, NaN in any other case.
 double mode_growth(const Dynamics& dynamics, const State& rest, const HighestMode& mode, double start, double step,
                    long steps) {
   RigidBodySystem system{dynamics, false};
@@ -120,7 +121,7 @@ Scene at_rest(const ModelBuilder& builder) {
   return scene;
 }
 
-/// A disc pressed on a plane, on which it sticks.
+/// A disc pressed on a plane and sticking to it.
 Scene pressed_on_plane(double tangential) {
   ModelBuilder builder;
   Body body = disc("disc", Mobility::free, {0.0, 1.0 - depth});
@@ -133,7 +134,7 @@ Scene pressed_on_plane(double tangential) {
   return at_rest(builder);
 }
 
-/// Two discs side by side: pressed together along their line, or led across it with their distance kept.
+/// Two discs side by side: pressed together along their line of centres, or guided across it at a constant distance.
 Scene pair(bool across, double tangential) {
   ModelBuilder builder;
   const Mobility mobility = across ? Mobility::guided_y : Mobility::sliding_x;
@@ -145,7 +146,7 @@ Scene pair(bool across, double tangential) {
   return at_rest(builder);
 }
 
-/// n discs in a row between two walls, all contacts equally deep.
+/// n discs in a row between two walls, all contacts with the same overlap.
 Scene row(int n) {
   ModelBuilder builder;
   const BodyId floor =
@@ -165,7 +166,8 @@ Scene row(int n) {
   return at_rest(builder);
 }
 
-/// What runs on both sides of w h = 2 do: growth against 2 acosh(w h/2), and how many do what they should not.
+/// Checks runs on both sides of w h = 2: their growth against 2 acosh(w h/2), and the number of runs that grow or stay
+/// although they must not.
 void check_growth(const std::string& name, const Dynamics& dynamics, const State& rest, const HighestMode& mode,
                   double frequency, double start, Findings& findings) {
   double worst = 0.0;
@@ -189,7 +191,7 @@ void check_growth(const std::string& name, const Dynamics& dynamics, const State
                                        "growth; the mode that dies is 1e-4 of it where the count begins"));
 }
 
-/// A system with a closed form of its highest frequency; a row of the table.
+/// Checks a system whose highest frequency has a closed form, and adds it to the table.
 void check_system(const std::string& name, const std::string& formula, const Scene& scene, double exact,
                   Findings& findings, Table& table) {
   const Dynamics dynamics{scene.model};
@@ -204,8 +206,8 @@ void check_system(const std::string& name, const std::string& formula, const Sce
   table.rows.push_back({name, formula, fmt::format("{:.6g}", exact), fmt::format("{:.6g}", mode.frequency), "", ""});
 }
 
-/// The fence of Table 2 as its impact has left it at a time, without dashpots, and held there at rest by a constant
-/// force on each body.
+/// The fence of Table 2 at a given time of its impact, without dashpots, held in equilibrium there by a constant force
+/// on each body.
 Scene held_fence(const scenes::FenceScene& made, double time) {
   Scene scene = made.scene;
   for (Contact& contact : scene.model.contacts) {
@@ -275,8 +277,8 @@ void check_bilateral_systems(Findings& findings, const Setup& setup) {
                   "$\\sqrt{2k/m}$ (Eq. 25), and the rule's step over the limit $2/\\omega$.",
               .columns = {"system", "formula", "exact", "power iteration", "over the rule's", "rule's step"}};
   const double k = stiffness;
-  // Where kt > kn/3 the tangent has the higher frequency: kt (1/m + a^2/I), the contact's point half the overlap
-  // inside.
+  // If kt > kn/3, the tangential mode has the higher frequency: w^2 = kt (1/m + a^2/I), with the contact point half the
+  // overlap inside.
   const double arm = 1.0 - 0.5 * depth, turning = 1.0 + 2.0 * arm * arm;
   const double decides = setup.has("kt_ignored") ? std::sqrt(k) : std::sqrt(0.4 * k * turning);
   check_system("disc that sticks, kt = .4 kn", "$\\sqrt{3 k_t/m}$", pressed_on_plane(0.4 * k), decides, findings,
@@ -285,7 +287,8 @@ void check_bilateral_systems(Findings& findings, const Setup& setup) {
     check_system("disc that sticks, kt = .28 kn", "$\\sqrt{k_n/m}$", pressed_on_plane(0.28 * k), std::sqrt(k), findings,
                  table);
     check_system("pair, along", "$\\sqrt{2 k_n/m}$", pair(false, 0.0), std::sqrt(2.0 * k), findings, table);
-    // The force along the line pushes discs apart that have left it: 2 N/d less, of the third that the discs' ways are.
+    // The normal force pushes discs off their line of centres once they have left it: this lowers w^2 by 2 N/d times
+    // the third of the motion that is displacement of the discs.
     const double across = std::sqrt(0.5 * k * 2.0 * turning - 2.0 * k * depth / (2.0 - depth) / turning);
     check_system("pair, across", "$\\sqrt{6 k_t/m}$", pair(true, 0.5 * k), across, findings, table);
     for (const int n : {3, 8}) {

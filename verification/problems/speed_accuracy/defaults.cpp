@@ -19,14 +19,14 @@
 namespace talus::verification::problems::defaults {
 namespace {
 
-/// What a run gives, and what it took.
+/// Result and cost of a run.
 struct Found {
   double value{std::numeric_limits<double>::quiet_NaN()};  ///< the named result
   double balance{};                                        ///< largest error over the largest energy
   long evaluations{};
 };
 
-/// The method of the reference: velocity Verlet in steps short enough to be converged.
+/// Selects the method of the reference: velocity Verlet with steps short enough to be converged.
 void converge(Scene& scene, double step) {
   scene.integrator = VelocityVerlet{};
   scene.plan.step = step;
@@ -49,13 +49,13 @@ Found found_by(const Scene& scene, const Quantity& quantity, Findings& findings)
   return found;
 }
 
-/// What is planted in the default run.
+/// Injects the fault of the setup into the default run.
 void plant(Scene& scene, const Setup& setup) {
   if (setup.has("loose_tolerance")) scene.integrator = make_integrator("stormer_cowell", 3e-2);
   if (setup.has("outputs_far_apart")) scene.plan.step = scene.plan.end / 200.0;
 }
 
-/// The worst of several, and where it was.
+/// Largest magnitude of several errors, and the name of its scene.
 struct Worst {
   double error{};
   std::string where;
@@ -72,7 +72,7 @@ void check_scenes(Findings& findings, const Setup& setup) {
   Worst error, balance;
   const std::vector<VariedScene> all = varied_scenes();
   for (const VariedScene& varied : all) {
-    // Those that a fault is seen in.
+    // Scenes in which the faults are detected.
     const bool seen = varied.name == "Hertzian bounce" || varied.name == "stone that tumbles";
     if (setup.coarse && !seen) continue;
     Scene scene = read_scene(varied.text, varied.name);
@@ -114,7 +114,7 @@ void check_scenes(Findings& findings, const Setup& setup) {
                    .lines = {{'y', 0.01, "bound of results"}, {'y', 3e-9, "bound of balances"}}});
 }
 
-/// What a fence's run gives.
+/// Results of the run of a fence.
 struct FenceFound {
   scenes::FenceSummary summary;
   Vec2 position;   ///< of the rock at the end [m]
@@ -145,12 +145,12 @@ FenceFound run_fence(const SceneFile& file, Findings& findings) {
   return found;
 }
 
-/// Differences of fences from runs of one kind that are converged.
+/// Differences of fences from converged runs of one kind.
 class FenceDifferences {
  public:
   explicit FenceDifferences(const char* reference) : reference_{reference} {}
 
-  /// Of one fence, as cells of a table.
+  /// Adds the differences of one fence; returns them as cells of a table.
   std::vector<std::string> take(const std::string& name, const FenceFound& found, const FenceFound& truth) {
     const scenes::RockPassage &rock = found.summary.rocks[0], &same = truth.summary.rocks[0];
     const double off = norm(found.position - truth.position) / truth.width;
@@ -161,7 +161,7 @@ class FenceDifferences {
     return {fmt::format("{:.1e}", off), fmt::format("{:+.1e}", left), fmt::format("{:+.1e}", pull)};
   }
 
-  /// `bound`: of position and energy; the largest tension comes before paths part.
+  /// `bound`: of position and energy; the largest tension occurs before the paths diverge.
   void check(Findings& findings, double bound, double tension_bound, const std::string& why) const {
     const auto within = [&](const Worst& worst, const char* of, double most) {
       findings.in("fences")->expect(fmt::format("fences: largest difference of {} from {}", of, reference_),
@@ -226,14 +226,14 @@ void check_fences(Findings& findings, const Setup& setup) {
   findings.table(table);
 }
 
-/// The rock hits two columns at once: each impact stops a part of it.
+/// The rock hits two columns at once, so that each impact stops a part of it: half model against whole.
 void check_even(Findings& findings, const Setup& setup) {
   std::array<FenceFound, 2> found;
   for (std::size_t i = 0; i < 2; ++i) {
     const VariedScene varied = even_fences()[i];
     SceneFile file = read_scene_file(varied.text, varied.name);
     if (setup.has("impacts_by_themselves") && i == 1) {
-      // What each of the two contacts would be with the rock to itself.
+      // Damping that each of the two contacts would have if the rock hit it alone.
       for (Contact& contact : file.scene.model.contacts)
         std::get<LinearSpringDashpot>(contact.law).damping_ratio *= 1.12;
     }

@@ -17,16 +17,16 @@
 namespace talus::verification::problems::energy_gain {
 namespace {
 
-/// A gas of undamped discs in a box, run by velocity Verlet with w h = eta for its contacts, all of the same w.
+/// Run of a gas of undamped discs in a box by velocity Verlet, with w h = eta for its contacts, all of the same w.
 struct GasRun {
-  double ln_heating{};  ///< of the energy, from the first to the last moment without a contact
+  double ln_heating{};  ///< ln of the ratio of the energies at the last and first instant without a contact
   long collisions{};    ///< of discs with discs and with walls
 };
 
-/// Discs in that gas.
+/// Number of discs in the gas.
 constexpr int gas_discs = 24;
 
-/// Numbers evenly spread over (0, 1), the same everywhere (a multiplicative congruence, Lehmer's).
+/// Random numbers, uniform in (0, 1), the same on every machine (Lehmer's multiplicative congruential generator).
 class Draw {
  public:
   explicit Draw(std::uint64_t seed) : state_{seed * 2654435761u % modulus + 1} {
@@ -83,8 +83,8 @@ Scene gas(std::uint64_t seed) {
   return scene;
 }
 
-/// Runs discs from random places and velocities until so many collisions have happened; the same seed, the same bits.
-/// Fault `gas_by_rk4`: another method.
+/// Runs discs from random positions and velocities until `collisions` have occurred; equal seeds give bit-identical
+/// results. Fault `gas_by_rk4`: another method.
 GasRun run_gas(double eta, std::uint64_t seed, long collisions, const Setup& setup) {
   const Scene scene = gas(seed);
   std::vector<Mode> before(scene.initial.mode.size(), 0);
@@ -125,16 +125,16 @@ Scene struck_plane(const Setup& setup) {
   return scene;
 }
 
-/// One disc and its plane, struck again and again.
+/// A disc that hits a plane, for repeated runs with different methods, steps and phases.
 class Striking {
  public:
   explicit Striking(const Setup& setup) : scene_{struck_plane(setup)} {}
 
-  /// Exit over entry speed with the share theta of the step that enters inside.
+  /// Exit over entry speed; theta: fraction of the entry step inside the spring.
   double ratio(std::string_view method, double eta, double theta) const {
     const double h = eta / frequency;
     Scene scene = scene_;
-    // A staggered method holds its coordinates half a step on: it begins so much further out.
+    // A staggered method stores coordinates half a step later, so that the disc starts half a step further out.
     const double ahead = integrator_traits(method).is_staggered ? 0.5 : 0.0;
     scene.initial.q[1] = 1.0 + (1.0 - theta + ahead) * h * entry;
     scene.initial.v[1] = -entry;
@@ -150,7 +150,7 @@ double theta(int i, int phases, const Setup& setup) {
   return ((setup.has("bunched_phases") ? 0.25 * i : i) + 0.5) / phases;
 }
 
-/// Least, mean and largest of 64 phases against the step, and each against the closed form.
+/// Minimum, mean and maximum of e over 64 phases against the step; each e is compared with the closed form.
 void check_bounces(const Striking& striking, Findings& findings, const Setup& setup) {
   Series least{"least", {}, {}, Style::points}, mean{"mean", {}, {}, Style::points},
       most{"most", {}, {}, Style::points};
@@ -217,7 +217,7 @@ void check_bounces(const Striking& striking, Findings& findings, const Setup& se
                    .series = {least, mean, most, exact_least, exact_most, bound}});
 }
 
-/// Means over many phases: of e^-2, and of ln e against the second order in the step.
+/// Checks means over many phases: that of e^-2, and that of ln e against its value to second order in the step.
 void check_heating(const Striking& striking, Findings& findings, const Setup& setup, Figure& figure) {
   Series points{"velocity Verlet, one bounce", {}, {}, Style::points};
   const int phases = 2048;
@@ -257,7 +257,7 @@ void check_heating(const Striking& striking, Findings& findings, const Setup& se
   figure.series.push_back(points);
 }
 
-/// Many collisions: ln of the energy gained in each, times the discs' number, against the statistics of one bounce.
+/// Checks the mean gain of ln energy per collision, times the number of discs, against the statistics of one bounce.
 void check_gas(Findings& findings, const Setup& setup, Figure& figure) {
   struct Gas {
     double eta;
@@ -288,8 +288,8 @@ void check_gas(Findings& findings, const Setup& setup, Figure& figure) {
                            "their length, and .4 % of the time is spent in one while a third disc may come"));
       continue;
     }
-    // A share B of the energy, with mean 1/(N + 1/2) and mean square 2/((N + 1/2)(N + 3/2)): the motion along the
-    // normal, weighed by how often it meets, among 2 N coordinates.
+    // Fraction B of the energy in a collision, of mean 1/(N + 1/2) and mean square 2/((N + 1/2)(N + 3/2)): that of the
+    // motion along the normal among 2 N coordinates, weighted by the rate of collisions.
     const reference::LeapfrogGain gain = reference::leapfrog_gain(gas.eta, 20000);
     const double square = 2.0 / ((n + 0.5) * (n + 1.5));
     const double expected = n * (gain.mean_square / (n + 0.5) - 0.5 * square * gain.variance);

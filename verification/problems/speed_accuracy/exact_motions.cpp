@@ -24,7 +24,7 @@ std::vector<double> times_to(double duration) {
 ExactMotion pendulum_from(const char* name, double amplitude, double duration) {
   ExactMotion made{
       name,
-      // Nearly all mass at the end of the arm: w0^2 = g to the last digit.
+      // Nearly all mass at the end of the arm, so that w0^2 = g to the last digit.
       scenes::pendulum({.mass = 1.0, .inertia = 1e-20, .arm = 1.0, .gravity = 9.81, .amplitude = amplitude}),
       duration,
       0,

@@ -22,7 +22,7 @@ namespace {
 
 constexpr double epsilon = std::numeric_limits<double>::epsilon();
 
-/// A run in so many outputs, and what it took.
+/// Result and cost of a run.
 struct Ran {
   State state;
   long evaluations{};
@@ -37,7 +37,7 @@ Ran ran(const Scene& scene, const Integrator& method, double end, int outputs, F
   return {run.state, run.evaluations, talus::located_events(run.method).value_or(0), run.finished};
 }
 
-/// The exact propagator, or what a fault puts in its place.
+/// The exact propagator, or the method by which a fault replaces it.
 Integrator exact(const Setup& setup) {
   return setup.has("odeint_for_exact") ? make_integrator("odeint_fehlberg78", 1e-12) : make_integrator("exact");
 }
@@ -74,7 +74,7 @@ void check_bounce(Findings& findings, const Setup& setup, Table& table) {
   };
   const Ran found = ran(scene, exact(setup), end, outputs, findings, compare);
   const auto contacts = reference::bounces(drop, 100);
-  // Flight, then of each contact that ends the push, the way out beside the law, and the next flight.
+  // One flight; then for each contact that ends: the push, the exit without force, and the next flight.
   const double pieces = 2.0 + 3.0 * static_cast<double>(contacts.size() - 1);
   const std::string words = fmt::format(
       "pieces by the reference: {} contacts, of which the last stays; a flight, and for each other contact the push, "
@@ -86,7 +86,7 @@ void check_bounce(Findings& findings, const Setup& setup, Table& table) {
   findings.expect_between("damped bounce to rest: force evaluations over the 60 admitted",
                           static_cast<double>(found.evaluations) / 60.0, 0.02, 1.0,
                           "60 was set beforehand; below a fiftieth something was not counted");
-  // Depth at rest g/w^2 = 1e-3, largest overlap .036; places are stored about 1 from the origin.
+  // Overlap at rest g/w^2 = 1e-3, largest overlap 0.036; positions are stored at about 1 from the origin.
   const double rounding = epsilon / (contacts.front().largest_depth);
   findings.expect("damped bounce to rest: place, largest error over the fall", place / drop.gap, 0.0,
                   Tolerance::round_off(4.0 * rounding,
@@ -127,14 +127,14 @@ void check_impacts(Findings& findings, const Setup& setup, Table& table) {
   for (const auto end : {reference::EndRule::attractive, reference::EndRule::clamped}) {
     for (const double xi : {0.0, 0.05, 0.2, 0.5, 0.9, 1.0, 2.0}) {
       const double e = reference::restitution(xi, end);
-      if (e == 0.0) continue;  // stays
+      if (e == 0.0) continue;  // no rebound
       const double damping = setup.has("dashpot_by_1e-9") ? (1.0 + 1e-9) * 200.0 * xi : 200.0 * xi;
       const Scene scene =
           scenes::bouncing_disc({.gap = 0.1, .speed = 1.0, .contact = LinearSpringDashpot{1e4, damping, rule_of(end)}});
       const Ran found = ran(scene, exact(setup), 1.0, 1, findings);
       worst = std::max(worst, std::abs(found.state.v[1] - e));
       evaluations += found.evaluations, ++runs;
-      // Flight, push, flight; a clamped dashpot lets go before the way out is over.
+      // Flight, push, flight; under the clamped rule the force ends before the disc has left, which adds a segment.
       pieces += end == reference::EndRule::clamped && xi > 0.0 ? 4 : 3;
       stormer += ran(scene, make_integrator("stormer_cowell", 1e-9), 1.0, 1, findings).evaluations;
       const Ran kept = ran(scene, exact(setup), 1.0, 1, findings, {}, true);
@@ -171,7 +171,7 @@ void check_latching(Findings& findings, const Setup& setup, Table& table) {
     const double end = 0.25 + truth.contact_time + 1.0;
     const Ran found = ran(scene, exact(setup), end, 1, findings);
     worst = std::max(worst, std::abs(found.state.v[1] - truth.restitution));
-    // It leaves the law with the residual depth, and flies for 1.
+    // The force ends at the residual overlap, after which the disc flies for a time of 1.
     worst_time = std::max(worst_time, std::abs(found.state.q[1] - 4.0 + truth.residual_depth - truth.restitution));
     evaluations += found.evaluations, ++runs;
     stormer += ran(scene, make_integrator("stormer_cowell", 1e-9), end, 1, findings).evaluations;
@@ -226,8 +226,8 @@ void check_rows(Findings& findings, const Setup& setup, Table& table) {
                         fmt::format("{:.1e}", worst), fmt::format("{}", stormer)});
 }
 
-/// A pair that touches, and by how much its overlap is not a linear function of its coordinates: the largest second
-/// difference over all pairs of coordinates [m]; NaN if it has none.
+/// A touching pair, and the deviation of its overlap from a linear function of its coordinates: the largest second
+/// difference over all pairs of coordinates [m]; NaN if there are no coordinates.
 struct Pair {
   Model model;
   double bend{};
@@ -261,7 +261,8 @@ Pair touching(const Body& a, const Body& b) {
   return pair;
 }
 
-/// Which pairs of bodies have a closed form while they touch: those whose overlap is linear in all their coordinates.
+/// Checks that the pairs of bodies with a closed form while they touch are those whose overlap is linear in all their
+/// coordinates.
 void check_linear_overlaps(Findings& findings) {
   const Mobility mobilities[] = {Mobility::free, Mobility::particle, Mobility::fixed, Mobility::sliding_x,
                                  Mobility::sliding_y};
@@ -287,7 +288,7 @@ void check_linear_overlaps(Findings& findings) {
           const bool has_form = !obstacle_to_closed_form(pair.model), linear = std::abs(pair.bend) < 1e-12;
           accepted += has_form ? 1.0 : 0.0;
           wrong += has_form && !linear ? 1.0 : 0.0;
-          // A disc on a side of a square has a form that is not looked for.
+          // A disc on a side of a square has a closed form, but the solver does not detect it.
           left_out += !has_form && linear && !std::holds_alternative<Rectangle>(place.b) ? 1.0 : 0.0;
         }
       }

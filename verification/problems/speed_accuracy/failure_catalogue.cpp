@@ -5,8 +5,8 @@
 namespace talus::verification::problems::failure_catalogue {
 namespace {
 
-/// A row of the table: the failure, what measures it, the case that goes deeper, and the fault that takes the failure
-/// (or its absence) away.
+/// A row of the table: the failure, the function that measures it, the case with its details, and the fault that
+/// removes the failure (or its absence).
 struct Failure {
   const char* name;
   FailureFound (*check)(Findings&, const Setup&);
@@ -60,7 +60,7 @@ constexpr std::array failures{
     Failure{"order of sums", check_order_of_sums, "frame_invariance", "same_order", "the same order twice",
             "order of sums: acceleration by eight contacts, backwards less forwards, over rounding"}};
 
-/// A fault's run makes its own row alone.
+/// Computes all rows; with a fault, only the row that it affects.
 void run(Findings& findings, const Setup& setup) {
   Table table{
       .name = "failures",

@@ -15,8 +15,8 @@
 namespace talus::verification::problems {
 namespace {
 
-/// How far a block creeps down a slope in a time if friction is mu N v/v_reg up to mu N: classical Runge-Kutta from
-/// rest.
+/// Distance that a block creeps down a slope within `time` if friction is mu N v/v_reg up to mu N, by classical
+/// Runge-Kutta from rest.
 double crept(const Slope& slope, double v_reg, double time, long steps) {
   const double normal = slope_gravity * std::cos(slope.angle), drive = slope_gravity * std::sin(slope.angle);
   const auto rate = [&](double v) { return drive - slope.friction * normal * std::clamp(v / v_reg, -1.0, 1.0); };
@@ -32,13 +32,13 @@ double crept(const Slope& slope, double v_reg, double time, long steps) {
 
 double swing_time(const Slope& slope) { return 2.0 * std::numbers::pi / std::sqrt(slope.slip_stiffness / slope_mass); }
 
-/// Of the spring that holds a block on a slope.
+/// Stretch of the spring that holds a block on a slope.
 double held_stretch(const Slope& slope) {
   return slope_mass * slope_gravity * std::sin(slope.angle) / slope.slip_stiffness;
 }
 
-/// A block at half the angle of friction, pushed so that its spring swings between a tenth and nine tenths of the
-/// limit: its farthest way, over the swing.
+/// Runs a block on a slope of half the friction coefficient, pushed so that the force of its spring oscillates between
+/// a tenth and nine tenths of the limit. Returns the largest displacement over the amplitude.
 double check_swinging_block(const Slope& slope, double step, long steps, Findings& findings) {
   Scene pushed = slope_scene(slope);
   const double swing = 0.8 * held_stretch(slope), w = 2.0 * std::numbers::pi / swing_time(slope);
@@ -60,7 +60,7 @@ double check_swinging_block(const Slope& slope, double step, long steps, Finding
   return farthest;
 }
 
-/// A disc held by eight around it; their contacts in the model in one order or the other.
+/// Accelerations of a disc held by eight fixed discs around it, with the contacts in one order or the reverse.
 std::vector<double> accelerations(bool backwards) {
   ModelBuilder builder;
   const BodyId disc = builder.add(Body{.name = "disc", .mass = 1.0, .inertia = 1.0, .shape = Circle{1.0}});
@@ -100,7 +100,7 @@ double difference(const std::vector<double>& a, const std::vector<double>& b) {
 FailureFound check_turned_history(Findings& findings, const Setup& setup) {
   constexpr long steps = 256;
   using namespace turned_pair;
-  // A stretch kept in world axes: what of it lies along the pair's tangent after a half turn, where it is farthest off.
+  // Error of a stretch stored in world axes while the pair turns; it is largest after half a turn.
   double off = 0.0;
   for (long n = 0; n <= steps; ++n) {
     const double angle =
@@ -131,7 +131,7 @@ FailureFound check_creep(Findings& findings, const Setup& setup) {
   const double step = swing_time(slope) / 50.0;
   const long steps = setup.coarse ? 20000 : setup.tier == Tier::full ? 10000000 : 1000000;
   const double time = step * static_cast<double>(steps);
-  // From rest it comes up to v_creep as 1 - exp(-t/tau), tau = v_reg/(mu g cos).
+  // From rest the block approaches the creep speed as 1 - exp(-t/tau), tau = v_reg/(mu g cos).
   const double speed = v_reg * std::tan(slope.angle) / mu, lag = v_reg / (mu * slope_gravity * std::cos(slope.angle));
   const double creep = crept(slope, v_reg, time, std::lround(8.0 * time / lag));
   findings.expect(
@@ -155,7 +155,8 @@ FailureFound check_creep(Findings& findings, const Setup& setup) {
 }
 
 FailureFound check_latch_reload(Findings& findings, const Setup& setup) {
-  // K1 = 64, K2 = 256: pressed to 1/2 it keeps 3/8; at 1/4 it is slack and has not parted.
+  // K1 = 64, K2 = 256: pressed to an overlap of 1/2 the spring has a residual overlap of 3/8; at 1/4 it has no force,
+  // although the surfaces have not separated.
   const auto reload = [](double back, bool forgets) {
     PressedDisc disc{false};
     disc.press(0.5);

@@ -16,8 +16,8 @@
 namespace talus::verification::problems {
 namespace {
 
-/// Exit over entry speed of a disc on a plane, w = 1, by velocity Verlet; theta: of the step that enters, the share
-/// spent inside.
+/// Exit over entry speed of a disc on a plane, w = 1, by velocity Verlet; theta: fraction of the entry step inside the
+/// contact.
 double exit_ratio(double eta, double theta, double xi, Findings& findings) {
   return plane_rebound(LinearSpringDashpot{1.0, 2.0 * xi, EndRule::clamped},
                        {.speed = 1.0, .radius = 8.0, .step = eta, .phase = 1.0 - theta, .longest = 4.0 + 4.0 * eta},
@@ -25,7 +25,7 @@ double exit_ratio(double eta, double theta, double xi, Findings& findings) {
       .speed;
 }
 
-/// Largest gain of speed of 64 phases, and the same in closed form.
+/// Largest gain of speed over 64 phases, measured and in closed form.
 struct Gain {
   double found{}, exact{};
 };
@@ -48,7 +48,7 @@ double mean_ln(double eta, double xi, Findings& findings) {
   return mean;
 }
 
-/// ln of the growth of one step of a squeezed disc whose dashpot gives the restitution e, at w h = eta.
+/// ln growth per step of a squeezed disc whose dashpot is chosen for the restitution e, at w h = eta.
 struct Growth {
   double found{}, exact{};
 };

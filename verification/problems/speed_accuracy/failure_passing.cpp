@@ -26,10 +26,10 @@ constexpr MonitorRules told{
 constexpr MonitorRules not_told{
     .instability = CheckAction::off, .tunnelling = CheckAction::off, .accuracy = CheckAction::off};
 
-/// A run as `talus run` makes it: looked at before its first step and after each.
+/// A run as by `talus run`, with RunMonitor checks before the first step and after each step.
 struct WatchedRun {
   State end;
-  std::string violation;  ///< empty: it went to its end
+  std::string violation;  ///< empty if the run reached its end
 };
 
 WatchedRun watched_run(Scene scene, double step, double end, const MonitorRules& rules, Findings& findings) {
@@ -55,7 +55,7 @@ WatchedRun watched_run(Scene scene, double step, double end, const MonitorRules&
   return run;
 }
 
-/// A disc that flies at speed 1 at a fixed one of the same radius, so far before the touch.
+/// A disc that flies at speed 1 towards a fixed disc of the same radius, at the distance `before` from touch.
 Scene flight(double before, double frequency, double pull = 0.0) {
   ModelBuilder builder;
   builder.gravity({pull, 0.0});
@@ -71,7 +71,7 @@ Scene flight(double before, double frequency, double pull = 0.0) {
   return scene;
 }
 
-/// Of 64 phases those in which the disc comes through without a change of a bit of its speed.
+/// Number of phases, of 64, in which the disc passes through the other with its speed bit-identical.
 int unseen_passes(double step, Findings& findings) {
   int passes = 0;
   for (const double phase : even_phases(fewest_phases)) {
@@ -110,7 +110,7 @@ ControlledFlights controlled_flights(const std::string& method, double tolerance
   return found;
 }
 
-/// An upright bar that drifts to the right across a fixed level one.
+/// An upright bar that drifts to the right across a fixed horizontal bar.
 Scene crossed(double height, ContactMethod method) {
   ModelBuilder builder;
   const BodyId level = builder.add(Body{.name = "level", .mobility = Mobility::fixed, .shape = Rectangle{1.0, 0.125}});
@@ -127,7 +127,7 @@ Scene crossed(double height, ContactMethod method) {
   return scene;
 }
 
-/// Of the scene's contact at its start.
+/// Force of the scene's contact in the initial state.
 double force(const Scene& scene) {
   const Dynamics dynamics{scene.model};
   Workspace work = dynamics.workspace();
@@ -139,8 +139,9 @@ double force(const Scene& scene) {
   return forces.contacts[0];
 }
 
-/// Two bars that turn and come nearer, touching, close and far: the longest step, of the watch and of located events,
-/// over half the sum of their half widths by the speed of their ends. Worst relative error.
+/// Largest relative error of the longest step permitted by the monitor and by located events, for two bars that turn
+/// and approach each other, touching, close and far apart. The exact value is half the sum of their half widths over
+/// the largest speed at which their ends may approach.
 double spinning_error() {
   double worst = 0.0;
   for (const double apart : {0.3, 3.5, 20.0}) {
@@ -199,7 +200,7 @@ FailureFound check_long_step(Findings& findings, const Setup& setup) {
                        "a step may take the disc past the other's middle");
   findings.expect_true("long step: not refused at v h = .9 r", within.violation.empty(),
                        "it is looked at on either side");
-  // A pull adds g h^2/2 to the way of the first step.
+  // Gravity adds g h^2/2 to the distance travelled in the first step.
   constexpr double step = 0.8 * radius;
   const auto pulled = [&](double share) {
     const double pull = (share * radius - step) * 2.0 / (step * step);
@@ -210,7 +211,7 @@ FailureFound check_long_step(Findings& findings, const Setup& setup) {
   findings.expect_true("long step: not refused where v h + g h^2/2 = .95 r", pulled(0.95).empty(), "as without a pull");
   findings.expect("long step: of bars that turn and move, over half the widths by the speed of their ends, worst error",
                   spinning_error(), 0.0, Tolerance::round_off(1e-15, "half a dozen operations"));
-  // Fewer than ten steps in a contact are too few.
+  // Contacts of fewer than ten steps must be reported.
   const auto contact_of = [&](double steps) {
     const MonitorRules by{
         .instability = CheckAction::off, .tunnelling = CheckAction::off, .accuracy = CheckAction::error};

@@ -4,11 +4,11 @@
 
 #include "verification/check/case.hpp"
 
-/// Rows of the case `failure_catalogue`. Each measures one failure of discrete-element codes on two sides: where it
-/// comes about, by more than a number that was derived, and where it does not.
+/// Rows of the case `failure_catalogue`. Each measures one failure of discrete-element codes where it occurs, by more
+/// than an amount derived beforehand, and where it does not occur.
 namespace talus::verification::problems {
 
-/// What a row of the table says, as measured.
+/// Measured text of a row of the table: where the failure occurs, and where it does not.
 struct FailureFound {
   std::string fails;
   std::string holds;
@@ -34,7 +34,7 @@ struct FailureFound {
 [[nodiscard]] FailureFound check_common_normal(Findings& findings, const Setup& setup);
 [[nodiscard]] FailureFound check_high_powers(Findings& findings, const Setup& setup);
 
-// What contacts remember (failure_histories.cpp).
+// Contact history (failure_histories.cpp).
 [[nodiscard]] FailureFound check_turned_history(Findings& findings, const Setup& setup);
 [[nodiscard]] FailureFound check_creep(Findings& findings, const Setup& setup);
 [[nodiscard]] FailureFound check_latch_reload(Findings& findings, const Setup& setup);

@@ -17,7 +17,7 @@
 namespace talus::verification::problems {
 namespace {
 
-/// A function's value, gradient and second derivatives in the world.
+/// Value, gradient and second derivatives of a function in world coordinates.
 struct Field {
   double value{};
   Vec2 gradient;
@@ -48,8 +48,8 @@ double determinant(const Row& a, const Row& b, const Row& c) {
   return a[0] * (b[1] * c[2] - b[2] * c[1]) - a[1] * (b[0] * c[2] - b[2] * c[0]) + a[2] * (b[0] * c[1] - b[1] * c[0]);
 }
 
-/// Whether plain Newton steps on f_A(X) = f_B(X), grad f_A + mu^2 grad f_B = 0 in X and mu converge within a hundred,
-/// from the middle of the centres, with the radial function f = (|x/a|^n + |y/b|^n)^(1/n).
+/// True if undamped Newton steps for f_A(X) = f_B(X), grad f_A + mu^2 grad f_B = 0 in X and mu, with the radial
+/// function f = (|x/a|^n + |y/b|^n)^(1/n), converge within a hundred iterations from the midpoint of the centres.
 bool newton_converges(const Superquadric& a, const Pose& A, const Superquadric& b, const Pose& B) {
   Vec2 X = 0.5 * (A.p_WB + B.p_WB);
   double mu = 0.0;
@@ -62,7 +62,7 @@ bool newton_converges(const Superquadric& a, const Pose& A, const Superquadric& 
     const Vec2 sum = f.gradient + m * g.gradient;
     const double apart = f.value - g.value;
     if (norm(sum) < 1e-10 * size && std::abs(apart) < 1e-10 * f.value) return true;
-    // Columns of the matrix of derivatives by X and mu, and the right-hand side: Cramer's rule.
+    // Columns of the Jacobian with respect to X and mu, and the right-hand side: Cramer's rule.
     const Row x{f.xx + m * g.xx, f.xy + m * g.xy, f.gradient.x - g.gradient.x};
     const Row y{f.xy + m * g.xy, f.yy + m * g.yy, f.gradient.y - g.gradient.y};
     const Row z{2.0 * mu * g.gradient.x, 2.0 * mu * g.gradient.y, 0.0};
@@ -74,7 +74,7 @@ bool newton_converges(const Superquadric& a, const Pose& A, const Superquadric& 
   return false;
 }
 
-/// Two squares corner in corner, off the diagonal by so much along each axis.
+/// Gap of two squares that overlap at a corner, displaced from the diagonal by `off` along each axis.
 Gap corner_in_corner(double off) {
   const Rectangle square{0.5, 0.5};
   const Pose first{}, second{{0.9 + off, 0.9 - off}, {}, {}, 0.0};
@@ -83,7 +83,8 @@ Gap corner_in_corner(double off) {
 
 double turned(Vec2 a, Vec2 b) { return std::acos(std::clamp(dot(a, b), -1.0, 1.0)) * 180.0 / std::numbers::pi; }
 
-/// Share of pairs 1 : .7, anyhow turned, overlapping by a hundredth, for which Newton's method fails.
+/// Fraction of pairs of aspect ratio 1 : 0.7, randomly rotated, with an overlap of 0.01, for which Newton's method
+/// fails.
 double newton_fails(double n, int pairs) {
   std::mt19937_64 random{1};
   std::uniform_real_distribution<double> any{-std::numbers::pi, std::numbers::pi};

@@ -17,7 +17,7 @@
 namespace talus::verification::problems {
 namespace {
 
-/// An undamped disc of w = 1, v = 1 between two planes 3.7 of free way apart.
+/// A disc of w = 1, v = 1 and damping ratio xi between two planes, with 3.7 of free travel.
 Scene boxed(double xi) {
   ModelBuilder builder;
   constexpr double radius = 8.0, way = 3.7;
@@ -39,14 +39,14 @@ Scene boxed(double xi) {
   return scene;
 }
 
-/// ln of the speed between n bounces: at the end, and the largest magnitude before.
+/// ln of the speed after n bounces, and its largest magnitude after any of them.
 struct Drift {
   double end{}, farthest{};
 };
 
 Drift ln_speed(const char* method, double eta, long bounces, double xi, Findings& findings) {
   Scene scene = boxed(xi);
-  // Not in the middle: the phases of the steps at both walls differ.
+  // Start off the middle, so that the phases of the steps at both walls differ.
   scene.initial.q[0] = 0.456 * eta;
   long done = 0;
   bool inside = false;
@@ -66,7 +66,7 @@ Drift ln_speed(const char* method, double eta, long bounces, double xi, Findings
   return run.finished && done == bounces ? drift : Drift{std::nan(""), std::nan("")};
 }
 
-/// The least of a cable's tension, and of what k x + c v would be while it is stretched and has let go, k = 1.
+/// Minimum of a cable's tension, and minimum of k x + c v while the cable is stretched without tension, k = 1.
 struct Least {
   double tension{}, let_go{};
 
@@ -79,7 +79,7 @@ struct Least {
   }
 };
 
-/// (v^2 + w^2 x^2 (1 - eta^2/4))/2, w = 1, which velocity Verlet of w h = eta keeps while the disc touches.
+/// (v^2 + w^2 x^2 (1 - eta^2/4))/2, w = 1, which velocity Verlet of w h = eta conserves during contact.
 double kept_energy(const State& state, double radius, double eta) {
   const double x = radius - state.q[1];
   return 0.5 * (state.v[1] * state.v[1] + x * x * (1.0 - 0.25 * eta * eta));
@@ -140,7 +140,8 @@ FailureFound check_snatch(Findings& findings, const Setup& setup) {
     const double step = offset_step(exact.contact_time, steps, phase);
     State state = scene.initial;
     state.q[0] -= even_phases(fewest_phases)[phase] * step;
-    const CableRunResult run = run_cables(scene, state, method, {step, exact.contact_time + 2.0, false, true}, findings);
+    const CableRunResult run =
+        run_cables(scene, state, method, {step, exact.contact_time + 2.0, false, true}, findings);
     least.look_at(run, 2.0 * used);
     return std::abs(run.end.v[0]) / exact.restitution - 1.0;
   };
@@ -172,7 +173,7 @@ FailureFound check_snatch(Findings& findings, const Setup& setup) {
 FailureFound check_changed_step(Findings& findings, const Setup& setup) {
   constexpr double first = 0.1, radius = 8.0;
   const double second = setup.has("step_kept") ? first : 0.2;
-  constexpr long before = 15, after = 5;  // of a contact of pi: changed about half-way
+  constexpr long before = 15, after = 5;  // steps; the contact lasts pi, so that the step changes about half-way
   Scene scene = scenes::bouncing_disc(
       {.radius = radius, .gap = 0.0, .speed = 1.0, .contact = LinearSpringDashpot{1.0, 0.0, EndRule::clamped}});
   const RunEnd half = run_steps(scene, VelocityVerlet{}, first, before, findings);
@@ -180,7 +181,7 @@ FailureFound check_changed_step(Findings& findings, const Setup& setup) {
   scene.initial.t = 0.0;
   const RunEnd changed = run_steps(scene, VelocityVerlet{}, second, after, findings);
   const RunEnd kept = run_steps(scene, VelocityVerlet{}, first, after, findings);
-  // The kink is that of the energy with which the disc will leave.
+  // The change of step changes the conserved energy, and so the energy with which the disc will leave.
   const double leaves = kept_energy(changed.state, radius, second), came = kept_energy(half.state, radius, first);
   const double x = radius - half.state.q[1];
   const double round_off = 20.0 * 8.0 * 0x1p-53;
@@ -204,8 +205,8 @@ FailureFound check_changed_step(Findings& findings, const Setup& setup) {
                       std::abs(2.0 * (kept_energy(kept.state, radius, first) - 0.5)), std::abs(loss))};
 }
 
-/// A spring so stiff, hit so fast, that its force is beyond all numbers half-way: no step ends well, however short. Each
-/// kind of method must say so, and stop.
+/// Checks an overflow: the spring is so stiff, and is hit so fast, that its force overflows during the contact at any
+/// step, however short. Each kind of method must report this and stop.
 FailureFound check_overflow(Findings& findings, const Setup& setup) {
   const double huge = setup.has("soft_spring") ? 1.0 : 1e300;
   const auto outcome = [&](const char* method, double tolerance, double size) {

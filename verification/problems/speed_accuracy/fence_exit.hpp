@@ -4,11 +4,11 @@
 #include "solver/scenes/scene.hpp"
 #include "verification/check/findings.hpp"
 
-/// The fence of Table 2 hit by the rock of 600 lb, slack .5, as its deck in cases/fence has it: what the rock and the
-/// cables have come to at a time.
+/// The fence of Table 2 hit by the rock of 600 lb, slack 0.5, as in its deck in cases/fence: speed of the rock and
+/// largest tension at a given time.
 namespace talus::verification::problems {
 
-/// The scene, and which coordinate is the rock's way.
+/// The scene, and the index of the coordinate along which the rock moves.
 struct FenceHit {
   Scene scene;
   std::size_t rock{};
@@ -20,11 +20,11 @@ struct FenceExit {
   double speed{};    ///< of the rock at the end [ft/s]; NaN if the run failed
   double tension{};  ///< largest of any cable at the compared times [lb]
   double evaluations{};
-  long events{};  ///< located
+  long events{};  ///< number of located events
 };
 
-/// Equal spans of time that a run is divided into, and the steps in each; of methods that choose their own steps, these
-/// are the outputs. Compared is at the end of each span.
+/// Equal time intervals (spans) of a run, and the number of steps in each; for methods that choose their own steps,
+/// these are the outputs. Values are compared at the end of each span.
 struct FenceSteps {
   double end{};  ///< of the run [s]
   long spans{};

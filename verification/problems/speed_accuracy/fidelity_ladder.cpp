@@ -17,14 +17,15 @@ namespace {
 constexpr int phases = 16;  // of the first node from the line of impact
 constexpr int per_node = 12;
 
-/// The bed that holds the spring's energy at the depth that Table 2 allows, with the dashpot's share the same.
+/// The bed of springs with the same stored energy as the linear spring at the overlap that Table 2 allows, and the same
+/// ratio of dashpot to spring.
 reference::BedOfSprings bed_for(const FenceNumbers& n, const reference::Impact& linear, double depth) {
   reference::BedOfSprings bed{n.rock_radius, 1.0, linear.damping / linear.stiffness};
   bed.stiffness = 0.5 * linear.stiffness * depth * depth / reference::bed_energy(bed, depth);
   return bed;
 }
 
-/// Rock and column, free and touching, by so many nodes of the rock or by one resultant (none).
+/// Rock and column, free and touching, with `nodes` nodes of the rock, or with one resultant if `nodes` is 0.
 Scene struck_column(const FenceNumbers& n, const LinearSpringDashpot& law, int nodes, double turned) {
   ModelBuilder builder{us};
   const BodyId rock = builder.add(Body{.name = "rock",
@@ -72,7 +73,7 @@ Blow blow(const Scene& scene, double end, Findings& findings) {
   return found;
 }
 
-/// Misses of all phases with so many nodes.
+/// Relative errors over all phases with a given number of nodes.
 struct Nodes {
   PhaseError exit, push;
   double evaluations{};  ///< mean
@@ -98,8 +99,8 @@ Nodes blows(const FenceNumbers& n, const reference::BedOfSprings& bed, const Exa
   return found;
 }
 
-/// The rock against a free column: formula, one resultant, 12 to 192 nodes, against the bed of springs. Fault
-/// `stiffness_per_node`.
+/// Checks the impact on a free column by the formula, one resultant, and 12 to 192 nodes against the bed of springs.
+/// Fault `stiffness_per_node`.
 void check_contact_ladder(Findings& findings, const Setup& setup) {
   const scenes::Fence fence = ladder_fence(0.0);
   const FenceNumbers n = fence_numbers(fence);
@@ -110,7 +111,7 @@ void check_contact_ladder(Findings& findings, const Setup& setup) {
   like_bed.restitution = impact.restitution;
   const Exact exact{speed_by_formula(like_bed, n.column_mass), impact.largest_force};
   const reference::ImpactEvents events = reference::impact_events(linear, reference::EndRule::clamped);
-  const double end = 3.0 * events.contact_time;  // a bed is softer at first and lasts longer
+  const double end = 3.0 * events.contact_time;  // a bed is softer at first, so that its contact lasts longer
 
   Table table{.name = "contacts",
               .caption =
@@ -184,7 +185,7 @@ void check_contact_ladder(Findings& findings, const Setup& setup) {
            {"push, one resultant", {single.evaluations}, {std::abs(single.push / exact.push - 1.0)}, Style::crosses}}});
 }
 
-/// The formula against the free pair and the column on its pin.
+/// Checks the free pair and the hung column against the formula.
 void check_formula(Findings& findings, const Setup& setup) {
   const FenceNumbers n = fence_numbers(ladder_fence(0.0));
   const auto mass = [&](double with_arm) { return setup.has("arm_forgotten") ? n.column_mass : with_arm; };
@@ -207,7 +208,7 @@ void check_formula(Findings& findings, const Setup& setup) {
                   "ft/s");
 }
 
-/// The particle's largest tension against its energy.
+/// Checks the largest tension of the particle on cables against the value from its energy.
 void check_particles(Findings& findings, const Setup& setup) {
   const FenceNumbers n = fence_numbers(ladder_fence(0.0));
   const double mass = n.column_mass;
@@ -228,8 +229,8 @@ void check_particles(Findings& findings, const Setup& setup) {
   }
 }
 
-/// What the cables take while the contact lasts, from the closed form of the free pair: their impulse over both masses
-/// [L/T].
+/// Speed lost to the cables during the contact, from the closed form of the free pair: their impulse over the sum of
+/// both masses [L/T].
 double speed_taken_by_cables(const FenceNumbers& n) {
   const reference::Impact impact = soft_impact(n, n.column_mass);
   const double last = reference::impact_events(impact, reference::EndRule::clamped).contact_time;

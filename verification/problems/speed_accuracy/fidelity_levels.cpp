@@ -14,7 +14,7 @@
 namespace talus::verification::problems {
 namespace {
 
-/// The fence's contact law, its dashpot for the mass that this contact feels.
+/// The fence's contact law, with the dashpot for the effective mass of this contact.
 LinearSpringDashpot contact_law(const FenceNumbers& n, double felt_mass) {
   const double xi = damping_ratio(n.restitution, EndRule::clamped);
   return {n.contact_stiffness, damping(xi, n.contact_stiffness, felt_mass), EndRule::clamped};
@@ -22,7 +22,7 @@ LinearSpringDashpot contact_law(const FenceNumbers& n, double felt_mass) {
 
 double reduced(double a, double b) { return a * b / (a + b); }
 
-/// The rock in front of the column, as particles that touch; the rock moves towards -x as in the fence.
+/// Rock and column as two touching particles; the rock moves towards -x as in the fence.
 ModelBuilder pair_of_particles(const FenceNumbers& n, double height) {
   ModelBuilder builder{us};
   const double mass = free_column_mass(n, height);
@@ -44,7 +44,7 @@ Scene started(std::string title, Model model, Vec2 velocity) {
   return scene;
 }
 
-/// Watches a run for its Passage.
+/// Records the Passage of a run.
 class Monitor {
  public:
   explicit Monitor(const Scene& scene) : model_{&scene.model}, probe_{scene.model} {
@@ -181,7 +181,7 @@ Scene moving_columns(const scenes::Fence& fence, int beside) {
 
 Passage passage(const Scene& scene, double tolerance, Findings& findings) {
   Monitor watch{scene};
-  // Peaks are read every 2e-5 s; the contact's, of a radian of .9 ms, are then cut by at most 6e-5.
+  // Peaks are sampled every 2e-5 s. A radian of the contact lasts 0.9 ms: its peaks are low by at most 6e-5.
   constexpr double interval = 2e-5;
   const RunEnd end =
       run_scene(scene, make_integrator("stormer_cowell", tolerance), {interval, passage_end, interval, false}, findings,

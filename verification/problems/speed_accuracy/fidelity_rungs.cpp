@@ -20,7 +20,7 @@
 namespace talus::verification::problems {
 namespace {
 
-/// One rung: its name, and the scene for a hit at that height; none for the formula.
+/// One level: its name, and the scene for a hit at a given height; the formula is not among them.
 struct Level {
   std::string name;
   std::function<Scene(double height)> scene;
@@ -44,14 +44,15 @@ std::vector<Level> rising_levels() {
   return levels;
 }
 
-/// Where in the list the one-layer fence stands, against which the levels before it are measured.
+/// Indices in the list: the full one-layer fence, with which the levels before it are compared, the hung column, and
+/// the first level with moving columns.
 constexpr std::size_t full_fence = 11, hung = 3, first_moving = 4;
 constexpr std::array heights{0.0, -1.5, 1.5};  // [ft]
 
 /// |x/of - 1|.
 double miss(double x, double of) { return std::abs(x / of - 1.0); }
 
-/// What a level gives at each height by tight steps, and its cost at the usual tolerance.
+/// Results of a level at each height with the tight tolerance, and its run with the usual tolerance.
 struct Rung {
   std::array<Passage, heights.size()> at;
   Passage usual;
@@ -64,8 +65,8 @@ constexpr std::array<const char*, 4> questions{"speed after the first contact", 
                                                "largest pull of a top cable", "speed at .2 s"};
 double answer(const Passage& p, std::size_t question) { return std::array{p.first, p.push, p.pull, p.exit}[question]; }
 
-/// The cheapest level of one layer whose miss is below `most` at the first `count` heights. The formula stands before
-/// all others where it answers the question.
+/// Name of the first level of one layer whose relative error is at most `most` at the first `count` heights. The
+/// formula comes before all others for the questions that it answers.
 std::string sufficient(const std::vector<Level>& levels, const std::vector<Rung>& rungs, std::size_t question,
                        double most, std::size_t count) {
   const auto worst = [&](const std::function<double(std::size_t)>& of) {
@@ -161,7 +162,7 @@ Figure rung_figure(const std::vector<Rung>& rungs, double own) {
   return figure;
 }
 
-/// Seconds of one run of each level without observers: the median of 15, all levels in another order each time.
+/// Times of one run of each level without observers [s]: medians of 15 runs, with the levels shuffled each time.
 std::vector<double> run_times(const std::vector<Level>& levels) {
   constexpr std::size_t repetitions = 15;
   std::vector<Scene> scenes;

@@ -16,7 +16,8 @@
 namespace talus::verification::problems::located_events {
 namespace {
 
-/// Evaluations at most for errors of 1e-6 and 1e-9 on each of the motions: set before the method was written.
+/// Maximum numbers of evaluations for errors of 1e-6 and 1e-9 on each of the motions, set before the method was
+/// written.
 struct Bound {
   double asked[2];
   const char* words;
@@ -29,9 +30,9 @@ constexpr Bound bounds[] = {
      "set beforehand, as a hundredth of what velocity Verlet was thought to take to 1e-6; by its order it takes more "
      "(case work_precision)"}};
 
-/// Evaluations of all tolerances on each of the motions and on the fence, as the method took them when it was last
-/// changed on purpose. They are the same on every machine: a change of steps and orders that costs more, or less, shows
-/// here, although the errors stay within their tolerance.
+/// Recorded numbers of evaluations, summed over all tolerances, on each of the motions and on the fence, from the last
+/// deliberate change of the method. They are the same on every machine, so that a change of steps and orders is
+/// detected here by its cost even if the errors remain within their tolerance.
 constexpr double counted[] = {17320.0, 32456.0, 9787.0, 13147.0}, counted_on_fence = 15322.0;
 
 void expect_counted(Findings& findings, const std::string& scene, double evaluations, double known) {
@@ -41,7 +42,7 @@ void expect_counted(Findings& findings, const std::string& scene, double evaluat
                           "brings its own count");
 }
 
-/// The method, or what a fault makes of its use.
+/// The method, or the one by which a fault replaces it.
 Integrator method(const Setup& setup, double tolerance) {
   if (setup.has("no_events")) return make_integrator("odeint_fehlberg78", tolerance);
   return make_integrator("stormer_cowell", tolerance);
@@ -87,10 +88,10 @@ void check_motion(const ExactMotion& motion, const Bound& bound, double known, F
 }
 
 constexpr double early = 0.05, late = 0.2;  ///< ends of the fence's runs [s]
-constexpr long spans = 2500;                ///< between whose ends the largest tension is looked at
-constexpr double others_tolerance = 1e-13;  ///< of the steppers that the best values are compared with
+constexpr long spans = 2500;                ///< at whose ends the largest tension is sampled
+constexpr double others_tolerance = 1e-13;  ///< of the steppers with which the best values are compared
 
-/// Errors of tension and speed of the fence at falling tolerances, and what they cost.
+/// Errors of tension and speed of the fence at decreasing tolerances, and their costs.
 struct FenceErrors {
   std::vector<WorkPoint> tensions, speeds;
 };
@@ -111,8 +112,8 @@ FenceErrors fence_errors(const FenceHit& hit, double end, const FenceExit& best,
   return errors;
 }
 
-/// How far the rock's speed is from the best value by methods that locate no event and share only the forces: the
-/// furthest of three [ft/s].
+/// Largest difference of the rock's speed from the best value for three methods that do not locate events and share
+/// only the forces [ft/s].
 double distance_of_others(const FenceHit& hit, double end, const FenceExit& best, Findings& findings) {
   double furthest = 0.0;
   for (const char* name : {"odeint_dopri5", "odeint_cash_karp54", "odeint_bulirsch_stoer"}) {
@@ -123,7 +124,8 @@ double distance_of_others(const FenceHit& hit, double end, const FenceExit& best
   return furthest;
 }
 
-/// The scheme of 1993 at steps of 4e-6 s and less about the best value: not located events make it first order.
+/// Checks the order of the scheme of 1993 at steps of at most 4e-6 s against the best value: events that are not
+/// located make it first order.
 void check_scheme_of_1993(const FenceHit& hit, const FenceExit& best, Findings& findings, const Setup& setup) {
   Convergence errors;
   constexpr int runs = 8;
@@ -188,9 +190,9 @@ void check_fence(Findings& findings, const Setup& setup, Figure& figure) {
   findings.table(table);
 }
 
-/// A disc that a steady force takes off a plane grazes it, less deep than a step is long: with w^2 = k/m and the speed v0 =
-/// sqrt(2 g d) at which it touches, x = (g/w^2)(cos w t - 1) + (v0/w) sin w t is back at zero after (2/w) atan(v0 w/g),
-/// where the parabola without contact takes 2 v0/g.
+/// Checks a grazing contact that is shorter than a step, of a disc that a constant force pulls away from a plane. With
+/// w^2 = k/m and the speed v0 = sqrt(2 g d) at touch, x = (g/w^2)(cos w t - 1) + (v0/w) sin w t returns to zero after
+/// (2/w) atan(v0 w/g); the parabola without contact takes 2 v0/g.
 void check_grazing(Findings& findings) {
   constexpr double g = 2.0, k = 1e4, m = 1.0, radius = 0.5, gap = 1.0, end = 2.0, tolerance = 1e-11;
   const double w = std::sqrt(k / m);
@@ -221,8 +223,8 @@ void check_grazing(Findings& findings) {
       "m");
 }
 
-/// A contact of half a period of pi passes within a third of an output: who chooses its own steps leaves it with the
-/// speed 1, all others miss it.
+/// Checks which methods choose their own steps. A contact of half a period, pi, lasts a third of an output interval:
+/// methods that choose their steps leave it with the speed 1, all others miss it.
 void check_choice(Findings& findings) {
   const Scene scene = scenes::bouncing_disc(
       {.radius = 8.0, .gap = 0.3, .speed = 1.0, .contact = LinearSpringDashpot{1.0, 0.0, EndRule::clamped}});
@@ -242,8 +244,8 @@ void check_choice(Findings& findings) {
                   Tolerance::exact("by what they do"));
 }
 
-/// A small disc flies fast at a small post from afar; nothing but the post could shorten its steps. From four sides, and
-/// with either of both named first in the contact. How many have not come back.
+/// Counts discs that do not rebound: a small disc is thrown fast at a small post from afar, and only the post can
+/// shorten its steps. The disc comes from four sides, and either body is named first in the contact.
 void check_posts(Findings& findings) {
   constexpr double radius = 0.05, distance = 10.0, speed = 100.0;
   double lost = 0.0;
@@ -268,8 +270,8 @@ void check_posts(Findings& findings) {
   findings.expect("discs thrown at a post that do not come back", lost, 0.0, Tolerance::exact("of eight"));
 }
 
-/// A large disc falls from rest on a large one, for so long that a step could last many seconds: weight alone shortens it.
-/// Then the events of a disc that bounces without loss.
+/// Checks a large disc that falls from rest on another, for so long that a step could last many seconds: only its
+/// weight shortens the step. Then counts the events of a disc that bounces without loss.
 void check_falls(Findings& findings) {
   constexpr double radius = 100.0, height = 1000.0, gravity = 9.81;
   const double fall = std::sqrt(2.0 * height / gravity);
@@ -296,7 +298,7 @@ void check_falls(Findings& findings) {
   for (const char* const method : {"stormer_cowell", "exact"}) {
     const double tolerance = needs_tolerance(method) ? 1e-10 : 0.0;
     const RunEnd bounced = run_steps(bouncing, make_integrator(method, tolerance), 0.1, 30, findings);
-    // It starts with a speed of 1, falls in t and flies for 2 u/g from then on.
+    // The disc starts with a speed of 1, first touches at the time `first`, and each later flight lasts 2 u/g.
     const double u = std::sqrt(1.0 + 2.0 * gravity * 0.5), first = (u - 1.0) / gravity;
     const double bounces = std::floor((3.0 - first) / (2.0 * u / gravity)) + 1.0;
     findings.expect(fmt::format("events of a disc that bounces, {}", method),

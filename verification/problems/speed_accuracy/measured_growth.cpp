@@ -10,17 +10,17 @@ namespace talus::verification::problems {
 namespace {
 
 constexpr double frequency = 100.0;     // [rad/s]
-constexpr double rounding = 3e-16;      // of a depth near 1, and of what a step makes of it
+constexpr double rounding = 3e-16;      // of an overlap near 1, including its propagation through one step
 constexpr double largest_start = 5e-3;  // [m]
 
-/// The solver's method, or what a fault puts in its place.
+/// The solver's method, or the one by which a fault replaces it.
 Integrator made(const FixedStepMethod& method, const Setup& setup) {
   if (setup.has("dashpot_lags")) return make_integrator("lagged_central_difference");
   if (setup.has("drift_after_kick") && std::string_view{method.name} == "euler") return make_integrator("euler_cromer");
   return make_integrator(method.name);
 }
 
-/// w h of the run in place of that asked for.
+/// w h of the run for a requested w h: changed by some faults.
 double run_as(double eta, const Setup& setup) {
   if (setup.has("step_too_long")) return 1.03 * eta;
   return setup.has("stiffness_halved") ? std::sqrt(0.5) * eta : eta;
@@ -36,13 +36,14 @@ SqueezedRuns squeezed_runs(double xi) { return SqueezedRuns{{.frequency = freque
 
 double first_growth(const SqueezedRuns& disc, const FixedStepMethod& method, double eta, const Setup& setup) {
   const int lags = (method.dimension + 1) / 2;
-  // Columns of two runs are as many as unknowns; where these do not grow too fast, Adams' sixteen have more, and those
-  // of methods whose first step differs from the others, for it may leave the runs alike.
+  // Two runs give as many columns as there are unknowns. If the runs do not grow too fast, more columns are used for
+  // the sixteen eigenvalues of Adams' pair, and for methods whose first step differs from the others, because that step
+  // may make the two runs nearly dependent.
   for (const int columns : {lags > 2 ? 2 * lags : method.start > 0 ? lags + 1 : lags, lags}) {
     const auto states = static_cast<std::size_t>(method.start + lags + columns);
     for (const double start : {largest_start, 1e-3, 1e-4, 1e-5, 1e-6, 1e-7, 1e-8, 1e-9, 1e-10}) {
       std::array<reference::Motion, 2> runs;
-      // Neither start is one that a method's own first step makes zero of.
+      // Starts that no method's first step maps to zero.
       const std::array<Deviation, 2> starts{Deviation{start, 0.3 * start}, Deviation{-0.3 * start, start}};
       for (std::size_t i = 0; i < runs.size(); ++i)
         runs[i] = disc.run(made(method, setup), run_as(eta, setup), static_cast<long>(states) - 1, starts[i]);
@@ -75,7 +76,7 @@ double long_growth(const SqueezedRuns& disc, const FixedStepMethod& method, doub
 }
 
 bool stays(const SqueezedRuns& disc, const FixedStepMethod& method, double eta, const Setup& setup) {
-  // At xi = 1, where two eigenvalues are one, a motion may grow 200 times before it dies.
+  // At xi = 1, where two eigenvalues coincide, a motion may grow 200-fold before it decays.
   const reference::Motion all = disc.run(made(method, setup), run_as(eta, setup), 4000, {1e-6, 0.0});
   if (all.size() < 4001) return false;
   const auto nearer = [](const Deviation& a, const Deviation& b) { return size(a) < size(b); };

@@ -8,18 +8,18 @@
 #include "verification/problems/speed_accuracy/squeezed_disc.hpp"
 #include "verification/reference/amplification.hpp"
 
-/// The methods that take steps of fixed length, and how their runs of a squeezed disc grow.
+/// The methods with fixed steps, and the growth of their runs of a squeezed disc.
 namespace talus::verification::problems {
 
-/// One method and what is known of it.
+/// One method and its known properties.
 struct FixedStepMethod {
   const char* name;
   reference::Scheme scheme;
-  int dimension;  ///< eigenvalues other than zero of one step
-  int start;      ///< first of a run's states from which each follows from those before by the same map
-  double scale;   ///< its map reaches 1.25 of this eta
-  bool undamped;  ///< whether it has limits at xi = 0 that runs can tell
-  bool doubles;   ///< whether two of its eigenvalues are one where two of the motion's are, at xi = 1
+  int dimension;  ///< number of non-zero eigenvalues of one step
+  int start;      ///< index of the first state of a run from which on each state follows by the same map
+  double scale;   ///< the map of growth extends to 1.25 times this eta
+  bool undamped;  ///< it has limits at xi = 0 that runs can resolve
+  bool doubles;   ///< two of its eigenvalues coincide where two of the motion do, at xi = 1
 };
 inline constexpr std::array fixed_step_methods{
     FixedStepMethod{"velocity_verlet", reference::Scheme::half_step, 2, 1, 2.0, true, false},
@@ -36,37 +36,38 @@ inline constexpr std::array fixed_step_methods{
     FixedStepMethod{"odeint_abm8", reference::Scheme::abm8, 16, 9, 0.4, false, true},
 };
 
-/// Methods without a step of fixed length, and so without a limit of it: those that choose its length by a tolerance,
-/// and the one that takes each linear piece of the motion in closed form.
+/// Methods without a fixed step, and so without a step limit: those that choose their steps by a tolerance, and the one
+/// that integrates each linear segment of the motion in closed form.
 inline constexpr std::array methods_without_limit{"odeint_bulirsch_stoer", "stormer_cowell", "exact"};
 
-/// Steps at which growth begins or ends, on its map and beyond, in ascending order. Only where nothing damps does it
-/// look for narrow ones.
+/// Exact steps eta at which growth begins or ends, on the map of the method and beyond, in ascending order. Narrow
+/// intervals are searched for only without damping.
 [[nodiscard]] std::vector<double> exact_limits(const FixedStepMethod& method, double xi);
 
 /// A disc squeezed between two planes with that damping ratio.
 [[nodiscard]] SqueezedRuns squeezed_runs(double xi);
 
-/// ln of the largest multiplier of the first steps, of two runs: one from a distance, one from a velocity. They begin
-/// as far out as runs of that length may without coming to where a contact opens; a method's own start (eight steps of
-/// Adams', one of Verlet's) is left out. NaN where none is short enough.
+/// ln of the largest multiplier, fitted to the first steps of two runs: one starts mainly with a displacement, one
+/// mainly with a velocity. They start with the largest deviation for which runs of that length do not reach the limit
+/// of SqueezedRuns::run(); the starting steps of a method (eight of Adams', one of Verlet's) are omitted. NaN if there
+/// is no such deviation.
 [[nodiscard]] double first_growth(const SqueezedRuns& disc, const FixedStepMethod& method, double eta,
                                   const Setup& setup);
 
-/// An error of first_growth() in roundings of a state: they count by the exact growth in a run of the fit more, for it
-/// begins by so much nearer to rest or comes by so much nearer to it.
+/// An error of first_growth() in units of the rounding of a state. The unit is multiplied by the exact growth (or
+/// decay) over a run of the fit, because the run starts closer to rest, or ends closer to it, by this factor.
 [[nodiscard]] double in_roundings(const FixedStepMethod& method, double error, double exact);
 
 constexpr double most_mark = 9e-3;   // [m]
 constexpr long longest_run = 50000;  // steps
 
-/// ln growth per step of a run by its last sixty states or fewer, between 1e-7 and that mark. NaN if it does not come
-/// so far.
+/// ln growth per step of a run, fitted to its last sixty states or fewer, between 1e-7 and `most_mark`. NaN if the run
+/// does not reach that mark.
 [[nodiscard]] double long_growth(const SqueezedRuns& disc, const FixedStepMethod& method, double eta, double start,
                                  const Setup& setup);
 
-/// Whether a run of 4000 steps keeps its size: the largest distance in the second half is not above that in the first
-/// by more than a hundredth, by which the highest states of two beats may differ.
+/// True if a run of 4000 steps does not grow: the largest deviation in the second half exceeds that in the first by at
+/// most 1 %, by which the maxima of two beats may differ.
 [[nodiscard]] bool stays(const SqueezedRuns& disc, const FixedStepMethod& method, double eta, const Setup& setup);
 
 }  // namespace talus::verification::problems

@@ -76,7 +76,7 @@ class EveryPair {
   Rates rates_;
 };
 
-/// Looks out for nothing that does not act yet.
+/// A system with a fault: modes that do not act yet have infinite guards.
 struct ShortSighted : RigidBodySystem {
   GuardBounds guards(const State& state, bool same, double ahead, std::vector<double>& out) {
     const GuardBounds found = RigidBodySystem::guards(state, same, ahead, out);
@@ -101,8 +101,8 @@ State stepped(const Scene& scene, const Dynamics& dynamics, Method method, Syste
   return state;
 }
 
-/// Zero for two states whose coordinates, velocities, memories and losses are the same; else the largest difference
-/// of any coordinate or velocity, or NaN if only the others differ.
+/// Zero for two states with equal coordinates, velocities, memories and losses; otherwise the largest difference of any
+/// coordinate or velocity, or NaN if only memories or losses differ.
 double change(const State& a, const State& b) {
   const auto [place, velocity] = difference(a, b);
   if (place > 0.0 || velocity > 0.0) return std::max(place, velocity);
@@ -131,7 +131,7 @@ void check_pairs(Findings& findings, const Setup& setup, Table& table, const cha
                Tolerance::exact("bodies out of reach push nothing, and a node outside its target neither"));
   StormerCowell located;
   located.tolerance = 1e-8;
-  // As far as a tenth of the way: between crowded bodies events follow each other closely.
+  // Only a tenth of the duration, because events between crowded bodies follow each other closely.
   const double interval = 0.1 * step * static_cast<double>(count);
   const State every = stepped(scene, dynamics, located, EveryPair{dynamics}, interval, 1, unwatched);
   const State ahead =
@@ -145,7 +145,7 @@ void check_pairs(Findings& findings, const Setup& setup, Table& table, const cha
                         fmt::format("{}", dynamics.contacts().candidates()), fmt::format("{:.2f}", near), "none"});
 }
 
-/// Discs thrown together, each paired with each.
+/// Discs thrown together, with a contact for each pair.
 Scene thrown_discs() {
   constexpr int side = 4;
   std::mt19937 random{7};
@@ -172,7 +172,8 @@ Scene thrown_discs() {
   return scene;
 }
 
-/// Runs in which every gap of every pair is computed at each evaluation end in the same bits. Fault `pair_forgotten`.
+/// Checks that runs end bit-identical to runs in which every gap of every pair is computed at each evaluation. Fault
+/// `pair_forgotten`.
 void check_contacts(Findings& findings, const Setup& setup, Table& table) {
   check_pairs(findings, setup, table, "yard", crowded_yard(), 1.0 / 4096.0, 3000);
   if (setup.coarse) return;
@@ -183,12 +184,12 @@ void check_contacts(Findings& findings, const Setup& setup, Table& table) {
   check_pairs(findings, setup, table, "fence of two layers", scenes::fence_scene(fence).scene, 1e-5, 5000);
 }
 
-/// The tensions of rows of cables are those of the laws, one by one, through a run in which cables slacken and yield.
-/// Fault `line_of_another`. Without a ledger, when paths are not told, it ends in the same bits. Fault
-/// `paths_of_another`.
+/// Checks that the tensions of cable rows equal those of each law alone throughout a run in which cables slacken and
+/// yield (fault `line_of_another`), and that the run without a ledger, in which paths are not computed, ends
+/// bit-identical to that with one (fault `paths_of_another`).
 void check_rows(Findings& findings, const Setup& setup, Table& table) {
   scenes::Fence fence = rough_fence();
-  fence.options.hanger_strength = 0.0;  // where cables go on through broken hangers there are no rows
+  fence.options.hanger_strength = 0.0;  // unbreakable: cables that continue through broken hangers form no rows
   fence.options.start = scenes::FenceStart::plain;
   const Scene scene = scenes::fence_scene(fence).scene;
   const Dynamics dynamics{scene.model};
@@ -232,7 +233,7 @@ constexpr long steps = 25000;
 
 enum class Sag { as_tight, share_of_span };
 
-/// Table 2's fence with another number of columns, the spacing and the end segments as they are.
+/// Table 2's fence with another number of columns; spacing and end segments are unchanged.
 scenes::FenceScene long_fence(int columns, Sag sag, Sleep sleep) {
   scenes::Fence fence = published_fence("table_2.DAT");
   const double ratio = 1.0 + (columns - fence.columns) * fence.spacing / fence.span;
@@ -335,7 +336,8 @@ void check_length(Findings& findings, const Setup& setup, Table& table) {
   findings.figure(figure);
 }
 
-/// Moves one column at a time: the guards of its cables are those without any left out, wherever they are in the row.
+/// Moves one column at a time and checks that the guards of its cables, at any position in the row, equal those
+/// computed without omissions.
 void check_guards(Findings& findings, const Setup& setup) {
   const scenes::FenceScene made = long_fence(41, Sag::share_of_span, Sleep::off);
   const Model& model = made.scene.model;
@@ -348,7 +350,7 @@ void check_guards(Findings& findings, const Setup& setup) {
     if (model.bodies[body].name.find("column") == std::string::npos) continue;
     State state = rest_state(model);
     set_velocity(model, state, static_cast<BodyId>(body), {0.0, setup.has("columns_at_rest") ? 0.0 : 100.0}, 0.0);
-    system.update_modes(state), system.update_modes(state);  // by the lines of the modes that the first one sets
+    system.update_modes(state), system.update_modes(state);  // the second uses the linear branches set by the first
     (void)system.guards(state, true, 0.1, guards);
     (void)all.guards(state, true, 0.1, every);
     for (std::size_t c = 0; c < model.cables.size(); ++c) {
@@ -362,7 +364,7 @@ void check_guards(Findings& findings, const Setup& setup) {
   findings.expect(
       "guards ahead: cables at a moving column, of 41, without that of their law", missing, 0.0,
       Tolerance::exact("a column that comes 10 ft further takes its cables off the linear branches of their laws"));
-  // Rough discs that come nearer: friction cannot begin before the normal law.
+  // Rough discs that approach: friction cannot begin before the normal force.
   ModelBuilder builder;
   const BodyId a = builder.add(Body{.name = "a", .mass = 1.0, .inertia = 1.0, .shape = Circle{1.0}});
   const BodyId b =

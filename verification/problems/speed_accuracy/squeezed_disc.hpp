@@ -7,8 +7,8 @@
 #include "solver/model/model_builder.hpp"
 #include "verification/study/scene_run.hpp"
 
-/// A disc squeezed between two planes: both contacts stay closed, so that the motion about the middle is a bilateral
-/// damped oscillator, and a method multiplies it by one matrix a step.
+/// A disc squeezed between two planes: both contacts remain closed, so that the motion about the middle is that of a
+/// bilateral damped oscillator, and each step of a method multiplies the state by the same matrix.
 namespace talus::verification::problems {
 
 struct SqueezedDisc {
@@ -44,13 +44,13 @@ using Deviation = std::array<double, 2>;
 
 inline double size(const Deviation& deviation) { return std::hypot(deviation[0], deviation[1]); }
 
-/// Runs of one such disc.
+/// Runs of one squeezed disc.
 class SqueezedRuns {
  public:
   explicit SqueezedRuns(const SqueezedDisc& disc) : frequency_{disc.frequency}, scene_{squeezed_disc(disc)} {}
 
-  /// The deviations at the start and after each of so many steps of length eta/w; the run ends sooner where the disc
-  /// has come .01 from the middle: a stage of the next may lie far beyond, and at .5 a contact opens.
+  /// Deviations at the start and after each of `steps` steps of length eta/w. The run ends earlier if the deviation
+  /// reaches 0.01, because a stage of the next step may lie far beyond, and at 0.5 a contact opens.
   std::vector<Deviation> run(Integrator integrator, double eta, long steps, const Deviation& start) const {
     Scene scene = scene_;
     scene.initial.q[1] = start[0];

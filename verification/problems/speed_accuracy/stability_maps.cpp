@@ -19,18 +19,18 @@
 namespace talus::verification::problems::stability_maps {
 namespace {
 
-constexpr double negligible = 1e-10;  // ln growth that counts as none
+constexpr double negligible = 1e-10;  // ln growth that counts as zero
 
-/// What runs on both sides of limits have done.
+/// Results of runs on both sides of limits.
 struct BothSides {
-  int wrong = 0;           ///< runs that grow where they must not, or do not where they must
-  double worst = 0.0;      ///< share of error of the growth of first steps
-  double worst_run = 0.0;  ///< the same of the end of long runs
+  int wrong = 0;           ///< number of runs that grow where they must not, or do not where they must
+  double worst = 0.0;      ///< relative error of the growth in the first steps
+  double worst_run = 0.0;  ///< relative error of the growth at the end of long runs
 };
 
 void run_both_sides(const FixedStepMethod& method, double limit, double xi, const Setup& setup, BothSides& seen) {
   const SqueezedRuns disc = squeezed_runs(xi);
-  const bool one = method.doubles && xi == 1.0;  // the fit parts them by a root of rounding: the count alone
+  const bool one = method.doubles && xi == 1.0;  // rounding splits the double eigenvalue: only the count is checked
   for (const double share : {0.98, 0.999, 1.001, 1.02}) {
     const double eta = share * limit, exact = reference::ln_growth(method.scheme, eta, xi);
     const double fitted = first_growth(disc, method, eta, setup);
@@ -43,15 +43,15 @@ void run_both_sides(const FixedStepMethod& method, double limit, double xi, cons
       seen.wrong += fitted > 0.0 ? 0 : 1;
       continue;
     }
-    // What grows of Adams' pair is none of the motion: the start holds little of it, and the rest dies first.
+    // The growing mode of Adams' pair is a parasitic one: the start contains little of it, and the rest decays first.
     const double run = long_growth(disc, method, eta, method.dimension > 3 ? 1e-6 : 1e-9, setup);
     seen.wrong += run > 0.0 ? 0 : 1;
     if (!one) keep_worst(seen.worst_run, run / exact - 1.0);
   }
 }
 
-/// eta at which the solver's growth passes zero, within a thousandth of the expected one; NaN if it does not. Where
-/// nothing damps, it is zero below a limit and rises from there as a root.
+/// eta at which the solver's growth passes zero, within a thousandth of the expected one; NaN if it does not. Without
+/// damping the growth is zero below a limit and rises above it as a square root.
 double measured_limit(const FixedStepMethod& method, double expected, double xi, const Setup& setup) {
   const SqueezedRuns disc = squeezed_runs(xi);
   const auto grows = [&](double eta) { return first_growth(disc, method, eta, setup) > (xi > 0.0 ? 0.0 : 1e-6); };
@@ -84,7 +84,7 @@ Tolerance limits_found_between_doubles(const FixedStepMethod& method) {
                                     "above 2");
 }
 
-/// The limits of one method at six dampings: its row of the table.
+/// Checks the limits of one method at six damping ratios; returns its row of the table.
 std::vector<std::string> check_limits_of(const FixedStepMethod& method, Findings& findings, const Setup& setup) {
   const std::string name = method.name;
   const auto claim = findings.in("integrator." + name);
@@ -115,8 +115,8 @@ std::vector<std::string> check_limits_of(const FixedStepMethod& method, Findings
   return row;
 }
 
-/// Runs at .98, .999, 1.001 and 1.02 of the exact limits of a method; `worst_run` keeps the worst share of error of the
-/// growth of long ones.
+/// Checks runs at 0.98, 0.999, 1.001 and 1.02 of the exact limits of a method; `worst_run` stores the largest relative
+/// error of the growth of long runs.
 void check_both_sides(const FixedStepMethod& method, Findings& findings, const Setup& setup, double& worst_run) {
   std::vector<double> ratios{0.1, 0.02, 0.4, 0.9, 1.0, 1.5, 2.0};
   if (method.undamped) ratios.push_back(0.0);
@@ -145,8 +145,8 @@ void check_both_sides(const FixedStepMethod& method, Findings& findings, const S
                                                               "smallest growth here, 8e-7, Euler's"));
 }
 
-/// The steps at which runs begin to grow, of all methods at six dampings, against the exact ones, and the solver's
-/// advice against them.
+/// Checks the steps at which runs begin to grow, for all methods at six damping ratios, against the exact limits, and
+/// the solver's step advice against them.
 void check_limits(Findings& findings, const Setup& setup) {
   Table table{.name = "limits",
               .caption =
@@ -164,7 +164,7 @@ void check_limits(Findings& findings, const Setup& setup) {
   findings.table(table);
 }
 
-/// Euler's and Taylor's methods grow at any step where nothing damps.
+/// Checks the growth of Euler's and Taylor's methods without damping, where they grow at any step.
 void check_growth_undamped(Findings& findings, const Setup& setup) {
   const SqueezedRuns disc = squeezed_runs(0.0);
   for (const FixedStepMethod& method : fixed_step_methods) {
@@ -184,7 +184,7 @@ void check_growth_undamped(Findings& findings, const Setup& setup) {
   }
 }
 
-/// The limit 2/w of Eq. 25 against those of a contact with a dashpot.
+/// Compares the limit 2/w of Eq. 25 with the limits of a contact with a dashpot.
 void check_common_limit(Findings& findings, const Setup& setup) {
   Table table = common_formula(
       "lagged_limits",
@@ -211,7 +211,7 @@ void check_common_limit(Findings& findings, const Setup& setup) {
 
 using reference::Scheme;
 
-/// The exact limits on a panel: each line goes on from the limit of the damping before that it is next to.
+/// The exact limits on a panel: each line is continued from the nearest limit at the previous damping ratio.
 std::vector<Series> limit_lines(const FixedStepMethod& method, int panel) {
   constexpr double between = 0.025;
   std::vector<Series> lines;
@@ -221,7 +221,7 @@ std::vector<Series> limit_lines(const FixedStepMethod& method, int panel) {
     const std::vector<double> limits = reference::limits(method.scheme, xi, 1.25 * method.scale, 60);
     for (const double limit : limits) {
       const double y = limit / method.scale;
-      const bool alone = limits.size() == 1 && before == 1;  // and may be as steep as it likes
+      const bool alone = limits.size() == 1 && before == 1;  // then the line may have any slope
       auto line = std::find_if(lines.begin(), lines.end(), [&](const Series& known) {
         return std::abs(known.x.back() - (xi - between)) < 1e-9 && (alone || std::abs(known.y.back() - y) < 0.08);
       });
@@ -237,12 +237,12 @@ std::vector<Series> limit_lines(const FixedStepMethod& method, int panel) {
   return lines;
 }
 
-/// What a map has shown of one method.
+/// Measured map of one method, and its errors.
 struct Map {
   Series growth;
-  double worst = 0.0;      ///< error of ln growth where no eigenvalues are one: in roundings, of Adams' pair plain
-  double worst_one = 0.0;  ///< error of ln growth where two are
-  int wrong = 0;           ///< points on the wrong side
+  double worst = 0.0;      ///< error of ln growth without double eigenvalues: in roundings, absolute for Adams' pair
+  double worst_one = 0.0;  ///< error of ln growth where two eigenvalues coincide
+  int wrong = 0;           ///< number of points on the wrong side
 };
 
 Map map_of(const FixedStepMethod& method, Findings& findings, const Setup& setup) {
@@ -269,7 +269,7 @@ Map map_of(const FixedStepMethod& method, Findings& findings, const Setup& setup
   return map;
 }
 
-/// Measured against exact growth on a grid, and both drawn in a panel.
+/// Checks the measured against the exact growth on a grid, and adds both to the figure as a panel.
 void check_map(const FixedStepMethod& method, Findings& findings, const Setup& setup, Figure& figure) {
   Map map = map_of(method, findings, setup);
   const std::string name = method.name;
@@ -308,8 +308,8 @@ void check_map(const FixedStepMethod& method, Findings& findings, const Setup& s
   figure.series.insert(figure.series.end(), lines.begin(), lines.end());
 }
 
-/// Whether each integrator of the solver has its map, or is named as one without a limit for that it takes no steps of
-/// fixed length.
+/// Checks that each integrator of the solver has its map, or is listed as one without a limit because it has no fixed
+/// step.
 void check_list(Findings& findings, const Setup& setup) {
   const std::vector<std::string> all = integrator_names();
   int strangers = 0;
@@ -326,7 +326,7 @@ void check_list(Findings& findings, const Setup& setup) {
                   Tolerance::exact("a count over the solver's closed list"));
 }
 
-/// Limits against damping by the moment of the dashpot's velocity, exact.
+/// Figure of the exact limits against damping, for velocities in the dashpot of different times.
 Figure time_levels() {
   Figure figure{.name = "time_levels",
                 .title = "What the dashpot sees decides",
@@ -352,7 +352,7 @@ Figure time_levels() {
   return figure;
 }
 
-/// The map of the central difference method by itself, from the figure of all maps.
+/// Figure of the map of the central difference method alone, from the figure of all maps.
 Figure map_alone(const Figure& maps) {
   Figure figure{.name = "map_of_central_difference",
                 .title = "Central difference: growth per step",

@@ -23,7 +23,7 @@ std::string plain(std::string words) {
   return words;
 }
 
-/// Letters and digits of a title, the rest as '_'.
+/// Name of a figure: letters and digits of its title, all other characters as '_'.
 std::string stem_of(const std::string& words) {
   std::string stem = "work";
   for (const char letter : " " + words) {
@@ -37,12 +37,12 @@ std::string stem_of(const std::string& words) {
   return stem;
 }
 
-constexpr double top = 1.0;  ///< of the charts: errors beyond are failures
+constexpr double top = 1.0;  ///< upper end of the charts: larger errors are failures
 
-/// All curves of one chart, as the data has them.
+/// All curves of one chart, in the order of the data.
 struct Chart {
   std::vector<Series> series;
-  std::vector<int> failed;  ///< points of each that are drawn as crosses
+  std::vector<int> failed;  ///< number of points of each that are drawn as crosses
   Series crosses{.label = "failed", .style = Style::crosses};
   double limit{}, floor{};
 };
@@ -64,10 +64,10 @@ void add_row(const std::vector<std::string>& row, Chart& chart) {
   chart.floor = std::stod(row[floor]);
 }
 
-/// The number so far from `low` to `high`, in logarithms.
+/// The number at the fraction `share` of the distance from `low` to `high` on a logarithmic scale.
 double between(double low, double high, double share) { return low * std::pow(high / low, share); }
 
-/// Lines of orders 1, 2 and 4 to compare with, in the empty corner of runs that are both short and good.
+/// Reference lines of orders 1, 2 and 4, in the empty corner of small cost and small error.
 std::vector<records::Slope> slopes_in(const Chart& chart) {
   double first = std::numeric_limits<double>::infinity(), last = 0.0, least = top;
   for (const Series& series : chart.series) {
@@ -100,7 +100,7 @@ Figure figure_of(const std::string& title, const Chart& chart) {
   for (std::size_t i = 0; i < chart.series.size(); ++i) {
     Series series = chart.series[i];
     if (chart.failed[i] > 0) series.label += fmt::format(" ({})", chart.failed[i]);
-    if (series.x.empty()) {  // in the legend all the same, with the colour that it has in all charts
+    if (series.x.empty()) {  // keeps the method in the legend, with its colour in all charts
       series.add(chart.crosses.x.front(), top);
     }
     least = std::min(least, *std::min_element(series.y.begin(), series.y.end()));

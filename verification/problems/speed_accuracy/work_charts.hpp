@@ -7,8 +7,8 @@
 #include "verification/check/table.hpp"
 #include "verification/problems/speed_accuracy/work_curves.hpp"
 
-/// Curves of error against work as one file of tidy data, the figures that are drawn from it alone, and tables of what
-/// an accuracy costs.
+/// Curves of error against work as one file of tidy data, the figures drawn from this file alone, and tables of the
+/// cost of an accuracy.
 namespace talus::verification::problems {
 
 /// A scene and the curves of all methods on it, in the order of work_methods.
@@ -17,7 +17,7 @@ struct SceneCurves {
   std::vector<WorkCurve> curves;
 };
 
-/// The accuracies at which costs are read off.
+/// The errors for which costs are interpolated.
 inline constexpr double read_off_errors[] = {1e-2, 1e-4, 1e-6, 1e-9};
 
 /// One row for each point and quantity.
@@ -26,20 +26,20 @@ inline constexpr double read_off_errors[] = {1e-2, 1e-4, 1e-6, 1e-9};
 /// A chart for each scene and quantity of the data.
 [[nodiscard]] std::vector<Figure> work_figures(const DataFile& data);
 
-/// For each accuracy, what each method takes on each scene.
+/// For each accuracy, a table of the evaluations of each method on each scene.
 [[nodiscard]] std::vector<Table> cost_tables(const std::vector<SceneCurves>& all);
 
-/// The method that reaches an error for the fewest evaluations, and for how many; empty and infinite if none does.
+/// The method that reaches an error for the fewest evaluations, and their number; empty and infinite if none does.
 struct Cheapest {
   std::string method;
   double evaluations{};
 };
 [[nodiscard]] Cheapest cheapest(const SceneCurves& curves, std::size_t quantity, double error);
 
-/// Scenes and quantities against accuracies: the cheapest method and its evaluations.
+/// Table of the cheapest method and its evaluations for each scene, quantity and accuracy.
 [[nodiscard]] Table cheapest_table(const std::vector<SceneCurves>& all);
 
-/// A number of evaluations as tables have it.
+/// A number of evaluations as text for tables; "-" if infinite.
 [[nodiscard]] std::string in_words(double evaluations);
 
 }  // namespace talus::verification::problems

@@ -12,7 +12,7 @@ namespace {
 
 constexpr double coarsest_tolerance = 1e-2, finest_tolerance = 0.99e-13;
 
-/// Root mean squares of the runs of a point, as they come in.
+/// Accumulates the root mean squares of the runs of a point.
 class PointSum {
  public:
   PointSum(std::size_t quantities, int runs) : runs_{runs} {
@@ -44,10 +44,10 @@ class PointSum {
   int runs_;
 };
 
-/// Whether the runs of a point are spread up to the next point's setting: they are no phases of their own.
+/// True if the runs of a point have settings spread up to that of the next point, because they do not differ in phase.
 bool spread(const WorkScene& scene) { return scene.runs > 1 && scene.scenes.size() == 1; }
 
-/// The run's part of the way to the next point.
+/// Position of the run between its point (0) and the next (1).
 double part(const WorkScene& scene, int run) { return spread(scene) ? static_cast<double>(run) / scene.runs : 0.0; }
 
 CurvePoint by_length(const WorkScene& scene, const std::string& method, double steps, Findings& findings) {

@@ -22,8 +22,8 @@
 namespace talus::verification::problems::work_precision {
 namespace {
 
-/// Nanoseconds of one run, without output and ledger: the median of 15 repetitions, all methods and points of a scene
-/// interleaved in a shuffled order, with the fastest and the slowest.
+/// Time of one run without output and ledger: median, minimum and maximum of 15 repetitions, with all methods and
+/// points of a scene interleaved in a shuffled order.
 struct TimedPoint {
   std::string scene, quantity, method;
   double error{};
@@ -31,11 +31,12 @@ struct TimedPoint {
 };
 
 constexpr int repetitions = 15;
-/// A measurement is of so many runs that it takes at least this long: the clock's own cost is then below a thousandth.
+/// Minimum duration of a measurement [s], from which the number of its runs follows: the cost of the clock is then
+/// below 0.1 %.
 constexpr double least_seconds = 1e-4;
 constexpr double most_evaluations = 1e5;
 
-/// One point of a curve, and its times.
+/// One point of a curve, and its measured times.
 struct Timed {
   const WorkCurve* curve{};
   const CurvePoint* point{};
@@ -43,7 +44,7 @@ struct Timed {
   std::vector<double> seconds{};  // of one run
 };
 
-/// One run; its first coordinate is returned so that nothing of it can be left out.
+/// One run; returns its first coordinate, so that the compiler cannot omit any part of it.
 double run(const WorkScene& scene, const Dynamics& dynamics, const Timed& timed) {
   const bool by_tolerance = has_step_control(timed.curve->method);
   const double span = scene.duration / static_cast<double>(scene.spans);
@@ -74,7 +75,7 @@ std::vector<Timed> to_be_timed(const SceneCurves& curves) {
 
 std::string text(double number) { return fmt::format("{:.6g}", number); }
 
-/// Of all points of the curves of one scene that did not fail and take at most 100,000 evaluations.
+/// Times of all points of the curves of one scene that did not fail and take at most 100,000 evaluations.
 std::vector<TimedPoint> timed_points(const SceneCurves& curves) {
   const WorkScene& scene = *curves.scene;
   const Dynamics dynamics{scene.scenes.front().model};
@@ -144,12 +145,12 @@ std::vector<Figure> timing_figures(const DataFile& data, const std::string& mach
   return figures;
 }
 
-/// What a fault makes of a method.
+/// The method, or the one by which a fault replaces it.
 std::string given(const std::string& method, const Setup& setup) {
   return setup.has("late_events") && method == "stormer_cowell" ? "odeint_dopri5" : method;
 }
 
-/// The methods of the checks that faults turn red.
+/// True for methods of the checks that must fail under a fault.
 bool decides_faults(std::string_view method) {
   return method == "velocity_verlet" || method == "rk4" || method == "odeint_dopri5" || method == "stormer_cowell";
 }
@@ -168,18 +169,18 @@ SceneCurves curves_of(const WorkScene& scene, const Setup& setup, Findings& find
   return all;
 }
 
-/// The curve of a method that has been run.
+/// The curve of a method, which must have been run.
 const WorkCurve& curve(const SceneCurves& all, const std::string& method) {
   return *std::find_if(all.curves.begin(), all.curves.end(), [&](const WorkCurve& c) { return c.method == method; });
 }
 
-/// An order that theory gives, and the errors between which it is read.
+/// An order given by theory, and the range of errors in which it is measured.
 struct ExpectedOrder {
   const char* method;
   const char* scene;
   double order;
   double least, most;
-  double admitted;  ///< either way
+  double admitted;  ///< deviation allowed in both directions
   const char* why;
 };
 constexpr const char* second =
@@ -221,13 +222,13 @@ void check_orders(const SceneCurves& all, Findings& findings, const Setup& setup
   }
 }
 
-/// Constants of the impact on a wall, at 1,024 evaluations.
+/// Checks the error constants of the impact on a wall, at 1,024 evaluations.
 void check_constants(const SceneCurves& all, Findings& findings) {
   const auto point = [&](const char* method) {
     const std::vector<CurvePoint>& points = curve(all, method).points;
     return *std::find_if(points.rbegin(), points.rend(), [](const CurvePoint& p) { return p.evaluations < 1100.0; });
   };
-  // Of the mean step, with the frequency and the approach speed 1.
+  // Error over the mean step; frequency and approach speed are 1.
   const auto over_step = [&](const char* method) { return point(method).rms[0] / point(method).setting; };
   constexpr double xi = 0.2;
   const double verlet = leapfrog_impact_error(xi, reference::EndRule::clamped).restitution;
@@ -243,7 +244,7 @@ void check_constants(const SceneCurves& all, Findings& findings) {
                   at_equal_work / (4.0 * runge_kutta / verlet), 1.0, Tolerance::model(0.03, next));
 }
 
-/// What is expected of the cheapest method over the next.
+/// Expected cheapest method, and the range of the ratio of the next method's evaluations to its own.
 struct Advantage {
   const char* method;
   double least, most;
@@ -267,7 +268,7 @@ Advantage expected_cheapest(const SceneCurves& all) {
   return {"stormer_cowell", 1.1, 4.0, "one evaluation a step of order 12, against two of order 8 or six of order 4"};
 }
 
-/// The cheapest method to 1e-6: the one that is named.
+/// Checks that the expected method is the cheapest to 1e-6.
 void check_cheapest(const SceneCurves& all, Findings& findings) {
   const Advantage expected = expected_cheapest(all);
   const WorkScene& scene = *all.scene;
@@ -284,11 +285,11 @@ void check_cheapest(const SceneCurves& all, Findings& findings) {
   }
 }
 
-/// What was known of the smooth motions before, by other programs than this one, and what is measured.
+/// Evaluations on the smooth motions known beforehand from other programs.
 struct Known {
   const char* scene;
-  double verlet;     ///< velocity Verlet to 1e-6
-  double odeint[3];  ///< the best of odeint's steppers to 1e-4, 1e-6, 1e-9
+  double verlet;     ///< velocity Verlet, to 1e-6
+  double odeint[3];  ///< best of odeint's steppers, to 1e-4, 1e-6, 1e-9
 };
 constexpr Known knowns[] = {{"pendulum, 90 degrees", 111780.0, {934.0, 1694.0, 5460.0}},
                             {"pendulum, 170 degrees", 144800.0, {3934.0, 6814.0, 14814.0}},
@@ -329,7 +330,7 @@ void compare_with_known(const SceneCurves& all, Findings& findings, Table& table
   }
 }
 
-/// The fence at the step of 1993.
+/// Checks and notes the errors of the fence at the step of 1993.
 void tell_of_1993(const WorkScene& fence, Findings& findings) {
   constexpr double step = 2e-6;
   const long steps = std::lround(fence.duration / (static_cast<double>(fence.spans) * step));
@@ -385,7 +386,7 @@ void run(Findings& findings, const Setup& setup) {
   if (setup.coarse) return;
   const DataFile data = work_data(all);
   std::vector<Figure> figures = work_figures(data);
-  std::rotate(figures.begin(), figures.end() - 2, figures.end());  // the fence first: on the page
+  std::rotate(figures.begin(), figures.end() - 2, figures.end());  // the fence first, because the page shows it
   for (Figure& figure : figures)
     findings.figure(std::move(figure));
   findings.data(data);

@@ -35,8 +35,8 @@ WorkScene of_motion(const ExactMotion& motion, double frequency) {
   return made;
 }
 
-/// Impacts whose exit speed is compared, at 64 phases of the touch within a step, with a step of its own for each, so
-/// that the end of the contact has a phase of its own, too.
+/// Impacts whose exit speed is compared, at 64 phases of the touch within a step. Each phase has a different step, so
+/// that the phase of the end of the contact differs, too.
 struct ImpactScenes {
   std::string name;
   std::function<Scene(double gap)> scene_at;
@@ -93,7 +93,7 @@ WorkScene wall_impact(const char* name, double xi, const Setup& setup) {
                    setup);
 }
 
-/// The rock on the pinned column of the 1993 report's problem 2; the contact may pull, as Eq. 21 has it.
+/// The rock on the pinned column of the 1993 report's problem 2; the contact may be attractive, as Eq. 21 assumes.
 WorkScene column_impact(const Setup& setup) {
   const PivotedRun run{.rule = EndRule::attractive};
   const reference::PivotedCylinder problem{};
@@ -148,7 +148,7 @@ std::vector<WorkScene> work_scenes(const Setup& setup, bool fence) {
   std::vector<WorkScene> all;
   all.push_back(of_motion(motions[0], swing));
   all.push_back(of_motion(motions[1], swing));
-  all.push_back(of_motion(motions[2], std::sqrt(8.0)));  // sqrt(2 k/m): what it tends to far out
+  all.push_back(of_motion(motions[2], std::sqrt(8.0)));  // sqrt(2 k/m): limit at large displacement
   all.push_back(of_motion(motions[3], 100.0));
   const double budgets[] = {1.7e5, 1.7e5, 8.5e4, 2.4e5};
   for (std::size_t i = 0; i < all.size(); ++i)
