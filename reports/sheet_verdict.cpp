@@ -92,8 +92,8 @@ std::vector<SheetFact> facts(const SheetRecord& record) {
 std::string repeat(const SheetRecord& record, const SheetQuality::Repeat& repeat) {
   const std::string start = fmt::format("with {:g} times the speed ", 1.0 + repeat.change);
   if (!repeat.failure.empty()) return start + "the run fails: " + repeat.failure;
-  const std::string verdict =
-      repeat.verdict == record.verdict ? "the verdict stands" : "the verdict becomes: " + in_words(repeat.verdict);
+  const std::string verdict = repeat.verdict == record.verdict ? "the verdict is unchanged"
+                                                               : "the verdict becomes: " + in_words(repeat.verdict);
   return start + fmt::format("{}; largest cable force {:+.2g} %", verdict, 100.0 * repeat.cable_change);
 }
 

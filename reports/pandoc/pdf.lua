@@ -26,7 +26,7 @@ function Para(paragraph)
   return pandoc.Para(inlines)
 end
 
--- A formula between two paragraphs belongs to the one before: as one of its own it would begin with an empty line.
+-- A formula between two paragraphs belongs to the one before: as a separate one it would begin with an empty line.
 function Blocks(blocks)
   local joined = pandoc.List()
   for _, block in ipairs(blocks) do

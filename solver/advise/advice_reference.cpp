@@ -207,8 +207,8 @@ Refusal ReferenceSearch::unsettled() const {
   const Climb &first = *climbs[0], &second = *climbs[1];
   if (auto refusal = vanishing(first.values.back(), first.last.size)) return *refusal;
   return {Refusal::Kind::unsettled,
-          fmt::format("within {} force evaluations the methods come to no common value: {} gives {:.10g}, {:.1e} from "
-                      "what it gave an octave before, {} gives {:.10g}, {:.1e} from that; {:.0e} is asked",
+          fmt::format("within {} force evaluations no two methods agree: {} gives {:.10g}, {:.1e} from "
+                      "its value an octave before; {} gives {:.10g}, {:.1e} from its own; required: {:.0e}",
                       rules_->evaluations, first.method.integrator, first.values.back(), spread(&first),
                       second.method.integrator, second.values.back(), spread(&second), rules_->accuracy)};
 }

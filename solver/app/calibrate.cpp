@@ -85,7 +85,7 @@ void print_text(const ImpactCalibration& found, const CalibrateOptions& options)
        dimension::length);
   line("step", found.step.step, dimension::time);
   line("restitution simulated with it", found.step.restitution, dimension::number);
-  fmt::print("  simulated with {}; its error over all phases of the step is at most {:.3g}, asked for {:.3g}\n",
+  fmt::print("  simulated with {}; its error over all phases of the step is at most {:.3g}, required {:.3g}\n",
              options.integrator, found.step.largest_error, options.bound);
   const auto in_units = [&units](double in_si, Dimension dimension) {
     return fmt::format("\"{:.17g} {}\"", in_si / si_size(units, dimension), symbol(units, dimension));

@@ -91,7 +91,7 @@ std::string cell_check(const CellScene& scene) {
   add("step", fmt::format("{} with {}", with_unit(scene, scene.plan.step, dimension::time), scene.plan.integrator));
   add("expected cost", fmt::format("{} steps and force evaluations to {}; {} outputs", run.last_step(),
                                    with_unit(scene, scene.plan.end, dimension::time), scene.plan.outputs()));
-  if (scene.restart) add("start", "RESTART.DAT beside the file, which is not looked at here");
+  if (scene.restart) add("start", "RESTART.DAT beside the file, which is not inspected here");
   // Evaluated before expected_output(), which advances the run.
   const std::vector<CellNumber> groups = cell_groups(scene, run);
   add("expected output of --out", output_size_text(expected_output(scene, run)));

@@ -121,15 +121,15 @@ long last_step(const SceneOptions& options, const SceneRequest& request) {
   const UnitSystem& units = scene.model.units;
   const std::string unit = symbol(units, dimension::time);
   const double time = option_quantity("--until", options.until, dimension::time, units);
-  const double stands = start + static_cast<double>(request.run.saved.steps) * plan.step;
+  const double reached = start + static_cast<double>(request.run.saved.steps) * plan.step;
   // Compares times first: the number of steps to a time far beyond the end may overflow.
   if (time > plan.end && (time > 2.0 * plan.end || steps_to(time) > all)) {
     throw InputError{fmt::format("--until: found \"{}\"; it must be at most {:.10g} {}, where the run ends",
                                  options.until, plan.end, unit)};
   }
-  if (time <= stands || steps_to(time) <= request.run.saved.steps) {
+  if (time <= reached || steps_to(time) <= request.run.saved.steps) {
     throw InputError{fmt::format("--until: found \"{}\"; it must be beyond {:.10g} {}, the current time of the run",
-                                 options.until, stands, unit)};
+                                 options.until, reached, unit)};
   }
   return steps_to(time);
 }

@@ -162,7 +162,7 @@ class Lines {
     const std::string start = fmt::format("with {:g} times the rocks' speed ", 1.0 + repeat.change);
     if (!repeat.failure.empty()) return start + "the run fails: " + repeat.failure;
     const std::string force = fmt::format("the largest cable force changes by {:+.2g} %", 100.0 * repeat.cable_change);
-    if (repeat.verdict == record_.fence->verdict()) return start + "the verdict stands; " + force;
+    if (repeat.verdict == record_.fence->verdict()) return start + "the verdict is unchanged; " + force;
     return start + fmt::format("the verdict becomes: {}; {}", verdict_text(repeat.verdict), force);
   }
 

@@ -107,7 +107,7 @@ Estimate BlockMeans::estimate(std::size_t first, const std::function<double(cons
   }
   const std::size_t length = block_length(without);
   std::mt19937_64 random{count};
-  double mean = 0.0, squares = 0.0, told = 0.0;
+  double mean = 0.0, squares = 0.0, finite = 0.0;
   for (int s = 0; s < all_drawn; ++s) {
     std::fill(sums.begin(), sums.end(), 0.0), time = 0.0;
     for (std::size_t drawn = 0; drawn < count;) {
@@ -116,10 +116,10 @@ Estimate BlockMeans::estimate(std::size_t first, const std::function<double(cons
         add(first + (start + k) % count, 1.0);
     }
     const double drawn = of({sums, time}) - value;
-    if (std::isfinite(drawn)) mean += drawn, squares += drawn * drawn, told += 1.0;
+    if (std::isfinite(drawn)) mean += drawn, squares += drawn * drawn, finite += 1.0;
   }
-  if (told == 0.0) return {value, 0.0};
-  mean /= told, squares /= told;
+  if (finite == 0.0) return {value, 0.0};
+  mean /= finite, squares /= finite;
   // Deviations are from the mean of the blocks themselves, which is closer to them than the true mean: the variance
   // lacks the fraction length/count.
   const double missing = static_cast<double>(count) / static_cast<double>(count - length);

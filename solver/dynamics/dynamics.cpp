@@ -224,7 +224,7 @@ Dynamics::Energy Dynamics::cable_energy(const State& state, const Workspace& wor
   return {cables_.stored_energy(state, work), std::accumulate(state.work.begin(), state.work.end(), 0.0)};
 }
 
-/// Evaluates the cables after a break, and records the energy that they lose beyond that of their own changes of mode.
+/// Evaluates the cables after a break, and records the energy that they lose beyond that of the changes of mode.
 void Dynamics::relax(State& state, Workspace& work, Energy before, Mechanism loss) const {
   update(state, work);
   cables_.update_modes(state, work);

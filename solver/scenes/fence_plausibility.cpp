@@ -40,14 +40,14 @@ std::vector<std::string> implausible_geometry(const Fence& fence, const FenceSce
   }
   const Model& model = made.scene.model;
   const Body& ground = model.bodies[index(*made.members.front().body)];
-  const Pose stands{ground.p_WB, rotation(ground.angle), {}, 0.0};
+  const Pose ground_pose{ground.p_WB, rotation(ground.angle), {}, 0.0};
   double deepest = 0.0;
   std::string column;
   for (const FenceMember& member : made.members) {
     if (!member.body || member.layer == 0) continue;
     const Body& body = model.bodies[index(*member.body)];
     const Pose pose{body.p_WB, rotation(body.angle), {}, 0.0};
-    const double below = -height_over(ground, stands, world_point(pose, {0.0, -bounds(body.shape).half_height}));
+    const double below = -height_over(ground, ground_pose, world_point(pose, {0.0, -bounds(body.shape).half_height}));
     if (below > deepest) deepest = below, column = body.name;
   }
   if (deepest > 0.0) {

@@ -72,7 +72,7 @@ void print_search_costs() {
   }
   const std::vector<Timing> timings = time_tasks(tasks, 9);
   fmt::print("\nNanoseconds a contact search (median of 9 interleaved runs of {} searches)\n", searches);
-  fmt::print("{:>8} {:>8} {:>12} {:>12} {:>12}\n", "bodies", "pairs", "each pair", "listed again", "list stands");
+  fmt::print("{:>8} {:>8} {:>12} {:>12} {:>12}\n", "bodies", "pairs", "each pair", "listed again", "list kept");
   for (std::size_t i = 0; i < counts.size(); ++i) {
     fmt::print("{:>8} {:>8}", counts[i], counts[i] * (counts[i] - 1) / 2);
     for (std::size_t j = 0; j < 3; ++j)

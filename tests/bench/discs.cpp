@@ -395,9 +395,11 @@ void print_jumps() {
 
 int main(int argc, char** argv) {
   if (argc == 6 && std::string{argv[1]} == "--bytes") return print_bytes(argv + 2);
-  const std::vector<std::string> asked(argv + 1, argv + argc);
-  const auto named = [&](const char* name) { return std::find(asked.begin(), asked.end(), name) != asked.end(); };
-  const bool quick = named("--quick"), all = asked.size() == (quick ? 1 : 0);
+  const std::vector<std::string> requested(argv + 1, argv + argc);
+  const auto named = [&](const char* name) {
+    return std::find(requested.begin(), requested.end(), name) != requested.end();
+  };
+  const bool quick = named("--quick"), all = requested.size() == (quick ? 1 : 0);
   const LammpsProgram lammps;
   if (!lammps.there()) fmt::print("LAMMPS is not installed (Debian: apt-get install lammps); Talus alone.\n");
   if (named("--skins")) print_skins();

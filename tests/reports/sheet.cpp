@@ -93,7 +93,7 @@ BOOST_AUTO_TEST_CASE(the_verdict_and_its_quality) {
   BOOST_TEST(fact(passed.quality_facts, "steps") == "step 0.1 times its linear limit; 55 in the shortest contact");
   BOOST_TEST(fact(passed.quality_facts, "at the end") == "rock-ground still touches");
   BOOST_TEST(fact(passed.quality_facts, "sensitivity") ==
-             "with 1.001 times the speed the verdict stands; largest cable force -1.2 %");
+             "with 1.001 times the speed the verdict is unchanged; largest cable force -1.2 %");
   record.quality.repeat->verdict = "stopped";
   BOOST_TEST(contains(fact(sheet_verdict(record).quality_facts, "sensitivity"), "the verdict becomes: stopped"));
   record.rocks.resize(1);

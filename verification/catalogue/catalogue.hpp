@@ -29,7 +29,7 @@ struct Erratum {
   std::string proved_by;  ///< Id of the case that proves it.
 };
 
-/// A result in one sentence, for the report's summary. `<<NAME>>` in it stands for what the case's check of that name
+/// A result in one sentence, for the report's summary. `<<NAME>>` in it is replaced by what the case's check of that name
 /// measures, so that no number is written twice.
 struct CatalogueFinding {
   std::string case_id;

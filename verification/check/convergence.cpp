@@ -45,7 +45,7 @@ void Convergence::add(double step, double error) {
 }
 
 Convergence Convergence::last(std::size_t count) const {
-  if (count > size()) throw std::invalid_argument("the last points asked for are more than were added");
+  if (count > size()) throw std::invalid_argument("more last points are required than were added");
   const auto skip = static_cast<std::ptrdiff_t>(size() - count);
   return {{steps_.begin() + skip, steps_.end()}, {errors_.begin() + skip, errors_.end()}};
 }

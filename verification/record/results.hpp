@@ -76,7 +76,7 @@ struct Erratum {
   std::string case_id;
 };
 
-/// A sentence of the report's summary. `<<NAME>>` in it stands for what the check of that name measured.
+/// A sentence of the report's summary. `<<NAME>>` in it is replaced by what the check of that name measured.
 struct Finding {
   std::string case_id;
   std::string text;

@@ -96,6 +96,8 @@ CableRunResult run_cables(const Scene& scene, const State& start, const Integrat
   return run;
 }
 
-double booked(const State& state, Mechanism mechanism) { return state.work[static_cast<std::size_t>(mechanism)]; }
+double recorded_work(const State& state, Mechanism mechanism) {
+  return state.work[static_cast<std::size_t>(mechanism)];
+}
 
 }  // namespace talus::verification::problems

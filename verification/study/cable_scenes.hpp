@@ -42,6 +42,6 @@ struct CableRunPlan {
                                         const CableRunPlan& plan, Findings& findings);
 
 /// Work recorded for one mechanism.
-[[nodiscard]] double booked(const State& state, Mechanism mechanism);
+[[nodiscard]] double recorded_work(const State& state, Mechanism mechanism);
 
 }  // namespace talus::verification::problems

@@ -247,10 +247,10 @@ Json Sheet::drawn(const char* name, const State& state) const {
 
 Json Sheet::drawing() const {
   const Body& ground = dynamics_.model().bodies[index(*input_.made.members.front().body)];
-  const Pose stands{ground.p_WB, rotation(ground.angle), {}, 0.0};
+  const Pose ground_pose{ground.p_WB, rotation(ground.angle), {}, 0.0};
   Json line = Json::array();
   for (const Vec2 p : outline(ground, 100.0 * input_.fence.span))
-    line.push_back(place(world_point(stands, p)));
+    line.push_back(place(world_point(ground_pose, p)));
   return {{"ground", std::move(line)},
           {"column_half_width", length(input_.fence.column.a)},
           {"states", Json::array({drawn("start", summary_.start), drawn("largest travel", summary_.at_travel),

@@ -110,7 +110,7 @@ std::string changed_text(const Scene& wanted, std::string text, std::string_view
   }
   throw InputError{
       fmt::format("{}: run: its keys cannot be changed as they are written; write them below a head [run], "
-                  "each in a line of its own",
+                  "each on a separate line",
                   name)};
 }
 

@@ -45,10 +45,10 @@ BOOST_AUTO_TEST_CASE(the_advised_scene_keeps_the_promise_at_the_cost_that_was_sa
   const Ended ended = advised(scene("two_cable.toml"), "1e-3", "body.particle.x.max", out, {"--json"});
   BOOST_TEST(ended.code == 0);
   BOOST_TEST(ended.err.empty());
-  const auto told = nlohmann::json::parse(ended.out);
+  const auto printed = nlohmann::json::parse(ended.out);
   const auto summary = summary_of(out);
-  BOOST_TEST(summary.at("evaluations") == told.at("advice").at("evaluations"));
-  BOOST_TEST(summary.at("integrator") == told.at("advice").at("integrator"));
+  BOOST_TEST(summary.at("evaluations") == printed.at("advice").at("evaluations"));
+  BOOST_TEST(summary.at("integrator") == printed.at("advice").at("integrator"));
   // Reference by a method that is not advised, at a step of a thousandth of the contact time.
   const auto fine = summary_of(scene("two_cable.toml"), {"--integrator", "rk4", "--step", "40 us"});
   BOOST_TEST(std::abs(largest(summary, "particle.x") / largest(fine, "particle.x") - 1.0) < 1e-3);

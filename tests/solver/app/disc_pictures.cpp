@@ -7,7 +7,7 @@
 
 #include "solver/io/output/read_geometry.hpp"
 #include "solver/io/output/read_history.hpp"
-#include "tests/solver/app/asked.hpp"
+#include "tests/solver/app/requested.hpp"
 
 namespace {
 
@@ -52,8 +52,8 @@ BOOST_AUTO_TEST_CASE(discs_are_drawn_where_they_stand_and_by_what_colours_them) 
     forces[contact.a] += contact.force, forces[contact.b] += contact.force;
   BOOST_REQUIRE(state.contacts.size() > 10U);
   for (const std::string colour : {"speed", "force"}) {
-    const Asked asked{{"snapshot", sample().string(), "--count", "1", "--colour", colour}};
-    const auto drawn = rows(asked.panel(0));
+    const Requested requested{{"snapshot", sample().string(), "--count", "1", "--colour", colour}};
+    const auto drawn = rows(requested.panel(0));
     double largest = 0.0;
     for (std::size_t i = 0; i < state.discs.size(); ++i) {
       const talus::SeenDisc& disc = state.discs[i];
@@ -66,7 +66,7 @@ BOOST_AUTO_TEST_CASE(discs_are_drawn_where_they_stand_and_by_what_colours_them) 
         BOOST_TEST(row.value == (disc.wall ? 0.0 : value));
       }
     }
-    const talus::records::Scale scale = asked.page().scale.value();
+    const talus::records::Scale scale = requested.page().scale.value();
     BOOST_TEST(scale.label == (colour == "speed" ? "speed of a disc" : "sum of the contact forces on a disc"));
     BOOST_TEST(scale.unit == "");
     BOOST_TEST(scale.max == largest);
@@ -77,11 +77,11 @@ BOOST_AUTO_TEST_CASE(discs_are_drawn_where_they_stand_and_by_what_colours_them) 
 // other border.
 BOOST_AUTO_TEST_CASE(images_stand_beyond_the_borders) {
   const talus::DiscFrame state = last_state();
-  const Asked asked{{"snapshot", sample().string(), "--count", "1"}};
-  const talus::records::Axis& x = asked.panel(0).x;
+  const Requested requested{{"snapshot", sample().string(), "--count", "1"}};
+  const talus::records::Axis& x = requested.panel(0).x;
   BOOST_TEST(std::abs(x.min.value() + 6.5e-3) < 1e-12);
   BOOST_TEST(std::abs(x.max.value() - 6.5e-3) < 1e-12);
-  const auto drawn = rows(asked.panel(0));
+  const auto drawn = rows(requested.panel(0));
   for (const talus::SeenDisc& disc : state.discs) {
     const double place = disc.p.x - width * std::floor(disc.p.x / width + 0.5);
     const bool near = std::abs(place) > 0.5 * width - 1.5e-3 - 1e-9;  // some wall discs just touch the edge of the view
@@ -98,8 +98,8 @@ BOOST_AUTO_TEST_CASE(images_stand_beyond_the_borders) {
 
 BOOST_AUTO_TEST_CASE(bars_are_as_wide_as_their_forces) {
   const talus::DiscFrame state = last_state();
-  const Asked asked{{"snapshot", sample().string(), "--count", "1"}};
-  const auto corners = rows(asked.panel(0)).at("contact");
+  const Requested requested{{"snapshot", sample().string(), "--count", "1"}};
+  const auto corners = rows(requested.panel(0)).at("contact");
   double largest = 0.0;
   for (const talus::SeenContact& contact : state.contacts)
     largest = std::max(largest, contact.force);
@@ -119,22 +119,22 @@ BOOST_AUTO_TEST_CASE(bars_are_as_wide_as_their_forces) {
 }
 
 BOOST_AUTO_TEST_CASE(the_options_of_snapshots_hold_for_discs) {
-  const Asked asked{
+  const Requested requested{
       {"snapshot", sample().string(), "--times", "0.0049,0.025", "--numbers", "--window", "0", "0", "0.005", "0.004"}};
-  BOOST_TEST(asked.page().title == "Shear cell");
-  BOOST_TEST(asked.panel(0).title == "t = 0.005");  // no unit system was named
-  BOOST_TEST(asked.panel(0).x.unit == "");
-  BOOST_TEST(asked.panel(0).x.max.value() == 0.005);
+  BOOST_TEST(requested.page().title == "Shear cell");
+  BOOST_TEST(requested.panel(0).title == "t = 0.005");  // no unit system was named
+  BOOST_TEST(requested.panel(0).x.unit == "");
+  BOOST_TEST(requested.panel(0).x.max.value() == 0.005);
   const talus::DiscFrame state = last_state();
-  const std::vector<talus::records::Mark>& marks = asked.panel(1).marks;
+  const std::vector<talus::records::Mark>& marks = requested.panel(1).marks;
   BOOST_TEST(marks.size() > 20U);
   for (const talus::records::Mark& mark : marks) {
     const talus::Vec2 p = state.discs[std::stoul(mark.words) - 1].p;
     const double periods = (mark.x - p.x) / width;
     BOOST_TEST((std::abs(periods - std::round(periods)) < 1e-12 && mark.y == p.y));
   }
-  BOOST_TEST(holds(asked.panel(1).series.back().label, "contact, as wide as its force; widest "));
-  const Asked single{{"snapshot", sample().string(), "--count", "3", "--single"}};
+  BOOST_TEST(holds(requested.panel(1).series.back().label, "contact, as wide as its force; widest "));
+  const Requested single{{"snapshot", sample().string(), "--count", "3", "--single"}};
   BOOST_TEST(single.pages().at(2).name == "snapshot_side_03");
 }
 
@@ -170,9 +170,9 @@ BOOST_AUTO_TEST_CASE(histories_and_profiles_of_a_cell_are_drawn) {
     BOOST_TEST(fs::exists(folder.path / (name + std::string{".svg"})), name);
   // Without a unit system no units are printed.
   BOOST_TEST(!holds(talus::read_text(folder.path / "stresses.svg"), "["));
-  const Asked asked{{"plot", sample().string(), "--history", "top_shear,depth", "--apart", "--until", "0.01"}};
+  const Requested requested{{"plot", sample().string(), "--history", "top_shear,depth", "--apart", "--until", "0.01"}};
   const talus::KeptHistory kept = talus::read_history(sample() / "history.csv");
-  const std::vector<double>& drawn = asked.panel(0).series.at(0).y;
+  const std::vector<double>& drawn = requested.panel(0).series.at(0).y;
   BOOST_REQUIRE(drawn.size() == 4U);
   for (std::size_t i = 0; i < drawn.size(); ++i)
     BOOST_TEST(drawn[i] == kept.find("top_shear")->values[i]);

@@ -12,7 +12,7 @@
 
 #include "solver/base/error.hpp"
 #include "solver/io/output/read_history.hpp"
-#include "tests/solver/app/asked.hpp"
+#include "tests/solver/app/requested.hpp"
 
 // Pictures by talus plot --history, snapshot and animate.
 
@@ -44,10 +44,10 @@ BOOST_AUTO_TEST_CASE(the_menu_tells_what_a_run_kept) {
 
 // A history is selected by its number, its title, its name of 1993, or as a column, with the same curve.
 BOOST_AUTO_TEST_CASE(a_history_has_many_names) {
-  const Asked number{{"plot", sample().string(), "--history", "48", "--element", "3"}};
+  const Requested number{{"plot", sample().string(), "--history", "48", "--element", "3"}};
   const talus::records::Series& drawn = number.panel(0).series.at(0);
   for (const char* name : {"top_tension", "tension in TOP cable", "element3.top_tension"}) {
-    const Asked other{{"plot", sample().string(), "--history", name, "--element", "3"}};
+    const Requested other{{"plot", sample().string(), "--history", name, "--element", "3"}};
     BOOST_TEST((other.panel(0).series.at(0).x == drawn.x && other.panel(0).series.at(0).y == drawn.y));
   }
   const talus::KeptHistory kept = talus::read_history(sample() / "fence.history.csv");
@@ -56,33 +56,33 @@ BOOST_AUTO_TEST_CASE(a_history_has_many_names) {
 }
 
 BOOST_AUTO_TEST_CASE(the_dialogue_of_hplot_as_options) {
-  const Asked asked{{"plot",
-                     sample().string(),
-                     "--history",
-                     "6,48,52",
-                     "--element",
-                     "3,4",
-                     "--apart",
-                     "--until",
-                     "20 ms",
-                     "--title",
-                     "Mine",
-                     "--x-title",
-                     "TIME IN (SECS.)",
-                     "--y-limits",
-                     "-5",
-                     "10.5",
-                     "--divisions",
-                     "5",
-                     "4",
-                     "--no-grid",
-                     "--name",
-                     "mine"}};
-  BOOST_TEST(asked.page().name == "mine");
-  BOOST_TEST(asked.page().title == "Mine");
-  BOOST_TEST(asked.page().columns == 2);
-  BOOST_TEST(asked.page().panels.size() == 3U);
-  const talus::records::Figure& panel = asked.panel(0);
+  const Requested requested{{"plot",
+                             sample().string(),
+                             "--history",
+                             "6,48,52",
+                             "--element",
+                             "3,4",
+                             "--apart",
+                             "--until",
+                             "20 ms",
+                             "--title",
+                             "Mine",
+                             "--x-title",
+                             "TIME IN (SECS.)",
+                             "--y-limits",
+                             "-5",
+                             "10.5",
+                             "--divisions",
+                             "5",
+                             "4",
+                             "--no-grid",
+                             "--name",
+                             "mine"}};
+  BOOST_TEST(requested.page().name == "mine");
+  BOOST_TEST(requested.page().title == "Mine");
+  BOOST_TEST(requested.page().columns == 2);
+  BOOST_TEST(requested.page().panels.size() == 3U);
+  const talus::records::Figure& panel = requested.panel(0);
   BOOST_TEST(panel.x.label == "TIME IN (SECS.)");
   BOOST_TEST(panel.x.divisions == 5);
   BOOST_TEST(panel.y.label == "x - velocity of element centroid");
@@ -100,10 +100,10 @@ BOOST_AUTO_TEST_CASE(the_dialogue_of_hplot_as_options) {
 // Panels are grouped by unit unless --apart is given: two forces share a panel. The abscissa may be a history of the
 // same element; the number of an element also selects its body.
 BOOST_AUTO_TEST_CASE(panels_and_abscissas) {
-  const Asked forces{{"plot", sample().string(), "--history", "48,52,6", "--element", "3"}};
+  const Requested forces{{"plot", sample().string(), "--history", "48,52,6", "--element", "3"}};
   BOOST_TEST(forces.page().panels.size() == 2U);
   BOOST_TEST(forces.panel(0).series.at(1).label == "tension in bottom cable");
-  const Asked path{{"plot", sample().string(), "--history", "4", "--element", "2", "--x", "3"}};
+  const Requested path{{"plot", sample().string(), "--history", "4", "--element", "2", "--x", "3"}};
   const talus::KeptHistory kept = talus::read_history(sample() / "history.csv");
   const talus::records::Series& drawn = path.panel(0).series.at(0);
   BOOST_TEST((drawn.x == kept.find("rock.x")->values));
@@ -120,13 +120,13 @@ BOOST_AUTO_TEST_CASE(a_panel_has_eight_curves_unless_more_are_requested) {
       found.push_back(series.label);
     return found;
   };
-  const auto notes = [](const Asked& asked) {
+  const auto notes = [](const Requested& requested) {
     std::string all;
-    for (const std::string& note : asked.request.notes)
+    for (const std::string& note : requested.request.notes)
       all += note + "\n";
     return all;
   };
-  const Asked usual{{"plot", sample().string()}}, all{{"plot", sample().string(), "--all"}};
+  const Requested usual{{"plot", sample().string()}}, all{{"plot", sample().string(), "--all"}};
   for (const talus::records::Figure& each : usual.request.pictures.figures)
     BOOST_TEST(each.series.size() <= 8U, each.name);
   const auto drawn = labels(usual.figure("positions")), kept = labels(all.figure("positions"));
@@ -147,17 +147,17 @@ BOOST_AUTO_TEST_CASE(a_panel_has_eight_curves_unless_more_are_requested) {
       BOOST_TEST(range(one) <= range(other), one + " is left out for " + other);
   }
   // Elements by name and number; each figure draws the curves that it has of them.
-  const Asked named{{"plot", sample().string(), "--element", "2,top1"}};
+  const Requested named{{"plot", sample().string(), "--element", "2,top1"}};
   BOOST_TEST((labels(named.figure("velocities")) == std::vector<std::string>{"rock.vx", "rock.vy"}));
   BOOST_TEST((labels(named.figure("tensions")) == std::vector<std::string>{"top1.tension"}));
   const Ended unknown = talus_ran({"plot", sample().string(), "--element", "top99"});
   BOOST_TEST(unknown.code == 2);
   BOOST_TEST(holds(unknown.err, "--element: element 'top99' is not known; nearest: top"), unknown.err);
   // The same limit applies to selected histories.
-  const Asked tension{{"plot", sample().string(), "--history", "tension"}};
+  const Requested tension{{"plot", sample().string(), "--history", "tension"}};
   BOOST_TEST(tension.panel(0).series.size() == 8U);
   BOOST_TEST(holds(notes(tension), "panel [lbf]: 8 of 26 curves drawn"), notes(tension));
-  const Asked tensions{{"plot", sample().string(), "--history", "tension", "--all"}};
+  const Requested tensions{{"plot", sample().string(), "--history", "tension", "--all"}};
   BOOST_TEST(tensions.panel(0).series.size() == 26U);
 }
 
@@ -171,14 +171,14 @@ BOOST_AUTO_TEST_CASE(several_runs_over_each_other) {
         0);
   }
   arguments.insert(arguments.end(), {"--history", "vx", "--element", "particle,striker"});
-  const Asked asked{arguments};
-  BOOST_TEST(asked.panel(0).series.size() == 4U);
-  BOOST_TEST(asked.panel(0).series.at(2).label == "40, particle");
+  const Requested requested{arguments};
+  BOOST_TEST(requested.panel(0).series.size() == 4U);
+  BOOST_TEST(requested.panel(0).series.at(2).label == "40, particle");
   arguments = {"plot", arguments[1], sample().string(), "--history", "energy.kinetic"};
-  const Asked apart{arguments};
+  const Requested apart{arguments};
   BOOST_TEST(apart.page().panels.size() == 2U);  // N m and lbf ft do not share an axis
   arguments.push_back("--apart");
-  BOOST_CHECK_THROW(Asked{arguments}, talus::InputError);
+  BOOST_CHECK_THROW(Requested{arguments}, talus::InputError);
 }
 
 BOOST_AUTO_TEST_CASE(histories_that_cannot_be_drawn) {
@@ -232,18 +232,18 @@ BOOST_AUTO_TEST_CASE(histories_are_drawn_in_each_format_the_same_each_time) {
 // Compares the centres of the outlines with positions in the histories, and taut and slack cables with tensions in the
 // histories, which are independent of the geometry files.
 BOOST_AUTO_TEST_CASE(snapshots_show_what_the_histories_say) {
-  const Asked asked{{"snapshot", sample().string(), "--count", "11"}};
-  BOOST_TEST(asked.page().panels.size() == 11U);
+  const Requested requested{{"snapshot", sample().string(), "--count", "11"}};
+  BOOST_TEST(requested.page().panels.size() == 11U);
   const talus::KeptHistory kept = talus::read_history(sample() / "history.csv");
   const std::vector<double>& times = kept.columns.front().values;
-  const auto last = rows(asked.panel(10));
+  const auto last = rows(requested.panel(10));
   double x = 0.0;
   for (std::size_t i = 0; i < 96; ++i)
     x += last.at("rock")[i].x / 96.0;
   const auto middle = [&](const char* name, std::size_t at) { return kept.find(name)->values[at]; };
   // Both end with the last state.
   BOOST_TEST(std::abs(x - middle("rock.x", times.size() - 1)) < 1e-4);
-  const auto first = rows(asked.panel(0));
+  const auto first = rows(requested.panel(0));
   x = 0.0;
   for (std::size_t i = 0; i < 96; ++i)
     x += first.at("rock")[i].x / 96.0;
@@ -273,9 +273,9 @@ BOOST_AUTO_TEST_CASE(a_half_model_is_drawn_whole) {
     const std::string name = (folder.path / symmetry).string();
     std::ofstream{name + ".toml"} << text << "\n[fence.options]\nsymmetry = \"" << symmetry << "\"\n";
     BOOST_REQUIRE(talus_ran({"run", name + ".toml", "--end", "10 ms", "--out", name}).code == 0);
-    return Asked{{"snapshot", name, "--times", "0 s,10 ms", "--view", "along"}};
+    return Requested{{"snapshot", name, "--times", "0 s,10 ms", "--view", "along"}};
   };
-  const Asked half = drawn("half"), full = drawn("full");
+  const Requested half = drawn("half"), full = drawn("full");
   for (const std::size_t frame : {0U, 1U}) {
     const auto some = rows(half.panel(frame)), all = rows(full.panel(frame));
     for (const char* const kind : {"column", "hanger", "taut", "slack"}) {
@@ -293,8 +293,8 @@ BOOST_AUTO_TEST_CASE(a_half_model_is_drawn_whole) {
         return found;
       };
       BOOST_TEST((points(some) == points(all)), frame << ": " << kind);
-      const auto series = [&](const Asked& asked) {
-        const auto& list = asked.panel(frame).series;
+      const auto series = [&](const Requested& requested) {
+        const auto& list = requested.panel(frame).series;
         return std::count_if(list.begin(), list.end(), [&](const auto& each) { return kind_of(each) == kind; });
       };
       BOOST_TEST((series(half) == 2 && series(full) == 1), frame << ": " << kind);
@@ -318,27 +318,27 @@ BOOST_AUTO_TEST_CASE(a_broken_hanger_is_drawn_no_more) {
   BOOST_REQUIRE(ended.code == 0);
   BOOST_TEST(holds(ended.out, "hanger 'hanger1' breaks"));
   BOOST_TEST(holds(ended.out, "hanger 'back_hanger1' breaks"));
-  const Asked asked{{"snapshot", run, "--times", "0 s,17 ms,29 ms"}};
+  const Requested requested{{"snapshot", run, "--times", "0 s,17 ms,29 ms"}};
   // Two ends for each of 14, 13 and 12 columns.
   for (const auto& [frame, ends] : std::map<std::size_t, std::size_t>{{0, 28}, {1, 26}, {2, 24}})
-    BOOST_TEST(rows(asked.panel(frame)).at("hanger").size() == ends);
+    BOOST_TEST(rows(requested.panel(frame)).at("hanger").size() == ends);
   BOOST_REQUIRE(talus_ran({"animate", run, "--out", run}).code == 0);
   BOOST_TEST(holds(talus::read_text(run + "/animation.html"), "\"broken\":[2,9]}"));
 }
 
 BOOST_AUTO_TEST_CASE(the_dialogue_of_gplot_as_options) {
-  const Asked asked{{"snapshot", sample().string(), "--times", "0 s,26 ms", "--view", "both", "--window", "-10", "-15",
-                     "10", "9.69", "--numbers", "--no-grid", "--title", "Mine"}};
-  BOOST_TEST(asked.pages().size() == 2U);
-  BOOST_TEST(asked.pages().at(1).name == "snapshot_along");
-  BOOST_TEST(asked.page().title == "Mine");
-  BOOST_TEST(asked.page().scale.value().unit == "lbf");
-  const talus::records::Figure& panel = asked.panel(1);
+  const Requested requested{{"snapshot", sample().string(), "--times", "0 s,26 ms", "--view", "both", "--window", "-10",
+                             "-15", "10", "9.69", "--numbers", "--no-grid", "--title", "Mine"}};
+  BOOST_TEST(requested.pages().size() == 2U);
+  BOOST_TEST(requested.pages().at(1).name == "snapshot_along");
+  BOOST_TEST(requested.page().title == "Mine");
+  BOOST_TEST(requested.page().scale.value().unit == "lbf");
+  const talus::records::Figure& panel = requested.panel(1);
   BOOST_TEST(panel.title == "t = 0.02482 s");  // 300 steps of 82.7374 us: the state nearest to 26 ms
   BOOST_TEST(panel.y.max.value() == 9.69);
   BOOST_TEST(!panel.grid);
   BOOST_TEST(panel.marks.at(0).words == "2");
-  const Asked single{{"snapshot", sample().string(), "--count", "3", "--single"}};
+  const Requested single{{"snapshot", sample().string(), "--count", "3", "--single"}};
   BOOST_TEST(single.pages().size() == 3U);
   BOOST_TEST(single.pages().at(2).name == "snapshot_side_03");
 }
@@ -430,8 +430,8 @@ BOOST_AUTO_TEST_CASE(a_blank_title_is_replaced_by_the_name_of_the_file) {
         BOOST_TEST(nlohmann::json::parse(talus::read_text(run + "/summary.json")).at("title") == "untitled");
         if (fence) BOOST_TEST(holds(talus::read_text(run + "/sheet.html"), "<h1>untitled</h1>"));
         const std::string quantity = cell ? "depth" : "energy.kinetic";
-        BOOST_TEST(Asked({"plot", run, "--history", quantity}).page().title == "untitled");
-        BOOST_TEST(Asked({"snapshot", run, "--count", "2"}).page().title == "untitled");
+        BOOST_TEST(Requested({"plot", run, "--history", quantity}).page().title == "untitled");
+        BOOST_TEST(Requested({"snapshot", run, "--count", "2"}).page().title == "untitled");
         BOOST_TEST(talus_ran({"plot", run, "--format", "svg"}).code == 0);
         const Ended animated = talus_ran({"animate", run});
         BOOST_TEST_REQUIRE(animated.code == 0, animated.err);

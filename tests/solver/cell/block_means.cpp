@@ -86,7 +86,7 @@ BOOST_AUTO_TEST_CASE(errors_are_those_of_correlated_series) {
     std::mt19937_64 random{7};
     std::normal_distribution<double> normal;
     const int series = 200;
-    double squares = 0.0, told = 0.0;
+    double squares = 0.0, estimated = 0.0;
     for (int s = 0; s < series; ++s) {
       BlockMeans means{1, 125.0, 125};
       double x = normal(random) / std::sqrt(1.0 - a * a);
@@ -96,10 +96,10 @@ BOOST_AUTO_TEST_CASE(errors_are_those_of_correlated_series) {
       }
       const Estimate estimate = means.estimate(0, 25);
       squares += estimate.value * estimate.value / series;
-      told += estimate.error / series;
+      estimated += estimate.error / series;
     }
     // 200 series determine a standard deviation to 5 %; resampling of whole blocks underestimates it by a few per cent.
-    BOOST_TEST(told == std::sqrt(squares), boost::test_tools::tolerance(0.2));
-    BOOST_TEST(told == std::sqrt(1.0 / (1.0 - a) / (1.0 - a) / 800.0), boost::test_tools::tolerance(0.15));
+    BOOST_TEST(estimated == std::sqrt(squares), boost::test_tools::tolerance(0.2));
+    BOOST_TEST(estimated == std::sqrt(1.0 / (1.0 - a) / (1.0 - a) / 800.0), boost::test_tools::tolerance(0.15));
   }
 }

@@ -199,7 +199,7 @@ BOOST_AUTO_TEST_CASE(a_list_stands_until_a_body_has_moved_by_its_skin) {
   at_rest.set(1, {{3.0, 0.0}, {}, {}, 0.0});
   Sweep scratch;
   std::vector<char> found(1, 0);
-  const auto stands = [&](std::size_t body, const Pose& pose) {
+  const auto is_within = [&](std::size_t body, const Pose& pose) {
     search.find(at_rest, found, scratch);
     Poses poses = at_rest;
     poses.set(body, pose);
@@ -210,16 +210,16 @@ BOOST_AUTO_TEST_CASE(a_list_stands_until_a_body_has_moved_by_its_skin) {
   };
   const auto none = std::numeric_limits<double>::quiet_NaN();
   for (const double sign : {1.0, -1.0}) {
-    BOOST_TEST(stands(0, {{sign * 0.0499, 0.0}, {}, {}, 0.0}));
-    BOOST_TEST(!stands(0, {{sign * 0.0501, 0.0}, {}, {}, 0.0}));
-    BOOST_TEST(!stands(0, {{0.0, sign * 0.0501}, {}, {}, 0.0}));
-    BOOST_TEST(stands(0, {{0.0, 0.0}, rotation(sign), {}, 0.0}));  // no point of its outline moves
-    BOOST_TEST(stands(1, {{3.0 + sign * 0.0249, 0.0}, {}, {}, 0.0}));
-    BOOST_TEST(!stands(1, {{3.0 + sign * 0.0251, 0.0}, {}, {}, 0.0}));
-    BOOST_TEST(stands(1, {{3.0, 0.0}, rotation(sign * 0.0164), {}, 0.0}));
-    BOOST_TEST(!stands(1, {{3.0, 0.0}, rotation(sign * 0.0168), {}, 0.0}));
-    BOOST_TEST(!stands(0, {{sign * none, 0.0}, {}, {}, 0.0}));
-    BOOST_TEST(!stands(1, {{3.0, 0.0}, {1.0, sign * none}, {}, 0.0}));
+    BOOST_TEST(is_within(0, {{sign * 0.0499, 0.0}, {}, {}, 0.0}));
+    BOOST_TEST(!is_within(0, {{sign * 0.0501, 0.0}, {}, {}, 0.0}));
+    BOOST_TEST(!is_within(0, {{0.0, sign * 0.0501}, {}, {}, 0.0}));
+    BOOST_TEST(is_within(0, {{0.0, 0.0}, rotation(sign), {}, 0.0}));  // no point of its outline moves
+    BOOST_TEST(is_within(1, {{3.0 + sign * 0.0249, 0.0}, {}, {}, 0.0}));
+    BOOST_TEST(!is_within(1, {{3.0 + sign * 0.0251, 0.0}, {}, {}, 0.0}));
+    BOOST_TEST(is_within(1, {{3.0, 0.0}, rotation(sign * 0.0164), {}, 0.0}));
+    BOOST_TEST(!is_within(1, {{3.0, 0.0}, rotation(sign * 0.0168), {}, 0.0}));
+    BOOST_TEST(!is_within(0, {{sign * none, 0.0}, {}, {}, 0.0}));
+    BOOST_TEST(!is_within(1, {{3.0, 0.0}, {1.0, sign * none}, {}, 0.0}));
   }
 }
 

@@ -315,11 +315,11 @@ BOOST_AUTO_TEST_CASE(a_guard_asked_for_alone_is_the_same_as_among_all) {
       std::vector<double> all;
       system.guards(state, false, std::numeric_limits<double>::infinity(), all);
       for (std::size_t mode = 0; mode < all.size(); ++mode) {
-        RigidBodySystem asked{dynamics};
+        RigidBodySystem bare{dynamics};
         Rates rates{state};
-        asked.derivative(moving(model), rates);  // its stored values belong to another state
+        bare.derivative(moving(model), rates);  // its stored values belong to another state
         std::vector<double> alone(all.size(), std::numeric_limits<double>::quiet_NaN());
-        asked.guards_of(state, std::array{mode}, alone);
+        bare.guards_of(state, std::array{mode}, alone);
         BOOST_TEST(alone[mode] == all[mode], "mode " << mode << " " << away << ": " << alone[mode] << " " << all[mode]);
       }
     }

@@ -153,18 +153,19 @@ BOOST_AUTO_TEST_CASE(cables_that_go_slack_and_yield_move_the_same_whether_paths_
     const Hung scene = hung(bodies, {true, true}, ElasticPlastic{.stiffness = 80.0, .yield = 40.0}, random);
     const Dynamics dynamics{scene.model};
     RigidBodySystem with{dynamics, true}, without{dynamics, false};
-    State told = rest_state(scene.model);
-    for (std::size_t i = 0; i < told.v.size(); ++i)
-      told.v[i] = i % 2 == 0 ? 1.5 : -1.0;
-    with.begin(told);
-    State bare = told;
+    State with_state = rest_state(scene.model);
+    for (std::size_t i = 0; i < with_state.v.size(); ++i)
+      with_state.v[i] = i % 2 == 0 ? 1.5 : -1.0;
+    with.begin(with_state);
+    State bare = with_state;
     long changes = 0;
     for (int n = 0; n < 4000; ++n) {
-      const std::vector<Mode> before = told.mode;
-      with.kick(told, 1e-3), with.drift(told, 1e-3);
+      const std::vector<Mode> before = with_state.mode;
+      with.kick(with_state, 1e-3), with.drift(with_state, 1e-3);
       without.kick(bare, 1e-3), without.drift(bare, 1e-3);
-      changes += told.mode == before ? 0 : 1;
-      if (told.q != bare.q || told.v != bare.v || told.mode != bare.mode) BOOST_FAIL("they part at step " << n);
+      changes += with_state.mode == before ? 0 : 1;
+      if (with_state.q != bare.q || with_state.v != bare.v || with_state.mode != bare.mode)
+        BOOST_FAIL("they part at step " << n);
     }
     BOOST_TEST(changes > 20);
     BOOST_TEST(changes < 3000);  // most steps change no mode, and evaluate no path

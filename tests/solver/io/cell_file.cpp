@@ -165,22 +165,24 @@ BOOST_AUTO_TEST_CASE(a_scene_file_says_the_same_with_units) {
 }
 
 BOOST_AUTO_TEST_CASE(wrong_scene_files) {
-  const auto told = [&](std::string_view what, std::string_view by) { return message(with(toml, what, by), "c.toml"); };
-  BOOST_TEST(told("restitution = 0.5", "") ==
+  const auto refusal = [&](std::string_view what, std::string_view by) {
+    return message(with(toml, what, by), "c.toml");
+  };
+  BOOST_TEST(refusal("restitution = 0.5", "") ==
              "c.toml:3: cell: unloading_stiffness: it is missing; it, or else restitution, must stand");
   BOOST_TEST(
-      told("restitution = 0.5", "restitution = 0.5\nunloading_stiffness = \"2e4 N/m\"").find("only one of them") !=
+      refusal("restitution = 0.5", "restitution = 0.5\nunloading_stiffness = \"2e4 N/m\"").find("only one of them") !=
       std::string::npos);
   BOOST_TEST(
-      told("columns = 10", "columns = 12").starts_with("c.toml:11: cell: columns: found 12; it must be at most"));
-  BOOST_TEST(told("\"0.2 us\"", "\"2 us\"")
+      refusal("columns = 10", "columns = 12").starts_with("c.toml:11: cell: columns: found 12; it must be at most"));
+  BOOST_TEST(refusal("\"0.2 us\"", "\"2 us\"")
                  .starts_with("c.toml:17: run: step: found \"2 us\", in SI: 2e-06; a contact lasts"));
-  BOOST_TEST(told("seed = 3", "seeds = 3").find("nearest: seed") != std::string::npos);
-  BOOST_TEST(told("euler_cromer", "rk4").find("rk4") != std::string::npos);
-  BOOST_TEST(told("seed = 3", "seed = 9007199254740993") ==
+  BOOST_TEST(refusal("seed = 3", "seeds = 3").find("nearest: seed") != std::string::npos);
+  BOOST_TEST(refusal("euler_cromer", "rk4").find("rk4") != std::string::npos);
+  BOOST_TEST(refusal("seed = 3", "seed = 9007199254740993") ==
              "c.toml:14: cell: seed: found 9007199254740993; it must be a whole number between 0 and 9007199254740991");
-  BOOST_TEST(told("seed = 3", "seed = 99999999999").empty());
-  BOOST_TEST(told("[run]", "[run]\nhistorical = \"on\"").starts_with("c.toml:"));
+  BOOST_TEST(refusal("seed = 3", "seed = 99999999999").empty());
+  BOOST_TEST(refusal("[run]", "[run]\nhistorical = \"on\"").starts_with("c.toml:"));
   // Values from the command line have no line number.
   BOOST_TEST(message(toml, "c.toml", {.integrator = "euler"}).starts_with("c.toml:17: run: step: "));
   BOOST_TEST(message(toml, "c.toml", {.integrator = "euler_cromer", .historical = true}) ==
@@ -209,26 +211,28 @@ BOOST_AUTO_TEST_CASE(a_scene_file_names_its_law_and_its_friction) {
 }
 
 BOOST_AUTO_TEST_CASE(what_does_not_go_with_a_law_is_told_with_its_place) {
-  const auto told = [&](std::string_view what, std::string_view by) { return message(with(toml, what, by), "c.toml"); };
-  BOOST_TEST(told("restitution = 0.5", "restitution = 0.5\nlaw = \"hertz\"") ==
+  const auto refusal = [&](std::string_view what, std::string_view by) {
+    return message(with(toml, what, by), "c.toml");
+  };
+  BOOST_TEST(refusal("restitution = 0.5", "restitution = 0.5\nlaw = \"hertz\"") ==
              "c.toml:6: cell: law: found \"hertz\"; nearest: latching_spring; known: latching_spring, "
              "linear_spring_dashpot");
   const std::string both =
-      told("restitution = 0.5", "unloading_stiffness = \"2e4 N/m\"\nlaw = \"linear_spring_dashpot\"");
+      refusal("restitution = 0.5", "unloading_stiffness = \"2e4 N/m\"\nlaw = \"linear_spring_dashpot\"");
   BOOST_TEST(both.starts_with("c.toml:3: cell: damping: it is missing; it, or else restitution, must stand\n"), both);
   BOOST_TEST(both.find("c.toml:5: cell: unloading_stiffness: this key is not known; nearest: ") != std::string::npos);
-  BOOST_TEST(told("restitution = 0.5", "restitution = 0.5\ndamping = \"1 N s/m\"")
+  BOOST_TEST(refusal("restitution = 0.5", "restitution = 0.5\ndamping = \"1 N s/m\"")
                  .starts_with("c.toml:6: cell: damping: this key is not known; nearest: "));
-  BOOST_TEST(told("restitution = 0.5", "damping = \"-1 N s/m\"\nlaw = \"linear_spring_dashpot\"") ==
+  BOOST_TEST(refusal("restitution = 0.5", "damping = \"-1 N s/m\"\nlaw = \"linear_spring_dashpot\"") ==
              "c.toml:5: cell: damping: found \"-1 N s/m\"; it must be >= 0");
   BOOST_TEST(
-      told("restitution = 0.5", "damping = \"1 N s/m\"\nlaw = \"linear_spring_dashpot\"\nend_rule = \"attractive\"")
+      refusal("restitution = 0.5", "damping = \"1 N s/m\"\nlaw = \"linear_spring_dashpot\"\nend_rule = \"attractive\"")
           .starts_with("c.toml:5: cell: damping: found \"1 N s/m\", in SI: 1; it must be < 0.156"));
-  BOOST_TEST(told("restitution = 0.5", "law = \"linear_spring_dashpot\"") ==
+  BOOST_TEST(refusal("restitution = 0.5", "law = \"linear_spring_dashpot\"") ==
              "c.toml:3: cell: damping: it is missing; it, or else restitution, must stand");
-  BOOST_TEST(told("restitution = 0.5", "restitution = 0.5\nshear_stiffness = \"1e4 N/m\"") ==
+  BOOST_TEST(refusal("restitution = 0.5", "restitution = 0.5\nshear_stiffness = \"1e4 N/m\"") ==
              "c.toml:6: cell: shear_stiffness: without friction it has no use; leave it out or give friction");
-  BOOST_TEST(told("restitution = 0.5", "restitution = 0.5\nfriction = -0.1") ==
+  BOOST_TEST(refusal("restitution = 0.5", "restitution = 0.5\nfriction = -0.1") ==
              "c.toml:6: cell: friction: found -0.1; it must be >= 0");
   std::vector<std::string> leapfrogs = disc_method_names();
   std::erase_if(leapfrogs,
@@ -263,16 +267,18 @@ BOOST_AUTO_TEST_CASE(images_across_the_borders_may_be_virtual_discs) {
 }
 
 BOOST_AUTO_TEST_CASE(a_key_that_is_mistyped_is_told_before_the_one_that_is_missing) {
-  const auto told = [&](std::string_view what, std::string_view by) { return message(with(toml, what, by), "c.toml"); };
-  BOOST_TEST(told("stiffness = ", "stifness = ") ==
+  const auto refusal = [&](std::string_view what, std::string_view by) {
+    return message(with(toml, what, by), "c.toml");
+  };
+  BOOST_TEST(refusal("stiffness = ", "stifness = ") ==
              "c.toml:4: cell: stifness: this key is not known; nearest: stiffness; known: law, stiffness, "
              "unloading_stiffness, growth, restitution, friction, shear_stiffness, overburden, seed, diameter, mass, "
              "gravity, block_mass, block_speed, rows, columns, wall_discs");
-  BOOST_TEST(told("rows = ", "row = ").starts_with("c.toml:10: cell: row: this key is not known; nearest: rows; "));
-  BOOST_TEST(told("step = ", "steps = ") ==
+  BOOST_TEST(refusal("rows = ", "row = ").starts_with("c.toml:10: cell: row: this key is not known; nearest: rows; "));
+  BOOST_TEST(refusal("step = ", "steps = ") ==
              "c.toml:17: run: steps: this key is not known; nearest: step; known: step, every, end, integrator, jump, "
              "images, historical, pictures");
-  BOOST_TEST(told("[run]", "[runs]") ==
+  BOOST_TEST(refusal("[run]", "[runs]") ==
              "c.toml:15: runs: this key is not known; nearest: run; known: title, units, cell, run");
 }
 

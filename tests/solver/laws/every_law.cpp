@@ -333,8 +333,8 @@ BOOST_AUTO_TEST_CASE(a_straight_line_is_the_law_as_long_as_it_lasts) {
               const double force = piece.stiffness * (deformation - piece.natural);
               for (const double rate : {-2.0, 0.0, 2.0}) {
                 const Kinematics x{deformation, rate};
-                const LawForce asked = law(x, memory, mode);
-                if (asked.total() != force || asked.dissipative != 0.0 || !(law.guard(x, memory, mode) > 0.0))
+                const LawForce full = law(x, memory, mode);
+                if (full.total() != force || full.dissipative != 0.0 || !(law.guard(x, memory, mode) > 0.0))
                   BOOST_ERROR(L::name << ", mode " << mode << ": not on its line at " << deformation);
               }
             }

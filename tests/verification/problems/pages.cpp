@@ -97,7 +97,7 @@ std::vector<std::string> faults_of_form(const std::string& page) {
     if (c != '\n' && (c < ' ' || c > '~')) faults.push_back("a character is not printable ASCII");
   }
   for (const std::string& heading : matches(prose(page), "\n(#+ [^\n]*)", 1))
-    faults.push_back("a heading of its own: " + heading);
+    faults.push_back("a heading: " + heading);
   const std::vector<std::string> parts = matches(page, R"((^|\n)\*\*([^*]+)\*\*)", 2);
   if (parts.size() < 2 || parts[0] != "Conclusion." || parts[1] != "Problem.")
     faults.push_back("it does not begin with **Conclusion.** and **Problem.**");

@@ -68,9 +68,9 @@ void check_release(Findings& findings, const Setup& setup) {
       step = offset_step(half_swing, count, i);
       CableRunResult run =
           throw_once({.stiffness = stiffness, .strength = strength}, step, even_phases(phases(setup))[i], findings);
-      energy.add(booked(run.end, Mechanism::cable_break) - reference::broken_energy(stiffness, strength));
+      energy.add(recorded_work(run.end, Mechanism::cable_break) - reference::broken_energy(stiffness, strength));
       exit.add(run.end.v[0] - reference::speed_kept(stiffness, strength, mass, speed));
-      if (setup.has("break_not_booked")) run.closure -= booked(run.end, Mechanism::cable_break);
+      if (setup.has("break_not_booked")) run.closure -= recorded_work(run.end, Mechanism::cable_break);
       open.add(run.closure);
     }
     step = half_swing / (count + 0.5);
@@ -202,9 +202,9 @@ void check_hanger_orders(Findings& findings, const Setup& setup) {
       CableRunResult run = run_pair(strength, step, even_phases(phases(setup))[i], 1.02 * exact.slack_time + 4.0 * step,
                                     VelocityVerlet{}, findings);
       of_b.add(run.end.v[0] - exact.at_break.speed_b);
-      of_lost.add(booked(run.end, Mechanism::hanger_break) - exact.lost);
+      of_lost.add(recorded_work(run.end, Mechanism::hanger_break) - exact.lost);
       of_exit.add(-run.end.v[1] - exact.exit_speed_c);
-      if (setup.has("hanger_not_booked")) run.closure -= booked(run.end, Mechanism::hanger_break);
+      if (setup.has("hanger_not_booked")) run.closure -= recorded_work(run.end, Mechanism::hanger_break);
       open.add(run.closure);
     }
     const double step = exact.slack_time / (4.0 * count + 0.5), late = step / std::sqrt(3.0);
@@ -309,8 +309,9 @@ void check_hanger_exactly(Findings& findings, const Setup& setup) {
   const reference::HangerBreak exact = reference::break_hanger(pair, 0.7 * reference::first_load_peak(pair).load);
   const CableRunResult run = run_pair(strength, exact.slack_time / 40.0, 0.5, 1.1 * exact.slack_time,
                                       make_integrator("odeint_dopri5", 1e-11), findings);
-  findings.expect("energy lost by the hanger's break under step control", booked(run.end, Mechanism::hanger_break),
-                  exact.lost, Tolerance::truncation(2e-8, 1.0, control_words), "J");
+  findings.expect("energy lost by the hanger's break under step control",
+                  recorded_work(run.end, Mechanism::hanger_break), exact.lost,
+                  Tolerance::truncation(2e-8, 1.0, control_words), "J");
   findings.expect("exit speed of the mass on the one cable under step control", -run.end.v[1], exact.exit_speed_c,
                   Tolerance::truncation(2e-9, 1.0, control_words), "m/s");
   // A method that locates the break finds it also if a hanger that holds comes first in the list.
@@ -322,7 +323,7 @@ void check_hanger_exactly(Findings& findings, const Setup& setup) {
   const Tolerance located_words = Tolerance::truncation(
       1e-10, 1.0, "local errors below 1e-11 of speed and distance travelled, some ten in one direction");
   findings.expect("energy lost by the located break of the second of two hangers",
-                  booked(located.end, Mechanism::hanger_break), exact.lost, located_words, "J");
+                  recorded_work(located.end, Mechanism::hanger_break), exact.lost, located_words, "J");
   findings.expect("exit speed of the mass behind the located break of the second of two hangers", -located.end.v[1],
                   exact.exit_speed_c, located_words, "m/s");
 }

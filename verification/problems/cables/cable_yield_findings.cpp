@@ -81,7 +81,7 @@ DrawErrors draw_errors(const reference::YieldingCable& cable, double speed, doub
     const CableRunResult run = throws(law_of(cable, setup), {speed}, step, phase, setup, findings).front();
     errors.exit.add(-run.end.v[0] / exact.exit_speed - 1.0);
     errors.stretch.add(run.end.z[0] - exact.stretch);
-    errors.lost.add(booked(run.end, Mechanism::cable_yield) - exact.lost);
+    errors.lost.add(recorded_work(run.end, Mechanism::cable_yield) - exact.lost);
     closure.add(run.closure);
   }
   errors.closure = closure.rms();
@@ -210,7 +210,7 @@ void check_cycles(Findings& findings, const Setup& setup, const std::string& ste
   for (std::size_t i = 0; i < phases(setup); ++i) {
     const double step = offset_step(half_swing, 200.0, i);
     const auto runs = throws(law_of(cable, setup), speeds, step, even_phases(phases(setup))[i], setup, findings);
-    booked_work.add(booked(runs.back().end, Mechanism::cable_yield) / lost - 1.0);
+    booked_work.add(recorded_work(runs.back().end, Mechanism::cable_yield) / lost - 1.0);
     residual.add(runs.back().end.z[0] - stretch);
     exit.add(-runs.back().end.v[0] / exact.back().exit_speed - 1.0);
   }

@@ -110,8 +110,8 @@ void check_damped_throw(Findings& findings, const Setup& setup) {
     state.q[0] -= phase * step;
     const CableRunResult run = run_cables(scene, state, VelocityVerlet{}, {step, 20.0, true}, findings);
     exit.add(-run.end.v[0] / exact.restitution - 1.0);
-    let_go.add(booked(run.end, Mechanism::cable_release) / held - 1.0);
-    damped.add(booked(run.end, Mechanism::cable_damping) / eaten - 1.0);
+    let_go.add(recorded_work(run.end, Mechanism::cable_release) / held - 1.0);
+    damped.add(recorded_work(run.end, Mechanism::cable_damping) / eaten - 1.0);
   }
   const ImpactError predicted = leapfrog_impact_error(xi, reference::EndRule::clamped);
   findings.expect("exit speed on a cable with a dashpot, rms error over its prediction",

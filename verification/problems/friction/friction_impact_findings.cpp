@@ -167,10 +167,10 @@ void check_damped_sliding(Findings& findings) {
   PhaseError along, let_go, damped;
   for (std::size_t i = 0; i < fewest_phases; ++i) {
     const ObliqueRun run = run_oblique(scene, exact.contact_time, 100.0, i, findings);
-    const auto booked = [&run](Mechanism which) { return run.end.work[static_cast<std::size_t>(which)]; };
+    const auto recorded_work = [&run](Mechanism which) { return run.end.work[static_cast<std::size_t>(which)]; };
     along.add(impact.slip_rate - run.end.v[0] - lost);
-    let_go.add(booked(Mechanism::contact_release) / held - 1.0);
-    damped.add(booked(Mechanism::contact_damping) / eaten - 1.0);
+    let_go.add(recorded_work(Mechanism::contact_release) / held - 1.0);
+    damped.add(recorded_work(Mechanism::contact_damping) / eaten - 1.0);
   }
   const double wh = exact.contact_time / 100.5;
   // The contact sticks until the spring reaches the limit mu c v_n, which is present from the first instant.

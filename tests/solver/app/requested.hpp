@@ -11,10 +11,10 @@
 #include "tests/solver/app/program.hpp"
 
 /// The request of a drawing command, without drawing it. Throws as the command does.
-struct Asked {
+struct Requested {
   talus::app::DrawingRequest request;
 
-  explicit Asked(std::vector<std::string> arguments) {
+  explicit Requested(std::vector<std::string> arguments) {
     using namespace talus::app;
     CLI::App talus{"", "talus"};
     const DrawingSink keep = [this](DrawingRequest sent) { request = std::move(sent); };
