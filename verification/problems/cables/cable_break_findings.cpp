@@ -47,13 +47,14 @@ void check_both_sides(Findings& findings, const Setup& setup) {
     for (std::size_t l = 0; l < 4; ++l)
       broken[l] += broke(throw_once(laws[l], step, phase, findings)) ? 1 : 0;
   }
-  const char* const names[] = {
-      "breaks at a strength of 1.001 of the largest tension", "breaks at a strength of .999 of the largest tension",
-      "breaks at a rupture of 1.001 of the largest stretch", "breaks at a rupture of .999 of the largest stretch"};
+  const char* const names[] = {"number of broken cables, strength 1.001 times the peak tension",
+                               "number of broken cables, strength 0.999 times the peak tension",
+                               "number of broken cables, rupture stretch 1.001 times the largest plastic stretch",
+                               "number of broken cables, rupture stretch 0.999 times the largest plastic stretch"};
   for (std::size_t l = 0; l < 4; ++l)
     findings.expect(names[l], broken[l], l % 2 == 0 ? 0.0 : static_cast<double>(phases(setup)),
-                    Tolerance::exact("Verlet's peak is off by (w h)^2/8 = 8e-6, a hundredth of the thousandth: of 64 "
-                                     "phases all break, or none"));
+                    Tolerance::exact("the error of velocity Verlet's peak, (w h)^2/8 = 8e-6, is about 1 % of the "
+                                     "margin of 0.001: the cable breaks in all of the 64 phases or in none"));
 }
 
 /// Energy released by a break, and the energy balance error.
@@ -81,18 +82,20 @@ void check_release(Findings& findings, const Setup& setup) {
     ratio = energy.rms() / (strength * left * step / std::sqrt(3.0));
     open_ratio = open.rms() / (0.5 * strength * left * step);
   }
-  findings.expect_order("order of the energy released by a break", released, 0.95, 1.05,
-                        "the cable breaks at the step that finds it past its strength, evenly up to a step late");
-  findings.expect("energy released by a break, rms error over its prediction", ratio, 1.0,
+  findings.expect_order("order of the energy released by a cable break", released, 0.95, 1.05,
+                        "the cable breaks at the first step at which its tension exceeds its strength, late by a "
+                        "uniformly distributed fraction of a step");
+  findings.expect("energy released by a cable break, rms error over its prediction", ratio, 1.0,
                   Tolerance::model(0.03,
-                                   "T v u h with u even in (0, 1): rms T v h/sqrt(3); the next power of the step "
-                                   "is 2 % of it"));
-  findings.expect_order("order of the closure of the energy, cable that breaks", closure, 0.95, 1.05,
-                        "the force ends with the half kick before the break is found, the energy is booked when it is");
-  findings.expect("closure of the energy over its prediction, cable that breaks", open_ratio, 1.0,
+                                   "T v u h with u uniformly distributed in (0, 1): rms T v h/sqrt(3); the next order "
+                                   "in h is 2 % of it"));
+  findings.expect_order("order of the energy balance error, cable break", closure, 0.95, 1.05,
+                        "the force ends with the half kick before the break is detected, but the energy is recorded at "
+                        "the detection");
+  findings.expect("energy balance error over its prediction, cable break", open_ratio, 1.0,
                   Tolerance::model(0.03,
-                                   "half a kick that is not made while the cable is still held to pull: T v h/2, "
-                                   "whatever the phase; the next power of the step is 2 % of it"));
+                                   "the half kick before the detection is omitted although the cable still counts as "
+                                   "intact: T v h/2 for every phase; the next order in h is 2 % of it"));
 }
 
 /// Cables that yield until they break, at a rupture stretch or when they have hardened to their strength, by the
@@ -108,15 +111,16 @@ void check_located_breaks(Findings& findings, const Setup& setup) {
     const reference::YieldingCable& cable;
     double stretch;  ///< plastic stretch at the break
     ElasticPlastic law;
-  } breaks[] = {{"rupture, perfectly plastic", flat, 0.1, {.stiffness = stiffness, .yield = 0.5, .rupture = off * 0.1}},
-                {"strength, hardening line",
-                 line,
-                 1.0,
-                 {.stiffness = stiffness, .yield = 0.5, .hardening = 0.25, .strength = off * 0.75}},
-                {"strength, hardening table",
-                 table,
-                 1.75,
-                 {.stiffness = stiffness, .yield = 0.5, .hardening = 0.1, .strength = off * 1.0, .table = points}}};
+  } breaks[] = {
+      {"rupture stretch, perfectly plastic", flat, 0.1, {.stiffness = stiffness, .yield = 0.5, .rupture = off * 0.1}},
+      {"strength, linear hardening",
+       line,
+       1.0,
+       {.stiffness = stiffness, .yield = 0.5, .hardening = 0.25, .strength = off * 0.75}},
+      {"strength, tabulated hardening",
+       table,
+       1.75,
+       {.stiffness = stiffness, .yield = 0.5, .hardening = 0.1, .strength = off * 1.0, .table = points}}};
   for (const std::string& name : integrator_names()) {
     const IntegratorTraits method = integrator_traits(name);
     if (!method.locates_events || !takes_tolerance(method.step_control)) continue;
@@ -125,20 +129,22 @@ void check_located_breaks(Findings& findings, const Setup& setup) {
       const CableRunResult run =
           run_cables(scene, scene.initial, make_integrator(name, tolerance), {half_swing, 10.0, true}, findings);
       const char* const words =
-          "steps whose local errors are below 1e-10 of the distance travelled and the speed, a dozen of them in one "
-          "direction; the event itself is located to round-off";
+          "local errors below 1e-10 of the distance travelled and the speed, about a dozen of them with the same sign; "
+          "the event itself is located to round-off";
       const std::string by = fmt::format(", {}, {}", what, name);
       findings.in("located_breaks")
-          ->expect("speed kept after a located break" + by, run.end.v[0],
+          ->expect("speed after a located break" + by, run.end.v[0],
                    reference::speed_kept(cable, mass, thrown, stretch),
                    Tolerance::truncation(tolerance * thrown, 3.0, words), "m/s");
       findings.in("located_breaks")
-          ->expect("stretch at a located break" + by, run.end.z[0], stretch,
-                   Tolerance::round_off(4e-15, "the event is the stretch itself: a difference of lengths up to 10"),
+          ->expect("plastic stretch at a located break" + by, run.end.z[0], stretch,
+                   Tolerance::round_off(4e-15,
+                                        "the event is defined by the plastic stretch itself: a difference of lengths "
+                                        "of up to 10 m"),
                    "m");
       if (!law.table.empty()) continue;  // the power of yielding jumps at its corners, which are not events
       findings.in("located_breaks")
-          ->expect("energy closure after a located break" + by, run.closure, 0.0,
+          ->expect("energy balance error after a located break" + by, run.closure, 0.0,
                    Tolerance::truncation(tolerance * mass * thrown * thrown, 3.0, words), "J");
     }
   }
@@ -175,11 +181,11 @@ void check_hanger_sides(Findings& findings, const Setup& setup) {
     above += run_pair(off * 1.001 * peak, step, phase, 1.5 * time, VelocityVerlet{}, findings).hanger_broken ? 1 : 0;
     below += run_pair(0.999 * peak, step, phase, 1.5 * time, VelocityVerlet{}, findings).hanger_broken ? 1 : 0;
   }
-  const Tolerance all_or_none =
-      Tolerance::exact("the load's peak is resolved to (w h)^2/8 = 2e-6: of 64 phases all break, or none");
-  findings.expect("breaks of a hanger of 1.001 of the largest load", above, 0.0, all_or_none);
-  findings.expect("breaks of a hanger of .999 of the largest load", below, static_cast<double>(phases(setup)),
-                  all_or_none);
+  const Tolerance all_or_none = Tolerance::exact(
+      "the peak load is resolved to (w h)^2/8 = 2e-6: the hanger breaks in all of the 64 phases or in none");
+  findings.expect("number of broken hangers, strength 1.001 times the peak load", above, 0.0, all_or_none);
+  findings.expect("number of broken hangers, strength 0.999 times the peak load", below,
+                  static_cast<double>(phases(setup)), all_or_none);
 }
 
 /// Errors of a break that is found up to a step late: speeds, energy lost, and energy balance.
@@ -219,19 +225,19 @@ void check_hanger_orders(Findings& findings, const Setup& setup) {
   }
   const Tolerance near = Tolerance::model(
       0.03,
-      "the break is found up to a step late, evenly: what it loses is off by h/sqrt(3) (rms) times the reference's "
-      "change "
-      "with the time of the break, speeds by half of that, because the half kick before is made without; power closes "
-      "late by h/2; the next power of the step is 2 %, and 1 % for 64 uneven phases");
-  findings.expect("speed of the mass without hanger, rms error over its prediction", ratios[0], 1.0, near);
-  findings.expect("energy lost by the hanger's break, rms error over its prediction", ratios[1], 1.0, near);
-  findings.expect("exit speed of the mass on the one cable, rms error over its prediction", ratios[2], 1.0, near);
-  findings.expect("closure of the energy over its prediction, hanger that breaks", ratios[3], 1.0, near);
-  findings.expect_order("order of the speed of the mass without hanger", speed_b, 0.98, 1.02,
-                        "the hanger breaks at the step that finds it overloaded");
-  findings.expect_order("order of the closure of the energy, hanger that breaks", closure, 0.98, 1.02,
-                        "the forces change with the half kick before the break is found, the energy is booked when it "
-                        "is");
+      "the break is detected late by a uniformly distributed fraction of a step: the rms error of the lost energy is "
+      "h/sqrt(3) times the reference's derivative with respect to the time of the break, that of speeds half as much, "
+      "because the half kick before the detection already omits the hanger; the energy balance error is h/2 times the "
+      "change of the power; the next order in h adds 2 %, and 64 unevenly spread phases 1 %");
+  findings.expect("speed of the mass released by the hanger, rms error over its prediction", ratios[0], 1.0, near);
+  findings.expect("energy lost in the hanger break, rms error over its prediction", ratios[1], 1.0, near);
+  findings.expect("exit speed of the mass on the merged cable, rms error over its prediction", ratios[2], 1.0, near);
+  findings.expect("energy balance error over its prediction, hanger break", ratios[3], 1.0, near);
+  findings.expect_order("order of the speed of the mass released by the hanger", speed_b, 0.98, 1.02,
+                        "the hanger breaks at the first step at which its load exceeds its strength");
+  findings.expect_order("order of the energy balance error, hanger break", closure, 0.98, 1.02,
+                        "the forces change with the half kick before the break is detected, but the energy is recorded "
+                        "at the detection");
 }
 
 /// Compares the two cables past the broken hanger with a scene that has a single cable.
@@ -259,16 +265,20 @@ void check_merged(Findings& findings, const Setup& setup) {
     tensions = std::max(tensions, std::abs(a.tension[i] - a.second_tension[i]));
   }
   findings.expect(
-      "place of the mass on two cables without hanger from that on one cable", std::abs(a.end.q[1] - b.end.q[1]), 0.0,
+      "position of the mass, difference between two cables past the broken hanger and one cable",
+      std::abs(a.end.q[1] - b.end.q[1]), 0.0,
       Tolerance::round_off(1e-13,
-                           "the tensions' round-off, 1e-14, over 1 s^2 and a few hundred steps that add up at random"),
+                           "round-off of the tensions, 1e-14, over 1 s^2 and a few hundred steps, accumulated as a "
+                           "random walk"),
       "m");
-  findings.expect("tension of two cables without hanger from that of one cable", apart, 0.0,
-                  Tolerance::round_off(3e-14, "as below, once more for each cable"), "N");
+  findings.expect("tension, difference between two cables past the broken hanger and one cable", apart, 0.0,
+                  Tolerance::round_off(3e-14, "as for the difference between the two cables, once more for each cable"),
+                  "N");
   findings.expect(
-      "tension of one of the two cables without hanger from that of the other", tensions, 0.0,
+      "tension, difference between the two cables past the broken hanger", tensions, 0.0,
       Tolerance::round_off(3e-14,
-                           "k (l - l0) of lengths of 8: four roundings of half a unit of the last place of 8, times 5"),
+                           "k (l - l0) with lengths near 8 m: four roundings of half an ulp of 8, times the "
+                           "stiffness 5"),
       "N");
 }
 
@@ -286,22 +296,24 @@ void check_merged_plastic(Findings& findings) {
   const double elongation = run.end.q[1] - 2.0 * cable_length - drawn[0] - drawn[1];
   double apart = std::abs(run.tension.back() - run.second_tension.back());
   keep_worst(apart, run.tension.back() - exact.merged_stiffness * elongation);
-  findings.expect("tensions of two drawn cables without hanger from that of one cable",
-                  run.hanger_broken ? apart : std::nan(""), 0.0,
-                  Tolerance::round_off(1e-13, "k (l - l0 - p) of lengths of 16: a few roundings, times 5"), "N");
+  findings.expect(
+      "tensions of two plastically stretched cables past the broken hanger, difference from one cable",
+      run.hanger_broken ? apart : std::nan(""), 0.0,
+      Tolerance::round_off(1e-13, "k (l - l0 - p) with lengths near 16 m: a few roundings, times the stiffness 5"),
+      "N");
   // The first cable ends at the point between the cables: at its plastic length plus the elastic elongation.
   const Dynamics dynamics{scene.model};
   const Snapshot seen{dynamics, run.end};
   const double place = seen.geometry().joints.p_WP(dynamics.cables().ends()[0].b).x;
-  findings.expect("end of the first of two drawn cables without hanger", place,
+  findings.expect("end point of the first of two plastically stretched cables past the broken hanger", place,
                   cable_length + drawn[0] + exact.merged_stiffness * elongation / pair.stiffness_1,
-                  Tolerance::round_off(1e-14, "a few roundings of lengths of 8"), "m");
+                  Tolerance::round_off(1e-14, "a few roundings of lengths near 8 m"), "m");
 }
 
 constexpr const char* control_words =
-    "steps whose local error is kept below 1e-11; a step across the break is refused until it is so short that the "
-    "jump of "
-    "a force times its square is below that: 1e-6 s early or late, of which the energy shows all and the speed half";
+    "local errors below 1e-11; a step across the break is rejected until the jump of the force times the square of the "
+    "step is below that: the break is up to 1e-6 s early or late, with its full effect on the energy and half of it on "
+    "the speed";
 
 /// With step control the break is resolved to the tolerance.
 void check_hanger_exactly(Findings& findings, const Setup& setup) {
@@ -309,10 +321,9 @@ void check_hanger_exactly(Findings& findings, const Setup& setup) {
   const reference::HangerBreak exact = reference::break_hanger(pair, 0.7 * reference::first_load_peak(pair).load);
   const CableRunResult run = run_pair(strength, exact.slack_time / 40.0, 0.5, 1.1 * exact.slack_time,
                                       make_integrator("odeint_dopri5", 1e-11), findings);
-  findings.expect("energy lost by the hanger's break under step control",
-                  recorded_work(run.end, Mechanism::hanger_break), exact.lost,
-                  Tolerance::truncation(2e-8, 1.0, control_words), "J");
-  findings.expect("exit speed of the mass on the one cable under step control", -run.end.v[1], exact.exit_speed_c,
+  findings.expect("energy lost in the hanger break with step control", recorded_work(run.end, Mechanism::hanger_break),
+                  exact.lost, Tolerance::truncation(2e-8, 1.0, control_words), "J");
+  findings.expect("exit speed of the mass on the merged cable with step control", -run.end.v[1], exact.exit_speed_c,
                   Tolerance::truncation(2e-9, 1.0, control_words), "m/s");
   // A method that locates the break finds it also if a hanger that holds comes first in the list.
   Scene scene = hung_pair(pair, strength);
@@ -321,10 +332,10 @@ void check_hanger_exactly(Findings& findings, const Setup& setup) {
   const CableRunResult located = run_cables(scene, scene.initial, make_integrator("stormer_cowell", 1e-11),
                                             {exact.slack_time / 4.0, 1.1 * exact.slack_time, false}, findings);
   const Tolerance located_words = Tolerance::truncation(
-      1e-10, 1.0, "local errors below 1e-11 of speed and distance travelled, some ten in one direction");
-  findings.expect("energy lost by the located break of the second of two hangers",
+      1e-10, 1.0, "local errors below 1e-11 of speed and distance travelled, about ten of them with the same sign");
+  findings.expect("energy lost in the located break of the second of two hangers",
                   recorded_work(located.end, Mechanism::hanger_break), exact.lost, located_words, "J");
-  findings.expect("exit speed of the mass behind the located break of the second of two hangers", -located.end.v[1],
+  findings.expect("exit speed of the mass after the located break of the second of two hangers", -located.end.v[1],
                   exact.exit_speed_c, located_words, "m/s");
 }
 
@@ -354,9 +365,9 @@ void draw_hanger(Findings& findings) {
     }
   }
   findings.figure({.name = "hanger",
-                   .title = "A hanger breaks",
+                   .title = "Cable tensions before and after a hanger breaks",
                    .caption = "Tension of the two cables on either side of a mass whose hanger breaks at 70 % of the "
-                              "largest load: from then on they are one.",
+                              "peak load. After the break they act as one cable.",
                    .x = {.label = "time", .unit = "s"},
                    .y = {.label = "tension", .unit = "N"},
                    .series = {exact_one, exact_two, one, two},

@@ -105,10 +105,11 @@ void check_listings(Findings& findings) {
       }
     }
   } while (std::next_permutation(listing.order.begin(), listing.order.end()));
-  findings.expect("tension of three cables past broken hangers, worst of 48 listings", force_error, 0.0,
-                  Tolerance::round_off(1e-12, "a hundred times roundings of lengths of ten"), "N");
-  findings.expect("places of the points between three cables past broken hangers, worst of 48 listings", place_error,
-                  0.0, Tolerance::round_off(1e-14, "a dozen roundings of lengths of ten"), "m");
+  findings.expect("tension of three cables past broken hangers, largest error over 48 listing orders", force_error, 0.0,
+                  Tolerance::round_off(1e-12, "100 times the rounding of lengths near 10 m"), "N");
+  findings.expect(
+      "positions of the points between three cables past broken hangers, largest error over 48 listing orders",
+      place_error, 0.0, Tolerance::round_off(1e-14, "a dozen roundings of lengths near 10 m"), "m");
 }
 
 /// Chain at a plane of symmetry: the body in the plane represents only itself, the cables and the next body represent
@@ -130,10 +131,14 @@ void check_mirror_image(Findings& findings) {
         keep_worst(place_error, norm(place - Vec2{0.0, 3.0}));
     }
   }
-  findings.expect("tension of two cables past broken hangers to their mirror image, worst of 8 listings", force_error,
-                  0.0, Tolerance::round_off(1e-12, "a hundred times roundings of lengths of ten"), "N");
-  findings.expect("places of the points of two cables past broken hangers, seen along them, worst of 8 listings",
-                  place_error, 0.0, Tolerance::exact("all are where the last one is"), "m");
+  findings.expect(
+      "tension of two cables past broken hangers up to a plane of symmetry, largest error over 8 listing orders",
+      force_error, 0.0, Tolerance::round_off(1e-12, "100 times the rounding of lengths near 10 m"), "N");
+  findings.expect(
+      "positions of the points of two cables along the fence past broken hangers, largest error over 8 listing orders",
+      place_error, 0.0,
+      Tolerance::exact("the cables run straight along the fence: in the plane, all points coincide with the last one"),
+      "m");
 }
 
 /// The middle cable is loaded beyond its strength: all cables lose their tension at once, and their stored energy,
@@ -146,11 +151,11 @@ void check_break_within(Findings& findings) {
   double left = 0.0;
   for (const double t : found.tensions)
     keep_worst(left, t);
-  findings.expect("tension in a chain after its middle cable broke, largest", left, 0.0,
-                  Tolerance::exact("all are loose"), "N");
+  findings.expect("largest tension in a chain after the break of its middle cable", left, 0.0,
+                  Tolerance::exact("no cable of a broken chain carries tension"), "N");
   findings.expect("energy loss when the middle cable of a chain breaks", found.lost,
                   0.5 * tension * tension * compliance_of_three,
-                  Tolerance::round_off(1e-13, "a hundred roundings of lengths of ten, times 30 N"), "J");
+                  Tolerance::round_off(1e-13, "100 roundings of lengths near 10 m, times 30 N"), "J");
 }
 
 }  // namespace

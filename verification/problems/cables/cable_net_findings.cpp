@@ -147,10 +147,10 @@ void check_nets(Findings& findings) {
         keep_worst(worst, norm(Vec2{rates.v[2 * i], rates.v[2 * i + 1]} - expected[i]));
     }
   }
-  findings.expect("accelerations of bodies in 200 nets of cables, worst", worst, 0.0,
+  findings.expect("accelerations of bodies in 200 nets of cables, largest error", worst, 0.0,
                   Tolerance::round_off(1e-12,
-                                       "forces of up to 100 N, a dozen roundings each, and a few of them at "
-                                       "a body of at least 1 kg"),
+                                       "forces of up to 100 N with a dozen roundings each, a few of them on a body of "
+                                       "at least 1 kg"),
                   "m/s^2");
 }
 

@@ -34,7 +34,7 @@ ElasticPlastic law_of(const reference::YieldingCable& cable, const Setup& setup)
 /// Rms relative error of the exit speed from an elastic cable: (w h)^2/(2 sqrt(90)), as of an elastic impact.
 double elastic_error(double count) { return std::pow(half_swing / (count + 0.5), 2) / (2.0 * std::sqrt(90.0)); }
 constexpr const char* exit_words =
-    "that of an elastic impact, (w h)^2/(2 sqrt(90)), from the shares of a step at which the cable becomes taut and "
+    "as for an elastic impact, (w h)^2/(2 sqrt(90)), from the fractions of a step at which the cable becomes taut and "
     "slack";
 
 /// Rms error of the plastic stretch after throws with this sum of squared speeds [L].
@@ -42,8 +42,9 @@ double stretch_error(double count, double squares) {
   return std::pow(half_swing / (count + 0.5), 2) * mass * squares / (2.0 * std::sqrt(30.0) * yield);
 }
 constexpr const char* stretch_words =
-    "taut at the share u of a step, the energy is off by (w h)^2 u (1 - u) of m v^2/2, rms (w h)^2/sqrt(30) with its "
-    "mean; over the yield force that is a stretch, less what Verlet's spring is softer by, and summed over the throws";
+    "if the cable becomes taut at the fraction u of a step, the energy error is (w h)^2 u (1 - u) of m v^2/2, rms "
+    "including its mean (w h)^2/sqrt(30); divided by the yield force it is an error of the stretch, reduced because "
+    "velocity Verlet's spring is softer, and summed over the throws";
 
 /// Runs successive throws, each with the plastic stretch that the previous one produced. All start the fraction `phase`
 /// of a step before the cable is taut.
@@ -104,26 +105,28 @@ void check_orders(Findings& findings, const Setup& setup) {
     last = errors.closure;
   }
   findings.expect_order("order of the exit speed, perfectly plastic", exit, 1.85, 2.15,
-                        "the yield and the turn lie within a step each, and cost its square");
-  findings.expect_order("order of the residual stretch, perfectly plastic", stretch, 1.85, 2.15, "as the exit speed");
-  findings.expect_order("order of the closure of the energy, cable that yields", closure, 0.95, 1.05,
-                        "the work of yielding is booked with the velocity of half a step before");
-  findings.expect("closure of the energy over its prediction, cable that yields",
+                        "yield and turning point each lie within a step, which causes errors of second order");
+  findings.expect_order("order of the residual stretch, perfectly plastic", stretch, 1.85, 2.15,
+                        "as for the exit speed");
+  findings.expect_order("order of the energy balance error, yielding cable", closure, 0.95, 1.05,
+                        "the work of yielding is computed with the velocity of half a step before");
+  findings.expect("energy balance error over its prediction, yielding cable",
                   last / (step * yield * speed_at_yield(speed) / std::sqrt(3.0)), 1.0,
                   Tolerance::model(0.03,
-                                   "the velocity of half a step before is too large by h Y/(2 m): h Y v1/2 with the "
-                                   "speed v1 at which it yields, and the step in which that begins gives +-h Y "
-                                   "v1/2 evenly: rms h Y v1/sqrt(3); the next power of the step is 2 % of it"));
+                                   "the velocity of half a step before is too large by h Y/(2 m), which gives h Y v1/2 "
+                                   "with the speed v1 at the onset of yielding; the step of the onset adds an error "
+                                   "uniformly distributed in +-h Y v1/2: rms h Y v1/sqrt(3); the next order in h is 2 "
+                                   "% of this"));
   findings.figure({.name = "yield_orders",
-                   .title = "Convergence of a throw on a cable that yields",
+                   .title = "Convergence with the step for a mass thrown on a yielding cable",
                    .caption =
-                       "Perfectly plastic cable, speed twice that at which it yields, velocity Verlet, root mean "
+                       "Perfectly plastic cable, twice the lowest speed at which it yields, velocity Verlet, root mean "
                        "square over 64 phases.",
-                   .x = {.label = "step over half a swing", .log = true},
+                   .x = {.label = "w h", .log = true},
                    .y = {.label = "error", .log = true},
                    .series = {{"exit speed, relative", exit.steps(), exit.errors(), Style::linespoints},
                               {"residual stretch [m]", stretch.steps(), stretch.errors(), Style::linespoints},
-                              {"closure of the energy [J]", closure.steps(), closure.errors(), Style::linespoints}},
+                              {"energy balance error [J]", closure.steps(), closure.errors(), Style::linespoints}},
                    .slopes = {{2.0, exit.steps().front(), 0.4 * exit.errors().front(), "h^2"},
                               {1.0, closure.steps().front(), 1.6 * closure.errors().front(), "h"}}});
 }
@@ -134,8 +137,9 @@ void check_speeds(Findings& findings, const Setup& setup) {
   double exit = 0.0, stretch = 0.0;
   Table shown{.name = "throws",
               .caption =
-                  "Throws on a perfectly plastic cable: exit speed over the smaller of $v$ and $Y/\\sqrt{km}$, and "
-                  "residual stretch; 400 steps in half a swing, 64 phases.",
+                  "Throws on a perfectly plastic cable: exit speed, exactly the smaller of $v$ and $Y/\\sqrt{km}$, "
+                  "with the relative error of the solver, and residual stretch; 400 steps per half-period of the "
+                  "elastic cable, 64 phases.",
               .columns = {"v sqrt(km)/Y", "exit speed", "solver, rms error", "stretch [m]", "solver, rms error"}};
   for (const double share : {0.5, 0.999, 1.001, 1.5, 2.0, 4.0}) {
     if (setup.coarse && share != 2.0) continue;
@@ -144,11 +148,14 @@ void check_speeds(Findings& findings, const Setup& setup) {
     exit = std::max(exit, errors.exit.rms());
     stretch = std::max(stretch, errors.stretch.rms());
     if (share == 0.999) {
-      findings.expect("residual stretch at .999 of the speed that yields", errors.stretch.max(), 0.0,
-                      Tolerance::exact("what never reaches its yield force remembers nothing"), "m");
+      findings.expect("residual stretch at 0.999 times the lowest speed at which the cable yields",
+                      errors.stretch.max(), 0.0,
+                      Tolerance::exact("a cable that never reaches its yield force has no plastic stretch"), "m");
     } else if (share == 1.001) {
-      findings.expect_true("residual stretch at 1.001 of the speed that yields", errors.stretch.max() < exact.stretch,
-                           "Verlet's peak tension is off by (w h)^2/8 = 8e-6, a hundredth of the thousandth");
+      findings.expect_true("residual stretch at 1.001 times the lowest speed at which the cable yields",
+                           errors.stretch.max() < exact.stretch,
+                           "the error of velocity Verlet's peak tension, (w h)^2/8 = 8e-6, is about 1 % of the margin "
+                           "of 0.001");
     }
     shown.rows.push_back({fmt::format("{:g}", share), fmt::format("{:.6f}", exact.exit_speed),
                           fmt::format("{:.1e}", errors.exit.rms()), fmt::format("{:.6f}", exact.stretch),
@@ -217,9 +224,9 @@ void check_cycles(Findings& findings, const Setup& setup, const std::string& ste
   findings.in("work_of_throws")
       ->expect("work of yielding over " + name + ", rms relative error", booked_work.rms(), 0.0,
                Tolerance::truncation(work / lost, 1.1,
-                                     "h times, for each throw, Y v1/sqrt(3) as where it is perfectly plastic, and the "
-                                     "growth of the yield force at half the mean speed; a tenth "
-                                     "more for phases that go together"));
+                                     "for each throw, h times Y v1/sqrt(3), as for a perfectly plastic cable, plus h "
+                                     "times half the growth of the yield force at the mean speed v1/2; 10 % more "
+                                     "because the phases of successive throws are correlated"));
   findings.in("residual_stretch")
       ->expect("residual stretch after " + name + ", rms error", residual.rms(), 0.0,
                Tolerance::truncation(stretch_error(200.0, squares), 1.0, stretch_words), "m");
@@ -229,8 +236,8 @@ void check_cycles(Findings& findings, const Setup& setup, const std::string& ste
   if (setup.coarse) return;
   const double step = offset_step(half_swing, 200.0, 0);
   findings.figure(loops(stem, "Tension and elongation: " + name,
-                        "Tension against elongation, each throw from the stretch that the last one left: the solver "
-                        "(points) on the exact lines.",
+                        "Tension against elongation. Each throw starts with the plastic stretch of the previous one. "
+                        "Points: solver; lines: exact.",
                         cable, throws(law_of(cable, setup), speeds, step, 0.5, setup, findings, true), exact));
 }
 
@@ -240,8 +247,8 @@ void check_yielding(Findings& findings, const Setup& setup) {
   check_speeds(findings, setup);
   if (!setup.coarse) check_orders(findings, setup);
   check_cycles(findings, setup, "plastic_loop", "two throws, perfectly plastic", flat(), {1.0, 1.2});
-  check_cycles(findings, setup, "line_loop", "two throws, hardening line", line(), {1.0, 1.6});
-  check_cycles(findings, setup, "table_loop", "three throws, hardening table", table(), {0.9, 1.2, 1.9});
+  check_cycles(findings, setup, "line_loop", "two throws, linear hardening", line(), {1.0, 1.6});
+  check_cycles(findings, setup, "table_loop", "three throws, tabulated hardening", table(), {0.9, 1.2, 1.9});
 }
 
 }  // namespace talus::verification::problems

@@ -79,8 +79,8 @@ Catches catches(double gravity, double steps, const Setup& setup, Findings& find
 void check_speeds(Findings& findings, const Setup& setup) {
   Table table{.name = "restitution",
               .caption =
-                  "Speed at $x = 0$ on the way back over that on the way in, exact, to first order in the weight, "
-                  "and the solver's relative error at 50 steps (root mean square over 64 phases).",
+                  "Ratio $e$ of return speed to initial speed at $x = 0$: exact, to first order in the weight, and the "
+                  "solver's relative error at 50 steps (root mean square over 64 phases) with its prediction.",
               .columns = {"G", "exact", "first order", "error", "predicted"}};
   const double without = exact_restitution(0.0);
   double least = 0.0;
@@ -90,16 +90,16 @@ void check_speeds(Findings& findings, const Setup& setup) {
     const double predicted = predicted_error(gravity, found.step);
     least = std::min(least, found.least_tension);
     findings.in("restitution")
-        ->expect(fmt::format("e of a caught fall, rms error over its prediction, G = {:g}", gravity),
+        ->expect(fmt::format("return speed ratio e, rms error over its prediction, G = {:g}", gravity),
                  found.error.rms() / predicted, 1.0,
                  Tolerance::model(0.01,
-                                  "the next power of the step: w h = .055, of which 64 phases leave less than a tenth "
-                                  "in a root mean square"));
+                                  "the next order in h: w h = 0.055, of which less than a tenth remains in the root "
+                                  "mean square over 64 phases"));
     table.rows.push_back({fmt::format("{:g}", gravity), fmt::format("{:.6f}", exact_restitution(gravity)),
                           fmt::format("{:.6f}", without - 2.0 * damping_ratio * (1.0 + without) * gravity),
                           fmt::format("{:.2e}", found.error.rms()), fmt::format("{:.2e}", predicted)});
   }
-  findings.expect("least tension of all runs", least, 0.0, Tolerance::exact("zero where the cable has let go"));
+  findings.expect("minimum tension of all runs", least, 0.0, Tolerance::exact("zero after the cable has gone slack"));
   findings.table(table);
 }
 
@@ -109,12 +109,14 @@ void check_order(Findings& findings, const Setup& setup) {
     const Catches all = catches(gravity, n, setup, findings);
     return std::array{1.0 / n, all.error.rms(), predicted_error(gravity, all.step)};
   });
-  findings.expect_order("order of e of a caught fall", errors.found(), 0.97, 1.02,
-                        "the leap of the force and the lag of the dashpot; the next power of the step tilts the line");
+  findings.expect_order("order of the return speed ratio e", errors.found(), 0.97, 1.02,
+                        "the jump of the force and the lag of the dashpot are of first order; the next order in h "
+                        "tilts the fitted line");
   findings.figure({.name = "error",
-                   .title = "Error of the speed on the way back",
-                   .caption = "G = .1, root mean square over 64 phases. Line: predicted from lag and leap.",
-                   .x = {.label = "step / time taut", .log = true},
+                   .title = "Error of the return speed",
+                   .caption = "G = 0.1, root mean square over 64 phases. Line: predicted from the lag of the dashpot "
+                              "and the jump of the force.",
+                   .x = {.label = "step / duration of the taut phase", .log = true},
                    .y = {.label = "relative error", .log = true},
                    .series = {errors.points("velocity Verlet"), errors.line()}});
 }
@@ -128,9 +130,8 @@ void show_weights(Findings& findings, const Setup& setup) {
     found.add(weights[i], caught(weights[i], 0.0035, 0.5, setup, findings).restitution);
   findings.figure(
       {.name = "weight",
-       .title = "What the weight takes",
-       .caption = "Speed on the way back over $v_0$, at $x = 0$: the formula without weight holds at $G = 0$ "
-                  "only.",
+       .title = "Effect of the weight on the return speed",
+       .caption = "Return speed over $v_0$ at $x = 0$. The formula without weight holds only at $G = 0$.",
        .x = {.label = "G = g/(w v0)"},
        .y = {.label = "e"},
        .series = {curve("exact", weights, exact_restitution), curve("first order in G", weights, first_order), found}});
@@ -146,18 +147,18 @@ void run(Findings& findings, const Setup& setup) {
 }  // namespace
 
 Case definition() {
-  const std::string speeds = "e of a caught fall, rms error over its prediction, G = ";
+  const std::string speeds = "return speed ratio e, rms error over its prediction, G = ";
   return {.id = "damped_bungee",
           .title = "Damped bungee: fall into a cable with a dashpot",
-          .requirements = {{"D2", {"restitution", "least tension of all runs", "order of e of a caught fall"}},
-                           {"Eq. 14", {"least tension of all runs"}},
-                           {"law.tension_only", {"restitution", "order of e of a caught fall"}},
-                           {"integrator.velocity_verlet", {"order of e of a caught fall"}}},
-          .main_checks = {speeds + "0.03", speeds + "0.1", "order of e of a caught fall"},
+          .requirements = {{"D2", {"restitution", "minimum tension of all runs", "order of the return speed ratio e"}},
+                           {"Eq. 14", {"minimum tension of all runs"}},
+                           {"law.tension_only", {"restitution", "order of the return speed ratio e"}},
+                           {"integrator.velocity_verlet", {"order of the return speed ratio e"}}},
+          .main_checks = {speeds + "0.03", speeds + "0.1", "order of the return speed ratio e"},
           .source = "Mustoe & Huttelmaier 1993, Eq. 14",
-          .faults = {{"weight_left_out", "no weight", speeds + "0.1"},
-                     {"dashpot_stronger", "the dashpot 2 % stronger", speeds + "0.1"},
-                     {"read_where_seen_slack", "the speed read at the first slack step instead of at x = 0",
+          .faults = {{"weight_left_out", "gravity omitted", speeds + "0.1"},
+                     {"dashpot_stronger", "dashpot coefficient 2 % too large", speeds + "0.1"},
+                     {"read_where_seen_slack", "return speed taken at the first slack step instead of at x = 0",
                       speeds + "0.1"}},
           .run = run};
 }

@@ -100,9 +100,10 @@ void check_balance(Findings& findings, const Setup& setup) {
       keep_worst(largest, share);
     }
   }
-  findings.expect(
-      "accelerations at the exact places, largest, as a displacement", largest, 0.0,
-      Tolerance::round_off(2e-16, "places and lengths below 1, rounded by 5.5e-17 at most; two links at each weight"));
+  findings.expect("largest acceleration at the exact equilibrium positions, as a displacement", largest, 0.0,
+                  Tolerance::round_off(2e-16,
+                                       "positions and lengths below 1, rounded by at most 5.5e-17; two links at each "
+                                       "weight"));
 }
 
 void check_limit(Findings& findings, const Setup& setup) {
@@ -121,14 +122,17 @@ void check_limit(Findings& findings, const Setup& setup) {
   findings.expect(
       "relaxed chain, distance from the exact elastic shape over that from the catenary", farthest, 0.0,
       Tolerance::model(1e-10,
-                       "what the relaxation leaves after 100 peaks of the kinetic energy: each takes a fixed "
-                       "share, and 2.4e-11 was measured"));
-  findings.expect("distance from the catenary at the stiffest over the first-order term", errors.last_ratio(), 1.0,
-                  Tolerance::model(1e-3, "the second order, by the exact elastic shapes 3.3 n W/(k L) of the first"));
+                       "remainder of the relaxation after 100 peaks of the kinetic energy: each peak removes a fixed "
+                       "fraction; 2.4e-11 was measured"));
+  findings.expect("distance from the catenary at the largest stiffness over the first-order term", errors.last_ratio(),
+                  1.0,
+                  Tolerance::model(1e-3,
+                                   "the second-order term, 3.3 n W/(k L) of the first-order term according to the "
+                                   "exact elastic shapes"));
   if (setup.coarse) return;
   findings.expect_order("order of the distance from the catenary in 1/k", errors.found(), 0.98, 1.0,
-                        "the second order takes 4.5 % of the first at k = 64 and .1 % at 4096: it tilts the line by "
-                        "-.01");
+                        "the second-order term reduces the first by 4.5 % at k = 64 and 0.1 % at k = 4096, which tilts "
+                        "the fitted line by -0.01");
   findings.figure({.name = "limit",
                    .title = "Distance from the catenary",
                    .caption = "Root mean square over the nine weights, relaxed by the solver, against the compliance.",
@@ -139,8 +143,8 @@ void check_limit(Findings& findings, const Setup& setup) {
 
 void show_shapes(Findings& findings, const Setup& setup) {
   Figure figure{.name = "shapes",
-                .title = "The chain at rest",
-                .caption = "Relaxed by the solver from the catenary (points), and exact (lines).",
+                .title = "Chain at rest",
+                .caption = "Points: relaxed by the solver, starting from the catenary; lines: exact.",
                 .x = {.label = "x / L"},
                 .y = {.label = "y / L"}};
   for (const double stiffness : {4.0, 16.0, 4096.0}) {
@@ -168,32 +172,32 @@ void run(Findings& findings, const Setup& setup) {
 }  // namespace
 
 Case definition() {
-  const std::string balance = "accelerations at the exact places, largest, as a displacement";
+  const std::string balance = "largest acceleration at the exact equilibrium positions, as a displacement";
   const std::string shape = "relaxed chain, distance from the exact elastic shape over that from the catenary";
-  const std::string limit = "distance from the catenary at the stiffest over the first-order term";
+  const std::string limit = "distance from the catenary at the largest stiffness over the first-order term";
   return {.id = "hanging_chain",
           .title = "Hanging chain",
           .requirements = {{"D7",
-                            {"accelerations at the exact places, largest, as a displacement",
+                            {"largest acceleration at the exact equilibrium positions, as a displacement",
                              "relaxed chain, distance from the exact elastic shape over that from the catenary",
-                             "distance from the catenary at the stiffest over the first-order term",
+                             "distance from the catenary at the largest stiffness over the first-order term",
                              "order of the distance from the catenary in 1/k"}},
-                           {"Eq. 13", {"accelerations at the exact places, largest, as a displacement"}},
+                           {"Eq. 13", {"largest acceleration at the exact equilibrium positions, as a displacement"}},
                            {"Eq. 14",
-                            {"accelerations at the exact places, largest, as a displacement",
+                            {"largest acceleration at the exact equilibrium positions, as a displacement",
                              "relaxed chain, distance from the exact elastic shape over that from the catenary"}},
                            {"Eq. 15",
-                            {"accelerations at the exact places, largest, as a displacement",
+                            {"largest acceleration at the exact equilibrium positions, as a displacement",
                              "relaxed chain, distance from the exact elastic shape over that from the catenary"}},
                            {"law.tension_only",
-                            {"accelerations at the exact places, largest, as a displacement",
-                             "distance from the catenary at the stiffest over the first-order term",
+                            {"largest acceleration at the exact equilibrium positions, as a displacement",
+                             "distance from the catenary at the largest stiffness over the first-order term",
                              "order of the distance from the catenary in 1/k"}}},
           .main_checks = {balance, shape, limit},
           .source = "Statics of the funicular polygon; Barnes, Int. J. Space Structures 14 (1999) 89",
-          .faults = {{"third_weight_heavier", "one weight heavier by .1 %", balance},
-                     {"fifth_link_longer", "one link longer by .1 %", shape},
-                     {"links_softer", "links softer by a tenth", limit}},
+          .faults = {{"third_weight_heavier", "one weight heavier by 0.1 %", balance},
+                     {"fifth_link_longer", "one link longer by 0.1 %", shape},
+                     {"links_softer", "links softer by 10 %", limit}},
           .run = run};
 }
 

@@ -137,10 +137,10 @@ constexpr double shares[] = {0.25, 0.5, 0.9, 0.999};  ///< steps over the limit
 
 void check_frequencies(Findings& findings, const Setup& setup) {
   Figure figure{.name = "dispersion",
-                .title = "Frequencies of the chain in steps",
+                .title = "Numerical frequencies of the chain",
                 .caption =
-                    "Frequency of each mode over the exact one, along the row at four steps: on the method's own "
-                    "curve, $\\sin(\\Omega h/2) = \\omega h/2$.",
+                    "Frequency of each mode over its exact frequency, along the row, with four step sizes. Line: "
+                    "numerical frequency of velocity Verlet, $\\sin(\\Omega h/2) = \\omega h/2$.",
                 .x = {.label = "w h"},
                 .y = {.label = "W / w"},
                 .series = {{"sin(W h/2) = w h/2", {}, {}, Style::lines}}};
@@ -165,21 +165,21 @@ void check_frequencies(Findings& findings, const Setup& setup) {
     }
   }
   findings.expect(
-      "frequencies along the row, largest relative error against leapfrog's own", worst, 0.0,
+      "frequencies along the row, largest relative error against the leapfrog's numerical frequencies", worst, 0.0,
       Tolerance::round_off(4e-15,
-                           "the phase of some thousand radians, its time and 2 pi rounded, and the phase off "
-                           "by the displacements' error below: some eps"));
+                           "rounding of a phase of several thousand radians, of its time and of 2 pi, and the phase "
+                           "error that corresponds to the error of the displacements (next check): a few eps"));
   findings.expect("displacements of all modes along the row over 4096 steps, largest error", farthest, 0.0,
                   Tolerance::round_off(4e-12,
-                                       "phases of up to 9200 rad, a product of three rounded factors: 3e-12; beside it "
-                                       "places below 8 rounded to 2.6e-16 rms at 4096 steps, 64 times that over .03: "
-                                       "6e-13"));
+                                       "phases of up to 9200 rad, a product of three rounded factors: 3e-12; in "
+                                       "addition, positions below 8 rounded to 2.6e-16 rms at 4096 steps, 64 times "
+                                       "that over 0.03: 6e-13"));
   findings.expect(
-      "frequencies across the row, largest relative error against leapfrog's own", across, 0.0,
+      "frequencies across the row, largest relative error against the leapfrog's numerical frequencies", across, 0.0,
       Tolerance::model(8e-13,
-                       "the stretch by the swing itself: (k L - T0)/(2 T0) slope^2 more to each force, with "
-                       "4e-14 for the mean square slope 3e-14 of a frequency, to which W answers 22-fold at "
-                       ".999 of the limit"));
+                       "the oscillation itself stretches the cables, which adds (k L - T0)/(2 T0) slope^2 to each "
+                       "force: with a mean square slope of 4e-14, 3e-14 of a frequency, which is amplified 22-fold in "
+                       "the numerical frequency at 0.999 of the limit"));
   findings.figure(figure);
 }
 
@@ -204,16 +204,16 @@ void check_growth(Findings& findings, const Setup& setup) {
   const double rate = std::log(grown.y[last] / grown.y[first]) / static_cast<double>(last - first);
   const double exact = std::log(reference::leapfrog_growth(2.0 / limit(Way::along), 1.02 * limit(Way::along)));
   findings.expect(
-      "growth of the last mode beyond the limit, rate over the exact one", rate / exact, 1.0,
+      "growth rate of the last mode beyond the step limit over the exact rate", rate / exact, 1.0,
       Tolerance::truncation(1.7e-10, 1.2,
-                            "the decaying root, g^-52 of the amplitude at the first of 14 steps: 9.5e-10 over "
-                            "14 ln g"));
+                            "contribution of the decaying root, g^-52 = 9.5e-10 of the amplitude at the first of 14 "
+                            "steps, over 14 ln g"));
   if (setup.coarse) return;
   findings.figure({.name = "growth",
-                   .title = "Either side of the step limit",
+                   .title = "Last mode below and beyond the step limit",
                    .caption =
-                       "Amplitude of the last mode from $10^{-9}$: bounded just below $\\omega_n h = 2$, growing "
-                       "by $g$ a step beyond it (line).",
+                       "Amplitude of the last mode, initially $10^{-9}$: bounded just below $\\omega_n h = 2$; beyond "
+                       "it growing by the factor $g$ per step (line).",
                    .x = {.label = "step"},
                    .y = {.label = "amplitude", .log = true},
                    .series = {last_mode(0.999, last, setup, findings),
@@ -232,31 +232,41 @@ void run(Findings& findings, const Setup& setup) {
 }  // namespace
 
 Case definition() {
-  const std::string along = "frequencies along the row, largest relative error against leapfrog's own";
-  const std::string across = "frequencies across the row, largest relative error against leapfrog's own";
-  const std::string growth = "growth of the last mode beyond the limit, rate over the exact one";
+  const std::string along =
+      "frequencies along the row, largest relative error against the leapfrog's numerical frequencies";
+  const std::string across =
+      "frequencies across the row, largest relative error against the leapfrog's numerical frequencies";
+  const std::string growth = "growth rate of the last mode beyond the step limit over the exact rate";
   return {.id = "stretched_chain",
           .title = "Chain of masses under tension",
           .requirements = {{"D6",
-                            {"frequencies along the row, largest relative error against leapfrog's own",
+                            {"frequencies along the row, largest relative error against the leapfrog's numerical "
+                             "frequencies",
                              "displacements of all modes along the row over 4096 steps, largest error",
-                             "frequencies across the row, largest relative error against leapfrog's own",
-                             "growth of the last mode beyond the limit, rate over the exact one"}},
-                           {"Eq. 14", {"frequencies along the row, largest relative error against leapfrog's own"}},
-                           {"Eq. 15", {"frequencies across the row, largest relative error against leapfrog's own"}},
-                           {"Eq. 25", {"growth of the last mode beyond the limit, rate over the exact one"}},
+                             "frequencies across the row, largest relative error against the leapfrog's numerical "
+                             "frequencies",
+                             "growth rate of the last mode beyond the step limit over the exact rate"}},
+                           {"Eq. 14",
+                            {"frequencies along the row, largest relative error against the leapfrog's numerical "
+                             "frequencies"}},
+                           {"Eq. 15",
+                            {"frequencies across the row, largest relative error against the leapfrog's numerical "
+                             "frequencies"}},
+                           {"Eq. 25", {"growth rate of the last mode beyond the step limit over the exact rate"}},
                            {"law.tension_only",
-                            {"frequencies along the row, largest relative error against leapfrog's own"}},
+                            {"frequencies along the row, largest relative error against the leapfrog's numerical "
+                             "frequencies"}},
                            {"integrator.velocity_verlet",
-                            {"frequencies along the row, largest relative error against leapfrog's own",
+                            {"frequencies along the row, largest relative error against the leapfrog's numerical "
+                             "frequencies",
                              "displacements of all modes along the row over 4096 steps, largest error"}}},
           .main_checks = {along, across, growth},
           .source = "Rayleigh 1877, The Theory of Sound I, chapter VI",
           .faults = {{"third_mass_heavier", "one mass heavier by 1e-9", along},
                      {"first_cable_softer", "one cable softer by 1e-9", along},
                      {"first_cable_longer", "one cable longer by 1e-8", across},
-                     {"rk4", "another method", along},
-                     {"step_within_the_limit", "a step of .999 of the limit", growth}},
+                     {"rk4", "RK4 instead of velocity Verlet", along},
+                     {"step_within_the_limit", "a step of 0.999 of the limit instead of 1.02", growth}},
           .run = run};
 }
 

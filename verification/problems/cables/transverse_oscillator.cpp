@@ -50,15 +50,15 @@ void check_steps(Findings& findings, const Setup& setup) {
                       -reference::longer_by_steps(span, amplitude, exact / steps)};
   });
   findings.expect_order("order of the period in the step", errors.found(), 1.99, 2.01,
-                        "smooth motion: even powers of the step only; at 80 steps the fourth order is some "
+                        "smooth motion: even powers of the step only; at 80 steps the fourth order is a few "
                         "thousandths of the second");
-  findings.expect("period, error of the smallest step over its prediction", errors.last_ratio(), 1.0,
+  findings.expect("period, error at the smallest step over its prediction", errors.last_ratio(), 1.0,
                   Tolerance::model(setup.coarse ? 0.01 : 1e-3,
-                                   "the prediction is that of the cubic oscillator: (A/L)^2 = 4e-4, and the next power "
-                                   "of the step"));
+                                   "the prediction is for the cubic oscillator, without terms of (A/L)^2 = 4e-4 and "
+                                   "the next power of the step"));
   findings.figure({.name = "steps",
                    .title = "Error of the period against the step",
-                   .caption = "Amplitude .02 L, against the exact period of the finite swing.",
+                   .caption = "Amplitude 0.02 L, relative to the exact period at this amplitude.",
                    .x = {.label = "step / period", .log = true},
                    .y = {.label = "relative error of the period", .log = true},
                    .series = {errors.points("velocity Verlet"), errors.line()}});
@@ -74,29 +74,30 @@ void check_amplitudes(Findings& findings, const Setup& setup) {
     points.add(amplitude, found);
     if (amplitude < 0.2) longer.add(amplitude, found / reference::cubic_period(span, amplitude) - 1.0);
   }
-  findings.expect("period at A = .02 L from the cubic oscillator's", points.y.front(),
+  findings.expect("period at A = 0.02 L against the cubic oscillator", points.y.front(),
                   reference::cubic_period(span, 0.02),
-                  Tolerance::model(1.5e-4, "the finite swing: .296 (A/L)^2 = 1.2e-4").relative());
-  findings.expect("lengthening of the period at A = .02 L over its prediction",
+                  Tolerance::model(1.5e-4, "the finite amplitude: 0.296 (A/L)^2 = 1.2e-4").relative());
+  findings.expect("lengthening of the period at A = 0.02 L over its prediction",
                   longer.errors().front() / reference::longer_by_amplitude(span, 0.02), 1.0,
                   Tolerance::model(4e-3,
-                                   "shorter by the 2000 steps, .85/2000^2: .0018 of it; the next power of (A/L)^2 = "
-                                   "4e-4"));
+                                   "2000 steps shorten the period by 0.85/2000^2, 0.0018 of its lengthening; the next "
+                                   "power of (A/L)^2 = 4e-4"));
   if (setup.coarse) return;
   findings.expect_order("order of the lengthening in the amplitude", longer, 1.99, 2.01,
-                        "even in A; at A = .16 L the next power is less than a hundredth");
+                        "even in A; at A = 0.16 L the next power contributes less than 1 %");
   for (double a = 0.02; a < 2.6; a *= 1.3) {
     exact.add(a, reference::mid_span_period(span, a));
     cubic.add(a, reference::cubic_period(span, a));
   }
-  findings.figure(
-      {.name = "period",
-       .title = "Period against amplitude",
-       .caption = "The cubic oscillator is the limit of small swings; large ones tend to $2\\pi\\sqrt{m/2k}$.",
-       .x = {.label = "A / L", .log = true},
-       .y = {.label = "T / sqrt(m/k)", .log = true},
-       .series = {exact, cubic, points},
-       .lines = {{'y', 2.0 * std::numbers::pi / std::sqrt(2.0), "2 pi sqrt(m/2k)"}}});
+  findings.figure({.name = "period",
+                   .title = "Period against amplitude",
+                   .caption =
+                       "The cubic oscillator is the limit of small amplitudes; at large amplitudes the period tends to "
+                       "$2\\pi\\sqrt{m/2k}$.",
+                   .x = {.label = "A / L", .log = true},
+                   .y = {.label = "T / sqrt(m/k)", .log = true},
+                   .series = {exact, cubic, points},
+                   .lines = {{'y', 2.0 * std::numbers::pi / std::sqrt(2.0), "2 pi sqrt(m/2k)"}}});
 }
 
 /// A mass under the load P(w), released at rest at w, must remain there.
@@ -119,11 +120,12 @@ void check_balance(Findings& findings, const Setup& setup) {
     keep_worst(largest, share);
   }
   findings.expect(
-      "loads P(w) at rest at w, largest relative way over that of a rounded length", largest, 0.0,
+      "equilibrium at w under the load P(w), largest displacement as a relative error of the cable length", largest,
+      0.0,
       Tolerance::round_off(6e-16,
-                           "a length rounded by 1.1e-16 of itself, which makes its share of the stretch in "
-                           "the tension; three roundings more beside it for long ways; the mass swings about "
-                           "the place it is off"));
+                           "the cable length is rounded by 1.1e-16 of itself, which changes the tension by this error "
+                           "over the relative elongation; three more roundings at large displacements; the mass "
+                           "oscillates about the displaced equilibrium"));
 }
 
 void run(Findings& findings, const Setup& setup) {
@@ -135,32 +137,37 @@ void run(Findings& findings, const Setup& setup) {
 }  // namespace
 
 Case definition() {
-  const std::string steps = "period, error of the smallest step over its prediction";
-  const std::string limit = "period at A = .02 L from the cubic oscillator's";
-  const std::string loads = "loads P(w) at rest at w, largest relative way over that of a rounded length";
+  const std::string steps = "period, error at the smallest step over its prediction";
+  const std::string limit = "period at A = 0.02 L against the cubic oscillator";
+  const std::string loads =
+      "equilibrium at w under the load P(w), largest displacement as a relative error of the cable length";
   return {
       .id = "transverse_oscillator",
       .title = "Transverse oscillator: mass between two untensioned cables",
       .requirements = {{"D5",
-                        {"order of the period in the step", "period, error of the smallest step over its prediction",
-                         "period at A = .02 L from the cubic oscillator's",
-                         "lengthening of the period at A = .02 L over its prediction",
-                         "loads P(w) at rest at w, largest relative way over that of a rounded length"}},
-                       {"Eq. 13", {"loads P(w) at rest at w, largest relative way over that of a rounded length"}},
+                        {"order of the period in the step", "period, error at the smallest step over its prediction",
+                         "period at A = 0.02 L against the cubic oscillator",
+                         "lengthening of the period at A = 0.02 L over its prediction",
+                         "equilibrium at w under the load P(w), largest displacement as a relative error of the cable "
+                         "length"}},
+                       {"Eq. 13",
+                        {"equilibrium at w under the load P(w), largest displacement as a relative error of the cable "
+                         "length"}},
                        {"Eq. 14",
-                        {"period at A = .02 L from the cubic oscillator's",
-                         "lengthening of the period at A = .02 L over its prediction"}},
+                        {"period at A = 0.02 L against the cubic oscillator",
+                         "lengthening of the period at A = 0.02 L over its prediction"}},
                        {"law.tension_only",
-                        {"period at A = .02 L from the cubic oscillator's",
-                         "lengthening of the period at A = .02 L over its prediction",
-                         "loads P(w) at rest at w, largest relative way over that of a rounded length"}},
+                        {"period at A = 0.02 L against the cubic oscillator",
+                         "lengthening of the period at A = 0.02 L over its prediction",
+                         "equilibrium at w under the load P(w), largest displacement as a relative error of the cable "
+                         "length"}},
                        {"integrator.velocity_verlet", {"order of the period in the step"}}},
       .main_checks = {limit, steps, loads},
       .source = "Kovacic & Brennan (eds.), The Duffing Equation, 2011, section 2",
       .faults = {{"trace_of_tension", "cables shorter by 1e-6", steps},
                  {"trace_of_slack", "cables longer by 1e-6", loads},
-                 {"one_cable_softer", "one cable softer by .1 %", limit},
-                 {"rk4", "another method", "order of the period in the step"}},
+                 {"one_cable_softer", "one cable softer by 0.1 %", limit},
+                 {"rk4", "RK4 instead of velocity Verlet", "order of the period in the step"}},
       .run = run};
 }
 

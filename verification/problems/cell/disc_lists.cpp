@@ -81,11 +81,10 @@ void expect_edges(Findings& findings, const Setup& setup) {
     fast_differs += static_cast<double>(differing(of_fast, exact));
     met += all.vx[1] > 0.0 ? 1.0 : 0.0;
   }
-  findings.expect("pairs that met and parted", met, gaps, Tolerance::exact("all of them head on"));
-  const Tolerance same = Tolerance::exact("a list leaves out pairs that do not touch");
-  findings.in("edges")->expect("numbers that differ from a loop over all pairs, plain engine", plain_differs, 0.0,
-                               same);
-  findings.in("edges")->expect("numbers that differ from a loop over all pairs, fast engine", fast_differs, 0.0, same);
+  findings.expect("pairs that collided and separated", met, gaps, Tolerance::exact("all pairs collide head on"));
+  const Tolerance same = Tolerance::exact("a list omits only pairs that do not touch");
+  findings.in("edges")->expect("values that differ from a loop over all pairs, plain engine", plain_differs, 0.0, same);
+  findings.in("edges")->expect("values that differ from a loop over all pairs, fast engine", fast_differs, 0.0, same);
 }
 
 /// A cell of rough discs with a driven block, run by several threads: friction turns both discs of a pair and acts on
@@ -111,11 +110,11 @@ void expect_stripes(Findings& findings, const Setup& setup) {
     on_block += h * plain.wall_force(block_wall), on_base += h * plain.wall_force(base_wall);
   }
   findings.count(plain.evaluations());
-  findings.expect_true("discs turn, and the block is pushed",
+  findings.expect_true("non-zero spin and wall impulses",
                        on_block.y > 0.0 && on_base.y < 0.0 && std::abs(of_plain.spin[0]) > 0.0,
-                       "else neither is compared");
+                       "otherwise neither would be compared");
   for (const std::size_t threads : {2U, 5U}) {
-    const std::string name = fmt::format("numbers that differ from the plain engine's with {} threads", threads);
+    const std::string name = fmt::format("values that differ from the plain engine, {} threads", threads);
     if (!setup.needs(name)) continue;
     Discs of_fast = start.discs;
     if (setup.has("one_disc_off")) of_fast.vx[5] *= 1.0 + 1e-15;
@@ -128,7 +127,7 @@ void expect_stripes(Findings& findings, const Setup& setup) {
     const double walls = (block == on_block ? 0.0 : 1.0) + (base == on_base ? 0.0 : 1.0);
     findings.in("stripes")->expect(
         name, static_cast<double>(differing(of_fast, of_plain)) + walls, 0.0,
-        Tolerance::exact("the same sums in the same order: places, velocities, spins, impulses on both walls"));
+        Tolerance::exact("the same sums in the same order: positions, velocities, spins, impulses on both walls"));
   }
 }
 
@@ -180,17 +179,19 @@ void expect_losses(Findings& findings, const Setup& setup, const std::string& en
   const double lost = before - energy(), kept = discs.dissipated() * (setup.has("loss_off") ? 1.002 : 1.0);
   findings.count(system.evaluations());
   const auto group = findings.in("losses");
-  findings.expect_between("steps in contact over those of an undamped one, " + engine,
+  findings.expect_between("steps in contact over those of an undamped contact, " + engine,
                           reports / static_cast<double>(per_contact), 0.8, 1.1,
-                          "the dashpot shortens the clamped contact, by less than a fifth");
-  findings.expect("what is said of the contact beside places and velocities, " + engine, wrong, 0.0,
-                  Tolerance::round_off(1e-14,
-                                       "differences of places of about 1; a force of a thousandth of that times "
-                                       "the stiffness 1e4, over 1000"));
+                          "the dashpot shortens the clamped contact by less than a fifth");
   findings.expect(
-      "energy that contacts have kept over what is lost, " + engine, kept / lost, 1.0,
+      "reported overlap and force, largest error against positions and velocities, " + engine, wrong, 0.0,
+      Tolerance::round_off(
+          1e-14,
+          "differences of positions of about 1; the force of an overlap of a thousandth of that with the stiffness "
+          "1e4, over 1000"));
+  findings.expect(
+      "energy dissipated by contacts over the kinetic energy lost, " + engine, kept / lost, 1.0,
       Tolerance::truncation(contact_time * std::sqrt(law.stiffness * 3.0) / static_cast<double>(per_contact), 1.0,
-                            "powers are those at the beginning of each step: first order in w h"));
+                            "powers are evaluated at the beginning of each step: first order in w h"));
 }
 
 /// The skin of a list is the one that was fastest for the nearest of the tabulated solid fractions and decades: it
@@ -206,8 +207,9 @@ void expect_skins(Findings& findings) {
   const bool differ = list_skin(100, 0.3) < list_skin(100, 0.5) && list_skin(1000, 0.3) > list_skin(100, 0.3) &&
                       list_skin(10000, 0.84) > list_skin(100000, 0.84) && list_skin(100, 0.9) < list_skin(100, 0.3);
   findings.expect(
-      "skins that are not those of the nearest fraction and decade", wrong + (differ ? 0.0 : 1.0), 0.0,
-      Tolerance::exact("a table of what was fastest; thin gases take a thick skin, dense flows a thin one"));
+      "skins that differ from the table entry of the nearest solid fraction and decade", wrong + (differ ? 0.0 : 1.0),
+      0.0,
+      Tolerance::exact("the table contains the fastest skins; dilute gases need a thick skin, dense flows a thin one"));
 }
 
 /// Two discs that never meet, by every method that steps discs: states are reported at the time of their velocities,
@@ -243,8 +245,8 @@ void expect_flight(Findings& findings, const std::string& engine) {
     }
     keep_worst(worst, end.slid - steps * h * box.sliding());
   }
-  findings.in("flight")->expect("places in free flight by every method, largest error, " + engine, worst, 0.0,
-                                Tolerance::round_off(1e-14, "eleven additions to numbers of up to 3"));
+  findings.in("flight")->expect("positions in free flight, largest error of all methods, " + engine, worst, 0.0,
+                                Tolerance::round_off(1e-14, "eleven additions to coordinates of up to 3"));
 }
 
 /// NeighbourList::find compared with a search through the whole list, for listed and unlisted pairs.
@@ -265,15 +267,15 @@ void expect_places(Findings& findings) {
       listed += places[i * discs.size() + j] < list.size() ? 1.0 : 0.0;
     }
   }
-  findings.in("edges")->expect("places of pairs in a list that differ from a search of all of it", differ, 0.0,
-                               Tolerance::exact("numbers of pairs"));
+  findings.in("edges")->expect("indices of pairs in a list that differ from a full search", differ, 0.0,
+                               Tolerance::exact("indices of pairs are integers"));
   findings.expect("pairs found in a list", listed, static_cast<double>(list.size()),
-                  Tolerance::exact("each is listed once"));
+                  Tolerance::exact("each pair is listed once"));
 }
 
 void run(Findings& findings, const Setup& setup) {
   if (setup.needs("pairs in a list")) expect_places(findings);
-  if (setup.needs("places in free flight")) {
+  if (setup.needs("positions in free flight")) {
     expect_flight<DiscSystem<LinearSpringDashpot>>(findings, "plain engine");
     expect_flight<FastDiscSystem<LinearSpringDashpot>>(findings, "fast engine");
   }
@@ -293,16 +295,16 @@ Case definition() {
           .title = "Neighbour lists and parallel stripes: edge cases",
           .family = "the shear cell",
           .requirements = {{"F3", {"edges", "stripes", "losses", "flight"}}},
-          .main_checks = {"numbers that differ from a loop over all pairs, plain engine",
-                          "numbers that differ from a loop over all pairs, fast engine",
-                          "numbers that differ from the plain engine's with 5 threads"},
+          .main_checks = {"values that differ from a loop over all pairs, plain engine",
+                          "values that differ from a loop over all pairs, fast engine",
+                          "values that differ from the plain engine, 5 threads"},
           .source = "Verlet 1967 (neighbour lists); order of sums, derived here",
-          .faults = {{"found_a_step_late", "the reference lets discs overlap for a step before they push",
-                      "numbers that differ from a loop over all pairs, plain engine"},
-                     {"one_disc_off", "one velocity of the fast engine 1e-15 of itself larger",
-                      "numbers that differ from the plain engine's with 5 threads"},
-                     {"loss_off", "two thousandths more kept",
-                      "energy that contacts have kept over what is lost, fast engine"}},
+          .faults = {{"found_a_step_late", "contact forces of the reference begin one step after the discs touch",
+                      "values that differ from a loop over all pairs, plain engine"},
+                     {"one_disc_off", "one initial velocity of the fast engine larger by the fraction 1e-15",
+                      "values that differ from the plain engine, 5 threads"},
+                     {"loss_off", "dissipated energy 0.2 % too large",
+                      "energy dissipated by contacts over the kinetic energy lost, fast engine"}},
           .run = run};
 }
 

@@ -80,12 +80,13 @@ Coverage coverage(double a, std::size_t length, int count, bool of_ratio) {
 void expect_coverage(Findings& findings, const Setup& setup) {
   constexpr std::size_t length = 200;
   constexpr int count = 60;
-  Table table{.name = "coverage",
-              .caption =
-                  "Errors that are given for means of 200 neighbours with the autocorrelation a to the power of "
-                  "the lag, and for ratios of two such means: root mean square over the exact error, and share "
-                  "of means within two errors.",
-              .columns = {"a", "of", "error over exact", "within two"}};
+  Table table{
+      .name = "coverage",
+      .caption =
+          "Reported standard errors of means over 200 successive values with the autocorrelation a^lag, and of ratios "
+          "of two such means: root mean square over the exact error, and fraction of means within two standard "
+          "errors.",
+      .columns = {"a", "quantity", "error over exact error", "within two errors"}};
   for (const bool of_ratio : {false, true}) {
     for (const double a : {0.0, 0.5, 0.8}) {
       const std::string name = fmt::format("{}, a = {}", of_ratio ? "ratio" : "mean", a);
@@ -94,13 +95,14 @@ void expect_coverage(Findings& findings, const Setup& setup) {
       // The error for independent neighbours is smaller by sqrt((1 - a)/(1 + a)).
       if (setup.has("neighbours_independent")) found.ratio *= std::sqrt((1.0 - a) / (1.0 + a));
       findings.in("errors")->expect_between(
-          "error that is given over the exact one, " + name, found.ratio, 0.8, 1.12,
-          "blocks of a length that leaves a bias of (memory/length) of the variance, here some 0.05 to 0.3 of it, all "
-          "downwards, and the scatter of 60 series; the error of independent neighbours is 0.58 (a = 0.5) and 0.33 "
-          "(a = 0.8) of the exact one");
-      findings.expect_between("share of means within two errors, " + name, found.within, 0.8, 1.0,
-                              "0.954 of normal means with the exact error; 0.89 with 0.8 of it; three deviations of "
-                              "60 series are 0.12");
+          "reported standard error over the exact one, " + name, found.ratio, 0.8, 1.12,
+          "blocks of finite length reduce the variance by the fraction (correlation length)/(block length), here about "
+          "0.05 to 0.3; the rest is the scatter of 60 series; an error that treats successive values as independent is "
+          "0.58 (a = 0.5) and 0.33 (a = 0.8) of the exact one");
+      findings.expect_between(
+          "fraction of means within two standard errors, " + name, found.within, 0.8, 1.0,
+          "0.954 for normally distributed means with the exact error, 0.89 with 0.8 of it; three standard deviations "
+          "over 60 series are 0.12");
       table.rows.push_back({fmt::format("{}", a), of_ratio ? "ratio" : "mean", fmt::format("{:.3f}", found.ratio),
                             fmt::format("{:.2f}", found.within)});
     }
@@ -136,14 +138,14 @@ void expect_study(Findings& findings, const Setup& setup) {
       differences += (depths[i] - depths[j]) * (depths[i] - depths[j]);
     keep_worst(errors, point.of(Q::depth).error / std::sqrt(differences / 18.0) - 1.0);
   }
-  findings.expect("study: depth, largest overlap and seed of each run, largest difference from a cell of that seed",
-                  numbers, 0.0, Tolerance::exact("the same cell by the same steps"));
+  findings.expect("study: depth, largest overlap and seed of each run, largest difference from separate runs", numbers,
+                  0.0, Tolerance::exact("the same cell and the same steps"));
   findings.expect("study: mean depths over seeds, largest error", means, 0.0,
-                  Tolerance::round_off(1e-14, "sums of three numbers of some ten diameters"));
-  findings.expect("study: standard errors over seeds, largest relative error", errors, 0.0,
-                  Tolerance::round_off(1e-9,
-                                       "depths of ten diameters differ by some thousandths, so that 13 digits of "
-                                       "their differences are left"));
+                  Tolerance::round_off(1e-14, "sums of three depths of about ten diameters"));
+  findings.expect(
+      "study: standard errors over seeds, largest relative error", errors, 0.0,
+      Tolerance::round_off(
+          1e-9, "depths of ten diameters differ by some thousandths, so that 13 digits of their differences remain"));
 }
 
 /// Study point with these numbers for its seeds, and their mean and standard error.
@@ -217,10 +219,11 @@ void expect_verdicts(Findings& findings, const Setup& setup) {
     outturns += found[k].outturn == outturn ? 0.0 : 1.0;
   }
   findings.expect("verdicts: Student's t, largest relative error", significance, 0.0,
-                  Tolerance::round_off(1e-11, "differences of numbers up to 9, of which 14 digits are left"));
-  findings.expect("verdicts: chances, largest error", chances, 0.0,
+                  Tolerance::round_off(1e-11, "differences of numbers up to 9, of which 14 digits remain"));
+  findings.expect("verdicts: probabilities, largest error", chances, 0.0,
                   Tolerance::round_off(1e-11, "Student's distribution with 4 and 5 degrees of freedom in closed form"));
-  findings.expect("verdicts that are not those of t and chance", outturns, 0.0, Tolerance::exact("words for both"));
+  findings.expect("verdicts that disagree with t and its probability", outturns, 0.0,
+                  Tolerance::exact("each verdict follows from both"));
 }
 
 void run(Findings& findings, const Setup& setup) {
@@ -232,21 +235,22 @@ void run(Findings& findings, const Setup& setup) {
 }  // namespace
 
 Case definition() {
-  return {
-      .id = "mean_errors",
-      .title = "Standard errors of time averages",
-      .family = "the shear cell",
-      .requirements = {{"F8", {"errors"}}},
-      .main_checks = {"error that is given over the exact one, mean, a = 0.8",
-                      "error that is given over the exact one, ratio, a = 0.8",
-                      "study: standard errors over seeds, largest relative error", "verdicts: chances, largest error"},
-      .source = "Student's distribution and series with exponential memory in closed form; Welch 1947",
-      .faults = {{"neighbours_independent", "errors as of independent neighbours",
-                  "error that is given over the exact one, mean, a = 0.8"},
-                 {"one_seed", "cells of one seed in place of three",
-                  "study: depth, largest overlap and seed of each run, largest difference from a cell of that seed"},
-                 {"one_freedom_more", "five degrees of freedom for four", "verdicts: chances, largest error"}},
-      .run = run};
+  return {.id = "mean_errors",
+          .title = "Standard errors of time averages",
+          .family = "the shear cell",
+          .requirements = {{"F8", {"errors"}}},
+          .main_checks = {"reported standard error over the exact one, mean, a = 0.8",
+                          "reported standard error over the exact one, ratio, a = 0.8",
+                          "study: standard errors over seeds, largest relative error",
+                          "verdicts: probabilities, largest error"},
+          .source = "Student's distribution and series with exponential memory in closed form; Welch 1947",
+          .faults = {{"neighbours_independent", "errors computed as for independent successive values",
+                      "reported standard error over the exact one, mean, a = 0.8"},
+                     {"one_seed", "all cells with one seed instead of three",
+                      "study: depth, largest overlap and seed of each run, largest difference from separate runs"},
+                     {"one_freedom_more", "five degrees of freedom instead of four",
+                      "verdicts: probabilities, largest error"}},
+          .run = run};
 }
 
 }  // namespace talus::verification::problems::mean_errors

@@ -57,7 +57,7 @@ struct Moment {
   const char* name;
   double first, last;  ///< gaps
 };
-constexpr std::array moments{Moment{"unloading", 2.6, 4.2}, Moment{"slack", 4.5, 6.4}, Moment{"parted", 6.9, 10.0}};
+constexpr std::array moments{Moment{"unloading", 2.6, 4.2}, Moment{"slack", 4.5, 6.4}, Moment{"separated", 6.9, 10.0}};
 
 double gap_of(const Moment& moment, std::size_t k) {
   return moment.first + (moment.last - moment.first) * (static_cast<double>(k) + 0.5) / gaps_of_each;
@@ -139,7 +139,7 @@ PhaseError errors_of(const Exact& exact, std::size_t m, double steps, Findings& 
 /// Whether the second blow of the reference falls on the branch that the moment is named after, for all of its gaps.
 bool strikes(const Exact& exact, std::size_t m) {
   return std::all_of(exact[m].begin(), exact[m].end(), [&](const reference::ChainRebound& one) {
-    const std::string line = one.reloads_from_slack > 0 ? "slack" : one.reloads > 0 ? "unloading" : "parted";
+    const std::string line = one.reloads_from_slack > 0 ? "slack" : one.reloads > 0 ? "unloading" : "separated";
     return line == moments[m].name;
   });
 }
@@ -149,15 +149,15 @@ void check_moments(const Exact& exact, Findings& findings, const Setup& setup) {
   for (std::size_t m = 0; m < moments.size(); ++m) {
     all = all && strikes(exact, m);
     findings.in("speeds")->expect(
-        fmt::format("speeds of three discs struck again while {}, largest error of 24 gaps", moments[m].name),
+        fmt::format("final speeds of three discs, second impact while {}, largest error over 24 gaps", moments[m].name),
         errors_of(exact, m, 60.0, findings, setup).max(), 0.0,
         Tolerance::truncation(
             16.0 * 3.3e-5, 1.5,
-            "steps a quarter as long had errors of 2.5e-5 to 3.3e-5; 16 times that, by second order, and "
-            "half of it for where the kinks fall in a step"));
+            "steps a quarter as long had errors of 2.5e-5 to 3.3e-5, which second order scales by 16; half as much "
+            "again is allowed for the position of the kinks within a step"));
   }
-  findings.expect_true("lines that the second blow falls on", all,
-                       "the reference counts reloads, and those from slack, for each of the 72 gaps");
+  findings.expect_true("second impact on the intended branch at every gap", all,
+                       "the reference counts reloadings, and reloadings from slack, for each of the 72 gaps");
 }
 
 void check_order(const Exact& exact, Findings& findings, const Setup& setup) {
@@ -168,8 +168,8 @@ void check_order(const Exact& exact, Findings& findings, const Setup& setup) {
       squares += std::pow(errors_of(exact, m, n, findings, setup).rms(), 2) / moments.size();
     found.add(1.0 / n, std::sqrt(squares));
   }
-  findings.expect_order("order of the speeds, 72 gaps", found, 1.85, 2.15,
-                        "forces are continuous and their slopes jump where lines change, which costs h^2");
+  findings.expect_order("order of the final speeds, 72 gaps", found, 1.85, 2.15,
+                        "forces are continuous, but their slopes jump where the branch changes, an error of order h^2");
 }
 
 /// Final speeds for one gap, in a run that is saved and restored into another system every `every` steps. `dropped`:
@@ -216,8 +216,8 @@ void check_restarts(Findings& findings, const Setup& setup) {
         differ += seen[i] == through[i] ? 0.0 : 1.0;
     }
   }
-  findings.expect("speeds that differ after restarts every 1, 7, 20 steps, of 27", differ, 0.0,
-                  Tolerance::exact("what is put back is what was written down, bit for bit"));
+  findings.expect("final speeds that differ after restarts every 1, 7 or 20 steps, out of 27", differ, 0.0,
+                  Tolerance::exact("the restored state is bit-identical to the saved one"));
 }
 
 /// Skin so wide that discs do not leave it: a list that drops a pair would also drop its memory.
@@ -226,9 +226,11 @@ constexpr double wide = 8.0;
 void show_mistakes(Findings& findings) {
   Table table{
       .name = "mistakes",
-      .caption = "Speed of the third disc, 60 steps in a contact: struck again while unloading, slack and parted.",
-      .columns = {"g", "exact", "solver", "forgotten at F = 0", "ended at F = 0", "never forgotten",
-                  "dropped every 20 steps"}};
+      .caption =
+          "Final speed of the third disc at 60 steps in a contact, with the second impact while unloading, slack and "
+          "separated. M: largest overlap.",
+      .columns = {"g", "exact", "solver", "M reset at F = 0", "contact ended at F = 0", "M never reset",
+                  "M lost every 20 steps"}};
   const auto third = [](const Watched& seen) { return fmt::format("{:.4f}", seen.velocity[2]); };
   for (const double gap : gaps_of_restarts) {
     const double h = step_of_restarts();
@@ -244,8 +246,8 @@ void show_mistakes(Findings& findings) {
 
 void draw_speeds(Findings& findings) {
   Series line{"exact", {}, {}, Style::lines}, solver{"solver", {}, {}, Style::points};
-  Series forgotten{"forgotten at F = 0", {}, {}, Style::lines};
-  Series kept{"never forgotten", {}, {}, Style::lines};
+  Series forgotten{"M reset at F = 0", {}, {}, Style::lines};
+  Series kept{"M never reset", {}, {}, Style::lines};
   const double h = step_of_restarts();
   int i = 0;
   for (double gap = 2.0; gap < 10.0; gap += 0.05, ++i) {
@@ -255,13 +257,15 @@ void draw_speeds(Findings& findings) {
     add(kept, run_by(RetentiveLatch{law}, gap, h, 0.3, findings, wide).velocity[2]);
     if (i % 4 == 0) add(solver, run_by(law, gap, h, 0.3, findings).velocity[2]);
   }
-  findings.figure({.name = "speed_of_the_third",
-                   .title = "Struck again, sooner or later",
-                   .caption = "Speed of the third disc against the gap; beside it two mistakes. Ended at $F = 0$ is "
-                              "exact but for blows in slack, after which it is .85.",
-                   .x = {.label = "gap between 1 and 2 when 2 touches 3"},
-                   .y = {.label = "speed of the third disc", .min = 2.2, .max = 2.65},
-                   .series = {line, forgotten, kept, solver}});
+  findings.figure(
+      {.name = "speed_of_the_third",
+       .title = "Final speed of the third disc against the gap",
+       .caption =
+           "Exact solution, solver, and two faulty treatments of the largest overlap $M$. Ending the contact at $F "
+           "= 0$ is exact except for impacts while slack, which then give 0.85.",
+       .x = {.label = "gap between discs 1 and 2 when 2 touches 3"},
+       .y = {.label = "final speed of the third disc", .min = 2.2, .max = 2.65},
+       .series = {line, forgotten, kept, solver}});
 }
 
 void draw_loops(Findings& findings) {
@@ -271,8 +275,8 @@ void draw_loops(Findings& findings) {
     all.push_back({fmt::format("g = {}", gap), seen.depth, seen.force, Style::lines});
   }
   findings.figure({.name = "force_against_overlap",
-                   .title = "The second and third disc's contact",
-                   .caption = "Struck again while unloading, slack and parted.",
+                   .title = "Contact between the second and third disc",
+                   .caption = "Force against overlap, with the second impact while unloading, slack and separated.",
                    .x = {.label = "overlap"},
                    .y = {.label = "force"},
                    .series = all});
@@ -292,34 +296,35 @@ void run(Findings& findings, const Setup& setup) {
 }  // namespace
 
 Case definition() {
-  return {.id = "recontact_history",
-          .title = "Repeated impacts of latching discs",
-          .family = "the shear cell",
-          .requirements = {{"B16", {"speeds", "speeds that differ after restarts every 1, 7, 20 steps, of 27"}},
-                           {"F5", {"speeds that differ after restarts every 1, 7, 20 steps, of 27"}},
-                           {"law.latching_spring", {"speeds"}},
-                           {"regime.latching_spring.unloading",
-                            {"speeds of three discs struck again while unloading, largest error of 24 gaps"}},
-                           {"regime.latching_spring.slack",
-                            {"speeds of three discs struck again while slack, largest error of 24 gaps"}},
-                           {"regime.latching_spring.loading",
-                            {"speeds of three discs struck again while parted, largest error of 24 gaps"}}},
-          .main_checks = {"speeds of three discs struck again while unloading, largest error of 24 gaps",
-                          "speeds of three discs struck again while slack, largest error of 24 gaps",
-                          "speeds of three discs struck again while parted, largest error of 24 gaps",
-                          "speeds that differ after restarts every 1, 7, 20 steps, of 27"},
-          .source = "Walton & Braun 1986",
-          .faults = {{"forgotten_at_zero_force", "M forgotten where the force is zero",
-                      "speeds of three discs struck again while slack, largest error of 24 gaps"},
-                     {"ended_at_zero_force", "the contact ended where the force is zero",
-                      "speeds of three discs struck again while slack, largest error of 24 gaps"},
-                     {"never_forgotten", "M kept after the discs have parted",
-                      "speeds of three discs struck again while parted, largest error of 24 gaps"},
-                     {"way_back_softer", "K2 smaller by 1 %",
-                      "speeds of three discs struck again while unloading, largest error of 24 gaps"},
-                     {"memory_dropped_at_restart", "a restart forgets what the contacts remember",
-                      "speeds that differ after restarts every 1, 7, 20 steps, of 27"}},
-          .run = run};
+  return {
+      .id = "recontact_history",
+      .title = "Repeated impacts of latching discs",
+      .family = "the shear cell",
+      .requirements = {{"B16", {"speeds", "final speeds that differ after restarts every 1, 7 or 20 steps, out of 27"}},
+                       {"F5", {"final speeds that differ after restarts every 1, 7 or 20 steps, out of 27"}},
+                       {"law.latching_spring", {"speeds"}},
+                       {"regime.latching_spring.unloading",
+                        {"final speeds of three discs, second impact while unloading, largest error over 24 gaps"}},
+                       {"regime.latching_spring.slack",
+                        {"final speeds of three discs, second impact while slack, largest error over 24 gaps"}},
+                       {"regime.latching_spring.loading",
+                        {"final speeds of three discs, second impact while separated, largest error over 24 gaps"}}},
+      .main_checks = {"final speeds of three discs, second impact while unloading, largest error over 24 gaps",
+                      "final speeds of three discs, second impact while slack, largest error over 24 gaps",
+                      "final speeds of three discs, second impact while separated, largest error over 24 gaps",
+                      "final speeds that differ after restarts every 1, 7 or 20 steps, out of 27"},
+      .source = "Walton & Braun 1986",
+      .faults = {{"forgotten_at_zero_force", "largest overlap M reset when the force vanishes",
+                  "final speeds of three discs, second impact while slack, largest error over 24 gaps"},
+                 {"ended_at_zero_force", "contact ended when the force vanishes",
+                  "final speeds of three discs, second impact while slack, largest error over 24 gaps"},
+                 {"never_forgotten", "largest overlap M retained after the discs have separated",
+                  "final speeds of three discs, second impact while separated, largest error over 24 gaps"},
+                 {"way_back_softer", "K2 1 % smaller",
+                  "final speeds of three discs, second impact while unloading, largest error over 24 gaps"},
+                 {"memory_dropped_at_restart", "contact memory lost at each restart",
+                  "final speeds that differ after restarts every 1, 7 or 20 steps, out of 27"}},
+      .run = run};
 }
 
 }  // namespace talus::verification::problems::recontact_history

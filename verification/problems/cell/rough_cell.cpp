@@ -33,9 +33,9 @@ void expect_balances(Findings& findings, const Setup& setup) {
   }
   Vec2 walls = run.impulse_on_block() + run.impulse_on_base();
   if (setup.has("friction_off_the_base")) walls.x -= 1e-6 * run.impulse_on_base().x;
-  findings.expect("momentum of the discs less the walls' impulses",
+  findings.expect("momentum balance error of the free discs",
                   norm(gained + walls) / (static_cast<double>(cell.free_discs()) * cell.mass * cell.block_speed), 0.0,
-                  Tolerance::round_off(1e-10, "as in case shear_cell: some 1e5 impulses, each rounded to 1e-16"));
+                  Tolerance::round_off(1e-10, "as in case shear_cell: about 1e5 impulses, each rounded to 1e-16"));
   const CellRun::Ledger ledger = run.ledger();
   if (ledger.rubbed > 0.0) record_use("mechanism.friction");
   if (ledger.dissipated > ledger.rubbed) record_use("mechanism.contact_damping");
@@ -44,10 +44,12 @@ void expect_balances(Findings& findings, const Setup& setup) {
   if (setup.has("friction_not_booked")) missing -= ledger.rubbed;
   // 2 xi w0 h with w0 = sqrt(2 k/m), xi = c/(2 sqrt(k m/2)): 2 c h/m.
   const double off = 2.0 * std::get<LinearSpringDashpot>(cell.law).damping * run.plan().step / cell.mass;
-  findings.expect("energy unaccounted for over what contacts kept", missing / ledger.dissipated, 0.0,
-                  Tolerance::truncation(off, 1.0,
-                                        "2 xi w0 h of what dashpots keep; the slider's work and what dashpots let go "
-                                        "are off by the same order, of the other sign"));
+  findings.expect(
+      "energy balance error over the energy dissipated by contacts", missing / ledger.dissipated, 0.0,
+      Tolerance::truncation(
+          off, 1.0,
+          "2 xi w0 h of the energy dissipated by dashpots; friction work and the spring energy released at the end of "
+          "contacts have errors of the same order and the opposite sign"));
 }
 
 /// Means after the start-up. `torque` is that of friction on the free discs, over its value if all contacts turned them
@@ -78,10 +80,10 @@ class Accounts {
   void draw(Findings& findings) const {
     findings.figure(
         {.name = "accounts",
-         .title = "Where the work of the drive goes",
-         .caption =
-             "The block's work, what dashpots and friction have kept of it, and what moves, turns and is stored more "
-             "than at the first look, as they add up; over the kinetic energy of all free discs at the block's speed.",
+         .title = "Energy balance of the cell",
+         .caption = "Accumulated work of the drive, energy dissipated by dashpots and by friction, and increase of the "
+                    "kinetic, potential and stored energy since the first sample; over the kinetic energy of all free "
+                    "discs at the block's speed.",
          .x = {"time", "ms"},
          .y = {.label = "energy", .unit = "1"},
          .series = {series_.begin(), series_.end()}});
@@ -91,7 +93,7 @@ class Accounts {
   double unit_{}, held_{};
   std::array<Series, 4> series_{
       Series{.label = "drive", .style = Style::lines}, Series{.label = "dashpots", .style = Style::lines},
-      Series{.label = "friction", .style = Style::lines}, Series{.label = "held", .style = Style::lines}};
+      Series{.label = "friction", .style = Style::lines}, Series{.label = "present energy", .style = Style::lines}};
 };
 
 /// Draws spin and half the shear rate over the height. Returns their ratio in the layers that are at least two
@@ -108,13 +110,15 @@ double spins_over_rates(Findings& findings, const CellRun& run, double depth) {
     rates.add(layers[k].y / d, rate / unit);
     if (layers[k].y > 2.0 * d && layers[k].y < depth - 2.0 * d) spin -= layers[k].spin.value, turning += rate;
   }
-  findings.figure({.name = "spins",
-                   .title = "Spins and the flow that turns the discs",
-                   .caption = "Mean spin, clockwise, and half of the rate at which layers of half a diameter pass each "
-                              "other, over the height above the base up to the block's mean; after the start-up.",
-                   .x = {"height", "d"},
-                   .y = {.label = "rate", .unit = "speed of the block / d"},
-                   .series = {spins, rates}});
+  findings.figure(
+      {.name = "spins",
+       .title = "Spin of the discs and half the local shear rate",
+       .caption =
+           "Mean spin, clockwise, and half the shear rate between layers of half a diameter, against the height above "
+           "the base up to the mean height of the block; after the start-up.",
+       .x = {"height", "d"},
+       .y = {.label = "rate", .unit = "speed of the block / d"},
+       .series = {spins, rates}});
   return spin / turning;
 }
 
@@ -160,58 +164,64 @@ void run(Findings& findings, const Setup& setup) {
   if (!of_flow && !setup.fault.empty()) return;
   const Flow rough = flow(findings, setup, true);
   findings.expect(
-      "torque of friction on the free discs, over what it would be one way", rough.torque, 0.0,
-      Tolerance::model(0.005,
-                       "the larger of two halves: 12,000 looks at some 25 contacts, each seen about twice: "
-                       "a random sum is 1/sqrt(1.5e5) = .0026 of its parts, and twice that; what is left by "
-                       "the change of spin from start to end is less"));
+      "net torque of friction on the free discs, over the sum of its magnitudes", rough.torque, 0.0,
+      Tolerance::model(
+          0.005,
+          "the larger of two halves of the averaging time, each with 12,000 samples of about 25 contacts, each "
+          "contact seen about twice: a random sum is 1/sqrt(1.5e5) = 0.0026 of the sum of magnitudes, and twice that "
+          "is allowed; the change of spin from start to end contributes less"));
   findings.expect_between(
       "mean spin over half the shear rate between the walls", -2.0 * rough.spin / rough.rate, 0.8, 1.5,
-      "1 if contacts lie all around, 2 <n_y^2> else: discs in rows touch those above and below more "
-      "than those beside, at most three times as often; slip at the walls takes some of the rate");
-  findings.expect("spin over half the shear rate of layers inside, all together", rough.layers, 1.0,
-                  Tolerance::model(0.2,
-                                   "contacts lie all around a disc inside, and a disc turns as it rolls between its "
-                                   "neighbours; the layers' own ratios scatter by that much in this time"));
-  findings.expect_between("share of contact time in contacts that slide", rough.sliding, 0.15, 0.65,
-                          "impacts at all angles: one slides from its start where its angle exceeds some "
-                          "atan(2 mu (1 + 1/e)), and any slides at its end, where the normal force falls to zero; "
-                          "neither none nor most");
+      "1 if contact directions are isotropic, 2 <n_y^2> otherwise: discs in rows touch neighbours above and below more "
+      "often than those beside, at most three times as often; slip at the walls takes part of the shear rate");
+  findings.expect(
+      "mean spin over half the local shear rate, inner layers", rough.layers, 1.0,
+      Tolerance::model(
+          0.2,
+          "inside, a disc has contacts in all directions and turns as if it rolled between its neighbours; the ratios "
+          "of single layers scatter by that much in this time"));
   findings.expect_between(
-      "friction's share of what contacts keep", rough.rubbed, 0.35, 0.75,
-      "dashpots take 1 - e^2, half of the energy across the contact, sliders at most a third of "
-      "that along it (discs that stick take the rest along as spin), of which a sheared cell has more");
+      "fraction of contact time in sliding contacts", rough.sliding, 0.15, 0.65,
+      "impacts at all angles: a contact slides from its start if the impact angle exceeds about atan(2 mu (1 + "
+      "1/e)), and every contact slides at its end, where the normal force falls to zero; so neither none nor most "
+      "of the time");
+  findings.expect_between(
+      "friction work over the energy dissipated by contacts", rough.rubbed, 0.35, 0.75,
+      "dashpots dissipate 1 - e^2, half of the normal energy of an impact; friction dissipates at most a third of the "
+      "tangential energy (sticking discs retain the rest as spin), of which a sheared cell has more");
   const Flow smooth = flow(findings, setup, false);
-  findings.expect_between("stress ratio of rough discs over that of smooth ones", rough.ratio / smooth.ratio, 1.0, 1.4,
-                          "friction adds to the shear that contacts carry, and walls of discs hold smooth ones too");
+  findings.expect_between(
+      "stress ratio of rough discs over that of smooth ones", rough.ratio / smooth.ratio, 1.0, 1.4,
+      "friction adds to the shear carried by contacts, but walls made of discs also grip smooth discs");
 }
 
 }  // namespace
 
 Case definition() {
-  return {.id = "rough_cell",
-          .title = "Sheared cell of rough discs: momentum, energy and spin",
-          .family = "the shear cell",
-          .requirements = {{"mechanism.contact_damping", {"energy unaccounted for over what contacts kept"}},
-                           {"mechanism.friction", {"friction's share of what contacts keep"}}},
-          .main_checks = {"momentum of the discs less the walls' impulses",
-                          "energy unaccounted for over what contacts kept",
-                          "torque of friction on the free discs, over what it would be one way",
-                          "mean spin over half the shear rate between the walls",
-                          "spin over half the shear rate of layers inside, all together"},
-          .source = "Cundall & Strack 1979; balances and spin, derived here",
-          .faults = {{"friction_off_the_base", "a millionth of the base's shear left out",
-                      "momentum of the discs less the walls' impulses"},
-                     {"spin_without_energy", "kinetic energy without that of spin",
-                      "energy unaccounted for over what contacts kept"},
-                     {"friction_not_booked", "the slider's work left out",
-                      "energy unaccounted for over what contacts kept"},
-                     {"one_way_torque", "friction's torque on the second disc of a pair turned round",
-                      "torque of friction on the free discs, over what it would be one way"},
-                     {"walls_turn", "torques on the walls' discs, which do not turn, counted",
-                      "torque of friction on the free discs, over what it would be one way"},
-                     {"smooth_discs", "no friction", "mean spin over half the shear rate between the walls"}},
-          .run = run};
+  return {
+      .id = "rough_cell",
+      .title = "Sheared cell of rough discs: momentum, energy and spin",
+      .family = "the shear cell",
+      .requirements = {{"mechanism.contact_damping", {"energy balance error over the energy dissipated by contacts"}},
+                       {"mechanism.friction", {"friction work over the energy dissipated by contacts"}}},
+      .main_checks = {"momentum balance error of the free discs",
+                      "energy balance error over the energy dissipated by contacts",
+                      "net torque of friction on the free discs, over the sum of its magnitudes",
+                      "mean spin over half the shear rate between the walls",
+                      "mean spin over half the local shear rate, inner layers"},
+      .source = "Cundall & Strack 1979; balances and spin, derived here",
+      .faults = {{"friction_off_the_base", "a millionth of the shear impulse on the base omitted",
+                  "momentum balance error of the free discs"},
+                 {"spin_without_energy", "rotational kinetic energy omitted",
+                  "energy balance error over the energy dissipated by contacts"},
+                 {"friction_not_booked", "friction work omitted",
+                  "energy balance error over the energy dissipated by contacts"},
+                 {"one_way_torque", "friction torque on the second disc of a pair with the wrong sign",
+                  "net torque of friction on the free discs, over the sum of its magnitudes"},
+                 {"walls_turn", "torques on the wall discs, which do not turn, included",
+                  "net torque of friction on the free discs, over the sum of its magnitudes"},
+                 {"smooth_discs", "no friction", "mean spin over half the shear rate between the walls"}},
+      .run = run};
 }
 
 }  // namespace talus::verification::problems::rough_cell

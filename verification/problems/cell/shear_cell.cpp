@@ -30,19 +30,18 @@ Balance balance(const CellRun& run, const Setup& setup) {
 }
 
 void expect_limits(Findings& findings, const CellRun& run, const std::string& where) {
-  findings.expect_true("no disc passed another, " + where,
+  findings.expect_true("no discs passing through each other, " + where,
                        run.failure().empty() && run.largest_fraction() <= CellRun::fullest,
-                       "equal discs fill at most pi/sqrt(12) = .9069 of the plane");
+                       "equal discs fill at most pi/sqrt(12) = 0.9069 of the plane");
   // Largest overlap of millions of contacts: in runs of 0.25 s with six seeds 0.042 to 0.057 at 8 kPa, and 0.075 to
   // 0.104 at 32 kPa, where chains press more.
   const bool heavy = run.cell().overburden() > 16e3;
   findings.expect_between(
       "largest overlap over a diameter, " + where, run.largest_overlap() / run.cell().diameter, heavy ? 0.05 : 0.025,
       heavy ? 0.14 : 0.1,
-      "beyond a tenth discs are no hard ones: kept at 8 kPa; at 32 kPa two of six seeds reach .10, and a third more is "
-      "admitted. Below the least they would hardly have met at 5 m/s (a head-on impact at a fifth of the drive presses "
-      "1 "
-      "m/s over sqrt(2 K1/M), .0046 of a diameter, and chains press more)");
+      "above 0.1 discs are no longer hard: satisfied at 8 kPa; at 32 kPa two of six seeds reach 0.10, and a third more "
+      "is allowed. Below the lower bound the discs would hardly have collided at 5 m/s (in a head-on impact at a fifth "
+      "of the drive speed the overlap is 1 m/s over sqrt(2 K1/M), 0.0046 of a diameter, and chains cause larger ones)");
 }
 
 void expect_walls(Findings& findings, const CellRun& run, const Setup& setup, const std::string& where) {
@@ -53,14 +52,16 @@ void expect_walls(Findings& findings, const CellRun& run, const Setup& setup, co
                          (time * cell.wall_discs * cell.diameter * cell.diameter);
   findings.expect(
       "shear on the base over that on the block, " + where, found.bottom / found.top, 1.0,
-      Tolerance::model(std::min(0.02, carried / found.top),
-                       "they differ by the change of the discs' momentum over the time: at most that of all at "
-                       "the block's speed, and 2 %"));
+      Tolerance::model(
+          std::min(0.02, carried / found.top),
+          "they differ by the change of the discs' momentum over the averaging time: at most the momentum of all discs "
+          "at the block's speed; the bound is 2 % at most"));
   findings.in("shear")->expect(
-      "shear inside over that on the block, " + where, found.inside, 1.0,
-      Tolerance::model(0.01,
-                       "the change of the moment of momentum over the time, half of the bound for the "
-                       "walls, and what is not seen between two samples in a contact"));
+      "internal shear over that on the block, " + where, found.inside, 1.0,
+      Tolerance::model(
+          0.01,
+          "the change of the moment of momentum over the averaging time, half of the bound for the walls, and changes "
+          "between two samples of a contact"));
 }
 
 /// Depth at which the discs' area gives the mean solid fraction [L].
@@ -81,11 +82,12 @@ void expect_inertial_number(Findings& findings, CellRun& run, const Setup& setup
       std::find_if(groups.begin(), groups.end(), [](const auto& of) { return of.name == "inertial_number"; });
   const double nominal = inertial_number(cell.rows * cell.diameter);
   findings.expect(
-      "inertial number told over that of the solid fraction, " + where,
+      "reported inertial number over that from the solid fraction, " + where,
       (setup.has("nominal_depth") ? nominal : told->estimate.value) / inertial_number(depth_of_fraction(run)), 1.0,
-      Tolerance::model(0.02,
-                       "the mean of 1/H is above one over the mean of H by the square of the depth's "
-                       "deviation, .1 of it at most"));
+      Tolerance::model(
+          0.02,
+          "the mean of 1/H exceeds one over the mean of H by the square of the relative deviation of the depth, "
+          "which is 0.1 at most"));
 }
 
 /// Momentum of the free discs and of the block compared with impulses; errors are relative to N m VXT and to the
@@ -110,13 +112,13 @@ void expect_momentum(Findings& findings, const Setup& setup, const std::string& 
   const double scale = static_cast<double>(cell.free_discs()) * cell.mass * cell.block_speed;
   const Tolerance tolerance = Tolerance::round_off(
       1e-10,
-      "some 1e5 impulses of up to a hundredth of the whole, each rounded to 1e-16 of it, add like a walk to 3e-16; "
-      "the speeds they end in are rounded a thousand times coarser");
+      "about 1e5 impulses of up to a hundredth of the total, each rounded to 1e-16 of its size, add up like a random "
+      "walk to 3e-16; the resulting speeds are rounded a thousand times more coarsely");
   const double left_out = setup.has("base_left_out") ? 0.0 : 1.0;
-  findings.expect("momentum of the discs less the walls' impulses, " + integrator,
+  findings.expect("momentum balance error of the free discs, " + integrator,
                   norm(gained + on_block + left_out * on_base) / scale, 0.0, tolerance);
   const double weight = cell.block_mass * cell.gravity * (setup.has("weight_off") ? 1.0 + 1e-6 : 1.0) * after.t;
-  findings.expect("momentum of the block less its impulse and weight, " + integrator,
+  findings.expect("momentum balance error of the block, " + integrator,
                   (cell.block_mass * after.vy.back() - (on_block.y - weight)) / weight, 0.0, tolerance);
 }
 
@@ -132,11 +134,12 @@ void expect_energy(Findings& findings, const Setup& setup) {
   const CellRun::Ledger ledger = run.ledger();
   const double swing = 3.0 * std::pow(std::numbers::pi / 80.0, 2) / 8.0;
   findings.expect(
-      "energy gained over the drive's work, springs that lose nothing", ledger.gained / ledger.driven, 0.0,
-      Tolerance::truncation(swing, 1.5,
-                            "a leapfrog's energy swings by (w h)^2/8 of itself, w h = pi/80 in a contact of two "
-                            "and (w h)^2 three times that of a disc among six; onset at any phase adds some "
-                            "of it, of both signs"));
+      "spurious energy gain over the work of the drive, elastic springs", ledger.gained / ledger.driven, 0.0,
+      Tolerance::truncation(
+          swing, 1.5,
+          "the energy of a leapfrog oscillates by the fraction (w h)^2/8, with w h = pi/80 in a contact of two discs "
+          "and three times this (w h)^2 for a disc among six; first contact at any phase adds part of it, with either "
+          "sign"));
 }
 
 Series history(const CellRun& run, const char* label, CellQuantity shear, CellQuantity normal, int panel) {
@@ -151,18 +154,18 @@ Series history(const CellRun& run, const char* label, CellQuantity shear, CellQu
 
 Figure ratio_figure(const CellRun& loose, const CellRun& dense) {
   using Q = CellQuantity;
-  Figure figure{.name = "stress_ratio",
-                .title = "Stress ratio from the start on",
-                .caption =
-                    "Shear over normal stress on the block (blue) and the base (orange), each a mean over 16 ms. The "
-                    "first quarter (left of "
-                    "the thin line) is left out of all means.",
-                .x = {"time", "s"},
-                .y = {.label = "S/N", .min = 0.15, .max = 0.4},
-                .series = {history(loose, "block", Q::top_shear, Q::top_normal, 0),
-                           history(loose, "base", Q::bottom_shear, Q::bottom_normal, 0),
-                           history(dense, "block", Q::top_shear, Q::top_normal, 1),
-                           history(dense, "base", Q::bottom_shear, Q::bottom_normal, 1)}};
+  Figure figure{
+      .name = "stress_ratio",
+      .title = "Stress ratio since the start of the run",
+      .caption =
+          "Shear over normal stress on the block (blue) and the base (orange), each a mean over 16 ms. The first "
+          "quarter (left of the thin line) is excluded from all means.",
+      .x = {"time", "s"},
+      .y = {.label = "S/N", .min = 0.15, .max = 0.4},
+      .series = {history(loose, "block", Q::top_shear, Q::top_normal, 0),
+                 history(loose, "base", Q::bottom_shear, Q::bottom_normal, 0),
+                 history(dense, "block", Q::top_shear, Q::top_normal, 1),
+                 history(dense, "base", Q::bottom_shear, Q::bottom_normal, 1)}};
   figure.lines = {{'x', 0.25 * dense.plan().end, ""}};
   figure.panels = {"8 kPa", "32 kPa"};
   figure.columns = 2;
@@ -174,9 +177,9 @@ Figure profile_figure(const CellRun& loose, const CellRun& dense) {
       .name = "profiles",
       .title = "Velocity and solid fraction across the field",
       .caption =
-          "Layers of half a diameter, heights from the base's centre line: mean velocity (blue) over the "
-          "block's, and area of free discs over that of the layer (orange; beside the walls less, for wall discs "
-          "fill part of it). The discs slip past both walls, and the fraction shows rows.",
+          "Layers of half a diameter, heights from the centre line of the base: mean velocity (blue) over that of the "
+          "block, and area of free discs over that of the layer (orange; smaller beside the walls, because wall discs "
+          "fill part of the layer). The discs slip at both walls, and the solid fraction shows rows.",
       .x = {"height over D", "1"},
       .y = {.label = "velocity over VXT, solid fraction", .min = 0.0, .max = 1.0}};
   int panel = 0;
@@ -199,7 +202,7 @@ Figure profile_figure(const CellRun& loose, const CellRun& dense) {
 Table numbers(const CellRun& loose, const CellRun& dense) {
   using Q = CellQuantity;
   Table table{.name = "cell",
-              .caption = "What the two cells measure, means of .6 s with the standard error of a block bootstrap.",
+              .caption = "Results of the two cells: means over 0.6 s with standard errors from a block bootstrap.",
               .columns = {"quantity", "8 kPa", "32 kPa"}};
   const auto words = [](const Estimate& of, double unit) {
     return fmt::format("{:.4g} +- {:.2g}", of.value / unit, of.error / unit);
@@ -208,16 +211,16 @@ Table numbers(const CellRun& loose, const CellRun& dense) {
   row("S/N on the block", [&](const CellRun& run) { return words(run.ratio(Q::top_shear, Q::top_normal), 1.0); });
   row("depth over D", [&](const CellRun& run) { return words(run.mean(Q::depth), run.cell().diameter); });
   row("solid fraction", [&](const CellRun& run) { return words(run.mean(Q::solid_fraction), 1.0); });
-  row("contacts of a disc", [&](const CellRun& run) { return words(run.mean(Q::coordination), 1.0); });
-  row("multiple contacts' share of contact time",
+  row("contacts per disc", [&](const CellRun& run) { return words(run.mean(Q::coordination), 1.0); });
+  row("fraction of contact time in multiple contacts",
       [&](const CellRun& run) { return words(run.ratio(Q::multiple, Q::contacts), 1.0); });
-  row("their share of the contacts' shear (M/S)",
+  row("fraction of the contact shear carried by multiple contacts (M/S)",
       [&](const CellRun& run) { return words(run.ratio(Q::multiple_shear_virial, Q::shear_virial), 1.0); });
-  row("mean of S times mean of Y over mean of S Y", [&](const CellRun& run) {
+  row("mean of S times mean of Y, over the mean of S Y", [&](const CellRun& run) {
     const double apart = value(run, Q::top_shear) * (value(run, Q::depth) + run.cell().diameter);
     return fmt::format("{:.4f}", apart / value(run, Q::top_moment));
   });
-  row("I of the array's depth over that of the field's", [&](const CellRun& run) {
+  row("inertial number from the depth of the array over that from the depth of the field", [&](const CellRun& run) {
     return fmt::format("{:.4f}", value(run, Q::depth) / (run.cell().rows * run.cell().diameter));
   });
   return table;
@@ -256,33 +259,34 @@ void run(Findings& findings, const Setup& setup) {
 }  // namespace
 
 Case definition() {
-  return {.id = "shear_cell",
-          .title = "Sheared cell: wall forces and internal stress",
-          .family = "the shear cell",
-          .requirements = {{"F4", {"shear"}}},
-          .main_checks = {"shear on the base over that on the block, 32 kPa",
-                          "shear inside over that on the block, 8 kPa", "shear inside over that on the block, 32 kPa",
-                          "momentum of the discs less the walls' impulses, velocity_verlet",
-                          "momentum of the block less its impulse and weight, velocity_verlet",
-                          "energy gained over the drive's work, springs that lose nothing",
-                          "largest overlap over a diameter, 32 kPa"},
-          .source = "Lacy 1989, Data Input and Parameters; virial theorem (Clausius 1870)",
-          .faults = {{"product_of_means", "mean shear times mean height for the mean of their product",
-                      "shear inside over that on the block, 8 kPa"},
-                     {"stopped_early", "means of the first 20 ms, while the discs are still brought to speed",
-                      "shear inside over that on the block, 8 kPa"},
-                     {"nominal_depth", "the inertial number by the depth of the array",
-                      "inertial number told over that of the solid fraction, 32 kPa"},
-                     {"soft_discs", "stiffness a thirtieth", "largest overlap over a diameter, 32 kPa"},
-                     {"base_left_out", "the base's impulse left out",
-                      "momentum of the discs less the walls' impulses, velocity_verlet"},
-                     {"weight_off", "weight 1e-6 too large",
-                      "momentum of the block less its impulse and weight, velocity_verlet"},
-                     {"few_steps", "10 steps in a contact, not 80",
-                      "energy gained over the drive's work, springs that lose nothing"}},
-          .seconds = 10.0,
-          .time_limit = 150.0,
-          .run = run};
+  return {
+      .id = "shear_cell",
+      .title = "Sheared cell: wall forces and internal stress",
+      .family = "the shear cell",
+      .requirements = {{"F4", {"shear"}}},
+      .main_checks = {"shear on the base over that on the block, 32 kPa",
+                      "internal shear over that on the block, 8 kPa", "internal shear over that on the block, 32 kPa",
+                      "momentum balance error of the free discs, velocity_verlet",
+                      "momentum balance error of the block, velocity_verlet",
+                      "spurious energy gain over the work of the drive, elastic springs",
+                      "largest overlap over a diameter, 32 kPa"},
+      .source = "Lacy 1989, Data Input and Parameters; virial theorem (Clausius 1870)",
+      .faults = {{"product_of_means", "mean shear times mean height instead of the mean of their product",
+                  "internal shear over that on the block, 8 kPa"},
+                 {"stopped_early", "means over the first 20 ms, while the discs are still accelerated",
+                  "internal shear over that on the block, 8 kPa"},
+                 {"nominal_depth", "inertial number computed from the depth of the array",
+                  "reported inertial number over that from the solid fraction, 32 kPa"},
+                 {"soft_discs", "stiffness reduced to a thirtieth", "largest overlap over a diameter, 32 kPa"},
+                 {"base_left_out", "impulse on the base omitted",
+                  "momentum balance error of the free discs, velocity_verlet"},
+                 {"weight_off", "weight too large by the fraction 1e-6",
+                  "momentum balance error of the block, velocity_verlet"},
+                 {"few_steps", "10 steps in a contact instead of 80",
+                  "spurious energy gain over the work of the drive, elastic springs"}},
+      .seconds = 10.0,
+      .time_limit = 150.0,
+      .run = run};
 }
 
 }  // namespace talus::verification::problems::shear_cell

@@ -133,33 +133,35 @@ bool within_limits(const Flow& flow) {
 }
 
 void add_rows(Findings& findings, const std::vector<Row>& rows) {
-  Table table{.name = "failures",
-              .caption =
-                  "The cell right and wrong: stress ratio, which tells little, and what tells more. A run is ended "
-                  "when its solid fraction leaves .02 to 5. Unaccounted: the share of the work of the drive that "
-                  "energy grew by beyond it.",
-              .columns = {"cell", "S/N", "mean fraction", "largest fraction", "largest overlap/D",
-                          "motion across/(m VXT^2)", "unaccounted", "limits"}};
+  Table table{
+      .name = "failures",
+      .caption =
+          "The correct cell and faulty ones: the stress ratio, which reveals little, and quantities that reveal "
+          "more. A run is stopped (diverged) when its solid fraction leaves 0.02 to 5. Unaccounted: increase of "
+          "energy beyond the work of the drive, over this work.",
+      .columns = {"cell", "S/N", "mean solid fraction", "largest solid fraction", "largest overlap/D",
+                  "transverse kinetic energy/(m VXT^2)", "unaccounted", "limits"}};
   for (const Row& row : rows) {
     const Flow& flow = row.flow;
     table.rows.push_back({row.what, fmt::format("{:.3f}", flow.ratio), fmt::format("{:.3f}", flow.fraction),
                           fmt::format("{:.3f}", flow.fullest), fmt::format("{:.3f}", flow.largest_overlap),
                           fmt::format("{:.4f}", flow.motion), flow.burst ? "" : fmt::format("{:.2g}", flow.unaccounted),
-                          within_limits(flow) ? "kept"
-                          : flow.burst        ? "burst"
-                                              : "broken"});
+                          within_limits(flow) ? "met"
+                          : flow.burst        ? "diverged"
+                                              : "exceeded"});
   }
   findings.table(table);
 }
 
 Figure figure_of(const std::vector<Row>& rows) {
-  Figure figure{.name = "seen",
-                .title = "What the stress ratio shows, and what it does not",
-                .caption =
-                    "Each cell by its stress ratio and its largest solid fraction: cells whose discs pass through each "
-                    "other may have the ratio of the right one. Dashed: all that equal discs can fill.",
-                .x = {.label = "S/N", .min = 0.0, .max = 0.4},
-                .y = {.label = "largest solid fraction", .log = true}};
+  Figure figure{
+      .name = "seen",
+      .title = "Stress ratio and largest solid fraction of correct and faulty cells",
+      .caption =
+          "Cells whose discs pass through each other may have the stress ratio of the correct cell. Dashed: largest "
+          "solid fraction that equal discs can fill.",
+      .x = {.label = "S/N", .min = 0.0, .max = 0.4},
+      .y = {.label = "largest solid fraction", .log = true}};
   for (const Row& row : rows)
     if (row.flow.ratio != 0.0)
       figure.series.push_back(
@@ -176,11 +178,13 @@ struct Long {
   std::uint64_t seeds{1};
 };
 constexpr std::array longs{
-    Long{6.0, -0.01, 0.01, "w2 h = .64: the steps are short enough, by the account as well"},
-    Long{3.6, 0.003, 0.1, "just above 3.3 steps: of the impacts of a disc among several some gain"},
-    Long{2.9, 0.03, 0.4, "below 3.3 steps discs among six gain; most touch fewer"},
-    Long{2.45, 0.2, 1.5, "nearer to the 1.91 of any pair; nearly all impacts among others gain", 8},
-    Long{2.0, 1.0, 10.0, "at the limit of pairs: contacts put in more than the drive does, in cells that hold", 8}};
+    Long{6.0, -0.01, 0.01, "w2 h = 0.64: the steps are short enough, also by the energy balance"},
+    Long{3.6, 0.003, 0.1, "just above 3.3 steps: some impacts of a disc among several gain energy"},
+    Long{2.9, 0.03, 0.4, "below 3.3 steps discs among six gain energy; most discs touch fewer"},
+    Long{2.45, 0.2, 1.5,
+         "closer to the limit of 1.91 steps of any pair; nearly all impacts of a disc among others gain energy", 8},
+    Long{2.0, 1.0, 10.0,
+         "at the limit of pairs: contacts add more energy than the drive does, also in cells that do not diverge", 8}};
 
 /// Flow with the cell's law, and with a wrong one.
 Flow right_flow(const ShearCell& cell, const FlowPlan& plan, Findings& findings) {
@@ -202,25 +206,27 @@ void expect_laws(Findings& findings, const Setup& setup, const ShearCell& cell, 
                                                           : right_flow(cell, plan, findings);
   const Flow cleared = swapped ? right : wrong_flow<Wrong::flag_cleared>(cell, brief, findings);
   const Flow forgotten = setup.has("d0_remembered") ? right : wrong_flow<Wrong::d0_forgotten>(cell, brief, findings);
-  rows.push_back({"right", right}), rows.push_back({"(a) flag cleared at F = 0", cleared});
+  rows.push_back({"correct law", right}), rows.push_back({"(a) flag cleared at F = 0", cleared});
   rows.push_back({"(b) d0 forgotten at F = 0", forgotten});
-  findings.expect_true("the right law keeps within the limits", within_limits(right), "equal discs, hardly pressed");
-  findings.expect_true("a contact cleared at no force passes the limits", !within_limits(cleared),
-                       "discs that are pressed again feel nothing and pass through each other");
+  findings.expect_true("solid fraction and overlap within the limits, correct law", within_limits(right),
+                       "equal discs with small overlaps");
+  findings.expect_true("limits exceeded, contacts cleared at zero force", !within_limits(cleared),
+                       "discs that are pressed again feel no force and pass through each other");
   findings.expect_between(
-      "motion across the field of contacts that forget d0 at no force, over the right cell's",
+      "transverse kinetic energy of contacts that forget d0 at zero force, over that of the correct cell",
       forgotten.motion / right.motion, 1.1, 3.0,
-      "a contact then gives back K1 d0^2/2 more at least: e^2 = .49 + .26 in a lone impact, and more energy "
-      "of motion by that much or, as impacts follow each other, by some times");
+      "such a contact returns at least K1 d0^2/2 more: e^2 = 0.49 + 0.26 in a single impact, and the kinetic energy is "
+      "larger by that much or, as impacts follow each other, by several times that");
   findings.expect_between(
-      "stress ratio of the cell whose contacts are cleared", cleared.ratio, 0.15, 0.4,
-      "the ratio looks right while the cell is not: between half and one and a half times the right one");
+      "stress ratio with contacts cleared at zero force", cleared.ratio, 0.15, 0.4,
+      "the ratio is plausible although the cell is wrong: between half and one and a half times the correct one");
   brief.forget_every = setup.has("restarts_remember") ? 0.0 : 1e-4;
   const Flow restarted = right_flow(cell, brief, findings);
-  rows.push_back({"d0 forgotten every .1 ms", restarted});
-  findings.expect_between("energy unaccounted for when contacts forget d0 every .1 ms", restarted.unaccounted, 0.1, 1.0,
-                          "some eight contact times apart, most contacts that are there restart with K1 d and give "
-                          "back more than they were given; the drive puts in as much in some ms");
+  rows.push_back({"d0 forgotten every 0.1 ms", restarted});
+  findings.expect_between(
+      "energy unaccounted for when contacts forget d0 every 0.1 ms", restarted.unaccounted, 0.1, 1.0,
+      "every eight contact times or so most existing contacts restart with K1 d and return more energy than they "
+      "received; the drive supplies as much in some ms");
 }
 
 /// Leapfrogs with long steps, over a longer time, because the ratio has a standard error.
@@ -233,7 +239,7 @@ void expect_long_steps(Findings& findings, const Setup& setup, const ShearCell& 
   const Flow right = right_flow(cell, plan, findings);
   rows.push_back({"Verlet, 20 steps in a contact", right});
   Series unaccounted{.label = "energy unaccounted for", .style = Style::points};
-  Series ratio{.label = "S/N, over that with 20 steps, less 1", .style = Style::points};
+  Series ratio{.label = "S/N over that with 20 steps, minus 1", .style = Style::points};
   const auto draw = [&](double steps, const Flow& found) {
     unaccounted.add(steps, std::max(std::abs(found.unaccounted), 1e-7));
     if (steps == plan.steps_in_contact) return;
@@ -259,34 +265,39 @@ void expect_long_steps(Findings& findings, const Setup& setup, const ShearCell& 
     const auto least = std::min_element(cells.begin(), cells.end(), [](const Flow& one, const Flow& another) {
       return one.unaccounted < another.unaccounted;
     });
-    findings.expect_between(fmt::format("energy unaccounted for, {}{}", name, by.seeds > 1 ? ", least of eight" : ""),
+    findings.expect_between(fmt::format("energy unaccounted for, {}{}", name, by.seeds > 1 ? ", minimum of eight" : ""),
                             least->unaccounted, by.least, by.most, by.why);
     double mean = 0.0;
     for (const Flow& flow : cells)
       mean += flow.ratio / static_cast<double>(cells.size());
     draw(by.steps, {.ratio = mean, .unaccounted = least->unaccounted});
     if (by.steps >= 2.9) {
-      findings.expect("stress ratio, " + name, mean, right.ratio,
-                      Tolerance::model(setup.coarse ? 0.04 : 0.01,
-                                       "the ratio does not see the step: both have a standard error of .003 to .004"));
+      findings.expect(
+          "stress ratio, " + name, mean, right.ratio,
+          Tolerance::model(setup.coarse ? 0.04 : 0.01,
+                           "the ratio hardly depends on the step: both have a standard error of 0.003 to 0.004"));
     } else if (by.steps > 2.0) {
-      findings.expect_between("stress ratio, mean of eight cells, less that of 20 steps, " + name, mean - right.ratio,
-                              0.002, 0.02, "it is another by now, by little: .010 with a standard error of .004");
+      findings.expect_between("stress ratio, mean of eight cells minus that with 20 steps, " + name, mean - right.ratio,
+                              0.002, 0.02,
+                              "the ratio has changed, but little: by 0.010 with a standard error of 0.004");
     } else {
-      findings.expect_between("cells of eight that burst, " + name, static_cast<double>(burst), 1.0,
+      findings.expect_between("cells out of eight that diverge, " + name, static_cast<double>(burst), 1.0,
                               static_cast<double>(cells.size()),
-                              "which do hangs on the paths: sooner or later all of them");
+                              "which of them do depends on the trajectories; sooner or later all diverge");
     }
   }
-  findings.figure({.name = "long_steps",
-                   .title = "Steps too long: the account of energy sees them, the stress ratio does not",
-                   .caption = "Share of the work that is unaccounted for, and how far the stress ratio is from that of "
-                              "20 steps, over the steps in a contact. Dashed: one hundredth of the work, beyond which "
-                              "`talus cell` warns; upright: 3.3 steps, below which a disc among six is unstable.",
-                   .x = {.label = "steps in a contact", .log = true, .min = 1.5, .max = 25.0},
-                   .y = {.label = "share", .log = true, .min = 1e-7, .max = 10.0},
-                   .series = {unaccounted, ratio},
-                   .lines = {{'y', CellRun::most_unaccounted, ""}, {'x', 3.3, ""}}});
+  findings.figure(
+      {.name = "long_steps",
+       .title = "Energy balance and stress ratio with too long steps",
+       .caption =
+           "Unaccounted fraction of the work, and relative deviation of the stress ratio from that with 20 steps, "
+           "against steps in a contact: the energy balance reveals too long steps, the stress ratio does not. Dashed: "
+           "1 % of the work, above which `talus cell` warns; vertical: 3.3 steps, below which a disc among six is "
+           "unstable.",
+       .x = {.label = "steps in a contact", .log = true, .min = 1.5, .max = 25.0},
+       .y = {.label = "fraction", .log = true, .min = 1e-7, .max = 10.0},
+       .series = {unaccounted, ratio},
+       .lines = {{'y', CellRun::most_unaccounted, ""}, {'x', 3.3, ""}}});
 }
 
 /// Euler and Taylor steps, which add energy in every impact.
@@ -296,9 +307,9 @@ void expect_first_order(Findings& findings, const Setup& setup, const ShearCell&
     double few, many;
     const char *gains, *stays;
   };
-  constexpr std::array all{
-      By{"euler", "Euler", 10.0, 120.0, "each contact gives back more than it took: e is above 1", "e is .73 there"},
-      By{"taylor", "Taylor", 5.0, 60.0, "e is 1.15", "e is .73 there"}};
+  constexpr std::array all{By{"euler", "Euler", 10.0, 120.0,
+                              "each contact returns more energy than it received: e is above 1", "e is 0.73 there"},
+                           By{"taylor", "Taylor", 5.0, 60.0, "e is 1.15", "e is 0.73 there"}};
   for (const By& by : all) {
     if (!setup.needs(by.words)) continue;
     FlowPlan plan;
@@ -307,7 +318,7 @@ void expect_first_order(Findings& findings, const Setup& setup, const ShearCell&
     plan.steps_in_contact = setup.has("first_order_finer") ? by.many : by.few;
     const Flow heated = right_flow(cell, plan, findings);
     rows.push_back({fmt::format("{}, {} steps", by.words, by.few), heated});
-    findings.expect_true(fmt::format("limits are passed, {} with {} steps in a contact", by.words, by.few),
+    findings.expect_true(fmt::format("limits exceeded, {} with {} steps in a contact", by.words, by.few),
                          !within_limits(heated), by.gains);
     // Euler with 120 steps takes as long as all other first-order runs together; Taylor with 60 shows the same.
     if (by.many > 100.0 && setup.tier != Tier::full) continue;
@@ -315,7 +326,7 @@ void expect_first_order(Findings& findings, const Setup& setup, const ShearCell&
     plan.time *= 0.5;
     const Flow fine = right_flow(cell, plan, findings);
     rows.push_back({fmt::format("{}, {} steps", by.words, by.many), fine});
-    findings.expect_true(fmt::format("limits are kept, {} with {} steps in a contact", by.words, by.many),
+    findings.expect_true(fmt::format("limits met, {} with {} steps in a contact", by.words, by.many),
                          within_limits(fine), by.stays);
   }
 }
@@ -334,40 +345,42 @@ void run(Findings& findings, const Setup& setup) {
 }  // namespace
 
 Case definition() {
-  return {.id = "shear_cell_failures",
-          .title = "Sheared cell: failures and their detection",
-          .family = "the shear cell",
-          .requirements = {{"law.latching_spring", {"the right law keeps within the limits"}}},
-          .main_checks = {"the right law keeps within the limits", "a contact cleared at no force passes the limits",
-                          "motion across the field of contacts that forget d0 at no force, over the right cell's",
-                          "stress ratio of the cell whose contacts are cleared",
-                          "energy unaccounted for when contacts forget d0 every .1 ms",
-                          "energy unaccounted for, velocity Verlet, 6 steps in a contact",
-                          "energy unaccounted for, velocity Verlet, 2.9 steps in a contact",
-                          "stress ratio, velocity Verlet, 2.9 steps in a contact",
-                          "limits are passed, Euler with 10 steps in a contact",
-                          "limits are passed, Taylor with 5 steps in a contact"},
-          .source = "Talus; law of Walton & Braun 1986",
-          .faults = {{"wrong_law_for_the_right", "the law whose contacts are cleared taken for the right one",
-                      "the right law keeps within the limits"},
-                     {"right_law_for_the_wrong", "the right law for that whose contacts are cleared",
-                      "a contact cleared at no force passes the limits"},
-                     {"d0_remembered", "the right law for that which forgets d0",
-                      "motion across the field of contacts that forget d0 at no force, over the right cell's"},
-                     {"restarts_remember", "contacts that are to forget d0 every .1 ms do not",
-                      "energy unaccounted for when contacts forget d0 every .1 ms"},
-                     {"elastic_discs", "discs of the cells with long steps lose nothing",
-                      "stress ratio, velocity Verlet, 2.9 steps in a contact"},
-                     {"shorter_steps", "20 steps in a contact for each number of them",
-                      "energy unaccounted for, velocity Verlet, 2.9 steps in a contact"},
-                     {"first_order_finer", "Euler's and Taylor's steps twelve times as short as they are to be",
-                      "limits are passed, Taylor with 5 steps in a contact"},
-                     {"first_order_coarser", "Euler's and Taylor's steps twelve times as long as they are to be",
-                      "limits are kept, Taylor with 60 steps in a contact"}},
-          .seconds = 20.0,
-          .full_seconds = 42.0,
-          .time_limit = 400.0,
-          .run = run};
+  return {
+      .id = "shear_cell_failures",
+      .title = "Sheared cell: failures and their detection",
+      .family = "the shear cell",
+      .requirements = {{"law.latching_spring", {"solid fraction and overlap within the limits, correct law"}}},
+      .main_checks =
+          {"solid fraction and overlap within the limits, correct law",
+           "limits exceeded, contacts cleared at zero force",
+           "transverse kinetic energy of contacts that forget d0 at zero force, over that of the correct cell",
+           "stress ratio with contacts cleared at zero force",
+           "energy unaccounted for when contacts forget d0 every 0.1 ms",
+           "energy unaccounted for, velocity Verlet, 6 steps in a contact",
+           "energy unaccounted for, velocity Verlet, 2.9 steps in a contact",
+           "stress ratio, velocity Verlet, 2.9 steps in a contact", "limits exceeded, Euler with 10 steps in a contact",
+           "limits exceeded, Taylor with 5 steps in a contact"},
+      .source = "Talus; law of Walton & Braun 1986",
+      .faults = {{"wrong_law_for_the_right", "law with cleared contacts in place of the correct law",
+                  "solid fraction and overlap within the limits, correct law"},
+                 {"right_law_for_the_wrong", "correct law in place of the law with cleared contacts",
+                  "limits exceeded, contacts cleared at zero force"},
+                 {"d0_remembered", "correct law in place of the law that forgets d0",
+                  "transverse kinetic energy of contacts that forget d0 at zero force, over that of the correct cell"},
+                 {"restarts_remember", "contacts that do not forget d0 every 0.1 ms",
+                  "energy unaccounted for when contacts forget d0 every 0.1 ms"},
+                 {"elastic_discs", "elastic discs in the cells with long steps",
+                  "stress ratio, velocity Verlet, 2.9 steps in a contact"},
+                 {"shorter_steps", "20 steps in a contact in all cells with long steps",
+                  "energy unaccounted for, velocity Verlet, 2.9 steps in a contact"},
+                 {"first_order_finer", "Euler and Taylor steps twelve times shorter than intended",
+                  "limits exceeded, Taylor with 5 steps in a contact"},
+                 {"first_order_coarser", "Euler and Taylor steps twelve times longer than intended",
+                  "limits met, Taylor with 60 steps in a contact"}},
+      .seconds = 20.0,
+      .full_seconds = 42.0,
+      .time_limit = 400.0,
+      .run = run};
 }
 
 }  // namespace talus::verification::problems::shear_cell_failures

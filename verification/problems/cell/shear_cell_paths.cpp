@@ -66,7 +66,7 @@ void expect_virtual(Findings& findings, const Setup& setup) {
                                 .vx = start.discs.vx,
                                 .vy = start.discs.vy};
   if (setup.has("latch_weaker")) discs.k2 *= 1.0 - 1e-9;
-  Series difference{.label = "places", .style = Style::lines};
+  Series difference{.label = "positions", .style = Style::lines};
   double most = 0.0, early = 0.0;  // `early`: over the first half
   long across = 0;
   for (long n = 0; !run.finished();) {
@@ -81,28 +81,31 @@ void expect_virtual(Findings& findings, const Setup& setup) {
     difference.add(static_cast<double>(n), std::max(now, 1e-17));
   }
   findings.count(run.evaluations());
-  findings.expect_true("contacts across the border were seen in the first half", across >= 10,
-                       fmt::format("without them no virtual disc acts; seen {} times, each about twice", across));
-  findings.expect("places beside virtual discs and all pairs, over a diameter", early, 0.0,
-                  Tolerance::round_off(
-                      1e-12,
-                      "places of some diameters are rounded to 1e-15 of one at each of thousands of "
-                      "steps, in boxes whose borders discs cross at other times; what contacts make of it hangs on the "
-                      "paths: 1.6e-13 here, 0 to 2.8e-12 from six seeds"));
-  findings.expect("the same after twice as many steps", most, 0.0,
-                  Tolerance::round_off(3e-9,
-                                       "neighbouring paths part: 1.6e-13 grows to 2.9e-10, and tenfold that is "
-                                       "admitted"));
-  findings.figure({.name = "difference",
-                   .title = "Minimum image beside virtual discs",
-                   .caption =
-                       "Largest difference of places over a diameter between the solver (list of pairs, nearest image) "
-                       "and the reference (all pairs, a virtual disc beside the field for each); dashed: the bound "
-                       "for the first half of the steps.",
-                   .x = {"step", "1"},
-                   .y = {.label = "difference over D", .log = true, .min = 1e-16, .max = 1e-8},
-                   .series = {difference},
-                   .lines = {{'y', 1e-12, "bound"}}});
+  findings.expect_true(
+      "contacts across the border in the first half of the run", across >= 10,
+      fmt::format("without them no virtual disc acts; seen {} times, each contact about twice", across));
+  findings.expect(
+      "positions against virtual discs and all pairs, largest difference over a diameter", early, 0.0,
+      Tolerance::round_off(
+          1e-12,
+          "positions of some diameters are rounded to 1e-15 of a diameter at each of thousands of steps, in boxes "
+          "whose borders discs cross at different times; contacts amplify this by an amount that depends on the "
+          "trajectories: to 1.6e-13 here, to 0 to 2.8e-12 with six seeds"));
+  findings.expect(
+      "positions after twice as many steps, largest difference over a diameter", most, 0.0,
+      Tolerance::round_off(
+          3e-9, "neighbouring trajectories diverge: 1.6e-13 grows to 2.9e-10, and ten times that is allowed"));
+  findings.figure(
+      {.name = "difference",
+       .title = "Minimum image against virtual discs",
+       .caption =
+           "Largest difference of positions over a diameter between the solver (neighbour list, nearest image) and the "
+           "reference (all pairs, a virtual disc beside the field for each disc); dashed: bound for the first half of "
+           "the steps.",
+       .x = {"step", "1"},
+       .y = {.label = "difference over D", .log = true, .min = 1e-16, .max = 1e-8},
+       .series = {difference},
+       .lines = {{'y', 1e-12, "bound"}}});
 }
 
 /// The solver's neighbour list compared with its virtual discs, for rough discs with dashpots.
@@ -124,13 +127,16 @@ void expect_own_virtual(Findings& findings, const Setup& setup) {
   }
   findings.count(nearest.evaluations() + virtual_discs.evaluations());
   const Discs end = virtual_discs.discs();
-  findings.expect("places of rough discs, list of pairs beside virtual discs, over a diameter",
-                  apart(nearest.discs(), end.x, end.y, cell.width()) / cell.diameter, 0.0,
-                  Tolerance::round_off(1e-12,
-                                       "as beside the reference; none at all as long as what a disc is taken back into "
-                                       "the field by rounds nothing, and tenfold in some contacts from then on"));
-  findings.expect_true("rough discs slid, and touched across the border", nearest.ledger().rubbed > 0.0 && across > 20,
-                       "else neither friction nor virtual discs are compared");
+  findings.expect(
+      "positions of rough discs, neighbour list against virtual discs, largest difference over a diameter",
+      apart(nearest.discs(), end.x, end.y, cell.width()) / cell.diameter, 0.0,
+      Tolerance::round_off(
+          1e-12,
+          "as against the reference; zero until wrapping a disc back into the field first rounds its position, and "
+          "from then on growing tenfold in some contacts"));
+  findings.expect_true("sliding of rough discs and contacts across the border",
+                       nearest.ledger().rubbed > 0.0 && across > 20,
+                       "otherwise neither friction nor virtual discs would be compared");
 }
 
 void expect_mirror(Findings& findings, const Setup& setup) {
@@ -146,10 +152,10 @@ void expect_mirror(Findings& findings, const Setup& setup) {
   CellRun other{cell, plan, mirrored};
   run_to_end(one), run_to_end(other);
   const double shear = one.impulse_on_block().x, mirror = other.impulse_on_block().x;
-  findings.expect("impulse along x on the block of the mirrored cell, over the first's", mirror / shear, -1.0,
-                  Tolerance::exact("signs change and no digit does"));
-  findings.expect_true("heights of all discs in the mirrored cell are the same bits", one.discs().y == other.discs().y,
-                       "no sum along y sees the mirror");
+  findings.expect("impulse along x on the block, mirrored cell over original cell", mirror / shear, -1.0,
+                  Tolerance::exact("only signs change, no digit does"));
+  findings.expect_true("bit-identical heights of all discs in the mirrored cell", one.discs().y == other.discs().y,
+                       "no sum along y depends on the mirror image");
 }
 
 /// Restores the saved state of the first run into a second one; runs both to their ends.
@@ -172,9 +178,9 @@ void expect_rough_restart(Findings& findings, ShearCell cell, CellPlan plan) {
   resume(whole, rest);
   const std::vector<double> spins = whole.discs().spin;
   findings.expect_true(
-      "a resumed run of rough discs ends in the same bits",
+      "bit-identical final state of a resumed run of rough discs",
       whole.discs() == rest.discs() && std::any_of(spins.begin(), spins.end(), [](double spin) { return spin != 0.0; }),
-      "spins and what friction remembers are put back, too");
+      "spins and friction memory are restored, too");
 }
 
 void expect_restart(Findings& findings, const Setup& setup) {
@@ -192,25 +198,27 @@ void expect_restart(Findings& findings, const Setup& setup) {
     less.end -= static_cast<double>(whole.steps()) * plan.step, less.every = less.end;
     CellRun forgetful{cell, less, discs};
     run_to_end(forgetful), run_to_end(whole);
-    findings.expect_true("a run taken on from its memory ends in the same bits", forgetful.discs().x == whole.discs().x,
-                         "planted");
+    findings.expect_true("bit-identical final state of a resumed run", forgetful.discs().x == whole.discs().x,
+                         "injected fault");
     return;
   }
   CellRun rest{cell, plan};
   resume(whole, rest);
-  findings.expect_true("a run taken on from its memory ends in the same bits",
+  findings.expect_true("bit-identical final state of a resumed run",
                        whole.discs() == rest.discs() &&
                            whole.mean(CellQuantity::top_shear).value == rest.mean(CellQuantity::top_shear).value,
-                       "all that a step reads is remembered");
+                       "everything that a step reads is saved");
   expect_rough_restart(findings, cell, plan);
   const CellScene scene{.title = "", .units = {}, .cell = cell, .plan = plan};
   const CellOutcome outcome{.finished = true, .words = "", .warnings = {}};
   double differ = cell_history_csv(scene, whole) == cell_history_csv(scene, rest) ? 0.0 : 1.0;
   differ += cell_profile_csv(scene, whole) == cell_profile_csv(scene, rest) ? 0.0 : 1.0;
   differ += cell_summary_json(scene, whole, outcome, "") == cell_summary_json(scene, rest, outcome, "") ? 0.0 : 1.0;
-  findings.expect("files of a run taken on from its memory that differ", differ, 0.0,
-                  Tolerance::exact("history, profile and summary: all that is summed up is remembered, also what waits "
-                                   "for the next sample of the layers"));
+  findings.expect(
+      "output files of a resumed run that differ", differ, 0.0,
+      Tolerance::exact(
+          "history, profile and summary: all accumulated sums are saved, also those that wait for the next sample of "
+          "the layers"));
 }
 
 /// Few discs, a hundred times as stiff, so that most time is free of contacts.
@@ -233,67 +241,72 @@ void expect_jump(Findings& findings, const Setup& setup) {
   }
   run_to_end(step_by_step), run_to_end(jumping);
   const Discs end = step_by_step.discs();
-  findings.expect("places after jumps over free time, over a diameter",
-                  apart(jumping.discs(), end.x, end.y, cell.width()) / cell.diameter, 0.0,
-                  Tolerance::round_off(1e-9,
-                                       "free flights of thousands of steps at once and one by one, rounded to 1e-13, "
-                                       "and its growth over the contacts of 500 contact times"));
+  findings.expect(
+      "positions with jumps over contact-free time, largest difference over a diameter",
+      apart(jumping.discs(), end.x, end.y, cell.width()) / cell.diameter, 0.0,
+      Tolerance::round_off(
+          1e-9,
+          "free flights of thousands of steps, at once and step by step, are rounded to 1e-13, which grows over the "
+          "contacts of 500 contact times"));
   const double depth = step_by_step.mean(CellQuantity::depth).value;
-  findings.expect("mean depth after jumps over free time, over that of single steps",
-                  jumping.mean(CellQuantity::depth).value / depth, 1.0,
-                  Tolerance::truncation(0.5 * plan.step * fastest / depth, 1.0,
-                                        "a block that flies rises or falls by a parabola, whose mean is Simpson's "
-                                        "rule; step by step its heights at the ends of the steps count, which are half "
-                                        "a step ahead"));
-  findings.expect_between("share of the steps that were jumped over",
-                          static_cast<double>(jumping.jumped()) / static_cast<double>(jumping.steps()), 0.3, 0.999,
-                          "16 discs at 100 times the stiffness touch a tenth as long and fly the rest");
+  findings.expect(
+      "mean depth with jumps over contact-free time, over that with single steps",
+      jumping.mean(CellQuantity::depth).value / depth, 1.0,
+      Tolerance::truncation(
+          0.5 * plan.step * fastest / depth, 1.0,
+          "a block in free flight follows a parabola, whose mean Simpson's rule gives exactly; step by step, the "
+          "heights at the ends of the steps are averaged, which are half a step ahead"));
+  findings.expect_between(
+      "fraction of steps skipped by jumps",
+      static_cast<double>(jumping.jumped()) / static_cast<double>(jumping.steps()), 0.3, 0.999,
+      "16 discs with 100 times the stiffness touch a tenth as long and are in free flight otherwise");
   findings.note(fmt::format(
-      "Of {} steps of the small stiff cell {} were passed at once; those that were taken are {} times "
-      "fewer. In the cell of 80 discs of the thesis's kind something touches nearly always (share of "
-      "time above), and nothing is to be gained.",
+      "Of {} steps of the small stiff cell {} were skipped by jumps, which reduces the number of steps by a factor of "
+      "{}. In a cell of 80 discs like that of the thesis some discs touch nearly always, and jumps gain nothing.",
       jumping.steps(), jumping.jumped(), jumping.steps() / std::max(1L, jumping.steps() - jumping.jumped())));
 }
 
 void run(Findings& findings, const Setup& setup) {
-  if (setup.needs("beside virtual discs and all pairs")) expect_virtual(findings, setup);
-  if (setup.needs("places of rough discs")) expect_own_virtual(findings, setup);
+  if (setup.needs("against virtual discs and all pairs")) expect_virtual(findings, setup);
+  if (setup.needs("positions of rough discs")) expect_own_virtual(findings, setup);
   if (setup.needs("mirrored cell")) expect_mirror(findings, setup);
-  if (setup.needs("taken on from its memory")) expect_restart(findings, setup);
-  if (setup.needs("places after jumps")) expect_jump(findings, setup);
+  if (setup.needs("of a resumed run")) expect_restart(findings, setup);
+  if (setup.needs("positions with jumps")) expect_jump(findings, setup);
 }
 
 }  // namespace
 
 Case definition() {
-  return {.id = "shear_cell_paths",
-          .title = "Sheared cell: equivalent formulations",
-          .family = "the shear cell",
-          .requirements = {{"F3",
-                            {"places beside virtual discs and all pairs, over a diameter",
-                             "places of rough discs, list of pairs beside virtual discs, over a diameter"}},
-                           {"F5", {"a run taken on from its memory ends in the same bits"}}},
-          .main_checks = {"places beside virtual discs and all pairs, over a diameter",
-                          "places of rough discs, list of pairs beside virtual discs, over a diameter",
-                          "impulse along x on the block of the mirrored cell, over the first's",
-                          "heights of all discs in the mirrored cell are the same bits",
-                          "a run taken on from its memory ends in the same bits",
-                          "places after jumps over free time, over a diameter"},
-          .source = "Lacy 1989, Virtual Elements and Periodic Boundaries",
-          .faults = {{"field_too_wide", "virtual discs 1e-7 of the field too far away",
-                      "places beside virtual discs and all pairs, over a diameter"},
-                     {"latch_weaker", "K2 of the reference 1e-9 smaller",
-                      "places beside virtual discs and all pairs, over a diameter"},
-                     {"friction_less", "friction of the cell by virtual discs 1e-8 smaller",
-                      "places of rough discs, list of pairs beside virtual discs, over a diameter"},
-                     {"one_disc_off", "one disc of the mirrored cell a last place higher",
-                      "heights of all discs in the mirrored cell are the same bits"},
-                     {"restart_of_1989", "contacts forget their largest overlap at the restart",
-                      "a run taken on from its memory ends in the same bits"},
-                     {"stiffer_discs", "K1 of the cell with jumps 1e-6 larger",
-                      "places after jumps over free time, over a diameter"}},
-          .seconds = 3.0,
-          .run = run};
+  return {
+      .id = "shear_cell_paths",
+      .title = "Sheared cell: equivalent formulations",
+      .family = "the shear cell",
+      .requirements =
+          {{"F3",
+            {"positions against virtual discs and all pairs, largest difference over a diameter",
+             "positions of rough discs, neighbour list against virtual discs, largest difference over a diameter"}},
+           {"F5", {"bit-identical final state of a resumed run"}}},
+      .main_checks =
+          {"positions against virtual discs and all pairs, largest difference over a diameter",
+           "positions of rough discs, neighbour list against virtual discs, largest difference over a diameter",
+           "impulse along x on the block, mirrored cell over original cell",
+           "bit-identical heights of all discs in the mirrored cell", "bit-identical final state of a resumed run",
+           "positions with jumps over contact-free time, largest difference over a diameter"},
+      .source = "Lacy 1989, Virtual Elements and Periodic Boundaries",
+      .faults = {{"field_too_wide", "virtual discs too far away by 1e-7 of the field width",
+                  "positions against virtual discs and all pairs, largest difference over a diameter"},
+                 {"latch_weaker", "K2 of the reference smaller by the fraction 1e-9",
+                  "positions against virtual discs and all pairs, largest difference over a diameter"},
+                 {"friction_less", "friction coefficient of the cell with virtual discs smaller by the fraction 1e-8",
+                  "positions of rough discs, neighbour list against virtual discs, largest difference over a diameter"},
+                 {"one_disc_off", "one disc of the mirrored cell higher by one unit in the last place",
+                  "bit-identical heights of all discs in the mirrored cell"},
+                 {"restart_of_1989", "largest overlap of contacts lost at the restart",
+                  "bit-identical final state of a resumed run"},
+                 {"stiffer_discs", "K1 of the cell with jumps larger by the fraction 1e-6",
+                  "positions with jumps over contact-free time, largest difference over a diameter"}},
+      .seconds = 3.0,
+      .run = run};
 }
 
 }  // namespace talus::verification::problems::shear_cell_paths

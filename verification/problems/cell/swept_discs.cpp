@@ -64,7 +64,7 @@ double furthest(const Discs& a, const Discs& b, const PeriodicBox& box) {
 template <class Law, class Friction>
 void expect_same(Findings& findings, const Setup& setup, const std::string& name, const Law& law,
                  const Friction& friction) {
-  if (!setup.needs("numbers that differ from the plain engine's, " + name)) return;
+  if (!setup.needs("values that differ from the plain engine, " + name)) return;
   const Packing start = sheared_packing(count);
   const long steps = setup.coarse ? 1500 : 4000;
   Discs plain_discs = start.discs, fast_discs = start.discs;
@@ -79,24 +79,23 @@ void expect_same(Findings& findings, const Setup& setup, const std::string& name
   findings.count(plain.evaluations() + fast.evaluations());
   constexpr auto lost = static_cast<std::size_t>(Law::dissipation);
   if constexpr (fast.has_history) fast_discs.work[lost] = plain_discs.work[lost];
-  findings.in("engines")->expect("numbers that differ from the plain engine's, " + name,
+  findings.in("engines")->expect("values that differ from the plain engine, " + name,
                                  static_cast<double>(differing(plain_discs, fast_discs)), 0.0,
                                  Tolerance::exact("the same sums in the same order"));
   if constexpr (!std::same_as<Law, LatchingSpring> || !std::same_as<Friction, Frictionless>) return;
   long touching = 0;
   fast.for_each_contact(fast_discs, [&](const DiscContact&) { ++touching; });
-  findings.expect_between("contacts of a disc at the end, " + name,
+  findings.expect_between("contacts per disc at the end, " + name,
                           2.0 * static_cast<double>(touching) / static_cast<double>(count), 0.3, 4.0,
-                          "without contacts there is nothing to compare; discs in a plane have four in the mean where "
-                          "they jam");
-  findings.expect_between("times that the neighbour list was made, " + name, static_cast<double>(fast.builds()), 3.0,
-                          0.2 * static_cast<double>(steps), "contacts must be carried from list to list");
+                          "without contacts there is nothing to compare; jammed discs in a plane have four on average");
+  findings.expect_between("number of builds of the neighbour list, " + name, static_cast<double>(fast.builds()), 3.0,
+                          0.2 * static_cast<double>(steps), "contacts must be carried over from list to list");
 }
 
 /// Separate calls of kick, drift and evaluate, between which the caller changes the discs: velocities are reversed
 /// between a kick and a drift and between a drift and a kick, and at the end one disc is displaced.
 void expect_single_calls(Findings& findings, const Setup& setup) {
-  const std::string name = "numbers that differ after single calls, discs changed in between";
+  const std::string name = "values that differ after separate calls with discs changed in between";
   if (!setup.needs(name)) return;
   const Packing start = sheared_packing(count);
   DiscSystem plain{start.shapes, start.box, clamped, 0.4, rough};
@@ -142,7 +141,7 @@ void expect_threads(Findings& findings, const Setup& setup) {
   one.begin(alone);
   one.advance(alone, step, steps);
   for (const std::size_t threads : {2U, 3U, 7U}) {
-    const std::string name = fmt::format("numbers that differ with {} threads", threads);
+    const std::string name = fmt::format("values that differ with {} threads", threads);
     if (!setup.needs(name)) continue;
     Discs together = start.discs;
     FastDiscSystem several{start.shapes, start.box, latching, 0.4, Frictionless{}, threads};
@@ -178,8 +177,8 @@ void expect_all_pairs(Findings& findings, const Setup& setup) {
   Discs those = discs;
   those.x = all.x, those.y = all.y, those.vx = all.vx, those.vy = all.vy;
   findings.count(system.evaluations());
-  findings.expect("numbers that differ from a loop over all pairs", static_cast<double>(differing(those, discs)), 0.0,
-                  Tolerance::exact("the same pairs in the same order; a list leaves out pairs that do not touch"));
+  findings.expect("values that differ from a loop over all pairs", static_cast<double>(differing(those, discs)), 0.0,
+                  Tolerance::exact("the same pairs in the same order; a list omits only pairs that do not touch"));
 }
 
 /// Effect of another order of the sums.
@@ -194,7 +193,7 @@ void show_order(Findings& findings) {
   Discs discs = start.discs, of_plain = start.discs, turned = reordered(start.discs, reverse);
   there.begin(discs), plain.begin(of_plain), back.begin(turned);
   Series other{.label = "discs numbered backwards", .style = Style::lines};
-  Series same{.label = "the plain engine", .style = Style::lines};
+  Series same{.label = "plain engine", .style = Style::lines};
   constexpr long between = 50;
   for (long n = between; n <= 6000; n += between) {
     there.advance(discs, step, between), back.advance(turned, step, between);
@@ -204,20 +203,21 @@ void show_order(Findings& findings) {
     other.y.push_back(std::max(furthest(reordered(turned, reverse), discs, start.box), 1e-17));
     same.y.push_back(std::max(furthest(of_plain, discs, start.box), 1e-17));
   }
-  findings.figure({.name = "order",
-                   .title = "The same discs, summed in another order",
-                   .caption =
-                       "Largest distance between places of the same disc in two runs, latching springs: numbered "
-                       "backwards, so that impulses are summed in another order (blue), and by the plain engine, "
-                       "which sums them in the same (orange; none at all is drawn as $10^{-17}$).",
-                   .x = {"step", "1"},
-                   .y = {.label = "distance over d", .log = true, .min = 1e-18, .max = 10.0},
-                   .series = {other, same}});
+  findings.figure(
+      {.name = "order",
+       .title = "Effect of the order of summation",
+       .caption =
+           "Largest distance between positions of the same disc in two runs with latching springs: discs numbered "
+           "backwards, so that impulses are summed in another order (blue), and plain engine, which sums them in the "
+           "same order (orange; zero is drawn as $10^{-17}$).",
+       .x = {"step", "1"},
+       .y = {.label = "distance over d", .log = true, .min = 1e-18, .max = 10.0},
+       .series = {other, same}});
 }
 
 void run(Findings& findings, const Setup& setup) {
   expect_same(findings, setup, "latching spring", latching, Frictionless{});
-  expect_same(findings, setup, "latching spring that grows stiffer, friction", growing, rough);
+  expect_same(findings, setup, "stiffening latching spring, friction", growing, rough);
   expect_same(findings, setup, "spring and dashpot", clamped, Frictionless{});
   expect_same(findings, setup, "spring and dashpot, friction", clamped, rough);
   expect_same(findings, setup, "attractive end, friction", attractive, rough);
@@ -230,25 +230,25 @@ void run(Findings& findings, const Setup& setup) {
 }  // namespace
 
 Case definition() {
-  return {
-      .id = "swept_discs",
-      .title = "Vectorised and threaded disc engine against a loop over all pairs",
-      .family = "the shear cell",
-      .requirements = {{"F3", {"engines", "threads", "numbers that differ from a loop over all pairs"}}},
-      .main_checks = {"numbers that differ from the plain engine's, latching spring",
-                      "numbers that differ from the plain engine's, spring and dashpot, friction",
-                      "numbers that differ with 2 threads", "numbers that differ with 7 threads",
-                      "numbers that differ from a loop over all pairs"},
-      .source = "order of sums, derived here",
-      .faults = {{"one_disc_off", "one disc of the fast engine a last place higher at the start",
-                  "numbers that differ from the plain engine's, latching spring"},
-                 {"work_not_kept", "the fast engine keeps no account of dashpots and friction",
-                  "numbers that differ from the plain engine's, spring and dashpot, friction"},
-                 {"thread_off", "the last disc a last place higher with threads", "numbers that differ with 7 threads"},
-                 {"pairs_backwards", "the loop over all pairs begins with the last disc",
-                  "numbers that differ from a loop over all pairs"}},
-      .seconds = 3.0,
-      .run = run};
+  return {.id = "swept_discs",
+          .title = "Vectorised and threaded disc engine against a loop over all pairs",
+          .family = "the shear cell",
+          .requirements = {{"F3", {"engines", "threads", "values that differ from a loop over all pairs"}}},
+          .main_checks = {"values that differ from the plain engine, latching spring",
+                          "values that differ from the plain engine, spring and dashpot, friction",
+                          "values that differ with 2 threads", "values that differ with 7 threads",
+                          "values that differ from a loop over all pairs"},
+          .source = "order of sums, derived here",
+          .faults = {{"one_disc_off", "one disc of the fast engine initially higher by one unit in the last place",
+                      "values that differ from the plain engine, latching spring"},
+                     {"work_not_kept", "fast engine without the energies dissipated by dashpots and friction",
+                      "values that differ from the plain engine, spring and dashpot, friction"},
+                     {"thread_off", "last disc higher by one unit in the last place with threads",
+                      "values that differ with 7 threads"},
+                     {"pairs_backwards", "the loop over all pairs begins with the last disc",
+                      "values that differ from a loop over all pairs"}},
+          .seconds = 3.0,
+          .run = run};
 }
 
 }  // namespace talus::verification::problems::swept_discs

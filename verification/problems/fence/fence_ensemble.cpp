@@ -31,8 +31,8 @@ std::vector<FenceShift> declared_shifts() {
   constexpr double quarter = std::numbers::pi / 24.0;  // of 30 degrees
   return {{.name = "omega0 + 2 rad/s", .spin = 2.0},
           {.name = "omega0 - 2 rad/s", .spin = -2.0},
-          {.name = "yc + .02 ft", .height = 0.02},
-          {.name = "yc - .02 ft", .height = -0.02},
+          {.name = "yc + 0.02 ft", .height = 0.02},
+          {.name = "yc - 0.02 ft", .height = -0.02},
           {.name = "nodes + 7.5 deg", .angle = quarter},
           {.name = "nodes + 15 deg", .angle = 2.0 * quarter},
           {.name = "nodes + 22.5 deg", .angle = 3.0 * quarter},

@@ -86,48 +86,54 @@ void check_balance(Findings& findings, const Setup& setup, Table& table) {
   const Vec2 node = r.rock.p_WB + 0.953951 * Vec2{-r.rock.R_WB.cosine, -r.rock.R_WB.sine};
   const Vec2 on_column = setup.has("contact_on_one_body_left_out") ? Vec2{} : r.on_column;
   const double scale = norm(r.on_rock);
-  findings.expect("contact forces on column and rock, sum over one (Eqs. 5, 6, 8, 9)",
+  findings.expect("sum of the contact forces on column and rock over one of them (Eqs. 5, 6, 8, 9)",
                   norm(on_column + r.on_rock) / scale, 0.0,
                   Tolerance::round_off(1e-9,
-                                       "accelerations times masses less weights and pulls of 2e4 lb: 1e-16 "
-                                       "of these, against a contact force of some 1e4 lb; a hundred "
-                                       "operations and the round-off of the static balance"));
+                                       "masses times accelerations minus weights and cable forces of 2e4 lb, "
+                                       "rounded to 1e-16 of these, relative to a contact force of about 1e4 lb; a "
+                                       "hundred operations and the round-off of the static equilibrium"));
   const Vec2 column_arm = node - r.column.p_WB, rock_arm = node - r.rock.p_WB;
   const double actual = r.column_moment - cable_moment(r, -1.0);
   const Vec2 P = r.on_column;
   const double corrected = column_arm.x * P.y - column_arm.y * P.x;
   const double printed = P.x * column_arm.y + P.y * column_arm.x;
-  const auto why = Tolerance::round_off(1e-7, "differences of moments of 1e5 ft lb, and the node's place by a sine");
-  findings.expect("Eq. 7 corrected: contact's moment on the column", actual, corrected, why.relative(), "ft lb");
-  findings.expect_between("Eq. 7 as printed: contact's moment over the actual one", printed / actual, -1.01, -0.99,
-                          "P_x Delta y, nearly all of it, has the wrong sign; P_y Delta x is a thousandth of it");
-  findings.expect("Eq. 10: contact's moment on the rock", r.rock_moment,
+  const auto why =
+      Tolerance::round_off(1e-7, "differences of moments of 1e5 ft lb, and a sine in the position of the node");
+  findings.expect("Eq. 7 corrected: moment of the contact force on the column", actual, corrected, why.relative(),
+                  "ft lb");
+  findings.expect_between("Eq. 7 as printed: moment of the contact force over the actual one", printed / actual, -1.01,
+                          -0.99,
+                          "P_x Delta y, nearly the whole moment, has the wrong sign; P_y Delta x is a thousandth of "
+                          "it");
+  findings.expect("Eq. 10: moment of the contact force on the rock", r.rock_moment,
                   rock_arm.x * r.on_rock.y - rock_arm.y * r.on_rock.x,
                   Tolerance::round_off(1e-7 * scale,
-                                       "a moment that is small beside force times radius: the node is at "
-                                       "the rock's own height, and only its turning moves it"),
+                                       "a moment that is small compared with force times radius: the node is at the "
+                                       "height of the rock's centre, and only the rotation moves it from there"),
                   "ft lb");
   const auto text = [](double value) { return fmt::format("{:.1f}", value); };
+  table.rows.push_back({"Eqs. 5, 8: x component of the force on the column [lb]", text(r.on_rock.x), text(-r.on_rock.x),
+                        text(r.on_column.x)});
   table.rows.push_back(
-      {"Eqs. 5, 8: x-force on the column [lb]", text(r.on_rock.x), text(-r.on_rock.x), text(r.on_column.x)});
-  table.rows.push_back({"Eq. 7: contact's moment on the column [ft lb]", text(printed), text(corrected), text(actual)});
+      {"Eq. 7: moment of the contact force on the column [ft lb]", text(printed), text(corrected), text(actual)});
 }
 
 void check_cable_moment(Findings& findings, const Setup& setup, Table& table) {
   // 0.036 s: the rock is clear of the column, the bottom cable is taut.
   const Resultants r{scenes::fence_scene(table_2(0.0, setup)), 18'000};
   const double scale = norm(r.top) + norm(r.bottom);
-  findings.expect_between("pull of the bottom cable where Eq. 7 is tried", norm(r.bottom), 1e4, 3e5,
-                          "the term is tried with a cable that pulls", "lb");
-  findings.expect("contact force where Eq. 7's cable terms are tried", norm(r.on_column), 0.0,
-                  Tolerance::round_off(1e-9 * scale, "the rock is clear of the column"), "lb");
-  const auto why = Tolerance::round_off(1e-8, "some fifty operations on pulls and arms");
+  findings.expect_between("bottom cable force in the state used for the cable terms of Eq. 7", norm(r.bottom), 1e4, 3e5,
+                          "the cable terms are tested with a taut bottom cable", "lb");
+  findings.expect("contact force in the state used for the cable terms of Eq. 7", norm(r.on_column), 0.0,
+                  Tolerance::round_off(1e-9 * scale, "the rock does not touch the column"), "lb");
+  const auto why = Tolerance::round_off(1e-8, "about fifty operations on cable forces and lever arms");
   findings.expect("Eq. 7 corrected: moment of the cables", r.column_moment, cable_moment(r, -1.0), why.relative(),
                   "ft lb");
   const double printed = cable_moment(r, 1.0);
-  findings.expect_between("Eq. 7 as printed: moment of the cables, off by", std::abs(printed / r.column_moment - 1.0),
-                          0.2, 0.4,
-                          "the top cable's term has the wrong sign: twice that term is missing, .294 of the moment");
+  findings.expect_between("Eq. 7 as printed: relative error of the moment of the cables",
+                          std::abs(printed / r.column_moment - 1.0), 0.2, 0.4,
+                          "the term of the top cable has the wrong sign: twice that term is missing, 0.294 of the "
+                          "moment");
   table.rows.push_back({"Eq. 7: moment of the cables [ft lb]", fmt::format("{:.1f}", printed),
                         fmt::format("{:.1f}", cable_moment(r, -1.0)), fmt::format("{:.1f}", r.column_moment)});
 }
@@ -153,8 +159,8 @@ double printed_friction(double stiffness, double slip, double limit) {
 void check_resultants(Findings& findings, const Setup& setup) {
   Table table{.name = "resultants",
               .caption =
-                  "Forces and moments on the central column by the report's equations as printed and as "
-                  "corrected, beside mass times acceleration less all else in a run of Table 2.",
+                  "Forces and moments on the central column: the report's equations as printed and as corrected, "
+                  "and mass times acceleration minus all other forces in a run of Table 2.",
               .columns = {"equation", "as printed", "as corrected", "in the run"}};
   check_balance(findings, setup, table);
   check_cable_moment(findings, setup, table);
@@ -179,11 +185,11 @@ void check_initial_tension(Findings& findings, const Setup& setup) {
   // Section 2.4, computed by hand: half the central column's weight W at the slope W/(2 H).
   const double weight = 0.38 * std::numbers::pi * 1.25 * 1.25 * 8.0 * gravity;
   const double horizontal = weight / 5.5 * (2.5 * 18.0 + 12.5 * 6.5);
-  findings.expect("tension at the start, Eq. 14 with the k of Eq. 12", forces.tensions[index(first)],
+  findings.expect("initial tension, Eq. 14 with the stiffness of Eq. 12", forces.tensions[index(first)],
                   horizontal * std::hypot(1.0, 0.5 * weight / horizontal),
                   Tolerance::round_off(1e-7,
-                                       "the tension is k times a difference of lengths: 8.6e6 lb/ft times a few "
-                                       "epsilon of 2.5 ft"),
+                                       "the tension is the stiffness times a difference of lengths: 8.6e6 lb/ft "
+                                       "times a few machine epsilons of 2.5 ft"),
                   "lb");
 }
 
@@ -199,11 +205,12 @@ void check_doubling(Findings& findings, const Setup& setup) {
   fence.options.symmetry = scenes::FenceSymmetry::full;
   const FenceScene full = scenes::fence_scene(fence);
   const double reference = speed(full, 2);
-  findings.expect("15 columns, N = 8: central column's speed at .01 s, half model", speed(half, 2), reference,
+  findings.expect("15 columns, N = 8: speed of the central column at 0.01 s, half model", speed(half, 2), reference,
                   Tolerance::round_off(1e-9, "the same forces summed in another order, 5000 steps"), "ft/s");
-  findings.expect_between("15 columns, N = 8: rock's speed when N even doubles the column, against the full model",
-                          std::abs(speed(doubled, 1) / speed(full, 1) - 1.0), 0.05, 1.0,
-                          "as printed the rule doubles one column that is hit alone");
+  findings.expect_between(
+      "15 columns, N = 8, central column doubled: relative error of the rock's speed against the full model",
+      std::abs(speed(doubled, 1) / speed(full, 1) - 1.0), 0.05, 1.0,
+      "the rule as printed (double if N is even) doubles a column that is the only one hit");
 }
 
 /// Checks the missing sign of Eq. 18, the bound of Eq. 25, and numbers on which the report's text and decks disagree.
@@ -212,28 +219,31 @@ void check_texts(Findings& findings) {
   const double stiffness = 1e4, limit = 50.0;
   const double jump = printed_friction(stiffness, -1.000001 * limit / stiffness, limit) -
                       printed_friction(stiffness, -0.999999 * limit / stiffness, limit);
-  findings.expect("Eq. 18 as printed: jump of the force where backward slip begins, over mu Fn", jump / limit, 2.0,
-                  Tolerance::model(2e-6, "a millionth to either side of the limit"));
-  findings.expect_between("Eq. 25: largest eigenvalue of 13 columns along their cable, over one column's 2 k/m",
+  findings.expect("Eq. 18 as printed: jump of the force at the start of backward slip over mu Fn", jump / limit, 2.0,
+                  Tolerance::model(2e-6, "evaluated a millionth to either side of the limit"));
+  findings.expect_between("Eq. 25: largest eigenvalue of 13 columns along their cable over 2 k/m of one column",
                           chain_eigenvalue(13) / 2.0, 1.5, 2.0,
-                          "4 k/m sin^2(13 pi/28): the frequency of one element between its neighbours is no bound");
-  findings.expect("Eq. 25: two columns, m = k = 1: alternating motion", chain_eigenvalue(2), 3.0,
-                  Tolerance::round_off(1e-14, "a sine squared; by hand: each spring beside k, the middle one 2 k"));
+                          "4 k/m sin^2(13 pi/28): the frequency of one element between fixed neighbours is not an "
+                          "upper bound");
+  findings.expect("Eq. 25: eigenvalue of the alternating motion of two columns, m = k = 1", chain_eigenvalue(2), 3.0,
+                  Tolerance::round_off(1e-14,
+                                       "a squared sine; by hand: the outer spring of each mass contributes k, the "
+                                       "middle one 2 k"));
   const Fence sample = published_fence("sample2.DAT"), table = published_fence("table_2.DAT");
-  findings.expect("unit weight of sample2's columns", sample.column.density * gravity, 24.5,
+  findings.expect("unit weight of the columns of sample2", sample.column.density * gravity, 24.5,
                   Tolerance::model(0.05, "half a unit of the last digit"), "lb/ft^3");
   findings.expect("unit weight of the columns of Tables 2 and 3", table.column.density * gravity, 12.2,
                   Tolerance::model(0.05, "half a unit of the last digit"), "lb/ft^3");
-  findings.expect("attachment in sample2, y_top less half the height", sample.y_top - sample.column.b, 2.67,
+  findings.expect("attachment in sample2: y_top minus half the height", sample.y_top - sample.column.b, 2.67,
                   Tolerance::round_off(1e-12, "a difference of two numbers of the deck"), "ft");
-  findings.expect("history variables in sample2, of \"max. = 6\"", static_cast<double>(sample.history_codes.size()), 8,
-                  Tolerance::exact("a count"));
+  findings.expect("number of history variables in sample2 (report: \"max. = 6\")",
+                  static_cast<double>(sample.history_codes.size()), 8, Tolerance::exact("a count"));
   // f_penet: with m and k of the ground-rock contact in sample2's listing the overlap is at most f r.
   const double sink = 65.0 * std::sqrt(37.23 / 0.8723e8);
   findings.expect("largest overlap of rock and ground over f_penet r", sink / (0.05 * 1.201), 1.0 / std::numbers::sqrt2,
                   Tolerance::model(1.5e-4,
-                                   "k = 2 m v^2/(f r)^2; half units of the last of four digits of m and k, "
-                                   "1.3e-4 and .6e-4 of them, half of which enter"));
+                                   "k = 2 m v^2/(f r)^2; m and k have four digits, rounded to 1.3e-4 and 0.6e-4 of "
+                                   "them, half of which enter"));
 }
 
 void run(Findings& findings, const Setup& setup) {
@@ -246,39 +256,43 @@ void run(Findings& findings, const Setup& setup) {
 }  // namespace
 
 Case definition() {
-  return {.id = "fence_equations",
-          .title = "Fence equations, printed and corrected",
-          .family = "the fence",
-          .requirements =
-              {{"Eq. 2", {"contact forces on column and rock, sum over one (Eqs. 5, 6, 8, 9)"}},
-               {"Eq. 5", {"contact forces on column and rock, sum over one (Eqs. 5, 6, 8, 9)"}},
-               {"Eq. 6", {"contact forces on column and rock, sum over one (Eqs. 5, 6, 8, 9)"}},
-               {"Eq. 7", {"Eq. 7 corrected: contact's moment on the column", "Eq. 7 corrected: moment of the cables"}},
-               {"Eq. 8", {"contact forces on column and rock, sum over one (Eqs. 5, 6, 8, 9)"}},
-               {"Eq. 10", {"Eq. 10: contact's moment on the rock"}},
-               {"Eq. 11", {"tension at the start, Eq. 14 with the k of Eq. 12"}},
-               {"Eq. 12", {"tension at the start, Eq. 14 with the k of Eq. 12"}},
-               {"Eq. 14", {"tension at the start, Eq. 14 with the k of Eq. 12"}},
-               {"Eq. 15", {"Eq. 7 corrected: moment of the cables", "Eq. 7 as printed: moment of the cables, off by"}},
-               {"Eq. 16", {"Eq. 7 corrected: moment of the cables", "Eq. 7 as printed: moment of the cables, off by"}},
-               {"Eq. 18", {"Eq. 18 as printed: jump of the force where backward slip begins, over mu Fn"}},
-               {"Eq. 25",
-                {"Eq. 25: largest eigenvalue of 13 columns along their cable, over one column's 2 k/m",
-                 "Eq. 25: two columns, m = k = 1: alternating motion"}},
-               {"law.elastic_plastic", {"tension at the start, Eq. 14 with the k of Eq. 12"}}},
-          .main_checks = {"contact forces on column and rock, sum over one (Eqs. 5, 6, 8, 9)",
-                          "Eq. 7 corrected: contact's moment on the column", "Eq. 7 corrected: moment of the cables",
-                          "15 columns, N = 8: central column's speed at .01 s, half model"},
-          .source = "Mustoe & Huttelmaier 1993, sections 3.1-3.7, Appendix II",
-          .faults = {{"contact_on_one_body_left_out", "the column feels nothing of the contact",
-                      "contact forces on column and rock, sum over one (Eqs. 5, 6, 8, 9)"},
-                     {"joint_below", "the top cable's joint below the centre of mass",
-                      "Eq. 7 corrected: moment of the cables"},
-                     {"two_stiffnesses", "Eq. 14 with a stiffness nine tenths of that of Eq. 12",
-                      "tension at the start, Eq. 14 with the k of Eq. 12"},
-                     {"central_column_doubled", "the mass of one central column doubled",
-                      "15 columns, N = 8: central column's speed at .01 s, half model"}},
-          .run = run};
+  return {
+      .id = "fence_equations",
+      .title = "Fence equations, printed and corrected",
+      .family = "the fence",
+      .requirements =
+          {{"Eq. 2", {"sum of the contact forces on column and rock over one of them (Eqs. 5, 6, 8, 9)"}},
+           {"Eq. 5", {"sum of the contact forces on column and rock over one of them (Eqs. 5, 6, 8, 9)"}},
+           {"Eq. 6", {"sum of the contact forces on column and rock over one of them (Eqs. 5, 6, 8, 9)"}},
+           {"Eq. 7",
+            {"Eq. 7 corrected: moment of the contact force on the column", "Eq. 7 corrected: moment of the cables"}},
+           {"Eq. 8", {"sum of the contact forces on column and rock over one of them (Eqs. 5, 6, 8, 9)"}},
+           {"Eq. 10", {"Eq. 10: moment of the contact force on the rock"}},
+           {"Eq. 11", {"initial tension, Eq. 14 with the stiffness of Eq. 12"}},
+           {"Eq. 12", {"initial tension, Eq. 14 with the stiffness of Eq. 12"}},
+           {"Eq. 14", {"initial tension, Eq. 14 with the stiffness of Eq. 12"}},
+           {"Eq. 15",
+            {"Eq. 7 corrected: moment of the cables", "Eq. 7 as printed: relative error of the moment of the cables"}},
+           {"Eq. 16",
+            {"Eq. 7 corrected: moment of the cables", "Eq. 7 as printed: relative error of the moment of the cables"}},
+           {"Eq. 18", {"Eq. 18 as printed: jump of the force at the start of backward slip over mu Fn"}},
+           {"Eq. 25",
+            {"Eq. 25: largest eigenvalue of 13 columns along their cable over 2 k/m of one column",
+             "Eq. 25: eigenvalue of the alternating motion of two columns, m = k = 1"}},
+           {"law.elastic_plastic", {"initial tension, Eq. 14 with the stiffness of Eq. 12"}}},
+      .main_checks = {"sum of the contact forces on column and rock over one of them (Eqs. 5, 6, 8, 9)",
+                      "Eq. 7 corrected: moment of the contact force on the column",
+                      "Eq. 7 corrected: moment of the cables",
+                      "15 columns, N = 8: speed of the central column at 0.01 s, half model"},
+      .source = "Mustoe & Huttelmaier 1993, sections 3.1-3.7, Appendix II",
+      .faults = {{"contact_on_one_body_left_out", "no contact force on the column",
+                  "sum of the contact forces on column and rock over one of them (Eqs. 5, 6, 8, 9)"},
+                 {"joint_below", "top cable joint below the centre of mass", "Eq. 7 corrected: moment of the cables"},
+                 {"two_stiffnesses", "Eq. 14 with 0.9 times the stiffness of Eq. 12",
+                  "initial tension, Eq. 14 with the stiffness of Eq. 12"},
+                 {"central_column_doubled", "mass of the only central column doubled",
+                  "15 columns, N = 8: speed of the central column at 0.01 s, half model"}},
+      .run = run};
 }
 
 }  // namespace talus::verification::problems::fence_equations

@@ -163,22 +163,24 @@ void check_hanging(Findings& findings, const Setup& setup) {
     keep_worst(sag, highest - lowest - fence.sag), keep_worst(span, 2.0 * farthest - fence.span);
   }
   const Tolerance by_lengths = Tolerance::round_off(1e-8,
-                                                    "a tension of 2e4 lb is 9e6 lb/ft times a difference of lengths of "
-                                                    "2.5 to 12.5 ft: 1e-8 lb, of weights of 480 lb; "
-                                                    "a hundred of these");
-  findings.expect("pulls on columns of every layout over their weight, worst", balance, 0.0, by_lengths);
-  findings.expect("pulls along the fence on columns of full layouts over their weight, worst", sideways, 0.0,
+                                                    "a tension of 2e4 lb is 9e6 lb/ft times a difference of lengths "
+                                                    "of 2.5 to 12.5 ft, rounded to 1e-8 lb; relative to weights of "
+                                                    "480 lb, and times a hundred");
+  findings.expect("vertical cable force over weight of the columns, all layouts, worst relative error", balance, 0.0,
                   by_lengths);
-  findings.expect("horizontal tension of every segment over that by moments, worst", horizontal, 0.0, by_lengths);
+  findings.expect("cable force along the fence over weight of the columns, full models, largest", sideways, 0.0,
+                  by_lengths);
+  findings.expect("horizontal tension of each segment against that from moments, worst relative error", horizontal, 0.0,
+                  by_lengths);
   const Tolerance lengths = Tolerance::round_off(1e-13, "sums of up to seven lengths of 55 ft");
-  findings.expect("sag of the top cables less the given one, worst", sag, 0.0, lengths, "ft");
-  findings.expect("span of the top cables less the given one, worst", span, 0.0, lengths, "ft");
-  findings.expect("slack of the bottom cables less the given one, worst", slack, 0.0, lengths, "ft");
-  findings.expect("number of columns by their masses over the given one, worst", mass, 0.0,
+  findings.expect("sag of the top cables, worst error", sag, 0.0, lengths, "ft");
+  findings.expect("span of the top cables, worst error", span, 0.0, lengths, "ft");
+  findings.expect("slack of the bottom cables, worst error", slack, 0.0, lengths, "ft");
+  findings.expect("number of columns from the sum of masses, worst relative error", mass, 0.0,
                   Tolerance::round_off(1e-14, "sums of up to 26 quotients"));
-  findings.expect("number of columns by their inertias over the given one, worst", inertia, 0.0,
+  findings.expect("number of columns from the sum of moments of inertia, worst relative error", inertia, 0.0,
                   Tolerance::round_off(1e-14, "sums of up to 26 quotients"));
-  findings.expect("distance of the columns of each layer from its plane, worst", off_plane, 0.0,
+  findings.expect("distance of the columns of each layer from its plane, largest", off_plane, 0.0,
                   Tolerance::exact("the same difference of two numbers"), "ft");
 }
 
@@ -195,10 +197,11 @@ void check_raised(Findings& findings) {
   double apart = 0.0;
   for (std::size_t i = 0; i < low.bodies.size(); ++i)
     if (is_column(low.bodies[i])) keep_worst(apart, high.bodies[i].p_WB.y - raised - low.bodies[i].p_WB.y);
-  findings.expect("columns on stretched cables, of a fence raised by 100 ft, less 100 ft, worst", apart, 0.0,
+  findings.expect("rise of the columns on stretched cables of a fence raised by 100 ft, worst error", apart, 0.0,
                   Tolerance::round_off(1e-9,
-                                       "Newton's method ends at 1e-9 of a weight of 480 lb; the segments hold a column "
-                                       "with some 2 T/l = 2e4 lb/ft, seven of them in a row with a thirtieth of it"),
+                                       "Newton's method ends at a residual of 1e-9 of a weight of 480 lb; the "
+                                       "stiffness of the segments at one column is about 2 T/l = 2e4 lb/ft, that of "
+                                       "seven in a row a thirtieth of it"),
                   "ft");
 }
 
@@ -219,12 +222,15 @@ void check_long_cables(Findings& findings) {
     keep_worst(balance, pulls.up[i] / (model.bodies[i].mass * fence.gravity) - 1.0);
     if (model.bodies[i].name.ends_with("column1")) highest = std::max(highest, model.bodies[i].p_WB.y);
   }
-  findings.expect("pulls on columns over their weight, hung on cables longer by 4 ft in a half, worst", balance, 0.0,
-                  Tolerance::round_off(1e-8,
-                                       "as of every layout: the tension of 1e4 lb or less is 9e6 lb/ft times a "
-                                       "difference of lengths"));
-  findings.expect_true("central columns of both layers hang more than ten sags lower",
-                       highest < fence.column.position.y - 10.0 * fence.sag, "half of a cable is 31 ft on 27.5 ft");
+  findings.expect(
+      "vertical cable force over weight of the columns, cables longer by 4 ft per half, worst relative error", balance,
+      0.0,
+      Tolerance::round_off(1e-8,
+                           "as for all layouts: the tension of at most 1e4 lb is 9e6 lb/ft times a difference of "
+                           "lengths"));
+  findings.expect_true("central columns of both layers lower by more than ten sags",
+                       highest < fence.column.position.y - 10.0 * fence.sag,
+                       "half of a cable is 31 ft long over a half span of 27.5 ft");
 }
 
 /// Checks the stiffness of each column along y in the linearization, over its mass, against two segments in space.
@@ -260,11 +266,11 @@ void check_linearization(Findings& findings) {
       keep_worst(worst, found / exact - 1.0);
     }
   }
-  findings.expect("stiffness of segments on each column in the linearization, half and full, worst relative error",
+  findings.expect("cable stiffness at each column in the linearization, half and full models, worst relative error",
                   worst, 0.0,
                   Tolerance::round_off(1e-9,
-                                       "the slope of the law is a difference over 1e-6 of the elongation, which "
-                                       "makes 1e-10 of a rounding of 1e-16"));
+                                       "the slope of the law is a difference quotient over 1e-6 of the elongation, "
+                                       "which amplifies a rounding of 1e-16 to 1e-10"));
 }
 
 /// Checks the step by the rule of 1993, contacts of columns with the ground, and strengths of cables.
@@ -292,11 +298,11 @@ void check_numbers(Findings& findings, const Setup& setup) {
       keep_worst(strength, std::get<ElasticPlastic>(cable.law).strength / (is_top(cable) ? 1e5 : 2e5) - 1.0);
   }
   const Tolerance few = Tolerance::round_off(2e-15, "half a dozen operations");
-  findings.expect("step over the given multiple of that by the rule of 1993, worst relative error", step, 0.0, few);
-  findings.expect("contacts of columns with the ground, worst relative error of stiffness and number", ground, 0.0,
+  findings.expect("step against the given multiple of the step by the rule of 1993, worst relative error", step, 0.0,
                   few);
-  findings.expect("strengths of the cables, worst relative error", strength, 0.0,
-                  Tolerance::exact("numbers handed on"));
+  findings.expect("contacts of columns with the ground, worst relative error of stiffness and multiplicity", ground,
+                  0.0, few);
+  findings.expect("strengths of the cables, worst relative error", strength, 0.0, Tolerance::exact("copied numbers"));
 }
 
 // ---- hangers, starts, contacts ----
@@ -335,10 +341,10 @@ void check_hangers(Findings& findings) {
         if (hanger.body == column.body) listed += 1.0, keep_worst(limits, column.limit / hanger.strength - 1.0);
     if (listed != columns) limits = std::nan("");
   }
-  findings.expect("strength of its hanger in the record of each column, worst relative error", limits, 0.0,
-                  Tolerance::exact("numbers handed on"));
+  findings.expect("hanger strength in the record of each column, worst relative error", limits, 0.0,
+                  Tolerance::exact("copied numbers"));
   fence = fence_of_today(), fence.changed_columns = {unlike};
-  findings.expect("columns without their hanger at the top joint", missing, 0.0, Tolerance::exact("a count"));
+  findings.expect("number of columns without a hanger at their top joint", missing, 0.0, Tolerance::exact("a count"));
   fence.options.symmetry = FenceSymmetry::half;
   const auto error = [&](double share) -> std::string {
     fence.options.hanger_strength = share * mass_of_unlike() * fence.gravity;
@@ -349,10 +355,10 @@ void check_hangers(Findings& findings) {
     }
     return "";
   };
-  findings.expect_true("hangers of .999 of the heaviest column's weight: the error names it",
+  findings.expect_true("hanger strength of 0.999 of the heaviest column's weight: error that names the hanger",
                        error(0.999).find("'hanger3'") != std::string::npos,
-                       "the others carry two thirds of that weight");
-  findings.expect_true("hangers of 1.001 of the heaviest column's weight are enough", error(1.001).empty(),
+                       "the other hangers carry two thirds of that weight");
+  findings.expect_true("hanger strength of 1.001 of the heaviest column's weight: no error", error(1.001).empty(),
                        "each hanger carries its column's weight");
 }
 
@@ -372,11 +378,12 @@ void check_words(Findings& findings) {
   double named = 0.0;
   for (const Cable& cable : scene.model.cables)
     named += words.find(cable.name) != std::string::npos ? 1.0 : 0.0;
-  findings.expect("cables named by the error of a stretched cable that there is none of", named,
-                  static_cast<double>(scene.model.cables.size()), Tolerance::exact("all that may be meant"));
-  findings.expect_true("that error names the cable", words.find("top99") != std::string::npos, "what was found");
-  findings.expect_true("a fence says why it is run by its method", !scene.integrator_why.empty(),
-                       "the method was not given");
+  findings.expect("number of cables listed by the error for an unknown stretched cable", named,
+                  static_cast<double>(scene.model.cables.size()), Tolerance::exact("all cables that may be meant"));
+  findings.expect_true("name of the unknown cable in the error for it", words.find("top99") != std::string::npos,
+                       "an error says what was found");
+  findings.expect_true("reason for the integrator chosen for a fence", !scene.integrator_why.empty(),
+                       "the integrator was not given");
 }
 
 /// Checks accelerations by constant forces and a moment, in addition to weights and balanced cable forces.
@@ -405,8 +412,9 @@ void check_given_forces(Findings& findings, scenes::Fence fence) {
       keep_worst(worst, (0.4 * mass * a * a * rates.v[first + 2] - 15.0) / 20.0);
     }
   }
-  findings.expect("accelerations at the start by the forces and the moment given, worst error over 20 lb", worst, 0.0,
-                  Tolerance::round_off(1e-12, "pulls of 2e4 lb, rounded to 4e-12 lb, sum up to the weight"));
+  findings.expect("initial accelerations by given forces and moment, worst error of force or moment over 20", worst,
+                  0.0,
+                  Tolerance::round_off(1e-12, "cable forces of 2e4 lb, rounded to 4e-12 lb, sum up to the weight"));
 }
 
 /// Checks initial velocities of columns, and which columns are awake after three steps.
@@ -422,8 +430,8 @@ void check_start(Findings& findings, const Setup& setup) {
     const Pose at = pose(made.scene.model, made.scene.initial, static_cast<BodyId>(i));
     keep_worst(velocity, norm(at.v_WB - moving.column.velocity)), keep_worst(velocity, at.w_WB);
   }
-  findings.expect("velocities of columns at the start less the given one, worst", velocity, 0.0,
-                  Tolerance::exact("numbers handed on"), "ft/s");
+  findings.expect("initial velocities of the columns, worst error", velocity, 0.0, Tolerance::exact("copied numbers"),
+                  "ft/s");
   check_given_forces(findings, fence);
   constexpr int steps = 3;
   const scenes::FenceScene still = scenes::fence_scene(fence);
@@ -432,8 +440,8 @@ void check_start(Findings& findings, const Setup& setup) {
   const auto awake = std::count(run.state.mode.begin() + static_cast<std::ptrdiff_t>(layout.first_sleeper),
                                 run.state.mode.end(), Mode{1});
   findings.expect("columns awake after three steps", static_cast<double>(awake), 1.0 + 2.0 * steps,
-                  Tolerance::exact("the rock touches the central one; in each step the motion reaches one more on "
-                                   "either side"));
+                  Tolerance::exact("the rock touches the central column; in each step the motion reaches one more "
+                                   "column on either side"));
 }
 
 double dashpot(const Model& model, const std::string& name) {
@@ -465,10 +473,10 @@ void check_sides(Findings& findings, const Setup& setup) {
     keep_worst(
         apart,
         dashpot(model, fmt::format("rock2-{}-3", column)) / dashpot(model, fmt::format("rock1-{}3", column)) - 1.0);
-  findings.expect("dashpots of two rocks on the two sides of the fence, worst difference", apart, 0.0,
-                  Tolerance::exact("the same numbers on either side"));
+  findings.expect("dashpots of two rocks that hit mirrored columns, worst relative difference", apart, 0.0,
+                  Tolerance::exact("the same numbers on both sides"));
   const double ratio = dashpot(model, "rock1-column3") / dashpot(model, "rock3-column1");
-  findings.expect("square of the ratio of dashpots, third column over central one, over that of the masses felt",
+  findings.expect("squared ratio of dashpots over ratio of effective masses, third column to central column",
                   ratio * ratio * felt_mass(fence, model, "column1") / felt_mass(fence, model, "column3"), 1.0,
                   Tolerance::round_off(1e-14, "two dozen operations: c = 2 xi sqrt(k m) with the same k and xi"));
 }
@@ -496,17 +504,18 @@ Case definition() {
       .id = "fence_layouts",
       .title = "Fence layouts",
       .family = "the fence",
-      .requirements = {{"Eq. 14", {"horizontal tension of every segment over that by moments, worst"}}},
-      .main_checks = {"pulls on columns of every layout over their weight, worst",
-                      "number of columns by their masses over the given one, worst",
-                      "slack of the bottom cables less the given one, worst",
-                      "dashpots of two rocks on the two sides of the fence, worst difference"},
+      .requirements = {{"Eq. 14",
+                        {"horizontal tension of each segment against that from moments, worst relative error"}}},
+      .main_checks = {"vertical cable force over weight of the columns, all layouts, worst relative error",
+                      "number of columns from the sum of masses, worst relative error",
+                      "slack of the bottom cables, worst error",
+                      "dashpots of two rocks that hit mirrored columns, worst relative difference"},
       .source = "Mustoe & Huttelmaier 1993, sections 2.4, 3.1 and 3.5",
-      .faults = {{"denser_columns", "changed columns that are denser by a millionth",
-                  "number of columns by their masses over the given one, worst"},
-                 {"one_rock_higher", "of two rocks one hits higher by a hundredth of a foot",
-                  "dashpots of two rocks on the two sides of the fence, worst difference"},
-                 {"late_look", "columns counted after ten steps in place of three", "columns awake after three steps"}},
+      .faults = {{"denser_columns", "dissimilar columns denser by a millionth",
+                  "number of columns from the sum of masses, worst relative error"},
+                 {"one_rock_higher", "one of two rocks hits 0.01 ft higher",
+                  "dashpots of two rocks that hit mirrored columns, worst relative difference"},
+                 {"late_look", "columns counted after ten steps instead of three", "columns awake after three steps"}},
       .run = run};
 }
 

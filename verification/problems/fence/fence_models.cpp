@@ -63,21 +63,23 @@ void check_halves(Findings& findings, const Setup& setup) {
     findings.count(half.evaluations + full.evaluations);
     return distance(half, full);
   };
-  findings.expect("13 columns: half model from the full one at .05 s, largest distance",
+  findings.expect("13 columns: half model against full model at 0.05 s, largest position difference",
                   apart(13, scenes::EvenCentre::pair), 0.0,
-                  Tolerance::exact("cables are summed before contacts, and T + T is 2 T"), "ft");
+                  Tolerance::exact("cable forces are summed before contact forces, and T + T is 2 T"), "ft");
   if (!setup.needs("12 columns")) return;
   findings.expect(
-      "12 columns, two central ones: half model from the full one at .05 s", apart(12, scenes::EvenCentre::pair), 0.0,
+      "12 columns, two central ones: half model against full model at 0.05 s, largest position difference",
+      apart(12, scenes::EvenCentre::pair), 0.0,
       Tolerance::round_off(1e-9,
-                           "the rock's two contacts are summed one by one in the full model, where the half "
-                           "model doubles one: 1e-16 of a force a step, over 600 steps of impacts"),
+                           "the full model sums the rock's two contact forces, where the half model doubles one: "
+                           "1e-16 of a force per step, over 600 steps of impacts"),
       "ft");
-  findings.expect_between("12 columns, the central one doubled as in 1993: from the full model at .05 s",
-                          apart(12, scenes::EvenCentre::doubled), 0.005, 0.5,
-                          "not the same model: one contact with twice the mass in place of two; less than .005 ft "
-                          "would not show, more than .5 ft would be another fence",
-                          "ft");
+  findings.expect_between(
+      "12 columns, central one doubled as in 1993: largest position difference from the full model at 0.05 s",
+      apart(12, scenes::EvenCentre::doubled), 0.005, 0.5,
+      "not the same model: one contact with twice the mass instead of two contacts; less than 0.005 ft would not be "
+      "visible, more than 0.5 ft would be a different fence",
+      "ft");
 }
 
 constexpr double first_print = 0.00496;  // [s]
@@ -102,7 +104,7 @@ double rock_speed(Findings& findings, const Setup& setup, int nodes, scenes::Fen
 }
 
 void check_nodes(Findings& findings, const Setup& setup) {
-  Series nodes{.label = "by nodes (1993)"};
+  Series nodes{.label = "contact at nodes (1993)"};
   for (const int count : {12, 24, 48, 96, 192}) {
     if (setup.coarse && count != 12 && count != 192) continue;
     nodes.add(count, rock_speed(findings, setup, count, scenes::FenceContact::nodes));
@@ -110,24 +112,25 @@ void check_nodes(Findings& findings, const Setup& setup) {
   const double by_resultant = rock_speed(findings, {}, 12, scenes::FenceContact::resultant);
   const double growth = (nodes.y.back() - by_resultant) / (nodes.y[0] - by_resultant);
   findings.expect_between("rock's speed by 192 nodes from that by one resultant, over the same by 12", growth, 2.0, 8.0,
-                          "a resolution would bring it to 1/16 (first order); here 16 times the springs and dashpots "
-                          "act, and the impact becomes plastic");
+                          "a refinement of first order would reduce it to 1/16; here 16 times as many springs and "
+                          "dashpots act, and the impact becomes plastic");
   if (setup.coarse) return;
   findings.note(fmt::format(
-      "*Nodes are no resolution.* sample2's rock leaves its first contact at {:.1f}, {:.1f}, "
-      "{:.1f}, {:.1f} and {:.1f} ft/s with 12, 24, 48, 96 and 192 nodes (printed in 1993 with 12: -49.0), by one "
-      "resultant at {:.1f}. The normal rule of the paper's Appendix I, that of the body that bends "
-      "less, gives {:.1f} with 12 nodes.",
+      "*More nodes do not refine the contact.* The rock of sample2 leaves its first contact at {:.1f}, {:.1f}, "
+      "{:.1f}, {:.1f} and {:.1f} ft/s with 12, 24, 48, 96 and 192 nodes (printed in 1993 with 12: -49.0), and at "
+      "{:.1f} ft/s with one resultant. With the normal of the body with the smaller boundary gradient, the rule of "
+      "the paper's Appendix I, it leaves at {:.1f} ft/s with 12 nodes.",
       nodes.y[0], nodes.y[1], nodes.y[2], nodes.y[3], nodes.y[4], by_resultant,
       rock_speed(findings, {}, 12, scenes::FenceContact::smoother)));
-  findings.figure(
-      {.name = "nodes",
-       .title = "Speed of sample2's rock after the first contact against the number of nodes",
-       .caption = "Per-node contacts with the stiffness and dashpot of 1993 do not converge with the nodes.",
-       .x = {.label = "boundary nodes of the rock", .log = true},
-       .y = {.label = "x velocity at .00496 s", .unit = "ft/s"},
-       .series = {nodes},
-       .lines = {{'y', by_resultant, "one resultant"}, {'y', -49.0, "printed in 1993"}}});
+  findings.figure({.name = "nodes",
+                   .title = "Speed of the rock of sample2 after the first contact against the number of nodes",
+                   .caption =
+                       "Contacts at nodes with the stiffness and dashpot of 1993 do not converge with the number of "
+                       "nodes.",
+                   .x = {.label = "boundary nodes of the rock", .log = true},
+                   .y = {.label = "x velocity at 0.00496 s", .unit = "ft/s"},
+                   .series = {nodes},
+                   .lines = {{'y', by_resultant, "one resultant"}, {'y', -49.0, "printed in 1993"}}});
 }
 
 void check_resultant_order(Findings& findings, const Setup& setup) {
@@ -151,15 +154,16 @@ void check_resultant_order(Findings& findings, const Setup& setup) {
     }
     errors.add(first_print / steps, std::sqrt(squares / offsets));
   }
-  findings.expect_order("order of the rock's speed with one resultant a pair", errors, 0.8, 1.35,
-                        "first order: the dashpot's force is evaluated half a kick late and the release falls anywhere "
-                        "in its step");
+  findings.expect_order("order of the rock's speed with one resultant per pair", errors, 0.8, 1.35,
+                        "first order: the dashpot force is evaluated half a kick late, and the release falls "
+                        "anywhere in its step");
   if (setup.coarse) return;
   findings.figure({.name = "resultant",
-                   .title = "Error of the rock's speed with one resultant a pair against the step",
-                   .caption = "Root mean square over eight steps each, against a run of 400 000 steps.",
+                   .title = "Error of the rock's speed with one resultant per pair against the step",
+                   .caption = "Root mean square over eight nearby step sizes for each point. Reference: a run of "
+                              "400 000 steps.",
                    .x = {.label = "step", .unit = "s", .log = true},
-                   .y = {.label = "error of the x velocity at .00496 s", .unit = "ft/s", .log = true},
+                   .y = {.label = "error of the x velocity at 0.00496 s", .unit = "ft/s", .log = true},
                    .series = {{.label = "velocity Verlet, clamped", .x = errors.steps(), .y = errors.errors()}},
                    .slopes = {{1.0, errors.steps()[0], errors.errors()[0], "h"}}});
 }
@@ -209,17 +213,17 @@ void check_calibration(Findings& findings, const Setup& setup) {
     by_effective.add(height, felt.measured);
   }
   const char* why =
-      "from the contact's end to the reading, 3e-4 s, the struck point swings on: 3 ft off centre the column turns at "
-      "w = 14 rad/s, and w^2 a t = .075 ft/s is .0012 of 65 ft/s; the step, .0022 of the contact's radian, cuts the "
-      "release by up to .0006";
-  findings.expect("restitution with the effective mass, -3 to 3 ft off centre, furthest from .4", worst_effective, 0.0,
-                  Tolerance::model(0.002, why));
-  findings.expect("restitution by Eq. 21 off centre, furthest from its prediction", worst_particles, 0.0,
+      "the struck point moves on in the 3e-4 s from the end of contact to the reading: 3 ft off centre the column "
+      "rotates at w = 14 rad/s, and w^2 a t = 0.075 ft/s is 0.0012 of 65 ft/s; the step, 0.0022 rad of the "
+      "contact's phase, shortens the release by up to 0.0006";
+  findings.expect("restitution with the effective mass, -3 to 3 ft off centre, largest deviation from 0.4",
+                  worst_effective, 0.0, Tolerance::model(0.002, why));
+  findings.expect("restitution by Eq. 21 off centre, largest deviation from its prediction", worst_particles, 0.0,
                   Tolerance::model(0.002, why));
   if (setup.coarse) return;
   findings.figure({.name = "calibration",
                    .title = "Restitution of an impact off the column's centre",
-                   .caption = "Target .4. Dashpots by Eq. 21 hold it at the centre only.",
+                   .caption = "Target 0.4. Dashpots by Eq. 21 reach it at the centre only.",
                    .x = {.label = "height above the column's centre", .unit = "ft"},
                    .y = {.label = "coefficient of restitution"},
                    .series = {by_particles, predicted, by_effective},
@@ -229,7 +233,7 @@ void check_calibration(Findings& findings, const Setup& setup) {
 void run(Findings& findings, const Setup& setup) {
   if (setup.needs("half model")) check_halves(findings, setup);
   if (setup.needs("192 nodes")) check_nodes(findings, setup);
-  if (setup.needs("one resultant a pair")) check_resultant_order(findings, setup);
+  if (setup.needs("one resultant per pair")) check_resultant_order(findings, setup);
   if (setup.needs("restitution")) check_calibration(findings, setup);
 }
 
@@ -241,29 +245,30 @@ Case definition() {
       .title = "Models of one fence: half model, nodes, dashpots",
       .family = "the fence",
       .requirements = {{"Eq. 21",
-                        {"restitution with the effective mass, -3 to 3 ft off centre, furthest from .4",
-                         "restitution by Eq. 21 off centre, furthest from its prediction"}},
+                        {"restitution with the effective mass, -3 to 3 ft off centre, largest deviation from 0.4",
+                         "restitution by Eq. 21 off centre, largest deviation from its prediction"}},
                        {"method.nodes", {"rock's speed by 192 nodes from that by one resultant, over the same by 12"}},
                        {"method.resultant",
                         {"rock's speed by 192 nodes from that by one resultant, over the same by 12",
-                         "order of the rock's speed with one resultant a pair"}},
+                         "order of the rock's speed with one resultant per pair"}},
                        {"law.linear_spring_dashpot",
-                        {"restitution with the effective mass, -3 to 3 ft off centre, furthest from .4",
-                         "restitution by Eq. 21 off centre, furthest from its prediction"}},
+                        {"restitution with the effective mass, -3 to 3 ft off centre, largest deviation from 0.4",
+                         "restitution by Eq. 21 off centre, largest deviation from its prediction"}},
                        {"integrator.lagged_central_difference",
-                        {"13 columns: half model from the full one at .05 s, largest distance",
-                         "12 columns, two central ones: half model from the full one at .05 s"}}},
-      .main_checks = {"13 columns: half model from the full one at .05 s, largest distance",
+                        {"13 columns: half model against full model at 0.05 s, largest position difference",
+                         "12 columns, two central ones: half model against full model at 0.05 s, largest position "
+                         "difference"}}},
+      .main_checks = {"13 columns: half model against full model at 0.05 s, largest position difference",
                       "rock's speed by 192 nodes from that by one resultant, over the same by 12",
-                      "order of the rock's speed with one resultant a pair",
-                      "restitution with the effective mass, -3 to 3 ft off centre, furthest from .4"},
+                      "order of the rock's speed with one resultant per pair",
+                      "restitution with the effective mass, -3 to 3 ft off centre, largest deviation from 0.4"},
       .source = "Mustoe & Huttelmaier 1993, sections 3.1, 3.5, 3.6, Appendix I, Appendix II",
-      .faults = {{"segment_once", "the half model's top cable .1 % thinner",
-                  "13 columns: half model from the full one at .05 s, largest distance"},
-                 {"shared_stiffness", "all nodes together have the stiffness that 12 have",
+      .faults = {{"segment_once", "top cable of the half model with 0.1 % less area",
+                  "13 columns: half model against full model at 0.05 s, largest position difference"},
+                 {"shared_stiffness", "the stiffness of 12 nodes divided among all nodes",
                   "rock's speed by 192 nodes from that by one resultant, over the same by 12"},
-                 {"particle_masses", "dashpots from the particle masses throughout",
-                  "restitution with the effective mass, -3 to 3 ft off centre, furthest from .4"}},
+                 {"particle_masses", "dashpots from the particle masses everywhere",
+                  "restitution with the effective mass, -3 to 3 ft off centre, largest deviation from 0.4"}},
       .seconds = 3.0,
       .run = run};
 }

@@ -29,11 +29,13 @@ void check_outlines(Findings& findings) {
     const double angle = (static_cast<double>(i) + 0.5) * std::numbers::pi / 6.0;
     keep_worst(apart, norm(nodes[i] - rock.a * Vec2{std::cos(angle), std::sin(angle)}) / rock.a);
   }
-  findings.expect("nodes of a round outline by its power, from the middles of twelve equal angles", apart, 0.0,
-                  Tolerance::round_off(1e-15, "a sine or cosine, a product, the root of a square"));
-  findings.expect_true("a round outline by its power is a circle where one force acts for a pair",
+  findings.expect(
+      "nodes of a circular superquadric outline, largest distance from the middles of twelve equal "
+      "angles",
+      apart, 0.0, Tolerance::round_off(1e-15, "a sine or cosine, a product and a square root"));
+  findings.expect_true("circular superquadric outline replaced by a circle for contact by resultant",
                        std::holds_alternative<Circle>(outline(scenes::FenceContact::resultant)),
-                       "whose gaps are closed forms");
+                       "the gaps of circles have closed forms");
   fence.ground.angle = 0.3;  // of the level surface, which the profile replaces
   fence.ground_profile = {{-50.0, -6.0}, {50.0, -2.0}};
   fence.options.contact = scenes::FenceContact::resultant;
@@ -41,7 +43,7 @@ void check_outlines(Findings& findings) {
   Probe probe{scene.model};
   probe.evaluate(first_state(scene));
   const double slope = 4.0 / 100.0, over = rock.position.y - (-4.0 + slope * rock.position.x);
-  findings.expect("distance of the rock from ground along a line in the world",
+  findings.expect("distance of the rock from a ground profile in world coordinates",
                   -probe.overlap(index(*find_contact(scene.model, "rock-ground"))),
                   over / std::hypot(1.0, slope) - rock.a,
                   Tolerance::round_off(1e-14, "a dozen operations on lengths of 50 ft"), "ft");

@@ -65,17 +65,17 @@ void check_warnings(Findings& findings) {
   single.columns = 1, single.spacing = 1.0, single.changed_columns = {unlike};
   single.changed_columns[0] = {1, 1.75, sound.column.b, sound.column.density, sound.y_top, sound.y_bottom};
   const std::vector<std::string> alone = scenes::implausible_geometry(single, scenes::fence_scene(single));
-  findings.expect("warnings of a single column wider than the spacing", static_cast<double>(alone.size()), 0.0,
-                  Tolerance::exact("a count"));
+  findings.expect("number of warnings for a single column wider than the spacing", static_cast<double>(alone.size()),
+                  0.0, Tolerance::exact("a count"));
   scenes::Fence tight = sound;
   tight.layers = 2, tight.spacing = 2.0, tight.layer_spacing = 1.75;
   const std::vector<std::string> said = scenes::implausible_geometry(tight, scenes::fence_scene(tight));
   findings.expect_true(
-      "overlaps of neighbours and of layers in the warnings",
+      "overlaps of neighbours and of layers given in the warnings",
       said.size() == 2 && said[0].ends_with("overlap by 0.5 ft") && said[1].ends_with("overlap by 0.75 ft"),
-      "of columns of a width of 2.5 ft, 2 ft and 1.75 ft apart");
-  findings.expect("limits of the fence's warnings with another warning than theirs, on either side", wrong, 0.0,
-                  Tolerance::exact("of eight; a ten-thousandth to either side"));
+      "columns 2.5 ft wide at distances of 2 ft and 1.75 ft");
+  findings.expect("number of warning limits with a missing, wrong or additional warning", wrong, 0.0,
+                  Tolerance::exact("a count of eight limits; tested a ten-thousandth to either side"));
 }
 
 /// Checks which integers of a fence file are refused by name: at both ends of their ranges and one beyond each.
@@ -115,8 +115,8 @@ void check_counts(Findings& findings) {
     for (const long value : {range.least, range.most})
       wrong += refused(range, value) ? 1.0 : 0.0;
   }
-  findings.expect("whole numbers at or beyond the ends of their ranges that are wrongly accepted or refused", wrong,
-                  0.0, Tolerance::exact("of 29"));
+  findings.expect("number of integers at or beyond the ends of their ranges that are wrongly accepted or refused",
+                  wrong, 0.0, Tolerance::exact("a count of 29"));
 }
 
 /// Checks runs that end when the rocks have passed a position, or are at rest.
@@ -129,9 +129,9 @@ void check_ends(Findings& findings) {
   const RunEnd run =
       run_scene(made.scene, VelocityVerlet{}, {step, 1.0, 1.0, false}, findings, {},
                 [&](const State& state) { return reached(*made.scene.early_end, made.scene.model, state); });
-  findings.expect_between("time at which a rock over the fence has passed the exit",
+  findings.expect_between("delay between exit of a rock above the fence and end of the run",
                           run.state.t - (fence.rocks[0].position.x - exit) / 65.0, 0.0, step,
-                          "the first step behind it", "s");
+                          "the run ends with the first step beyond the exit", "s");
   fence.options.end = scenes::FenceEnd::rest;
   scenes::FenceElement slow = fence.rocks[0];
   slow.velocity = {-3.0, 4.0}, slow.position.x += 5.0;
@@ -143,9 +143,9 @@ void check_ends(Findings& findings) {
     set_velocity(resting.scene.model, state, *find_body(resting.scene.model, "rock2"), {second, 0.0}, 0.0);
     return reached(*resting.scene.early_end, resting.scene.model, state);
   };
-  findings.expect_true(
-      "a run ends at rest when both rocks are slower than a thousandth of the faster one's first speed",
-      ends(0.0649, 0.0649) && !ends(0.0651, 0.0) && !ends(0.0, 0.0651), "65 ft/s and 5 ft/s at first");
+  findings.expect_true("end of a run at rest: both rocks slower than a thousandth of the faster one's initial speed",
+                       ends(0.0649, 0.0649) && !ends(0.0651, 0.0) && !ends(0.0, 0.0651),
+                       "the initial speeds are 65 ft/s and 5 ft/s");
 }
 
 }  // namespace talus::verification::problems::fence_layouts

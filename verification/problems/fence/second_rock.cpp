@@ -34,8 +34,8 @@ struct Cable {
 std::vector<Cable> cables() {
   return {
       {"perfectly plastic", {stiffness, {{0.0, 0.5}}, 0.0}, {.stiffness = stiffness, .yield = 0.5}},
-      {"hardening line", {stiffness, {{0.0, 0.5}}, 0.25}, {.stiffness = stiffness, .yield = 0.5, .hardening = 0.25}},
-      {"hardening table",
+      {"linear hardening", {stiffness, {{0.0, 0.5}}, 0.25}, {.stiffness = stiffness, .yield = 0.5, .hardening = 0.25}},
+      {"tabulated hardening",
        {stiffness, {{0.0, 0.5}, {0.4, 0.7}, {1.0, 0.7}, {1.5, 1.2}}, 0.1},
        {.stiffness = stiffness, .yield = 0.5, .hardening = 0.1, .table = {{0.4, 0.7}, {1.0, 0.7}, {1.5, 1.2}}}}};
 }
@@ -54,22 +54,22 @@ void check_carried_cables(Findings& findings, const Setup& setup) {
     const CableRunResult run = throw_second(law, before, findings, setup);
     const Tolerance to_tolerance =
         Tolerance::truncation(5.0 * tolerance * second_speed, 1.0,
-                              "local errors below 1e-11 of speed and distance travelled, some ten in one direction");
+                              "local errors below 1e-11 of speed and distance travelled, about ten of one sign");
     findings.in("second_exit")
         ->expect(fmt::format("exit speed of the second mass, {}", name), -run.end.v[0], second.exit_speed, to_tolerance,
                  "m/s");
     findings.in("second_stretch")
-        ->expect(fmt::format("stretch by both masses, {}", name), before + run.end.z[0], second.stretch, to_tolerance,
-                 "m");
+        ->expect(fmt::format("plastic elongation by both masses, {}", name), before + run.end.z[0], second.stretch,
+                 to_tolerance, "m");
     // The rupture elongation counts from the original length.
     for (const double share : {0.999, 1.001}) {
       ElasticPlastic weak = law;
       weak.rupture = share * second.stretch;
       const bool broke = throw_second(weak, before, findings, setup).end.mode[0] == ElasticPlastic::broken;
       findings.in("second_rupture")
-          ->expect_true(fmt::format("rupture at {:g} of the stretch by both masses, {}", share, name),
+          ->expect_true(fmt::format("rupture at {:g} of the plastic elongation by both masses, {}", share, name),
                         broke == (share < 1.0),
-                        "the stretch is known to 1e-10, and the two sides are a thousandth off");
+                        "the elongation is known to 1e-10, and the two limits differ from it by a thousandth");
     }
   }
 }
@@ -95,10 +95,10 @@ void check_short_yield(Findings& findings) {
     reported += log.failures().empty() ? 0 : 1;
     seen_yielding += yields ? 1 : 0;
   }
-  findings.expect("reports of a cable that yields, over phases at which it was drawn out", reported, drawn,
-                  Tolerance::exact("counts of 64 phases"));
-  findings.expect_true("phases at which no state is seen to yield", drawn > 0 && seen_yielding < drawn,
-                       "it yields for a fifth of a step");
+  findings.expect("number of phases with a reported yield against those with a plastic elongation", reported, drawn,
+                  Tolerance::exact("counts over 64 phases"));
+  findings.expect_true("existence of phases without a yielding state at any step", drawn > 0 && seen_yielding < drawn,
+                       "the cable yields for a fifth of a step");
 }
 
 // ---- the cables of a fence ----
@@ -139,10 +139,12 @@ void check_fence_cables(Findings& findings, const Setup& setup) {
     keep_worst(strain, law.rupture / (rupture * cable.rest_length) - 1.0);
   }
   const Tolerance same = Tolerance::round_off(1e-13, "a dozen operations, and a difference of half of each term");
-  findings.expect("tangent stiffness of yielding cables over the fraction of Young's modulus, worst", tangent, 0.0,
-                  same);
-  findings.expect("stiffness times length of cables, of both strands below, over E A, worst", strands, 0.0, same);
-  findings.expect("rupture of cables as a strain, worst relative error", strain, 0.0, same);
+  findings.expect(
+      "tangent stiffness of yielding cables against the given fraction of Young's modulus, worst relative error",
+      tangent, 0.0, same);
+  findings.expect("stiffness times length of cables against E A (two strands at the bottom), worst relative error",
+                  strands, 0.0, same);
+  findings.expect("rupture elongation of cables against the given strain, worst relative error", strain, 0.0, same);
 
   // Yield forces by a table of strains, and the part of the table that remains after an impact.
   fence = two_sided_fence();
@@ -166,11 +168,12 @@ void check_fence_cables(Findings& findings, const Setup& setup) {
       keep_worst(carried, drawn_tension(law_of(later), elongation - stretch) / force - 1.0);
     }
   }
-  findings.expect("yield force by a table of strains, worst relative error", table, 0.0, same);
-  findings.expect("yield force that is left for the next rock, worst relative error", carried, 0.0,
-                  Tolerance::round_off(1e-12, "an elongation of 0.01 ft is a difference of two of 0.03"));
-  findings.expect("slack length for the next rock less the first and the stretch, worst", length, 0.0,
-                  Tolerance::round_off(1e-15, "one rounding of a length of 2.5 ft"), "ft");
+  findings.expect("yield force from a table of strains, worst relative error", table, 0.0, same);
+  findings.expect(
+      "yield force for the next rock, worst relative error", carried, 0.0,
+      Tolerance::round_off(1e-12, "an elongation of 0.01 ft is a difference of two elongations of 0.03 ft"));
+  findings.expect("rest length for the next rock against first rest length plus plastic elongation, worst error",
+                  length, 0.0, Tolerance::round_off(1e-15, "one rounding of a length of 2.5 ft"), "ft");
   // Equilibrium of the columns on the longer cables: pulls, from lengths in space, and weights.
   const Model& model = next.scene.model;
   std::vector<double> up(model.bodies.size(), 0.0);
@@ -188,9 +191,13 @@ void check_fence_cables(Findings& findings, const Setup& setup) {
     keep_worst(balance, up[body] / (model.bodies[body].mass * fence.gravity) - 1.0);
     lower = std::max(lower, made.scene.model.bodies[body].p_WB.y - model.bodies[body].p_WB.y);
   }
-  findings.expect("pulls on columns over their weight, hung on stretched cables, worst", balance, 0.0,
-                  Tolerance::round_off(1e-9, "Newton's method ends where pulls and weights agree to 1e-9 of a weight"));
-  findings.expect_true("the stretched fence hangs lower", lower > 0.05, "0.008 ft and 0.024 ft more of cable on 55 ft");
+  findings.expect("vertical cable force over weight of the columns on stretched cables, worst relative error", balance,
+                  0.0,
+                  Tolerance::round_off(1e-9,
+                                       "Newton's method ends where cable forces and weights agree to 1e-9 of a "
+                                       "weight"));
+  findings.expect_true("columns lower on stretched cables", lower > 0.05,
+                       "the cable over 55 ft is longer by 0.008 ft and 0.024 ft");
 }
 
 // ---- the contacts of two rocks ----
@@ -268,10 +275,11 @@ void check_two_rocks(Findings& findings, const Setup& setup) {
   const auto& usual =
       std::get<LinearSpringDashpot>(by_width.contacts[index(*find_contact(by_width, "column1-back_column1"))].law);
   keep_worst(stiff, usual.stiffness / spring(1.0, 0.5 * column.mass, stated.penetration * stated.column.a) - 1.0);
-  const Tolerance same = Tolerance::round_off(1e-12, "some thirty operations, and the root of the damping ratio");
+  const Tolerance same = Tolerance::round_off(1e-12,
+                                              "about thirty operations, and the damping ratio from a "
+                                              "bisection");
   findings.expect("stiffness of each rock's contacts, worst relative error", stiff, 0.0, same);
-  findings.expect("dashpot of each rock's contact by the height at which it hits, worst relative error", damped, 0.0,
-                  same);
+  findings.expect("dashpot of each rock's contact at its impact height, worst relative error", damped, 0.0, same);
   findings.expect("shear stiffness of each rock's contact, worst relative error", shear, 0.0, same);
 }
 
@@ -292,24 +300,24 @@ void check_summary(Findings& findings, const Setup& setup) {
   const State start = first_state(made.scene);
   const RunEnd run = run_scene(made.scene, VelocityVerlet{}, {step, end, end, true}, findings, std::ref(watch));
   const scenes::FenceSummary &summary = watch.summary(), &later = watch.resumed();
-  findings.expect_true("the second rock's verdict in a summary resumed behind its passage",
+  findings.expect_true("verdict on the second rock in a summary resumed after its passage",
                        later.rocks[1].verdict == scenes::Verdict::passed_over &&
                            later.rocks[1].passed_time == summary.rocks[1].passed_time,
-                       "the passage was before the stop");
-  findings.expect("numbers of that summary that differ from those of the one that watched on",
-                  watch.resumed_differences(), 0.0, Tolerance::exact("what is carried on is saved to the last bit"));
+                       "the passage precedes the interruption");
+  findings.expect("number of values that differ between resumed and uninterrupted summary, run with two rocks",
+                  watch.resumed_differences(), 0.0, Tolerance::exact("the saved state is exact to the last bit"));
   double farthest = 0.0;
   for (const scenes::ColumnRecord& column : summary.columns) {
     const auto x = [&](const State& state) { return pose(made.scene.model, state, column.body).p_WB.x; };
     farthest = std::max(farthest, std::abs(x(summary.at_travel) - x(start)));
   }
-  findings.expect("largest travel of the columns in the state recorded for it", farthest, summary.travel,
+  findings.expect("largest displacement of the columns in the state recorded for it", farthest, summary.travel,
                   Tolerance::exact("the same difference of two numbers"), "ft");
-  findings.expect_true("the second rock passes over the fence, from behind",
+  findings.expect_true("passage of the second rock over the fence from behind",
                        summary.rocks[1].verdict == scenes::Verdict::passed_over && !summary.rocks[1].touched,
-                       "it flies 8 ft above the columns, against the first rock");
-  findings.expect("time at which the second rock passed the fence", summary.rocks[1].passed_time, 3.0 / 150.0,
-                  Tolerance::truncation(step, 1.0, "the first step after it"), "s");
+                       "it flies 8 ft above the columns, in the direction opposite to the first rock");
+  findings.expect("time of the passage of the second rock", summary.rocks[1].passed_time, 3.0 / 150.0,
+                  Tolerance::truncation(step, 1.0, "recorded at the first step after the passage"), "s");
   // Momentum change of all bodies against the impulse on the anchors, and of a column against that of its hanger.
   const Model& model = made.scene.model;
   Vec2 change, of_column;
@@ -332,13 +340,14 @@ void check_summary(Findings& findings, const Setup& setup) {
   const Vec2 hanger{hung->hanger.impulse.x, hung->hanger.impulse.y};
   const auto sums = [](const char* words) { return Tolerance::round_off(1e-12, words); };
   const char* const words =
-      "velocity Verlet adds the same trapezoids of forces to the momentum: 2250 sums, each rounded to 1e-16 of the sum";
+      "velocity Verlet integrates forces to the momentum by the same trapezoidal rule: 2250 sums, each rounded to "
+      "1e-16 of the sum";
   const double thrown = summary.rocks[0].mass * norm(fence.rocks[0].velocity);
-  findings.expect("momentum across the fence and impulse on the anchors", (change.x + anchors.x) / thrown, 0.0,
-                  sums(words));
-  findings.expect("vertical momentum, weights and impulse on the anchors",
+  findings.expect("balance of the momentum across the fence with the impulse on the anchors, relative error",
+                  (change.x + anchors.x) / thrown, 0.0, sums(words));
+  findings.expect("balance of the vertical momentum with weights and impulse on the anchors, relative error",
                   (change.y + weight * end + anchors.y) / (weight * end), 0.0, sums(words));
-  findings.expect("momentum of a column and the impulse of its hanger",
+  findings.expect("balance of a column's momentum with its weight and the impulse of its hanger, relative error",
                   norm(of_column + Vec2{0.0, on_column * end} - hanger) / norm(hanger), 0.0, sums(words));
 }
 
@@ -369,15 +378,15 @@ void check_verdicts(Findings& findings, const Setup& setup) {
     touch = rock.touch_time;
     return rock.touched ? rock.verdict : Verdict::undecided;
   };
-  findings.expect_true("the same rock with hangers of 1.2 times a column's weight breaks through",
+  findings.expect_true("verdict on a low rock with hangers of 1.2 times a column's weight: breaks through",
                        verdict_of(setup.has("hangers_hold") ? 1e9 : 580.0, 2, 0.02) == Verdict::broke_through,
-                       "the struck column pulls at its hanger with more");
+                       "the struck column loads its hanger with more");
   // Resumed at the step before touch, and while the rock pushes the column.
   const double before = touch - 1.5 * step, within = touch + 5.0 * step;
   findings.expect_true(
-      "a rock that hits the lower end of a column passes under the fence",
+      "verdict on a low rock that hits the lower end of a column: passes under the fence",
       verdict_of(0.0, 2, before) == Verdict::passed_under && verdict_of(1e9, 1, within) == Verdict::passed_under,
-      "the cables have no limit that is reached, and the hangers none or one of 1e9 lb");
+      "no cable reaches a limit, and the hangers have no limit or one of 1e9 lb");
   // A light rock that rebounds: resumed between its turning point and its exit.
   scenes::Fence fence = two_sided_fence();
   fence.rocks[0].density *= 0.05;
@@ -387,20 +396,21 @@ void check_verdicts(Findings& findings, const Setup& setup) {
   (void)run_scene(made.scene, VelocityVerlet{}, {step, 5e-3, 1e-3, false}, findings, std::ref(watch));
   resumed += watch.resumed_differences();
   const scenes::RockPassage& light = watch.summary().rocks[0];
-  findings.expect_true("a light rock is stopped, turns before the resumed part and leaves after it",
+  findings.expect_true("verdict on a light rock: stopped, turning before the interruption and leaving after it",
                        light.verdict == Verdict::stopped && light.turned && light.braking_time < 1.6e-3 && light.left &&
                            light.exit_time > 1.6e-3,
-                       "of the contact, pi .06 ft/65 ft/s = 2.9 ms without a dashpot, a little more than a third");
+                       "it turns after a little more than a third of the contact, which takes pi 0.06 ft/65 ft/s = "
+                       "2.9 ms without a dashpot");
   findings.expect("tensions at which cables yield or break, worst error", limits, 0.0,
                   Tolerance::exact("the smaller of two numbers"), "lb");
-  findings.expect("numbers of a resumed summary that differ from those of one that watched on", resumed, 0.0,
-                  Tolerance::exact("what is carried on is saved to the last bit"));
+  findings.expect("number of values that differ between resumed and uninterrupted summaries, runs with one rock",
+                  resumed, 0.0, Tolerance::exact("the saved state is exact to the last bit"));
   findings.expect("heights of the lowest top joint, the highest bottom joint and the rock, worst error", heights, 0.0,
                   Tolerance::round_off(1e-13, "a dozen operations on lengths of 25 ft"), "ft");
   findings.expect("largest tensions of top and bottom cable in the rows of the history, worst error", tensions, 0.0,
                   Tolerance::exact("the same tensions"), "lb");
   findings.expect("largest hanger force in the rows of the history, worst error", hangers, 0.0,
-                  Tolerance::exact("the same sums of pulls"), "lb");
+                  Tolerance::exact("the same sums of cable forces"), "lb");
 }
 
 void run(Findings& findings, const Setup& setup) {
@@ -423,22 +433,23 @@ Case definition() {
                            {"regime.elastic_plastic.yielding", {"second_exit", "second_stretch"}},
                            {"regime.elastic_plastic.broken", {"second_rupture"}},
                            {"integrator.stormer_cowell", {"second_exit", "second_stretch", "second_rupture"}}},
-          .main_checks = {"exit speed of the second mass, hardening table",
-                          "rupture at 0.999 of the stretch by both masses, hardening line",
-                          "yield force that is left for the next rock, worst relative error",
-                          "pulls on columns over their weight, hung on stretched cables, worst",
-                          "momentum across the fence and impulse on the anchors"},
+          .main_checks = {"exit speed of the second mass, tabulated hardening",
+                          "rupture at 0.999 of the plastic elongation by both masses, linear hardening",
+                          "yield force for the next rock, worst relative error",
+                          "vertical cable force over weight of the columns on stretched cables, worst relative error",
+                          "balance of the momentum across the fence with the impulse on the anchors, relative error"},
           .source = "Mustoe & Huttelmaier 1993, sections 2.4 and 3.5, Eq. 21; energy balance of reference::draw",
-          .faults = {{"cable_like_new", "the second mass meets a cable that forgot the first",
-                      "exit speed of the second mass, hardening line"},
-                     {"other_hardening", "a tangent modulus of 0.201 in place of 0.2",
-                      "tangent stiffness of yielding cables over the fraction of Young's modulus, worst"},
-                     {"denser_rock", "the second rock is denser by a thousandth",
+          .faults = {{"cable_like_new", "cable of the second mass without the plastic elongation by the first",
+                      "exit speed of the second mass, linear hardening"},
+                     {"other_hardening", "a tangent modulus of 0.201 instead of 0.2",
+                      "tangent stiffness of yielding cables against the given fraction of Young's modulus, worst "
+                      "relative error"},
+                     {"denser_rock", "second rock denser by a thousandth",
                       "stiffness of each rock's contacts, worst relative error"},
                      {"hangers_hold", "hangers that never break",
-                      "the same rock with hangers of 1.2 times a column's weight breaks through"},
-                     {"one_anchor_alone", "the impulse on one anchor alone",
-                      "momentum across the fence and impulse on the anchors"}},
+                      "verdict on a low rock with hangers of 1.2 times a column's weight: breaks through"},
+                     {"one_anchor_alone", "impulse on one anchor only",
+                      "balance of the momentum across the fence with the impulse on the anchors, relative error"}},
           .run = run};
 }
 

@@ -51,12 +51,13 @@ Tolerance near_prediction(EndRule rule) {
   return (rule == EndRule::attractive
               ? Tolerance::model(
                     0.10,
-                    "predicted from the half-step lag and the force jumps, for the rigid column; its turning "
-                    "and the next power of the step make 3 %, the end's jump at 64 uneven phases 6 %")
+                    "predicted from the half-step lag and the force jumps, for a column that does not turn during the "
+                    "contact; its rotation and the next order in h make 3 %, the force jump at the end of the contact "
+                    "with 64 unevenly spread phases 6 %")
               : Tolerance::model(
                     0.03,
-                    "predicted from the half-step lag and the force jump, for the rigid column; its turning, "
-                    ".02 rad, and the next power of the step, w h = .6 %, make 3 %"))
+                    "predicted from the half-step lag and the force jump, for a column that does not turn during the "
+                    "contact; its rotation, 0.02 rad, and the next order in h, w h = 0.6 %, make 3 %"))
       .relative();
 }
 
@@ -72,7 +73,8 @@ void check_errors(const PhaseErrors& errors, const PivotedRun& run, double n, do
   const double rock = errors.V1.rms() / (predicted_v1 * of_rock);
   const double overlap = errors.depth.rms() / predicted_depth;
   findings.in("rms_errors")
-      ->expect(fmt::format("rms errors of V1 and overlap over the predicted, farther one, {:g} steps per contact, {}",
+      ->expect(fmt::format("rms errors of V1 and overlap over their predictions, worst ratio, {:g} steps per contact, "
+                           "{}",
                            n, name),
                worst_ratio(rock, overlap), 1.0, near);
 }
@@ -83,9 +85,8 @@ void check_step(Findings& findings, const Setup& setup) {
   Figure figure{.name = "step_error",
                 .title = "Error of the column's speed against the step",
                 .caption =
-                    "Velocity Verlet, $k_n = 2\\cdot10^5$ lbf/ft: root mean square over 64 phases of the touch, "
-                    "against the soft reference. Lines: the error predicted from lag and force jumps; nothing is "
-                    "fitted.",
+                    "Velocity Verlet, $k_n = 2\\cdot10^5$ lbf/ft: root mean square over 64 phases of the onset, "
+                    "against the soft reference. Lines: predicted from the lag and the force jumps, without fitting.",
                 .x = {.label = "step / contact time", .log = true},
                 .y = {.label = "error of v1", .unit = "ft/s", .log = true}};
   for (const EndRule rule : {EndRule::attractive, EndRule::clamped}) {
@@ -104,7 +105,7 @@ void check_step(Findings& findings, const Setup& setup) {
     }
     findings.in("order_of_v1")
         ->expect_order("order of v1, " + name, column, 0.93, 1.07,
-                       "the dashpot's force jumps at touch, a step resolves the jump to half a step");
+                       "the force of the dashpot jumps at the onset, whose time is resolved only to half a step");
     const Series points = drawn.points(name + ", solver"), line = drawn.line(name + ", predicted");
     const double n = 1.0 / points.x.back();
     check_errors(errors, run, n, line.y.back(), predicted.largest_depth * (frequency_of(run) * time / (n + 0.5)),
@@ -116,7 +117,7 @@ void check_step(Findings& findings, const Setup& setup) {
 }
 
 void expect_digits(Findings& findings, const char* name, double value, double known, double half, const char* unit) {
-  findings.expect(name, value, known, Tolerance::model(half, "half a unit of the last digit of the value known"), unit);
+  findings.expect(name, value, known, Tolerance::model(half, "half a unit of the last digit of the known value"), unit);
 }
 
 void compare_equations(Findings& findings) {
@@ -125,7 +126,7 @@ void compare_equations(Findings& findings) {
   findings.table(
       {.name = "printed_and_corrected",
        .caption =
-           "Eqs. 28 and 30 as printed and corrected, the numbers of the report, and the solver with a nearly rigid "
+           "Eqs. 28 and 30 as printed and corrected, the numbers in the report, and the solver with a nearly rigid "
            "contact ($k_n = 10^{10}$ lbf/ft, dashpot from $I_p/h^2$).",
        .columns = {"quantity", "as printed", "corrected", "report's run", "solver"},
        .rows = {{"v1, column (Eq. 28)", fmt::format("{:.4f} (no unit)", reference::printed_eq_28(problem)),
@@ -136,18 +137,19 @@ void compare_equations(Findings& findings) {
                  fmt::format("{:.4f} rad", reference::printed_largest_angle(problem, rigid.angular)),
                  fmt::format("{:.4f} rad", reference::corrected_largest_angle(problem, rigid.angular)), "0.503 rad",
                  fmt::format("{:.4f} rad", stiff.largest_angle)}}});
-  expect_digits(findings, "v1 of the solver, nearly rigid, four digits", stiff.column, 4.857, 5e-4, "ft/s");
-  expect_digits(findings, "V1 of the solver, nearly rigid, four digits", stiff.rock, 2.357, 5e-4, "ft/s");
-  expect_digits(findings, "largest angle of the solver, nearly rigid, four digits", stiff.largest_angle, 0.5042, 5e-5,
-                "rad");
+  expect_digits(findings, "v1 of the solver with a nearly rigid contact, four digits", stiff.column, 4.857, 5e-4,
+                "ft/s");
+  expect_digits(findings, "V1 of the solver with a nearly rigid contact, four digits", stiff.rock, 2.357, 5e-4, "ft/s");
+  expect_digits(findings, "largest angle of the solver with a nearly rigid contact, four digits", stiff.largest_angle,
+                0.5042, 5e-5, "rad");
   // The data: the printed m and r = 1.2 ft do not give the printed inertia. 1.25 ft, the radius in the report's listing
   // of its fence elements, gives mass and inertia to their digits with a round density.
   constexpr double density = 0.38;  // [slug/ft^3]
   const double mass = density * std::numbers::pi * problem.half_width * problem.half_width * problem.length;
-  expect_digits(findings, "I_G of the printed m with the printed r = 1.2 ft, not the printed 85.42",
+  expect_digits(findings, "I_G from the printed m and r = 1.2 ft, which differs from the printed 85.42",
                 reference::cylinder_inertia(problem.mass, problem.length, 1.2), 84.94, 5e-3, "slug ft^2");
-  expect_digits(findings, "m of .38 slug/ft^3 with r = 1.25 ft", mass, problem.mass, 5e-3, "slug");
-  expect_digits(findings, "I_G of that m with r = 1.25 ft",
+  expect_digits(findings, "m from 0.38 slug/ft^3 and r = 1.25 ft", mass, problem.mass, 5e-3, "slug");
+  expect_digits(findings, "I_G from 0.38 slug/ft^3 and r = 1.25 ft",
                 reference::cylinder_inertia(mass, problem.length, problem.half_width), problem.inertia, 5e-3,
                 "slug ft^2");
   expect_digits(findings, "Eq. 28 as printed", reference::printed_eq_28(problem), 0.9714, 5e-5, "1");
@@ -180,9 +182,9 @@ void check_report_of_1993(Findings& findings) {
   compare_equations(findings);
   Table table{.name = "variants",
               .caption =
-                  "What the report's 4.85 ft/s, 2.36 ft/s, .503 rad take: central difference from touch at $k_n = "
-                  "2\\cdot10^6$ lbf/ft. `nodes` gives each of the rock's 12 boundary nodes a spring of its own "
-                  "(one touches), `resultant` is one force per pair.",
+                  "Settings tried to reproduce the report's 4.85 ft/s, 2.36 ft/s and 0.503 rad: central difference "
+                  "from the onset at $k_n = 2\\cdot10^6$ lbf/ft. `nodes` gives each of the rock's 12 boundary nodes a "
+                  "separate spring (one touches), `resultant` is one force per pair.",
               .columns = {"contact", "mass in Eq. 21", "end rule", "steps", "v1", "V1", "largest angle", "as printed"}};
   for (const ContactMethod method : {ContactMethod::resultant, ContactMethod::nodes}) {
     for (const Dashpot dashpot : {Dashpot::two_masses, Dashpot::pivoted_mass}) {
@@ -199,16 +201,15 @@ void check_report_of_1993(Findings& findings) {
   expect_digits(findings, "V1 as the report prints it", after.rock, 2.36, 5e-3, "ft/s");
   expect_digits(findings, "largest angle as the report prints it", after.largest_angle, 0.503, 5e-4, "rad");
   findings.note(
-      "The report gives neither the contact's stiffness nor the step of this problem. With the two particle masses, as "
-      "Eq. 21 is printed, none of the settings tabulated comes nearer to its numbers than .12 ft/s in v1, .066 ft/s in "
-      "V1 and .013 rad; the effective restitution is .537 then. Section 3.6 says itself that Eq. 21 \"is only "
-      "approximate when applied to a non-central impact\" and that \"some numerical experimentation, therefore, is "
-      "usually required\": if the damping was tuned to e = .5 in 1993, that alone explains speeds this near to 4.857 "
-      "and "
-      "2.357 ft/s, since the pivoted mass is what such tuning finds (the printed pair means e = .498). With the "
-      "pivoted mass, 12 nodes and some 40 steps per contact all "
-      "three printed numbers appear; the shortfall of 4.85 from 4.857 is the error of the step in this setting. It is "
-      "one setting that gives them, not proof that it was used.");
+      "The report states neither the contact stiffness nor the step of this problem. With the two particle masses, as "
+      "in Eq. 21 as printed, none of the tabulated settings comes closer to its numbers than 0.12 ft/s in v1, 0.066 "
+      "ft/s in V1 and 0.013 rad; the effective restitution is then 0.537. Section 3.6 itself states that Eq. 21 \"is "
+      "only approximate when applied to a non-central impact\" and that \"some numerical experimentation, therefore, "
+      "is usually required\". If the damping was tuned to e = 0.5 in 1993, this alone explains speeds so close to "
+      "4.857 and 2.357 ft/s, because such tuning leads to the damping of the pivoted mass (the printed speeds "
+      "correspond to e = 0.498). With the pivoted mass, 12 nodes and about 40 steps per contact, all three printed "
+      "numbers are reproduced; the difference between 4.85 and 4.857 is the error of the step in this setting. This "
+      "setting gives the printed numbers, but that does not prove that it was used.");
 }
 
 /// Compares the energy balance errors with the predicted constant.
@@ -216,22 +217,23 @@ void check_closures(Findings& findings, const Convergence& closures, double damp
   const double e = problem.restitution;
   const double constant = 0.25 * damping * (1.0 - e * e) / (0.5 * problem.rock_mass);
   findings.expect_order(
-      "order of the ledger's closure", closures, 0.953, 1.047,
-      "the dashpot's power is booked with the velocity of half a step before; a next term of w h times "
-      "the first, .2 at 16 steps and .006 at 512, tilts the fit by .047");
-  findings.expect("closure of the ledger after the impact, 512 steps per contact", closures.errors().back(),
+      "order of the energy balance error", closures, 0.953, 1.047,
+      "the power of the dashpot is computed with the velocity of half a step before; a next term of w h times the "
+      "first, 0.2 at 16 steps and 0.006 at 512, tilts the fitted line by 0.047");
+  findings.expect("energy balance error after the impact, 512 steps per contact", closures.errors().back(),
                   constant * closures.steps().back(),
                   Tolerance::model(0.0065,
-                                   "(h/4) c (1 - e^2) v0^2, over the rock's kinetic energy; the next power of the step "
-                                   "is w h = .006 of it")
+                                   "(h/4) c (1 - e^2) v0^2, over the rock's kinetic energy; the next order in h is w h "
+                                   "= 0.006 of it")
                       .relative());
   findings.figure({.name = "ledger",
-                   .title = "Closure of the energy ledger after the impact",
+                   .title = "Energy balance error after the impact",
                    .caption =
-                       "Energy now, plus what the dashpot was booked to take, less energy before, over the rock's "
-                       "kinetic energy; root mean square over 64 phases. The line is not fitted.",
+                       "Energy after the impact plus the recorded dissipation of the dashpot minus the energy before, "
+                       "over the rock's kinetic energy; root mean square over 64 phases. The line is predicted, not "
+                       "fitted.",
                    .x = {.label = "step", .unit = "s", .log = true},
-                   .y = {.label = "closure / kinetic energy", .log = true},
+                   .y = {.label = "balance error / kinetic energy", .log = true},
                    .series = {{"velocity Verlet", closures.steps(), closures.errors(), Style::points},
                               curve("predicted", closures.steps(), [&](double step) { return constant * step; })},
                    .slopes = {{1.0, closures.steps().front(), 0.5 * closures.errors().front(), "h"}}});
@@ -285,8 +287,9 @@ void check_ledger(Findings& findings, const Setup& setup) {
   }
   findings.expect("angular momentum about the pin, largest relative change", worst_momentum, 0.0,
                   Tolerance::round_off(3e-14,
-                                       "a kick adds equal and opposite moments, a drift moves the rock along its own "
-                                       "velocity: 800 steps of a dozen roundings, sqrt(1e4) x 2.2e-16 = 2.2e-14"));
+                                       "a kick adds equal and opposite moments, and a drift moves the rock along "
+                                       "its velocity; 800 steps with a dozen roundings each: sqrt(1e4) x 2.2e-16 = "
+                                       "2.2e-14"));
   if (!setup.coarse) check_closures(findings, closures, damping);
 }
 
@@ -340,22 +343,25 @@ Approach approach(const reference::PivotedImpact& rigid, double angle, Findings&
 /// the same.
 void check_approach(const Approach& a, Findings& findings) {
   const std::string why =
-      "the column turns during the contact by an angle that goes with the contact time; the next power is at most "
-      "320 over sqrt(k_n) of it, .6 % at the softest of the four stiffnesses, and tilts the fit by less";
-  findings.expect_order("v1 to the rigid limit, power of 1/sqrt(k_n)", a.column.last(4), 0.994, 1.006, why);
-  findings.expect_order("V1 to the rigid limit, power of 1/sqrt(k_n)", a.rock.last(4), 0.994, 1.006, why);
-  findings.expect_order("largest angle to the rigid limit, power of 1/sqrt(k_n)", a.swing.last(4), 0.994, 1.006, why);
-  findings.expect("largest distance to the soft reference over k_n", a.apart, 0.0,
+      "the column turns during the contact by an angle proportional to the contact time; the next power is at most "
+      "320/sqrt(k_n) of it, 0.6 % at the smallest of the four stiffnesses, and tilts the fitted line by less";
+  findings.expect_order("v1, approach to the rigid limit, power of 1/sqrt(k_n)", a.column.last(4), 0.994, 1.006, why);
+  findings.expect_order("V1, approach to the rigid limit, power of 1/sqrt(k_n)", a.rock.last(4), 0.994, 1.006, why);
+  findings.expect_order("largest angle, approach to the rigid limit, power of 1/sqrt(k_n)", a.swing.last(4), 0.994,
+                        1.006, why);
+  findings.expect("largest difference from the soft reference over all k_n", a.apart, 0.0,
                   Tolerance::truncation(a.carried, 1.0,
-                                        "Dormand-Prince at 1e-12 leaves 1e-10; v1 is carried back to an end whose time "
-                                        "is interpolated, to second order of the samples' interval"),
+                                        "Dormand-Prince with a tolerance of 1e-12 leaves 1e-10; v1 is extrapolated "
+                                        "back to the end of the contact, whose time is interpolated to second order in "
+                                        "the sampling interval"),
                   "ft/s");
   findings.figure({.name = "rigid_limit",
                    .title = "Approach to the rigid impact",
-                   .caption = "Distance of the soft contact's answers from the rigid ones: the solver (points) and the "
-                              "soft reference (lines). Where a curve dips its difference changes sign.",
+                   .caption = "Difference of the results with a soft contact from the rigid impact: the solver "
+                              "(points) and the soft reference (lines). The difference changes sign where a curve has "
+                              "an interior minimum.",
                    .x = {.label = "1/sqrt(k_n)", .unit = "sqrt(ft/lbf)", .log = true},
-                   .y = {.label = "distance to the rigid impact", .unit = "ft/s, rad", .log = true},
+                   .y = {.label = "difference from the rigid impact", .unit = "ft/s, rad", .log = true},
                    .series = {{"v1 [ft/s], solver", a.column.steps(), a.column.errors(), Style::points},
                               a.soft_column,
                               {"V1 [ft/s], solver", a.rock.steps(), a.rock.errors(), Style::points},
@@ -373,8 +379,8 @@ void check_rigid_limit(Findings& findings, const Setup& setup) {
   const Approach a = approach(rigid, angle, findings, setup);
   const auto stiff = [](const Convergence& c, bool coarse) {
     return Tolerance::model(c.errors()[c.size() - (coarse ? 2 : 3)] / 4.0 * 1.2,
-                            "the contact's softness: a quarter of the distance found at a sixteenth of the "
-                            "stiffness, and a fifth more");
+                            "finite stiffness of the contact: a quarter of the difference found at 1/16 of the "
+                            "stiffness, plus 20 %");
   };
   findings.expect("v1, rigid limit (Eq. 28 corrected)", a.last.column, rigid.column, stiff(a.column, setup.coarse),
                   "ft/s");
@@ -398,8 +404,8 @@ void check_effective_restitution(Findings& findings, const Setup& setup) {
     findings.expect(pivoted ? "effective e, Eq. 21 with the pivoted mass" : "effective e, Eq. 21 with the two masses",
                     restitution_at(stiffest), exact,
                     Tolerance::model(std::min(softer, 5e-5) / 4.0 * 1.2,
-                                     "the contact's softness: a quarter of the distance at a sixteenth of the "
-                                     "stiffness, and a fifth more"));
+                                     "finite stiffness of the contact: a quarter of the difference at 1/16 of the "
+                                     "stiffness, plus 20 %"));
   }
 }
 
@@ -420,29 +426,30 @@ Case definition() {
           .family = "founding problems",
           .requirements =
               {{"Eq. 4",
-                {"largest_angle_swing", "order of the swing after the impact",
-                 "largest error of the angle over the swing, production step",
-                 "largest error of the angle over the swing, 160 steps"}},
+                {"largest_angle_swing", "order of the motion after the impact",
+                 "largest error of the angle after the impact, production step",
+                 "largest error of the angle after the impact, 160 steps"}},
                {"Eq. 17",
-                {"largest distance to the soft reference over k_n", "rms_errors", "v1, production run",
+                {"largest difference from the soft reference over all k_n", "rms_errors", "v1, production run",
                  "V1, production run", "largest_angle_swing",
-                 "largest distance of the angle to the soft reference over 1.2 s",
-                 "largest distance of the rate to the soft reference after the contact"}},
+                 "largest difference of the angle from the soft reference over 1.2 s",
+                 "largest difference of the angular velocity from the soft reference after the contact"}},
                {"Eq. 19", {"order_of_v1", "error_of_v1", "rms_errors"}},
                {"Eq. 20", {"rms_errors", "angular momentum about the pin, largest relative change"}},
                {"Eq. 21", {"effective e, Eq. 21 with the pivoted mass", "effective e, Eq. 21 with the two masses"}},
                {"Eq. 23",
                 {"order_of_v1", "error_of_v1", "rms_errors",
-                 "closure of the ledger after the impact, 512 steps per contact"}},
+                 "energy balance error after the impact, 512 steps per contact"}},
                {"Eq. 24",
                 {"order_of_v1", "error_of_v1", "rms_errors",
-                 "closure of the ledger after the impact, 512 steps per contact"}},
+                 "energy balance error after the impact, 512 steps per contact"}},
                {"Eq. 28",
-                {"v1, rigid limit (Eq. 28 corrected)", "v1 to the rigid limit, power of 1/sqrt(k_n)",
-                 "v1 of the solver, nearly rigid, four digits", "Eq. 28 as printed", "v1 as the report prints it"}},
+                {"v1, rigid limit (Eq. 28 corrected)", "v1, approach to the rigid limit, power of 1/sqrt(k_n)",
+                 "v1 of the solver with a nearly rigid contact, four digits", "Eq. 28 as printed",
+                 "v1 as the report prints it"}},
                {"Eq. 29",
-                {"largest angle against elliptic functions from the run's own state",
-                 "order of the swing after the impact"}},
+                {"largest angle against elliptic functions through the solver's state after the contact",
+                 "order of the motion after the impact"}},
                {"Eq. 30",
                 {"largest angle, rigid limit (Eq. 30 corrected)", "largest_angle_swing",
                  "largest angle by Eq. 30 as printed"}},
@@ -451,10 +458,11 @@ Case definition() {
                  "rms_errors"}},
                {"end_rule.attractive",
                 {"order of v1, attractive", "rms error of v1, 512 steps per contact, attractive",
-                 "rms errors of V1 and overlap over the predicted, farther one, 512 steps per contact, attractive"}},
+                 "rms errors of V1 and overlap over their predictions, worst ratio, 512 steps per contact, "
+                 "attractive"}},
                {"end_rule.clamped",
                 {"order of v1, clamped", "rms error of v1, 512 steps per contact, clamped",
-                 "rms errors of V1 and overlap over the predicted, farther one, 512 steps per contact, clamped"}},
+                 "rms errors of V1 and overlap over their predictions, worst ratio, 512 steps per contact, clamped"}},
                {"method.resultant", {"v1, production run", "V1, production run", "largest_angle_swing"}},
                {"method.nodes",
                 {"v1 as the report prints it", "V1 as the report prints it", "largest angle as the report prints it"}},
@@ -466,29 +474,31 @@ Case definition() {
                  "v1, production run", "V1, production run", "largest_angle_swing"}},
                {"integrator.central_difference",
                 {"order_of_v1", "error_of_v1", "rms_errors",
-                 "closure of the ledger after the impact, 512 steps per contact"}},
+                 "energy balance error after the impact, 512 steps per contact"}},
                {"integrator.velocity_verlet",
-                {"order of the swing after the impact", "angular momentum about the pin, largest relative change"}},
+                {"order of the motion after the impact", "angular momentum about the pin, largest relative change"}},
                {"integrator.odeint_dopri5",
-                {"v1 to the rigid limit, power of 1/sqrt(k_n)", "V1 to the rigid limit, power of 1/sqrt(k_n)",
-                 "largest angle to the rigid limit, power of 1/sqrt(k_n)", "effective e, Eq. 21 with the pivoted mass",
-                 "effective e, Eq. 21 with the two masses"}},
+                {"v1, approach to the rigid limit, power of 1/sqrt(k_n)",
+                 "V1, approach to the rigid limit, power of 1/sqrt(k_n)",
+                 "largest angle, approach to the rigid limit, power of 1/sqrt(k_n)",
+                 "effective e, Eq. 21 with the pivoted mass", "effective e, Eq. 21 with the two masses"}},
                {"pair.circle.rectangle",
                 {"effective e, Eq. 21 with the pivoted mass", "effective e, Eq. 21 with the two masses",
                  "v1, production run", "V1, production run", "largest_angle_swing"}}},
           .main_checks = {"v1, rigid limit (Eq. 28 corrected)", "V1, rigid limit",
-                          "largest angle of the swing, production run", "effective e, Eq. 21 with the pivoted mass",
+                          "largest angle after the impact, production run", "effective e, Eq. 21 with the pivoted mass",
                           "effective e, Eq. 21 with the two masses"},
           .source = "Mustoe & Huttelmaier 1993, section 5, validation problem 2, Eqs. 28-30, Figs. 9-11",
-          .faults = {{"two_masses", "Eq. 21 with the column's mass as if it were a particle",
+          .faults = {{"two_masses", "Eq. 21 with the mass of the column, as for a particle",
                       "effective e, Eq. 21 with the pivoted mass"},
                      {"column_mass_halved", "the column has half its mass", "v1, rigid limit (Eq. 28 corrected)"},
-                     {"clamped", "the contact never pulls", "rms error of v1, 64 steps per contact, attractive"},
+                     {"clamped", "clamped end rule instead of the attractive one",
+                      "rms error of v1, 64 steps per contact, attractive"},
                      {"gravity_doubled", "twice the weight's moment, as in Eq. 30 as printed",
-                      "largest angle of the swing, production run"},
-                     {"euler_cromer", "the swing's velocities half a step from its angles",
-                      "order of the swing after the impact"},
-                     {"rk4", "a method that does not conserve angular momentum exactly",
+                      "largest angle after the impact, production run"},
+                     {"euler_cromer", "Euler-Cromer after the impact: velocities half a step from the angles",
+                      "order of the motion after the impact"},
+                     {"rk4", "RK4, which does not conserve angular momentum exactly",
                       "angular momentum about the pin, largest relative change"}},
           .run = run};
 }

@@ -29,8 +29,8 @@ Figure period_figure(const Series& ratio) {
   return {.name = "period",
           .title = "Period against amplitude",
           .caption =
-              "Period over that of small swings: simulated by the pinned body, and the elliptic "
-              "integral. At this scale they cannot be told apart; the next figure shows the difference.",
+              "Period over that of small oscillations: simulated with the pinned body, and the elliptic integral. The "
+              "difference is not visible at this scale; the next figure shows it.",
           .x = {"amplitude", "deg"},
           .y = {"T w0/(2 pi)", "1"},
           .series = {elliptic, ratio}};
@@ -43,8 +43,8 @@ Figure constant_figure(const Series& measured) {
   return {.name = "period_constant",
           .title = "Error constant of velocity Verlet's period",
           .caption =
-              "Relative error of the period over $(w_0 h)^2$, 128 steps per small swing, and the constant "
-              "that follows from the modified Hamiltonian: -1/24 for small swings, zero near 158 "
+              "Relative error of the period over $(w_0 h)^2$, 128 steps per period of small oscillations, and the "
+              "constant that follows from the modified Hamiltonian: -1/24 for small oscillations, zero near 158 "
               "degrees, positive beyond.",
           .x = {"amplitude", "deg"},
           .y = {"(T_h/T - 1)/(w0 h)^2", "1"},
@@ -61,9 +61,8 @@ void check_amplitudes(Findings& findings, const Setup& setup) {
   Series ratio{.label = "solver", .style = Style::points};
   Table table{.name = "periods",
               .caption =
-                  "Period of the pinned body: reference (computed at 50 digits, 15 shown), as simulated by "
-                  "velocity Verlet with 128 steps per small swing, and the relative error "
-                  "with its prediction.",
+                  "Period of the pinned body: reference (computed at 50 digits, 15 shown), simulated by velocity "
+                  "Verlet with 128 steps per period of small oscillations, and the relative error with its prediction.",
               .columns = {"A [deg]", "T [s]", "simulated [s]", "relative error", "predicted"}};
   double worst = 0.0;
   for (const double degrees : {0.1, 1.0, 10.0, 30.0, 60.0, 90.0, 120.0, 140.0, 150.0, 170.0, 175.0, 179.0}) {
@@ -77,8 +76,8 @@ void check_amplitudes(Findings& findings, const Setup& setup) {
     findings.in("periods")->expect(
         fmt::format("period at {:g} degrees", degrees), period, reference,
         Tolerance::truncation(std::abs(constant) * z * z, 1.05,
-                              "the second-order error of velocity Verlet's period as derived, times h^2; "
-                              "the next term is below 5 % of it")
+                              "the derived second-order error of velocity Verlet's period; the next term is below 5 % "
+                              "of it")
             .relative(),
         "s");
     measured.add(degrees, (period / reference - 1.0) / (z * z));
@@ -89,10 +88,11 @@ void check_amplitudes(Findings& findings, const Setup& setup) {
   }
   if (setup.coarse) return;
   findings.in("integrator.velocity_verlet")
-      ->expect("velocity Verlet's period constant, largest deviation", worst, 0.0,
+      ->expect("error constant of velocity Verlet's period, largest deviation from the modified Hamiltonian", worst,
+               0.0,
                Tolerance::truncation(17.0 / 5760.0 * z * z, 1.05,
-                                     "next term of the expansion, largest for small swings: z/(2 asin(z/2)) = 1 - "
-                                     "z^2/24 - 17 z^4/5760 ..."));
+                                     "next term of the expansion, largest for small oscillations: z/(2 asin(z/2)) = 1 "
+                                     "- z^2/24 - 17 z^4/5760 ..."));
   findings.table(table);
   findings.figure(period_figure(ratio));
   findings.figure(constant_figure(measured));

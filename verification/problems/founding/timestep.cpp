@@ -80,13 +80,15 @@ void study(const SmoothMotion& motion, const std::string& method, bool with_slop
   }
   const double admitted = fourth ? 0.03 : first ? 7.5e-4 : setup.coarse ? 1.1e-4 : 5e-5;
   const char* why =
-      fourth  ? "smooth motion: the declared order. Between 16 and 32 steps it is .084 off (column: .006), half of "
-                "that with each doubling, which tilts the line from 32 to 512 by .019: that and half again"
-      : first ? "smooth motion: the declared order. Between 32 and 64 steps it is .0068 off (particle: .0041), half "
-                "of that with each doubling, which tilts the line from 64 on by 5e-4: that and half again"
-              : "smooth motion: the declared order. Between 32 and 64 steps it is .0017 off (column: .0006), a "
-                "quarter of that with each doubling, which tilts the line from 64 on by 3.1e-5 (to 4096 only: "
-                "7e-5): that and half again";
+      fourth  ? "smooth motion: the declared order. Between 16 and 32 steps it is off by 0.084 (column: 0.006), by "
+                "half as much after each doubling, which tilts the line from 32 to 512 steps by 0.019: 1.5 times this "
+                "is allowed"
+      : first ? "smooth motion: the declared order. Between 32 and 64 steps it is off by 0.0068 (particle: 0.0041), by "
+                "half as much after each doubling, which tilts the line from 64 steps on by 5e-4: 1.5 times this is "
+                "allowed"
+              : "smooth motion: the declared order. Between 32 and 64 steps it is off by 0.0017 (column: 0.0006), by a "
+                "quarter as much after each doubling, which tilts the line from 64 steps on by 3.1e-5 (to 4096 only: "
+                "7e-5): 1.5 times this is allowed";
   const bool leapfrog = method == "velocity_verlet" || method == "central_difference";
   findings.in(leapfrog ? "leapfrog_orders" : "other_orders")
       ->expect_order(fmt::format("{}: order of {}", motion.name, method), gated, order - admitted, order + admitted,
@@ -102,9 +104,10 @@ void check_smooth(Findings& findings, const Setup& setup) {
   Figure figure{.name = "smooth",
                 .title = "Smooth motion after the impacts",
                 .caption =
-                    "Error of position and velocity (over their largest, in quadrature) after 1.3 quarter periods of "
-                    "the particle on its cables and of the column's swing: the declared orders, down to round-off.",
-                .x = {"step over time", "1", true},
+                    "Error of position and velocity (each over its largest value, added in quadrature) after 1.3 "
+                    "quarter periods of the particle on its cables and of the column: the declared orders, down to "
+                    "round-off.",
+                .x = {"step / duration", "1", true},
                 .y = {"relative error", "1", true}};
   for (const bool on_cables : {true, false}) {
     if (setup.coarse && !on_cables) continue;
@@ -140,13 +143,14 @@ void check_commensurate(Findings& findings) {
   Table common = common_formula(
       "order",
       "**Order of a method, from steps that divide the contact time.** The orders fitted to $t_c/h = N$ = 16, 32, ... "
-      "are not those of any other step: the errors of onset and release cancel. Exact: 2 for a force with a kink, "
-      "whatever the method. Solver: the same fit with $t_c/h = N + .382$.");
+      "hold for no other steps, because the errors of onset and release cancel. Exact: 2 for a force with a kink, for "
+      "every method. Solver: the same fit with $t_c/h = N + 0.382$.");
   Figure figure{.name = "commensurate",
-                .title = "How a commensurate step hides the order",
+                .title = "False order with steps that divide the contact time",
                 .caption =
-                    "The same undamped disc with t_c/h a whole number N, and with N + 0.382. The errors of onset "
-                    "and release then cancel for every phase, and Verlet seems of order 3, RK4 of order 4.",
+                    "The same undamped disc with t_c/h an integer N, and with N + 0.382. With an integer the errors of "
+                    "onset and release cancel for every phase, so that velocity Verlet seems to have order 3, RK4 "
+                    "order 4.",
                 .x = {"step / contact time", "1", true},
                 .y = {"rms relative error", "1", true}};
   for (const char* method : {"velocity_verlet", "rk4"}) {
@@ -158,8 +162,8 @@ void check_commensurate(Findings& findings) {
     const auto claim = findings.in(fmt::format("integrator.{}", method));
     findings.expect_order(fmt::format("commensurate steps: false order of {}", method), hidden.rms, seen - 0.1,
                           seen + 0.1,
-                          "onset and release errors of second order are equal and opposite for every phase; "
-                          "what is left is of the next order");
+                          "onset and release errors of second order are equal and opposite for every phase; the "
+                          "remainder is of the next order");
     const double fitted = hidden.rms.fit().order;
     common.rows.push_back({fmt::format("`{}`, undamped disc on a wall", method), fmt::format("{:.3f}", fitted), "2",
                            fmt::format("{:+.3f}", fitted - 2.0), fmt::format("{:.3f}", honest.rms.fit().order)});
@@ -168,12 +172,12 @@ void check_commensurate(Findings& findings) {
     figure.slopes.push_back(
         {static_cast<double>(seen), hidden.rms.steps()[3], 0.5 * hidden.rms.errors()[3], fmt::format("h^{}", seen)});
     if (fourth) continue;
-    findings.expect("commensurate steps: rms constant of velocity_verlet",
+    findings.expect("commensurate steps: rms error constant of velocity_verlet",
                     hidden.rms.errors().back() * std::pow(hidden.steps.back(), 3.0),
                     std::pow(pi, 4.0) / (48.0 * std::numbers::sqrt3),
                     Tolerance::model(1e-3,
-                                     "the leapfrog's period, short by eta^2/24, is an offset of -pi^2/(24 N) "
-                                     "steps; the next order is below 1e-3 at the finest step")
+                                     "the leapfrog's period, too short by the fraction eta^2/24, acts as an offset of "
+                                     "-pi^2/(24 N) steps; the next order is below 1e-3 at the smallest step")
                         .relative());
     figure.slopes.push_back({2.0, honest.rms.steps()[3], 2.0 * honest.rms.errors()[3], "h^2"});
   }
@@ -186,10 +190,10 @@ void check_commensurate(Findings& findings) {
 void check_gain(Findings& findings) {
   Table table = common_formula(
       "gain",
-      "**Stable below $h = 2/\\omega$.** That is the limit of a spring that always acts. A contact acts on one side "
-      "only: each impact begins and ends within a step, and an undamped disc leaves the wall faster or slower than it "
-      "came, far below the limit. $|v'/v|$, the largest of 64 phases; exact: the leapfrog's map.");
-  table.columns.insert(table.columns.begin() + 3, "least exact");
+      "**Stable below $h = 2/\\omega$.** This is the limit of a spring that always acts. A contact is unilateral: each "
+      "impact begins and ends within a step, and even far below the limit an undamped disc leaves the wall faster or "
+      "slower than it arrived. $|v'/v|$, maximum over 64 phases; exact: the leapfrog's map.");
+  table.columns.insert(table.columns.begin() + 3, "exact minimum");
   const PhasedImpact elastic = struck_disc({});
   double worst = 0.0;
   for (const double eta : {0.3, 0.7, 1.2, 1.6, 1.9}) {
@@ -208,10 +212,10 @@ void check_gain(Findings& findings) {
                           fmt::format("{:.3f}", least), fmt::format("{:+.1f} %", 100.0 * (1.0 / largest - 1.0)),
                           fmt::format("{:.3f}", seen)});
   }
-  findings.expect("exit speed of each of 64 phases at w h = .3 ... 1.9 from the exact map", worst, 0.0,
+  findings.expect("exit speed at w h = 0.3 ... 1.9, largest error against the exact map over 64 phases", worst, 0.0,
                   Tolerance::round_off(64.0 * 2.2e-16,
                                        "the map is exact: at most 20 steps, each with three roundings of numbers up to "
-                                       "2.6; the depth is a difference of lengths a few times larger"));
+                                       "2.6; the overlap is a difference of lengths a few times larger"));
   findings.table(table);
 }
 
@@ -226,13 +230,15 @@ void check_phases(Findings& findings) {
   const Series theory =
       curve("exact map of the leapfrog", solver.x, [&](double phase) { return leapfrog_exit(eta, phase) - 1.0; });
   const double worst = std::abs(worst_error(theory.y, solver.y));
-  findings.expect("error of each of 64 phases at 16.4 steps per contact", worst, 0.0,
+  findings.expect("exit speed at 16.4 steps per contact, largest error against the exact map over 64 phases", worst,
+                  0.0,
                   Tolerance::round_off(64.0 * 2.2e-16,
                                        "the map is exact: 20 steps, each with three roundings of a number below 1"));
   findings.figure({.name = "phases",
                    .title = "Error against onset phase",
                    .caption = "Relative error of the exit speed for each onset phase at 16.4 steps per contact, and "
-                              "the closed form of the leapfrog's map. One run can show any of these, zero included.",
+                              "the closed form of the leapfrog's map. A single run can have any of these errors, "
+                              "including zero.",
                    .x = {"onset phase", "1"},
                    .y = {"relative error of the exit speed", "1"},
                    .series = {theory, solver}});
@@ -261,9 +267,9 @@ Series study(Findings& findings, const Study& s) {
   const Sweep swept = sweep(s.impact, make_integrator(s.method), s.counts, s.offset);
   findings.in(s.method == "rk4" ? "other_orders" : "leapfrog_orders")
       ->expect_order(fmt::format("{}: order of {}", s.scene, s.method), swept.rms, s.order - s.tilt, s.order + s.tilt,
-                     "a force that jumps has order 1, one that kinks order 2, whatever the method; " + s.tilt_why);
+                     "a force with a jump gives order 1, a force with a kink order 2, for every method; " + s.tilt_why);
   const double measured = swept.rms.errors().back() * std::pow(swept.steps.back(), s.order);
-  findings.expect(fmt::format("{}: rms constant of {}", s.scene, s.method), measured, s.constant,
+  findings.expect(fmt::format("{}: rms error constant of {}", s.scene, s.method), measured, s.constant,
                   Tolerance::model(s.admitted, s.why).relative());
   double evaluations = 0.0;
   for (const double e : swept.evaluations)
@@ -283,18 +289,19 @@ std::vector<double> counts_of(const Setup& setup, double first, int decades_and_
 }
 
 constexpr const char* one_offset =
-    "second-order prediction; 64 phases integrate the fourth-order polynomial to 1e-3, and the next order is below "
-    "that at the finest step";
+    "second-order prediction; 64 phases integrate the fourth-degree polynomial to 1e-3, and the next order is below "
+    "that at the smallest step";
 constexpr const char* own_offsets =
-    "first-term prediction for phases of onset and release that are spread evenly and independently; 64 pairs stand "
-    "for that square to about 3 %";
+    "leading-order prediction for uniformly distributed, independent phases of onset and release, which 64 pairs "
+    "represent to about 3 %";
 
 /// Reason why the line through six sweeps, from 8 to 8192 steps, may be tilted by 0.33 of the error of the order
 /// between the first two.
 std::string pair_why(double off) {
   return fmt::format(
-      "between 8 and 32 steps the next order makes it {} off, and a quarter of that from one pair to the next: the "
-      "line through six is tilted by .22 of it; half of that again is admitted for the orders after, either way",
+      "between 8 and 32 steps the next order shifts the order by {}, and by a quarter as much from one pair of steps "
+      "to the next: the line through six is tilted by 0.22 of this; 1.5 times the tilt is allowed in either direction, "
+      "for the higher orders",
       off);
 }
 
@@ -320,7 +327,7 @@ void study_wall(const std::string& method, Figure& figure, Findings& findings, c
                        setup.coarse ? 0.004 : 0.001, one_offset, 0.33 * elastic_pair, pair_why(elastic_pair)}));
   figure.series.push_back(study(findings, {"disc on a wall, damped", damped, method, wall_counts, Offset::own, 1,
                                            damped_constant, setup.coarse ? 0.004 : 0.001,
-                                           "first-order prediction; its next order is below 1e-3 at the finest step",
+                                           "first-order prediction; the next order is below 1e-3 at the smallest step",
                                            0.33 * damped_pair, pair_why(damped_pair)}));
   if (integrator_traits(method).is_staggered) return;
   // Labels are drawn at the anchors: those of rk4 away from those of velocity Verlet.
@@ -332,13 +339,13 @@ void study_wall(const std::string& method, Figure& figure, Findings& findings, c
 
 void check_wall(Findings& findings, const Setup& setup) {
   Figure figure{.name = "wall",
-                .title = "A disc on a wall",
+                .title = "Disc on a wall",
                 .caption =
-                    "Root mean square over 64 onset phases of the relative error of the exit speed, against the "
-                    "step in contact times: three decades. Undamped: order 2, RK4 included. Damped ($\\xi$ = 0.2, "
-                    "clamped): order 1 for all. The points of central difference lie on velocity Verlet's lines: "
-                    "the two differ in what they report, not in where they go. Dashed: the predicted errors, "
-                    "constants included.",
+                    "Root mean square over 64 onset phases of the relative error of the exit speed, against the step "
+                    "in contact times, over three decades. Undamped: order 2, also for RK4. Damped ($\\xi$ = 0.2, "
+                    "clamped): order 1 for all methods. The points of central difference lie on velocity Verlet's "
+                    "lines: both methods compute the same positions and differ only in the reported velocities. "
+                    "Dashed: the predicted errors, including their constants.",
                 .x = {"step / contact time", "1", true},
                 .y = {"rms relative error", "1", true}};
   for (const char* method : {"velocity_verlet", "rk4", "central_difference"}) {
@@ -357,8 +364,8 @@ void study_case(bool cables, const std::string& method, Figure& figure, Findings
   const double share = 0.5 / 1.5;
   const double scatter = setup.coarse ? 0.04 : 0.0104;
   const std::string scatter_why =
-      "64 pairs of phases stand for all to 3 % in each point: the line through six, a factor 4 apart, then scatters by "
-      ".03/(ln 4 sqrt(17.5)) = .0052, and two standard deviations are admitted (.04 with three points)";
+      "64 pairs of phases represent all phases to 3 % in each point: the line through six points, a factor of 4 apart, "
+      "then scatters by 0.03/(ln 4 sqrt(17.5)) = 0.0052; two standard deviations are allowed (0.04 with three points)";
   const std::string scene = cables ? "two cables" : "pivoted cylinder";
   const auto struck = [&](double e) {
     return cables ? struck_cables(e, setup.has("mass_halved") ? 0.5 : 1.0) : struck_column(e);
@@ -382,9 +389,10 @@ void check_cases(Findings& findings, const Setup& setup) {
     if (setup.coarse && !cables) continue;
     Figure figure{
         .name = cables ? "two_cables" : "pivoted_cylinder",
-        .title = cables ? "Case 1, the particle between two cables" : "Case 2, the pivoted cylinder",
-        .caption = fmt::format("rms over 64 phases of the relative error of the {} after the impact, against "
-                               "the soft-contact reference: e = 1 (order 2) and e = 0.5 (order 1). Dashed: "
+        .title =
+            cables ? "Validation problem 1: particle between two cables" : "Validation problem 2: pivoted cylinder",
+        .caption = fmt::format("Root mean square over 64 phases of the relative error of the {} after the impact, "
+                               "against the soft-contact reference: e = 1 (order 2) and e = 0.5 (order 1). Dashed: "
                                "predicted for velocity Verlet; the points of central difference lie on its line.",
                                cables ? "particle's velocity" : "column's angular velocity"),
         .x = {"step / contact time", "1", true},
@@ -435,9 +443,10 @@ Case definition() {
       .source =
           "Mustoe & Huttelmaier 1993, section 5, validation problems 1 and 2, Eqs. 17, 23, 24; error constants derived "
           "here",
-      .faults = {{"commensurate_step", "the contact time is a whole number of steps",
+      .faults = {{"commensurate_step", "the contact time is an integer number of steps",
                   "disc on a wall, undamped: order of velocity_verlet"},
-                 {"dashpot_off", "the wall's dashpot is left out", "disc on a wall, damped: order of velocity_verlet"},
+                 {"dashpot_off", "the dashpot of the wall contact is omitted",
+                  "disc on a wall, damped: order of velocity_verlet"},
                  {"mass_halved", "the particle on the cables has half its mass",
                   "two cables, damped: order of velocity_verlet"},
                  {"euler_cromer_for_verlet", "Euler-Cromer in place of velocity Verlet",

@@ -101,12 +101,12 @@ void check_constants(const reference::TwoCableMotion& motion, double v1, double 
                        2.0 / problem.mass * step * step * std::abs(kept_in_addition(at, motion.speed_at_distance(at))));
   }
   const std::string argument =
-      "second-order constant derived from the Hamiltonian that the method keeps; the next order is (w h)^2 "
-      "of it, with w h = .02 at the turn";
+      "second-order constant derived from the Hamiltonian that the method conserves; the next order is (w h)^2 of it, "
+      "with w h = 0.02 at the turning point";
   findings.expect(
       "time of travel, cables alone: error over its prediction", launch.time_error / (-step * step * per_energy), 1.0,
-      Tolerance::model(0.02, argument + "; the cubic between two steps takes the method's v for dx/dt, which differ by "
-                                        "h^2 U''/(6 m): about 1 % of the error"));
+      Tolerance::model(0.02, argument + "; the cubic interpolation between two steps uses the method's v as dx/dt, "
+                                        "which differ by h^2 U''/(6 m): about 1 % of the error"));
   findings.in("distance")
       ->expect("distance, cables alone: error over its prediction",
                launch.distance_error / (step * step * pull / (24.0 * problem.mass)), 1.0,
@@ -123,7 +123,7 @@ Figure speed_curve(const reference::TwoCableMotion& motion, const Series& solver
     exact.add(theta, motion.speed_at_angle(theta));
   }
   return {.name = "speed_curve",
-          .title = "Speed of the particle over the angle of the cables",
+          .title = "Speed of the particle against the angle of the cables",
           .caption = "Launched at $v_1 = 2$ m/s: velocity Verlet against Eq. 27.",
           .x = {.label = "angle of the cables", .unit = "rad"},
           .y = {.label = "speed", .unit = "m/s"},
@@ -146,7 +146,7 @@ void check_cables_alone(Findings& findings, const Setup& setup) {
     distance.add(step, std::abs(launch.distance_error));
   }
   const std::string why =
-      "smooth motion under velocity Verlet: even powers of the step only; at 20 steps the fourth order is some "
+      "smooth motion with velocity Verlet: even powers of the step only; at 20 steps the fourth order is a few "
       "hundredths of the second";
   findings.expect_order("order of the time of travel, cables alone", time, 1.95, 2.05, why);
   findings.in("order_distance")->expect_order("order of the distance, cables alone", distance, 1.95, 2.05, why);
@@ -180,19 +180,20 @@ Series speed_error_curve(EndRule rule, Findings& findings, const Setup& setup) {
   const Convergence errors = speed_errors(rule, setup.coarse ? 3 : 6, setup, findings);
   findings.in("speed_order")
       ->expect_order(
-          "order of the speed, " + name, errors, 0.95, 1.05,
-          "a force jump 2 xi m w0 v0 met anywhere within a step leaves an impulse error of first order; at the "
-          "coarsest step, w h = .2, the second order adds about w h/4 of it, which tilts the fit by .03");
+          "order of the speed after the impact, " + name, errors, 0.95, 1.05,
+          "a force jump 2 xi m w0 v0 at any time within a step causes an impulse error of first order; at the coarsest "
+          "step, w h = 0.2, the second order adds about w h/4 of it, which tilts the fitted line by 0.03");
   const double w = std::sqrt(contact_stiffness / reduced_mass());
   const double xi = reference::damping_ratio(problem.restitution, reference::EndRule::attractive);
   const double predicted = leapfrog_impact_error(xi, same(rule)).restitution * w * particle_share() *
                            reference::restitution(xi, same(rule)) * problem.approach_speed;
   findings.expect(
-      "constant of the speed's error, " + name, errors.errors().back() / (predicted * errors.steps().back()), 1.0,
+      "error constant of the speed after the impact, " + name,
+      errors.errors().back() / (predicted * errors.steps().back()), 1.0,
       Tolerance::model(
           attractive ? 0.05 : 0.01,
-          "predicted from the lag of the dashpot and its jumps: 64 phases of the clamped "
-          "contact's one jump stand for all within 1 %, 64 pairs for the attractive contact's two within 5 %"));
+          "predicted from the lag of the dashpot and its force jumps: 64 phases represent the one jump of the clamped "
+          "contact to 1 %, 64 pairs of phases the two jumps of the attractive contact to 5 %"));
   const auto exact = reference::soft_impact(problem, soft_contact(contact_stiffness, {rule, EndRule::attractive}));
   Series series{.label = name, .x = {}, .y = errors.errors()};
   for (const double step : errors.steps())
@@ -205,7 +206,7 @@ Series speed_error_curve(EndRule rule, Findings& findings, const Setup& setup) {
 void check_contact_at_fixed_stiffness(Findings& findings, const Setup& setup) {
   Figure figure{
       .name = "speed_error",
-      .title = "Speed after the contact, error against the soft reference",
+      .title = "Error of the speed after the contact against the soft reference",
       .caption =
           "Central difference, $k_n = 10^4$ N/m, root mean square over 64 phases of the onset. The dashpot's force "
           "jumps at both ends of the attractive contact and at the onset of the clamped one, so the order is one.",
@@ -233,29 +234,29 @@ double distance_at_speed(const reference::TwoCableMotion& motion, double v) {
 void check_accounts(Findings& findings, const std::string& name, TwoCableEnd end, const TwoCableRun& run, double step) {
   const auto soft = reference::soft_impact(problem, soft_contact(contact_stiffness, end));
   findings.expect(
-      "momentum, " + name, run.momentum_closure, 0.0,
+      "momentum balance error, " + name, run.momentum_closure, 0.0,
       Tolerance::round_off(3e-14,
-                           "1e5 steps add the same force to both bodies and to the impulse: three roundings of "
-                           "at most eps/2 M v0 each, adding like a random walk: 3 sqrt(1e5) eps/2 = 1e-13 at the "
-                           "worst, a third of it expected"));
+                           "1e5 steps add the same force to both bodies and to the impulse: three roundings of at most "
+                           "eps/2 M v0 each, accumulated as a random walk: at most 3 sqrt(1e5) eps/2 = 1e-13, of which "
+                           "a third is expected"));
   const double pull = cable_pull(soft.turning_distance);
   findings.in("curve_after")
-      ->expect("curve v^2(theta) after the impact over its prediction, " + name,
+      ->expect("curve v^2(theta) after the impact, error over its prediction, " + name,
                run.curve_error * 6.0 * problem.mass * problem.mass / (step * step * pull * pull), 1.0,
                Tolerance::model(0.002,
-                                "central difference keeps H + h^2 (U'^2/(12 m) - v^2 U''/24), which is off most at the "
-                                "turn, by v^2 = h^2 U'^2/(6 m^2); the last step before it, and an x_max that is off by "
-                                "1e-4, move that by less than two thousandths"));
+                                "central difference conserves H + h^2 (U'^2/(12 m) - v^2 U''/24); the error of v^2 is "
+                                "largest at the turning point, h^2 U'^2/(6 m^2); the last step before it and an error "
+                                "of 1e-4 of x_max change this by less than 0.002"));
   if (end.rule == EndRule::clamped) return;
   const double xi = reference::damping_ratio(problem.restitution, same(end.formula));
   const double booked = 0.25 * step * 2.0 * xi * std::sqrt(contact_stiffness * reduced_mass()) *
                         (1.0 - problem.restitution * problem.restitution) * problem.approach_speed *
                         problem.approach_speed;
   findings.expect(
-      "closure of the energy ledger over its prediction", run.energy_closure / booked, 1.0,
+      "energy balance error over its prediction", run.energy_closure / booked, 1.0,
       Tolerance::model(0.005,
-                       "the dashpot's power is booked with the velocity of half a step before: h c (1 - e^2) v0^2/4; "
-                       "the end of the contact within a step, xi w h of it, is not in that"));
+                       "the power of the dashpot is computed with the velocity of half a step before: h c (1 - e^2) "
+                       "v0^2/4; the end of the contact within a step, xi w h of it, is not included"));
 }
 
 /// Runs one production run and compares it with the soft reference.
@@ -278,21 +279,21 @@ TwoCableRun check_production_run(Findings& findings, const Setup& setup, const s
       ->expect("speed after the impact, " + name, run.speed_after, soft.at_end.particle_velocity + lag,
                Tolerance::truncation(
                    jump + second_order, 1.0,
-                   "reference with the predicted lag of the dashpot; what is left is the attractive end's jump "
-                   "within half a step (xi w h e v0 M/(M+m)) and the second order, (w h)^2 e v0 M/(M+m)"),
+                   "reference with the predicted lag of the dashpot; the remainder is the force jump at the attractive "
+                   "end, within half a step (xi w h e v0 M/(M+m)), and the second order, (w h)^2 e v0 M/(M+m)"),
                "m/s");
   const double slope = 0.98;  // dx/dv1 = m v1/(dU/dx) at the turn [s]
   findings.in("distance_after")
-      ->expect(
-          "distance, " + name, run.turning.value, soft.turning_distance + slope * lag,
-          Tolerance::truncation(slope * (jump + second_order), 1.0, "as the speed, times dx/dv1 = .98 s at the turn"),
-          "m");
+      ->expect("distance, " + name, run.turning.value, soft.turning_distance + slope * lag,
+               Tolerance::truncation(slope * (jump + second_order), 1.0,
+                                     "as for the speed, times dx/dv1 = 0.98 s at the turning point"),
+               "m");
   findings.in("time_to_turn")
-      ->expect("time to the turn, " + name, run.turning.time, soft.turning_time,
+      ->expect("time to the turning point, " + name, run.turning.time, soft.turning_time,
                Tolerance::truncation(
                    0.63 * (std::abs(lag) + jump) + step, 1.0,
-                   "as the speed, times |dt/dv1| = t/(2 v1) = .63 s of a motion under x^3; and the contact's end "
-                   "within a step"),
+                   "as for the speed, times |dt/dv1| = t/(2 v1) = 0.63 s^2/m of a motion under a cubic force; and the "
+                   "end of the contact within a step"),
                "s");
   check_accounts(findings, name, end, run, step);
   return run;
@@ -304,10 +305,10 @@ void check_production(Findings& findings, const Setup& setup) {
   const reference::TwoCableMotion motion{problem, rigid.particle};
   Table table{
       "end_rules",
-      "The two end rules, the same dashpot by Eq. 21 ($k_n = 10^4$ N/m, central difference, 1024 steps in a contact). "
-      "The report's 3.826 m comes from the attractive rule. The last row has the dashpot that the clamped rule needs "
-      "for $e = .5$.",
-      {"contact end", "v after [m/s]", "turns at [m]", "theta [rad]", "time to turn [s]"},
+      "The two end rules with the same dashpot from Eq. 21 ($k_n = 10^4$ N/m, central difference, 1024 steps per "
+      "contact). The report's 3.826 m results from the attractive rule. In the last row the dashpot is calibrated for "
+      "$e = 0.5$ with the clamped rule.",
+      {"end rule", "v after [m/s]", "turning distance [m]", "theta [rad]", "time to turning point [s]"},
       {}};
   const auto row = [&](const std::string& name, double v, double x, double t) {
     table.rows.push_back({name, fmt::format("{:.4f}", v), fmt::format("{:.5f}", x),
@@ -320,23 +321,24 @@ void check_production(Findings& findings, const Setup& setup) {
     TwoCableEnd end;
   } runs[] = {{"attractive", {EndRule::attractive, EndRule::attractive}},
               {"clamped", {EndRule::clamped, EndRule::attractive}},
-              {"clamped, own dashpot", {EndRule::clamped, EndRule::clamped}}};
+              {"clamped, recalibrated dashpot", {EndRule::clamped, EndRule::clamped}}};
   for (const auto& [name, end] : runs) {
     const TwoCableRun run = check_production_run(findings, setup, name, end);
     row(name, run.speed_after, run.turning.value, run.turning.time);
     if (std::string{name} != "attractive") continue;
     findings.expect("distance, as the report prints it", run.turning.value, 3.826,
-                    Tolerance::model(6e-4, "half a unit of the last printed digit, and the step's 1e-4"), "m");
+                    Tolerance::model(6e-4, "half a unit of the last printed digit, and 1e-4 for the error of the step"),
+                    "m");
     findings.expect("angle, as the report prints it", std::atan(run.turning.value / problem.length), 0.365,
-                    Tolerance::model(5e-4, "half a unit of the last printed digit; exact .36546"), "rad");
+                    Tolerance::model(5e-4, "half a unit of the last printed digit; exact 0.36546"), "rad");
   }
   findings.table(table);
   const double slowed = 1.997;
   findings.note(
-      fmt::format("The report's 1.997 m/s and 3.826 m are not of one instant: a particle that leaves with 1.997 m/s "
-                  "turns at {:.4f} m. By Eq. 27 one that leaves with 2 m/s is down to 1.997 m/s at {:.2f} m, "
-                  "{:.2f} s later; the report may have read its Fig. 8 there. The difference of .003 m/s is stated, "
-                  "and nothing is fitted to it.",
+      fmt::format("The report's 1.997 m/s and 3.826 m do not belong to the same instant: a particle that leaves with "
+                  "1.997 m/s turns at {:.4f} m. By Eq. 27 a particle that leaves with 2 m/s has slowed down to 1.997 "
+                  "m/s at {:.2f} m, {:.2f} s later; the report may have read its Fig. 8 there. The difference of 0.003 "
+                  "m/s is reported without fitting anything to it.",
                   reference::TwoCableMotion{problem, slowed}.largest_distance(), distance_at_speed(motion, slowed),
                   motion.time_to_distance(distance_at_speed(motion, slowed))));
 }
@@ -346,10 +348,10 @@ Figure rigid_limit(const Convergence& distance, const Convergence& time, const s
   return {.name = "rigid_limit",
           .title = "Approach to the rigid impact",
           .caption =
-              "Difference of turning distance and travel time to the rigid impact against the contact's stiffness: "
+              "Difference of turning distance and travel time from the rigid impact, against the contact compliance: "
               "the solver (points) and the soft reference (lines), attractive end rule.",
           .x = {.label = "contact compliance 1/k_n", .unit = "m/N", .log = true},
-          .y = {.label = "difference to the rigid impact", .unit = "m, s", .log = true},
+          .y = {.label = "difference from the rigid impact", .unit = "m, s", .log = true},
           .series = {{"distance [m], solver", distance.steps(), distance.errors(), Style::points},
                      {"distance [m], soft reference", distance.steps(), soft_distance, Style::lines},
                      {"time [s], solver", time.steps(), time.errors(), Style::points},
@@ -379,18 +381,18 @@ void check_rigid_limit(Findings& findings, const Setup& setup) {
     apart = std::max(apart, std::abs(run.turning.value - soft.turning_distance));
   }
   findings.expect(
-      "distance of solver and soft reference under step control", apart, 0.0,
+      "turning distance with step control, largest difference from the soft reference", apart, 0.0,
       Tolerance::truncation(
           1e-9, 1.0,
-          "some 500 steps whose local error is kept below 1e-12 (1 + |x| + h |v|), at most 5e-12 each: 1e-10 if they "
-          "add like a random walk, 2.5e-9 if all have one sign; the contact's end is met within a step short enough "
-          "for the same tolerance"),
+          "about 500 steps with local errors below 1e-12 (1 + |x| + h |v|), at most 5e-12 each: 1e-10 if they "
+          "accumulate as a random walk, 2.5e-9 if all have the same sign; the end of the contact lies within a step "
+          "short enough for the same tolerance"),
       "m");
-  findings.expect_order("distance to the rigid limit, power of 1/k_n", distance, 1.995, 2.005,
-                        "the cables' impulse during the contact goes with the fourth power of its duration; the next "
-                        "term is 1/k_n of it");
-  findings.expect_order("time to the rigid limit, power of 1/k_n", time, 0.495, 0.505,
-                        "the particle leaves later by a share of the contact time");
+  findings.expect_order("turning distance, approach to the rigid limit, power of 1/k_n", distance, 1.995, 2.005,
+                        "the impulse of the cables during the contact is proportional to the fourth power of its "
+                        "duration; the next term is 1/k_n of it");
+  findings.expect_order("travel time, approach to the rigid limit, power of 1/k_n", time, 0.495, 0.505,
+                        "the particle leaves later by a fraction of the contact time");
   findings.figure(rigid_limit(distance, time, soft_distance, soft_time));
 }
 
@@ -418,7 +420,7 @@ Case definition() {
              "time of travel, cables alone: error over its prediction", "distance",
              "curve v^2(theta): largest error over its prediction"}},
            {"Eq. 17", {"speed_after", "speed_order"}},
-           {"Eq. 21", {"speed after the impact, attractive", "order of the speed, attractive"}},
+           {"Eq. 21", {"speed after the impact, attractive", "order of the speed after the impact, attractive"}},
            {"Eq. 23", {"speed_order"}},
            {"Eq. 24", {"speed_order"}},
            {"Eq. 26", {"speed_after", "distance, as the report prints it", "angle, as the report prints it"}},
@@ -427,24 +429,27 @@ Case definition() {
              "time of travel, cables alone: error over its prediction", "distance",
              "curve v^2(theta): largest error over its prediction"}},
            {"law.linear_spring_dashpot",
-            {"speed_after", "speed_order", "distance to the rigid limit, power of 1/k_n",
-             "time to the rigid limit, power of 1/k_n"}},
+            {"speed_after", "speed_order", "turning distance, approach to the rigid limit, power of 1/k_n",
+             "travel time, approach to the rigid limit, power of 1/k_n"}},
            {"law.tension_only",
             {"curve_after", "order of the time of travel, cables alone", "order_distance",
              "time of travel, cables alone: error over its prediction", "distance",
              "curve v^2(theta): largest error over its prediction"}},
            {"end_rule.attractive",
-            {"speed after the impact, attractive", "distance, attractive", "time to the turn, attractive",
-             "momentum, attractive", "curve v^2(theta) after the impact over its prediction, attractive",
-             "distance, as the report prints it", "angle, as the report prints it", "order of the speed, attractive",
-             "constant of the speed's error, attractive"}},
+            {"speed after the impact, attractive", "distance, attractive", "time to the turning point, attractive",
+             "momentum balance error, attractive",
+             "curve v^2(theta) after the impact, error over its prediction, attractive",
+             "distance, as the report prints it", "angle, as the report prints it",
+             "order of the speed after the impact, attractive",
+             "error constant of the speed after the impact, attractive"}},
            {"end_rule.clamped",
-            {"speed after the impact, clamped", "speed after the impact, clamped, own dashpot", "distance, clamped",
-             "distance, clamped, own dashpot", "time to the turn, clamped", "time to the turn, clamped, own dashpot",
-             "momentum, clamped", "momentum, clamped, own dashpot",
-             "curve v^2(theta) after the impact over its prediction, clamped",
-             "curve v^2(theta) after the impact over its prediction, clamped, own dashpot",
-             "order of the speed, clamped", "constant of the speed's error, clamped"}},
+            {"speed after the impact, clamped", "speed after the impact, clamped, recalibrated dashpot",
+             "distance, clamped", "distance, clamped, recalibrated dashpot", "time to the turning point, clamped",
+             "time to the turning point, clamped, recalibrated dashpot", "momentum balance error, clamped",
+             "momentum balance error, clamped, recalibrated dashpot",
+             "curve v^2(theta) after the impact, error over its prediction, clamped",
+             "curve v^2(theta) after the impact, error over its prediction, clamped, recalibrated dashpot",
+             "order of the speed after the impact, clamped", "error constant of the speed after the impact, clamped"}},
            {"method.resultant", {"speed_after", "speed_order"}},
            {"shape.circle", {"speed_after"}},
            {"integrator.central_difference", {"speed_after", "speed_order"}},
@@ -452,17 +457,19 @@ Case definition() {
             {"order of the time of travel, cables alone", "order_distance",
              "time of travel, cables alone: error over its prediction", "distance"}},
            {"integrator.odeint_dopri5",
-            {"distance to the rigid limit, power of 1/k_n", "time to the rigid limit, power of 1/k_n"}},
+            {"turning distance, approach to the rigid limit, power of 1/k_n",
+             "travel time, approach to the rigid limit, power of 1/k_n"}},
            {"pair.circle.circle", {"speed_after"}}},
       .main_checks = {"speed after the impact, attractive", "distance, attractive", "angle, as the report prints it",
-                      "time to the turn, attractive", "order of the time of travel, cables alone"},
+                      "time to the turning point, attractive", "order of the time of travel, cables alone"},
       .source = "Mustoe & Huttelmaier 1993, section 5, validation problem 1, Eqs. 26-27",
       .faults = {{"mass_halved", "the particle has half its mass", "distance, attractive"},
                  {"cable_stiffness_per_length", "the cable's stiffness is divided by its length",
                   "distance, attractive"},
-                 {"wrong_end_rule", "the contact never pulls", "distance, as the report prints it"},
+                 {"wrong_end_rule", "clamped end rule instead of the attractive one",
+                  "distance, as the report prints it"},
                  {"dashpot_halved", "Eq. 21 without its factor 2", "speed after the impact, attractive"},
-                 {"euler_cromer", "velocities and positions half a step apart",
+                 {"euler_cromer", "Euler-Cromer instead of velocity Verlet: velocities and positions half a step apart",
                   "order of the time of travel, cables alone"}},
       .run = run};
 }

@@ -49,9 +49,9 @@ Series study(const MethodRange& method, const Swing& swing, Findings& findings, 
   findings.in("order")->expect_order(
       "order of " + std::string(method.name), convergence, method.order() - method.admitted(),
       method.order() + method.admitted(),
-      fmt::format("declared order {}; the next two terms of the expansion, taken from the errors "
-                  "at three coarser steps, tilt the line fitted between {} and {} steps by "
-                  "{:+.2g}: that and half of it again, for the terms after, either way",
+      fmt::format("declared order {}; the next two terms of the expansion, determined from the errors at three coarser "
+                  "steps, tilt the line fitted between {} and {} steps by {:+.2g}: 1.5 times this is allowed in either "
+                  "direction, for the higher terms",
                   method.order(), method.first, method.last, method.tilt));
   return series;
 }
@@ -67,9 +67,9 @@ Series study_tolerance(const Swing& swing, Findings& findings) {
     stepless.add(static_cast<double>(run.evaluations), run.error);
   }
   findings.in("integrator.odeint_bulirsch_stoer")
-      ->expect_order("error of odeint_bulirsch_stoer against tolerance", kept, 0.8, 1.2,
-                     "order and step are chosen so that the error of a step stays below the tolerance: "
-                     "proportional, with the scatter of the choices");
+      ->expect_order("order of the error of odeint_bulirsch_stoer in the tolerance", kept, 0.8, 1.2,
+                     "order and step are chosen so that the error of a step stays below the tolerance: the global "
+                     "error is proportional to it, with scatter from these choices");
   return stepless;
 }
 
@@ -77,9 +77,9 @@ Series study_tolerance(const Swing& swing, Findings& findings) {
 Figure chart(const char* name, const char* title, const std::string& caption) {
   return {.name = name,
           .title = title,
-          .caption = "Error at the end of 0.8 period (60 degrees) against force evaluations, " + caption +
-                     " Dashed: the declared orders. The line is half a unit of the last place of the angle: round-off "
-                     "of n steps gathers above it.",
+          .caption = "Error after 0.8 periods (60 degrees) against force evaluations, " + caption +
+                     " Dashed: the declared orders. Horizontal line: half an ulp of the angle; the round-off of n "
+                     "steps accumulates above it.",
           .x = {"force evaluations", "1", true},
           .y = {"error", "rad", true},
           .series = {},
@@ -115,13 +115,13 @@ void draw(const MethodRange& method, const Series& series, Figure& chart) {
 
 void check_work_and_precision(Findings& findings, const Setup& setup) {
   const Swing swing{.scene = scenes::pendulum(bob(setup, amplitude))};
-  Figure own = chart("work_precision", "Work and precision on a smooth swing: the solver's own methods",
-                     "for the solver's own methods: steps halved from point to point for orders 1 and 2, divided by "
-                     "the square root of 2 for order 4. The next figure has odeint's steppers.");
-  Figure odeint = chart("work_precision_odeint", "Work and precision on a smooth swing: odeint's steppers",
-                        "for odeint's steppers, and rk4 again to compare with: steps divided by the square root of 2 "
-                        "from point to point, and tolerances divided by ten for odeint_bulirsch_stoer, which has no "
-                        "fixed step. Charts against time, and other scenes: case `work_precision`.");
+  Figure own = chart("work_precision", "Work and precision on a smooth motion: the solver's methods",
+                     "for the solver's methods: from point to point the step is halved for orders 1 and 2, and divided "
+                     "by the square root of 2 for order 4. The next figure shows odeint's steppers.");
+  Figure odeint = chart("work_precision_odeint", "Work and precision on a smooth motion: odeint's steppers",
+                        "for odeint's steppers, with rk4 for comparison: from point to point the step is divided by "
+                        "the square root of 2, and for odeint_bulirsch_stoer, which has no fixed step, the tolerance "
+                        "by ten. Charts against computing time, and other scenes: case `work_precision`.");
   Series rk4;
   for (const auto& method : method_ranges) {
     if (setup.coarse && method.name != "velocity_verlet") continue;

@@ -53,7 +53,7 @@ double end_of_slip(const SlopeRun& run, double arm) {
 }
 
 Figure rolling_figure(const SlopeRun& run, const reference::DraggedSlider& slider, double speed) {
-  Series centre{"speed of the centre, solver", {}, {}, Style::points}, rim{"r omega, solver", {}, {}, Style::points};
+  Series centre{"centre, solver", {}, {}, Style::points}, rim{"rim, solver", {}, {}, Style::points};
   for (std::size_t i = 0; i < run.time.size(); i += run.time.size() / 48) {
     centre.add(run.time[i], run.speed[i]);
     rim.add(run.time[i], run.rim[i]);
@@ -63,8 +63,9 @@ Figure rolling_figure(const SlopeRun& run, const reference::DraggedSlider& slide
   return {.name = "rolling",
           .title = "From sliding to rolling",
           .caption =
-              "Speed of the centre and of the rim of a disc set down on a table with 3 m/s. Lines: a rigid disc, "
-              "speeds meeting at $u_0/(3\\mu g)$ and two thirds of $u_0$.",
+              "Speeds of the centre and of the rim, $r\\omega$, of a disc that starts on a table with $u_0$ = 3 m/s "
+              "and without spin. Lines: rigid disc, whose speeds become equal at the time $u_0/(3\\mu g)$, at two "
+              "thirds of $u_0$.",
           .x = {.label = "time", .unit = "s"},
           .y = {.label = "speed", .unit = "m/s"},
           .series = {{"centre, exact", {0.0, meets, last}, {speed, 2.0 / 3.0 * speed, 2.0 / 3.0 * speed}, Style::lines},
@@ -121,9 +122,9 @@ Figure slope_figure(const SlopeSweep& disc, const SlopeSweep& block) {
   return {.name = "slopes",
           .title = "Acceleration down a slope",
           .caption =
-              "A disc rolls until $\\tan\\theta = 3\\mu$ and slides beyond, a block holds until "
-              "$\\tan\\theta = \\mu$; $\\mu$ = .3. Lines: rigid bodies.",
-          .x = {.label = "tan of the slope"},
+              "A disc rolls up to $\\tan\\theta = 3\\mu$ and slides beyond; a block sticks up to $\\tan\\theta = "
+              "\\mu$; $\\mu$ = 0.3. Lines: rigid bodies.",
+          .x = {.label = "tangent of the slope angle"},
           .y = {.label = "acceleration", .unit = "m/s^2"},
           .series = {rolls,
                      holds,
@@ -146,20 +147,20 @@ void check_threshold(Findings& findings, const Setup& setup, bool rolls, const s
     const double lost = run.end.work[static_cast<std::size_t>(Mechanism::friction)];
     if (share < 1.0) {
       findings.in("below_threshold")
-          ->expect("work of the slider at .999 of the threshold, " + name, lost, 0.0,
-                   Tolerance::exact("below its limit the slider does not move"), "J");
+          ->expect("friction work at 0.999 of the slip threshold, " + name, lost, 0.0,
+                   Tolerance::exact("below the friction limit the contact does not slip"), "J");
       continue;
     }
     const reference::DraggedSlider slider = dragged_slider(slope);
     const double slipped = reference::DraggedSliderMotion{slider, time}.at(time).slipped;
     findings.in("above_threshold")
-        ->expect("work of the slider at 1.001 of the threshold, " + name, lost,
+        ->expect("friction work at 1.001 of the slip threshold, " + name, lost,
                  slider.friction * slider.normal_force * slipped,
                  Tolerance::round_off(2e3 * normal_round_off(slope),
-                                      "constant forces, which Verlet integrates exactly; the slip's acceleration is "
-                                      "a thousandth of what the normal force's round-off (an overlap of 1e-5 by "
-                                      "difference of two lengths of half a metre) goes into: 1000 times that, and "
-                                      "twice for its swing")
+                                      "constant forces, which velocity Verlet integrates exactly; the acceleration "
+                                      "of the slip is a thousandth of the force that contains the round-off of the "
+                                      "normal force (an overlap of 1e-5 m as a difference of two lengths of half a "
+                                      "metre): 1000 times that, and twice for its oscillation")
                      .relative(),
                  "J");
   }
@@ -186,9 +187,9 @@ void check_first_slip(Findings& findings, const Setup& setup) {
     }
     errors.add(1.0 / count, error.rms());
   }
-  findings.expect_order("order of the path slipped by a block let go on a slope", errors, 1.8, 2.2,
-                        "velocity Verlet; the slider is taken back to its limit within the step in which it passes it, "
-                        "which costs the square of the step");
+  findings.expect_order("order of the slip distance of a block released on a slope", errors, 1.8, 2.2,
+                        "velocity Verlet; a stretch beyond the friction limit is reduced to the limit within the "
+                        "same step, which causes an error of the square of the step");
 }
 
 }  // namespace
@@ -204,14 +205,14 @@ void check_rolling(Findings& findings, const Setup& setup) {
   const double arm = slope_radius - 0.5 * slope_mass * slope_gravity / stiffness;
   const double slip_ends = end_of_slip(run, arm);
   findings.expect(
-      "time at which the disc rolls, over that of the reference", slip_ends / exact.phases()[1].begin, 1.0,
+      "start time of rolling over that of the reference", slip_ends / exact.phases()[1].begin, 1.0,
       Tolerance::round_off(2.0 * normal_round_off(slope),
-                           "constant forces, which Verlet integrates exactly: the round-off of the overlap, "
-                           "2e-5 m by difference of two lengths of half a metre, and its swing"));
+                           "constant forces, which velocity Verlet integrates exactly: the round-off of the "
+                           "overlap, 2e-5 m as a difference of two lengths of half a metre, and its oscillation"));
   findings.expect(
-      "time at which the disc rolls, over u0/(3 mu g)", slip_ends * 3.0 * mu * slope_gravity / speed, 1.0,
+      "start time of rolling over u0/(3 mu g)", slip_ends * 3.0 * mu * slope_gravity / speed, 1.0,
       Tolerance::model(2.0 * slope_mass * slope_gravity / stiffness / slope_radius / 3.0 * 1.05,
-                       "friction acts on the arm r - d/2: n = 3 - 2 d/r for 3, and 5 % for the next power"));
+                       "friction acts on the arm r - d/2: n = 3 - 2 d/r instead of 3, and 5 % for the next power"));
   const double swing = reference::swing_after_slip(slider);
   double largest = 0.0;
   for (std::size_t i = 0; i < run.time.size(); ++i) {
@@ -219,27 +220,27 @@ void check_rolling(Findings& findings, const Setup& setup) {
       largest = std::max(largest, std::abs(run.speed[i] - run.rim[i] * arm / slope_radius));
   }
   const double wh = std::sqrt(3.0 * stiffness / slope_mass) * step;
-  findings.expect("slip rate of the swing that is left, over mu g sqrt(3 m/k_s)", largest / swing, 1.0,
+  findings.expect("slip rate of the oscillation after sliding over mu g sqrt(3 m/k_s)", largest / swing, 1.0,
                   Tolerance::truncation(0.125 * wh * wh, 2.0,
-                                        "the largest of samples a step apart misses the peak by up to (w h)^2/8, and "
-                                        "Verlet's swing is off by as much"));
+                                        "the largest of samples a step apart misses the peak by up to (w h)^2/8, "
+                                        "and the oscillation by velocity Verlet has an error of the same size"));
   findings.expect("speed of the rolling disc", run.end.v[0], 2.0 / 3.0 * speed,
                   Tolerance::model(swing / 3.0,
-                                   "the swing of the spring, mu g sqrt(3 m/k_s), of which a third is in the "
-                                   "speed of the centre"),
+                                   "the spring oscillates with the slip rate mu g sqrt(3 m/k_s), a third of which "
+                                   "is in the speed of the centre"),
                   "m/s");
   const double lost = run.end.work[static_cast<std::size_t>(Mechanism::friction)];
   const double energy = 0.5 * slope_mass * speed * speed;
   findings.expect(
       "energy lost by the slider, over a third of that at the start", lost / (energy / 3.0), 1.0,
       Tolerance::model(slope_mass * slope_gravity / stiffness / slope_radius / 1.5 * 1.05,
-                       "friction acts on the arm r - d/2: n = 3 - 2 d/r for 3, and 5 % for the next power"));
+                       "friction acts on the arm r - d/2: n = 3 - 2 d/r instead of 3, and 5 % for the next power"));
   const double spring = 0.5 * stiffness * slider.stretch * slider.stretch;
   findings.expect(
-      "closure of the energy, disc from sliding to rolling", run.largest_closure / energy, 0.0,
+      "energy balance error, disc from sliding to rolling", run.largest_closure / energy, 0.0,
       Tolerance::truncation(0.25 * wh * wh * spring / energy, 1.2,
-                            "constant forces close to round-off; Verlet lets the energy of the swing that is "
-                            "left, mu^2 N^2/(2 k_s), breathe by (w h)^2/4 of it"));
+                            "the balance under constant forces is exact to round-off; by velocity Verlet the energy "
+                            "of the remaining oscillation, mu^2 N^2/(2 k_s), fluctuates by (w h)^2/4 of it"));
   findings.figure(rolling_figure(run, slider, speed));
 }
 
@@ -247,16 +248,16 @@ void check_slopes(Findings& findings, const Setup& setup) {
   const SlopeSweep disc = sweep_slopes(true, setup, findings), block = sweep_slopes(false, setup, findings);
   const Slope steepest{true, std::atan(6.2 * mu), mu, stiffness, stiffness, 0.0, true};
   const std::string words =
-      "constant forces, which Verlet integrates exactly; the round-off of the overlap, and its swing, against forces "
-      "of "
-      "which as much is left as friction takes";
-  findings.expect("acceleration of a disc on slopes, farthest from the reference", disc.farthest, 0.0,
+      "constant forces, which velocity Verlet integrates exactly; the round-off of the overlap and its oscillation, "
+      "relative to net forces of the size of the friction";
+  findings.expect("acceleration of a disc on slopes, largest relative error against the reference", disc.farthest, 0.0,
                   Tolerance::round_off(3.0 * normal_round_off(steepest), words));
-  findings.expect("acceleration of a block on slopes, farthest from the reference", block.farthest, 0.0,
-                  Tolerance::round_off(30.0 * normal_round_off(steepest), words));
-  findings.expect("acceleration of a disc on slopes, reference against a rigid disc", disc.rigid, 0.0,
+  findings.expect("acceleration of a block on slopes, largest relative error against the reference", block.farthest,
+                  0.0, Tolerance::round_off(30.0 * normal_round_off(steepest), words));
+  findings.expect("acceleration of a disc on slopes, largest relative difference of reference and rigid disc",
+                  disc.rigid, 0.0,
                   Tolerance::model(slope_mass * slope_gravity / stiffness / slope_radius / 3.0,
-                                   "the arm r - d/2: n = 3 - 2 d/r moves 1 - 1/n by d/(3 r)"));
+                                   "with the arm r - d/2, n = 3 - 2 d/r changes 1 - 1/n by d/(3 r)"));
   check_threshold(findings, setup, true, "disc");
   check_threshold(findings, setup, false, "block");
   if (setup.coarse) return;

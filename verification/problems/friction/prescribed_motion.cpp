@@ -232,8 +232,9 @@ void check_leapfrogs(const Exercise& exercise, Figure& figure, Findings& finding
                     odd ? 1 : 2, setup.coarse ? 2e-4 : 3e-6);
     if (method.kind == reference::Leapfrog::velocity_verlet)
       findings.expect_order("order, " + name, found, order - 0.003, order + 0.003,
-                            "nothing lets go: the method's own. The next power, w h = .03 (w = 8, at the largest "
-                            "step; squared where no dashpot acts), bends the line by a twentieth of itself");
+                            "the order of the method, because no cable or contact is released; the next power, w h "
+                            "= 0.03 (w = 8, at the largest step; squared without dashpots), bends the line by a "
+                            "twentieth of itself");
     if (method.kind == reference::Leapfrog::lagged_central_difference && !system.damped) continue;
     figure.series.push_back({name, found.steps(), found.errors(), Style::points});
     figure.series.push_back(curve("predicted", found.steps(), [&](double h) { return constant * std::pow(h, order); }));
@@ -259,8 +260,9 @@ void check_high_orders(const Exercise& exercise, Figure& figure, Findings& findi
     const Convergence found = errors(exercise, make_integrator(method.name), method.first, 3, findings, setup);
     findings.expect_order(
         fmt::format("order, {}, {}", exercise.name, method.name), found, method.order - 0.2, method.order + 0.2,
-        "nothing lets go: the method's own. The next power, w h = .1 to .8 for w = 8 at the largest "
-        "step, times the number of the method: .19 at most is measured, and it falls as the step does");
+        "the order of the method, because no cable or contact is released; the next power, w h = 0.1 to 0.8 for w = "
+        "8 at the largest step, times a constant of the method: at most 0.19 is measured, and it decreases with the "
+        "step");
     figure.series.push_back({exercise.name + ", " + method.name, found.steps(), found.errors(), Style::linespoints});
   }
 }
@@ -270,14 +272,14 @@ Figure figure_of(const char* name, const char* title, const char* caption) {
 }
 
 void run(Findings& findings, const Setup& setup) {
-  Figure high = figure_of("high", "Prescribed motions, methods of higher order",
-                          "Error of the whole state at the end, against the step.");
+  Figure high =
+      figure_of("high", "Prescribed motions, methods of higher order", "Error of the final state against the step.");
   for (const Exercise& exercise : {on_cables(false, setup), on_cables(true, setup), rolling(setup)}) {
     if (setup.coarse && exercise.springs.damped) continue;
     const std::string file = exercise.springs.damped ? "cables_with_dashpots" : exercise.name;
     Figure figure = figure_of(file.c_str(), ("Prescribed motion: " + exercise.name).c_str(),
-                              "Error of place, velocity and memory at the end, in quadrature, against the step. Lines: "
-                              "predicted, no constant fitted.");
+                              "Error of position, velocity and history variable at the end, combined in quadrature, "
+                              "against the step. Lines: prediction, no constant fitted.");
     check_leapfrogs(exercise, figure, findings, setup);
     if (setup.coarse) continue;
     findings.figure(figure);
@@ -290,7 +292,7 @@ void run(Findings& findings, const Setup& setup) {
 
 Case definition() {
   return {.id = "prescribed_motion",
-          .title = "Prescribed motion: yielding cables and history-dependent friction",
+          .title = "Prescribed motion: elastic cables and history-dependent friction",
           .requirements = {{"law.tension_only", {"cables"}},
                            {"Eq. 13", {"cables"}},
                            {"Eq. 14", {"cables"}},
@@ -303,14 +305,14 @@ Case definition() {
                           "error over its prediction, cables with dashpots, velocity_verlet",
                           "error over its prediction, rolling, velocity_verlet", "order, rolling, rk4"},
           .source = "Derived here; the method: Roache 2002, J. Fluids Eng. 124, 4-10",
-          .faults = {{"cables_stiffer", "cables .1 % stiffer", "error over its prediction, cables, velocity_verlet"},
-                     {"cables_on_the_centre", "cables that end at the centre of mass",
+          .faults = {{"cables_stiffer", "cables 0.1 % stiffer", "error over its prediction, cables, velocity_verlet"},
+                     {"cables_on_the_centre", "cables attached at the centre of mass",
                       "error over its prediction, cables, velocity_verlet"},
-                     {"friction_softer", "the friction's spring .1 % softer",
+                     {"friction_softer", "tangential spring 0.1 % softer",
                       "error over its prediction, rolling, velocity_verlet"},
-                     {"memory_forgotten", "the friction's spring slack at the start",
+                     {"memory_forgotten", "tangential spring unstretched at the start",
                       "error over its prediction, rolling, velocity_verlet"},
-                     {"clock_half_a_step_late", "the force half a step late",
+                     {"clock_half_a_step_late", "prescribed force half a step late",
                       "error over its prediction, rolling, velocity_verlet"}},
           .run = run};
 }

@@ -99,8 +99,8 @@ long explicit_evaluations(const Scene& scene, double tolerance, Findings& findin
 
 /// Number of force evaluations of the scenes against the tolerance.
 struct Costs {
-  Series block{"block that slides to rest", {}, {}, Style::linespoints};
-  Series disc{"disc that rolls", {}, {}, Style::linespoints};
+  Series block{"block sliding to rest", {}, {}, Style::linespoints};
+  Series disc{"rolling disc", {}, {}, Style::linespoints};
 };
 
 void sliding_block(Findings& findings, const Setup& setup, Costs& costs) {
@@ -116,32 +116,32 @@ void sliding_block(Findings& findings, const Setup& setup, Costs& costs) {
     const std::string name = fmt::format("block, tolerance {:.0e}: ", tolerance);
     findings.expect_between(
         name + "evaluations", static_cast<double>(evaluations), 100.0, 300.0 * (-std::log10(tolerance) - 3.0),
-        "a step of order 4 at 1e-6 spans the slide in tens of steps of five stages, and the start and the stop are "
-        "transients of some 15 periods; each decimal adds a fixed number: 300 a decimal beyond three");
+        "at 1e-6 a method of order 4 covers the slide in tens of steps of five stages, and start and stop are "
+        "transients of about 15 periods; each decimal adds a fixed number: 300 per decimal beyond three");
     if (explicitly) continue;
     findings.expect(name + "displacement", found.state.q[0], expected,
                     Tolerance::truncation(0.1 * tolerance, 3.0,
-                                          "a tenth of the tolerance times the displacement is what is measured at 1e-6 "
-                                          "and 1e-10"),
+                                          "a tenth of the tolerance times the displacement is measured at 1e-6 and "
+                                          "1e-10"),
                     "m");
     findings.expect(
         name + "speed at rest", std::hypot(found.state.v[0], found.state.v[1]), 0.0,
         Tolerance::truncation(0.3 * tolerance * block.speed, 1.0,
-                              "errors of the method are relative to the largest speed, 3 m/s; a third is seen"),
+                              "errors of the method are relative to the largest speed, 3 m/s; a third is measured"),
         "m/s");
     findings.expect(name + "largest error of the energy balance", found.balance, 0.0,
                     Tolerance::truncation(4.0 * tolerance * 0.5 * block.mass * block.speed * block.speed, 3.0,
-                                          "speeds err by the tolerance at every step; the work of friction is the "
-                                          "integral of its power; four times the tolerance is what is measured"),
+                                          "speeds have an error of the tolerance at every step, and the friction "
+                                          "work is the integral of its power; four times the tolerance is measured"),
                     "N m");
   }
   if (setup.coarse) return;
   Scene longer = scene;
   longer.plan.end *= 10.0;
   const Ended rested = ended(longer, 1e-6, findings);
-  findings.expect_between("block: evaluations of 18 s at rest",
+  findings.expect_between("block: evaluations during 18 s at rest",
                           static_cast<double>(rested.evaluations) - costs.block.y.front(), 0.0, 100.0,
-                          "steps that grow five times each pass any time in a few, six evaluations each");
+                          "steps that grow fivefold each cover any duration in a few steps of six evaluations");
 }
 
 void rolling_disc(Findings& findings, const Setup& setup, Costs& costs) {
@@ -155,8 +155,8 @@ void rolling_disc(Findings& findings, const Setup& setup, Costs& costs) {
     const double along =
         (found.state.q[0] - scene.initial.q[0]) * cosine - (found.state.q[1] - scene.initial.q[1]) * sine;
     const std::string why =
-        "the disc starts 0.3 and not 18 micrometres in the incline: the arm of friction is longer by half of that "
-        "during the oscillation of 5 ms, 9e-5 of the arm for 0.5 % of the time";
+        "the disc starts with an overlap of 0.3 instead of 18 micrometres: the arm of friction is longer by half of "
+        "that during the oscillation of 5 ms, 9e-5 of the arm for 0.5 % of the time";
     findings.expect(name + "displacement", along, reference::rolled_displacement(disc, end),
                     Tolerance::model(9e-5 * 5e-3 / 10.0, why), "m");
     findings.expect(name + "spin", found.state.v[2], -reference::rolled_spin(disc, end),
@@ -172,8 +172,8 @@ void nudged(Findings& findings, const Setup& setup) {
   const double friction = found.accounts.lost[static_cast<std::size_t>(Mechanism::friction)];
   findings.expect("nudged block: friction work over its kinetic energy", friction / energy, 1.0,
                   Tolerance::truncation(1e-10, 1.0,
-                                        "the power of the dashpot is integrated to the tolerance, 1e-10, over "
-                                        "some 10 periods"));
+                                        "the power of the dashpot is integrated to the tolerance, 1e-10, over about "
+                                        "10 periods"));
   findings.expect("nudged block: speed at rest", std::hypot(found.state.v[0], found.state.v[1]), 0.0,
                   Tolerance::truncation(1e-10 * nudge, 3.0, "errors of the method are relative to the largest speed"),
                   "m/s");
@@ -215,10 +215,11 @@ end = "0.2 s"
   const Ended found = ended(scene, 1e-10, findings);
   findings.expect(
       "strong dashpot: error of the energy balance at the end", found.accounts.energy_closure / energy, 0.0,
-      Tolerance::truncation(1e-10, 1.0, "the powers are integrated to the tolerance, 1e-10, in some 100 steps"));
+      Tolerance::truncation(1e-10, 1.0, "the powers are integrated to the tolerance, 1e-10, in about 100 steps"));
   const double lost = found.accounts.lost[static_cast<std::size_t>(Mechanism::friction)];
-  findings.expect_between("strong dashpot: friction work over the energy of the start", lost / energy, 0.0, 0.3,
-                          "friction takes no more than the energy of the spin and what it gives the centre");
+  findings.expect_between("strong dashpot: friction work over the initial energy", lost / energy, 0.0, 0.3,
+                          "friction dissipates at most the energy of the spin, including what it transfers to the "
+                          "centre");
 }
 
 /// A body without contacts or forces, by every method with a tolerance: without motion there is no error to estimate.
@@ -239,7 +240,7 @@ void unmoved(Findings& findings) {
   findings.expect("body without forces: displacement and speed, largest of all methods", moved, 0.0,
                   Tolerance::exact("sums of zeros"), "m, m/s");
   findings.expect_between("body without forces: evaluations of 1 s, maximum over the methods", most, 1.0, 26.0,
-                          "no step is too long where nothing moves: one, or two of Fehlberg's thirteen evaluations");
+                          "without motion no step is too long: one step, or two of Fehlberg's thirteen evaluations");
 }
 
 /// Draws the speed of the block with and without the tangential dashpot.
@@ -257,10 +258,10 @@ void draw_speeds(Findings& findings, const Setup& setup) {
   };
   const Series damped = curve("with a tangential dashpot");
   scene.model.contacts[0].friction->follows_normal = false;
-  const Series undamped = curve("without");
+  const Series undamped = curve("without a tangential dashpot");
   findings.figure({.name = "rest",
                    .title = "Speed of the block when it stops",
-                   .caption = "The block stops at 1.0194 s and its springs recover. Without a dashpot along the ground "
+                   .caption = "The block stops at 1.0194 s and its springs recover. Without a tangential dashpot "
                               "only its rocking is damped.",
                    .x = {.label = "time", .unit = "s"},
                    .y = {.label = "speed of the centre", .unit = "m/s", .log = true},
@@ -277,9 +278,9 @@ void run(Findings& findings, const Setup& setup) {
   if (setup.coarse) return;
   draw_speeds(findings, setup);
   findings.figure({.name = "cost",
-                   .title = "Force evaluations",
-                   .caption = "Force evaluations of the whole run against the tolerance. Explicit steps alone take "
-                              "1.6 million for the block at 1e-6.",
+                   .title = "Force evaluations against the tolerance",
+                   .caption = "Force evaluations of the whole run. With explicit steps only, the block takes 1.6 "
+                              "million at 1e-6.",
                    .x = {.label = "tolerance", .log = true},
                    .y = {.label = "force evaluations", .log = true, .min = 100.0, .max = 1e4},
                    .series = {costs.block, costs.disc}});
@@ -289,30 +290,31 @@ void run(Findings& findings, const Setup& setup) {
 }  // namespace
 
 Case definition() {
-  return {.id = "resting_contacts",
-          .title = "Sliding to rest and resting contacts",
-          .family = "C: friction and rotation",
-          .requirements = {{"Eq. 18", {"block, tolerance 1e-10: displacement"}},
-                           {"integrator.stormer_cowell", {"block, tolerance 1e-10: evaluations"}},
-                           {"mechanism.friction", {"nudged block: friction work over its kinetic energy"}},
-                           {"regime.friction.sticking",
-                            {"disc, tolerance 1e-08: displacement",
-                             "nudged block: friction work over its kinetic energy", "nudged block: speed at rest"}},
-                           {"regime.friction.slipping_backward", {"block, tolerance 1e-10: displacement"}},
-                           {"pair.rectangle.half_plane", {"block, tolerance 1e-10: displacement"}},
-                           {"pair.circle.half_plane", {"disc, tolerance 1e-08: spin"}}},
-          .main_checks = {"block, tolerance 1e-10: displacement", "block, tolerance 1e-06: evaluations",
-                          "block, tolerance 1e-10: speed at rest", "disc, tolerance 1e-08: displacement",
-                          "nudged block: friction work over its kinetic energy"},
-          .source = "Kennedy & Carpenter 2003 (implicit steps); the springs of bodies at rest are derived here",
-          .faults = {{"friction_too_large", "a coefficient of friction that is too large by 1e-6",
-                      "block, tolerance 1e-10: displacement"},
-                     {"inertia_too_large", "an inertia of the disc that is too large by 1e-5",
-                      "disc, tolerance 1e-08: spin"},
-                     {"explicit_steps", "a system that does not say which springs act",
-                      "block, tolerance 1e-06: evaluations"},
-                     {"no_shear_dashpot", "friction without a dashpot while it sticks", "nudged block: speed at rest"}},
-          .run = run};
+  return {
+      .id = "resting_contacts",
+      .title = "Sliding to rest and resting contacts",
+      .family = "C: friction and rotation",
+      .requirements = {{"Eq. 18", {"block, tolerance 1e-10: displacement"}},
+                       {"integrator.stormer_cowell", {"block, tolerance 1e-10: evaluations"}},
+                       {"mechanism.friction", {"nudged block: friction work over its kinetic energy"}},
+                       {"regime.friction.sticking",
+                        {"disc, tolerance 1e-08: displacement", "nudged block: friction work over its kinetic energy",
+                         "nudged block: speed at rest"}},
+                       {"regime.friction.slipping_backward", {"block, tolerance 1e-10: displacement"}},
+                       {"pair.rectangle.half_plane", {"block, tolerance 1e-10: displacement"}},
+                       {"pair.circle.half_plane", {"disc, tolerance 1e-08: spin"}}},
+      .main_checks = {"block, tolerance 1e-10: displacement", "block, tolerance 1e-06: evaluations",
+                      "block, tolerance 1e-10: speed at rest", "disc, tolerance 1e-08: displacement",
+                      "nudged block: friction work over its kinetic energy"},
+      .source = "Kennedy & Carpenter 2003 (implicit steps); the springs of bodies at rest are derived here",
+      .faults = {{"friction_too_large", "a coefficient of friction too large by 1e-6",
+                  "block, tolerance 1e-10: displacement"},
+                 {"inertia_too_large", "a moment of inertia of the disc too large by 1e-5",
+                  "disc, tolerance 1e-08: spin"},
+                 {"explicit_steps", "a system without linearization, so that all steps are explicit",
+                  "block, tolerance 1e-06: evaluations"},
+                 {"no_shear_dashpot", "no tangential dashpot while the contact sticks", "nudged block: speed at rest"}},
+      .run = run};
 }
 
 }  // namespace talus::verification::problems::resting_contacts

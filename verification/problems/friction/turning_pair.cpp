@@ -28,42 +28,42 @@ void check_turn(Findings& findings, const Setup& setup) {
   const Turn one = turned_as_told(looked_at, setup);
   const double exact = exact_drift(looked_at);
   const char* counted =
-      "512 steps, each with a dozen roundings of places of up to 2, of which most are of either sign: "
-      "sqrt(512) x 12 x 2.2e-16, times the stiffness for a force";
+      "512 steps, each with a dozen roundings of positions of up to 2, most of them of random sign: sqrt(512) x 12 "
+      "x 2.2e-16, times the stiffness for a force";
   constexpr double roundings = 22.6 * 12.0 * epsilon;
-  findings.expect("stretch gained in a turn of 256 steps", one.stretch, exact, Tolerance::round_off(roundings, counted),
-                  "m");
-  findings.expect("stretch after a turn and back", one.stretch_back, 0.0, Tolerance::round_off(roundings, counted),
-                  "m");
-  findings.expect("normal force in the pair's own directions, largest change", one.force, 0.0,
+  findings.expect("spurious stretch in a full rotation of 256 steps", one.stretch, exact,
+                  Tolerance::round_off(roundings, counted), "m");
+  findings.expect("stretch after a full rotation forth and back", one.stretch_back, 0.0,
+                  Tolerance::round_off(roundings, counted), "m");
+  findings.expect("normal force in co-rotating directions, largest change", one.force, 0.0,
                   Tolerance::round_off(2.0 * normal_stiffness * 12.0 * epsilon,
-                                       "a dozen roundings of the places of the moment, times the stiffness"),
+                                       "a dozen roundings of the current positions, times the stiffness"),
                   "N");
   findings.expect(
-      "friction in the pair's own directions, largest change beyond the stretch's", one.drag, 0.0,
+      "friction force in co-rotating directions, largest change beyond that of the stretch", one.drag, 0.0,
       Tolerance::round_off(4.0 * 12.0 * epsilon, "a dozen roundings of a force of 4 N and of its directions"), "N");
   const double stored = 0.5 * slip_stiffness * exact * (2.0 * first_stretch + exact);
-  findings.expect("stored energy gained in a turn of 256 steps", one.energy, stored,
+  findings.expect("spurious stored energy in a full rotation of 256 steps", one.energy, stored,
                   Tolerance::round_off(4.0 * 12.0 * epsilon + 0.25 * roundings,
-                                       "the force of 4 N times the roundings of a place, the friction of .25 N times "
-                                       "those of the stretch"),
+                                       "the normal force of 4 N times the roundings of a position, the friction "
+                                       "force of 0.25 N times those of the stretch"),
                   "J");
   const PredictedErrors drift = predicted_errors(doublings(16.0, setup.coarse ? 3 : 6), [&](double n) {
     return std::array{2.0 * std::numbers::pi / n, turned_as_told(std::lround(n), setup).stretch,
                       2.0 / 3.0 * std::pow(std::numbers::pi, 3.0) * distance / (n * n)};
   });
   findings.expect_order(
-      "order of the stretch gained in a turn", drift.found(), setup.coarse ? 1.996 : 1.9985, 2.0,
-      "2 less the next term, 1 - pi^2/(10 n^2), which at 16 steps is .004 and falls by a quarter with "
-      "each doubling: it tilts the line by .002 (from 16 to 64 steps), .001 (to 512)");
+      "order of the spurious stretch in a full rotation", drift.found(), setup.coarse ? 1.996 : 1.9985, 2.0,
+      "2 minus the effect of the next term, 1 - pi^2/(10 n^2), which is 0.004 at 16 steps and falls to a quarter "
+      "with each doubling: it tilts the line by 0.002 (from 16 to 64 steps) or 0.001 (to 512)");
   if (setup.coarse) return;
   findings.figure({.name = "turn",
-                   .title = "A locked pair turned once round",
+                   .title = "Spurious stretch of a sticking pair in a full rotation",
                    .caption =
-                       "Stretch that the friction's spring gains in one turn, against the angle of a step; line: "
-                       "as predicted, no constant fitted.",
-                   .x = {"angle of a step", "rad", true},
-                   .y = {"stretch gained", "m", true},
+                       "Spurious stretch of the tangential spring in a full rotation against the angle per step. "
+                       "Line: prediction, no constant fitted.",
+                   .x = {"angle per step", "rad", true},
+                   .y = {"spurious stretch", "m", true},
                    .series = {drift.points("solver"), drift.line("2/3 pi^3 D/n^2")}});
 }
 
@@ -131,8 +131,8 @@ class DrawnDisc {
 
 void check_loops(Findings& findings, const Setup& setup) {
   const char* dyadic =
-      "all places and forces are small multiples of powers of two, and so are their sums and products; "
-      "along a straight line at one depth, or of one angle, the force is straight and the sum exact";
+      "all positions and forces are small multiples of powers of two, and so are their sums and products; along a "
+      "straight line at constant overlap or constant angle, the force is linear and the sum exact";
   const double friction = setup.has("friction_that_slips") ? 0.03125 : 8.0;
   DrawnDisc slid{friction};
   for (const Place& to : {Place{0.0625, 0.0, 0.0}, Place{0.0625, -0.03125, 0.0}, Place{-0.03125, -0.03125, 0.0},
@@ -140,7 +140,8 @@ void check_loops(Findings& findings, const Setup& setup) {
     slid.draw(to);
   findings.expect("work of a closed path in x and y", slid.work(), 0.0, Tolerance::exact(dyadic), "J");
   findings.expect("stretch after a closed path in x and y", slid.stretch(), 0.0, Tolerance::exact(dyadic), "m");
-  findings.expect("slider's work on that path", slid.lost(), 0.0, Tolerance::exact("it holds throughout"), "J");
+  findings.expect("friction work of a closed path in x and y", slid.lost(), 0.0,
+                  Tolerance::exact("the contact sticks throughout"), "J");
 
   DrawnDisc rolled{friction};
   for (const Place& to : {Place{0.0625, 0.0, 0.0}, Place{0.0625, 0.0, -0.0625}, Place{0.0, 0.0, -0.0625}, Place{}})
@@ -153,13 +154,14 @@ void check_loops(Findings& findings, const Setup& setup) {
   for (const Place& to : corners)
     turned.draw(to);
   const double left = 0.5 * turn * low;
-  findings.expect("stretch left by a closed path in y and the angle", turned.stretch(), left, Tolerance::exact(dyadic),
+  findings.expect("stretch after a closed path in y and the angle", turned.stretch(), left, Tolerance::exact(dyadic),
                   "m");
   findings.expect("work of a closed path in y and the angle", turned.work(), 0.5 * DrawnDisc::stiffness * left * left,
                   Tolerance::exact(dyadic), "J");
   for (const Place& to : {corners[2], corners[1], corners[0], corners[3]})
     turned.draw(to);
-  findings.expect("work of that path and of the same path back", turned.work(), 0.0, Tolerance::exact(dyadic), "J");
+  findings.expect("work of a closed path in y and the angle and of the same path back", turned.work(), 0.0,
+                  Tolerance::exact(dyadic), "J");
 }
 
 void run(Findings& findings, const Setup& setup) {
@@ -173,42 +175,47 @@ Case definition() {
   return {
       .id = "turning_pair",
       .title = "Rigid rotation and closed paths of a sticking contact",
-      .requirements =
-          {{"C8",
-            {"stretch gained in a turn of 256 steps", "stretch after a turn and back",
-             "normal force in the pair's own directions, largest change",
-             "friction in the pair's own directions, largest change beyond the stretch's",
-             "stored energy gained in a turn of 256 steps", "order of the stretch gained in a turn"}},
-           {"C9",
-            {"work of a closed path in x and y", "stretch after a closed path in x and y", "slider's work on that path",
-             "work of a closed path in x and the angle", "stretch left by a closed path in y and the angle",
-             "work of a closed path in y and the angle", "work of that path and of the same path back"}},
-           {"Eq. 18",
-            {"friction in the pair's own directions, largest change beyond the stretch's",
-             "work of a closed path in x and y", "work of a closed path in x and the angle",
-             "work of a closed path in y and the angle"}},
-           {"shape.circle",
-            {"stretch gained in a turn of 256 steps", "stored energy gained in a turn of 256 steps",
-             "order of the stretch gained in a turn", "work of a closed path in x and y",
-             "stretch after a closed path in x and y", "work of a closed path in x and the angle",
-             "stretch left by a closed path in y and the angle", "work of a closed path in y and the angle"}},
-           {"shape.half_plane",
-            {"work of a closed path in x and y", "stretch after a closed path in x and y",
-             "work of a closed path in x and the angle", "stretch left by a closed path in y and the angle",
-             "work of a closed path in y and the angle"}},
-           {"law.linear_spring_dashpot",
-            {"normal force in the pair's own directions, largest change", "work of a closed path in x and y",
-             "work of a closed path in x and the angle", "work of a closed path in y and the angle"}}},
-      .main_checks = {"stretch gained in a turn of 256 steps", "order of the stretch gained in a turn",
-                      "friction in the pair's own directions, largest change beyond the stretch's",
+      .requirements = {{"C8",
+                        {"spurious stretch in a full rotation of 256 steps",
+                         "stretch after a full rotation forth and back",
+                         "normal force in co-rotating directions, largest change",
+                         "friction force in co-rotating directions, largest change beyond that of the stretch",
+                         "spurious stored energy in a full rotation of 256 steps",
+                         "order of the spurious stretch in a full rotation"}},
+                       {"C9",
+                        {"work of a closed path in x and y", "stretch after a closed path in x and y",
+                         "friction work of a closed path in x and y", "work of a closed path in x and the angle",
+                         "stretch after a closed path in y and the angle", "work of a closed path in y and the angle",
+                         "work of a closed path in y and the angle and of the same path back"}},
+                       {"Eq. 18",
+                        {"friction force in co-rotating directions, largest change beyond that of the stretch",
+                         "work of a closed path in x and y", "work of a closed path in x and the angle",
+                         "work of a closed path in y and the angle"}},
+                       {"shape.circle",
+                        {"spurious stretch in a full rotation of 256 steps",
+                         "spurious stored energy in a full rotation of 256 steps",
+                         "order of the spurious stretch in a full rotation", "work of a closed path in x and y",
+                         "stretch after a closed path in x and y", "work of a closed path in x and the angle",
+                         "stretch after a closed path in y and the angle", "work of a closed path in y and the angle"}},
+                       {"shape.half_plane",
+                        {"work of a closed path in x and y", "stretch after a closed path in x and y",
+                         "work of a closed path in x and the angle", "stretch after a closed path in y and the angle",
+                         "work of a closed path in y and the angle"}},
+                       {"law.linear_spring_dashpot",
+                        {"normal force in co-rotating directions, largest change", "work of a closed path in x and y",
+                         "work of a closed path in x and the angle", "work of a closed path in y and the angle"}}},
+      .main_checks = {"spurious stretch in a full rotation of 256 steps",
+                      "order of the spurious stretch in a full rotation",
+                      "friction force in co-rotating directions, largest change beyond that of the stretch",
                       "work of a closed path in x and y", "work of a closed path in y and the angle"},
       .source = "Derived here; Cundall & Strack 1979; Vyas et al. 2025, arXiv 2410.14798",
-      .faults = {{"late_slip", "half-step velocities along the directions of the step's end",
-                  "stretch gained in a turn of 256 steps"},
-                 {"spring_left_behind", "forces taken in world directions",
-                  "normal force in the pair's own directions, largest change"},
-                 {"one_disc_that_does_not_spin", "only the larger disc spins", "order of the stretch gained in a turn"},
-                 {"friction_that_slips", "a coefficient of friction too small to hold",
+      .faults = {{"late_slip", "slip from half-step velocities along the directions at the end of the step",
+                  "spurious stretch in a full rotation of 256 steps"},
+                 {"spring_left_behind", "forces evaluated in world directions",
+                  "normal force in co-rotating directions, largest change"},
+                 {"one_disc_that_does_not_spin", "spin of the larger disc only",
+                  "order of the spurious stretch in a full rotation"},
+                 {"friction_that_slips", "a coefficient of friction too small to stick",
                   "work of a closed path in x and y"}},
       .run = run};
 }

@@ -151,8 +151,8 @@ void check_leapfrogs(const Wedge& wedge, Figure& figure, Findings& findings, con
     const double admitted = setup.coarse ? 0.03 : 0.002;
     findings.in("orders")->expect_order(
         "order, " + name, found, 2.0 - admitted, 2.0 + admitted,
-        "the springs never let go nor slip. The next power, (w h)^2 = 4e-4 at the largest step (coarse: .007), "
-        "bends the line by up to four times as much where the leading term happens to be small");
+        "no contact is released or slips. The next power, (w h)^2 = 4e-4 at the largest step (coarse: 0.007), bends "
+        "the line by up to four times as much where the leading term happens to be small");
     figure.series.push_back({"solver, " + wedge.name(), found.steps(), found.errors(), Style::points});
     figure.series.push_back(
         curve("predicted, " + wedge.name(), found.steps(), [&](double h) { return constant * h * h; }));
@@ -166,26 +166,27 @@ void check_late(const Wedge& wedge, Figure& figure, Table& table, Findings& find
       {wedge.name(), fmt::format("{:.3g}", right), fmt::format("{:.3g}", late), fmt::format("{:.2g}", late / right)});
   if (wedge.name() != "R/r = 1") return;
   const Convergence found = wedge.errors(VelocityVerlet{}, 4096.0, 4, true, findings);
-  expect_constant(findings.in("errors"), "slip along late directions, " + wedge.name(), found, late, 1, 1, 3e-6);
-  figure.series.push_back({"late directions, " + wedge.name(), found.steps(), found.errors(), Style::crosses});
-  figure.series.push_back(curve("late, predicted", found.steps(), [&](double h) { return late * h; }));
+  expect_constant(findings.in("errors"), "slip along end-of-step directions, " + wedge.name(), found, late, 1, 1, 3e-6);
+  figure.series.push_back({"end-of-step directions, " + wedge.name(), found.steps(), found.errors(), Style::crosses});
+  figure.series.push_back(
+      curve("end-of-step directions, predicted", found.steps(), [&](double h) { return late * h; }));
 }
 
 void run(Findings& findings, const Setup& setup) {
   Figure figure{.name = "error",
-                .title = "A disc in a notch: error after seven swings",
+                .title = "Disc in a notch: error after seven oscillations",
                 .caption =
-                    "Of place, angle and both stretches in quadrature, by velocity Verlet, against the step. "
-                    "Lines: predicted, no constant fitted. Crosses: the slip taken along the directions of the "
-                    "step's end.",
+                    "Error of position, angle and both stretches, combined in quadrature, by velocity Verlet "
+                    "against the step. Lines: prediction, no constant fitted. Crosses: slip along the directions at "
+                    "the end of the step.",
                 .x = {"step", "s", true},
                 .y = {"error", "m", true}};
   Table table{.name = "late",
               .caption =
-                  "Predicted errors of velocity Verlet at the end, over the step's power: as the solver takes "
-                  "the slip, and along the directions of the step's end; and the step below which the late "
-                  "slip's error is the larger.",
-              .columns = {"sizes", "error/h^2", "late: error/h", "alike at h"}};
+                  "Predicted errors of velocity Verlet at the end, over the power of the step: with the slip at "
+                  "mid-step, as in the solver, and along the directions at the end of the step; and the step below "
+                  "which the latter error is the larger.",
+              .columns = {"size ratio", "error/h^2", "end-of-step: error/h", "equal at h"}};
   for (const double ratio : {1.0, 3.0, 10.0, 100.0}) {
     if (setup.coarse && ratio != 1.0) continue;
     const Wedge wedge{ratio, setup};
@@ -195,7 +196,8 @@ void run(Findings& findings, const Setup& setup) {
     if (ratio != 100.0) continue;
     findings.in("integrator.rk4")
         ->expect_order("order, rk4, R/r = 100", wedge.errors(RungeKutta4{}, 256.0, 3, false, findings), 3.95, 4.05,
-                       "all is smooth: the declared order, and the next power of w h = .16 at the largest step");
+                       "the motion is smooth: the declared order, and the next power of w h = 0.16 at the largest "
+                       "step");
   }
   if (setup.coarse) return;
   findings.table(table);
@@ -211,9 +213,9 @@ Case definition() {
           .checks_of_runs = {"errors", "orders"},
           .main_checks = {"error over its prediction, velocity_verlet, R/r = 1",
                           "error over its prediction, velocity_verlet, R/r = 100", "order, velocity_verlet, R/r = 100",
-                          "error over its prediction, slip along late directions, R/r = 1"},
+                          "error over its prediction, slip along end-of-step directions, R/r = 1"},
           .source = "Vyas, Ottino, Lueptow & Umbanhowar 2025, Comput. Phys. Commun. 310, 109524 (arXiv 2410.14798)",
-          .faults = {{"late_slip", "half-step velocities along the directions of the step's end",
+          .faults = {{"late_slip", "slip from half-step velocities along the directions at the end of the step",
                       "order, velocity_verlet, R/r = 1"},
                      {"ring_for_disc", "the moment of inertia of a ring",
                       "error over its prediction, velocity_verlet, R/r = 1"}},

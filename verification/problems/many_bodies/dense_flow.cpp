@@ -9,11 +9,12 @@ namespace talus::verification::problems::dense_flow {
 namespace {
 
 void draw(Findings& findings, const std::vector<DenseFlow>& all) {
-  Table table{.name = "flow",
-              .caption =
-                  "Friction, with its standard error from ten blocks, at the inertial number that the solid "
-                  "fraction gives; softness $p/K_1$; contacts of a disc; mean overlap of a contact over $d$.",
-              .columns = {"phi", "I", "mu", "error", "p/K1", "contacts", "overlap"}};
+  Table table{
+      .name = "flow",
+      .caption =
+          "Effective friction, with its standard error from ten blocks, at the inertial number that results from the "
+          "solid fraction; softness $p/K_1$; contacts per disc; mean overlap of a contact over $d$.",
+      .columns = {"phi", "I", "mu", "error", "p/K1", "contacts", "overlap"}};
   Series points{"discs", {}, {}, Style::errorbars};
   for (const DenseFlow& flow : all) {
     const auto [mu, error] = flow.friction;
@@ -25,15 +26,15 @@ void draw(Findings& findings, const std::vector<DenseFlow>& all) {
     points.y_low.push_back(mu - 3.0 * error), points.y_high.push_back(mu + 3.0 * error);
   }
   findings.table(table);
-  findings.figure({.name = "friction",
-                   .title = "Friction of discs without friction",
-                   .caption =
-                       "$\\mu$ against the inertial number; bars: three standard errors; lines: the range expected "
-                       "at I = .003.",
-                   .x = {.label = "I", .log = true},
-                   .y = {.label = "mu", .min = 0.0},
-                   .series = {points},
-                   .lines = {{'y', 0.10, ""}, {'y', 0.13, ""}}});
+  findings.figure(
+      {.name = "friction",
+       .title = "Effective friction of frictionless discs",
+       .caption =
+           "$\\mu$ against the inertial number; bars: three standard errors; lines: range expected at I = 0.003.",
+       .x = {.label = "I", .log = true},
+       .y = {.label = "mu", .min = 0.0},
+       .series = {points},
+       .lines = {{'y', 0.10, ""}, {'y', 0.13, ""}}});
 }
 
 void run(Findings& findings, const Setup& setup) {
@@ -54,12 +55,13 @@ void run(Findings& findings, const Setup& setup) {
   const DenseFlow& slow = all.back();
   const double twice = 2.0 * slow.friction.error;
   findings.expect_between(
-      "friction at the slowest flow", slow.friction.value, 0.10 - twice, 0.13 + twice,
-      fmt::format("what an independent code's runs gave at I = .003, .10 to .13, and two standard errors "
-                  "of {:.4f} beyond",
-                  slow.friction.error));
+      "effective friction of the slowest flow", slow.friction.value, 0.10 - twice, 0.13 + twice,
+      fmt::format(
+          "runs of an independent code gave 0.10 to 0.13 at I = 0.003; the range is extended by two standard errors of "
+          "{:.4f}",
+          slow.friction.error));
   findings.expect_between("inertial number of the slowest flow", slow.inertial.value, 0.0025, 0.0040,
-                          "so that the friction is that of I about .003");
+                          "so that the friction is that at I of about 0.003");
   if (!setup.coarse) draw(findings, all);
 }
 
@@ -68,12 +70,13 @@ void run(Findings& findings, const Setup& setup) {
 Case definition() {
   return {.id = "dense_flow",
           .title = "Dense flow of discs of different size",
-          .requirements = {{"F7", {"friction at the slowest flow", "inertial number of the slowest flow"}}},
-          .main_checks = {"friction at the slowest flow", "inertial number of the slowest flow"},
+          .requirements = {{"F7", {"effective friction of the slowest flow", "inertial number of the slowest flow"}}},
+          .main_checks = {"effective friction of the slowest flow", "inertial number of the slowest flow"},
           .source = "da Cruz et al. 2005; Peyneau & Roux 2008",
-          .faults = {{"equal_discs", "discs of one size, which order themselves", "friction at the slowest flow"},
-                     {"still_box", "images that do not slide", "inertial number of the slowest flow"},
-                     {"motion_alone", "stress by the motion alone", "inertial number of the slowest flow"}},
+          .faults = {{"equal_discs", "discs of equal size, which order themselves",
+                      "effective friction of the slowest flow"},
+                     {"still_box", "periodic images that do not slide", "inertial number of the slowest flow"},
+                     {"motion_alone", "stress from motion alone", "inertial number of the slowest flow"}},
           .seconds = 4.0,
           .full_seconds = 18.0,
           .time_limit = 600.0,

@@ -83,29 +83,31 @@ Grown grow(const std::string& integrator, double share, int steps, const Setup& 
 }
 
 void run(Findings& findings, const Setup& setup) {
-  Figure figure{.name = "growth",
-                .title = "Displacements of a lattice near its limit",
-                .caption =
-                    "Root mean square displacement over a diameter, velocity Verlet; at 1.01 and 1.02 of the limit it "
-                    "grows by e^{2 arcosh} a step.",
-                .x = {"step", "1"},
-                .y = {.label = "displacement over d", .log = true, .min = 1e-12, .max = 1e-4}};
+  Figure figure{
+      .name = "growth",
+      .title = "Displacements of a lattice near its stability limit",
+      .caption =
+          "Root mean square displacement over a diameter, velocity Verlet. At x = 1.01 and 1.02 of the limit it grows "
+          "by the factor e^{2 arcosh x} per step.",
+      .x = {"step", "1"},
+      .y = {.label = "displacement over d", .log = true, .min = 1e-12, .max = 1e-4}};
   for (const char* integrator : {"velocity_verlet", "euler_cromer", "central_difference"}) {
     for (const double share : {0.99, 1.01, 1.02}) {
       const Grown grown = grow(integrator, share, share < 1.0 ? (setup.coarse ? 400 : 4000) : 400, setup, findings);
       const std::string name = fmt::format("{}, step {} of the limit", integrator, share);
       if (share < 1.0) {
         findings.expect_between(
-            "largest displacement over the first, " + name, grown.most, 0.1, 30.0,
-            "swings near the limit are larger than the first displacement by 1/sqrt(1 - .99^2) = 7 at most "
-            "for each mode, and 128 of them meet");
+            "largest displacement over the initial one, " + name, grown.most, 0.1, 30.0,
+            "oscillations near the limit exceed the initial displacement by the factor 1/sqrt(1 - 0.99^2) = 7 at most "
+            "for each mode, and 128 modes are superposed");
       } else {
         const double exact = 2.0 * std::acosh(share);
         findings.in("growth")->expect(
             "growth per step, " + name, grown.rate, exact,
-            Tolerance::model(share > 1.015 ? 0.002 : 0.005,
-                             "the overlap changes w by 5e-5, a quarter of a per cent of the rate at 1.01; the other "
-                             "modes fade but are still seen at half the way")
+            Tolerance::model(
+                share > 1.015 ? 0.002 : 0.005,
+                "the overlap changes w by 5e-5, a quarter of a percent of the growth rate at 1.01; the other modes "
+                "become small in comparison but still contribute at half the run")
                 .relative());
       }
       if (std::string{integrator} == "velocity_verlet") {
@@ -126,12 +128,12 @@ Case definition() {
           .requirements = {{"F2", {"growth"}}},
           .main_checks = {"growth per step, velocity_verlet, step 1.01 of the limit",
                           "growth per step, euler_cromer, step 1.02 of the limit",
-                          "largest displacement over the first, velocity_verlet, step 0.99 of the limit"},
+                          "largest displacement over the initial one, velocity_verlet, step 0.99 of the limit"},
           .source = "lattice dynamics, derived here",
           .faults = {{"springs_softer", "stiffness 3 % smaller",
                       "growth per step, velocity_verlet, step 1.01 of the limit"},
-                     {"limit_of_a_pair", "steps by the limit of two discs",
-                      "largest displacement over the first, velocity_verlet, step 0.99 of the limit"}},
+                     {"limit_of_a_pair", "steps relative to the limit of two discs",
+                      "largest displacement over the initial one, velocity_verlet, step 0.99 of the limit"}},
           .run = run};
 }
 

@@ -101,7 +101,9 @@ Figure centres(const Packing& packing) {
   Figure figure{
       .name = "centres",
       .title = "Centres of a packing grown between walls",
-      .caption = "Discs of a spread of 0.2 at the solid fraction 0.7, between rows of discs of the middle size.",
+      .caption =
+          "Discs with a diameter spread of 0.2 at the solid fraction 0.7, between rows of wall discs of the middle "
+          "size.",
       .x = {.label = "x/d"},
       .y = {.label = "y/d"}};
   Series free{.label = "free discs", .style = Style::points}, walls{.label = "walls", .style = Style::crosses};
@@ -120,42 +122,48 @@ void expect_as_planned(Findings& findings, const Setup& setup, const Plan& each,
   const auto name = [&](const char* what) { return fmt::format("{}, {}", what, each.name); };
   findings.expect(name("free discs"), sums.discs, n, Tolerance::exact("a count"));
   findings.expect(name("solid fraction"), sums.area / (packing.width * packing.height), plan.solid_fraction,
-                  Tolerance::round_off(n * 2.3e-16, "a sum over the discs, each rounded"));
-  findings.expect(name("height over width"), packing.height / packing.width, plan.aspect,
-                  plan.walls ? Tolerance::model(plan.aspect * diameter / packing.width,
-                                                "the width is a whole number of diameters, half of one off at most, "
-                                                "and the height makes up for it")
-                             : Tolerance::round_off(1e-15, "two roots and quotients"));
-  findings.expect(name("largest error of a mass"), sums.wrong_mass, 0.0,
-                  Tolerance::round_off(1e-15, "mass as area: five operations"));
-  findings.expect(name("discs that move"), sums.moving, 0.0, Tolerance::exact("they are at rest"));
+                  Tolerance::round_off(n * 2.3e-16, "a sum over the discs, rounded at each disc"));
+  findings.expect(
+      name("height over width"), packing.height / packing.width, plan.aspect,
+      plan.walls
+          ? Tolerance::model(
+                plan.aspect * diameter / packing.width,
+                "the width is rounded to a whole number of diameters, by half a diameter at most, and the height "
+                "compensates for it")
+          : Tolerance::round_off(1e-15, "two roots and quotients"));
+  findings.expect(name("largest relative error of the masses"), sums.wrong_mass, 0.0,
+                  Tolerance::round_off(1e-15, "mass proportional to area: five operations"));
+  findings.expect(name("moving discs"), sums.moving, 0.0, Tolerance::exact("all discs are at rest"));
   const double least = least_distance(packing);
-  findings.expect_between(name("least distance over the sum of radii"), least, 1.0, plan.walls ? 1.02 : 1.05,
-                          "no disc overlaps another; of a hundred and more some nearly touch", "1");
-  findings.expect(name("the same by the neighbour list"), closest(packing), least,
+  findings.expect_between(name("minimum distance over the sum of radii"), least, 1.0, plan.walls ? 1.02 : 1.05,
+                          "no two discs overlap; of a hundred or more some nearly touch", "1");
+  findings.expect(name("minimum distance by the neighbour list"), closest(packing), least,
                   Tolerance::round_off(1e-14, "differences of coordinates of up to 30 diameters"));
   // The mean of uniformly random positions has a standard deviation of 1/sqrt(12 n) of the width.
   const double spread_of_mean = 4.0 / std::sqrt(12.0 * n);
-  findings.expect(name("mean place along x over the width"), sums.x / n, 0.0,
-                  Tolerance::model(spread_of_mean, "four standard deviations of the mean of random places"));
-  findings.expect(name("mean place along y over the height"), sums.y / n, 0.0,
-                  Tolerance::model(spread_of_mean, "four standard deviations of the mean of random places"));
-  findings.expect_between(name("largest coordinate over half the rectangle"), sums.farthest, 0.9, 1.0 + 1e-12,
-                          "all of the rectangle is used, and nothing beyond; a disc may stand 0.4 radii into a gap "
-                          "between two discs of a wall");
+  findings.expect(name("mean position along x over the width"), sums.x / n, 0.0,
+                  Tolerance::model(spread_of_mean, "four standard deviations of the mean of random positions"));
+  findings.expect(name("mean position along y over the height"), sums.y / n, 0.0,
+                  Tolerance::model(spread_of_mean, "four standard deviations of the mean of random positions"));
+  findings.expect_between(
+      name("largest coordinate over half the rectangle"), sums.farthest, 0.9, 1.0 + 1e-12,
+      "discs fill the whole rectangle and do not leave it; a disc may extend 0.4 radii into a gap between two wall "
+      "discs");
   if (plan.spread > 0.0) {
     const double mean = sums.size / n, variance = sums.square / n - mean * mean;
-    findings.expect(name("mean diameter over the middle one"), mean, 1.0,
+    findings.expect(name("mean diameter over that of the middle size"), mean, 1.0,
                     Tolerance::model(4.0 * plan.spread / std::sqrt(3.0 * n), "four standard deviations"));
-    findings.expect(name("variance of diameters over that of even ones"), variance / (plan.spread * plan.spread / 3.0),
-                    1.0,
-                    Tolerance::model(4.0 * std::sqrt(0.8 / n),
-                                     "four standard deviations: the fourth moment of an even distribution is 9/5 of "
-                                     "the square of the second"));
+    findings.expect(
+        name("variance of diameters over that of a uniform distribution"), variance / (plan.spread * plan.spread / 3.0),
+        1.0,
+        Tolerance::model(
+            4.0 * std::sqrt(0.8 / n),
+            "four standard deviations: the fourth moment of a uniform distribution is 9/5 of the square of the "
+            "second"));
   }
   if (plan.walls) {
-    findings.expect(name("wall discs that are displaced"), displaced_wall_discs(packing, plan.discs), 0.0,
-                    Tolerance::exact("two gapless rows"));
+    findings.expect(name("displaced wall discs"), displaced_wall_discs(packing, plan.discs), 0.0,
+                    Tolerance::exact("two rows without gaps"));
   }
   if (each.name == "grown between walls" && !setup.coarse) findings.figure(centres(packing));
   table.rows.push_back({each.name, fmt::format("{}", plan.discs), fmt::format("{:g}", plan.solid_fraction),
@@ -184,9 +192,10 @@ void expect_agitated(Findings& findings, const Setup& setup) {
     if (m < mass) of_small += 0.5 * m * (vx * vx + vy * vy), small += 1.0;
   }
   findings.expect("temperature", 0.5 * (along_x + along_y), temperature,
-                  Tolerance::round_off(count * 2.3e-16, "a sum over the discs, each rounded").relative(), "N m");
-  findings.expect("momentum over the sum of its sizes", (std::abs(px) + std::abs(py)) / largest, 0.0,
-                  Tolerance::round_off(1e-14, "the mean is taken off each velocity, which rounds it"));
+                  Tolerance::round_off(count * 2.3e-16, "a sum over the discs, rounded at each disc").relative(),
+                  "N m");
+  findings.expect("momentum over the sum of its magnitudes", (std::abs(px) + std::abs(py)) / largest, 0.0,
+                  Tolerance::round_off(1e-14, "the mean is subtracted from each velocity, which rounds it"));
   // The variance of a sum of squares of 2000 nearly Gaussian numbers is 2/2000 of its square.
   const double scatter_of_mean = 4.0 * std::sqrt(2.0 / count);
   findings.expect("temperature along x over that along y", along_x / along_y, 1.0,
@@ -195,10 +204,11 @@ void expect_agitated(Findings& findings, const Setup& setup) {
       "temperature of the lighter half of the discs", of_small / small, temperature,
       Tolerance::model(scatter_of_mean, "four standard deviations: the energy does not depend on the mass").relative(),
       "N m");
-  findings.expect("fourth moment over the square of the second", fourth / (temperature * temperature), 2.9,
+  findings.expect("fourth moment of the velocities over the square of the second", fourth / (temperature * temperature),
+                  2.9,
                   Tolerance::model(4.0 * std::sqrt(24.0 / (2.0 * count)),
-                                   "3 - 6/5/12 of a sum of twelve even numbers; four standard deviations"));
-  findings.expect("velocity of the walls", of_walls, 0.0, Tolerance::exact("they are held"), "m/s");
+                                   "3 - 6/5/12 for a sum of twelve uniform random numbers; four standard deviations"));
+  findings.expect("velocity of the walls", of_walls, 0.0, Tolerance::exact("wall discs are fixed"), "m/s");
 }
 
 std::string refusal(const PackingPlan& plan, Packing (*make)(const PackingPlan&) = &scatter) {
@@ -226,31 +236,32 @@ void expect_refusals(Findings& findings) {
       changed([](PackingPlan& plan) { plan.solid_fraction = std::nextafter(0.9, 1.0); }),
       changed([](PackingPlan& plan) { plan.solid_fraction = 0.0; }),
       changed([](PackingPlan& plan) { plan.aspect = 0.0; })};
-  findings.expect("values out of range that are refused",
+  findings.expect("rejected values outside their range",
                   static_cast<double>(std::count_if(
                       refused.begin(), refused.end(),
                       [](const std::string& text) { return text.find("; it must be ") != std::string::npos; })),
-                  static_cast<double>(refused.size()), Tolerance::exact("one each"));
+                  static_cast<double>(refused.size()), Tolerance::exact("one error each"));
   // One disc in a square of the side d sqrt(pi/(4 f)): 1.0005 d, and 0.9995 d.
   const auto alone = [](double side) {
     return refusal(plan_of(1, 0.25 * std::numbers::pi / (side * side), 0.0, false, 1.0));
   };
-  findings.expect_true("a disc may be as large as its rectangle",
+  findings.expect_true("size limit of a disc in its rectangle",
                        alone(1.0005).empty() && alone(0.9995).find("own image") != std::string::npos,
-                       "a rectangle of 1.0005 diameters is accepted, one of 0.9995 refused");
-  findings.expect_true("walls are looked at along x alone",
+                       "a rectangle of 1.0005 diameters is accepted, one of 0.9995 rejected");
+  findings.expect_true("size limit between walls, along x only",
                        refusal(plan_of(6, 0.5, 0.0, true, 0.01)).find("own image") == std::string::npos,
-                       "between walls no disc meets its image above");
+                       "between walls no disc meets its image along y");
   const std::string full = refusal(plan_of(200, 0.6, 0.0, false, 1.0));
-  findings.expect_true("what finds no room is refused", full.find("has no room") != std::string::npos,
+  findings.expect_true("rejection of a packing without room for all discs",
+                       full.find("has no room") != std::string::npos,
                        "random sequential adsorption ends at 0.547 (Feder 1980)");
   const std::size_t named = full.find("; disc ");
-  findings.expect_between("disc that finds no room, by number",
+  findings.expect_between("index of the disc that finds no room",
                           named == std::string::npos ? 0.0 : std::stod(full.substr(named + 7)), 130.0, 200.0,
-                          "0.547/0.6 of 200 at most, of a number of places that is limited a little less");
-  findings.expect_true("what cannot be pushed apart is refused",
+                          "0.547/0.6 of 200 at most; a little less because the number of trial positions is limited");
+  findings.expect_true("rejection of discs that cannot be pushed apart",
                        refusal(plan_of(12, 0.9, 0.2, false, 1.0), &grow).find("still overlap") != std::string::npos,
-                       "unequal discs do not reach 0.9");
+                       "discs of different size do not reach 0.9");
   Packing one = scatter(plan_of(1, 0.5, 0.0, false, 1.0));
   std::string warm;
   try {
@@ -259,15 +270,15 @@ void expect_refusals(Findings& findings) {
     warm = error.what();
   }
   agitate(one, 0.0, 1);
-  findings.expect_true("one disc alone has no temperature",
+  findings.expect_true("rejection of a temperature for a single disc",
                        warm.find("fewer than two") != std::string::npos && one.discs.vx[0] == 0.0,
                        "without momentum it is at rest");
 }
 
 void run(Findings& findings, const Setup& setup) {
   Table table{.name = "packings",
-              .caption = "The packings compared; distance of two centres over the sum of their radii.",
-              .columns = {"packing", "discs", "solid fraction", "width x height, diameters", "least distance"}};
+              .caption = "Packings of the case, with the minimum distance of two centres over the sum of their radii.",
+              .columns = {"packing", "discs", "solid fraction", "width x height, diameters", "minimum distance"}};
   {
     const auto group = findings.in("packings");
     for (const Plan& each : plans()) {
@@ -289,11 +300,11 @@ Case definition() {
           .title = "Random packings of discs",
           .family = "F: many bodies",
           .requirements = {{"F9", {"packings", "velocities"}}},
-          .main_checks = {"least distance over the sum of radii, grown in a periodic box", "temperature"},
+          .main_checks = {"minimum distance over the sum of radii, grown in a periodic box", "temperature"},
           .source = "Feder 1980 (random sequential adsorption); Lubachevsky & Stillinger 1990 (growing discs)",
-          .faults = {{"one_disc_overlaps", "one disc is put on another",
-                      "least distance over the sum of radii, grown in a periodic box"},
-                     {"equal_masses", "the temperature is summed with equal masses", "temperature"}},
+          .faults = {{"one_disc_overlaps", "one disc placed on another",
+                      "minimum distance over the sum of radii, grown in a periodic box"},
+                     {"equal_masses", "temperature computed with equal masses", "temperature"}},
           .run = run};
 }
 

@@ -127,9 +127,9 @@ void check_restart(Findings& findings, const Setup& setup, const std::string& sc
   const Half halves = run_in_halves(scene, method.method, step, steps, Interrupted::by_checkpoint, setup, findings);
   const auto claim = findings.in(fmt::format("integrator.{}", name(method.method))), group = findings.in(scene_name);
   findings.in("restarts")
-      ->expect(fmt::format("numbers that differ after a restart, {}, {}", scene_name, method.name),
+      ->expect(fmt::format("values that differ after a restart, {}, {}", scene_name, method.name),
                differing_numbers(whole.end, halves.end), 0.0,
-               Tolerance::exact("all that a step depends on is in the file, digit by digit"));
+               Tolerance::exact("the file contains everything that a step depends on, with all digits"));
   if (setup.coarse) return;
   const Half again = run_in_halves(scene, method.method, step, steps, Interrupted::from_state_alone, setup, findings);
   const Difference change = difference(whole.end, again.end);
@@ -155,11 +155,12 @@ Scene two_pressed_discs() {
 }
 
 void run(Findings& findings, const Setup& setup) {
-  Table table{.name = "again",
-              .caption =
-                  "Force evaluations of the whole run and of the resumed one, and the largest change of a coordinate "
-                  "at the end when the method restarts from the state alone, as one would from a listing.",
-              .columns = {"scene", "method", "whole", "resumed", "restarted"}};
+  Table table{
+      .name = "again",
+      .caption =
+          "Force evaluations of the uninterrupted run and of the resumed one, and the largest change of a coordinate "
+          "at the end when the method restarts from the state alone, as from a printed listing.",
+      .columns = {"scene", "method", "uninterrupted", "resumed", "restarted"}};
   const Scene yard = crowded_yard();
   const double step = 1e-3;
   const long steps = std::lround(0.8 / step);
@@ -181,7 +182,8 @@ void run(Findings& findings, const Setup& setup) {
   bool same_cost = true;
   for (const auto& row : table.rows)
     same_cost = same_cost && row[2] == row[3];
-  findings.expect_true("a resumed run costs as many evaluations as the whole", same_cost, "nothing is computed again");
+  findings.expect_true("equal numbers of force evaluations, resumed and uninterrupted runs", same_cost,
+                       "a resumed run repeats no evaluation");
   findings.table(table);
 }
 
@@ -195,16 +197,16 @@ Case definition() {
                            {"law.tension_only", {"yard"}},
                            {"law.elastic_plastic", {"yard", "fence"}},
                            {"Eq. 18", {"yard", "fence"}}},
-          .main_checks = {"numbers that differ after a restart, yard, velocity_verlet",
-                          "numbers that differ after a restart, yard, odeint_abm8",
-                          "numbers that differ after a restart, fence, lagged_central_difference"},
+          .main_checks = {"values that differ after a restart, yard, velocity_verlet",
+                          "values that differ after a restart, yard, odeint_abm8",
+                          "values that differ after a restart, fence, lagged_central_difference"},
           .source = "IEEE 754; Steele & White 1990",
-          .faults = {{"few_digits", "numbers written with eight digits behind the point",
-                      "numbers that differ after a restart, yard, velocity_verlet"},
-                     {"stretch_forgotten", "the memory of friction and cables is left out",
-                      "numbers that differ after a restart, yard, velocity_verlet"},
-                     {"method_begins_anew", "the method's own memory is left out",
-                      "numbers that differ after a restart, yard, velocity_verlet"}},
+          .faults = {{"few_digits", "numbers written with eight decimal digits",
+                      "values that differ after a restart, yard, velocity_verlet"},
+                     {"stretch_forgotten", "memory of friction and cables omitted",
+                      "values that differ after a restart, yard, velocity_verlet"},
+                     {"method_begins_anew", "memory of the integration method omitted",
+                      "values that differ after a restart, yard, velocity_verlet"}},
           .run = run};
 }
 

@@ -21,7 +21,8 @@ constexpr double density = 5.127408;
 
 /// Tolerance of eight products and sums.
 Tolerance few_roundings() {
-  return Tolerance::round_off(8.0 * 0x1p-53, "eight operations, each half a unit of the last place").relative();
+  return Tolerance::round_off(8.0 * 0x1p-53, "eight operations, each rounded by half a unit in the last place")
+      .relative();
 }
 
 void check_solid(Findings& findings, const Setup& setup, const char* name, reference::Solid solid,
@@ -50,10 +51,10 @@ void check_rectangle(Findings& findings) {
     const reference::Point centroid = reference::polygon_centroid(corners);
     findings.in("area")->expect("area, " + which, area, 4.0 * a * b, few_roundings(), "m^2");
     findings.in("centroid")
-        ->expect("distance of the centroid, " + which, std::max(std::abs(centroid.x), std::abs(centroid.y)), 0.0,
-                 Tolerance::exact("corners come in pairs of opposite sign"), "m");
+        ->expect("largest coordinate of the centroid, " + which, std::max(std::abs(centroid.x), std::abs(centroid.y)),
+                 0.0, Tolerance::exact("the corners come in pairs of opposite sign and cancel exactly"), "m");
     findings.in("polar_moment")
-        ->expect("polar moment over area, " + which, reference::polygon_polar_moment(corners) / area,
+        ->expect("polar moment divided by area, " + which, reference::polygon_polar_moment(corners) / area,
                  (a * a + b * b) / 3.0, few_roundings(), "m^2");
   }
 }
@@ -82,8 +83,9 @@ void check_pin(Findings& findings, const Setup& setup) {
     const double expected = inertia + (setup.has("without_steiner") ? 0.0 : mass * arm * arm);
     farthest = std::max(farthest, std::abs(moment / rates.v[0] / expected - 1.0));
   }
-  findings.expect("inertia about a pin by the answer to a moment, farthest of 24", farthest, 0.0,
-                  Tolerance::round_off(8.0 * 0x1p-53, "eight operations, each half a unit of the last place"));
+  findings.expect(
+      "inertia about a pin from the response to a moment, largest relative error of 24 pins", farthest, 0.0,
+      Tolerance::round_off(8.0 * 0x1p-53, "eight operations, each rounded by half a unit in the last place"));
 }
 
 void run(Findings& findings, const Setup& setup) {
@@ -97,22 +99,23 @@ void run(Findings& findings, const Setup& setup) {
 }  // namespace
 
 Case definition() {
-  return {.id = "body_properties",
-          .title = "Area, mass and moment of inertia",
-          .requirements = {{"A2",
-                            {"mass", "moment_of_inertia", "area", "centroid", "polar_moment",
-                             "inertia about a pin by the answer to a moment, farthest of 24"}},
-                           {"shape.rectangle", {"area", "centroid", "polar_moment"}}},
-          .main_checks = {"moment of inertia, cylinder of half-lengths 1.25 and 4",
-                          "moment of inertia, ellipsoid of half-lengths 3.1 and 1.03",
-                          "inertia about a pin by the answer to a moment, farthest of 24"},
-          .source = "Mustoe & Huttelmaier 1993, section 2.2",
-          .faults = {{"full_length", "a length for a half-length", "mass, block of half-lengths 1.25 and 4"},
-                     {"sphere_for_ellipsoid", "a sphere's inertia for all",
-                      "moment of inertia, ellipsoid of half-lengths 3.1 and 1.03"},
-                     {"without_steiner", "expects no part of the arm",
-                      "inertia about a pin by the answer to a moment, farthest of 24"}},
-          .run = run};
+  return {
+      .id = "body_properties",
+      .title = "Area, mass and moment of inertia",
+      .requirements = {{"A2",
+                        {"mass", "moment_of_inertia", "area", "centroid", "polar_moment",
+                         "inertia about a pin from the response to a moment, largest relative error of 24 pins"}},
+                       {"shape.rectangle", {"area", "centroid", "polar_moment"}}},
+      .main_checks = {"moment of inertia, cylinder of half-lengths 1.25 and 4",
+                      "moment of inertia, ellipsoid of half-lengths 3.1 and 1.03",
+                      "inertia about a pin from the response to a moment, largest relative error of 24 pins"},
+      .source = "Mustoe & Huttelmaier 1993, section 2.2",
+      .faults = {{"full_length", "the full length is passed as half-length", "mass, block of half-lengths 1.25 and 4"},
+                 {"sphere_for_ellipsoid", "the inertia of a sphere is used for all solids",
+                  "moment of inertia, ellipsoid of half-lengths 3.1 and 1.03"},
+                 {"without_steiner", "the expected inertia omits the parallel-axis term",
+                  "inertia about a pin from the response to a moment, largest relative error of 24 pins"}},
+      .run = run};
 }
 
 }  // namespace talus::verification::problems::body_properties

@@ -137,16 +137,17 @@ void check_two(Findings& findings, const Setup& setup, double xi, Figure& figure
   figure.series.push_back(line);
   if (xi > 0.0) {
     findings.in("order_undamped")
-        ->expect_order("order of the energy left over, two discs, " + what, errors.last(3), 0.93, 1.06,
-                       "the dashpot's power is booked with the velocity of before the kick");
+        ->expect_order("order of the energy balance error, two discs, " + what, errors.last(3), 0.93, 1.06,
+                       "the dashpot's power is recorded with the velocity before the kick");
     findings.in("energy_undamped")
-        ->expect_between("energy left over, two discs, " + what + ", over its prediction", ratio, 0.95, 1.05,
-                         "xi w h (1 - 3 e^2), up to its own second order, w h times a number of order one");
+        ->expect_between("energy balance error, two discs, " + what + ", relative to its prediction", ratio, 0.95, 1.05,
+                         "xi w h (1 - 3 e^2); the next term is smaller by a factor of w h times a number of order one");
   } else {
-    findings.expect_order("order of the energy left over, two discs, undamped", errors.last(3), 1.98, 2.02,
-                          "touch and release within a step");
-    findings.expect_between("energy left over, two discs, undamped, over its prediction", ratio, 0.9, 1.1,
-                            "(w h)^2/sqrt(90) for even phases; 64 of touch and release are even to a few per cent");
+    findings.expect_order("order of the energy balance error, two discs, undamped", errors.last(3), 1.98, 2.02,
+                          "touch and release fall within a step, each with an error of (w h)^2");
+    findings.expect_between(
+        "energy balance error, two discs, undamped, relative to its prediction", ratio, 0.9, 1.1,
+        "(w h)^2/sqrt(90) for uniform phases; 64 phases of touch and release are uniform to a few per cent");
   }
 }
 
@@ -170,13 +171,13 @@ void check_twenty(Findings& findings, const Setup& setup, double xi, double mu, 
   }
   const double rounding = 4.0 * std::sqrt(end / step) * 0x1p-53;
   const std::string words =
-      "each step rounds each momentum by u of it at random: sqrt(n) u, four times for the worst step of all, sums and "
-      "moments";
+      "each step rounds each momentum at random by u of its size: sqrt(n) u, times four for the worst of all steps, "
+      "the sums and the moments";
   findings.in("momentum")
-      ->expect("momentum, twenty discs, " + what, last.momentum, 0.0, Tolerance::round_off(rounding * momentum, words),
-               "kg m/s");
+      ->expect("largest change of momentum, twenty discs, " + what, last.momentum, 0.0,
+               Tolerance::round_off(rounding * momentum, words), "kg m/s");
   findings.in("moment_of_momentum")
-      ->expect("moment of momentum, twenty discs, " + what, last.moment, 0.0,
+      ->expect("largest change of angular momentum, twenty discs, " + what, last.moment, 0.0,
                Tolerance::round_off(rounding * moment, words), "kg m^2/s");
   if (setup.coarse) return;
   Series points{what + ", twenty discs", {}, {}, Style::linespoints};
@@ -185,18 +186,19 @@ void check_twenty(Findings& findings, const Setup& setup, double xi, double mu, 
   figure.series.push_back(points);
   const bool second = xi == 0.0;
   findings.in("order_twenty_discs")
-      ->expect_order("order of the largest energy left over, twenty discs, " + what, errors, second ? 1.7 : 0.8,
-                     second ? 2.3 : 1.2, "one run, not a mean over phases: the largest of some forty contacts");
+      ->expect_order("order of the largest energy balance error, twenty discs, " + what, errors, second ? 1.7 : 0.8,
+                     second ? 2.3 : 1.2,
+                     "one run instead of a mean over phases: the largest error of some forty contacts");
 }
 
 void run(Findings& findings, const Setup& setup) {
   Figure figure{.name = "left_over",
-                .title = "Energy left over by velocity Verlet",
+                .title = "Energy balance error of velocity Verlet",
                 .caption =
-                    "Over the energy of approach. Two discs: root mean square over 64 phases (points) and the "
-                    "constants derived above (lines); twenty discs: the largest of one run.",
+                    "Relative to the initial kinetic energy. Two discs: root mean square over 64 phases (points) and "
+                    "predictions with the constants derived above (lines); twenty discs: largest error of one run.",
                 .x = {.label = "w h", .log = true},
-                .y = {.label = "energy left over", .log = true}};
+                .y = {.label = "energy balance error", .log = true}};
   check_two(findings, setup, 0.0, figure);
   check_two(findings, setup, 0.1, figure);
   if (!setup.coarse) check_two(findings, setup, 0.4, figure);
@@ -210,48 +212,48 @@ void run(Findings& findings, const Setup& setup) {
 }  // namespace
 
 Case definition() {
-  return {.id = "colliding_discs",
-          .title = "Momentum and energy of colliding discs",
-          .requirements = {{"A4",
-                            {"order of the energy left over, two discs, undamped",
-                             "energy left over, two discs, undamped, over its prediction", "order_undamped",
-                             "energy_undamped", "momentum", "moment_of_momentum", "order_twenty_discs"}},
-                           {"law.linear_spring_dashpot",
-                            {"order of the energy left over, two discs, undamped",
-                             "energy left over, two discs, undamped, over its prediction", "order_undamped",
-                             "energy_undamped", "order_twenty_discs"}},
-                           {"end_rule.clamped", {"order_undamped", "energy_undamped"}},
-                           {"Eq. 18",
-                            {"momentum, twenty discs, damped, with friction",
-                             "moment of momentum, twenty discs, damped, with friction",
-                             "order of the largest energy left over, twenty discs, damped, with friction"}},
-                           {"mechanism.contact_damping", {"order_undamped", "energy_undamped"}},
-                           {"mechanism.friction",
-                            {"momentum, twenty discs, damped, with friction",
-                             "moment of momentum, twenty discs, damped, with friction",
-                             "order of the largest energy left over, twenty discs, damped, with friction"}},
-                           {"shape.circle", {"momentum", "moment_of_momentum", "order_twenty_discs"}},
-                           {"method.resultant", {"momentum", "moment_of_momentum", "order_twenty_discs"}},
-                           {"integrator.velocity_verlet",
-                            {"order of the energy left over, two discs, undamped",
-                             "energy left over, two discs, undamped, over its prediction", "order_undamped",
-                             "energy_undamped", "order_twenty_discs"}},
-                           {"pair.circle.circle",
-                            {"order of the energy left over, two discs, undamped",
-                             "energy left over, two discs, undamped, over its prediction", "order_undamped",
-                             "energy_undamped", "momentum", "moment_of_momentum", "order_twenty_discs"}}},
-          .main_checks = {"energy left over, two discs, undamped, over its prediction",
-                          "energy left over, two discs, damped, xi = 0.1, over its prediction",
-                          "momentum, twenty discs, damped, with friction",
-                          "moment of momentum, twenty discs, damped, with friction"},
-          .source = "Hairer, Lubich & Wanner 2006, chapter IX; Schwager & Poeschel 2007",
-          .faults = {{"dashpot_not_booked", "the dashpot's work is left out of the ledger",
-                      "energy left over, two discs, damped, xi = 0.1, over its prediction"},
-                     {"commensurate_step", "the step divides the contact time",
-                      "energy left over, two discs, undamped, over its prediction"},
-                     {"a_little_weight", "a weight of 1e-12 of the discs' acceleration",
-                      "momentum, twenty discs, undamped"}},
-          .run = run};
+  return {
+      .id = "colliding_discs",
+      .title = "Momentum and energy of colliding discs",
+      .requirements = {{"A4",
+                        {"order of the energy balance error, two discs, undamped",
+                         "energy balance error, two discs, undamped, relative to its prediction", "order_undamped",
+                         "energy_undamped", "momentum", "moment_of_momentum", "order_twenty_discs"}},
+                       {"law.linear_spring_dashpot",
+                        {"order of the energy balance error, two discs, undamped",
+                         "energy balance error, two discs, undamped, relative to its prediction", "order_undamped",
+                         "energy_undamped", "order_twenty_discs"}},
+                       {"end_rule.clamped", {"order_undamped", "energy_undamped"}},
+                       {"Eq. 18",
+                        {"largest change of momentum, twenty discs, damped, with friction",
+                         "largest change of angular momentum, twenty discs, damped, with friction",
+                         "order of the largest energy balance error, twenty discs, damped, with friction"}},
+                       {"mechanism.contact_damping", {"order_undamped", "energy_undamped"}},
+                       {"mechanism.friction",
+                        {"largest change of momentum, twenty discs, damped, with friction",
+                         "largest change of angular momentum, twenty discs, damped, with friction",
+                         "order of the largest energy balance error, twenty discs, damped, with friction"}},
+                       {"shape.circle", {"momentum", "moment_of_momentum", "order_twenty_discs"}},
+                       {"method.resultant", {"momentum", "moment_of_momentum", "order_twenty_discs"}},
+                       {"integrator.velocity_verlet",
+                        {"order of the energy balance error, two discs, undamped",
+                         "energy balance error, two discs, undamped, relative to its prediction", "order_undamped",
+                         "energy_undamped", "order_twenty_discs"}},
+                       {"pair.circle.circle",
+                        {"order of the energy balance error, two discs, undamped",
+                         "energy balance error, two discs, undamped, relative to its prediction", "order_undamped",
+                         "energy_undamped", "momentum", "moment_of_momentum", "order_twenty_discs"}}},
+      .main_checks = {"energy balance error, two discs, undamped, relative to its prediction",
+                      "energy balance error, two discs, damped, xi = 0.1, relative to its prediction",
+                      "largest change of momentum, twenty discs, damped, with friction",
+                      "largest change of angular momentum, twenty discs, damped, with friction"},
+      .source = "Hairer, Lubich & Wanner 2006, chapter IX; Schwager & Poeschel 2007",
+      .faults = {{"dashpot_not_booked", "the work of the dashpot is omitted from the energy balance",
+                  "energy balance error, two discs, damped, xi = 0.1, relative to its prediction"},
+                 {"commensurate_step", "the contact time is a multiple of the step",
+                  "energy balance error, two discs, undamped, relative to its prediction"},
+                 {"a_little_weight", "gravity of 1e-12 m/s^2", "largest change of momentum, twenty discs, undamped"}},
+      .run = run};
 }
 
 }  // namespace talus::verification::problems::colliding_discs

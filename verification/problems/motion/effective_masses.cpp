@@ -107,8 +107,8 @@ Scene scene_of(Mobility mobility, std::size_t cables, const Setup& setup) {
 const Tolerance by_differences =
     Tolerance::truncation(
         2e-11, 3.0,
-        "central differences of places of about 1 by 1e-5: h^2/6 = 1.7e-11 of third derivatives, and 1e-16/h "
-        "of rounding")
+        "central differences of positions of about 1 with h = 1e-5: h^2/6 = 1.7e-11 times third derivatives, and "
+        "rounding of 1e-16/h")
         .relative();
 
 void check(Mobility mobility, Findings& findings, const Setup& setup, Table& table) {
@@ -127,9 +127,11 @@ void check(Mobility mobility, Findings& findings, const Setup& setup, Table& tab
       ->expect(fmt::format("mobility along a line, {}", name),
                points.between(BodyId{}, now, line(lines[0]), line(lines[0])), exact[0][0], by_differences, "1/kg");
   findings.in("impulses")
-      ->expect(fmt::format("mobility between two lines, {}", name),
-               points.between(BodyId{}, now, line(lines[0]), line(lines[1])), exact[0][1],
-               Tolerance::truncation(2e-11, 3.0, "central differences by 1e-5, as along one line"), "1/kg");
+      ->expect(
+          fmt::format("mobility between two lines, {}", name),
+          points.between(BodyId{}, now, line(lines[0]), line(lines[1])), exact[0][1],
+          Tolerance::truncation(2e-11, 3.0, "central differences with h = 1e-5, as for the mobility along one line"),
+          "1/kg");
   const StepAdvice advice = advise_step(dynamics, scene.initial);
   for (std::size_t c = 0; c < 2; ++c) {
     const SpringAdvice& spring = advice.springs[c];
@@ -143,9 +145,10 @@ void check(Mobility mobility, Findings& findings, const Setup& setup, Table& tab
   const double trace = exact[0][0] + exact[1][1], determinant = exact[0][0] * exact[1][1] - exact[0][1] * exact[1][0];
   const double root = std::sqrt(std::max(0.0, 0.25 * trace * trace - determinant));
   const double fast = std::sqrt(stiffness * (0.5 * trace + root));
-  findings.in("modes")->expect(fmt::format("natural modes, {}", name), static_cast<double>(advice.modes.size()),
+  findings.in("modes")->expect(fmt::format("number of natural modes, {}", name),
+                               static_cast<double>(advice.modes.size()),
                                static_cast<double>(std::min<std::size_t>(2, coordinates_of(mobility))),
-                               Tolerance::exact("two springs, and no more modes than coordinates"));
+                               Tolerance::exact("two springs, but no more modes than coordinates"));
   findings.in("modes")->expect(fmt::format("fastest mode, {}", name), advice.modes.back().frequency, fast,
                                by_differences, "rad/s");
   if (coordinates_of(mobility) > 1) {
@@ -159,12 +162,12 @@ void check(Mobility mobility, Findings& findings, const Setup& setup, Table& tab
   const Pose then = pose(pulled.model, run.state, BodyId{});
   const Vec2 arm = turned(lines[0].point, tilt);
   const double started = dot(then.v_WB + cross(then.w_WB, arm), direction(lines[0])) / h;
-  findings.in("forces")->expect(fmt::format("first acceleration under a tension, {}", name), started,
-                                0.1 * stiffness * exact[0][0],
-                                Tolerance::truncation(0.5 * damping * exact[0][0] * h + 2e-11, 3.0,
-                                                      "the dashpot takes c h/(2 m_eff) of it within the first step")
-                                    .relative(),
-                                "m/s^2");
+  findings.in("forces")->expect(
+      fmt::format("initial acceleration by a cable tension, {}", name), started, 0.1 * stiffness * exact[0][0],
+      Tolerance::truncation(0.5 * damping * exact[0][0] * h + 2e-11, 3.0,
+                            "the dashpot reduces it by the fraction c h/(2 m_eff) within the first step")
+          .relative(),
+      "m/s^2");
   table.rows.push_back({name, fmt::format("{:.6f}", 1.0 / exact[0][0]), fmt::format("{:.6f}", 1.0 / exact[1][1]),
                         fmt::format("{:.4f}", advice.modes.front().frequency),
                         fmt::format("{:.4f}", advice.modes.back().frequency)});
@@ -200,10 +203,10 @@ void check_friction(Findings& findings) {
     inverse += 1.0 / masses[i] + radii[i] * radii[i] / inertias[i];
   for (const SpringAdvice& spring : advise_step(dynamics, scene.initial).springs) {
     if (spring.name != "touch friction") continue;
-    const auto rounding = Tolerance::round_off(1e-14, "a sum of four quotients, of places of about 1").relative();
-    findings.in("springs")->expect("frequency of friction between two discs", spring.frequency,
+    const auto rounding = Tolerance::round_off(1e-14, "a sum of four quotients, from positions of about 1").relative();
+    findings.in("springs")->expect("frequency of the friction spring between two discs", spring.frequency,
                                    std::sqrt(k_s * inverse), rounding, "rad/s");
-    findings.in("springs")->expect("damping ratio of friction between two discs", spring.damping_ratio,
+    findings.in("springs")->expect("damping ratio of the friction spring between two discs", spring.damping_ratio,
                                    0.5 * c_s * std::sqrt(inverse / k_s), rounding);
   }
 }
@@ -211,8 +214,8 @@ void check_friction(Findings& findings) {
 void run(Findings& findings, const Setup& setup) {
   check_friction(findings);
   Table table{.name = "masses",
-              .caption = "Effective masses [kg] of the two cables' lines, slowest and fastest mode [rad/s] of both.",
-              .columns = {"mobility", "first cable", "second cable", "slowest", "fastest"}};
+              .caption = "Effective masses [kg] along each cable; slowest and fastest mode [rad/s] with both cables.",
+              .columns = {"mobility", "first cable", "second cable", "slowest mode", "fastest mode"}};
   for (const Mobility mobility : {Mobility::free, Mobility::particle, Mobility::pinned, Mobility::sliding_x,
                                   Mobility::sliding_y, Mobility::guided_x, Mobility::guided_y})
     check(mobility, findings, setup, table);
@@ -223,12 +226,12 @@ void run(Findings& findings, const Setup& setup) {
 
 Case definition() {
   return {.id = "effective_masses",
-          .title = "Effective masses and modes of bodies held in seven ways",
+          .title = "Effective masses and natural modes for seven mobilities",
           .requirements = {{"A9", {"impulses", "springs", "modes", "forces"}}},
           .main_checks = {"frequency of cable_0, guided_x", "fastest mode, pinned",
-                          "frequency of friction between two discs"},
+                          "frequency of the friction spring between two discs"},
           .source = "Lagrange's equations, derived here",
-          .faults = {{"pin_forgotten", "the pin at the centre of mass", "frequency of cable_0, guided_x"}},
+          .faults = {{"pin_forgotten", "the pin is placed at the centre of mass", "frequency of cable_0, guided_x"}},
           .run = run};
 }
 

@@ -112,7 +112,7 @@ class RoundedViews {
     expect(how, seen(scene_.model, first_, view), found);
   }
   void swap_contacts() {
-    expect("its contacts the other way round", first_,
+    expect("contacts reversed with bodies exchanged", first_,
            run_to(with_contacts_swapped(scene_), VelocityVerlet{}, end_, *findings_));
   }
   const Table& table() const { return table_; }
@@ -129,10 +129,10 @@ class RoundedViews {
     const double most = std::max(found_difference.place, found_difference.velocity);
     const auto claim = findings_->in("integrator.velocity_verlet"), members = findings_->in(name_);
     findings_->in("differences")
-        ->expect(fmt::format("difference of the end, {}, {}", name_, how), most, 0.0,
+        ->expect(fmt::format("difference of final states, {}, {}", name_, how), most, 0.0,
                  Tolerance::round_off(rounding,
-                                      "n u G: each step rounds each coordinate once, by at most u, and what is "
-                                      "rounded grows as the motion makes differences grow"));
+                                      "n u G: each step rounds each coordinate once, by at most u of the largest one, "
+                                      "and rounding errors grow by at most G, as do all differences of the motion"));
     table_.rows.push_back(
         {name_, how, fmt::format("{:.1f}", growth_), fmt::format("{:.1e}", most), fmt::format("{:.1e}", rounding)});
   }
@@ -146,13 +146,13 @@ class RoundedViews {
   State first_;
   Table table_{.name = "views",
                .caption =
-                   "Largest difference of a coordinate or velocity at the end, where the two runs round otherwise, "
-                   "beside what rounding and the growth of differences explain.",
-               .columns = {"scene", "seen", "growth G", "difference", "n u G"}};
+                   "Largest final difference of a coordinate or velocity between runs that round differently, and "
+                   "the bound n u G from rounding and the growth G of differences.",
+               .columns = {"scene", "transformation", "growth G", "difference", "n u G"}};
 };
 
 void check_bits(Findings& findings, const Setup& setup) {
-  const char* const mirrored = "a change of sign rounds nothing, and no rule prefers a side";
+  const char* const mirrored = "a change of sign causes no rounding, and no rule prefers a side";
   const Scene group = free_group(), yard = level_yard();
   const Viewpoint mirror{.mirrored = true};
   const auto expect = [&](const char* scene, const std::string& name, const Compared& two, const char* why,
@@ -164,11 +164,11 @@ void check_bits(Findings& findings, const Setup& setup) {
   expect("group", "group in a mirror", compare(group, mirror, VelocityVerlet{}, 0.8, setup, findings), mirrored);
   expect("particles", "round particles turned by 90 degrees",
          compare(round_particles(), {.turn = quarter_turn}, VelocityVerlet{}, 0.8, setup, findings),
-         "axes change places and signs; sums of two squares and of two products do not depend on their order");
+         "axes are exchanged and change sign; sums of two squares or two products do not depend on their order");
   if (setup.coarse) return;
   const Compared two = compare(yard, mirror, VelocityVerlet{}, 1.5, setup, findings);
   expect("yard", "level yard in a mirror", two, mirrored);
-  findings.in("yard")->expect_true("all of the state is mirrored, level yard: memory, modes, work, impulse",
+  findings.in("yard")->expect_true("exactly mirrored state, level yard: contact history, modes, work, impulse",
                                    two.expected == two.found, mirrored);
   for (const char* name : {"central_difference", "rk4", "odeint_dopri5"})
     expect("yard", fmt::format("level yard in a mirror, {}", name),
@@ -178,7 +178,7 @@ void check_bits(Findings& findings, const Setup& setup) {
   reversed.initial = run_to(reversed, VelocityVerlet{}, 1.5, findings);
   expect("yard", "yard with its bodies in the opposite order",
          {run_to(crowd, VelocityVerlet{}, 1.5, findings), with_bodies_reversed(reversed).initial},
-         "forces are summed contact by contact, in the contacts' order");
+         "forces are summed over contacts, in the order of the contacts");
 }
 
 /// Accelerations of both bodies of an overlapping pair, listed in either order; empty if the method does not support
@@ -228,7 +228,7 @@ void check_pairs(Findings& findings) {
         const std::vector<double> one = accelerations(shapes[i], shapes[j], method, false),
                                   other = accelerations(shapes[i], shapes[j], method, true);
         if (one.empty() && other.empty()) continue;
-        if (one.size() != other.size()) throw std::logic_error("a pair is taken in one order alone");
+        if (one.size() != other.size()) throw std::logic_error("a pair is supported in one order only");
         double largest = 0.0;
         for (std::size_t k = 0; k < one.size(); ++k) {
           keep_worst(worst, one[k] - other[k]);
@@ -240,27 +240,27 @@ void check_pairs(Findings& findings) {
     }
   }
   const auto group = findings.in("pairs");
-  findings.expect("accelerations of a pair listed in the other order, largest difference", worst, 0.0,
-                  Tolerance::round_off(1e-10, "a thousand roundings of forces of up to 1,000 N on 1 kg"), "m/s^2");
-  findings.expect("pairs that do not touch", apart, 0.0, Tolerance::exact("each is set down with an overlap"));
+  findings.expect("accelerations of a pair listed in either order, largest difference", worst, 0.0,
+                  Tolerance::round_off(1e-10, "a thousand roundings of forces of up to 1000 N on 1 kg"), "m/s^2");
+  findings.expect("pairs that do not touch", apart, 0.0, Tolerance::exact("each pair starts with an overlap"));
   findings.expect(
       "pairs compared", compared, 22.0,
-      Tolerance::exact("five outlines, of which three can move, by two methods; terrain touches rectangles and "
-                       "superquadrics by nodes alone"));
+      Tolerance::exact("five outlines, of which three can move, and two methods; terrain supports rectangles and "
+                       "superquadrics with nodal contact only"));
 }
 
 void run(Findings& findings, const Setup& setup) {
   check_bits(findings, setup);
   RoundedViews group{findings, setup, "group", free_group(), 0.8};
-  group.look("in passing", {.boost = {3.7, -1.9}});
+  group.look("seen from a moving frame", {.boost = {3.7, -1.9}});
   if (setup.coarse) return;
   check_pairs(findings);
-  group.look("elsewhere", {.shift = {37.1, -11.9}});
-  group.look("turned by .7 rad", {.turn = rotation(0.7), .angle = 0.7});
+  group.look("shifted", {.shift = {37.1, -11.9}});
+  group.look("turned by 0.7 rad", {.turn = rotation(0.7), .angle = 0.7});
   group.look("turned by 90 degrees", {.turn = quarter_turn, .angle = 0.5 * std::numbers::pi});
   group.swap_contacts();
   RoundedViews yard{findings, setup, "yard", crowded_yard(), 0.5};
-  yard.look("elsewhere", {.shift = {37.1, -11.9}});
+  yard.look("shifted", {.shift = {37.1, -11.9}});
   yard.look("turned by 90 degrees", {.turn = quarter_turn, .angle = 0.5 * std::numbers::pi});
   yard.look("in a mirror", {.mirrored = true});
   yard.swap_contacts();
@@ -273,7 +273,7 @@ void run(Findings& findings, const Setup& setup) {
 
 Case definition() {
   return {.id = "frame_invariance",
-          .title = "Frame invariance: turned, mirrored and relisted scenes",
+          .title = "Frame invariance: turned, mirrored and reordered scenes",
           .requirements = {{"A6", {"numbers_that_differ", "differences"}},
                            {"law.linear_spring_dashpot", {"group", "yard"}},
                            {"law.tension_only", {"group", "yard"}},
@@ -288,14 +288,15 @@ Case definition() {
           .main_checks = {"numbers that differ, level yard in a mirror",
                           "numbers that differ, yard with its bodies in the opposite order",
                           "numbers that differ, round particles turned by 90 degrees",
-                          "difference of the end, group, in passing", "difference of the end, group, turned by .7 rad"},
+                          "difference of final states, group, seen from a moving frame",
+                          "difference of final states, group, turned by 0.7 rad"},
           .source = "Galilei 1638; Chen, Cheung & Yiu 1998 (metamorphic testing)",
-          .faults = {{"gravity_not_turned", "gravity keeps its direction",
+          .faults = {{"gravity_not_turned", "gravity is not turned",
                       "numbers that differ, round particles turned by 90 degrees"},
-                     {"spin_not_mirrored", "one body spins the same way in the mirror",
+                     {"spin_not_mirrored", "the spin of one body is not mirrored",
                       "numbers that differ, group in a mirror"},
-                     {"one_body_left_behind", "one body's velocity is not that seen in passing",
-                      "difference of the end, group, in passing"}},
+                     {"one_body_left_behind", "the velocity of one body is not transformed to the moving frame",
+                      "difference of final states, group, seen from a moving frame"}},
           .run = run};
 }
 

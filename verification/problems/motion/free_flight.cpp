@@ -69,7 +69,7 @@ void check_method(Findings& findings, const Setup& setup, const std::string& met
   const IntegratorTraits& traits = integrator_traits(method);
   const double rounding = static_cast<double>(traits.additions) * steps * 0x1p-53 * errors.largest;
   const auto claim = findings.in("integrator." + method), group = findings.in("errors");
-  const std::string words = "one rounding for each addition to a coordinate in a step, u of the largest";
+  const std::string words = "one rounding by u of the largest number for each addition to a coordinate in a step";
   table.rows.push_back({method, fmt::format("{:.1e}", errors.worst_place()),
                         fmt::format("{:.1e}", errors.worst_speed()), fmt::format("{:.1e}", rounding)});
   findings.expect(method + ", error of the velocities", errors.worst_speed(), 0.0,
@@ -111,15 +111,15 @@ void check_angles(Findings& findings) {
     }
   }
   findings.expect("sine and cosine of bodies at angles of 0 to 1e300 rad, largest error", worst, 0.0,
-                  Tolerance::round_off(0x1p-52, "two units of the last place of a number below 1"));
+                  Tolerance::round_off(0x1p-52, "two units in the last place of a number below 1"));
 }
 
 void draw_steps(Findings& findings, const Setup& setup) {
   Figure figure{.name = "steps",
                 .title = "Errors of free flight",
                 .caption =
-                    "Error of y at t = 1 s against the step: both Euler methods on the line $a h t/2$, leapfrog and "
-                    "Runge-Kutta at round-off.",
+                    "Error of y at t = 1 s against the step: both Euler methods lie on the line $a h t/2$, leapfrog "
+                    "and Runge-Kutta at round-off.",
                 .x = {.label = "step", .unit = "s", .log = true},
                 .y = {.label = "error of y", .unit = "m", .log = true}};
   for (const char* method : {"euler_cromer", "euler", "velocity_verlet", "central_difference", "rk4"}) {
@@ -138,8 +138,8 @@ void draw_steps(Findings& findings, const Setup& setup) {
 
 void run(Findings& findings, const Setup& setup) {
   Table table{.name = "methods",
-              .caption = "Largest error of a coordinate and of a rate after 1000 steps, and what rounding explains.",
-              .columns = {"method", "coordinates", "rates", "rounding"}};
+              .caption = "Largest error of a coordinate and of a velocity after 1000 steps, and the round-off bound.",
+              .columns = {"method", "coordinates", "velocities", "round-off bound"}};
   for (const std::string& method : integrator_names())
     check_method(findings, setup, method, table);
   if (setup.coarse) return;
@@ -167,10 +167,10 @@ Case definition() {
       .main_checks = {"velocity_verlet, error of the coordinates", "euler_cromer, error of y over a h t/2",
                       "rk4, error of the coordinates"},
       .source = "Galilei 1638; Hairer, Lubich & Wanner 2006, section I.1",
-      .faults = {{"gravity_a_millionth_off", "gravity a millionth too large",
+      .faults = {{"gravity_a_millionth_off", "gravity is too large by a millionth",
                   "velocity_verlet, error of the velocities"},
-                 {"moment_left_out", "no moment acts", "central_difference, error of the coordinates"},
-                 {"euler_for_verlet", "semi-implicit Euler under another name",
+                 {"moment_left_out", "the applied moment is omitted", "central_difference, error of the coordinates"},
+                 {"euler_for_verlet", "semi-implicit Euler runs under the name of velocity Verlet",
                   "velocity_verlet, error of the coordinates"}},
       .run = run};
 }

@@ -156,20 +156,21 @@ void check_balances(Mobility mobility, Missed& worst, Findings& findings, const 
   findings.in("energy_balance")
       ->expect("energy balance, " + name, missed.energy, 0.0,
                Tolerance::truncation(1e-12, 1.0,
-                                     "local errors of the motion below 1e-13, of some ten steps in one direction; "
-                                     "what is left out is of the size 1e-2 to 1"));
+                                     "local errors of the motion below 1e-13, some ten of which add up; an omitted "
+                                     "term would be of the order 1e-2 to 1"));
   const Tolerance closes = Tolerance::round_off(
       2e-13,
-      "momenta and impulses are the same sums over two thousand steps, each rounded to 1e-16; what a pin or a "
-      "guide gives follows from the accelerations, known to 1e-13");
+      "momenta and impulses are the same sums over two thousand steps, each rounded to 1e-16; the reaction of a pin or "
+      "guide follows from the accelerations, which are accurate to 1e-13");
   findings.in("momentum_balance")->expect("momentum balance with reactions, " + name, missed.momentum, 0.0, closes);
   findings.in("angular_momentum_balance")
-      ->expect("angular momentum balance with reactions, " + name, missed.angular, 0.0,
-               mobility == Mobility::fixed
-                   ? Tolerance::truncation(6e-9, 2.0,
-                                           "measured: the moment of the contact about the origin is summed with the "
-                                           "steps of the motion, not controlled itself; 3e-7 at a tolerance of 1e-11")
-                   : closes);
+      ->expect(
+          "angular momentum balance with reactions, " + name, missed.angular, 0.0,
+          mobility == Mobility::fixed
+              ? Tolerance::truncation(6e-9, 2.0,
+                                      "measured: the moment of the contact about the origin is integrated with the "
+                                      "steps of the motion, without error control; 3e-7 at a tolerance of 1e-11")
+              : closes);
   keep_worst(worst.reported, missed.reported);
 }
 
@@ -203,12 +204,15 @@ void check_half(Mobility mobility, Findings& findings, const Setup& setup) {
   const std::string name = name_of_mobility(mobility);
   const auto same = [](double share) {
     return Tolerance::round_off(share,
-                                "F + F in place of 2 F: a rounding of 1e-16 in each of 1500 steps, of forces up to 40, "
+                                "F + F instead of 2 F: a rounding of 1e-16 in each of 1500 steps, of forces up to 40, "
                                 "which an impact amplifies by less than 10");
   };
-  findings.in("half_motion")->expect("positions and velocities of half and both, " + name, places, 0.0, same(1e-12));
-  findings.in("half_energies")->expect("energies and losses of half and both, " + name, energies, 0.0, same(1e-12));
-  findings.in("half_impulses")->expect("impulses and momenta of half and both, " + name, impulses, 0.0, same(1e-12));
+  findings.in("half_motion")
+      ->expect("difference of positions and velocities, half and full model, " + name, places, 0.0, same(1e-12));
+  findings.in("half_energies")
+      ->expect("difference of energies and losses, half and full model, " + name, energies, 0.0, same(1e-12));
+  findings.in("half_impulses")
+      ->expect("difference of impulses and momenta, half and full model, " + name, impulses, 0.0, same(1e-12));
 }
 
 /// Checks initial poses against those given, and their velocities against difference quotients.
@@ -235,12 +239,13 @@ void check_velocities(const std::vector<Mobility>& mobilities, Findings& finding
     const double by = std::asin(turn.cosine * after.R_WB.sine - turn.sine * after.R_WB.cosine);
     keep_worst(worst, 0.5 * by / h - now.w_WB);
   }
-  findings.expect("positions of poses at the start from those given, difference quotients aside", rest, 0.0,
-                  Tolerance::round_off(1e-15, "from the centre to the pin and back: four roundings"));
-  findings.expect("velocities of poses from their difference quotients, worst of all mobilities", worst, 0.0,
-                  Tolerance::truncation(2e-11, 2.0,
-                                        "h^2/6 of a third derivative of 1, and the rounding of a place over 2 h: 1e-16 "
-                                        "over 2e-5"));
+  findings.expect("initial positions of poses, largest difference from the given ones", rest, 0.0,
+                  Tolerance::round_off(1e-15, "conversion from the centre to the pin and back: four roundings"));
+  findings.expect(
+      "velocities of poses, largest difference from difference quotients over all mobilities", worst, 0.0,
+      Tolerance::truncation(2e-11, 2.0,
+                            "h^2/6 times a third derivative of 1, and the rounding of a position divided by "
+                            "2 h: 1e-16/2e-5"));
 }
 
 /// Checks the impact of a disc on a slide on one that represents two, with a dashpot given by its damping ratio: both
@@ -267,14 +272,16 @@ void check_mirrored_impact(Findings& findings, const Setup& setup) {
     const std::vector<double> exact{common - 2.0 * each / (m + 2.0 * each) * e * speed,
                                     common + m / (m + 2.0 * each) * e * speed};
     expect_each(findings.in("mirrored_impact"),
-                fmt::format("speeds after an impact on a disc that stands for two, {}", name), run.state.v, exact,
-                closed ? Tolerance::round_off(1e-13, "a few roundings of each of some twenty steps, and of the events")
+                fmt::format("speeds after an impact on a disc that represents two, {}", name), run.state.v, exact,
+                closed ? Tolerance::round_off(1e-13, "a few roundings in each of some twenty steps, and at the events")
                        : Tolerance::truncation(1e-12 * speed, 3.0,
-                                               "local errors below 1e-12 of the speed, a few in one direction"));
+                                               "local errors below 1e-12 of the speed, a few of which add up"));
     const std::vector<double> impulses{(m + 2.0 * each) * gravity.x, 0.0, 0.0};
-    expect_each(findings.in("mirrored_impulses"), fmt::format("impulses from outside in the same time, {}", name),
+    expect_each(findings.in("mirrored_impulses"),
+                fmt::format("external impulses in the run with a disc that represents two, {}", name),
                 {run.state.impulse.begin(), run.state.impulse.end()}, impulses,
-                Tolerance::round_off(1e-13, "a constant force over twenty steps; across, weight and slide cancel"));
+                Tolerance::round_off(
+                    1e-13, "a constant force over twenty steps; across the slide, weight and reaction cancel"));
   }
 }
 
@@ -302,7 +309,7 @@ void check_slides(Findings& findings) {
     expect_each(
         findings, "speeds after an impact oblique to a slide, " + name_of_mobility(mobility), run.state.v,
         {after.x, after.y, impulse * along / other},
-        Tolerance::truncation(1e-12 * 2.0, 3.0, "local errors below 1e-12 of the speed, a few in one direction"));
+        Tolerance::truncation(1e-12 * 2.0, 3.0, "local errors below 1e-12 of the speed, a few of which add up"));
   }
 }
 
@@ -340,11 +347,11 @@ void check_ring(Findings& findings) {
     std::vector<double> exact{0.0, 0.0};
     for (const Vec2 direction : out)
       exact.insert(exact.end(), {e * speed * direction.x, e * speed * direction.y});
-    expect_each(findings, fmt::format("speeds after {} impacts at one time on a disc between them", count), run.state.v,
-                exact,
+    expect_each(findings, fmt::format("speeds after {} simultaneous impacts on one disc", count), run.state.v, exact,
                 Tolerance::model(2e-9,
-                                 "the overlap at the start: c of 5.6 takes 5.6e-10 less from the speed, and the "
-                                 "spring sqrt(k/m) of 17 times 1e-10 more, which ends as less than that"));
+                                 "the initial overlap of 1e-10: the dashpot, c = 5.6, takes 5.6e-10 less from the "
+                                 "speed, and the spring sqrt(k/m) = 17 times 1e-10 more, of which less than that "
+                                 "remains at the end"));
   }
 }
 
@@ -356,17 +363,18 @@ void run(Findings& findings, const Setup& setup) {
   if (setup.needs("balance") || setup.needs("reported")) {
     for (const Mobility mobility : mobilities)
       check_balances(mobility, worst, findings, setup);
-    findings.expect("reported energies, momenta and balances from sums over poses, worst of all", worst.reported, 0.0,
-                    Tolerance::round_off(1e-13, "a dozen products of each of two bodies, of the size of the scale"));
+    findings.expect(
+        "reported energies, momenta and balances, largest difference from sums over all poses", worst.reported, 0.0,
+        Tolerance::round_off(1e-13, "a dozen products for each of two bodies, each about as large as the scale"));
   }
-  if (setup.needs("half and both")) {
+  if (setup.needs("half and full model")) {
     for (const Mobility mobility : mobilities)
       check_half(mobility, findings, setup);
   }
-  if (setup.needs("difference quotients")) check_velocities(mobilities, findings, setup);
-  if (setup.needs("stands for two")) check_mirrored_impact(findings, setup);
+  if (setup.needs("of poses, largest difference")) check_velocities(mobilities, findings, setup);
+  if (setup.needs("a disc that represents two")) check_mirrored_impact(findings, setup);
   if (setup.needs("a slide")) check_slides(findings);
-  if (setup.needs("between them")) check_ring(findings);
+  if (setup.needs("simultaneous impacts")) check_ring(findings);
 }
 
 }  // namespace
@@ -383,18 +391,18 @@ Case definition() {
                            {"mechanism.cable_yield", {"energy_balance", "half_energies"}},
                            {"mechanism.contact_damping", {"energy_balance", "half_energies"}},
                            {"mechanism.contact_release", {"energy_balance", "half_energies"}},
-                           {"integrator.exact", {"speeds after an impact on a disc that stands for two, exact"}}},
+                           {"integrator.exact", {"speeds after an impact on a disc that represents two, exact"}}},
           .main_checks = {"energy balance, guided_x", guided, "angular momentum balance with reactions, sliding_x",
-                          "energies and losses of half and both, pinned",
-                          "speeds after an impact on a disc that stands for two, exact"},
+                          "difference of energies and losses, half and full model, pinned",
+                          "speeds after an impact on a disc that represents two, exact"},
           .source = "Textbook mechanics; Mustoe & Huttelmaier 1993, section 3.1",
           .faults = {{"reaction_not_recorded", "a millionth of the angular impulse is not recorded", guided},
                      {"loss_not_recorded", "a millionth of the work of friction is not recorded",
                       "energy balance, sliding_x"},
-                     {"heavier_copy", "of two like bodies one is heavier by 1e-9",
-                      "positions and velocities of half and both, free"},
-                     {"other_restitution", "a restitution that is off by a thousandth",
-                      "speeds after an impact on a disc that stands for two, exact"}},
+                     {"heavier_copy", "one of two identical bodies is heavier by 1e-9",
+                      "difference of positions and velocities, half and full model, free"},
+                     {"other_restitution", "the restitution is too small by a thousandth",
+                      "speeds after an impact on a disc that represents two, exact"}},
           .run = run};
 }
 

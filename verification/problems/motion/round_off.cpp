@@ -205,10 +205,11 @@ void check_map(Findings& findings, const Method& method, Forces forces) {
   const auto claim = findings.in(fmt::format("integrator.{}", method.name));
   findings.count(run.evaluations);
   findings.in("distance_from_map")
-      ->expect(fmt::format("distance from the method's map in 113 bits, dashpot, {}", method.name),
-               reference::rounding_errors(swing, {run.place})[0], 0.0,
-               Tolerance::round_off(static_cast<double>(method.additions * steps) * 0x1p-113,
-                                    "each addition rounds by at most half a last place of numbers up to 1"));
+      ->expect(
+          fmt::format("distance from the method's map in 113 bits, dashpot, {}", method.name),
+          reference::rounding_errors(swing, {run.place})[0], 0.0,
+          Tolerance::round_off(static_cast<double>(method.additions * steps) * 0x1p-113,
+                               "each addition rounds by at most half a unit in the last place of numbers up to 1"));
 }
 
 /// Error over the runs at one step size.
@@ -278,16 +279,16 @@ void check_fall(Findings& findings, const Method& method, int bits, const Fall& 
   const std::string of = fmt::format("{}, {} bits", method.name, bits);
   const auto claim = findings.in(fmt::format("integrator.{}", method.name));
   findings.in("error_against_step")
-      ->expect_order(fmt::format("error against the step, truncation, {}", of), fall.method, method.order - 0.15,
-                     method.order + 0.35, "the method's order; the next term of its error adds to it");
+      ->expect_order(fmt::format("order of the truncation error, {}", of), fall.method, method.order - 0.15,
+                     method.order + 0.35, "the order of the method; the next term of its error adds to it");
   if (fall.rounding.size() == 0) return;
   keep_worst(furthest.slope, fall.rounding.fit().order + 0.5);
   const auto least = std::min_element(fall.all.begin(), fall.all.end(),
                                       [](const ErrorAt& a, const ErrorAt& b) { return a.whole < b.whole; });
   keep_worst(furthest.step, std::log2(least->step / best_step(method, bits)));
   findings.in("least_error")
-      ->expect_between(fmt::format("least error over its prediction, {}", of), least->whole / least->predicted, 0.65,
-                       1.5, "rounding of runs that take the same way is not independent, and neither of its steps");
+      ->expect_between(fmt::format("minimum error over its prediction, {}", of), least->whole / least->predicted, 0.65,
+                       1.5, "rounding errors of similar runs are not independent, nor are those of successive steps");
   table.rows.push_back({method.name, fmt::format("{}", bits), fmt::format("{:.1e}", best_step(method, bits)),
                         fmt::format("{:.1e}", least->step), fmt::format("{:.1e}", least->whole)});
   // Without damping, the lagged central difference equals the central difference.
@@ -324,8 +325,8 @@ void check_numbers(Findings& findings, const Setup& setup) {
   const long steps = 500;
   const int runs = setup.coarse ? 16 : 32;
   Table table{.name = "numbers",
-              .caption = "Rounding after 500 steps over its prediction, root mean square of 32 runs.",
-              .columns = {"method", "24 bits", "53", "64", "113"}};
+              .caption = "Rounding error after 500 steps over its prediction, root mean square of 32 runs.",
+              .columns = {"method", "24 bits", "53 bits", "64 bits", "113 bits"}};
   double furthest = 0.0;
   for (const Method& method : methods) {
     if (setup.coarse && method.order == 4) continue;
@@ -338,8 +339,9 @@ void check_numbers(Findings& findings, const Setup& setup) {
     }
     table.rows.push_back(row);
   }
-  findings.expect_between("log2 of the rounding over its prediction, furthest of all methods and numbers", furthest,
-                          -0.6, 0.6, "32 runs, independent or not, tell a root mean square to an eighth or two");
+  findings.expect_between("log2 of the rounding error over its prediction, worst of all methods and number formats",
+                          furthest, -0.6, 0.6,
+                          "32 runs determine a root mean square to one eighth if independent, to two eighths if not");
   if (!setup.coarse) findings.table(table);
 }
 
@@ -347,15 +349,15 @@ void check_numbers(Findings& findings, const Setup& setup) {
 /// increases below by rounding.
 void check_best_steps(Findings& findings, const Setup& setup) {
   Figure figure{.name = "least",
-                .title = "The step of least error",
+                .title = "Step of minimum error",
                 .caption =
-                    "Error of the place after ten to thirteen time units, over the swing: root mean square of "
-                    "the runs, and what method and rounding were predicted to leave.",
+                    "Error of the position after 10 to 13 time units, relative to the amplitude: root mean square of "
+                    "the runs, and the prediction from truncation and rounding.",
                 .x = {.label = "step", .unit = "s", .log = true},
-                .y = {.label = "error over the swing", .log = true}};
+                .y = {.label = "error / amplitude", .log = true}};
   Table table{.name = "best_steps",
-              .caption = "The step below which a smaller one makes the result worse.",
-              .columns = {"method", "bits", "predicted", "measured", "least error"}};
+              .caption = "Step of minimum error; any smaller step makes the result worse.",
+              .columns = {"method", "bits", "predicted", "measured", "minimum error"}};
   const double damping = setup.has("dashpot_left_on") ? 0x1p-10 : 0.0;
   Furthest furthest;
   for (const Method& method : methods) {
@@ -365,12 +367,13 @@ void check_best_steps(Findings& findings, const Setup& setup) {
       check_fall(findings, method, bits, measured(findings, method, bits, *range, damping), furthest, figure, table);
     }
   }
-  findings.expect_between("slope of the error against the step, rounding, over -1/2, furthest of all", furthest.slope,
-                          -0.2, 0.2,
-                          "a random walk grows with the square root of the number of steps; a tenth of steps that "
-                          "round alike adds to it");
-  findings.expect_between("log2 of the step of least error over its prediction, furthest of all", furthest.step, -1.1,
-                          1.1, "steps are tried at factors of two, and the sum of both errors is flat about its least");
+  findings.expect_between("slope of the rounding error against the step, deviation from -1/2, worst of all",
+                          furthest.slope, -0.2, 0.2,
+                          "a random walk grows with the square root of the number of steps; a tenth of the steps, "
+                          "which round alike, adds to it");
+  findings.expect_between("log2 of the step of minimum error over its prediction, worst of all", furthest.step, -1.1,
+                          1.1,
+                          "steps are sampled at factors of two, and the sum of both errors is flat near its minimum");
   if (setup.coarse) return;
   findings.table(table);
   findings.figure(figure);
@@ -429,9 +432,9 @@ void check_scene(Findings& findings, const Setup& setup, SwingMethod method) {
   const double left = solver_rounding(method, steps, setup, findings);
   const auto claim = findings.in(verlet ? "integrator.velocity_verlet" : "integrator.rk4");
   findings.in("rounding_of_scene")
-      ->expect_between(fmt::format("the scene's rounding over its prediction, {}", verlet ? "velocity_verlet" : "rk4"),
-                       left / predicted, 0.5, 2.0,
-                       "sixteen runs tell a root mean square to a fifth; the force rounds, too");
+      ->expect_between(
+          fmt::format("rounding error of a scene over its prediction, {}", verlet ? "velocity_verlet" : "rk4"),
+          left / predicted, 0.5, 2.0, "16 runs determine a root mean square to one fifth; the force is rounded, too");
 }
 
 void run(Findings& findings, const Setup& setup) {
@@ -448,24 +451,25 @@ Case definition() {
           .title = "Round-off: growth over long runs",
           .requirements = {{"A8",
                             {"rounding_of_scene", "distance_from_map",
-                             "log2 of the rounding over its prediction, furthest of all methods and numbers",
+                             "log2 of the rounding error over its prediction, worst of all methods and number formats",
                              "error_against_step", "least_error",
-                             "slope of the error against the step, rounding, over -1/2, furthest of all",
-                             "log2 of the step of least error over its prediction, furthest of all"}},
+                             "slope of the rounding error against the step, deviation from -1/2, worst of all",
+                             "log2 of the step of minimum error over its prediction, worst of all"}},
                            {"law.tension_only", {"rounding_of_scene"}}},
-          .main_checks = {"the scene's rounding over its prediction, velocity_verlet",
-                          "log2 of the rounding over its prediction, furthest of all methods and numbers",
-                          "log2 of the step of least error over its prediction, furthest of all"},
+          .main_checks = {"rounding error of a scene over its prediction, velocity_verlet",
+                          "log2 of the rounding error over its prediction, worst of all methods and number formats",
+                          "log2 of the step of minimum error over its prediction, worst of all"},
           .source = "Henrici 1962, chapter 1; Hairer, Lubich & Wanner 2006, section VIII.5",
-          .faults = {{"far_from_the_origin", "the scene 4096 lengths from the origin of its coordinates",
-                      "the scene's rounding over its prediction, velocity_verlet"},
-                     {"stiffness_off", "a stiffness 1e-12 too large", "the scene's rounding over its prediction, rk4"},
-                     {"forces_in_double", "accelerations that pass through a double on their way to 113 bits",
+          .faults = {{"far_from_the_origin", "the scene is 4096 lengths from the origin of coordinates",
+                      "rounding error of a scene over its prediction, velocity_verlet"},
+                     {"stiffness_off", "the stiffness is too large by 1e-12",
+                      "rounding error of a scene over its prediction, rk4"},
+                     {"forces_in_double", "accelerations in 113 bits are rounded to double",
                       "distance from the method's map in 113 bits, dashpot, rk4"},
-                     {"forces_in_float", "accelerations that pass through a float on their way to a double",
-                      "log2 of the rounding over its prediction, furthest of all methods and numbers"},
-                     {"dashpot_left_on", "a dashpot of 2^-10, which no step makes smaller",
-                      "error against the step, truncation, rk4, 24 bits"}},
+                     {"forces_in_float", "accelerations in double are rounded to float",
+                      "log2 of the rounding error over its prediction, worst of all methods and number formats"},
+                     {"dashpot_left_on", "a dashpot of 2^-10, whose error no smaller step reduces",
+                      "order of the truncation error, rk4, 24 bits"}},
           .full_seconds = 32.0,
           .time_limit = 120.0,
           .run = run};

@@ -125,10 +125,10 @@ Reversible with_fault(Reversible one, const Setup& setup) {
 void check_orders(Findings& findings, const Reversible& pendulum) {
   Figure figure{
       .name = "orders",
-      .title = "There and back",
-      .caption = "How far a pendulum (2.2 rad) is from its start after 4 s forth and 4 s back, against the step.",
+      .title = "Return error after reversed motion",
+      .caption = "Difference of a pendulum (amplitude 2.2 rad) from its initial state after 4 s forward and 4 s back.",
       .x = {.label = "step", .unit = "s", .log = true},
-      .y = {.label = "missed by", .unit = "rad, rad/s", .log = true}};
+      .y = {.label = "return error", .unit = "rad, rad/s", .log = true}};
   for (const char* method : {"velocity_verlet", "central_difference", "euler_cromer", "rk4"}) {
     Series series{method, {}, {}, Style::linespoints};
     Convergence errors;
@@ -142,30 +142,31 @@ void check_orders(Findings& findings, const Reversible& pendulum) {
     figure.series.push_back(series);
     const auto claim = findings.in(fmt::format("integrator.{}", method));
     if (std::string{method} == "euler_cromer")
-      findings.expect_order("order of the return, euler_cromer", errors.last(3), 0.9, 1.1,
-                            "its error is odd in the step; the next order still shows");
+      findings.expect_order("order of the return error, euler_cromer", errors.last(3), 0.9, 1.1,
+                            "its error is odd in the step; the next order is still visible");
     if (std::string{method} == "rk4")
-      findings.expect_order("order of the return, rk4", errors.between(0.003, 0.03), 4.97, 5.02,
-                            "the error of order 4 is even in the step and cancels; that of order 5 stays");
+      findings.expect_order("order of the return error, rk4", errors.between(0.003, 0.03), 4.97, 5.02,
+                            "the error of order 4 is even in the step and cancels; that of order 5 remains");
   }
   findings.figure(figure);
 }
 
 void run(Findings& findings, const Setup& setup) {
   const long steps = setup.coarse ? 1000 : reversal_steps;
-  Table table{.name = "returns",
-              .caption =
-                  "How far from its start each scene returns after 10 000 steps forth and back, and sqrt(2n) u G, the "
-                  "rounding of all steps with the measured growth of differences.",
-              .columns = {"scene", "method", "missed by", "sqrt(2n) u G", "G"}};
+  Table table{
+      .name = "returns",
+      .caption =
+          "Return error of each scene after 10 000 steps forward and back, and sqrt(2n) u G, the rounding of all "
+          "steps times the measured growth G of differences.",
+      .columns = {"scene", "method", "return error", "sqrt(2n) u G", "G"}};
   for (const Reversible& one : reversible_scenes()) {
     for (const char* method : {"velocity_verlet", "central_difference"}) {
       const auto claim = findings.in(fmt::format("integrator.{}", method)), group = findings.in(one.name);
       const Return found = there_and_back(with_fault(one, setup), told(method, setup), one.step, steps, true, findings);
       findings.in("returns")->expect(
-          fmt::format("return of {}, {}", one.name, method), found.missed, 0.0,
+          fmt::format("return error of {}, {}", one.name, method), found.missed, 0.0,
           Tolerance::round_off(4.0 * found.rounding,
-                               "sqrt(2n) u G, four times for the several roundings of a step and the worst "
+                               "sqrt(2n) u G, times four for the several roundings of a step and the worst "
                                "of the numbers"));
       table.rows.push_back({one.name, method, fmt::format("{:.1e}", found.missed),
                             fmt::format("{:.1e}", found.rounding), fmt::format("{:.0f}", found.growth)});
@@ -185,12 +186,14 @@ Case definition() {
                            {"law.linear_spring_dashpot", {"bounce"}},
                            {"law.tension_only", {"cables"}},
                            {"Eq. 18", {"rolling"}}},
-          .main_checks = {"return of bounce, velocity_verlet", "return of cables, velocity_verlet",
-                          "return of rolling, velocity_verlet", "order of the return, rk4"},
+          .main_checks = {"return error of bounce, velocity_verlet", "return error of cables, velocity_verlet",
+                          "return error of rolling, velocity_verlet", "order of the return error, rk4"},
           .source = "Hairer, Lubich & Wanner 2006, chapters V and IX",
-          .faults = {{"runge_kutta_for_verlet", "Runge-Kutta for leapfrog", "return of bounce, velocity_verlet"},
-                     {"euler_for_verlet", "semi-implicit Euler for leapfrog", "return of pendulum, velocity_verlet"},
-                     {"a_little_damping", "a dashpot of 1e-6 N s/m", "return of bounce, velocity_verlet"}},
+          .faults = {{"runge_kutta_for_verlet", "Runge-Kutta instead of leapfrog",
+                      "return error of bounce, velocity_verlet"},
+                     {"euler_for_verlet", "semi-implicit Euler instead of leapfrog",
+                      "return error of pendulum, velocity_verlet"},
+                     {"a_little_damping", "a dashpot of 1e-6 N s/m", "return error of bounce, velocity_verlet"}},
           .run = run};
 }
 

@@ -54,7 +54,7 @@ int differing(const UnitRun& one, const UnitRun& other) {
   return count;
 }
 
-const char* const same_bits = "powers of two move no digit: the same operations on the same digits";
+const char* const same_bits = "powers of two change no digit: the same operations on the same digits";
 
 /// Comparison of a scene in its original units with the same scene in other units.
 class Units {
@@ -89,10 +89,10 @@ class Units {
 /// Draws how many numbers differ with masses, lengths or times multiplied by 2^exponent, until the format's range ends.
 void draw_range(Findings& findings, const Scene& scene) {
   Figure figure{.name = "range",
-                .title = "How far units reach",
+                .title = "Range of units with bit-identical results",
                 .caption =
-                    "Numbers of the yard's state after .15 s that are not the same to the last bit, against the unit: "
-                    "a double's range ends where squares and energies fall below $2^{-1074}$ or pass $2^{1024}$.",
+                    "Numbers of the yard's state after 0.15 s that differ in any bit, against the unit: the range of "
+                    "doubles ends where squares and energies fall below $2^{-1074}$ or exceed $2^{1024}$.",
                 .x = {.label = "log2 of the new unit"},
                 .y = {.label = "numbers that differ"}};
   const UnitPlan plan{1e-3, 0.15};
@@ -117,11 +117,11 @@ void draw_range(Findings& findings, const Scene& scene) {
     figure.series.push_back(series);
   }
   findings.figure(figure);
-  findings.expect_between("log2 of the largest unit, of mass, length or time alone, that moves no bit", widest, 200.0,
-                          600.0,
-                          "energies hold the square of a length: half of the format's 1023 powers, less a few tens for "
-                          "the numbers themselves and for what products of them pass through; a quarter where a "
-                          "square is squared");
+  findings.expect_between("log2 of the largest unit that changes no bit, smallest of mass, length and time", widest,
+                          200.0, 600.0,
+                          "energies contain the square of a length: half of the format's 1023 powers, less a few tens "
+                          "for the numbers themselves and for intermediate products; a quarter where a square is "
+                          "squared");
 }
 
 /// Tabulates the effect of units on odeint's steppers with step control. They compare errors with a pure number, so
@@ -129,9 +129,9 @@ void draw_range(Findings& findings, const Scene& scene) {
 void tabulate_step_control(Findings& findings, const Scene& scene) {
   Table table{.name = "step_control",
               .caption =
-                  "Largest change of a coordinate, over the largest coordinate, of the yard at .1 s when the unit of "
-                  "length is changed, for odeint's steppers with tolerance 1e-8: the tolerance is absolute as well "
-                  "as relative, and so a number with a unit.",
+                  "Largest change of a coordinate of the yard at 0.1 s, relative to the largest coordinate, when the "
+                  "unit of length is changed, for odeint's steppers with tolerance 1e-8: the tolerance is absolute as "
+                  "well as relative, and therefore has a unit.",
               .columns = {"method", "unit of length 1/1024", "unit of length 1024"}};
   for (const char* name : {"odeint_dopri5", "odeint_bulirsch_stoer"}) {
     const Integrator method = make_integrator(name, 1e-8);
@@ -168,14 +168,14 @@ int differing_fences(const scenes::Fence& fence, const Setup& setup) {
 void check_decks(Findings& findings, const Setup& setup) {
   const char* const why =
       "static shape, stiffnesses and dashpots follow from the deck by sums, products and roots of numbers whose units "
-      "are squares; balance is sought to a share of the forces";
+      "are squares; the tolerance of the static equilibrium is relative to the forces";
   scenes::Fence fence = rough_fence();
   const auto fences = findings.in("fence"), numbers = findings.in("numbers_that_differ");
   findings.expect("numbers that differ, fence built from a deck in other units", differing_fences(fence, setup), 0.0,
                   Tolerance::exact(why));
   fence.options.symmetry = scenes::FenceSymmetry::full;
   fence.stretched_cables = {{"top1", 0.03}, {"top-2", 0.02}, {"bottom1", 0.1}};
-  findings.expect("numbers that differ, fence after a first rock built from a deck in other units",
+  findings.expect("numbers that differ, fence after a first impact built from a deck in other units",
                   differing_fences(fence, setup), 0.0, Tolerance::exact(why));
 }
 
@@ -186,8 +186,9 @@ void check_fence(Findings& findings, const Setup& setup) {
     const Units fence{findings, setup, "fence", made.scene, make_integrator(name), plan};
     fence.check("all units", all_units);
     if (std::string{name} != "velocity_verlet") continue;
-    findings.in("fence")->expect("mechanisms of loss at work in the fence", mechanisms_at_work(fence.own().end), 5.0,
-                                 Tolerance::exact("contact and its release, cables drawn out, a hanger, friction"));
+    findings.in("fence")->expect(
+        "number of active loss mechanisms, fence", mechanisms_at_work(fence.own().end), 5.0,
+        Tolerance::exact("contact damping and release, cable yield, breaking of a hanger, friction"));
   }
 }
 
@@ -219,8 +220,8 @@ void run(Findings& findings, const Setup& setup) {
   verlet.check("all units", all_units);
   check_decks(findings, setup);
   if (setup.coarse) return;
-  findings.in("yard")->expect("mechanisms of loss at work in the yard", mechanisms_at_work(verlet.own().end), 8.0,
-                              Tolerance::exact("the scene is to use every one that there is"));
+  findings.in("yard")->expect("number of active loss mechanisms, yard", mechanisms_at_work(verlet.own().end), 8.0,
+                              Tolerance::exact("the scene must use every loss mechanism"));
   verlet.check("unit of mass", {0x1p-11, 1.0, 1.0});
   verlet.check("unit of length", {1.0, 0x1p7, 1.0});
   verlet.check("unit of time", {1.0, 1.0, 0x1p-5});
@@ -256,17 +257,18 @@ Case definition() {
                            {"method.resultant", {"yard", "fence"}}},
           .main_checks = {"numbers that differ, yard, velocity_verlet, all units",
                           "numbers that differ, fence built from a deck in other units",
-                          "mechanisms of loss at work in the yard"},
+                          "number of active loss mechanisms, yard"},
           .source = "IEEE 754; Chen, Cheung & Yiu 1998 (metamorphic testing)",
-          .faults = {{"gravity_overlooked", "gravity keeps its number",
+          .faults = {{"gravity_overlooked", "gravity is not converted",
                       "numbers that differ, yard, velocity_verlet, all units"},
-                     {"strength_overlooked", "the strength of the hanger keeps its number",
+                     {"strength_overlooked", "the strength of the hanger is not converted",
                       "numbers that differ, yard, velocity_verlet, all units"},
-                     {"slip_stiffness_overlooked", "the spring of one friction has another dimension",
+                     {"slip_stiffness_overlooked",
+                      "the friction stiffness of one contact is converted with a wrong dimension",
                       "numbers that differ, yard, velocity_verlet, all units"},
-                     {"units_of_three", "a unit of three for a power of two",
+                     {"units_of_three", "a unit of three instead of a power of two",
                       "numbers that differ, yard, velocity_verlet, all units"},
-                     {"sag_overlooked", "the sag a part in 1e12 off",
+                     {"sag_overlooked", "the sag is too large by 1e-12",
                       "numbers that differ, fence built from a deck in other units"}},
           .run = run};
 }

@@ -115,20 +115,20 @@ void check_stiff_limit(Findings& findings, const Setup& setup) {
     exact.add(w * w, truth);
   }
   findings.expect(
-      "height lost beyond e^2, mean of 64 phases, largest error of four stiffnesses", worst, 0.0,
+      "deficit 1 - h1/(e^2 h0), mean of 64 phases, largest error of four stiffnesses", worst, 0.0,
       Tolerance::truncation(0.17 * std::pow(contact_angle / 400.0, 2), 1.5,
-                            "the lag of the dashpot is taken out, the jump's mean vanishes over even phases "
-                            "of the touch; what is left is of second order, measured, the same at every "
-                            "stiffness"));
+                            "the dashpot's lag is extrapolated away, and the mean of the force jump vanishes "
+                            "over evenly spread phases of touch; the remaining error is of second order, "
+                            "measured, the same at every stiffness"));
   findings.expect_order(
-      "order of the rigid limit in the stiffness", found, -0.515, -0.485,
-      "G falls with the square root of the stiffness; G^2, .035 of it at the softest, bends the line");
-  findings.expect("height lost beyond e^2 at the stiffest over the first-order term",
+      "order of convergence to the rigid limit in the stiffness", found, -0.515, -0.485,
+      "G decreases with the square root of the stiffness; G^2, 0.035 G at the lowest stiffness, bends the line");
+  findings.expect("deficit 1 - h1/(e^2 h0) over its first-order term, highest stiffness",
                   found.errors().back() / line.y.back(), 1.0,
-                  Tolerance::model(0.02, "the next power of G, .001, and the error above, 8e-6 of .0025"));
+                  Tolerance::model(0.02, "the next power of G, 0.001, and the error of the deficit, 8e-6 of 0.0025"));
   findings.figure({.name = "stiff_limit",
-                   .title = "Towards the rigid limit",
-                   .caption = "What the first height lacks of $e^2 h_0$, $\\xi = .2$, against the stiffness.",
+                   .title = "Convergence to the rigid limit",
+                   .caption = "Deficit of the first height from $e^2 h_0$ against the stiffness, $\\xi = 0.2$.",
                    .x = {.label = "stiffness", .log = true},
                    .y = {.label = "1 - h1/(e^2 h0)", .log = true},
                    .series = {{"solver", found.steps(), found.errors(), Style::points}, exact, line},
@@ -207,8 +207,8 @@ constexpr Fall falls[] = {{0.0, EndRule::attractive, frequency},
 void check_heights(Findings& findings, const Setup& setup) {
   Table table{.name = "heights",
               .caption =
-                  "Apex gaps exact, by $e^{2k}$ alone, and the solver's relative errors at 50 steps per contact "
-                  "(root mean square over 64 runs) with those predicted.",
+                  "Apex gaps, exact and in the rigid limit $e^{2k}$, and the solver's relative errors at 50 steps per "
+                  "contact (root mean square over 64 runs), measured and predicted.",
               .columns = {"contact", "bounce", "exact", "rigid", "error", "predicted"}};
   for (const Fall& fall : falls) {
     if (setup.coarse && fall.xi < 0.1) continue;
@@ -227,12 +227,12 @@ void check_heights(Findings& findings, const Setup& setup) {
     }
     const Tolerance near =
         fall.xi == 0.0 ? Tolerance::model(0.1,
-                                          "predicted bounce by bounce; the weight is left out of the "
-                                          "contact's error, G = .03, as is the next power of the step, .06")
+                                          "predicted bounce by bounce; the prediction omits the weight during "
+                                          "contact, G = 0.03, and the next power of the step, 0.06")
                        : Tolerance::model(0.15,
-                                          "64 random phases at each later bounce leave 9 % of a root mean "
-                                          "square; the weight and the next power of the step add some hundredths");
-    findings.in("heights")->expect("rms error of the heights over the predicted, farthest, " + name_of(fall), worst,
+                                          "64 random phases at each later bounce determine a root mean square to "
+                                          "9 %; the weight and the next power of the step add some hundredths");
+    findings.in("heights")->expect("rms error of the heights over the predicted, worst bounce, " + name_of(fall), worst,
                                    1.0, near);
   }
   findings.table(table);
@@ -254,12 +254,12 @@ void check_orders(Findings& findings, const Setup& setup) {
     figure.series.push_back(all.line(name + ", predicted"));
     return all.found();
   };
-  findings.expect_order("order of the first height, undamped", study(falls[0], 1, "h1, undamped"), 1.85, 2.15,
-                        "a kink at touch and end; the end's 64 uneven phases tilt the line");
-  findings.expect_order("order of the fifth height, " + name_of(falls[2]),
+  findings.expect_order("order of the error of the first height, undamped", study(falls[0], 1, "h1, undamped"), 1.85,
+                        2.15, "the force has a kink at touch and end; the 64 uneven phases of the end tilt the line");
+  findings.expect_order("order of the error of the fifth height, " + name_of(falls[2]),
                         study(falls[2], count, "h5, " + name_of(falls[2])), 0.85, 1.15,
-                        "a jump at touch and end; 64 random phases leave 9 % of each root mean square, which tilts a "
-                        "line over two octaves by up to .1");
+                        "the force jumps at touch and end; 64 random phases determine each root mean square to 9 %, "
+                        "which tilts a line over two octaves by up to 0.1");
   findings.figure(figure);
 }
 
@@ -281,12 +281,12 @@ void check_rest(Findings& findings, const Setup& setup) {
                                  findings, {}, count_contacts);
     const char* word = rule == EndRule::attractive ? "attractive" : "clamped";
     findings.in("contacts_to_rest")
-        ->expect(fmt::format("contacts until the disc stays, xi = 0.3, {}", word),
+        ->expect(fmt::format("number of contacts until the disc remains on the plane, xi = 0.3, {}", word),
                  run.finished ? static_cast<double>(contacts) : NAN, static_cast<double>(exact.size()),
-                 Tolerance::exact("a count; the last flight is not a near one"));
+                 Tolerance::exact("a count; the last rebound is not marginal"));
     findings.in("overlap_at_rest")
         ->expect(fmt::format("overlap at rest, xi = 0.3, {}", word), 1.0 - run.state.q[1], exact.back().end_depth,
-                 Tolerance::round_off(2.3e-16, "the height of 1 is rounded to 1.1e-16, and so is its end"));
+                 Tolerance::round_off(2.3e-16, "the height of 1 is rounded to 1.1e-16, and so is its final value"));
   }
 }
 
@@ -301,13 +301,13 @@ void show_bounces(Findings& findings, const Setup& setup) {
     exact.x.push_back(t);
   for (const auto& at : reference::bounce_states(exact_fall(fall, fall_height, 0.0), exact.x))
     exact.y.push_back(at.gap);
-  findings.figure(
-      {.name = "bounces",
-       .title = "A disc on a soft plane",
-       .caption = "Gap against time on a contact soft enough to be seen, $\\omega = 12$, $\\xi = .1$, clamped.",
-       .x = {.label = "time"},
-       .y = {.label = "gap"},
-       .series = {exact, solver}});
+  findings.figure({.name = "bounces",
+                   .title = "A disc on a soft plane",
+                   .caption = "Gap against time with a contact so soft that its overlap is visible, $\\omega = 12$, "
+                              "$\\xi = 0.1$, clamped.",
+                   .x = {.label = "time"},
+                   .y = {.label = "gap"},
+                   .series = {exact, solver}});
 }
 
 void run(Findings& findings, const Setup& setup) {
@@ -322,31 +322,33 @@ void run(Findings& findings, const Setup& setup) {
 }  // namespace
 
 Case definition() {
-  const std::string heights = "rms error of the heights over the predicted, farthest, ";
-  return {.id = "bounces",
-          .title = "Bouncing disc under gravity",
-          .requirements =
-              {{"B6",
-                {"heights", "order of the first height, undamped", "order of the fifth height, xi = 0.1, attractive",
-                 "order of the rigid limit in the stiffness", "contacts_to_rest", "overlap_at_rest"}},
-               {"B7",
-                {"height lost beyond e^2, mean of 64 phases, largest error of four stiffnesses",
-                 "order of the rigid limit in the stiffness",
-                 "height lost beyond e^2 at the stiffest over the first-order term"}},
-               {"law.linear_spring_dashpot", {"heights"}},
-               {"end_rule.attractive", {"rms error of the heights over the predicted, farthest, xi = 0.1, attractive"}},
-               {"end_rule.clamped", {"rms error of the heights over the predicted, farthest, xi = 0.1, clamped"}},
-               {"integrator.velocity_verlet", {"heights"}},
-               {"pair.circle.half_plane", {"heights"}}},
-          .main_checks = {heights + name_of(falls[0]), heights + name_of(falls[2]), heights + name_of(falls[3]),
-                          "order of the rigid limit in the stiffness"},
-          .source = "Mustoe & Huttelmaier 1993, Eq. 17; Bartz 2022, arXiv 2204.10917",
-          .faults = {{"dashpot_halved", "half the dashpot", heights + name_of(falls[2])},
-                     {"other_end_rule", "the contact ends by the other rule", heights + name_of(falls[3])},
-                     {"large_steps", "four steps a contact", heights + name_of(falls[3])},
-                     {"weight_halved", "half the weight",
-                      "height lost beyond e^2 at the stiffest over the first-order term"}},
-          .run = run};
+  const std::string heights = "rms error of the heights over the predicted, worst bounce, ";
+  return {
+      .id = "bounces",
+      .title = "Bouncing disc under gravity",
+      .requirements =
+          {{"B6",
+            {"heights", "order of the error of the first height, undamped",
+             "order of the error of the fifth height, xi = 0.1, attractive",
+             "order of convergence to the rigid limit in the stiffness", "contacts_to_rest", "overlap_at_rest"}},
+           {"B7",
+            {"deficit 1 - h1/(e^2 h0), mean of 64 phases, largest error of four stiffnesses",
+             "order of convergence to the rigid limit in the stiffness",
+             "deficit 1 - h1/(e^2 h0) over its first-order term, highest stiffness"}},
+           {"law.linear_spring_dashpot", {"heights"}},
+           {"end_rule.attractive", {"rms error of the heights over the predicted, worst bounce, xi = 0.1, attractive"}},
+           {"end_rule.clamped", {"rms error of the heights over the predicted, worst bounce, xi = 0.1, clamped"}},
+           {"integrator.velocity_verlet", {"heights"}},
+           {"pair.circle.half_plane", {"heights"}}},
+      .main_checks = {heights + name_of(falls[0]), heights + name_of(falls[2]), heights + name_of(falls[3]),
+                      "order of convergence to the rigid limit in the stiffness"},
+      .source = "Mustoe & Huttelmaier 1993, Eq. 17; Bartz 2022, arXiv 2204.10917",
+      .faults = {{"dashpot_halved", "the dashpot is halved", heights + name_of(falls[2])},
+                 {"other_end_rule", "the contact has the other end rule", heights + name_of(falls[3])},
+                 {"large_steps", "four steps per contact", heights + name_of(falls[3])},
+                 {"weight_halved", "the weight is halved",
+                  "deficit 1 - h1/(e^2 h0) over its first-order term, highest stiffness"}},
+      .run = run};
 }
 
 }  // namespace talus::verification::problems::bounces

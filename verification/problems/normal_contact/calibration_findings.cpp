@@ -44,7 +44,7 @@ void find_calibration_curves(Findings& findings) {
                 .title = "Restitution against damping ratio",
                 .caption =
                     "Points: the solver, 200 steps per contact, mean over 64 phases. Lines: closed forms. The "
-                    "attractive contact never parts beyond $\\xi = 1$; the clamped one does.",
+                    "attractive contact never separates beyond $\\xi = 1$; the clamped one does.",
                 .x = {.label = "damping ratio xi", .min = 0.0},
                 .y = {.label = "restitution e", .min = 0.0, .max = 1.0}};
   for (const EndRule rule : {EndRule::attractive, EndRule::clamped}) {
@@ -69,15 +69,15 @@ void find_calibration_curves(Findings& findings) {
                                   events.contact_time / 200.5);
     }
     findings.expect(
-        "largest error of the mean e, e = .05 ... 1, " + label, errors.max(), shift,
+        "largest error of the mean e, e = 0.05 ... 1, " + label, errors.max(), shift,
         (attractive ? Tolerance::model(0.05,
-                                       "the half-step lag's shift of e at 200 steps per contact, largest "
-                                       "over the twenty targets; of the jumps, the end's at 64 uneven phases "
-                                       "leaves up to 5 % of it in the mean")
+                                       "shift of e by the half-step lag at 200 steps per contact, largest over "
+                                       "the twenty targets; the jump at the end, at 64 uneven phases, adds up "
+                                       "to 5 % of it to the mean")
                     : Tolerance::model(0.016,
-                                       "the half-step lag's shift of e at 200 steps per contact, largest "
-                                       "over the twenty targets; the jump cancels in the mean, the next "
-                                       "power of the step is w h = 1.6 %"))
+                                       "shift of e by the half-step lag at 200 steps per contact, largest over "
+                                       "the twenty targets; the jump cancels in the mean, the next power of "
+                                       "the step is w h = 1.6 %"))
             .relative());
     figure.series.insert(figure.series.end(), {points, curve});
   }
@@ -87,13 +87,13 @@ void find_calibration_curves(Findings& findings) {
 void find_clamped_eq_21(Findings& findings) {
   Table table{.name = "clamped_eq_21",
               .caption =
-                  "Eq. 21's damping under the clamped rule gives too large an e; the clamped formula solved for "
-                  "its own damping ratio gives the wanted one (3200 steps per contact, mean over 64 phases).",
+                  "The damping of Eq. 21 under the clamped rule gives too large an e; the clamped formula solved for "
+                  "the damping ratio gives the wanted e (3200 steps per contact, mean over 64 phases).",
               .columns = {"wanted e", "xi by Eq. 21", "attractive", "clamped", "exact clamped", "xi, clamped formula",
-                          "clamped with it"}};
+                          "clamped, with that xi"}};
   Figure figure{.name = "clamped_eq_21",
                 .title = "Eq. 21 under both end rules",
-                .caption = "Restitution that the solver gives with the damping of Eq. 21. On the diagonal: as wanted.",
+                .caption = "Restitution of the solver with the damping of Eq. 21; on the diagonal it is as wanted.",
                 .x = {.label = "wanted restitution", .min = 0.0, .max = 1.0},
                 .y = {.label = "restitution", .min = 0.0, .max = 1.0},
                 .series = {{"attractive, solver", {}, {}, Style::points},
@@ -103,9 +103,9 @@ void find_clamped_eq_21(Findings& findings) {
   Table common = common_formula(
       "clamped_restitution",
       "**Restitution by Eq. 21 where the contact may not pull.** The damping of Eq. 21 is meant to give $e$, and does "
-      "when the contact may pull at its end. When it is clamped the exact $e$ is $\\exp(-2\\xi A)$, $A = "
-      "\\arccos(\\xi)/"
-      "\\sqrt{1 - \\xi^2}$, with the damping ratio $\\xi$ of Eq. 21. Solver: mean of 64 phases, 3200 steps a contact.");
+      "if the contact may pull at its end. If it is clamped, the exact $e$ is $\\exp(-2\\xi A)$, $A = "
+      "\\arccos(\\xi)/\\sqrt{1 - \\xi^2}$, with the damping ratio $\\xi$ of Eq. 21. Solver: mean of 64 phases, 3200 "
+      "steps per contact.");
   const struct {
     double wanted;
     double given;
@@ -118,7 +118,7 @@ void find_clamped_eq_21(Findings& findings) {
     const double solved = measured_restitution(dashpot_of(own, 1.0, 1.0, EndRule::clamped), 3200.0, findings);
     findings.in("e_when_clamped")
         ->expect(fmt::format("e of Eq. 21 for {:g} when clamped, three digits", row.wanted), clamped, row.given,
-                 Tolerance::model(5e-4, "half a unit of the third digit of the value known"));
+                 Tolerance::model(5e-4, "half a unit in the third digit of the known value"));
     const double exact = reference::restitution(xi, reference::EndRule::clamped);
     common.rows.push_back({fmt::format("$e$ = {:g} wanted", row.wanted), fmt::format("{:g}", row.wanted),
                            fmt::format("{:.4f}", exact), fmt::format("{:+.1f} %", 100.0 * (row.wanted / exact - 1.0)),
@@ -160,38 +160,39 @@ void check_solver_formulas(Findings& findings) {
                                   reference::damping_ratio(e, reference::EndRule::clamped))});
   }
   const double eps = 0x1p-52;
-  findings.expect("solver's damping ratio and restitution near xi = 1, clamped, relative", near_one, 0.0,
-                  Tolerance::round_off(16.0 * eps, "as below, with an exponent of 2"));
-  findings.expect("solver's damping ratio for e = .005 ... 1, relative", inverse, 0.0,
+  findings.expect("solver's damping ratio and restitution near xi = 1, clamped, relative error", near_one, 0.0,
+                  Tolerance::round_off(16.0 * eps, "as for the damping ratio at any e, with an exponent of 2"));
+  findings.expect("solver's damping ratio for e = 0.005 ... 1, relative error", inverse, 0.0,
                   Tolerance::round_off(16.0 * eps,
-                                       "log, square root, acos, three products and the root's last bracket "
-                                       "of two units: 8 eps, twice that for the worst of 400"));
-  findings.expect("solver's restitution of a damping ratio, relative", direct, 0.0,
-                  Tolerance::round_off(32.0 * eps, "an exponent up to 5.3 turns its 4 roundings into 5.3 x 4 eps"));
+                                       "log, square root, acos, three products and the last bracket of two "
+                                       "units of the root search: 8 eps, times two for the worst of 400"));
+  findings.expect("solver's restitution for a damping ratio, relative error", direct, 0.0,
+                  Tolerance::round_off(32.0 * eps, "an exponent up to 5.3 amplifies its 4 roundings to 5.3 x 4 eps"));
   double rebounds = 0.0;
   bool sticks = true;
   for (const double xi : {1.0, 1.25, 3.0}) {
     rebounds += talus::restitution(xi, EndRule::attractive);
     sticks = sticks && std::isinf(dashpot_of(xi, 3e5, 0.7, EndRule::attractive).contact_time(0.7));
   }
-  findings.expect("solver's restitution of an attractive end from critical damping on", rebounds, 0.0,
-                  Tolerance::exact("the overlap falls to zero, and never comes to it: no rebound"));
-  findings.expect_true("solver's contact time of an attractive end from critical damping on is infinite", sticks,
-                       "1, 1.25 and 3 times the critical damping");
-  findings.expect("solver's contact time, relative", time, 0.0,
+  findings.expect("solver's restitution of attractive contacts at and above critical damping", rebounds, 0.0,
+                  Tolerance::exact("the overlap tends to zero and never reaches it: no rebound"));
+  findings.expect_true("solver's contact time of attractive contacts at and above critical damping is infinite", sticks,
+                       "checked at 1, 1.25 and 3 times the critical damping");
+  findings.expect("solver's contact time, relative error", time, 0.0,
                   Tolerance::round_off(32.0 * eps,
-                                       "xi from c, k, m by 4 roundings, magnified by xi^2/(1 - xi^2) <= 2.9 "
-                                       "(attractive, e = .005), and as many again"));
-  findings.expect("solver's largest overlap, relative", depth, 0.0,
-                  Tolerance::round_off(16.0 * eps, "xi by 4 roundings in an exponent <= 3, and 4 more"));
+                                       "xi from c, k, m with 4 roundings, amplified by xi^2/(1 - xi^2) <= 2.9 "
+                                       "(attractive, e = 0.005), and as many again"));
+  findings.expect("solver's largest overlap, relative error", depth, 0.0,
+                  Tolerance::round_off(16.0 * eps, "xi with 4 roundings in an exponent <= 3, and 4 more"));
 }
 
 void check_step_advice(Findings& findings) {
-  Table table{.name = "step_advice",
-              .caption =
-                  "A step is asked for that keeps the error of e below a bound (velocity Verlet, e = .5); the "
-                  "largest error at 200 other phases.",
-              .columns = {"end rule", "bound", "steps per contact", "largest error, advice", "largest error, here"}};
+  Table table{
+      .name = "step_advice",
+      .caption =
+          "Step advised for a bound of the error of e (velocity Verlet, e = 0.5), and the largest error at 200 "
+          "other phases.",
+      .columns = {"end rule", "bound", "steps per contact", "largest error, advice", "largest error, 200 phases"}};
   for (const EndRule rule : {EndRule::attractive, EndRule::clamped}) {
     for (const double bound : {1e-2, 1e-3}) {
       const LinearSpringDashpot law = dashpot_of(reference::damping_ratio(0.5, same(rule)), 1.0, 1.0, rule);
@@ -205,8 +206,8 @@ void check_step_advice(Findings& findings) {
       }
       const std::string name =
           fmt::format("{}, bound {:g}", rule == EndRule::attractive ? "attractive" : "clamped", bound);
-      findings.expect("advised step at other phases, " + name, errors.max(), 0.0,
-                      Tolerance::truncation(bound, 1.0, "the bound that was asked for"));
+      findings.expect("largest error of e with the advised step at other phases, " + name, errors.max(), 0.0,
+                      Tolerance::truncation(bound, 1.0, "the requested bound"));
       const double time = reference::impact_events({1.0, law.damping, 1.0, 1.0}, same(rule)).contact_time;
       table.rows.push_back({rule == EndRule::attractive ? "attractive" : "clamped", fmt::format("{:g}", bound),
                             fmt::format("{:.0f}", time / advice.step), fmt::format("{:.3e}", advice.largest_error),
@@ -219,9 +220,9 @@ void check_step_advice(Findings& findings) {
 void check_scene_calibration(Findings& findings) {
   Table table{.name = "scene_calibration",
               .caption =
-                  "The pivoted cylinder's contact calibrated by simulation to e = .5 (attractive rule, gravity "
-                  "on, odeint's Dormand-Prince at 1e-11): the damping found against that of the effective mass "
-                  "$I_p/h^2$, and against Eq. 21 with the two masses.",
+                  "Contact of the pivoted cylinder calibrated by simulation to e = 0.5 (attractive rule, gravity on, "
+                  "odeint's Dormand-Prince at 1e-11): the damping found, compared with that of the effective mass "
+                  "$I_p/h^2$ and with Eq. 21 with the two masses.",
               .columns = {"k_n [lbf/ft]", "c found [lbf s/ft]", "c, effective mass", "difference", "c, two masses",
                           "difference", "e reached", "runs"}};
   const reference::PivotedCylinder problem{};
@@ -244,13 +245,13 @@ void check_scene_calibration(Findings& findings) {
                           fmt::format("{:.3f}", particles), fmt::format("{:+.3e}", found.damping / particles - 1.0),
                           fmt::format("{:.10f}", found.restitution), fmt::format("{}", found.runs)});
   }
-  findings.expect("calibrated scene reaches e = 0.5", missed, 0.0,
-                  Tolerance::truncation(1e-9, 1.0, "the tolerance that was asked for"));
+  findings.expect("error of e in the calibrated scene, target 0.5", missed, 0.0,
+                  Tolerance::truncation(1e-9, 1.0, "the requested tolerance"));
   findings.expect_order(
-      "calibrated damping to that of the effective mass, power of 1/sqrt(k_n)", differences.last(3), 0.985, 1.015,
-      "the column turns during the contact by an angle that goes with the contact time; the next power "
-      "is 1.1 % of it at the softest of the three (224 over sqrt(k_n), from the table's differences) "
-      "and tilts the fit by less");
+      "order in 1/sqrt(k_n) of the difference between calibrated damping and that of the effective mass",
+      differences.last(3), 0.985, 1.015,
+      "the column turns during the contact by an angle proportional to the contact time; the next power is 1.1 % of it "
+      "at the lowest of the three stiffnesses (224/sqrt(k_n), from the table's differences) and tilts the fit by less");
   findings.table(table);
 }
 

@@ -59,15 +59,16 @@ Series check_rest(const std::string& how, double spacing, Findings& findings, co
     overlaps.push_back(probe.overlap(i)), forces[i] *= stiffness;
   expect_each(findings.in("overlaps"), fmt::format("overlaps of ten contacts, {}, largest error", how), overlaps, exact,
               Tolerance::round_off(1.2e-14,
-                                   "positions up to 20 are rounded to 3.6e-15; a disc stays where less than that is "
-                                   "left to go in a step, three of which are admitted"));
+                                   "positions up to 20 are rounded to 3.6e-15; a disc stops once its displacement "
+                                   "in a step is smaller than that; three times that is allowed"));
   expect_each(findings.in("forces"), fmt::format("forces of ten contacts, {}, largest error", how),
-              probe.forces().contacts, forces, Tolerance::round_off(512.0 * 1.2e-14, "k times that of the overlaps"));
+              probe.forces().contacts, forces,
+              Tolerance::round_off(512.0 * 1.2e-14, "k times the bound of the overlaps"));
   if (how == "set down apart" && !setup.coarse) {
     const std::vector<double> contacts = multiples(1.0, 1, discs);
     findings.figure({.name = "overlaps",
                      .title = "A column at rest",
-                     .caption = "Overlaps from the ground up.",
+                     .caption = "Overlaps of the contacts, numbered from the ground up.",
                      .x = {.label = "contact"},
                      .y = {.label = "overlap", .min = 0.0},
                      .series = {as_line(points("exact", contacts, exact)), points("solver", contacts, overlaps)}});
@@ -80,8 +81,8 @@ void run(Findings& findings, const Setup& setup) {
   const Series pressed = check_rest("pressed together", 1.93, findings, setup);
   if (setup.coarse) return;
   findings.figure({.name = "settling",
-                   .title = "On the way to rest",
-                   .caption = "Force on the ground against time from both starts; the line is the weight.",
+                   .title = "Approach to rest",
+                   .caption = "Force on the ground against time from both initial states; the line is the weight.",
                    .x = {.label = "time"},
                    .y = {.label = "force on the ground"},
                    .series = {apart, pressed},
@@ -101,11 +102,11 @@ Case definition() {
           .checks_of_runs = {"overlaps", "forces"},
           .main_checks = {"overlaps of ten contacts, set down apart, largest error"},
           .source = "Textbook statics",
-          .faults = {{"top_disc_lighter", "the top disc lighter by 1e-9",
+          .faults = {{"top_disc_lighter", "the top disc is lighter by 1e-9",
                       "overlaps of ten contacts, set down apart, largest error"},
-                     {"one_contact_softer", "one contact softer by 1e-9",
+                     {"one_contact_softer", "one contact is softer by 1e-9",
                       "overlaps of ten contacts, pressed together, largest error"},
-                     {"stopped_early", "a third of the time to come to rest",
+                     {"stopped_early", "the run ends after a third of the time",
                       "forces of ten contacts, set down apart, largest error"}},
           .run = run};
 }

@@ -75,7 +75,7 @@ void check_gaps(Findings& findings, const Setup& setup) {
   const double limit = std::numbers::pi / (2.0 * std::sqrt(2.0));
   Table table{.name = "speeds",
               .caption =
-                  "Speeds after the impact, exact, and the solver's errors at 100 steps of $\\pi\\sqrt{m/k}$ (root "
+                  "Exact speeds after the impact, and the solver's errors at 100 steps per $\\pi\\sqrt{m/k}$ (root "
                   "mean square over 64 phases and three discs).",
               .columns = {"gap", "v1", "v2", "v3", "error"}};
   for (const double gap : {0.0, 0.1, 0.4, 1.2}) {
@@ -88,15 +88,15 @@ void check_gaps(Findings& findings, const Setup& setup) {
     findings.in("speeds")->expect(
         fmt::format("speeds of the three discs, gap {:g}, rms error", gap), error, 0.0,
         Tolerance::truncation(0.7 / (100.5 * 100.5), 1.5,
-                              "measured over four octaves of steps at gap 0: .69 over the square of the "
-                              "number of steps; the other gaps are a little better"));
+                              "measured over four octaves of steps at gap 0: 0.69 divided by the square of "
+                              "the number of steps; the errors at other gaps are slightly smaller"));
   }
   findings.table(table);
   const auto beyond = reference::rebound({1.0, 1.0, 1.0, 1.001 * limit}).velocity;
   const auto within = reference::rebound({1.0, 1.0, 1.0, 0.9 * limit}).velocity;
-  findings.expect("exact speed of the first disc beyond the gap of pi v/(2 w)", beyond[0], 0.0,
-                  Tolerance::round_off(1e-15, "zero at 50 digits"));
-  findings.expect_true("exact speed of the first disc just within that gap is not zero", std::abs(within[0]) > 1e-6,
+  findings.expect("exact speed of the first disc, gap above pi v/(2 w)", beyond[0], 0.0,
+                  Tolerance::round_off(1e-15, "zero in 50 digits"));
+  findings.expect_true("exact speed of the first disc is not zero, gap below pi v/(2 w)", std::abs(within[0]) > 1e-6,
                        "the second disc meets the third while the first still pushes it");
 }
 
@@ -104,8 +104,9 @@ void check_order(Findings& findings, const Setup& setup) {
   const Convergence found = convergence(doublings(16.0, setup.coarse ? 3 : 5), [&](double n) {
     return std::pair{1.0 / n, velocity_error(touching, n, findings, setup)};
   });
-  findings.expect_order("order of the speeds, discs that touch", found, 1.9, 2.1,
-                        "the forces are continuous; their slopes jump at touch and opening, which costs h^2");
+  findings.expect_order(
+      "order of the error of the speeds, touching discs", found, 1.9, 2.1,
+      "the forces are continuous; their slopes jump at touch and opening, which gives an error of h^2");
   findings.figure({.name = "error",
                    .title = "Error of the speeds against the step",
                    .caption = "Three discs that touch, root mean square over 64 phases.",
@@ -117,10 +118,10 @@ void check_order(Findings& findings, const Setup& setup) {
 
 void check_accounts(Findings& findings, const Setup& setup) {
   const RowRun found = run_row(touching, {0, std::numbers::pi / 100.4, 0.3}, 8.0, findings, setup);
-  findings.expect("momentum of the three discs", found.momentum_error, 0.0,
+  findings.expect("momentum error of the three discs", found.momentum_error, 0.0,
                   Tolerance::round_off(8e-15,
                                        "700 kicks of two contacts, which round speeds below 1 to 1.1e-16: sqrt(1400) x "
-                                       "1.1e-16 = 4e-15, twice that for the worst"));
+                                       "1.1e-16 = 4e-15, times two for the worst"));
 }
 
 void show_speeds(Findings& findings, const Setup& setup) {
@@ -138,12 +139,12 @@ void show_speeds(Findings& findings, const Setup& setup) {
       points.add(gap, v);
   }
   findings.figure({.name = "gaps",
-                   .title = "Soft discs hand their speed on only when they are apart",
+                   .title = "Soft discs transfer the full speed only across a gap",
                    .caption = "Speeds after the impact against the gap between second and third disc.",
                    .x = {.label = "gap / (v sqrt(m/k))"},
                    .y = {.label = "speed / v"},
                    .series = {lines[0], lines[1], lines[2], points},
-                   .lines = {{'x', std::numbers::pi / (2.0 * std::sqrt(2.0)), "as rigid balls"}}});
+                   .lines = {{'x', std::numbers::pi / (2.0 * std::sqrt(2.0)), "rigid balls"}}});
 }
 
 void run(Findings& findings, const Setup& setup) {
@@ -159,16 +160,20 @@ Case definition() {
   return {
       .id = "cradle",
       .title = "Newton's cradle of three discs",
-      .requirements = {{"B8", {"speeds", "order of the speeds, discs that touch", "momentum of the three discs"}},
+      .requirements = {{"B8",
+                        {"speeds", "order of the error of the speeds, touching discs",
+                         "momentum error of the three discs"}},
                        {"law.linear_spring_dashpot", {"speeds"}},
                        {"shape.circle", {"speeds"}},
-                       {"integrator.velocity_verlet", {"order of the speeds, discs that touch"}},
+                       {"integrator.velocity_verlet", {"order of the error of the speeds, touching discs"}},
                        {"pair.circle.circle", {"speeds"}}},
-      .main_checks = {"speeds of the three discs, gap 0, rms error", "order of the speeds, discs that touch"},
+      .main_checks = {"speeds of the three discs, gap 0, rms error",
+                      "order of the error of the speeds, touching discs"},
       .source = "Herrmann & Seitz, Am. J. Phys. 50 (1982) 977",
-      .faults = {{"middle_heavier", "the middle disc 1 % heavier", "speeds of the three discs, gap 0, rms error"},
-                 {"second_contact_stiffer", "the second contact 2 % stiffer", "order of the speeds, discs that touch"},
-                 {"third_disc_farther", "the third disc .001 farther off",
+      .faults = {{"middle_heavier", "the middle disc is 1 % heavier", "speeds of the three discs, gap 0, rms error"},
+                 {"second_contact_stiffer", "the second contact is 2 % stiffer",
+                  "order of the error of the speeds, touching discs"},
+                 {"third_disc_farther", "the third disc is farther away by 0.001",
                   "speeds of the three discs, gap 0.1, rms error"}},
       .run = run};
 }

@@ -185,10 +185,10 @@ void check_masses(Findings& findings, const Setup& setup) {
   }
   findings.expect("rms relative error of e, mass ratios 1/100 ... 100", worst, predicted,
                   near_prediction(EndRule::clamped));
-  findings.expect("velocity of the common centre of mass", drift, 0.0,
+  findings.expect("velocity of the common centre of mass, largest error", drift, 0.0,
                   Tolerance::round_off(2e-14,
                                        "110 equal and opposite kicks, each rounded at speeds up to 5: sqrt(110) "
-                                       "x 4.4e-16 = 5e-15, four times that for the worst"));
+                                       "x 4.4e-16 = 5e-15, times four for the worst"));
 }
 
 void check_frames(Findings& findings, const Setup& setup) {
@@ -204,18 +204,18 @@ void check_frames(Findings& findings, const Setup& setup) {
     const double found = restitution_in_frame(frame, plus, findings) - at_rest;
     keep_worst(change, found);
   }
-  findings.expect("closing rate seen from moving frames, change of e", change, 0.0,
+  findings.expect("closing rate in moving frames, change of e", change, 0.0,
                   Tolerance::round_off(4e-13,
                                        "220 steps that round positions up to 130 to 1.4e-14 and speeds up to 21 to "
-                                       "1.8e-15: sqrt(220) x 1.4e-14 = 2e-13, twice that for the worst"));
+                                       "1.8e-15: sqrt(220) x 1.4e-14 = 2e-13, times two for the worst"));
 }
 
 void check_levers(Findings& findings, const Setup& setup) {
   Figure figure{.name = "levers",
                 .title = "Off-centre and pivoted impacts",
                 .caption =
-                    "Restitution for the wanted .5. Filled: damping from the effective mass at the contact point. "
-                    "Crosses: Eq. 21 with the two masses; the lines are what its damping ratio gives there.",
+                    "Restitution where 0.5 is wanted. Filled: damping from the effective mass at the contact point. "
+                    "Crosses: Eq. 21 with the two masses; lines: closed form for its damping ratio.",
                 .x = {.label = "lever arm from the centre of mass or the pin"},
                 .y = {.label = "restitution", .min = 0.4},
                 .series = {},

@@ -142,7 +142,8 @@ void check_undamped(Findings& findings, const Setup& setup) {
                  Tolerance::model(0.005, why));
   };
   const char* next =
-      "predicted impact by impact; the next power of the step, v h/x_max = .03 of it squared, and a few times that";
+      "predicted impact by impact; the next power of the step is (v h/x_max)^2 of it, v h/x_max = 0.03, and the bound "
+      "is a few times that";
   expect("e", c.found.restitution, c.predicted.restitution, next);
   expect("the contact time", c.found.contact_time, c.predicted.contact_time, next);
   expect("the largest overlap", c.found.largest, c.predicted.largest, next);
@@ -151,7 +152,7 @@ void check_undamped(Findings& findings, const Setup& setup) {
 void check_damped(Findings& findings, const Setup& setup) {
   Table table{
       .name = "damped",
-      .caption = "With the dashpot at 100 steps per contact, 64 phases: relative error of $e$, root mean square.",
+      .caption = "Relative error of $e$ with the dashpot, 100 steps per contact: root mean square over 64 phases.",
       .columns = {"end rule", "xi", "e", "error of e", "predicted"}};
   for (const EndRule rule : {EndRule::attractive, EndRule::clamped}) {
     const char* word = rule == EndRule::attractive ? "attractive" : "clamped";
@@ -165,9 +166,9 @@ void check_damped(Findings& findings, const Setup& setup) {
                             fmt::format("{:.2e}", found), fmt::format("{:.2e}", predicted)});
     }
     findings.in("damped_impacts")
-        ->expect(fmt::format("rms error of e over the predicted, farthest of three dampings, {}", word), worst, 1.0,
+        ->expect(fmt::format("rms error of e over the predicted, worst of three damping ratios, {}", word), worst, 1.0,
                  Tolerance::model(0.06,
-                                  "lag and onset predicted impact by impact; the next powers of the step, "
+                                  "effects of lag and onset predicted impact by impact; the next powers of the step, "
                                   "3/2 and 2, are 3 % of it at 100 steps"));
   }
   findings.table(table);
@@ -176,15 +177,16 @@ void check_damped(Findings& findings, const Setup& setup) {
 void check_orders(Findings& findings, const Setup& setup) {
   const PredictedErrors elastic = errors(ball(0.0, EndRule::attractive, setup), findings, setup);
   findings.expect_order(
-      "order of e, undamped", elastic.found(), 2.4, 2.6,
-      "the force begins like t^(3/2), which costs h^(5/2); 64 uneven phases of the end tilt the line");
+      "order of the error of e, undamped", elastic.found(), 2.4, 2.6,
+      "the force begins like t^(3/2), which gives an error of h^(5/2); 64 uneven phases of the end tilt the line");
   const PredictedErrors damped = errors(ball(0.2, EndRule::attractive, setup), findings, setup);
-  const std::string pulls = "xi = .2, pulls at the end";
+  const std::string pulls = "xi = 0.2, attractive";
   findings.figure({.name = "error_of_e",
                    .title = "Error of the restitution against the step",
-                   .caption = "Root mean square over 64 phases with a step of its own each. Lines: predicted, nothing "
-                              "is fitted. Undamped the order is 5/2: between that of a kink (2) and of a smooth force. "
-                              "With the dashpot it goes from 5/4, its onset, to 1, its velocity of half a step before.",
+                   .caption =
+                       "Root mean square over 64 phases, each with a different step. Lines: predicted, nothing is "
+                       "fitted. Undamped, the order is 5/2, between that of a kink (2) and of a smooth force. With "
+                       "the dashpot it changes from 5/4 (its onset) to 1 (its velocity half a step late).",
                    .x = {.label = "step / contact time", .log = true},
                    .y = {.label = "relative error of e", .log = true},
                    .series = {elastic.points("undamped"), elastic.line("undamped, predicted"), damped.points(pulls),
@@ -204,8 +206,9 @@ void check_speeds(Findings& findings) {
   double change = 0.0;
   for (int j = -3; j <= 3; ++j)
     change = std::max(change, std::abs(rebound(j) - rebound(0)));
-  findings.expect("change of e with the dashpot, speeds 2^-15 ... 2^15", change, 0.0,
-                  Tolerance::exact("roots of powers of two that are powers of two: every operation rounds alike"));
+  findings.expect(
+      "change of e with the dashpot, speeds 2^-15 ... 2^15", change, 0.0,
+      Tolerance::exact("all scale factors and their roots are powers of two: every operation rounds alike"));
 }
 
 void show_contact_times(Findings& findings, const Setup& setup) {
@@ -218,12 +221,13 @@ void show_contact_times(Findings& findings, const Setup& setup) {
     points.add(speed, b.exact.contact_time * c.found.mean_time);
     line.add(speed, b.exact.contact_time);
   }
-  findings.figure({.name = "contact_times",
-                   .title = "Faster impacts are shorter",
-                   .caption = "Contact time against speed: falls like $v^{-1/5}$; that of a linear spring would not.",
-                   .x = {.label = "speed of approach", .log = true},
-                   .y = {.label = "contact time", .log = true},
-                   .series = {line, points}});
+  findings.figure(
+      {.name = "contact_times",
+       .title = "Contact time decreases with speed",
+       .caption = "Contact time against speed: it decreases like $v^{-1/5}$; with a linear spring it would not.",
+       .x = {.label = "speed of approach", .log = true},
+       .y = {.label = "contact time", .log = true},
+       .series = {line, points}});
 }
 
 void run(Findings& findings, const Setup& setup) {
@@ -238,29 +242,32 @@ void run(Findings& findings, const Setup& setup) {
 }  // namespace
 
 Case definition() {
-  return {.id = "hertz",
-          .title = "Impact by Hertz's law",
-          .family = "B: normal contact",
-          .requirements =
-              {{"law.hertz",
-                {"undamped_impacts", "damped_impacts", "order of e, undamped",
-                 "change of e with the dashpot, speeds 2^-15 ... 2^15"}},
-               {"method.resultant", {"undamped_impacts", "damped_impacts", "order of e, undamped"}},
-               {"end_rule.attractive", {"rms error of e over the predicted, farthest of three dampings, attractive"}},
-               {"end_rule.clamped", {"rms error of e over the predicted, farthest of three dampings, clamped"}},
-               {"integrator.velocity_verlet", {"order of e, undamped"}},
-               {"regime.hertz.touching", {"undamped_impacts", "order of e, undamped"}},
-               {"regime.hertz.released", {"rms error of e over the predicted, farthest of three dampings, clamped"}}},
-          .main_checks = {"rms error of the contact time, undamped, over the predicted",
-                          "rms error of the largest overlap, undamped, over the predicted", "order of e, undamped",
-                          "rms error of e over the predicted, farthest of three dampings, attractive"},
-          .source = "Hertz 1882; Tsuji, Tanaka & Ishida 1992; Antypov & Elliott, EPL 94 (2011) 50004",
-          .faults = {{"radius_forgotten", "the square root of the radius is left out",
-                      "rms error of the largest overlap, undamped, over the predicted"},
-                     {"linear_spring", "a linear spring of the same number", "order of e, undamped"},
-                     {"constant_of_linear_dashpot", "the dashpot of a linear spring",
-                      "rms error of e over the predicted, farthest of three dampings, attractive"}},
-          .run = run};
+  return {
+      .id = "hertz",
+      .title = "Impact by Hertz's law",
+      .family = "B: normal contact",
+      .requirements =
+          {{"law.hertz",
+            {"undamped_impacts", "damped_impacts", "order of the error of e, undamped",
+             "change of e with the dashpot, speeds 2^-15 ... 2^15"}},
+           {"method.resultant", {"undamped_impacts", "damped_impacts", "order of the error of e, undamped"}},
+           {"end_rule.attractive", {"rms error of e over the predicted, worst of three damping ratios, attractive"}},
+           {"end_rule.clamped", {"rms error of e over the predicted, worst of three damping ratios, clamped"}},
+           {"integrator.velocity_verlet", {"order of the error of e, undamped"}},
+           {"regime.hertz.touching", {"undamped_impacts", "order of the error of e, undamped"}},
+           {"regime.hertz.released", {"rms error of e over the predicted, worst of three damping ratios, clamped"}}},
+      .main_checks = {"rms error of the contact time, undamped, over the predicted",
+                      "rms error of the largest overlap, undamped, over the predicted",
+                      "order of the error of e, undamped",
+                      "rms error of e over the predicted, worst of three damping ratios, attractive"},
+      .source = "Hertz 1882; Tsuji, Tanaka & Ishida 1992; Antypov & Elliott, EPL 94 (2011) 50004",
+      .faults = {{"radius_forgotten", "the square root of the radius is omitted",
+                  "rms error of the largest overlap, undamped, over the predicted"},
+                 {"linear_spring", "a linear spring with the same numerical stiffness",
+                  "order of the error of e, undamped"},
+                 {"constant_of_linear_dashpot", "the dashpot constant of a linear spring",
+                  "rms error of e over the predicted, worst of three damping ratios, attractive"}},
+      .run = run};
 }
 
 }  // namespace talus::verification::problems::hertz

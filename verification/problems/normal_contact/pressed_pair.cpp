@@ -124,7 +124,7 @@ double predicted_damped_error(const Pair& pair, double step) {
 }
 
 std::string name_of(const Pair& pair) {
-  return fmt::format("{}{}", pair.above == 1.0 ? "equal discs" : "unlike discs with weight",
+  return fmt::format("{}{}", pair.above == 1.0 ? "equal discs" : "dissimilar discs with weight",
                      pair.lag > 0.0 ? ", damped" : "");
 }
 
@@ -141,19 +141,19 @@ void check_undamped(Figure& figure, Findings& findings, const Setup& setup) {
     const double found = largest_error(pair, VelocityVerlet{}, steps,
                                        leapfrog_heights(pair, end_time / static_cast<double>(steps)), findings, setup);
     findings.in("heights")->expect(
-        "heights against the leapfrog's own swings, " + name_of(pair), found, 0.0,
+        "heights against the exact leapfrog solution, " + name_of(pair), found, 0.0,
         Tolerance::round_off(4e-13,
                              "400 steps that round heights of 1 and 3 to 2.2e-16, summed twice: "
-                             "400^1.5/sqrt(3) x 2.2e-16/.03 = 3e-11 at most, a hundredth of it where "
-                             "swings turn the sums"));
+                             "400^1.5/sqrt(3) x 2.2e-16/0.03 = 3e-11 at most, a hundredth of it because "
+                             "the oscillation reverses the sums"));
     Convergence order;
     for (const double n : doublings(200.0, setup.coarse ? 2 : 4))
       order.add(end_time / n,
                 largest_error(pair, VelocityVerlet{}, std::lround(n), exact_heights(pair), findings, setup));
     findings.in("order")->expect_order(
-        "order, " + name_of(pair), order, 1.99, 2.01,
-        "no contact opens: the order is the method's own; the next power, (w h)^2 = .08 at 200 "
-        "steps, tilts the line by .005");
+        "order of the error of the heights, " + name_of(pair), order, 1.99, 2.01,
+        "no contact opens: the order is that of the method; the next power, (w h)^2 = 0.08 at 200 "
+        "steps, tilts the line by 0.005");
     figure.series.push_back({name_of(pair), order.steps(), order.errors(), Style::points});
   }
 }
@@ -167,23 +167,27 @@ void check_damped(Figure& figure, Findings& findings, const Setup& setup) {
                  predicted_damped_error(pair, end_time / n));
     }
     findings.in("error_at_finest_step")
-        ->expect("error over the predicted at the finest step, " + name_of(pair), errors.last_ratio(), 1.0,
-                 Tolerance::model(setup.coarse ? 0.1 : 0.02, "the next power of the step: w h^2 t/24 over xi h/2"));
-    findings.in("order")->expect_order("order, " + name_of(pair), errors.found(), 0.9, 1.1,
-                                       "the dashpot's velocity of half a step before; the next power tilts the line");
+        ->expect(
+            "error of the heights over the predicted, finest step, " + name_of(pair), errors.last_ratio(), 1.0,
+            Tolerance::model(setup.coarse ? 0.1 : 0.02, "the next power of the step: ratio of w h^2 t/24 to xi h/2"));
+    findings.in("order")->expect_order(
+        "order of the error of the heights, " + name_of(pair), errors.found(), 0.9, 1.1,
+        "the dashpot's velocity is half a step late; the next power of the step tilts the line");
     figure.series.push_back(errors.points(name_of(pair)));
     figure.series.push_back(errors.line(name_of(pair) + ", predicted"));
   }
 }
 
 void run(Findings& findings, const Setup& setup) {
-  Figure figure{.name = "error",
-                .title = "Error of the heights against the step",
-                .caption = "Largest over the run, over the first displacement. Lines: predicted from the lag.",
-                .x = {.label = "step", .log = true},
-                .y = {.label = "error / y1(0)", .log = true},
-                .series = {},
-                .slopes = {{2.0, 2e-3, 2e-3, "h^2"}, {1.0, 5e-4, 1.5e-2, "h"}}};
+  Figure figure{
+      .name = "error",
+      .title = "Error of the heights against the step",
+      .caption =
+          "Largest error over the run, relative to the initial displacement. Lines: predicted from the dashpot's lag.",
+      .x = {.label = "step", .log = true},
+      .y = {.label = "error / y1(0)", .log = true},
+      .series = {},
+      .slopes = {{2.0, 2e-3, 2e-3, "h^2"}, {1.0, 5e-4, 1.5e-2, "h"}}};
   check_undamped(figure, findings, setup);
   check_damped(figure, findings, setup);
   findings.figure(figure);
@@ -199,8 +203,8 @@ void run(Findings& findings, const Setup& setup) {
   }
   findings.figure({.name = "heights",
                    .title = "Two discs between walls",
-                   .caption = "Heights of the unlike damped pair under its weight, from where the contacts' forces are "
-                              "equal; 150 steps.",
+                   .caption = "Heights of the dissimilar damped pair under its weight, measured from where the contact "
+                              "forces are equal; 150 steps.",
                    .x = {.label = "time"},
                    .y = {.label = "height"},
                    .series = {exact[0], exact[1], heights[0], heights[1]}});
@@ -213,19 +217,20 @@ Case definition() {
           .title = "Two discs pressed between walls",
           .requirements = {{"B10", {"heights", "order"}},
                            {"law.linear_spring_dashpot", {"error_at_finest_step"}},
-                           {"end_rule.attractive", {"order, equal discs, damped"}},
+                           {"end_rule.attractive", {"order of the error of the heights, equal discs, damped"}},
                            {"shape.circle", {"heights"}},
                            {"shape.half_plane", {"heights"}},
                            {"integrator.velocity_verlet", {"order"}},
                            {"pair.circle.circle", {"heights"}},
                            {"pair.circle.half_plane", {"heights"}}},
-          .main_checks = {"heights against the leapfrog's own swings, equal discs", "order, equal discs",
-                          "error over the predicted at the finest step, unlike discs with weight, damped"},
+          .main_checks = {"heights against the exact leapfrog solution, equal discs",
+                          "order of the error of the heights, equal discs",
+                          "error of the heights over the predicted, finest step, dissimilar discs with weight, damped"},
           .source = "Textbook vibrations; the setting of MFiX's verification case DEM03",
-          .faults = {{"upper_heavier", "the upper disc 1 % heavier",
-                      "heights against the leapfrog's own swings, unlike discs with weight"},
+          .faults = {{"upper_heavier", "the upper disc is 1 % heavier",
+                      "heights against the exact leapfrog solution, dissimilar discs with weight"},
                      {"dashpot_between_off", "no dashpot between the discs",
-                      "error over the predicted at the finest step, equal discs, damped"}},
+                      "error of the heights over the predicted, finest step, equal discs, damped"}},
           .run = run};
 }
 

@@ -40,10 +40,10 @@ void check_damped(EndRule rule, const std::vector<double>& steps, Figure& figure
     const auto claim = findings.in(fmt::format("integrator.{}", talus::name(integrator))),
                group = findings.in(word_for(rule));
     findings.in("order_of_e")
-        ->expect_order("order of e, " + label.substr(9), found, 0.93, 1.07,
-                       "the dashpot's force jumps at touch, a step resolves the jump to half a step; the next "
-                       "power, w h = .2 of the first at 16 steps, tilts the fit by up to .05, uneven phases of the "
-                       "end (6 % of a rms) by .02");
+        ->expect_order("order of the error of e, " + label.substr(9), found, 0.93, 1.07,
+                       "the dashpot's force jumps at touch, which the steps resolve to half a step; the next "
+                       "power, w h = 0.2 of the first at 16 steps, tilts the fit by up to 0.05, uneven phases of the "
+                       "end (6 % of an rms) by 0.02");
     figure.series.push_back({label, found.steps(), found.errors(), Style::points});
   }
   Series predicted{.label = fmt::format("predicted, {}", word_for(rule)), .x = {}, .y = {}, .style = Style::lines};
@@ -63,13 +63,14 @@ void check_undamped_contact(const Bounce& elastic, Findings& findings) {
   const double wh = reduced_step(elastic.exact, steps);
   findings.expect("rms error of the undamped contact time, 64 steps", found.contact_time.rms(), wh * wh / 24.0,
                   Tolerance::model(0.01,
-                                   "the leapfrog's own period; the next power is (w h)^2 = .002 of it, and the mean "
-                                   "over steps of different lengths as much")
+                                   "error of the leapfrog's period; the next power is (w h)^2 = 0.002 of it, and the "
+                                   "mean over steps of different lengths adds as much")
                       .relative());
   findings.expect(
       "rms error of the undamped largest overlap, 64 steps", found.largest_depth.rms(),
       second_order_constant / std::pow(steps + 0.5, 2),
-      Tolerance::model(uneven_end, "shares of a step at touch and turn, spread over 64 uneven pairs").relative());
+      Tolerance::model(uneven_end, "fractions of a step at touch and largest overlap, in 64 unevenly spread pairs")
+          .relative());
 }
 
 /// Checks the order of e = 1, and draws the errors with slopes for comparison.
@@ -80,16 +81,16 @@ void check_undamped(const std::vector<double>& steps, Figure& figure, Findings& 
     const Convergence found = restitution_errors(elastic, integrator, steps, findings, setup.has("commensurate_step"));
     const auto claim = findings.in(fmt::format("integrator.{}", talus::name(integrator)));
     findings.in("order_undamped")
-        ->expect_order(fmt::format("order of e, undamped, {}", talus::name(integrator)), found, 1.85, 2.15,
-                       "the force is continuous; its slope jumps at touch and end, which costs h^2");
+        ->expect_order(fmt::format("order of the error of e, undamped, {}", talus::name(integrator)), found, 1.85, 2.15,
+                       "the force is continuous; its slope jumps at touch and end, which gives an error of h^2");
     figure.series.push_back(
         {fmt::format("e = 1, {}", talus::name(integrator)), found.steps(), found.errors(), Style::points});
     if (figure.slopes.empty()) {
       findings.expect(
           "rms error of e = 1 at 16 steps per contact", found.errors().front(), second_order_constant / (16.5 * 16.5),
           Tolerance::model(uneven_end,
-                           "pi^2/(2 sqrt(90) N^2) from the shares of a step at touch and end; the next term, "
-                           "(w h)^2, is 4 % of it, the end's 64 uneven phases leave 6 %")
+                           "pi^2/(2 sqrt(90) N^2) from the fractions of a step at touch and end; the next term, "
+                           "(w h)^2, is 4 % of it, the 64 uneven phases of the end add 6 %")
               .relative());
       figure.slopes = {{1.0, 1.0 / 40.0, 0.06, "h"}, {2.0, 1.0 / 64.0, 0.1 * second_order_constant / 4096.0, "h^2"}};
     }
@@ -102,9 +103,9 @@ void check_restitution_orders(Findings& findings, const Setup& setup) {
   Figure figure{.name = "error_of_e",
                 .title = "Error of the restitution against the step",
                 .caption =
-                    "Root mean square over 64 phases with a step of its own each. Points: the solver. Lines: the "
-                    "error predicted from lag and jumps (damped); nothing is fitted. With a dashpot every "
-                    "method is of first order, without one of second.",
+                    "Root mean square over 64 phases, each with a different step. Points: the solver. Lines: the error "
+                    "predicted from lag and jumps (damped); nothing is fitted. With a dashpot every method is of first "
+                    "order, without a dashpot of second.",
                 .x = {.label = "step / contact time", .log = true},
                 .y = {.label = "relative error of e", .log = true}};
   const auto steps = doublings(16.0, setup.coarse ? 3 : 6);
@@ -151,19 +152,20 @@ void check_bounce(double e, EndRule rule, Ratio& time, Ratio& depth, Ratio& iden
 void check_targets(Findings& findings, const Setup& setup) {
   Table table{.name = "targets",
               .caption =
-                  "A disc on a plane at 100 steps per contact, velocity Verlet, 64 phases: relative errors, "
-                  "root mean square, beside those predicted.",
+                  "Disc on a plane, velocity Verlet, 100 steps per contact: relative errors, root mean square over 64 "
+                  "phases, measured and predicted.",
               .columns = {"end rule", "wanted e", "xi", "mean e", "error of e", "predicted", "error of T", "predicted",
                           "error of d_max", "predicted"}};
   for (const EndRule rule : {EndRule::attractive, EndRule::clamped}) {
     Ratio time, depth, identity;
     for (const double e : {0.9, 0.7, 0.5, 0.3, 0.1})
       check_bounce(e, rule, time, depth, identity, table, findings, setup);
-    const std::string over = fmt::format(" over the predicted, farthest of e = 0.9 ... 0.1, {}", word_for(rule));
-    findings.expect("rms error of the contact time" + over, time.farthest, 1.0,
-                    Tolerance::model(next_power,
-                                     "predicted from the half-step lag and Verlet's own period, no jump enters; the "
-                                     "next power of the step is 4 % of it"));
+    const std::string over = fmt::format(" over the predicted, worst of e = 0.9 ... 0.1, {}", word_for(rule));
+    findings.expect(
+        "rms error of the contact time" + over, time.farthest, 1.0,
+        Tolerance::model(next_power,
+                         "predicted from the half-step lag and the error of Verlet's period, without jumps; "
+                         "the next power of the step is 4 % of it"));
     findings.in("largest_overlap")
         ->expect("rms error of the largest overlap" + over, depth.farthest, 1.0,
                  Tolerance::model(next_power,
@@ -171,7 +173,7 @@ void check_targets(Findings& findings, const Setup& setup) {
                                   "step is 4 % of it"));
     if (rule == EndRule::attractive) continue;
     findings.expect("rms error of the identity e = (w d_max/v0)^2" + over, identity.farthest, 1.0,
-                    Tolerance::model(next_power, "as both of its sides; the next power of the step is 4 % of it"));
+                    Tolerance::model(next_power, "as for both of its sides; the next power of the step is 4 % of it"));
   }
   findings.table(table);
 }
@@ -189,8 +191,8 @@ void check_pull(Findings& findings, const Setup& setup) {
                   found.pull.rms() / -b.exact.force_at_end, slope * lead / -b.exact.force_at_end,
                   Tolerance::model(uneven_end,
                                    "mean force of the last full step: the slope of F times the distance of that "
-                                   "step's middle from the end; the next power of the step is 4 % of it, the end's "
-                                   "64 uneven phases leave 6 %")
+                                   "step's middle from the end; the next power of the step is 4 % of it, the 64 uneven "
+                                   "phases of the end add 6 %")
                       .relative());
   double least = 0.0;
   for (const double e : {0.9, 0.5, 0.1}) {
@@ -200,8 +202,9 @@ void check_pull(Findings& findings, const Setup& setup) {
                                               production_steps, VelocityVerlet{}, findings);
     least = std::min(least, forces.least_deceleration);
   }
-  findings.expect("largest pull of a clamped contact", least, 0.0,
-                  Tolerance::exact("each kick adds a force >= 0 or none: the speed away from the plane never falls"));
+  findings.expect(
+      "largest pull of a clamped contact", least, 0.0,
+      Tolerance::exact("each kick adds a force >= 0 or none: the speed away from the plane never decreases"));
 }
 
 /// Checks that only xi enters e: the same steps per contact, phases and dashpot rule at other stiffnesses.
@@ -230,14 +233,14 @@ void check_scales(Findings& findings, const Setup& setup) {
                   Tolerance::exact("powers of two change exponents only: every operation rounds alike"));
   findings.expect("change of e over four decades of k", decades, 0.0,
                   Tolerance::round_off(2e-13,
-                                       "110 steps of a dozen roundings of lengths ten times the overlap: "
-                                       "sqrt(1300) x 10 x 1.1e-16 = 4e-14, and five times that for the worst"));
+                                       "110 steps with a dozen roundings of lengths ten times the overlap: "
+                                       "sqrt(1300) x 10 x 1.1e-16 = 4e-14, times five for the worst"));
 }
 
 void run(Findings& findings, const Setup& setup) {
   if (setup.needs("rms relative error of e =")) check_targets(findings, setup);
   if (setup.needs("pull")) check_pull(findings, setup);
-  if (setup.needs("order of e")) check_restitution_orders(findings, setup);
+  if (setup.needs("order of the error of e")) check_restitution_orders(findings, setup);
   if (setup.needs("change of e, k =")) check_scales(findings, setup);
   if (setup.needs("mass ratios")) check_masses(findings, setup);
   if (setup.needs("closing rate")) check_frames(findings, setup);
@@ -260,64 +263,70 @@ Case definition() {
           {{"Eq. 17",
             {"largest_overlap", "pull at the end, e = 0.5, attractive, rms error over c e v0",
              "largest pull of a clamped contact", "rms error of the undamped largest overlap, 64 steps",
-             "solver's largest overlap, relative"}},
+             "solver's largest overlap, relative error"}},
            {"Eq. 19", {"pull at the end, e = 0.5, attractive, rms error over c e v0", "order_of_e", "order_undamped"}},
            {"Eq. 20",
             {"largest_overlap", "rms error of the undamped largest overlap, 64 steps", "rms_error_of_pairs",
-             "solver's largest overlap, relative"}},
+             "solver's largest overlap, relative error"}},
            {"Eq. 21",
             {"rms_error_of_e", "change of e, k = 4^1 ... 4^8, h = 2^-1 ... 2^-8", "change of e over four decades of k",
-             "rms relative error of e, mass ratios 1/100 ... 100", "closing rate seen from moving frames, change of e",
-             "e_when_clamped", "solver's damping ratio for e = .005 ... 1, relative"}},
+             "rms relative error of e, mass ratios 1/100 ... 100", "closing rate in moving frames, change of e",
+             "e_when_clamped", "solver's damping ratio for e = 0.005 ... 1, relative error"}},
            {"Eq. 23",
-            {"order of e, attractive, velocity_verlet", "order of e, attractive, central_difference",
-             "order of e, clamped, velocity_verlet", "order of e, clamped, central_difference",
-             "order of e, undamped, velocity_verlet"}},
+            {"order of the error of e, attractive, velocity_verlet",
+             "order of the error of e, attractive, central_difference",
+             "order of the error of e, clamped, velocity_verlet",
+             "order of the error of e, clamped, central_difference",
+             "order of the error of e, undamped, velocity_verlet"}},
            {"Eq. 24",
-            {"order of e, attractive, velocity_verlet", "order of e, attractive, central_difference",
-             "order of e, clamped, velocity_verlet", "order of e, clamped, central_difference",
-             "order of e, undamped, velocity_verlet"}},
+            {"order of the error of e, attractive, velocity_verlet",
+             "order of the error of e, attractive, central_difference",
+             "order of the error of e, clamped, velocity_verlet",
+             "order of the error of e, clamped, central_difference",
+             "order of the error of e, undamped, velocity_verlet"}},
            {"B1",
             {"rms error of the undamped contact time, 64 steps", "rms error of the undamped largest overlap, 64 steps",
              "order_undamped", "rms error of e = 1 at 16 steps per contact"}},
            {"B2",
             {"rms relative error of e = 0.5, attractive",
-             "rms error of the contact time over the predicted, farthest of e = 0.9 ... 0.1, attractive",
-             "pull at the end, e = 0.5, attractive, rms error over c e v0", "order of e, attractive, velocity_verlet",
-             "order of e, attractive, central_difference", "order of e, attractive, rk4"}},
+             "rms error of the contact time over the predicted, worst of e = 0.9 ... 0.1, attractive",
+             "pull at the end, e = 0.5, attractive, rms error over c e v0",
+             "order of the error of e, attractive, velocity_verlet",
+             "order of the error of e, attractive, central_difference", "order of the error of e, attractive, rk4"}},
            {"B3",
             {"rms relative error of e = 0.5, clamped",
-             "rms error of the contact time over the predicted, farthest of e = 0.9 ... 0.1, clamped",
-             "largest pull of a clamped contact", "order of e, clamped, velocity_verlet",
-             "order of e, clamped, central_difference", "order of e, clamped, rk4"}},
+             "rms error of the contact time over the predicted, worst of e = 0.9 ... 0.1, clamped",
+             "largest pull of a clamped contact", "order of the error of e, clamped, velocity_verlet",
+             "order of the error of e, clamped, central_difference", "order of the error of e, clamped, rk4"}},
            {"B4",
             {"largest_overlap",
-             "rms error of the identity e = (w d_max/v0)^2 over the predicted, farthest of e = 0.9 ... 0.1, clamped",
-             "solver's largest overlap, relative"}},
+             "rms error of the identity e = (w d_max/v0)^2 over the predicted, worst of e = 0.9 ... 0.1, clamped",
+             "solver's largest overlap, relative error"}},
            {"B5",
-            {"rms relative error of e, mass ratios 1/100 ... 100", "velocity of the common centre of mass",
-             "closing rate seen from moving frames, change of e"}},
+            {"rms relative error of e, mass ratios 1/100 ... 100",
+             "velocity of the common centre of mass, largest error", "closing rate in moving frames, change of e"}},
            {"law.linear_spring_dashpot",
             {"rms_error_of_e", "pull at the end, e = 0.5, attractive, rms error over c e v0",
              "largest pull of a clamped contact", "order_of_e", "order_undamped",
              "rms relative error of e, mass ratios 1/100 ... 100", "rms_error_of_pairs"}},
            {"end_rule.attractive",
-            {"attractive", "rms error of the contact time over the predicted, farthest of e = 0.9 ... 0.1, attractive",
-             "rms error of the largest overlap over the predicted, farthest of e = 0.9 ... 0.1, attractive",
-             "pull at the end, e = 0.5, attractive, rms error over c e v0", "order of e, attractive, velocity_verlet",
-             "order of e, attractive, central_difference", "order of e, attractive, rk4",
-             "largest error of the mean e, e = .05 ... 1, attractive",
-             "advised step at other phases, attractive, bound 0.01",
-             "advised step at other phases, attractive, bound 0.001"}},
+            {"attractive", "rms error of the contact time over the predicted, worst of e = 0.9 ... 0.1, attractive",
+             "rms error of the largest overlap over the predicted, worst of e = 0.9 ... 0.1, attractive",
+             "pull at the end, e = 0.5, attractive, rms error over c e v0",
+             "order of the error of e, attractive, velocity_verlet",
+             "order of the error of e, attractive, central_difference", "order of the error of e, attractive, rk4",
+             "largest error of the mean e, e = 0.05 ... 1, attractive",
+             "largest error of e with the advised step at other phases, attractive, bound 0.01",
+             "largest error of e with the advised step at other phases, attractive, bound 0.001"}},
            {"end_rule.clamped",
-            {"clamped", "rms error of the contact time over the predicted, farthest of e = 0.9 ... 0.1, clamped",
-             "rms error of the largest overlap over the predicted, farthest of e = 0.9 ... 0.1, clamped",
-             "rms error of the identity e = (w d_max/v0)^2 over the predicted, farthest of e = 0.9 ... 0.1, clamped",
-             "largest pull of a clamped contact", "order of e, clamped, velocity_verlet",
-             "order of e, clamped, central_difference", "order of e, clamped, rk4",
-             "largest error of the mean e, e = .05 ... 1, clamped", "e_when_clamped",
-             "advised step at other phases, clamped, bound 0.01",
-             "advised step at other phases, clamped, bound 0.001"}},
+            {"clamped", "rms error of the contact time over the predicted, worst of e = 0.9 ... 0.1, clamped",
+             "rms error of the largest overlap over the predicted, worst of e = 0.9 ... 0.1, clamped",
+             "rms error of the identity e = (w d_max/v0)^2 over the predicted, worst of e = 0.9 ... 0.1, clamped",
+             "largest pull of a clamped contact", "order of the error of e, clamped, velocity_verlet",
+             "order of the error of e, clamped, central_difference", "order of the error of e, clamped, rk4",
+             "largest error of the mean e, e = 0.05 ... 1, clamped", "e_when_clamped",
+             "largest error of e with the advised step at other phases, clamped, bound 0.01",
+             "largest error of e with the advised step at other phases, clamped, bound 0.001"}},
            {"method.resultant",
             {"rms_error_of_e", "rms relative error of e, mass ratios 1/100 ... 100", "rms_error_of_pairs"}},
            {"shape.circle", {"rms relative error of e, mass ratios 1/100 ... 100", "rms_error_of_pairs"}},
@@ -331,24 +340,28 @@ Case definition() {
            {"pair.circle.circle", {"rms relative error of e, mass ratios 1/100 ... 100"}},
            {"pair.circle.rectangle", {"rms_error_of_pairs"}}},
       .main_checks = {"rms relative error of e = 0.5, attractive", "rms relative error of e = 0.5, clamped",
-                      "e of Eq. 21 for 0.5 when clamped, three digits", "order of e, attractive, velocity_verlet",
-                      "order of e, undamped, velocity_verlet"},
+                      "e of Eq. 21 for 0.5 when clamped, three digits",
+                      "order of the error of e, attractive, velocity_verlet",
+                      "order of the error of e, undamped, velocity_verlet"},
       .source = "Mustoe & Huttelmaier 1993, section 3.6, Eqs. 17-21; Schwager & Poeschel 2007",
       .faults = {{"eq_21_halved", "Eq. 21 without its factor 2", "rms relative error of e = 0.5, attractive"},
                  {"never_pulls", "the attractive contact is clamped",
                   "pull at the end, e = 0.5, attractive, rms error over c e v0"},
                  {"pulls", "the clamped contact is attractive", "largest pull of a clamped contact"},
-                 {"eq_21_under_clamping", "the clamped contact gets the damping of Eq. 21",
+                 {"eq_21_under_clamping", "the clamped contact uses the damping of Eq. 21",
                   "rms relative error of e = 0.5, clamped"},
-                 {"commensurate_step", "the step divides the contact time", "order of e, undamped, velocity_verlet"},
+                 {"commensurate_step", "the contact time is a multiple of the step",
+                  "order of the error of e, undamped, velocity_verlet"},
                  {"dashpot_without_stiffness", "the dashpot does not grow with the square root of the stiffness",
                   "change of e, k = 4^1 ... 4^8, h = 2^-1 ... 2^-8"},
-                 {"masses_added", "effective mass: the sum of the masses",
+                 {"masses_added", "the effective mass is the sum of the masses",
                   "rms relative error of e, mass ratios 1/100 ... 100"},
-                 {"closing_rate_with_plus", "the dashpot takes the sum of the velocities, as Eq. 20 is printed",
-                  "closing rate seen from moving frames, change of e"},
-                 {"arm_forgotten", "off-centre impact with the two masses", "rms relative error of e, off centre"},
-                 {"pin_forgotten", "pivoted impact with the two masses", "rms relative error of e, pivoted"}},
+                 {"closing_rate_with_plus", "the dashpot uses the sum of the velocities, as printed in Eq. 20",
+                  "closing rate in moving frames, change of e"},
+                 {"arm_forgotten", "the effective mass of the off-centre impact is that of the two masses alone",
+                  "rms relative error of e, off centre"},
+                 {"pin_forgotten", "the effective mass of the pivoted impact is that of the two masses alone",
+                  "rms relative error of e, pivoted"}},
       .seconds = 3.0,
       .run = run};
 }

@@ -141,7 +141,7 @@ std::vector<Impact> impacts() {
   const auto joined = [](std::string_view first, std::string_view start, std::string_view second) {
     return fmt::format("{}{}{}", first, start, second);
   };
-  const char* of_method = "a linear oscillator, by a method of tolerance 1e-12";
+  const char* of_method = "a linear oscillator, integrated with a tolerance of 1e-12";
   const std::string_view down = "position = [\"0 m\", \"0.2 m\"]\nvelocity = [\"0 m/s\", \"-2 m/s\"]";
   return {
       {"central", joined(disc, down, ground), 0.3, 1, height_speed, 3e-12, of_method},
@@ -234,8 +234,8 @@ void run(Findings& findings, const Setup& setup) {
                 .x = {.label = "stiffness", .unit = "N/m", .log = true},
                 .y = {.label = "error of e", .log = true}};
   Table table{"values",
-              "Restitution at $k = 1.024 \\cdot 10^8$ N/m, each impact by itself; 0.6 was requested.",
-              {"scene", "first", "second", "third", "largest error"},
+              "Restitution at $k = 1.024 \\cdot 10^8$ N/m for each impact; 0.6 was requested.",
+              {"scene", "first impact", "second impact", "third impact", "largest error"},
               {}};
   for (const Impact& impact : impacts()) {
     const std::string_view name = impact.name;
@@ -262,12 +262,12 @@ void run(Findings& findings, const Setup& setup) {
           exact ? Tolerance::truncation(impact.bound, 1.0, impact.why)
                 : Tolerance::truncation(
                       0.5 * std::abs(before[i] - wanted) + 1e-9, 1.2,
-                      "what changes during the contact is proportional to its time, which is half of that at a quarter "
-                      "of the stiffness; a fifth for the terms of higher order"));
+                      "the changes during contact are proportional to the contact time, which is half of that at a "
+                      "quarter of the stiffness; a fifth for the terms of higher order"));
     }
     if (!exact && !setup.coarse) {
-      findings.expect_order(fmt::format("order in 1/sqrt(k), {}", name), errors, 0.9, 1.1,
-                            "pose and speed change during the contact in proportion to its time");
+      findings.expect_order(fmt::format("order of the error in 1/sqrt(k), {}", name), errors, 0.9, 1.1,
+                            "pose and speed change during contact in proportion to the contact time");
     }
     std::vector<std::string> row{impact.name};
     for (const double e : last)
@@ -283,21 +283,22 @@ void run(Findings& findings, const Setup& setup) {
 }  // namespace
 
 Case definition() {
-  return {.id = "restitution_at_impact",
-          .title = "Restitution at every impact",
-          .family = "B: normal contact",
-          .requirements = {{"law.linear_spring_dashpot", {"restitution, central", "restitution, corner"}},
-                           {"Eq. 17", {"restitution, pinned bob, another pose"}},
-                           {"pair.rectangle.half_plane", {"restitution, flat side", "restitution, corner"}},
-                           {"integrator.stormer_cowell", {"restitution, central"}}},
-          .main_checks = {"restitution, pinned bob, another pose", "restitution, corner",
-                          "restitution, tumbling ellipse, three impacts, number 3"},
-          .source = "Goldsmith, W. (1960): Impact. Edward Arnold, London, chapter 2",
-          .faults = {{"mass_of_the_start", "a dashpot by the effective mass of the start's pose",
-                      "restitution, tumbling ellipse, three impacts, number 2"},
-                     {"mass_of_particles", "a dashpot by the mass of the bodies as particles", "restitution, corner"},
-                     {"ends_apart", "a dashpot for half of the effective mass", "restitution, flat side"}},
-          .run = run};
+  return {
+      .id = "restitution_at_impact",
+      .title = "Restitution at every impact",
+      .family = "B: normal contact",
+      .requirements = {{"law.linear_spring_dashpot", {"restitution, central", "restitution, corner"}},
+                       {"Eq. 17", {"restitution, pinned bob, another pose"}},
+                       {"pair.rectangle.half_plane", {"restitution, flat side", "restitution, corner"}},
+                       {"integrator.stormer_cowell", {"restitution, central"}}},
+      .main_checks = {"restitution, pinned bob, another pose", "restitution, corner",
+                      "restitution, tumbling ellipse, three impacts, number 3"},
+      .source = "Goldsmith, W. (1960): Impact. Edward Arnold, London, chapter 2",
+      .faults = {{"mass_of_the_start", "a dashpot from the effective mass of the initial pose",
+                  "restitution, tumbling ellipse, three impacts, number 2"},
+                 {"mass_of_particles", "a dashpot from the masses of the bodies as particles", "restitution, corner"},
+                 {"ends_apart", "a damping ratio too large by sqrt(2)", "restitution, flat side"}},
+      .run = run};
 }
 
 }  // namespace talus::verification::problems::restitution_at_impact

@@ -74,10 +74,11 @@ void check_mirror(Findings& findings, const Setup& setup) {
         }
       }
       findings.in("mirror")->expect(
-          fmt::format("difference of left and right, {}, {}", name_of(target), name_of(method)), differing, 0.0,
+          fmt::format("difference between mirror-image falls, {}, {}", name_of(target), name_of(method)), differing,
+          0.0,
           Tolerance::round_off(4.0 * std::sqrt(300.0) * 0x1p-53,
-                               "corners and nodes summed in the order of their list round differently in each of some "
-                               "300 steps in contact"),
+                               "corners and nodes are summed in the order of their list, which rounds mirror images "
+                               "differently in each of about 300 steps in contact"),
           "m, m/s");
     }
   }
@@ -92,7 +93,7 @@ void check_even(Findings& findings, const Setup& setup) {
       findings.in("flat_falls")
           ->expect(fmt::format("spin of a square that fell flat, {}, {}", name_of(target), name_of(method)),
                    std::abs(end.v[2]) + std::abs(end.v[0]), 0.0,
-                   Tolerance::exact("both halves have the same digits, and their moments cancel"), "rad/s");
+                   Tolerance::exact("both halves have identical numbers, so that their moments cancel"), "rad/s");
     }
   }
 }
@@ -101,10 +102,11 @@ void check_even(Findings& findings, const Setup& setup) {
 void check_offsets(Findings& findings, const Setup& setup) {
   const double corner = 0.25 * std::numbers::pi;
   Figure figure{.name = "offsets",
-                .title = "Spin after a fall, nearly even",
+                .title = "Spin after a nearly symmetric fall",
                 .caption =
-                    "Spin of the square after its fall on a plane against its tilt from even. On the corner it tends "
-                    "to zero with the tilt, and so it does on the edge, where the side rests on both ends.",
+                    "Spin of the square after its fall on a plane against its tilt from the symmetric position. It "
+                    "tends to zero with the tilt both on the corner and on the edge, where the side is supported at "
+                    "both ends.",
                 .x = {.label = "tilt", .unit = "rad", .log = true},
                 .y = {.label = "spin", .unit = "rad/s", .log = true}};
   struct Fall {
@@ -128,8 +130,8 @@ void check_offsets(Findings& findings, const Setup& setup) {
     for (std::size_t i = 1; i < 9; ++i)
       spins.add(series.x[i], series.y[i]);
     const auto group = findings.in("plane"), claim = findings.in(claim_of(one.method));
-    findings.in("tilts")->expect_order(fmt::format("spin against tilt, {}", one.name), spins, 0.999, 1.0005,
-                                       "proportional");
+    findings.in("tilts")->expect_order(fmt::format("order of the spin in the tilt, {}", one.name), spins, 0.999, 1.0005,
+                                       "the spin is proportional to the tilt");
   }
   findings.figure(figure);
 }
@@ -143,25 +145,26 @@ void run(Findings& findings, const Setup& setup) {
 }  // namespace
 
 Case definition() {
-  return {.id = "dropped_square",
-          .title = "Square dropped on edge and corner",
-          .requirements = {{"E7", {"mirror", "flat_falls", "tilts"}},
-                           {"shape.rectangle", {"mirror"}},
-                           {"shape.half_plane", {"plane"}},
-                           {"Eq. 18", {"mirror"}},
-                           {"pair.rectangle.half_plane", {"plane"}},
-                           {"pair.rectangle.rectangle", {"block"}}},
-          .main_checks = {"difference of left and right, plane, resultant",
-                          "spin of a square that fell flat, block, resultant",
-                          "spin against tilt, on a corner, resultant", "spin against tilt, on the edge, resultant"},
-          .source = "Housner 1963",
-          .faults = {{"wider_to_the_left", "a block of another width when the square leans left",
-                      "difference of left and right, block, resultant"},
-                     {"one_point", "a side that touches at one point, the deeper of its ends",
-                      "spin against tilt, on the edge, resultant"},
-                     {"a_little_spin", "a spin of 1e-13 at the start",
-                      "spin of a square that fell flat, plane, resultant"}},
-          .run = run};
+  return {
+      .id = "dropped_square",
+      .title = "Square dropped on edge and corner",
+      .requirements = {{"E7", {"mirror", "flat_falls", "tilts"}},
+                       {"shape.rectangle", {"mirror"}},
+                       {"shape.half_plane", {"plane"}},
+                       {"Eq. 18", {"mirror"}},
+                       {"pair.rectangle.half_plane", {"plane"}},
+                       {"pair.rectangle.rectangle", {"block"}}},
+      .main_checks = {"difference between mirror-image falls, plane, resultant",
+                      "spin of a square that fell flat, block, resultant",
+                      "order of the spin in the tilt, on a corner, resultant",
+                      "order of the spin in the tilt, on the edge, resultant"},
+      .source = "Housner 1963",
+      .faults = {{"wider_to_the_left", "a block of another width when the square is tilted to the left",
+                  "difference between mirror-image falls, block, resultant"},
+                 {"one_point", "a side in contact at one point only, its deeper end",
+                  "order of the spin in the tilt, on the edge, resultant"},
+                 {"a_little_spin", "an initial spin of 1e-13", "spin of a square that fell flat, plane, resultant"}},
+      .run = run};
 }
 
 }  // namespace talus::verification::problems::dropped_square

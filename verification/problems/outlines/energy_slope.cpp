@@ -129,13 +129,13 @@ std::vector<TouchingPair> sliding_pairs() {
 void check_loops(Findings& findings, const Setup& setup) {
   Table table{.name = "loops",
               .caption =
-                  "A square led round another's corner and back, no friction, no dashpot: work of the contact over the "
-                  "largest energy stored on the way.",
-              .columns = {"outlines and rule", "work/energy", "with half the steps"}};
+                  "A square moved round the corner of another one and back, without friction and dashpot: work of the "
+                  "contact force over the largest stored energy.",
+              .columns = {"outlines and rule", "work/energy", "with half as many steps"}};
   Figure figure{.name = "loop",
-                .title = "Round the corner",
-                .caption = "Energy stored on the way round the corner by each rule.",
-                .x = {.label = "place on the loop", .unit = "degrees"},
+                .title = "Stored energy on a path round a corner",
+                .caption = "Energy stored in the contact on the path round the corner, for each rule.",
+                .x = {.label = "position on the path", .unit = "degrees"},
                 .y = {.label = "energy", .unit = "J"}};
   double worst = 0.0;
   const double moments = setup.has("moments_halved") ? 0.5 : 1.0;
@@ -151,10 +151,10 @@ void check_loops(Findings& findings, const Setup& setup) {
     const double depth = std::sqrt(2.0 * loop.energy / stiffness);
     if (has_potential(pair)) worst = std::max(worst, std::abs(loop.work / loop.energy) / (2.0 * step / depth));
   }
-  findings.expect("work of a closed path round a corner, over steps of its force, farthest of three", worst, 0.0,
+  findings.expect("work on a closed path round a corner, over force times step: largest of all outlines", worst, 0.0,
                   Tolerance::truncation(2.0, 1.0,
-                                        "trapezia are off by up to half a step of the jump of the force at each of "
-                                        "the kinks of the way, some four, of either sign"));
+                                        "the trapezoidal rule errs by up to half a step times the jump of the force at "
+                                        "each kink of the path; about four kinks, of either sign"));
   if (setup.coarse) return;
   findings.table(table);
   findings.figure(figure);
@@ -163,9 +163,10 @@ void check_loops(Findings& findings, const Setup& setup) {
 void check_slopes(Findings& findings, const Setup& setup) {
   Table table{.name = "slopes",
               .caption =
-                  "Forces against the slope of the energy: places tried where outlines overlap, places where they "
-                  "differ by more than a millionth, and the largest difference over the largest force.",
-              .columns = {"outlines and rule", "places", "differ", "largest"}};
+                  "Forces compared with the gradient of the stored energy: positions tested at which the outlines "
+                  "overlap, positions at which the two differ by more than 1e-6, and the largest difference over the "
+                  "largest force.",
+              .columns = {"outlines and rule", "positions", "differ", "largest"}};
   double of_resultants = 0.0, of_nodes = 0.0, smoother = 0.0, rays = 0.0;
   for (const TouchingPair& pair : pairs()) {
     if (setup.coarse && std::holds_alternative<Superquadric>(pair.b)) continue;
@@ -183,19 +184,19 @@ void check_slopes(Findings& findings, const Setup& setup) {
                         fmt::format("{}", cable.mismatched), fmt::format("{:.1e}", cable.largest)});
   const auto bound = [](double measured) {
     return Tolerance::truncation(measured, 3.0,
-                                 "measured: delta^2/6 times the third slope at the sharpest corners of the places "
-                                 "tried; the rounding u V/delta is below a tenth of it");
+                                 "measured: delta^2/6 times the third derivative at the sharpest corners of the "
+                                 "positions tested; the rounding error u V/delta is less than a tenth of it");
   };
-  findings.in("slope")->expect("force against the slope of the energy, resultants, farthest", of_resultants, 0.0,
+  findings.in("slope")->expect("force against the energy gradient, resultants: largest error", of_resultants, 0.0,
                                bound(3e-8));
   findings.in("slope_by_nodes")
-      ->expect("force against the slope of the energy, nodes, farthest", of_nodes, 0.0, bound(3e-8));
-  findings.expect("force against the slope of the energy, cable, farthest", cable.largest, 0.0, bound(7e-10));
+      ->expect("force against the energy gradient, nodes: largest error", of_nodes, 0.0, bound(3e-8));
+  findings.expect("force against the energy gradient, cable: largest error", cable.largest, 0.0, bound(7e-10));
   if (setup.coarse) return;
-  findings.expect_between("share of places where the rule of the smoother outline has no potential", smoother, 0.1, 0.5,
-                          "those where a node's normal is used: known of the rule, and measured");
-  findings.expect("share of places where the rule of rays from the centre has no potential", rays, 1.0,
-                  Tolerance::exact("everywhere but on the axes: known of the rule of 1993"));
+  findings.expect_between("fraction of positions without a potential, rule of the smoother outline", smoother, 0.1, 0.5,
+                          "positions at which a node's normal is used: a known property of the rule, and measured");
+  findings.expect("fraction of positions without a potential, centroid-ray rule", rays, 1.0,
+                  Tolerance::exact("all positions except on the axes: a known property of the 1993 rule"));
   findings.table(table);
 }
 
@@ -210,42 +211,42 @@ Case definition() {
   return {
       .id = "energy_slope",
       .title = "Contact force as gradient of the stored energy",
-      .requirements = {{"E6",
-                        {"slope", "slope_by_nodes", "force against the slope of the energy, cable, farthest",
-                         "share of places where the rule of the smoother outline has no potential",
-                         "share of places where the rule of rays from the centre has no potential"}},
-                       {"E8", {"work of a closed path round a corner, over steps of its force, farthest of three"}},
-                       {"law.linear_spring_dashpot", {"slope"}},
-                       {"law.tension_only", {"force against the slope of the energy, cable, farthest"}},
-                       {"method.resultant",
-                        {"slope", "work of a closed path round a corner, over steps of its force, farthest of three"}},
-                       {"method.nodes",
-                        {"slope_by_nodes",
-                         "work of a closed path round a corner, over steps of its force, farthest of three"}},
-                       {"shape.circle", {"slope"}},
-                       {"shape.rectangle",
-                        {"slope", "work of a closed path round a corner, over steps of its force, farthest of three"}},
-                       {"shape.superquadric", {"slope", "slope_by_nodes"}},
-                       {"shape.half_plane", {"slope"}},
-                       {"shape.terrain", {"slope"}},
-                       {"pair.circle.circle", {"slope"}},
-                       {"pair.circle.superquadric", {"slope"}},
-                       {"pair.circle.half_plane", {"slope"}},
-                       {"pair.circle.terrain", {"slope"}},
-                       {"pair.rectangle.half_plane", {"slope"}},
-                       {"pair.superquadric.half_plane", {"slope"}},
-                       {"pair.circle.rectangle", {"slope", "slope_by_nodes"}},
-                       {"pair.rectangle.rectangle", {"slope", "slope_by_nodes"}},
-                       {"pair.superquadric.superquadric", {"slope_by_nodes"}},
-                       {"pair.superquadric.terrain", {"slope_by_nodes"}}},
-      .main_checks = {"force against the slope of the energy, resultants, farthest",
-                      "force against the slope of the energy, nodes, farthest",
-                      "work of a closed path round a corner, over steps of its force, farthest of three"},
+      .requirements =
+          {{"E6",
+            {"slope", "slope_by_nodes", "force against the energy gradient, cable: largest error",
+             "fraction of positions without a potential, rule of the smoother outline",
+             "fraction of positions without a potential, centroid-ray rule"}},
+           {"E8", {"work on a closed path round a corner, over force times step: largest of all outlines"}},
+           {"law.linear_spring_dashpot", {"slope"}},
+           {"law.tension_only", {"force against the energy gradient, cable: largest error"}},
+           {"method.resultant",
+            {"slope", "work on a closed path round a corner, over force times step: largest of all outlines"}},
+           {"method.nodes",
+            {"slope_by_nodes", "work on a closed path round a corner, over force times step: largest of all outlines"}},
+           {"shape.circle", {"slope"}},
+           {"shape.rectangle",
+            {"slope", "work on a closed path round a corner, over force times step: largest of all outlines"}},
+           {"shape.superquadric", {"slope", "slope_by_nodes"}},
+           {"shape.half_plane", {"slope"}},
+           {"shape.terrain", {"slope"}},
+           {"pair.circle.circle", {"slope"}},
+           {"pair.circle.superquadric", {"slope"}},
+           {"pair.circle.half_plane", {"slope"}},
+           {"pair.circle.terrain", {"slope"}},
+           {"pair.rectangle.half_plane", {"slope"}},
+           {"pair.superquadric.half_plane", {"slope"}},
+           {"pair.circle.rectangle", {"slope", "slope_by_nodes"}},
+           {"pair.rectangle.rectangle", {"slope", "slope_by_nodes"}},
+           {"pair.superquadric.superquadric", {"slope_by_nodes"}},
+           {"pair.superquadric.terrain", {"slope_by_nodes"}}},
+      .main_checks = {"force against the energy gradient, resultants: largest error",
+                      "force against the energy gradient, nodes: largest error",
+                      "work on a closed path round a corner, over force times step: largest of all outlines"},
       .source = "Feng & Owen 2004",
-      .faults = {{"moments_halved", "half the moment acts",
-                  "work of a closed path round a corner, over steps of its force, farthest of three"},
-                 {"energy_off", "the stored energy a thousandth too large",
-                  "force against the slope of the energy, nodes, farthest"}},
+      .faults = {{"moments_halved", "half of the moment applied",
+                  "work on a closed path round a corner, over force times step: largest of all outlines"},
+                 {"energy_off", "a stored energy 0.1 % too large",
+                  "force against the energy gradient, nodes: largest error"}},
       .run = run};
 }
 

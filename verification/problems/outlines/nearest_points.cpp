@@ -120,10 +120,10 @@ void check_straight_outlines(Findings& findings, const Setup& setup) {
             std::abs(p.x) < a && std::abs(p.y) < b);
     compare(depth_below(Terrain{line}, p), line, p, p.y < height(p.x));
   }
-  const char* const words = "a dozen roundings of lengths up to 20, as far as the ends of the ground are";
-  findings.expect("overlaps of points about a rectangle and uneven ground, worst", depths, 0.0,
+  const char* const words = "a dozen roundings of lengths up to 20, the distance of the ends of the ground";
+  findings.expect("overlap of points with a rectangle and with uneven ground: largest error", depths, 0.0,
                   Tolerance::round_off(2e-14, words));
-  findings.expect("points led to these outlines by overlap and normal, farthest", feet, 0.0,
+  findings.expect("points moved by overlap and normal: largest distance from these outlines", feet, 0.0,
                   Tolerance::round_off(2e-14, words));
 }
 
@@ -146,8 +146,8 @@ void check_rays(Findings& findings) {
       keep_worst(worst, depth_below(CentroidRays{shape}, p).depth - (low - 1.0) * norm(p));
     }
   }
-  findings.expect("overlap along the ray from the centre from that by halving, worst", worst, 0.0,
-                  Tolerance::round_off(1e-14, "a power and its root, of the ray's length of 1; some ten roundings"));
+  findings.expect("overlap along the ray from the centre: largest difference from bisection", worst, 0.0,
+                  Tolerance::round_off(1e-14, "a power and its root, for a ray of length 1; about ten roundings"));
 }
 
 void run(Findings& findings, const Setup& setup) {
@@ -156,8 +156,9 @@ void run(Findings& findings, const Setup& setup) {
   if (!setup.needs("nearest point")) return;
   Table table{.name = "map",
               .caption =
-                  "Points tried (of all four b), those for which the solver's nearest point is not the nearest, and "
-                  "the share for which Newton's method fails from the middle of the side, the corner, and below.",
+                  "Points tested (all four b), points for which the solver's search does not find the nearest point, "
+                  "and percentage for which Newton's method fails from the middle of the side, from the corner, and "
+                  "from below the point.",
               .columns = {"n", "points", "wrong", "Newton: side", "corner", "below"}};
   std::array<Series, 3> lines{Series{"Newton from the side", {}, {}, Style::linespoints},
                               Series{"from the corner", {}, {}, Style::linespoints},
@@ -190,23 +191,23 @@ void run(Findings& findings, const Setup& setup) {
   }
   for (std::size_t kind = 0; kind < kinds.size(); ++kind) {
     findings.in("nearest_points")
-        ->expect(fmt::format("points whose nearest point is not the nearest, {}", kinds[kind]), wrong[kind], 0.0,
-                 Tolerance::exact("brackets are not lost, and no piece holds two"));
+        ->expect(fmt::format("points for which the nearest point is not found, {}", kinds[kind]), wrong[kind], 0.0,
+                 Tolerance::exact("a bracket is never lost, and no interval contains two minima"));
     findings.in("distances")
-        ->expect(fmt::format("distance from the nearest point, farthest from brute force, {}", kinds[kind]),
+        ->expect(fmt::format("distance from the nearest point: largest error against brute force, {}", kinds[kind]),
                  farthest[kind], 0.0,
                  Tolerance::round_off(1e-14,
-                                      "a dozen roundings of lengths up to 3: sqrt(12) x 3 x 1.1e-16, three times "
-                                      "that for the worst of 1600, and as much for n < 2, where a place beside "
-                                      "an axis is the power 1/n of a small number"));
+                                      "a dozen roundings of lengths up to 3: sqrt(12) x 3 x 1.1e-16, three times that "
+                                      "for the worst of 1600 points, and as much again for n < 2, where a coordinate "
+                                      "beside an axis is the power 1/n of a small number"));
   }
   if (setup.coarse) return;
   findings.table(table);
   findings.figure({.name = "failures",
-                   .title = "Searches that fail",
-                   .caption = "Share of points for which the place found is not the nearest.",
+                   .title = "Failed searches",
+                   .caption = "Fraction of points for which the nearest point is not found.",
                    .x = {.label = "exponent n", .log = true},
-                   .y = {.label = "share", .min = 0.0, .max = 1.0},
+                   .y = {.label = "fraction", .min = 0.0, .max = 1.0},
                    .series = {lines[0], lines[1], lines[2], solver}});
 }
 
@@ -218,17 +219,17 @@ Case definition() {
           .requirements = {{"E2", {"nearest_points", "distances"}},
                            {"shape.superquadric", {"nearest_points", "distances"}},
                            {"method.nodes",
-                            {"points whose nearest point is not the nearest, inside a corner",
-                             "distance from the nearest point, farthest from brute force, inside a corner"}}},
-          .main_checks = {"points whose nearest point is not the nearest, inside a corner",
-                          "distance from the nearest point, farthest from brute force, inside a corner"},
+                            {"points for which the nearest point is not found, inside a corner",
+                             "distance from the nearest point: largest error against brute force, inside a corner"}}},
+          .main_checks = {"points for which the nearest point is not found, inside a corner",
+                          "distance from the nearest point: largest error against brute force, inside a corner"},
           .source = "Barr 1981; Alefeld, Potra & Shi 1995, ACM Trans. Math. Softw. 21:327",
           .faults = {{"newton_for_brackets", "Newton's method from the middle of a side",
-                      "points whose nearest point is not the nearest, inside a corner"},
+                      "points for which the nearest point is not found, inside a corner"},
                      {"wider_box", "a rectangle wider by 2e-9",
-                      "overlaps of points about a rectangle and uneven ground, worst"},
-                     {"exponent_off", "an exponent .1 % too large",
-                      "distance from the nearest point, farthest from brute force, inside a corner"}},
+                      "overlap of points with a rectangle and with uneven ground: largest error"},
+                     {"exponent_off", "an exponent 0.1 % too large",
+                      "distance from the nearest point: largest error against brute force, inside a corner"}},
           .run = run};
 }
 

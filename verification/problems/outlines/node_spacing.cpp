@@ -69,11 +69,11 @@ Rolled roll(int nodes, double overlap, ContactMethod method, const Setup& setup)
 void check_rolling(Findings& findings, const Setup& setup) {
   Convergence ripples;
   Figure figure{.name = "force",
-                .title = "Force on a rolling disc of nodes",
+                .title = "Contact force of a rolling disc of nodes",
                 .caption =
-                    "Over that of the circle, as the disc turns from node to node; held at an overlap of three times "
-                    "the ripple, or of a fiftieth of the radius.",
-                .x = {.label = "turned by, in nodes"},
+                    "Force relative to that of the circle while the disc turns from node to node, at a constant "
+                    "overlap of three times the ripple or a fiftieth of the radius.",
+                .x = {.label = "rotation in node spacings"},
                 .y = {.label = "force over k d"}};
   double farthest = 0.0, ratio = 0.0;
   for (const double count : doublings(8.0, 6)) {
@@ -90,15 +90,15 @@ void check_rolling(Findings& findings, const Setup& setup) {
     figure.series.push_back({"64 nodes, d = r/50", deep.turned, deep.force, Style::lines});
   }
   const std::string rounding = "a dozen roundings of lengths up to r";
-  findings.expect("ripple of the overlap less r (1 - cos(pi/M)), over r, farthest of 8 to 256 nodes", ratio, 0.0,
+  findings.expect("ripple of the overlap against r (1 - cos(pi/M)), over r: largest error, 8 to 256 nodes", ratio, 0.0,
                   Tolerance::round_off(12.0 * 0x1p-53, rounding));
-  findings.expect("force less the sum over the nodes, farthest", farthest, 0.0,
-                  Tolerance::round_off(36.0 * 0x1p-53 * radius * stiffness, rounding + ", of three nodes"), "N");
+  findings.expect("force against the sum over the nodes: largest error", farthest, 0.0,
+                  Tolerance::round_off(36.0 * 0x1p-53 * radius * stiffness, rounding + ", for three nodes"), "N");
   findings.expect_order("order of the ripple in 1/nodes", ripples.last(4), 1.999, 2.0005,
-                        "the square; the next order is pi^2/(12 M^2) of it, 1e-3 at 32 nodes");
+                        "second order; the next order is pi^2/(12 M^2) of it, 1e-3 at 32 nodes");
   const Rolled whole = roll(16, 0.01, ContactMethod::resultant, setup);
   findings.expect("ripple of one resultant", whole.deepest - whole.shallowest, 0.0,
-                  Tolerance::exact("nothing of the disc's angle enters"), "m");
+                  Tolerance::exact("the disc's angle does not enter"), "m");
   if (!setup.coarse) findings.figure(figure);
 }
 
@@ -135,15 +135,16 @@ void check_deepest(Findings& findings) {
     }
     keep_worst(worst, dynamics.contact_depth(work, ContactId{0}) - deepest);
   }
-  findings.expect("largest overlap of 100 nodes with a plank, worst of 100 turns", worst, 0.0,
+  findings.expect("largest overlap of 100 nodes with a plank: largest error over 100 rotations", worst, 0.0,
                   Tolerance::round_off(12.0 * 0x1p-53, "a dozen roundings of lengths of about 1"), "m");
 }
 
 void check_curvature(Findings& findings, const Setup& setup) {
   Table table{.name = "corners",
               .caption =
-                  "Curvature at 45 degrees for a = b = 1, and how many nodes of 1993's kind (even in the parametric "
-                  "angle) it takes for the chord beside the corner to miss less than a hundredth of its radius.",
+                  "Curvature at 45 degrees for a = b = 1, and number of nodes as in 1993 (evenly spaced in the "
+                  "parametric angle) for which the chord beside the corner deviates from it by less than a hundredth "
+                  "of the corner's radius.",
               .columns = {"n", "curvature", "radius", "nodes"}};
   double farthest = 0.0;
   for (const double n : {2.0, 3.0, 4.0, 8.0, 12.0, 20.0, 50.0}) {
@@ -164,8 +165,9 @@ void check_curvature(Findings& findings, const Setup& setup) {
     table.rows.push_back({fmt::format("{:g}", n), fmt::format("{:.4f}", exact), fmt::format("{:.4f}", 1.0 / exact),
                           fmt::format("{}", nodes)});
   }
-  findings.expect("curvature at the corner over its formula, farthest of n = 2 to 50, over n", farthest, 0.0,
-                  Tolerance::round_off(4.0 * 0x1p-53, "powers enlarge the rounding of x by n; a few of them"));
+  findings.expect(
+      "curvature at the corner against its formula, over n: largest relative error, n = 2 to 50", farthest, 0.0,
+      Tolerance::round_off(4.0 * 0x1p-53, "powers amplify the rounding of x by a factor of n; a few such roundings"));
   // Away from the diagonal of an outline with unequal axes: compared with the turn of the outward normal along it.
   double turned = 0.0;
   for (const double n : {2.0, 3.0, 8.0}) {
@@ -178,10 +180,10 @@ void check_curvature(Findings& findings, const Setup& setup) {
           std::max(turned, std::abs(curvature(shape, boundary_point(shape, t)) * norm(after - before) / turn - 1.0));
     }
   }
-  findings.expect("curvature of unequal axes over the turn of the normal, farthest", turned, 0.0,
+  findings.expect("curvature with unequal axes against the rotation of the normal: largest relative error", turned, 0.0,
                   Tolerance::truncation(1e-8, 3.0,
-                                        "h^2 = 1e-10 times the square of the change of the curvature along "
-                                        "the outline, up to 10, and 1e-16 over the turn of 1e-5"));
+                                        "h^2 = 1e-10 times the square of the change of the curvature along the "
+                                        "outline, up to 10, plus 1e-16 over the rotation of 1e-5"));
   if (!setup.coarse) findings.table(table);
 }
 
@@ -194,32 +196,34 @@ void run(Findings& findings, const Setup& setup) {
 }  // namespace
 
 Case definition() {
-  return {.id = "node_spacing",
-          .title = "Boundary nodes: spacing and sharp corners",
-          .requirements = {{"E4",
-                            {"ripple of the overlap less r (1 - cos(pi/M)), over r, farthest of 8 to 256 nodes",
-                             "force less the sum over the nodes, farthest", "order of the ripple in 1/nodes",
-                             "ripple of one resultant"}},
-                           {"E5", {"curvature at the corner over its formula, farthest of n = 2 to 50, over n"}},
-                           {"method.nodes",
-                            {"ripple of the overlap less r (1 - cos(pi/M)), over r, farthest of 8 to 256 nodes",
-                             "force less the sum over the nodes, farthest"}},
-                           {"method.resultant", {"ripple of one resultant"}},
-                           {"shape.circle",
-                            {"ripple of the overlap less r (1 - cos(pi/M)), over r, farthest of 8 to 256 nodes",
-                             "order of the ripple in 1/nodes", "ripple of one resultant"}},
-                           {"shape.superquadric",
-                            {"curvature at the corner over its formula, farthest of n = 2 to 50, over n"}}},
-          .main_checks = {"ripple of the overlap less r (1 - cos(pi/M)), over r, farthest of 8 to 256 nodes",
-                          "order of the ripple in 1/nodes",
-                          "curvature at the corner over its formula, farthest of n = 2 to 50, over n"},
-          .source = "Mustoe & Huttelmaier 1993, section 3.5",
-          .faults = {{"a_node_left_out", "one node too few", "force less the sum over the nodes, farthest"},
-                     {"radius_off", "a radius .1 % too large",
-                      "ripple of the overlap less r (1 - cos(pi/M)), over r, farthest of 8 to 256 nodes"},
-                     {"exponent_off", "an exponent .01 % too large",
-                      "curvature at the corner over its formula, farthest of n = 2 to 50, over n"}},
-          .run = run};
+  return {
+      .id = "node_spacing",
+      .title = "Boundary nodes: spacing and sharp corners",
+      .requirements = {{"E4",
+                        {"ripple of the overlap against r (1 - cos(pi/M)), over r: largest error, 8 to 256 nodes",
+                         "force against the sum over the nodes: largest error", "order of the ripple in 1/nodes",
+                         "ripple of one resultant"}},
+                       {"E5",
+                        {"curvature at the corner against its formula, over n: largest relative error, n = 2 to 50"}},
+                       {"method.nodes",
+                        {"ripple of the overlap against r (1 - cos(pi/M)), over r: largest error, 8 to 256 nodes",
+                         "force against the sum over the nodes: largest error"}},
+                       {"method.resultant", {"ripple of one resultant"}},
+                       {"shape.circle",
+                        {"ripple of the overlap against r (1 - cos(pi/M)), over r: largest error, 8 to 256 nodes",
+                         "order of the ripple in 1/nodes", "ripple of one resultant"}},
+                       {"shape.superquadric",
+                        {"curvature at the corner against its formula, over n: largest relative error, n = 2 to 50"}}},
+      .main_checks = {"ripple of the overlap against r (1 - cos(pi/M)), over r: largest error, 8 to 256 nodes",
+                      "order of the ripple in 1/nodes",
+                      "curvature at the corner against its formula, over n: largest relative error, n = 2 to 50"},
+      .source = "Mustoe & Huttelmaier 1993, section 3.5",
+      .faults = {{"a_node_left_out", "one node too few", "force against the sum over the nodes: largest error"},
+                 {"radius_off", "a radius 0.1 % too large",
+                  "ripple of the overlap against r (1 - cos(pi/M)), over r: largest error, 8 to 256 nodes"},
+                 {"exponent_off", "an exponent 0.01 % too large",
+                  "curvature at the corner against its formula, over n: largest relative error, n = 2 to 50"}},
+      .run = run};
 }
 
 }  // namespace talus::verification::problems::node_spacing

@@ -77,7 +77,9 @@ double energy_ratio(const reference::RockingBlock& block, double tilt, const Roc
 Figure rocking_figure(const Rocked& one, const Rocked& other) {
   return {.name = "rocking",
           .title = "Rocking from corner to corner",
-          .caption = "Tilt of a slender (b/h = .2) and a wide block (.5), released at half the angle of balance.",
+          .caption =
+              "Tilt of a slender (b/h = 0.2) and a wide block (0.5), released at half the critical angle, at which the "
+              "block balances on a corner.",
           .x = {.label = "time", .unit = "s"},
           .y = {.label = "angle", .unit = "rad"},
           .series = {{"slender", one.time, one.angle, Style::lines}, {"wide", other.time, other.angle, Style::lines}}};
@@ -89,14 +91,14 @@ void check_slender(Findings& findings, const Setup& setup, double stiffness, Tab
   const double rate = std::sqrt(2.0 * tilt_energy(slender, tilt) * 0.75) / std::hypot(0.2, 1.0);
   const double late = gravity / stiffness / (2.0 * slender.half_width * rate);
   findings.expect(
-      fmt::format("time of a fall over the rigid block's, k = {:g}", stiffness), rocked.first / exact, 1.0,
-      Tolerance::model(late / exact, "the corner's overlap, at the speed at which the other one comes down"));
+      fmt::format("time of a fall over that of the rigid block, k = {:g}", stiffness), rocked.first / exact, 1.0,
+      Tolerance::model(late / exact, "the corner's overlap, divided by the speed at which the other corner descends"));
   const double ratio = energy_ratio(slender, tilt, rocked);
   findings.expect(
-      fmt::format("energy left by a change of corner over Housner's, k = {:g}", stiffness),
+      fmt::format("energy ratio at a change of corner over Housner's, k = {:g}", stiffness),
       ratio / impact_energy_ratio(slender), 1.0,
       Tolerance::model(800.0 / stiffness,
-                       "first order in 1/k, its order checked below; measured constant 640, and a quarter"));
+                       "first order in 1/k, its order checked below; measured constant 640, plus a quarter"));
   table.rows.push_back({"slender", fmt::format("{:g}", stiffness), fmt::format("{:.6f}", rocked.first / exact),
                         fmt::format("{:.5f}", ratio), fmt::format("{:.5f}", impact_energy_ratio(slender))});
 }
@@ -109,15 +111,16 @@ void check_limit(Findings& findings, const Setup& setup) {
     lacking.add(1.0 / stiffness, std::abs(energy_ratio(slender, tilt, rocked) - impact_energy_ratio(slender)));
   }
   findings.expect_order("order of the energy ratio in 1/k", lacking, 0.85, 1.2,
-                        "the old corner carries the weight, a share 1/k of its height, while the new one is struck");
+                        "while the new corner is hit, the old one carries part of the weight at a height proportional "
+                        "to 1/k");
 }
 
 void run(Findings& findings, const Setup& setup) {
   Table table{.name = "blocks",
               .caption =
-                  "Time of the first fall over that of the rigid block, and potential energy at the next turn over "
-                  "that at the start, beside Housner's ratio.",
-              .columns = {"block", "k", "time", "energy left", "Housner"}};
+                  "Time of the first fall over that of the rigid block, and potential energy at the next reversal over "
+                  "that at the start, compared with Housner's ratio.",
+              .columns = {"block", "k", "time", "energy ratio", "Housner"}};
   check_slender(findings, setup, 1e6, table);
   if (setup.coarse) return;
   check_limit(findings, setup);
@@ -129,9 +132,9 @@ void run(Findings& findings, const Setup& setup) {
                           fmt::format("{:.6f}", rocked.first / fall_time(wide, tilt)), fmt::format("{:.5f}", ratio),
                           fmt::format("{:.5f}", impact_energy_ratio(wide))});
     if (stiffness < 1e6) continue;
-    findings.expect_between("energy left by a change of corner over Housner's, wide block",
+    findings.expect_between("energy ratio at a change of corner over Housner's, wide block",
                             ratio / impact_energy_ratio(wide), 1.03, 1.12,
-                            "measured: the undamped spring of friction swings on");
+                            "measured: the undamped friction spring continues to oscillate");
     findings.figure(rocking_figure(rock(slender, 0.5 * block_angle(slender), 1e5, setup, findings), rocked));
   }
   findings.table(table);
@@ -140,34 +143,34 @@ void run(Findings& findings, const Setup& setup) {
 }  // namespace
 
 Case definition() {
-  return {
-      .id = "rocking_block",
-      .title = "Rocking block (Housner)",
-      .requirements = {{"E9",
-                        {"time of a fall over the rigid block's, k = 1e+06",
-                         "energy left by a change of corner over Housner's, k = 1e+06",
-                         "order of the energy ratio in 1/k",
-                         "energy left by a change of corner over Housner's, wide block"}},
-                       {"shape.rectangle",
-                        {"energy left by a change of corner over Housner's, k = 1e+06",
-                         "energy left by a change of corner over Housner's, wide block"}},
-                       {"method.nodes",
-                        {"energy left by a change of corner over Housner's, k = 1e+06",
-                         "energy left by a change of corner over Housner's, wide block"}},
-                       {"Eq. 18", {"time of a fall over the rigid block's, k = 1e+06"}},
-                       {"pair.rectangle.half_plane",
-                        {"energy left by a change of corner over Housner's, k = 1e+06",
-                         "energy left by a change of corner over Housner's, wide block"}}},
-      .main_checks = {"time of a fall over the rigid block's, k = 1e+06",
-                      "energy left by a change of corner over Housner's, k = 1e+06",
-                      "energy left by a change of corner over Housner's, wide block"},
-      .source = "Housner 1963, Bull. Seismol. Soc. Am. 53:403",
-      .faults = {{"inertia_about_the_base", "twice the moment of inertia",
-                  "time of a fall over the rigid block's, k = 1e+06"},
-                 {"smooth_ground", "a coefficient of friction of .1",
-                  "time of a fall over the rigid block's, k = 1e+06"},
-                 {"no_dashpot", "corners that rebound", "energy left by a change of corner over Housner's, k = 1e+06"}},
-      .run = run};
+  return {.id = "rocking_block",
+          .title = "Rocking block (Housner)",
+          .requirements = {{"E9",
+                            {"time of a fall over that of the rigid block, k = 1e+06",
+                             "energy ratio at a change of corner over Housner's, k = 1e+06",
+                             "order of the energy ratio in 1/k",
+                             "energy ratio at a change of corner over Housner's, wide block"}},
+                           {"shape.rectangle",
+                            {"energy ratio at a change of corner over Housner's, k = 1e+06",
+                             "energy ratio at a change of corner over Housner's, wide block"}},
+                           {"method.nodes",
+                            {"energy ratio at a change of corner over Housner's, k = 1e+06",
+                             "energy ratio at a change of corner over Housner's, wide block"}},
+                           {"Eq. 18", {"time of a fall over that of the rigid block, k = 1e+06"}},
+                           {"pair.rectangle.half_plane",
+                            {"energy ratio at a change of corner over Housner's, k = 1e+06",
+                             "energy ratio at a change of corner over Housner's, wide block"}}},
+          .main_checks = {"time of a fall over that of the rigid block, k = 1e+06",
+                          "energy ratio at a change of corner over Housner's, k = 1e+06",
+                          "energy ratio at a change of corner over Housner's, wide block"},
+          .source = "Housner 1963, Bull. Seismol. Soc. Am. 53:403",
+          .faults = {{"inertia_about_the_base", "twice the moment of inertia",
+                      "time of a fall over that of the rigid block, k = 1e+06"},
+                     {"smooth_ground", "a coefficient of friction of 0.1",
+                      "time of a fall over that of the rigid block, k = 1e+06"},
+                     {"no_dashpot", "corners that rebound",
+                      "energy ratio at a change of corner over Housner's, k = 1e+06"}},
+          .run = run};
 }
 
 }  // namespace talus::verification::problems::rocking_block

@@ -55,10 +55,10 @@ void check_amplitudes(Findings& findings, const Setup& setup) {
     const double period = solver_period(amplitude, stiffness, step, setup);
     const double rigid = reference::rocking_period(ellipse, amplitude);
     findings.in("periods")->expect(
-        fmt::format("period at {:g} rad over that of a rigid body", amplitude), period / rigid, 1.0,
+        fmt::format("period at {:g} rad over that of the rigid body", amplitude), period / rigid, 1.0,
         Tolerance::model(1.5 * std::abs(shift(stiffness)),
-                         "the springs of the contact: their shift of small swings, and half of it for the "
-                         "larger angles"));
+                         "contact springs: their frequency shift for small oscillations, and half of it for the larger "
+                         "angles"));
     solver.add(amplitude, period / rest);
   }
   if (setup.coarse) return;
@@ -66,9 +66,9 @@ void check_amplitudes(Findings& findings, const Setup& setup) {
     exact.add(0.01 * i, reference::rocking_period(ellipse, 0.01 * i) / rest);
   findings.figure({.name = "amplitude",
                    .title = "Period against amplitude",
-                   .caption = "Over the period of small swings: the solver (points) and the rigid body (line).",
+                   .caption = "Relative to the period of small oscillations: solver (points) and rigid body (line).",
                    .x = {.label = "amplitude", .unit = "rad"},
-                   .y = {.label = "period over that of small swings"},
+                   .y = {.label = "period over that of small oscillations"},
                    .series = {exact, solver}});
 }
 
@@ -86,12 +86,12 @@ void check_springs(Findings& findings, const Setup& setup) {
     solver.add(1.0 / stiffness, std::abs(found));
     line.add(1.0 / stiffness, std::abs(shift(stiffness)));
   }
-  findings.expect_between("shift of the frequency by the springs, over its prediction", ratio, 0.98, 1.02,
-                          "first order in the compliances; the square of the shift and of the amplitude, and the swing "
-                          "that the springs are left with");
-  findings.expect_order("order of the shift in the compliance", shifts, 0.97, 1.03, "first order in 1/k");
+  findings.expect_between("frequency shift by the contact springs over its prediction", ratio, 0.98, 1.02,
+                          "first order in the compliances; neglected: the squares of the shift and of the amplitude, "
+                          "and the residual oscillation of the springs");
+  findings.expect_order("order of the frequency shift in the compliance", shifts, 0.97, 1.03, "first order in 1/k");
   findings.figure({.name = "springs",
-                   .title = "What the springs change",
+                   .title = "Frequency shift by the contact springs",
                    .caption = "Change of the frequency against the compliance $1/k_n$, $k_s = k_n/3$.",
                    .x = {.label = "compliance", .unit = "m/N", .log = true},
                    .y = {.label = "change of the frequency", .log = true},
@@ -110,9 +110,10 @@ void check_steps(Findings& findings, const Setup& setup) {
     ratio = error / (-frequency * frequency * step * step / 24.0);
   }
   findings.expect_order("order of the period in the step", errors, 1.9, 2.15, "leapfrog");
-  findings.expect_between("error of the period by the step over (w h)^2/24", ratio, 0.85, 1.15,
-                          "leapfrog's, of a body whose springs follow it at once: they and the fourth order are left "
-                          "out, and the finest step stands for none (a hundredth)");
+  findings.expect_between("error of the period due to the step over (w h)^2/24", ratio, 0.85, 1.15,
+                          "the leapfrog error of a body whose springs follow it instantly; neglected: the springs' "
+                          "dynamics, the fourth order, and the error of the finest step, which is used as the exact "
+                          "value (a hundredth)");
 }
 
 void run(Findings& findings, const Setup& setup) {
@@ -129,21 +130,21 @@ Case definition() {
       .id = "rocking_ellipse",
       .title = "Rocking ellipse on a plane",
       .requirements = {{"E3",
-                        {"periods", "shift of the frequency by the springs, over its prediction",
-                         "order of the shift in the compliance", "order of the period in the step",
-                         "error of the period by the step over (w h)^2/24"}},
+                        {"periods", "frequency shift by the contact springs over its prediction",
+                         "order of the frequency shift in the compliance", "order of the period in the step",
+                         "error of the period due to the step over (w h)^2/24"}},
                        {"shape.superquadric", {"periods"}},
-                       {"Eq. 18", {"periods", "shift of the frequency by the springs, over its prediction"}},
+                       {"Eq. 18", {"periods", "frequency shift by the contact springs over its prediction"}},
                        {"method.resultant", {"periods"}},
                        {"integrator.velocity_verlet", {"order of the period in the step"}},
                        {"pair.superquadric.half_plane", {"periods"}}},
-      .main_checks = {"period at 0.02 rad over that of a rigid body", "period at 0.6 rad over that of a rigid body",
-                      "shift of the frequency by the springs, over its prediction",
-                      "error of the period by the step over (w h)^2/24"},
+      .main_checks = {"period at 0.02 rad over that of the rigid body", "period at 0.6 rad over that of the rigid body",
+                      "frequency shift by the contact springs over its prediction",
+                      "error of the period due to the step over (w h)^2/24"},
       .source = "textbook mechanics, derived here",
-      .faults = {{"inertia_of_a_ring", "twice the moment of inertia", "period at 0.02 rad over that of a rigid body"},
-                 {"smooth_plane", "no friction", "period at 0.02 rad over that of a rigid body"},
-                 {"longer_axis", "a lying axis 1 % too long", "period at 0.02 rad over that of a rigid body"}},
+      .faults = {{"inertia_of_a_ring", "twice the moment of inertia", "period at 0.02 rad over that of the rigid body"},
+                 {"smooth_plane", "no friction", "period at 0.02 rad over that of the rigid body"},
+                 {"longer_axis", "a horizontal axis 1 % too long", "period at 0.02 rad over that of the rigid body"}},
       .run = run};
 }
 

@@ -78,15 +78,16 @@ void check_area(Findings& findings, const Setup& setup) {
   Figure figure{.name = "polygons",
                 .title = "Area of polygons of boundary nodes",
                 .caption =
-                    "What a polygon whose corners are the solver's boundary nodes lacks of the area, over the area: "
-                    "points; lines: leading order, with its constant.",
+                    "Area deficit of polygons whose corners are the solver's boundary nodes, over the area (points), "
+                    "and its leading order with the constant (lines).",
                 .x = {.label = "nodes", .log = true},
-                .y = {.label = "area that is lacking", .log = true}};
+                .y = {.label = "area deficit", .log = true}};
   Table table{.name = "areas",
               .caption =
-                  "Area and polar moment, and what a polygon of 2048 boundary nodes lacks of both over the leading "
-                  "order; the last columns extrapolate that ratio by its next terms, nodes^(-2/n) and nodes^(-6/n).",
-              .columns = {"n", "area", "moment", "lacking, area", "moment", "extrapolated, area", "moment"}};
+                  "Area and polar moment, and the deficits of both for a polygon of 2048 boundary nodes over their "
+                  "leading order; the last columns extrapolate this ratio by its next terms, nodes^(-2/n) and "
+                  "nodes^(-6/n).",
+              .columns = {"n", "area", "moment", "deficit, area", "moment", "extrapolated, area", "moment"}};
   double farthest = 0.0;
   for (const double n : {2.0, 3.0, 4.0, 8.0, 20.0, 50.0}) {
     if (setup.coarse && n != 20.0) continue;
@@ -98,11 +99,11 @@ void check_area(Findings& findings, const Setup& setup) {
     const double low = n > 4.0 ? 1.96 : 1.98;
     findings.in("order_of_area")
         ->expect_order(fmt::format("order of the polygon's area in 1/nodes, n = {:g}", n), found.of_area, low, 2.01,
-                       "chords cut off the square of their length; the next term, nodes^(-2/n) of that, takes a little "
-                       "of the slope");
+                       "chords cut off an area of second order in their length; the next term, nodes^(-2/n) of that, "
+                       "slightly reduces the slope");
     findings.in("order_of_polar_moment")
         ->expect_order(fmt::format("order of the polygon's polar moment in 1/nodes, n = {:g}", n), found.of_moment, low,
-                       2.01, "as the area");
+                       2.01, "as for the area");
     draw(figure, found);
     table.rows.push_back({fmt::format("{:g}", n), fmt::format("{:.6f}", found.area),
                           fmt::format("{:.5f}", found.moment), fmt::format("{:.4f}", area[0]),
@@ -110,12 +111,12 @@ void check_area(Findings& findings, const Setup& setup) {
                           fmt::format("{:.5f}", moment[1])});
   }
   findings.expect(
-      "what polygons lack of area and moment, extrapolated, over the leading order, farthest of n = 2 ... 50", farthest,
-      0.0,
+      "area and moment deficits of polygons, extrapolated, over the leading order: largest error, n = 2 ... 50",
+      farthest, 0.0,
       Tolerance::truncation(
           1.2e-3, 1.3,
-          "measured at n = 50: the terms of nodes^(-2), which both steps of the extrapolation enlarge, "
-          "1/(1 - 2^(-2/n)) and 1/(1 - 2^(-6/n)) times, together 1700 times"));
+          "measured at n = 50: terms of order nodes^(-2), which both extrapolation steps amplify, by 1/(1 - 2^(-2/n)) "
+          "and 1/(1 - 2^(-6/n)), by 1700 in total"));
   if (setup.coarse) return;
   findings.table(table);
   findings.figure(figure);
@@ -145,25 +146,25 @@ void check_support(Findings& findings, const Setup& setup) {
       reach_error = std::max(reach_error, std::abs(dot(lowest, down) - reach));
     }
   }
-  findings.expect("overlap of a superellipse with a plane, farthest of n = 2 ... 50 at 180 angles", depth_error, 0.0,
+  findings.expect("overlap of a superellipse with a plane: largest error, n = 2 ... 50, 180 angles", depth_error, 0.0,
                   Tolerance::round_off(1e-14,
-                                       "a dozen roundings of lengths up to 8: sqrt(12) x 8 x 1.1e-16 = 3e-15, "
-                                       "and three times that for the worst of 1800"),
+                                       "a dozen roundings of lengths up to 8: sqrt(12) x 8 x 1.1e-16 = 3e-15, and "
+                                       "three times that for the worst of 1800 positions"),
                   "m");
-  findings.expect("lowest point of a superellipse from its outline, farthest", outline_error, 0.0,
-                  Tolerance::round_off(1e-14, "as the overlap, over half axes down to 1.25"));
-  findings.expect("lowest point of a superellipse from the support line, farthest", reach_error, 0.0,
-                  Tolerance::round_off(2e-14, "as the overlap, taken out and back"), "m");
+  findings.expect("lowest point of a superellipse: largest deviation from its outline", outline_error, 0.0,
+                  Tolerance::round_off(1e-14, "as for the overlap, over half axes down to 1.25"));
+  findings.expect("lowest point of a superellipse: largest distance from the support line", reach_error, 0.0,
+                  Tolerance::round_off(2e-14, "as for the overlap, transformed to world axes and back"), "m");
 }
 
 Figure support_figure() {
   Figure figure{.name = "support",
-                .title = "How far a superellipse reaches",
+                .title = "Support function of a superellipse",
                 .caption =
                     "Distance of the tangent from the centre against its direction, a = 1.25, b = 4: the solver's "
                     "contact with a plane (points) and the dual norm (lines).",
                 .x = {.label = "direction", .unit = "degrees"},
-                .y = {.label = "reach", .unit = "m"}};
+                .y = {.label = "distance", .unit = "m"}};
   for (const double n : {2.0, 4.0, 20.0, 50.0}) {
     Series line{fmt::format("n = {:g}", n), {}, {}, Style::lines};
     Series points{fmt::format("n = {:g}, solver", n), {}, {}, Style::points};
@@ -183,12 +184,12 @@ Figure support_figure() {
 
 Figure depth_figure() {
   Figure figure{.name = "depth",
-                .title = "Depth below the nearest point",
+                .title = "Overlap of a point with a superellipse",
                 .caption =
-                    "Depth along the line y = 3 below the outline: the solver (points) and brute force (lines). It "
-                    "kinks where the nearest point jumps from the top to the side.",
+                    "Overlap of points on the line y = 3: the solver (points) and brute force (lines). It has a kink "
+                    "where the nearest point jumps from the top to the side.",
                 .x = {.label = "x", .unit = "m"},
-                .y = {.label = "depth", .unit = "m"}};
+                .y = {.label = "overlap", .unit = "m"}};
   for (const double n : {2.0, 4.0, 20.0}) {
     Series line{fmt::format("n = {:g}", n), {}, {}, Style::lines};
     Series points{fmt::format("n = {:g}, solver", n), {}, {}, Style::points};
@@ -228,21 +229,22 @@ void check_depth(Findings& findings, const Setup& setup) {
     circle_error = std::max(circle_error,
                             std::abs(depth_below(Superquadric{1.0, 1.0, circle_exponent}, p).depth - (1.0 - norm(p))));
   }
-  findings.expect("depth below a superellipse, farthest from brute force, n = 2 ... 50", depth_error, 0.0,
+  findings.expect("overlap of a point with a superellipse: largest error against brute force, n = 2 ... 50",
+                  depth_error, 0.0,
                   Tolerance::round_off(3e-15,
-                                       "a distance of up to 4: three units of its last place; its error is of "
-                                       "second order in that of the nearest point"),
+                                       "a distance of up to 4: three units in its last place; its error is of second "
+                                       "order in that of the nearest point"),
                   "m");
-  findings.expect("point at the depth along the normal from the outline, farthest", normal_error, 0.0,
-                  Tolerance::round_off(3e-15, "as the depth, over half axes down to 1.25"));
-  findings.expect("depth below a superellipse that is a circle, farthest", circle_error, 0.0,
+  findings.expect("point moved by overlap and normal: largest deviation from the outline", normal_error, 0.0,
+                  Tolerance::round_off(3e-15, "as for the overlap, over half axes down to 1.25"));
+  findings.expect("overlap of a point with a circular superellipse: largest error", circle_error, 0.0,
                   Tolerance::round_off(1e-15, "five roundings of numbers up to 2"), "m");
 }
 
 void run(Findings& findings, const Setup& setup) {
   if (setup.needs("polygons")) check_area(findings, setup);
   if (setup.needs("with a plane")) check_support(findings, setup);
-  if (setup.needs("depth below")) check_depth(findings, setup);
+  if (setup.needs("overlap of a point")) check_depth(findings, setup);
   if (setup.needs("overlap of pairs")) check_pairs(findings, setup);
   if (setup.needs("contact search")) check_search(findings, setup);
   if (setup.coarse) return;
@@ -259,83 +261,82 @@ Case definition() {
       .title = "Superellipses and the contact search",
       .requirements =
           {{"Eq. 1",
-            {"order_of_area", "order_of_polar_moment", "lowest point of a superellipse from its outline, farthest",
-             "lowest point of a superellipse from the support line, farthest",
-             "depth below a superellipse, farthest from brute force, n = 2 ... 50",
-             "depth below a superellipse that is a circle, farthest"}},
+            {"order_of_area", "order_of_polar_moment",
+             "lowest point of a superellipse: largest deviation from its outline",
+             "lowest point of a superellipse: largest distance from the support line",
+             "overlap of a point with a superellipse: largest error against brute force, n = 2 ... 50",
+             "overlap of a point with a circular superellipse: largest error"}},
            {"A3",
             {"order_of_area", "order_of_polar_moment",
-             "what polygons lack of area and moment, extrapolated, over the leading order, farthest of n = 2 ... 50"}},
+             "area and moment deficits of polygons, extrapolated, over the leading order: largest error, n = 2 ... "
+             "50"}},
            {"E1",
-            {"overlap of a superellipse with a plane, farthest of n = 2 ... 50 at 180 angles",
-             "lowest point of a superellipse from its outline, farthest",
-             "lowest point of a superellipse from the support line, farthest"}},
+            {"overlap of a superellipse with a plane: largest error, n = 2 ... 50, 180 angles",
+             "lowest point of a superellipse: largest deviation from its outline",
+             "lowest point of a superellipse: largest distance from the support line"}},
            {"E2",
-            {"depth below a superellipse, farthest from brute force, n = 2 ... 50",
-             "depth below a superellipse that is a circle, farthest",
-             "overlap of pairs of superellipses and rectangles, farthest from brute force",
-             "distance of pairs of superellipses and rectangles, farthest from brute force"}},
+            {"overlap of a point with a superellipse: largest error against brute force, n = 2 ... 50",
+             "overlap of a point with a circular superellipse: largest error",
+             "overlap of pairs of superellipses and rectangles: largest error against brute force",
+             "distance of pairs of superellipses and rectangles: largest error against brute force"}},
            {"E10",
-            {"touching pairs that the contact search leaves out",
-             "share of the pairs apart that the contact search leaves out",
-             "random scenes with other contacts or accelerations when nothing is left out"}},
+            {"touching pairs omitted by the contact search", "fraction of separate pairs omitted by the contact search",
+             "random scenes whose contacts or accelerations differ if no pair is omitted"}},
            {"shape.superquadric",
             {"order_of_area", "order_of_polar_moment",
-             "what polygons lack of area and moment, extrapolated, over the leading order, farthest of n = 2 ... 50",
-             "overlap of a superellipse with a plane, farthest of n = 2 ... 50 at 180 angles",
-             "lowest point of a superellipse from its outline, farthest",
-             "lowest point of a superellipse from the support line, farthest",
-             "depth below a superellipse, farthest from brute force, n = 2 ... 50",
-             "depth below a superellipse that is a circle, farthest",
-             "overlap of pairs of superellipses and rectangles, farthest from brute force",
-             "distance of pairs of superellipses and rectangles, farthest from brute force",
-             "touching pairs that the contact search leaves out",
-             "share of the pairs apart that the contact search leaves out"}},
+             "area and moment deficits of polygons, extrapolated, over the leading order: largest error, n = 2 ... 50",
+             "overlap of a superellipse with a plane: largest error, n = 2 ... 50, 180 angles",
+             "lowest point of a superellipse: largest deviation from its outline",
+             "lowest point of a superellipse: largest distance from the support line",
+             "overlap of a point with a superellipse: largest error against brute force, n = 2 ... 50",
+             "overlap of a point with a circular superellipse: largest error",
+             "overlap of pairs of superellipses and rectangles: largest error against brute force",
+             "distance of pairs of superellipses and rectangles: largest error against brute force",
+             "touching pairs omitted by the contact search",
+             "fraction of separate pairs omitted by the contact search"}},
            {"shape.half_plane",
-            {"overlap of a superellipse with a plane, farthest of n = 2 ... 50 at 180 angles",
-             "touching pairs that the contact search leaves out",
-             "share of the pairs apart that the contact search leaves out"}},
+            {"overlap of a superellipse with a plane: largest error, n = 2 ... 50, 180 angles",
+             "touching pairs omitted by the contact search",
+             "fraction of separate pairs omitted by the contact search"}},
            {"shape.circle",
-            {"touching pairs that the contact search leaves out",
-             "share of the pairs apart that the contact search leaves out",
-             "random scenes with other contacts or accelerations when nothing is left out"}},
+            {"touching pairs omitted by the contact search", "fraction of separate pairs omitted by the contact search",
+             "random scenes whose contacts or accelerations differ if no pair is omitted"}},
            {"shape.rectangle",
-            {"touching pairs that the contact search leaves out",
-             "share of the pairs apart that the contact search leaves out",
-             "random scenes with other contacts or accelerations when nothing is left out"}},
+            {"touching pairs omitted by the contact search", "fraction of separate pairs omitted by the contact search",
+             "random scenes whose contacts or accelerations differ if no pair is omitted"}},
            {"method.resultant",
-            {"overlap of a superellipse with a plane, farthest of n = 2 ... 50 at 180 angles",
-             "random scenes with other contacts or accelerations when nothing is left out"}},
+            {"overlap of a superellipse with a plane: largest error, n = 2 ... 50, 180 angles",
+             "random scenes whose contacts or accelerations differ if no pair is omitted"}},
            {"method.nodes",
-            {"depth below a superellipse, farthest from brute force, n = 2 ... 50",
-             "depth below a superellipse that is a circle, farthest",
-             "random scenes with other contacts or accelerations when nothing is left out"}},
+            {"overlap of a point with a superellipse: largest error against brute force, n = 2 ... 50",
+             "overlap of a point with a circular superellipse: largest error",
+             "random scenes whose contacts or accelerations differ if no pair is omitted"}},
            {"pair.superquadric.superquadric",
-            {"overlap of pairs of superellipses and rectangles, farthest from brute force",
-             "distance of pairs of superellipses and rectangles, farthest from brute force"}},
+            {"overlap of pairs of superellipses and rectangles: largest error against brute force",
+             "distance of pairs of superellipses and rectangles: largest error against brute force"}},
            {"pair.rectangle.superquadric",
-            {"overlap of pairs of superellipses and rectangles, farthest from brute force",
-             "distance of pairs of superellipses and rectangles, farthest from brute force"}},
+            {"overlap of pairs of superellipses and rectangles: largest error against brute force",
+             "distance of pairs of superellipses and rectangles: largest error against brute force"}},
            {"pair.superquadric.half_plane",
-            {"overlap of a superellipse with a plane, farthest of n = 2 ... 50 at 180 angles"}}},
+            {"overlap of a superellipse with a plane: largest error, n = 2 ... 50, 180 angles"}}},
       .main_checks = {"order of the polygon's area in 1/nodes, n = 20",
-                      "overlap of a superellipse with a plane, farthest of n = 2 ... 50 at 180 angles",
-                      "depth below a superellipse, farthest from brute force, n = 2 ... 50",
-                      "overlap of pairs of superellipses and rectangles, farthest from brute force",
-                      "touching pairs that the contact search leaves out",
-                      "random scenes with other contacts or accelerations when nothing is left out"},
+                      "overlap of a superellipse with a plane: largest error, n = 2 ... 50, 180 angles",
+                      "overlap of a point with a superellipse: largest error against brute force, n = 2 ... 50",
+                      "overlap of pairs of superellipses and rectangles: largest error against brute force",
+                      "touching pairs omitted by the contact search",
+                      "random scenes whose contacts or accelerations differ if no pair is omitted"},
       .source = "Mustoe & Huttelmaier 1993, Eq. 1; Barr 1981",
       .faults =
-          {{"exponent_off", "an exponent .1 % too large",
-            "depth below a superellipse, farthest from brute force, n = 2 ... 50"},
-           {"pair_exponent_off", "the exponents of pairs 5 % too large",
-            "overlap of pairs of superellipses and rectangles, farthest from brute force"},
-           {"half_axis_off", "a half axis a millionth too long",
-            "overlap of a superellipse with a plane, farthest of n = 2 ... 50 at 180 angles"},
-           {"nodes_left_out", "every other node left out",
-            "what polygons lack of area and moment, extrapolated, over the leading order, farthest of n = 2 ... 50"},
-           {"boxes_too_small", "boxes of the search a tenth too narrow",
-            "touching pairs that the contact search leaves out"}},
+          {{"exponent_off", "an exponent 0.1 % too large",
+            "overlap of a point with a superellipse: largest error against brute force, n = 2 ... 50"},
+           {"pair_exponent_off", "exponents of pairs 5 % too large",
+            "overlap of pairs of superellipses and rectangles: largest error against brute force"},
+           {"half_axis_off", "a half axis too long by 1e-6",
+            "overlap of a superellipse with a plane: largest error, n = 2 ... 50, 180 angles"},
+           {"nodes_left_out", "every other node omitted",
+            "area and moment deficits of polygons, extrapolated, over the leading order: largest error, n = 2 ... 50"},
+           {"boxes_too_small", "bounding boxes of the search 10 % too narrow",
+            "touching pairs omitted by the contact search"}},
       .seconds = 3.0,
       .run = run};
 }

@@ -145,25 +145,27 @@ void check_pairs(Findings& findings, const Setup& setup) {
       }
     }
   }
-  findings.expect("overlap of pairs of superellipses and rectangles, farthest from brute force", worst_inside, 0.0,
+  findings.expect("overlap of pairs of superellipses and rectangles: largest error against brute force", worst_inside,
+                  0.0,
                   Tolerance::truncation(2e-4, 3.0,
-                                        "points of the boundary 2 pi/900 of the parametric angle apart: "
-                                        "(2 pi/900)^2/8 = 6e-6 of a radius of curvature; measured 30 times that where "
-                                        "the sides of n = 20, along which the angle runs fast, meet a corner"),
+                                        "boundary points spaced by 2 pi/900 of the parametric angle: (2 pi/900)^2/8 = "
+                                        "6e-6 of a radius of curvature; measured 30 times that where the sides of n = "
+                                        "20, along which the angle varies fast, meet a corner"),
                   "m");
-  findings.expect("distance of pairs of superellipses and rectangles, farthest from brute force", worst_apart, 0.0,
+  findings.expect("distance of pairs of superellipses and rectangles: largest error against brute force", worst_apart,
+                  0.0,
                   Tolerance::truncation(5e-3, 3.0,
-                                        "the nearest of 900 points of each outline, up to 0.1 apart on the sides of "
-                                        "n = 20: half of that squared over twice the distance"),
+                                        "the nearest of 900 points of each outline, up to 0.1 apart on the sides of n "
+                                        "= 20: the square of half that spacing over twice the distance"),
                   "m");
 }
 
 void check_search(Findings& findings, const Setup& setup) {
   Table table{.name = "search",
               .caption =
-                  "2000 random pairs of each two shapes: how many touch by brute force, how many of these the "
-                  "search leaves out, and how many of those apart.",
-              .columns = {"A", "B", "touch", "left out", "apart", "left out"}};
+                  "2000 random pairs of each combination of shapes: number of touching pairs by brute force, of "
+                  "touching pairs that the search omits, of separate pairs, and of separate pairs that it omits.",
+              .columns = {"A", "B", "touching", "omitted", "separate", "omitted"}};
   int left_out_touching = 0, left_out_apart = 0, apart = 0;
   for (std::size_t i = 0; i < kinds.size(); ++i) {
     for (std::size_t j = i; j < kinds.size(); ++j) {
@@ -177,13 +179,13 @@ void check_search(Findings& findings, const Setup& setup) {
                             fmt::format("{}", found.left_out_apart)});
     }
   }
-  findings.expect("touching pairs that the contact search leaves out", left_out_touching, 0.0,
-                  Tolerance::exact("a box around a shape that touches cannot be separated from the other's"));
+  findings.expect("touching pairs omitted by the contact search", left_out_touching, 0.0,
+                  Tolerance::exact("the bounding box of a touching shape cannot be separated from that of the other "
+                                   "shape"));
   findings.expect_between(
-      "share of the pairs apart that the contact search leaves out", static_cast<double>(left_out_apart) / apart, 0.8,
-      1.0,
-      "a search that leaves out nothing would never fail the check before; what it must keep are the "
-      "pairs whose boxes overlap at their corners");
+      "fraction of separate pairs omitted by the contact search", static_cast<double>(left_out_apart) / apart, 0.8, 1.0,
+      "a search that omits nothing would always pass the previous check; the separate pairs that it may not omit are "
+      "those whose boxes overlap at their corners");
   if (!setup.coarse) findings.table(table);
 }
 
@@ -209,9 +211,9 @@ void check_scenes(Findings& findings, const Setup& setup) {
     for (const Mode mode : a.mode)
       touching += mode != 0 ? 1.0 / count : 0.0;
   }
-  findings.expect("random scenes with other contacts or accelerations when nothing is left out", differing, 0.0,
-                  Tolerance::exact("the same operations on the pairs that touch"));
-  findings.note(fmt::format("In the random scenes {:.1f} laws act on average.", touching));
+  findings.expect("random scenes whose contacts or accelerations differ if no pair is omitted", differing, 0.0,
+                  Tolerance::exact("the same operations on the touching pairs"));
+  findings.note(fmt::format("On average {:.1f} contact laws act in a random scene.", touching));
 }
 
 }  // namespace talus::verification::problems

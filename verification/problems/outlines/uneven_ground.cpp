@@ -67,10 +67,10 @@ void check_straight(Findings& findings, const Setup& setup) {
     compare(ends[0].z, ends[1].z);
   }
   findings.expect("numbers that differ between straight terrain and a half-plane", differ, 0.0,
-                  Tolerance::exact("the height over a piece along the body's x axis is the body's y, and its normal "
+                  Tolerance::exact("above a segment on the body's x axis the height is the body's y, and the normal is "
                                    "(0, 1), without rounding"));
   findings.expect("numbers compared", compared, 21.0,
-                  Tolerance::exact("three runs of 3 places, 3 speeds and a stretch"));
+                  Tolerance::exact("three runs of 3 positions, 3 velocities and a stretch"));
 }
 
 /// A disc rolls over a crest: compares its speed down the slope with the rigid disc's, and checks the energy balance.
@@ -102,20 +102,20 @@ void check_crest(Findings& findings, const Setup& setup) {
   const double first = std::sqrt(start_speed * start_speed + 4.0 / 3.0 * gravity * radius * (1.0 - cosine));
   findings.expect("speed down the slope beyond a crest, largest error", worst, 0.0,
                   Tolerance::model(overlap * (2.0 / 3.0 * gravity / first + 2.0 / (6.0 * radius)),
-                                   "the overlap changes heights and the rolling radius by its own length at most: "
-                                   "2 g d/(3 v), most where the disc is slowest, and v d/(6 r), v up to 2"),
+                                   "the overlap changes heights and the rolling radius by at most its own value: 2 g "
+                                   "d/(3 v), largest where the disc is slowest, and v d/(6 r), with v up to 2"),
                   "m/s");
   findings.expect(
-      "energy over the crest, largest closure of the ledger", closure, 0.0,
+      "energy balance over the crest: largest error", closure, 0.0,
       Tolerance::truncation(4.6 * step * step, 2.0,
-                            "leapfrog keeps H + h^2 (v V'' v/12 - F^2/(24 m)), whose second part changes by "
-                            "some J/s^2 with the forces of 20 N; measured: 4.6 h^2 at steps from 2e-5 to 4e-5"),
+                            "leapfrog conserves H + h^2 (v V'' v/12 - F^2/(24 m)), whose second part changes by a few "
+                            "J/s^2 with the forces of 20 N; measured: 4.6 h^2 at steps from 2e-5 to 4e-5"),
       "J");
   if (setup.coarse || exact.x.empty()) return;
   findings.figure({.name = "crest",
-                   .title = "Over a crest",
-                   .caption = "Speed of the disc's centre along the slope against the way from the crest.",
-                   .x = {.label = "way down the slope", .unit = "m"},
+                   .title = "Speed beyond a crest",
+                   .caption = "Speed of the disc's centre along the slope against the distance from the crest.",
+                   .x = {.label = "distance down the slope", .unit = "m"},
                    .y = {.label = "speed", .unit = "m/s"},
                    .series = {exact, speed}});
 }
@@ -139,13 +139,13 @@ void check_notch(Findings& findings, const Setup& setup) {
   const State one = rest_in_notch(false, setup, step, findings), two = rest_in_notch(true, setup, step, findings);
   const double slowest = 3.0 * gravity * tangent * step;
   findings.expect(
-      "place across the notch", one.q[0], 0.0,
+      "position across the notch", one.q[0], 0.0,
       Tolerance::truncation(slowest * slowest / (2.0 * gravity * tangent), 2.0,
-                            "measured: the disc trembles with about three times g tan a h, at all steps from "
-                            "1/1024 to 1/16384; the way that the sides need to turn that speed"),
+                            "measured: the disc oscillates at about three times g tan a h, at all steps from 1/1024 to "
+                            "1/16384; the displacement within which the sides reverse that speed"),
       "m");
   findings.expect("overlap in the notch, over m g/(k cos a)", depth(one) * stiffness * cosine / (mass * gravity), 1.0,
-                  Tolerance::truncation(6.0 * step, 2.0, "measured: six times the step, by the dashpot's lag"));
+                  Tolerance::truncation(6.0 * step, 2.0, "measured: six times the step, due to the dashpot's lag"));
   Convergence overlaps;
   for (const double count : {2048.0, 4096.0, 8192.0, 16384.0}) {
     const double rest = depth(rest_in_notch(false, setup, 1.0 / count, findings));
@@ -153,17 +153,18 @@ void check_notch(Findings& findings, const Setup& setup) {
   }
   findings.expect_order(
       "order of the overlap in the notch", overlaps, 0.9, 1.1,
-      "the dashpot takes the velocity of a force that turns with each step: order one; the phase of the "
-      "trembling at the end leaves a tenth");
+      "the dashpot uses a velocity that results from a force whose direction alternates in each step: first order; the "
+      "phase of the oscillation at the end changes the order by up to 0.1");
   findings.expect("overlap between two slopes, over m g/(2 k cos a)",
                   depth(two) * 2.0 * stiffness * cosine / (mass * gravity), 1.0,
                   Tolerance::round_off(3e-13,
-                                       "a disc stays where it goes less than half a unit of its place, 5.5e-17, in a "
-                                       "step: short of rest by c/k times that over the step, 1.8e-15, "
-                                       "over an overlap of .006"));
+                                       "a disc stops where it moves by less than half a unit in the last place of its "
+                                       "position, 5.5e-17, in a step: it is short of rest by c/k times that over the "
+                                       "step, 1.8e-15, over an overlap of 0.006"));
   findings.expect(
-      "place across between two slopes", two.q[0], 0.0,
-      Tolerance::round_off(1e-15, "both sides push by the same numbers but for the last place of their normals"), "m");
+      "position across between two slopes", two.q[0], 0.0,
+      Tolerance::round_off(1e-15, "both sides push with the same numbers except for the last digit of their normals"),
+      "m");
 }
 
 void run_all(Findings& findings, const Setup& setup) {
@@ -182,36 +183,36 @@ Case definition() {
       .requirements = {{"shape.terrain",
                         {"numbers that differ between straight terrain and a half-plane",
                          "speed down the slope beyond a crest, largest error",
-                         "energy over the crest, largest closure of the ledger", "place across the notch",
+                         "energy balance over the crest: largest error", "position across the notch",
                          "overlap in the notch, over m g/(k cos a)", "order of the overlap in the notch"}},
                        {"shape.circle",
                         {"numbers that differ between straight terrain and a half-plane",
                          "speed down the slope beyond a crest, largest error",
-                         "energy over the crest, largest closure of the ledger", "place across the notch",
+                         "energy balance over the crest: largest error", "position across the notch",
                          "overlap in the notch, over m g/(k cos a)", "order of the overlap in the notch"}},
                        {"pair.circle.terrain",
                         {"numbers that differ between straight terrain and a half-plane",
                          "speed down the slope beyond a crest, largest error",
-                         "energy over the crest, largest closure of the ledger", "place across the notch",
+                         "energy balance over the crest: largest error", "position across the notch",
                          "overlap in the notch, over m g/(k cos a)", "order of the overlap in the notch",
-                         "overlap between two slopes, over m g/(2 k cos a)", "place across between two slopes"}},
+                         "overlap between two slopes, over m g/(2 k cos a)", "position across between two slopes"}},
                        {"C2",
                         {"speed down the slope beyond a crest, largest error",
-                         "energy over the crest, largest closure of the ledger"}},
+                         "energy balance over the crest: largest error"}},
                        {"law.linear_spring_dashpot",
-                        {"numbers that differ between straight terrain and a half-plane", "place across the notch",
+                        {"numbers that differ between straight terrain and a half-plane", "position across the notch",
                          "overlap in the notch, over m g/(k cos a)", "order of the overlap in the notch"}},
-                       {"mechanism.friction", {"energy over the crest, largest closure of the ledger"}}},
+                       {"mechanism.friction", {"energy balance over the crest: largest error"}}},
       .main_checks = {"numbers that differ between straight terrain and a half-plane",
                       "speed down the slope beyond a crest, largest error",
-                      "energy over the crest, largest closure of the ledger", "place across the notch",
+                      "energy balance over the crest: largest error", "position across the notch",
                       "overlap in the notch, over m g/(k cos a)", "overlap between two slopes, over m g/(2 k cos a)"},
       .source = "Textbook mechanics, derived here",
-      .faults = {{"bent_ground", "ground that bends by 1e-12 at its joints",
+      .faults = {{"bent_ground", "ground bent by 1e-12 at its joints",
                   "numbers that differ between straight terrain and a half-plane"},
-                 {"slope_too_flat", "a slope beyond the crest flatter by .7 %",
+                 {"slope_too_flat", "a slope beyond the crest 0.7 % too flat",
                   "speed down the slope beyond a crest, largest error"},
-                 {"lopsided_notch", "one side of the notch flatter", "place across the notch"}},
+                 {"lopsided_notch", "one side of the notch flatter", "position across the notch"}},
       .run = run_all};
 }
 

@@ -76,7 +76,7 @@ void check_numbers(const TemporaryFolder& folder, Findings& findings, const Setu
     }
   }
   const Tolerance round_off = Tolerance::round_off(
-      2e-14, "closed forms of some ten operations and one root on both sides, printed in 17 digits");
+      2e-14, "closed forms of about ten operations and one root on both sides, printed with 17 digits");
   findings.expect("effective mass, over the exact one: largest deviation from 1", mass, 0.0, round_off);
   findings.expect("damping, over the exact one: largest deviation from 1", damping, 0.0, round_off);
   findings.expect("contact time, over the exact one: largest deviation from 1", time, 0.0, round_off);
@@ -165,16 +165,17 @@ void check_step(const TemporaryFolder& folder, Findings& findings, const Setup& 
         {name(rule), fmt::format("{:.6g}", step), fmt::format("{:.3g}", said), fmt::format("{:.3g}", worst)});
   }
   findings.expect("restitution with the advised step: largest error over phases", largest, 0.0,
-                  Tolerance::truncation(bound, 1.0, "the error that was asked for"));
-  findings.expect("that error over the one that the program claims: largest excess", above_claim, 0.0,
+                  Tolerance::truncation(bound, 1.0, "the requested error"));
+  findings.expect("restitution error over the error that the program reports: largest excess", above_claim, 0.0,
                   Tolerance::truncation(0.25, 1.0,
-                                        "the program looks at 64 pairs of phases and keeps to 0.8 of the bound, since "
-                                        "other phases may err more"));
-  findings.expect_between("that error over the bound: not a step that is needlessly short", std::abs(largest) / bound,
-                          0.1, 1.0, "steps are tried in powers of two, of which the error is at least the first power");
+                                        "the program evaluates 64 pairs of phases and limits the error to 0.8 of the "
+                                        "bound, since other phases may err more"));
+  findings.expect_between("restitution error with the advised step over the bound", std::abs(largest) / bound, 0.1, 1.0,
+                          "steps are tried in powers of two, and the error is at least of first order in the step: the "
+                          "step is not needlessly short");
   findings.table({.name = "steps",
-                  .caption = "The advised step for an error of 1e-3 at a restitution of 0.6, and the error of runs.",
-                  .columns = {"end rule", "step [s]", "error claimed", "largest error of runs"},
+                  .caption = "The advised step for an error of 1e-3 at a restitution of 0.6, and the errors of runs.",
+                  .columns = {"end rule", "step [s]", "reported error", "largest error of runs"},
                   .rows = rows});
 }
 
@@ -194,11 +195,11 @@ Case definition() {
           .main_checks = {"damping, over the exact one: largest deviation from 1",
                           "restitution with the advised step: largest error over phases"},
           .source =
-              "Mustoe & Huttelmaier 1993, Eq. 21, and its counterpart for contacts that do not pull (Schwager & "
+              "Mustoe & Huttelmaier 1993, Eq. 21, and its counterpart for contacts that are not attractive (Schwager & "
               "Poeschel 2007)",
-          .faults = {{"pulling_formula", "the formula for contacts that pull, Eq. 21, for clamped ones too",
+          .faults = {{"pulling_formula", "Eq. 21, the formula for attractive contacts, also for clamped ones",
                       "damping, over the exact one: largest deviation from 1"},
-                     {"arm_forgotten", "the struck body does not turn",
+                     {"arm_forgotten", "rotation of the struck body neglected",
                       "effective mass, over the exact one: largest deviation from 1"},
                      {"twice_the_step", "twice the advised step",
                       "restitution with the advised step: largest error over phases"}},

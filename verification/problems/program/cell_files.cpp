@@ -257,8 +257,8 @@ Expected expected_of(VirtualDiscs discs, const Setup& setup) {
 Tolerance of_paths() {
   return Tolerance::round_off(
       1e-9,
-      "places are rounded to 1e-16 at 2010 steps, and neighbouring paths part tenfold in some "
-      "ten contacts of a disc, to 2.5e-11 here; a step or a contact more or less is above 1e-4");
+      "positions are rounded to 1e-16 in each of 2010 steps, and neighbouring trajectories diverge tenfold in about "
+      "ten contacts of a disc, to 2.5e-11 here; one step or contact more or less causes more than 1e-4");
 }
 
 void check_history(const TemporaryFolder& folder, const Expected& expected, Findings& findings) {
@@ -268,9 +268,9 @@ void check_history(const TemporaryFolder& folder, const Expected& expected, Find
       "depth [m]",     "solid_fraction",    "touching",           "coordination",         "stress_ratio",
       "multiple_share"};
   findings.expect_true("history.csv: names, units and order of its columns", history.header() == header,
-                       "SI, as the option says");
+                       "SI, as given by the option");
   findings.expect("history.csv: rows", static_cast<double>(history.rows()), static_cast<double>(expected.loops.size()),
-                  Tolerance::exact("one for each LOOP, the last of which is not whole"));
+                  Tolerance::exact("one for each LOOP, the last of which is incomplete"));
   double worst = 0.0, times = 0.0;
   Values scale{};
   for (const Mean& mean : expected.loops)
@@ -285,7 +285,8 @@ void check_history(const TemporaryFolder& folder, const Expected& expected, Find
     keep_worst(worst, history.number(row, 10) - (mean(contacts) != 0.0 ? mean(multiple) / mean(contacts) : 0.0));
   }
   findings.expect("history.csv: times of the rows, largest error", times, 0.0,
-                  Tolerance::round_off(1e-16, "the end of each LOOP after the elapsed time of RESTART.DAT"), "s");
+                  Tolerance::round_off(1e-16, "the elapsed time of RESTART.DAT plus the time at the end of each LOOP"),
+                  "s");
   findings.expect("history.csv: means over each LOOP, largest error", worst, 0.0, of_paths());
 }
 
@@ -325,7 +326,7 @@ void check_profile(const TemporaryFolder& folder, const Expected& expected, Find
       "y [m]",          "velocity [m/s]",      "velocity_error [m/s]", "temperature [N m]", "temperature_error [N m]",
       "solid_fraction", "solid_fraction_error"};
   findings.expect_true("profile.csv: names, units and order of its columns", profile.header() == header,
-                       "SI, as the option says");
+                       "SI, as given by the option");
   const double thickness = 0.5 * diameter, shift = setup.has("layers_shifted") ? 0.01 * thickness : 0.0;
   double places = 0.0, means = 0.0, errors = 0.0, discs = 0.0;
   const std::array scale{block_speed, 0.5 * mass, 1.0};
@@ -333,7 +334,7 @@ void check_profile(const TemporaryFolder& folder, const Expected& expected, Find
   for (int layer = 0; layer < 4 * rows; ++layer)
     if (layer_of(expected, layer * thickness, (layer + 1) * thickness, 10)[2] > 0.0) lows.push_back(layer * thickness);
   findings.expect("profile.csv: rows", static_cast<double>(profile.rows()), static_cast<double>(lows.size()),
-                  Tolerance::exact("layers that discs were in"));
+                  Tolerance::exact("layers that contained discs"));
   for (std::size_t row = 0; row < std::min(profile.rows(), lows.size()); ++row) {
     const double low = lows[row] + shift;
     keep_worst(places, profile.number(row, 0) - (low + 0.5 * thickness - shift));
@@ -355,14 +356,14 @@ void check_profile(const TemporaryFolder& folder, const Expected& expected, Find
         keep_worst(errors, (profile.number(row, 2 + 2 * k) - std::sqrt((kept - 1.0) / kept * squares)) / scale[k]);
     }
   }
-  findings.expect("profile.csv: heights of its layers, largest error", places, 0.0,
-                  Tolerance::round_off(1e-17, "middles of layers of half a diameter from the base's centre line up"),
-                  "m");
+  findings.expect(
+      "profile.csv: heights of its layers, largest error", places, 0.0,
+      Tolerance::round_off(1e-17, "centres of layers of half a diameter, from the base's centre line upwards"), "m");
   findings.expect("profile.csv: velocity, temperature and solid fraction, largest error", means, 0.0, of_paths());
   findings.expect("profile.csv: jackknife errors, largest error", errors, 0.0, of_paths());
-  findings.expect("profile.csv: area of the discs in all layers, over that of the discs",
+  findings.expect("profile.csv: area of the discs in all layers over the area of all discs",
                   discs / (0.25 * std::numbers::pi * diameter * diameter * free_discs), 1.0,
-                  Tolerance::round_off(1e-12, "each disc is in some layers with all of its area"));
+                  Tolerance::round_off(1e-12, "the layers contain the whole area of each disc"));
 }
 
 /// Compares a state of cell.pvd: discs and those images that contacts reach, contacts as lines.
@@ -425,11 +426,12 @@ void check_states(const TemporaryFolder& folder, const Expected& expected, Findi
   }
   findings.expect("cell.pvd: times of the states, largest error", times, 0.0,
                   Tolerance::round_off(1e-13, "a sum of 2010 steps of 3e-7 s, each rounded to 2e-18 s"), "s");
-  findings.expect("cell.pvd: places, velocities, radii and walls of discs, largest error", worst.discs, 0.0,
+  findings.expect("cell.pvd: positions, velocities, radii and walls of discs, largest error", worst.discs, 0.0,
                   of_paths());
   findings.expect("cell.pvd: ends, forces and kinds of contacts, largest error", worst.contacts, 0.0, of_paths());
   findings.expect_between("cell.pvd: contacts compared", static_cast<double>(contacts_seen), 60.0, 600.0,
-                          "without them nothing is compared; a disc of a plane has four in the mean where it jams");
+                          "without contacts nothing is compared; in a plane a disc has four contacts on average where "
+                          "the flow jams");
 }
 
 /// The animation of the cell: positions in whole quanta, speeds and forces in whole thousandths of the largest.
@@ -470,7 +472,7 @@ void check_player(const TemporaryFolder& folder, const Expected& expected, Findi
   findings.expect("animation: frames", static_cast<double>(frames.size()), static_cast<double>(expected.states.size()),
                   Tolerance::exact("one for each state"));
   const Tolerance rounded = Tolerance::model(0.5 + 1e-6, "rounded to whole numbers");
-  findings.expect("animation: places of the discs, largest error in quanta", places, 0.0, rounded);
+  findings.expect("animation: positions of the discs, largest error in quanta", places, 0.0, rounded);
   findings.expect("animation: speeds and mean forces, largest error in thousandths", thousandths, 0.0, rounded);
 }
 
@@ -494,7 +496,7 @@ void check_decks(const TemporaryFolder& folder, const Expected& expected, Findin
   findings.expect("RESTART.DAT: elapsed time", head[0], elapsed + end,
                   Tolerance::round_off(1e-13, "a sum of 2010 steps of 3e-7 s, each rounded to 2e-18 s"), "s");
   findings.expect("RESTART.DAT: cycles", head[1], static_cast<double>(cycles + steps),
-                  Tolerance::exact("those of the file that the run began from, and its own"));
+                  Tolerance::exact("those of the file from which the run started plus those of the run"));
   double worst = 0.0;
   const auto records = numbers_of(restart.substr(first), 4);
   for (std::size_t i = 0; i < records.size(); ++i) {
@@ -504,8 +506,8 @@ void check_decks(const TemporaryFolder& folder, const Expected& expected, Findin
     keep_worst(worst, (records[i][3] - discs.vy[i]) / block_speed);
   }
   findings.expect("RESTART.DAT: discs", static_cast<double>(records.size()), free_discs,
-                  Tolerance::exact("the free ones"));
-  findings.expect("RESTART.DAT: places and velocities, largest error", worst, 0.0, of_paths());
+                  Tolerance::exact("the free discs"));
+  findings.expect("RESTART.DAT: positions and velocities, largest error", worst, 0.0, of_paths());
   // All discs, and their images that are within the field or overlap its border.
   std::vector<std::array<double, 3>> pictures;
   for (std::size_t i = 0; i < all_discs; ++i) {
@@ -542,8 +544,8 @@ void check_limits(const TemporaryFolder& folder, Findings& findings, const Setup
       wrong += (ended.exit_code == 0) == (share < 1.0) ? 0.0 : 1.0;
     }
   }
-  findings.expect("steps that are accepted or refused on the wrong side of their limit", wrong, 0.0,
-                  Tolerance::exact("0.999 of the limit is accepted, 1.001 refused, for two methods"));
+  findings.expect("steps accepted or rejected on the wrong side of their limit", wrong, 0.0,
+                  Tolerance::exact("0.999 of the limit is accepted, 1.001 rejected, for two methods"));
 }
 
 void check_summary(const Node& summary, const Expected& expected, const VirtualDiscs& before, Findings& findings) {
@@ -574,7 +576,7 @@ void check_summary(const Node& summary, const Expected& expected, const VirtualD
   for (const auto& [name, value, scale] : results)
     keep_worst(worst, (found.at(name).at("value").number() - value) / scale);
   findings.expect("summary.json: results", static_cast<double>(found.members().size()),
-                  static_cast<double>(results.size()), Tolerance::exact("those compared below"));
+                  static_cast<double>(results.size()), Tolerance::exact("the results compared below"));
   findings.expect("summary.json: results, largest error", worst, 0.0, of_paths());
 
   const VirtualDiscs& discs = expected.states.back().discs;
@@ -643,9 +645,9 @@ void run(Findings& findings, const Setup& setup) {
   for (double y = 0.25; y < heights.back(); y += 0.05)
     exact.add(layer_of(expected, (y - 0.25) * diameter, (y + 0.25) * diameter, 10)[0] / block_speed, y);
   findings.figure({.name = "profile",
-                   .title = "A column of profile.csv",
-                   .caption = "Mean velocity along x of discs in layers of half a diameter: rows of the file, and the "
-                              "same of the reference's motion in layers at any height.",
+                   .title = "Velocity profile in profile.csv",
+                   .caption = "Mean velocity along x of discs in layers of half a diameter: rows of the file (points) "
+                              "and the reference's motion in layers at any height (line).",
                    .x = {.label = "velocity over that of the block"},
                    .y = {.label = "height over D"},
                    .series = {exact, points("profile.csv", velocities, heights)}});
@@ -659,22 +661,22 @@ Case definition() {
           .requirements = {{"G5", {"cell"}}},
           .main_checks = {"history.csv: means over each LOOP, largest error",
                           "profile.csv: velocity, temperature and solid fraction, largest error",
-                          "cell.pvd: places, velocities, radii and walls of discs, largest error",
+                          "cell.pvd: positions, velocities, radii and walls of discs, largest error",
                           "summary.json: results, largest error"},
           .source =
               "Lacy 1989, Data Input and Parameters (files, stresses), Virtual Elements and Periodic Boundaries "
               "(reference)",
-          .faults = {{"faster_block", "the block of the deck faster by 1e-7 of itself",
+          .faults = {{"faster_block", "a block too fast by a factor of 1 + 1e-7",
                       "history.csv: means over each LOOP, largest error"},
-                     {"started_later", "an elapsed time in RESTART.DAT that is 1e-9 s longer",
-                      "cell.pvd: places, velocities, radii and walls of discs, largest error"},
-                     {"samples_one_loop_late", "means compared with those of the LOOP before",
+                     {"started_later", "an elapsed time in RESTART.DAT too long by 1e-9 s",
+                      "cell.pvd: positions, velocities, radii and walls of discs, largest error"},
+                     {"samples_one_loop_late", "samples assigned to the previous LOOP",
                       "history.csv: means over each LOOP, largest error"},
-                     {"layers_shifted", "layers compared with those a hundredth of their thickness higher",
+                     {"layers_shifted", "layers compared with those higher by a hundredth of their thickness",
                       "profile.csv: velocity, temperature and solid fraction, largest error"},
                      {"limit_doubled", "steps about twice their limits",
-                      "steps that are accepted or refused on the wrong side of their limit"},
-                     {"state_one_late", "states compared with those one LOOP later",
+                      "steps accepted or rejected on the wrong side of their limit"},
+                     {"state_one_late", "states compared with those of the next LOOP",
                       "cell.pvd: ends, forces and kinds of contacts, largest error"}},
           .run = run};
 }

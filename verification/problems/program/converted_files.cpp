@@ -93,16 +93,16 @@ void check_deck(const TemporaryFolder& folder, Findings& findings, const Setup& 
   if (setup.has("sixteen_digits"))
     for (double& value : values)
       value = std::stod(fmt::format("{:.16g}", value));
-  findings.expect("numbers of the scene that are not in the deck", missing(values, folder.read("deck.DAT")), 0.0,
-                  Tolerance::exact("17 digits give the same double back"));
-  findings.expect("numbers of the scene that are not in the scene of the deck",
+  findings.expect("numbers of the scene missing in the deck", missing(values, folder.read("deck.DAT")), 0.0,
+                  Tolerance::exact("17 digits restore the same double"));
+  findings.expect("numbers of the scene missing in the scene converted back from the deck",
                   missing(values, folder.read("back.toml")), 0.0,
-                  Tolerance::exact("17 digits give the same double back"));
+                  Tolerance::exact("17 digits restore the same double"));
   for (const char* const file : {"fence.toml", "deck.DAT"})
     (void)talus_output(folder, {"run", file, "--end", "0.2 ms", "--out", file == std::string{"deck.DAT"} ? "b" : "a"});
-  findings.expect_true("history.csv of the scene and of its deck are the same bytes",
+  findings.expect_true("byte-identical history.csv of the scene and of its deck",
                        folder.read("a/history.csv") == folder.read("b/history.csv"),
-                       "all numbers that the run depends on are in the deck, in their units");
+                       "the deck contains all numbers that the run depends on, in their units");
 }
 
 /// The fence after one rock, and after two, that plastically elongated its cables.
@@ -127,11 +127,11 @@ void check_after(const TemporaryFolder& folder, Findings& findings, const Setup&
     keep_worst(twice,
                numbers_after(third, words).at(0) / ((setup.has("first_rock_alone") ? 1.0 : 2.0) * stretch) - 1.0);
   }
-  findings.expect_between("cables that the first rock has drawn out", count, 3.0, 14.0,
+  findings.expect_between("plastically elongated cables after the first rock", count, 3.0, 14.0,
                           "the weak top cable has seven segments in each of two layers");
-  findings.expect("stretch of the cables for the second rock, largest relative error", once, 0.0,
+  findings.expect("plastic elongation of the cables for the second rock, largest relative error", once, 0.0,
                   Tolerance::round_off(1e-15, "the numbers of final_state.json in the same unit"));
-  findings.expect("stretch of the cables for the third rock, largest relative error", twice, 0.0,
+  findings.expect("plastic elongation of the cables for the third rock, largest relative error", twice, 0.0,
                   Tolerance::round_off(1e-15, "the sum of two equal numbers"));
 }
 
@@ -162,7 +162,7 @@ void check_lammps(const TemporaryFolder& folder, Findings& findings, const Setup
   folder.write("rough.toml", records::read_whole(TALUS_CASES "/cell/rough.toml"));
   (void)talus_output(folder, {"export", "lammps", "rough.toml", "--out", "lammps"});
   const std::string input = folder.read("lammps/in.discs"), data = folder.read("lammps/discs.data");
-  const Tolerance round_off = Tolerance::round_off(1e-13, "some ten roundings, in 17 digits");
+  const Tolerance round_off = Tolerance::round_off(1e-13, "about ten roundings, in 17 digits");
   double law = 0.0, run = 0.0;
   const auto compare = [&](double& worst, const std::string& words, const std::vector<double>& exact) {
     const std::vector<double> found = numbers_after(input, words);
@@ -200,9 +200,9 @@ void check_lammps(const TemporaryFolder& folder, Findings& findings, const Setup
     keep_worst(places, (y - (of_wall == 0 ? row * (i / columns + 1) : of_wall == 1 ? 0.0 : top)) / diameter);
   }
   findings.expect("discs.data: masses of the free discs, largest relative error", masses, 0.0, round_off);
-  findings.expect("discs.data: mass of the block's discs together, over that of the block", block / block_mass, 1.0,
+  findings.expect("discs.data: total mass of the block's discs over that of the block", block / block_mass, 1.0,
                   round_off);
-  findings.expect("discs.data: numbers, types, diameters and places, largest error", places, 0.0, round_off);
+  findings.expect("discs.data: numbers, types, diameters and positions, largest error", places, 0.0, round_off);
   // Velocities: number, three components along the axes, three of the spin.
   std::istringstream velocities{data.substr(data.find("Velocities") + 10)};
   double along = 0.0;
@@ -230,17 +230,17 @@ Case definition() {
   return {.id = "converted_files",
           .title = "Exported and converted files",
           .requirements = {{"G6", {"converted"}}},
-          .main_checks = {"numbers of the scene that are not in the deck",
-                          "stretch of the cables for the third rock, largest relative error",
+          .main_checks = {"numbers of the scene missing in the deck",
+                          "plastic elongation of the cables for the third rock, largest relative error",
                           "in.discs: coefficients of the contacts, largest relative error",
-                          "discs.data: mass of the block's discs together, over that of the block"},
+                          "discs.data: total mass of the block's discs over that of the block"},
           .source =
               "Mustoe & Huttelmaier 1993, Table 2 and sample deck (scenes); Schwager & Poeschel 2007 (clamped contact)",
-          .faults = {{"sixteen_digits", "numbers compared with those of 16 digits",
-                      "numbers of the scene that are not in the deck"},
-                     {"first_rock_alone", "a third rock on the cables as the first left them",
-                      "stretch of the cables for the third rock, largest relative error"},
-                     {"other_restitution", "a restitution of the reference that is larger by 1e-9",
+          .faults = {{"sixteen_digits", "numbers compared after rounding to 16 digits",
+                      "numbers of the scene missing in the deck"},
+                     {"first_rock_alone", "a third rock on cables elongated by the first rock only",
+                      "plastic elongation of the cables for the third rock, largest relative error"},
+                     {"other_restitution", "a restitution of the reference too large by 1e-9",
                       "in.discs: coefficients of the contacts, largest relative error"}},
           .run = run};
 }

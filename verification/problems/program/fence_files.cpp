@@ -106,15 +106,15 @@ void check_rock(const Node& sheet, const Csv& history, const Csv& codes, Finding
     translation.push_back(0.5 * mass * (vx[i] * vx[i] + vy[i] * vy[i]));
     inertia.push_back(2.0 * about[i] / (spin[i] * spin[i])), constant.push_back(inertia.front());
   }
-  const Tolerance round_off = Tolerance::round_off(1e-13, "some ten roundings, in 17 digits");
+  const Tolerance round_off = Tolerance::round_off(1e-13, "about ten roundings, in 17 digits");
   findings.expect("history of the deck: energy of translation, largest error", largest_difference(along, translation),
                   0.0, round_off);
   findings.expect("history of the deck: moment of inertia from the energy of rotation, largest change",
                   largest_difference(inertia, constant), 0.0, round_off);
   findings.expect(
-      "history of the deck: energies of the rock at the start, over the ledger's",
+      "history of the deck: energy of the rock at the start over that of the energy balance",
       (along.front() + about.front()) / column(history, "energy.kinetic").front(), 1.0,
-      Tolerance::round_off(1e-7, "only the rock moves; half a step's kick moves the column that it touches"));
+      Tolerance::round_off(1e-7, "only the rock moves; half a step's kick sets the column that it touches in motion"));
   findings.expect("sheet: velocity of the rock at the end",
                   rock.at("end_velocity").list().at(0).number() / (metre * column(history, "rock.vx").back()), 1.0,
                   round_off);
@@ -122,7 +122,7 @@ void check_rock(const Node& sheet, const Csv& history, const Csv& codes, Finding
                   rock.at("end_energy").number() / (joule * (along.back() + about.back())), 1.0, round_off);
   findings.expect("sheet: velocity of approach", rock.at("approach_velocity").list().at(0).number(), -65.0 * metre,
                   round_off, "m/s");
-  findings.expect("sheet: spin of approach, given in revolutions a minute", rock.at("approach_spin").number(), 34.0,
+  findings.expect("sheet: spin of approach, given in revolutions per minute", rock.at("approach_spin").number(), 34.0,
                   round_off, "rad/s");
   findings.expect(
       "sheet: energy of approach",
@@ -135,14 +135,14 @@ void check_fence(const Node& sheet, const Csv& history, Findings& findings) {
   double travel = 0.0;
   for (const double at : x)
     travel = std::max(travel, metre * std::abs(at - x.front()));
-  findings.expect("sheet: travel of the central column, over the largest of the history's rows",
+  findings.expect("sheet: travel of the central column over the largest in the history",
                   sheet.at("columns").list().at(0).at("travel").number() / travel, 1.0,
-                  Tolerance::round_off(1e-13, "the column is farthest at the end, which has a row"));
+                  Tolerance::round_off(1e-13, "the travel is largest at the end, which has a row"));
   findings.expect_between(
-      "sheet: largest tension of the first segment, over that of the history's rows",
+      "sheet: largest tension of the first segment over the largest in the history",
       sheet.at("segments").list().at(0).at("peak").number() / (newton * *std::ranges::max_element(tension)),
       1.0 - 1e-13, 1.011,
-      "the rows beside the highest are lower by 1.1 %: between two of them the tension rises by less");
+      "the rows next to the largest value are lower by 1.1 %: between two rows the tension rises by less");
 }
 
 void check_anchor(const TemporaryFolder& folder, const Node& sheet, Findings& findings, const Setup& setup) {
@@ -168,18 +168,18 @@ void check_anchor(const TemporaryFolder& folder, const Node& sheet, Findings& fi
   findings.expect(
       "sheet: impulse of the anchor from the states of the geometry, largest error of three components", worst, 0.0,
       Tolerance::truncation(std::abs(allowed), 1.0,
-                            "trapezoids of 101 states beside the run's of 100,001: their error falls by four "
-                            "with twice the states, so that all states differ from every other by three times "
-                            "the error"));
+                            "trapezoidal rule with 101 states compared with 100,001 in the run: its error falls by a "
+                            "factor of four if the number of states is doubled, so that the results with all states "
+                            "and with every other state differ by three times the error"));
   std::vector<double> sizes;
   for (const Vector& force : found.forces)
     sizes.push_back(size(force));
   const auto peak = static_cast<std::size_t>(std::ranges::max_element(sizes) - sizes.begin());
   const double before = peak > 0 ? sizes[peak - 1] : sizes[peak], after = sizes[std::min(peak + 1, sizes.size() - 1)];
-  findings.expect_between("sheet: largest force of the anchor, over that of the states of the geometry",
+  findings.expect_between("sheet: largest force of the anchor over the largest of the states of the geometry",
                           anchor.at("force").at("peak").number() / sizes[peak], 1.0 - 1e-13,
                           2.0 - std::min(before, after) / sizes[peak],
-                          "between two states the force rises above both by less than it falls to the next");
+                          "between two states the force exceeds both by less than it falls to the next state");
 }
 
 void run(Findings& findings, const Setup& setup) {
@@ -209,7 +209,7 @@ Case definition() {
                       "sheet: energy of approach"},
       .source = "Mustoe & Huttelmaier 1993, Table 2 (scene)",
       .faults = {{"slower_rock", "a rock of 64.99 ft/s", "sheet: velocity of approach"},
-                 {"cable_pushes", "cables that push the anchor",
+                 {"cable_pushes", "cables that push on the anchor",
                   "sheet: impulse of the anchor from the states of the geometry, largest error of three components"}},
       .seconds = 3.0,
       .run = run};

@@ -45,7 +45,7 @@ void run(Findings& findings, const Setup& setup) {
   }
   DataFile data{.name = "fingerprints", .columns = {"group", "run", "part", "fingerprint"}, .rows = {}};
   Table table{.name = "differences",
-              .caption = "Results that are not the recorded ones, at most the first twenty of each group.",
+              .caption = "Results that differ from the recorded ones, at most the first twenty of each group.",
               .columns = {"group", "run", "part", "recorded", "found"}};
   Table counts{
       .name = "runs", .caption = "Runs and fingerprints by group.", .columns = {"group", "runs", "fingerprints"}};
@@ -73,8 +73,8 @@ void run(Findings& findings, const Setup& setup) {
         ->expect(fmt::format("results that differ from the recorded ones, {}", group), differing, 0.0,
                  Tolerance::exact("the same input gives the same bits"));
     findings.in("restored")
-        ->expect(fmt::format("objects that differ from what they were restored from, {}", group), not_restored[group],
-                 0.0, Tolerance::exact("what is saved of a run at its end is all that it carries"));
+        ->expect(fmt::format("restored objects that differ from the saved ones, {}", group), not_restored[group], 0.0,
+                 Tolerance::exact("the items saved at the end of a run are its complete state"));
     counts.rows.push_back({group, fmt::format("{}", runs[group]), fmt::format("{}", parts.size())});
   }
   findings.data(data);
@@ -89,13 +89,13 @@ Case definition() {
           .title = "Bitwise reproducibility of recorded results",
           .requirements = {{"G8", {"recorded"}}, {"F5", {"restored"}}},
           .main_checks = {"results that differ from the recorded ones, integrators",
-                          "objects that differ from what they were restored from, integrators"},
+                          "restored objects that differ from the saved ones, integrators"},
           .source = "IEEE 754",
-          .faults = {{"gravity_one_ulp", "gravity of one scene changed in its last bit",
+          .faults = {{"gravity_one_ulp", "gravity of one scene changed by one unit in the last place",
                       "results that differ from the recorded ones, integrators"},
-                     {"one_record_lost", "one result was never recorded",
+                     {"one_record_lost", "one result missing in the record",
                       "results that differ from the recorded ones, integrators"},
-                     {"one_record_of_another", "one result is compared with that of another method",
+                     {"one_record_of_another", "one result compared with that of another method",
                       "results that differ from the recorded ones, integrators"}},
           .recorded = true,
           .seconds = 5.0,

@@ -232,8 +232,9 @@ std::vector<int> rows() {
 }
 
 const std::string tolerance_words =
-    "the method's tolerance, 1e-13, is relative to the largest speed of the run, 8 m/s; of the slowest column, "
-    "pressed.vy of 0.13 m/s, that is 6e-12, of which not all adds up. Ten printed digits were 57 times the bound";
+    "the method's tolerance, 1e-13, is relative to the largest speed of the run, 8 m/s; for the slowest column, "
+    "pressed.vy of 0.13 m/s, that is 6e-12, not all of which accumulates. With ten printed digits the error was 57 "
+    "times the bound";
 
 Tolerance of_files() { return Tolerance::round_off(5e-12, tolerance_words); }
 
@@ -242,10 +243,10 @@ void check_history(const Csv& history, Findings& findings) {
   for (const Quantity& quantity : quantities())
     header.push_back(fmt::format("{} [{}]", quantity.name, quantity.unit));
   findings.expect_true("history.csv: names, units and order of its columns", history.header() == header,
-                       "the columns follow the scene: bodies, contacts, cables, ledger");
+                       "the columns follow the scene: bodies, contacts, cables, energy balance");
   const std::vector<int> expected = rows();
   findings.expect("history.csv: rows", static_cast<double>(history.rows()), static_cast<double>(expected.size()),
-                  Tolerance::exact("each fourth of 102 steps from the first on, and the last"));
+                  Tolerance::exact("every fourth of 102 steps from the first on, and the last"));
   double worst = 0.0, worst_ledger = 0.0;
   for (std::size_t row = 0; row < std::min(history.rows(), expected.size()); ++row) {
     const std::vector<double> exact = exact_row(step * expected[row]);
@@ -281,16 +282,16 @@ void check_extremes(const Node& summary, Findings& findings) {
     keep_worst(time, found->at("largest_time").number() - (*largest)[0]);
   }
   findings.expect("summary.json: quantities with extremes", static_cast<double>(named),
-                  static_cast<double>(quantities().size() - 1), Tolerance::exact("all but the time, with their units"));
+                  static_cast<double>(quantities().size() - 1),
+                  Tolerance::exact("all except the time, with their units"));
   findings.expect("summary.json: extremes, largest error", value, 0.0, of_files());
   findings.expect("summary.json: times of the extremes, largest error", time, 0.0,
-                  Tolerance::round_off(1e-14, "a time is n h, and no two samples near an extreme are alike to 1e-6"),
-                  "s");
+                  Tolerance::round_off(1e-14, "a time is n h, and no two samples near an extreme agree to 1e-6"), "s");
 }
 
 void check_summary(const Node& summary, Findings& findings) {
   findings.expect("summary.json: steps", static_cast<double>(summary.at("steps").count()), steps,
-                  Tolerance::exact("a whole number"));
+                  Tolerance::exact("an integer"));
   const std::vector<double> exact = exact_row(step * steps);
   const Node ledger = summary.at("ledger");
   double worst = 0.0;
@@ -340,7 +341,7 @@ void check_geometry(const TemporaryFolder& folder, Findings& findings, const Set
     keep_worst(tension, (data_array(text, "tension").at(2) - exact[18]) / quantities()[18].scale);
   }
   findings.expect("geometry: files", files, steps / steps_a_file + 1,
-                  Tolerance::exact("the first state and one for every third step"));
+                  Tolerance::exact("the first state, and one for every third step"));
   findings.expect("geometry: times of its files, largest error", times, 0.0,
                   Tolerance::round_off(1e-14, "a time is n h"), "s");
   findings.expect("geometry: distance of the outline from its circle, largest error", outline, 0.0, of_files(), "m");
@@ -367,8 +368,8 @@ void check_resumed(const TemporaryFolder& folder, Findings& findings, const Setu
   };
   different += extremes("out") != extremes("halves");
   findings.expect("files that differ after an interruption", different, 0.0,
-                  Tolerance::exact("history, final state and index of the geometry have the same bytes, and the "
-                                   "summary the same extremes"));
+                  Tolerance::exact("history, final state and index of the geometry are byte-identical, and the summary "
+                                   "has the same extremes"));
 }
 
 void run(Findings& findings, const Setup& setup) {
@@ -386,8 +387,8 @@ void run(Findings& findings, const Setup& setup) {
   check_summary(summary, findings);
   check_final_state(Node{state_json, "final_state.json"}, findings);
   check_geometry(folder, findings, setup);
-  findings.expect_true("summary on the standard output (--json)", Json::parse(printed) == summary_json,
-                       "it is the document that is written as summary.json");
+  findings.expect_true("summary on standard output (--json)", Json::parse(printed) == summary_json,
+                       "the same document as in summary.json");
   check_resumed(folder, findings, setup);
   if (setup.coarse) return;
   std::vector<double> times, forces;
@@ -397,8 +398,8 @@ void run(Findings& findings, const Setup& setup) {
   for (double t = 0.0; t <= step * steps; t += 0.1 * step)
     exact.add(t, exact_row(t)[16]);
   findings.figure({.name = "force",
-                   .title = "A column of history.csv",
-                   .caption = "Force of the contact: rows of the file and the closed form.",
+                   .title = "Contact force in history.csv",
+                   .caption = "Contact force: rows of the file (points) and the closed form (line).",
                    .x = {.label = "time", .unit = "s"},
                    .y = {.label = "contact force", .unit = "N"},
                    .series = {exact, points("history.csv", times, forces)},
@@ -408,23 +409,23 @@ void run(Findings& findings, const Setup& setup) {
 }  // namespace
 
 Case definition() {
-  return {
-      .id = "run_files",
-      .title = "Output files of a run",
-      .requirements = {{"G1", {"files"}}},
-      .main_checks = {"history.csv: motion and forces, largest error", "summary.json: extremes, largest error"},
-      .source = "Textbook mechanics",
-      .faults = {{"more_gravity", "gravity larger by 1e-10 of itself", "history.csv: motion and forces, largest error"},
-                 {"softer_bed", "the contact softer by 1e-10 of itself",
-                  "history.csv: energies and balances, largest error"},
-                 {"longer_rope", "the cable longer by 1e-10 m", "geometry: tension of the rope, largest error"},
-                 {"one_step_less", "the run ends one step earlier", "summary.json: extremes, largest error"},
-                 {"other_interval", "a row every five steps", "history.csv: rows"},
-                 {"frames_one_late", "states of the geometry compared with those one step later",
-                  "geometry: distance of the outline from its circle, largest error"},
-                 {"resumed_from_the_start", "a run of one step less in place of the resumed one",
-                  "files that differ after an interruption"}},
-      .run = run};
+  return {.id = "run_files",
+          .title = "Output files of a run",
+          .requirements = {{"G1", {"files"}}},
+          .main_checks = {"history.csv: motion and forces, largest error", "summary.json: extremes, largest error"},
+          .source = "Textbook mechanics",
+          .faults = {{"more_gravity", "gravity too large by a factor of 1 + 1e-10",
+                      "history.csv: motion and forces, largest error"},
+                     {"softer_bed", "a contact too soft by a factor of 1 - 1e-10",
+                      "history.csv: energies and balances, largest error"},
+                     {"longer_rope", "a cable too long by 1e-10 m", "geometry: tension of the rope, largest error"},
+                     {"one_step_less", "a run that ends one step earlier", "summary.json: extremes, largest error"},
+                     {"other_interval", "a row every five steps", "history.csv: rows"},
+                     {"frames_one_late", "states of the geometry compared with those one step later",
+                      "geometry: distance of the outline from its circle, largest error"},
+                     {"resumed_from_the_start", "a run with one step less in place of the resumed one",
+                      "files that differ after an interruption"}},
+          .run = run};
 }
 
 }  // namespace talus::verification::problems::run_files

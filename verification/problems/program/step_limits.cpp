@@ -229,10 +229,10 @@ void draw_growth(const TemporaryFolder& folder, const std::vector<Vibrating>& sc
     curves.push_back(std::move(curve));
   }
   findings.figure({.name = "growth",
-                   .title = "On both sides of the limit",
+                   .title = "Growth on both sides of the step limit",
                    .caption =
-                       "Largest speed after 400 steps of velocity Verlet over that of the disturbance. The line is "
-                       "the limit that `talus check` prints.",
+                       "Largest speed after 400 steps of velocity Verlet over that of the disturbance. The line is the "
+                       "limit printed by `talus check`.",
                    .x = {.label = "step over its limit"},
                    .y = {.label = "growth", .log = true},
                    .series = curves,
@@ -254,8 +254,8 @@ void run(Findings& findings, const Setup& setup) {
   double unstable = std::numeric_limits<double>::infinity();
   Table table{.name = "limits",
               .caption =
-                  "Limits of the step as computed and as `talus check` prints them. Growth: largest speed after 400 "
-                  "steps over that of the disturbance.",
+                  "Limits of the step, computed and as printed by `talus check`. Growth: largest speed after 400 steps "
+                  "over that of the disturbance.",
               .columns = {"scene", "method", "limit [s]", "printed [s]", "growth at 0.99", "growth at 1.01"},
               .rows = {}};
   const std::vector scenes{column(setup), hertz(setup), pair(setup), sticking(setup), hung(setup)};
@@ -285,24 +285,26 @@ void run(Findings& findings, const Setup& setup) {
     }
   }
   if (!setup.coarse)
-    findings.expect("limits compared", limits, 36.0, Tolerance::exact("eight methods, five scenes; two do not damp"));
+    findings.expect(
+        "limits compared", limits, 36.0,
+        Tolerance::exact("eight methods, five scenes; two methods have no limit in the two undamped scenes"));
   findings.expect("limit of the step printed by `talus check`, over the exact one: largest deviation from 1", printed,
                   0.0,
                   Tolerance::round_off(1e-5,
-                                       "six digits are printed; damping is in proportion to stiffness, so that "
-                                       "the modes are exact; starting overlaps change by 1e-6"));
+                                       "six digits are printed; damping is proportional to stiffness, so that the "
+                                       "modes are exact; initial overlaps change by 1e-6"));
   findings.expect("wrong verdicts of `talus check` at 0.999 and 1.001 of the limit", wrong_checks, 0.0,
-                  Tolerance::exact("both sides of every limit"));
-  findings.expect("runs at 0.999 of the limit that are ended, and at 1.001 that are not", wrong_runs, 0.0,
-                  Tolerance::exact("exit code 0 and 3 of `talus run`"));
+                  Tolerance::exact("both sides of each limit"));
+  findings.expect("runs terminated at 0.999 of the limit, or not terminated at 1.001", wrong_runs, 0.0,
+                  Tolerance::exact("exit codes 0 and 3 of `talus run`"));
   findings.expect_between(
-      "growth in 400 steps at 0.99 of the limit, largest", stable, 0.0, 12.3,
-      "a leapfrog's mode grows to 1/sqrt(1 - 0.99^2) = 7.1 times its disturbance at most; three orthogonal modes of "
+      "growth in 400 steps at 0.99 of the limit: maximum", stable, 0.0, 12.3,
+      "a leapfrog mode grows to at most 1/sqrt(1 - 0.99^2) = 7.1 times its disturbance; three orthogonal modes of "
       "three equal discs, disturbed alike, add up to sqrt(3) times that for one disc");
   findings.expect_between(
-      "growth in 400 steps at 1.01 of the limit, least, in powers of ten", std::log10(unstable), 2.0, 9.0,
-      "a linear motion would grow beyond all bounds; bodies that leave contact or slip end it, at 1.2e3 "
-      "times the disturbance at least as found. Below the limit it stays under 12.3");
+      "growth in 400 steps at 1.01 of the limit: minimum, in powers of ten", std::log10(unstable), 2.0, 9.0,
+      "linear motion would grow without bound; bodies that lose contact or slip end the growth, measured at no less "
+      "than 1.2e3 times the disturbance. Below the limit the growth stays under 12.3");
   findings.table(std::move(table));
   if (!setup.coarse) draw_growth(folder, scenes, methods.front(), findings);
 }
@@ -314,16 +316,16 @@ Case definition() {
           .title = "Step limits reported by `talus check`",
           .requirements = {{"G2", {"limits"}}},
           .main_checks = {"wrong verdicts of `talus check` at 0.999 and 1.001 of the limit",
-                          "growth in 400 steps at 1.01 of the limit, least, in powers of ten"},
+                          "growth in 400 steps at 1.01 of the limit: minimum, in powers of ten"},
           .source = "Linear stability of the methods, as in case `stability_maps`",
-          .faults = {{"slowest_mode_alone", "the slowest mode in place of all three",
+          .faults = {{"slowest_mode_alone", "only the slowest of the three modes",
                       "wrong verdicts of `talus check` at 0.999 and 1.001 of the limit"},
-                     {"secant_stiffness", "secant in place of tangent stiffness of the Hertzian contact",
+                     {"secant_stiffness", "secant instead of tangent stiffness of the Hertzian contact",
                       "wrong verdicts of `talus check` at 0.999 and 1.001 of the limit"},
-                     {"light_mass_alone", "the lighter mass in place of the effective mass",
-                      "runs at 0.999 of the limit that are ended, and at 1.001 that are not"},
-                     {"no_friction_spring", "the spring of friction left out",
-                      "growth in 400 steps at 0.99 of the limit, largest"}},
+                     {"light_mass_alone", "the lighter mass instead of the effective mass",
+                      "runs terminated at 0.999 of the limit, or not terminated at 1.001"},
+                     {"no_friction_spring", "friction spring omitted",
+                      "growth in 400 steps at 0.99 of the limit: maximum"}},
           .seconds = 4.0,
           .run = run};
 }

@@ -71,7 +71,9 @@ class Worst {
   double worst_{};
 };
 
-Tolerance of_units() { return Tolerance::round_off(1e-13, "some ten roundings between feet and metres, in 17 digits"); }
+Tolerance of_units() {
+  return Tolerance::round_off(1e-13, "about ten roundings between feet and metres, in 17 digits");
+}
 
 /// A rock touches the fence in the rows in which it overlaps a column or presses it: at the start it may press without
 /// overlap.
@@ -129,7 +131,7 @@ void check_rocks(const Node& sheet, const Csv& history, const Csv& codes, Findin
   findings.expect("sheet: velocities and spins of both rocks, largest error", velocities.error(), 0.0, of_units());
   findings.expect("sheet: energies of both rocks over those at the start, largest error", energies.error(), 0.0,
                   of_units());
-  findings.expect("sheet: times of touch and exit of both rocks over the run's, largest error", times.error(), 0.0,
+  findings.expect("sheet: times of touch and exit of both rocks over the duration, largest error", times.error(), 0.0,
                   of_units());
   findings.expect("sheet: travel of both rocks, largest error", travels.error(), 0.0, of_units());
 }
@@ -172,8 +174,8 @@ void check_parts(const Node& sheet, const Csv& history, const Csv& codes, Findin
   findings.expect("sheet: travel of all columns, largest error", travels.error(), 0.0, of_units());
   findings.expect("sheet: largest forces of hangers and segments, largest error", peaks.error(), 0.0, of_units());
   findings.expect("sheet: impulses of the segments, largest error", impulses.error(), 0.0,
-                  Tolerance::round_off(1e-12, "sums of 363 trapezoids"));
-  findings.expect("sheet: times of the largest travels and forces over the run's, largest error", times.error(), 0.0,
+                  Tolerance::round_off(1e-12, "trapezoidal sums of 363 terms"));
+  findings.expect("sheet: times of the largest travels and forces over the duration, largest error", times.error(), 0.0,
                   of_units());
   Worst rows;
   const Node drawn = sheet.at("history");
@@ -212,8 +214,8 @@ void check_verdict(const Node& sheet, const Node& summary, Findings& findings) {
     largest = std::max(largest, part.at("peak").number());
   worst.compare(verdict.at("largest_cable_force").at("peak").number(), largest / newton, 1e5);
   findings.expect("summary.json: verdicts that differ from those of the sheet", words, 0.0,
-                  Tolerance::exact("of the fence and of each rock"));
-  findings.expect("summary.json: numbers of the verdict beside those of the sheet, largest error", worst.error(), 0.0,
+                  Tolerance::exact("for the fence and each rock"));
+  findings.expect("summary.json: numbers of the verdict against those of the sheet, largest error", worst.error(), 0.0,
                   of_units());
 }
 
@@ -260,7 +262,7 @@ void check_player(const TemporaryFolder& folder, Findings& findings, const Setup
     }
   }
   findings.expect("animation: outlines of the bodies, largest error", outlines.error(), 0.0,
-                  Tolerance::model(1.5e-5, "six digits: 5e-6 of each of two lengths and of an angle of up to 3.2"));
+                  Tolerance::model(1.5e-5, "six digits: 5e-6 for each of two lengths and for an angle of up to 3.2"));
   findings.expect("animation: ends and tensions of the cables, largest error", cables.error(), 0.0,
                   Tolerance::model(5.1e-6, "half a unit of the sixth digit"));
 }
@@ -290,9 +292,9 @@ void run(Findings& findings, const Setup& setup) {
   const Node repeat = sheet.at("quality").at("repeat");
   const double growth = repeat.at("change_of_largest_cable_force").number() / repeat.at("change_of_speed").number();
   findings.expect_between("sheet: change of the largest cable force over that of the rocks' speed", growth, 0.25, 4.0,
-                          "the peak of a spring grows as the speed does; slack and gaps let it grow more, forces that "
-                          "are there at rest less. A run taken with the deck's speeds changed is no reference: the "
-                          "stiffness of the contacts follows from them");
+                          "the peak force of a spring is proportional to the speed; slack and gaps increase its "
+                          "growth, forces present at rest reduce it. A run with the deck's speeds changed cannot serve "
+                          "as reference, because the stiffness of the contacts follows from these speeds");
 }
 
 }  // namespace
@@ -306,7 +308,7 @@ Case definition() {
                           "sheet: change of the largest cable force over that of the rocks' speed",
                           "animation: outlines of the bodies, largest error"},
           .source = "Mustoe & Huttelmaier 1993, sample deck (fence and first rock)",
-          .faults = {{"first_rock_alone", "the second rock compared with the first one's history",
+          .faults = {{"first_rock_alone", "the second rock compared with the history of the first",
                       "sheet: velocities and spins of both rocks, largest error"},
                      {"frame_one_late", "frames compared with the next state",
                       "animation: outlines of the bodies, largest error"}},

@@ -241,29 +241,31 @@ void check_question(const Question& question, Findings& findings, const Setup& s
   const Advice advice = advise_method(question.scene, quantity, rules_of(question, setup));
   findings.count(advice.evaluations);
   const auto check = [&](const char* what) { return fmt::format("{}: {}", question.name, what); };
-  if (!findings.expect_true(check("advised"), advice.best.has_value(), "the motion is regular")) return;
+  if (!findings.expect_true(check("advice given"), advice.best.has_value(), "the motion is regular")) return;
   const TriedMethod& best = *advice.best;
-  findings.expect_between(check("error of the value upon which two methods agree over the accuracy"),
+  findings.expect_between(check("error of the reference value over the accuracy"),
                           std::abs(advice.reference.value / question.truth - 1.0) / question.accuracy, 0.0,
                           0.35 + question.doubt / question.accuracy,
-                          "a tenth of the accuracy within one method, a quarter to the other, and the doubt of an "
-                          "extrapolated truth");
+                          "0.1 of the accuracy within one method, 0.25 to the other, plus the uncertainty of an "
+                          "extrapolated exact value");
   const Run run = run_with(question, best.method, findings);
   const double beside = error_beside(question, best.method, findings);
   findings.expect_between(check("error of the advised run over the accuracy"), run.error / question.accuracy, 0.0, 1.0,
-                          "the promise");
-  findings.expect_between(check("largest error of twelve runs beside it over the accuracy"), beside / question.accuracy,
-                          0.0, 1.0, "the promise is no matter of luck; whether it is too dear the fewest tell");
-  findings.expect_true(check("costs what was said"), run.evaluations == static_cast<double>(best.evaluations),
+                          "the promised accuracy");
+  findings.expect_between(check("largest error of twelve neighbouring runs over the accuracy"),
+                          beside / question.accuracy, 0.0, 1.0,
+                          "the promised accuracy must not be due to chance; the comparison with the fewest evaluations "
+                          "shows whether it is too expensive");
+  findings.expect_true(check("evaluations as reported"), run.evaluations == static_cast<double>(best.evaluations),
                        "the same run");
   if (setup.coarse) return;
   Series own{.label = question.name, .style = Style::points};
   const double brute = cheapest(question, advice, findings, own);
   figure.series.push_back(std::move(own));
   findings.expect_between(
-      check("evaluations over the fewest by brute force"), run.evaluations / brute, 0.5, 2.4,
-      "half the accuracy costs order 1 a factor of 2, the rungs 1.12 and those of brute force 1.07; "
-      "brute force asks all finer runs to four times the cost, and may come out twice as dear");
+      check("evaluations over the minimum by brute force"), run.evaluations / brute, 0.5, 2.4,
+      "half the accuracy costs order 1 a factor of 2, the spacing of the rungs 1.12 and that of the brute-force runs "
+      "1.07; brute force requires all finer runs up to four times the cost to be accurate, and may cost twice as much");
   table.rows.push_back({question.name, fmt::format("{:.0e}", question.accuracy),
                         words(best.method, question.scene.plan.end), fmt::format("{:.1e}", best.error),
                         fmt::format("{:.1e}", run.error), fmt::format("{:.1e}", beside),
@@ -277,26 +279,26 @@ void check_gas(Findings& findings, const Setup& setup, Table& table) {
   rules.evaluations = setup.coarse ? 150'000 : 1'000'000;
   const Advice advice = advise_method(question.scene, quantity, rules);
   findings.count(advice.evaluations);
-  findings.expect_true("gas: refused because its differences grow",
+  findings.expect_true("gas: advice refused because differences grow",
                        advice.refusal && advice.refusal->kind == Refusal::Kind::chaotic,
-                       "round bodies spread what comes between them: no step can keep any promise");
+                       "impacts of round bodies amplify differences: no step can keep the promised accuracy");
   if (setup.coarse) return;
   findings.expect_between("gas: largest difference of the result over the accuracy",
                           advice.growth.result / question.accuracy, 1.0, 1e5,
-                          "at least what was asked; at most the width of the box over a thousandth of it");
+                          "at least the required accuracy; at most the width of the box over a thousandth of it");
   // Two fine runs; brute force would accept either as the reference.
   PilotRuns runs{question.scene, quantity, false};
   const Pilot one = runs.run({"stormer_cowell", 1e-12, 2000}, 10'000'000);
   const Pilot two = runs.run({"rk4", 0.0, 100'000}, 10'000'000);
   findings.count(runs.evaluations());
-  findings.expect_between("gas: distance of two fine runs over the width of the box",
+  findings.expect_between("gas: difference of two fine runs over the width of the box",
                           std::abs(one.printed - two.printed) / 3.2, 1e-2, 1.0,
-                          "no step gives the place to a hundredth; discs reach 3.2 of the box's width 4");
+                          "no step gives the position to 1 %; discs reach 3.2 of the box's width of 4");
   const Question soon = gas(2.0, 1e-2);
   const Advice early = advise_method(soon.scene, quantity, rules_of(soon, setup));
   findings.count(early.evaluations);
-  findings.expect_true("gas: the time of its first impacts is advised", early.best.has_value(),
-                       "differences are still small: it is the time that is refused, not the scene");
+  findings.expect_true("gas: advice given for the time of its first impacts", early.best.has_value(),
+                       "differences are still small: the duration is refused, not the scene");
   table.rows.push_back({"gas of five discs to 100", "1e-02", "refused", "-",
                         fmt::format("{:.0e} grows to {:.0e}", advice.growth.share, advice.growth.result), "-",
                         fmt::format("{}", advice.evaluations), "-"});
@@ -317,17 +319,18 @@ std::vector<Question> questions(Findings& findings, const Setup& setup) {
 void run(Findings& findings, const Setup& setup) {
   Table table{.name = "advice",
               .caption =
-                  "What is advised for which accuracy; the error promised (largest of its pilots), that of the "
-                  "advised run, the largest of twelve beside it; its evaluations and the fewest by brute force.",
-              .columns = {"scene", "accuracy", "advice", "promised", "error", "beside", "evaluations", "fewest"}};
+                  "Advice for each scene and accuracy; promised error (largest of the pilot runs), error of the "
+                  "advised run, largest error of twelve neighbouring runs; evaluations of the advised run, and minimum "
+                  "by brute force.",
+              .columns = {"scene", "accuracy", "advice", "promised", "error", "neighbours", "evaluations", "minimum"}};
   Figure figure{
       .name = "beside",
-      .title = "Errors of the advised methods beside the advice",
+      .title = "Errors of the advised methods near the advice",
       .caption =
-          "Runs by brute force of the method that was advised for each scene: error over the accuracy "
-          "against cost over that of the advice, which stands at 1. To the right of it errors stay "
-          "below the accuracy, but for some coarser tolerances that cost as much; to the left some do by luck.",
-      .x = {.label = "evaluations over those advised", .log = true, .min = 0.2, .max = 5.0},
+          "Brute-force runs with the method advised for each scene: error over the accuracy against cost over that of "
+          "the advice, which lies at 1. To the right of it errors stay below the accuracy, except for some coarser "
+          "tolerances of the same cost; to the left some runs are accurate by chance.",
+      .x = {.label = "evaluations over those of the advice", .log = true, .min = 0.2, .max = 5.0},
       .y = {.label = "error over accuracy", .log = true, .min = 1e-3, .max = 1e2},
       .series = {},
       .lines = {{'y', 1.0, "accuracy"}, {'x', 1.0, "advice"}}};
@@ -354,19 +357,19 @@ Case definition() {
                         {"caught bob, fixed steps: error of the advised run over the accuracy"}},
                        {"integrator.rk4", {"oblique impact, fixed steps: error of the advised run over the accuracy"}}},
       .main_checks = {"caught bob: error of the advised run over the accuracy",
-                      "Hertzian impact: largest error of twelve runs beside it over the accuracy",
-                      "caught bob, fixed steps: largest error of twelve runs beside it over the accuracy",
-                      "latching impact, fixed steps: largest error of twelve runs beside it over the accuracy",
+                      "Hertzian impact: largest error of twelve neighbouring runs over the accuracy",
+                      "caught bob, fixed steps: largest error of twelve neighbouring runs over the accuracy",
+                      "latching impact, fixed steps: largest error of twelve neighbouring runs over the accuracy",
                       "fence of Table 3: error of the advised run over the accuracy",
-                      "fence of Table 3: evaluations over the fewest by brute force",
-                      "gas: refused because its differences grow"},
-      .source = "This program's own rules; closed forms as in cases damped_bungee, friction, hertz and latching_spring",
-      .faults = {{"lucky_runs", "one run at the whole accuracy is taken for enough",
-                  "caught bob, fixed steps: largest error of twelve runs beside it over the accuracy"},
-                 {"judged_between_steps", "pilots are judged by extremes between the steps, which no run prints",
+                      "fence of Table 3: evaluations over the minimum by brute force",
+                      "gas: advice refused because differences grow"},
+      .source = "Rules of this program; closed forms as in cases damped_bungee, friction, hertz and latching_spring",
+      .faults = {{"lucky_runs", "one run at the full accuracy taken as sufficient",
+                  "caught bob, fixed steps: largest error of twelve neighbouring runs over the accuracy"},
+                 {"judged_between_steps", "pilot runs judged by extremes between the steps, which no run prints",
                   "caught bob: error of the advised run over the accuracy"},
-                 {"differences_not_followed", "small differences of the start are not followed",
-                  "gas: refused because its differences grow"}},
+                 {"differences_not_followed", "growth of small initial differences not measured",
+                  "gas: advice refused because differences grow"}},
       .seconds = 9.0,
       .time_limit = 300.0,
       .run = run};

@@ -183,12 +183,13 @@ void check_growth(const std::string& name, const Dynamics& dynamics, const State
   const auto claim = findings.in("integrator.velocity_verlet");
   findings.in("sides_of_2")
       ->expect(name + ": runs on the wrong side of w h = 2", wrong, 0.0,
-               Tolerance::exact("a count: .98 and .999 of the limit keep the mode within 1.5 of its start, as the "
-                                "leapfrog's invariant demands, 1.001 and 1.02 make it grow"));
-  findings.expect(name + ": ln growth per step at 1.001 and 1.02 of the limit, largest share of error", worst, 0.0,
+               Tolerance::exact("count: at 0.98 and 0.999 of the limit the mode stays within 1.5 times its initial "
+                                "size, as the leapfrog's invariant requires; at 1.001 and 1.02 it grows"));
+  findings.expect(name + ": ln growth per step at 1.001 and 1.02 of the limit, largest relative error", worst, 0.0,
                   Tolerance::round_off(0.02,
-                                       "a frequency off by a share of 2e-5 makes 1.001 one of 1.00102: 1 % of the "
-                                       "growth; the mode that dies is 1e-4 of it where the count begins"));
+                                       "a relative frequency error of 2e-5 turns 1.001 into 1.00102: 1 % of the "
+                                       "growth; the decaying mode is 1e-4 of the growing one where the measurement "
+                                       "begins"));
 }
 
 /// Checks a system whose highest frequency has a closed form, and adds it to the table.
@@ -198,8 +199,8 @@ void check_system(const std::string& name, const std::string& formula, const Sce
   const HighestMode mode = highest_mode(dynamics, scene.initial, 0x1p-4 * depth, 400);
   findings.expect(name + ": highest frequency by power iteration", mode.frequency, exact,
                   Tolerance::round_off(2e-6,
-                                       "forces are told apart at a sixteenth of the overlap, 6e-5, to 1e-15 of 1; the "
-                                       "formula leaves out the square of the overlap, 1e-6")
+                                       "forces a sixteenth of the overlap apart, 6e-5, are rounded to 1e-15 of 1; the "
+                                       "formula neglects the square of the overlap, 1e-6")
                       .relative(),
                   "rad/s");
   check_growth(name, dynamics, scene.initial, mode, exact, 3e-11, findings);
@@ -264,33 +265,33 @@ void check_fence_limit(Findings& findings, const Setup& setup, Table& table) {
   findings.expect_between("fence: highest frequency of six held states over that of the 1993 rule", highest / rule, 1.0,
                           std::numbers::sqrt2,
                           "above that of one column between its neighbours, sqrt(2 k/m), which is therefore no bound; "
-                          "below sqrt(4 k/m) of a long straight chain, from which the cables' angles take");
+                          "below sqrt(4 k/m) of a long straight chain, which the angles of the cables reduce");
 }
 
 }  // namespace
 
 void check_bilateral_systems(Findings& findings, const Setup& setup) {
-  Table table{.name = "frequencies",
-              .caption =
-                  "Highest frequency by closed form and by power iteration on the solver's forces; for the fence "
-                  "of Table 2, held in balance where its impact has brought it, also over that of the 1993 rule, "
-                  "$\\sqrt{2k/m}$ (Eq. 25), and the rule's step over the limit $2/\\omega$.",
-              .columns = {"system", "formula", "exact", "power iteration", "over the rule's", "rule's step"}};
+  Table table{
+      .name = "frequencies",
+      .caption =
+          "Highest frequency by closed form and by power iteration on the solver's forces; for the fence of Table 2, "
+          "held in equilibrium at states of its impact, also over that of the 1993 rule, $\\sqrt{2k/m}$ (Eq. 25), and "
+          "the rule's step over the limit $2/\\omega$.",
+      .columns = {"system", "formula", "exact", "power iteration", "over that of the rule", "step of the rule"}};
   const double k = stiffness;
   // If kt > kn/3, the tangential mode has the higher frequency: w^2 = kt (1/m + a^2/I), with the contact point half the
   // overlap inside.
   const double arm = 1.0 - 0.5 * depth, turning = 1.0 + 2.0 * arm * arm;
   const double decides = setup.has("kt_ignored") ? std::sqrt(k) : std::sqrt(0.4 * k * turning);
-  check_system("disc that sticks, kt = .4 kn", "$\\sqrt{3 k_t/m}$", pressed_on_plane(0.4 * k), decides, findings,
-               table);
+  check_system("sticking disc, kt = 0.4 kn", "$\\sqrt{3 k_t/m}$", pressed_on_plane(0.4 * k), decides, findings, table);
   if (!setup.coarse) {
-    check_system("disc that sticks, kt = .28 kn", "$\\sqrt{k_n/m}$", pressed_on_plane(0.28 * k), std::sqrt(k), findings,
+    check_system("sticking disc, kt = 0.28 kn", "$\\sqrt{k_n/m}$", pressed_on_plane(0.28 * k), std::sqrt(k), findings,
                  table);
-    check_system("pair, along", "$\\sqrt{2 k_n/m}$", pair(false, 0.0), std::sqrt(2.0 * k), findings, table);
+    check_system("pair, normal mode", "$\\sqrt{2 k_n/m}$", pair(false, 0.0), std::sqrt(2.0 * k), findings, table);
     // The normal force pushes discs off their line of centres once they have left it: this lowers w^2 by 2 N/d times
     // the third of the motion that is displacement of the discs.
     const double across = std::sqrt(0.5 * k * 2.0 * turning - 2.0 * k * depth / (2.0 - depth) / turning);
-    check_system("pair, across", "$\\sqrt{6 k_t/m}$", pair(true, 0.5 * k), across, findings, table);
+    check_system("pair, tangential mode", "$\\sqrt{6 k_t/m}$", pair(true, 0.5 * k), across, findings, table);
     for (const int n : {3, 8}) {
       check_system(fmt::format("{} discs between walls", n), "$2\\sqrt{k/m}\\,\\sin\\frac{n\\pi}{2(n+1)}$", row(n),
                    2.0 * std::sqrt(k) * std::sin(n * std::numbers::pi / (2.0 * (n + 1))), findings, table);

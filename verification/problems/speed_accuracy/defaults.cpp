@@ -66,7 +66,7 @@ struct Worst {
 
 void check_scenes(Findings& findings, const Setup& setup) {
   Table table{.name = "scenes",
-              .caption = "Thirty scenes with all defaults beside converged runs.",
+              .caption = "Thirty scenes with all defaults, compared with converged runs.",
               .columns = {"scene", "result", "default", "converged", "difference", "energy balance", "evaluations"}};
   Series errors{"named result", {}, {}, Style::points}, balances{"energy balance", {}, {}, Style::points};
   Worst error, balance;
@@ -92,16 +92,16 @@ void check_scenes(Findings& findings, const Setup& setup) {
   }
   if (!setup.coarse) {
     findings.expect("number of scenes", static_cast<double>(table.rows.size()), 30.0,
-                    Tolerance::exact("as many as are named"));
+                    Tolerance::exact("all scenes of the list"));
   }
   findings.in("scenes")->expect(
       "scenes: largest difference of a named result from its converged value", error.error, 0.0,
-      Tolerance::model(0.01,
-                       "1 % is what an engineer may notice; the converged runs err by 0.1 %; worst: " + error.where));
+      Tolerance::model(
+          0.01, "1 % is noticeable to an engineer; the converged runs have errors of 0.1 %; worst: " + error.where));
   findings.expect(
       "scenes: largest error of the energy balance over the largest energy", balance.error, 0.0,
-      Tolerance::truncation(
-          1e-9, 3.0, "ten times the tolerance of the steps, over some thousand of them; worst: " + balance.where));
+      Tolerance::truncation(1e-9, 3.0,
+                            "ten times the tolerance of a step, over some thousand steps; worst: " + balance.where));
   if (setup.coarse) return;
   findings.table(table);
   findings.figure({.name = "scenes",
@@ -167,11 +167,11 @@ class FenceDifferences {
       findings.in("fences")->expect(fmt::format("fences: largest difference of {} from {}", of, reference_),
                                     worst.error, 0.0, Tolerance::model(most, why + "; worst: " + worst.where));
     };
-    within(position_, "the rock's last position", bound);
-    within(energy_, "the rock's last energy", bound);
+    within(position_, "the rock's final position", bound);
+    within(energy_, "the rock's final energy", bound);
     within(tension_, "the largest tension", tension_bound);
     findings.expect(fmt::format("fences: verdicts equal to those of {}", reference_), verdicts_, 20.0,
-                    Tolerance::exact("no verdict may hang on the method"));
+                    Tolerance::exact("no verdict may depend on the method"));
   }
 
  private:
@@ -184,10 +184,11 @@ void check_fences(Findings& findings, const Setup& setup) {
   Table table{
       .name = "fences",
       .caption =
-          "Twenty fences with all defaults; differences from runs of tolerance $10^{-13}$: of the rock's "
-          "last position over the width of its path, of its last kinetic energy over that of its "
-          "approach, of the largest tension.",
-      .columns = {"fence", "verdict", "energy left", "position", "energy", "tension", "energy balance", "evaluations"}};
+          "Twenty fences with all defaults; differences from runs of tolerance $10^{-13}$: of the rock's final "
+          "position over the width of its path, of its final kinetic energy over that of its approach, and of the "
+          "largest tension.",
+      .columns = {"fence", "verdict", "remaining energy", "position", "energy", "tension", "energy balance",
+                  "evaluations"}};
   Worst balance;
   FenceDifferences tight{"runs of tolerance 1e-13"}, fixed{"runs of velocity Verlet"};
   for (const VariedScene& varied : varied_fences()) {
@@ -212,16 +213,17 @@ void check_fences(Findings& findings, const Setup& setup) {
   }
   findings.expect(
       "fences: largest error of the energy balance over the largest energy", balance.error, 0.0,
-      Tolerance::truncation(
-          1e-9, 3.0, "ten times the tolerance of the steps, over some thousand of them; worst: " + balance.where));
+      Tolerance::truncation(1e-9, 3.0,
+                            "ten times the tolerance of a step, over some thousand steps; worst: " + balance.where));
   if (setup.coarse) return;
-  tight.check(findings, 0.01, 5e-9,
-              "1 % is what an engineer may notice; a tension errs by some ten tolerances of the default, 1e-10");
+  tight.check(
+      findings, 0.01, 5e-9,
+      "1 % is noticeable to an engineer; the error of a tension is about ten times the default tolerance, 1e-10");
   if (setup.tier == Tier::full) {
     fixed.check(
         findings, 0.02, 0.002,
-        "steps of 2 microseconds, some 1,000 in a contact, err by 0.1 % of the speed in each of several impacts, "
-        "which later ones multiply: the rock moves on for half a second");
+        "steps of 2 microseconds, about 1,000 in a contact, cause errors of 0.1 % of the speed in each of several "
+        "impacts, and later impacts amplify these: the rock keeps moving for half a second");
   }
   findings.table(table);
 }
@@ -240,14 +242,14 @@ void check_even(Findings& findings, const Setup& setup) {
     found[i] = run_fence(file, findings);
   }
   const scenes::RockPassage &half = found[0].summary.rocks[0], &whole = found[1].summary.rocks[0];
-  findings.expect("even fence: last energy of the rock, half model against whole", half.end_energy / whole.end_energy,
-                  1.0,
+  findings.expect("even fence: final energy of the rock, half model over full model",
+                  half.end_energy / whole.end_energy, 1.0,
                   Tolerance::truncation(1e-7, 3.0,
-                                        "the same motion by steps of the same tolerance, 1e-10, whose "
-                                        "differences grow a thousandfold in each of two impacts"));
-  findings.expect("even fence: largest tension, half model against whole",
+                                        "the same motion with steps of the same tolerance, 1e-10; differences grow a "
+                                        "thousandfold in each of two impacts"));
+  findings.expect("even fence: largest tension, half model over full model",
                   found[0].summary.largest_segment()->peak / found[1].summary.largest_segment()->peak, 1.0,
-                  Tolerance::truncation(1e-10, 1.0, "the tolerance: it comes before differences grow"));
+                  Tolerance::truncation(1e-10, 1.0, "the tolerance: the peak occurs before differences grow"));
 }
 
 void run(Findings& findings, const Setup& setup) {
@@ -274,18 +276,18 @@ Case definition() {
                              "fences: largest error of the energy balance over the largest energy"}}},
           .main_checks = {"scenes: largest difference of a named result from its converged value",
                           "scenes: largest error of the energy balance over the largest energy",
-                          "fences: largest difference of the rock's last position from runs of tolerance 1e-13",
+                          "fences: largest difference of the rock's final position from runs of tolerance 1e-13",
                           "fences: largest difference of the largest tension from runs of tolerance 1e-13",
                           "fences: largest error of the energy balance over the largest energy",
                           "fences: verdicts equal to those of runs of tolerance 1e-13"},
           .source = "Krogh 1974; Kennedy & Carpenter 2003",
           .faults = {{"loose_tolerance", "a default tolerance of 3e-2",
                       "scenes: largest difference of a named result from its converged value"},
-                     {"outputs_far_apart", "outputs that are a 200th of the run apart",
+                     {"outputs_far_apart", "outputs a 200th of the run apart",
                       "scenes: largest difference of a named result from its converged value"},
-                     {"impacts_by_themselves", "dashpots of two impacts at once as of each by itself",
-                      "even fence: last energy of the rock, half model against whole"},
-                     {"rules_of_1993", "fences by the rules of 1993",
+                     {"impacts_by_themselves", "dashpots of two simultaneous impacts chosen as if each were alone",
+                      "even fence: final energy of the rock, half model over full model"},
+                     {"rules_of_1993", "fences by the 1993 rules",
                       "fences: largest error of the energy balance over the largest energy"}},
           .seconds = 11.0,
           .full_seconds = 26.0,

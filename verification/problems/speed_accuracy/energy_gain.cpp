@@ -152,8 +152,8 @@ double theta(int i, int phases, const Setup& setup) {
 
 /// Minimum, mean and maximum of e over 64 phases against the step; each e is compared with the closed form.
 void check_bounces(const Striking& striking, Findings& findings, const Setup& setup) {
-  Series least{"least", {}, {}, Style::points}, mean{"mean", {}, {}, Style::points},
-      most{"most", {}, {}, Style::points};
+  Series least{"minimum", {}, {}, Style::points}, mean{"mean", {}, {}, Style::points},
+      most{"maximum", {}, {}, Style::points};
   Series exact_least{"exact", {}, {}, Style::lines}, exact_most{"exact", {}, {}, Style::lines};
   Series bound{"bound", {}, {}, Style::lines};
   for (const char* method : {"velocity_verlet", "central_difference", "euler_cromer"}) {
@@ -176,9 +176,9 @@ void check_bounces(const Striking& striking, Findings& findings, const Setup& se
         findings.in("gain_of_speed")
             ->expect_between(fmt::format("largest gain of speed at w h = {:g}", eta), high - 1.0, fine ? 0.0005 : 0.5,
                              fine ? 0.002 : 2.0 / 3.0,
-                             fine ? "the bound is .00125; .2 % is what is admitted of a fine step, and less than .05 "
-                                    "% would say that nothing was struck"
-                                  : "half as fast again, up to the bound 1/sqrt(1 - .64)");
+                             fine ? "the bound is 0.00125; 0.2 % is accepted for a fine step, and less than 0.05 % "
+                                    "would mean that nothing was hit"
+                                  : "a gain of at least one half, up to the bound 1/sqrt(1 - 0.64)");
       }
       if (!drawn) continue;
       const reference::LeapfrogGain gain = reference::leapfrog_gain(eta, 500);
@@ -196,22 +196,23 @@ void check_bounces(const Striking& striking, Findings& findings, const Setup& se
     findings.in("exit_speeds")
         ->expect(fmt::format("exit speeds by {}, 39 steps of 64 phases, largest error", method), worst, 0.0,
                  Tolerance::round_off(5e-13,
-                                      "a depth, a number near 1 less 1, is off by 1.1e-16 and kicks by w^2 h times "
-                                      "that: 2e-14 of v0 at w h = 1.95, in a step or two, and sqrt(63) times 6e-16 "
-                                      "at .05; where e changes fast with the phase, ten times that"));
+                                      "an overlap, computed as a number near 1 minus 1, is off by 1.1e-16 and changes "
+                                      "the velocity by w^2 h times that: 2e-14 of v0 at w h = 1.95, in a step or two, "
+                                      "and sqrt(63) times 6e-16 at 0.05; where e varies fast with the phase, ten times "
+                                      "that"));
     findings.in("exit_speed_bound")
         ->expect_true(fmt::format("exit speeds by {}: none above the bound", method), above <= 1e-11,
                       "1/sqrt(1 - eta^2/4), derived on the page");
   }
   if (setup.coarse) return;
-  exact_most.label = "exact, most";
-  exact_least.label = "exact, least";
+  exact_most.label = "exact maximum";
+  exact_least.label = "exact minimum";
   findings.figure({.name = "gain",
                    .title = "Exit over entry speed of one bounce",
                    .caption =
-                       "Velocity Verlet, 64 phases of the touch, against $\\omega h$: all of it is stable. Where "
-                       "a contact lasts a whole number of steps (1, and 1.41 for two) all phases leave as they came. "
-                       "Lines: closed form; above them the bound.",
+                       "Velocity Verlet, 64 phases of the touch, against $\\omega h$; the whole range is stable. Where "
+                       "a contact lasts a whole number of steps (1, and 1.41 for two) the exit speed equals the entry "
+                       "speed at all phases. Lines: closed form; above them the bound.",
                    .x = {.label = "w h", .min = 0.0, .max = 2.0},
                    .y = {.label = "exit over entry speed", .min = 0.0, .max = 3.0},
                    .series = {least, mean, most, exact_least, exact_most, bound}});
@@ -237,15 +238,16 @@ void check_heating(const Striking& striking, Findings& findings, const Setup& se
         ->expect(fmt::format("mean of ln e at w h = {:g} over eta^4 delta^2 (1 - delta)^2/12", eta),
                  mean_ln / reference::small_step_heating(eta), 1.0,
                  Tolerance::model(0.5 * eta * eta,
-                                  "the next order, eta^2, with half its size; 64 phases would not do: "
-                                  "the terms are a hundred times their mean"));
+                                  "the next order, eta^2, with half its size; 64 phases would not suffice: the terms "
+                                  "are a hundred times their mean"));
     points.add(eta, mean_ln);
   }
   findings.in("integrator.velocity_verlet")
-      ->expect("mean of e^-2 less one, over eta^2/(8 n^2), largest of four steps", worst, 0.0,
+      ->expect("mean of e^-2 minus one, over eta^2/(8 n^2), largest of four steps", worst, 0.0,
                Tolerance::truncation(1.0, 3.0,
-                                     "a mean of n = 2048 middles misses, at each phase where the slope of e^-2 jumps "
-                                     "by 2 eta^2, up to an eighth of the jump over n^2; there are two"));
+                                     "a midpoint mean over n = 2048 phases misses, at each phase where the slope of "
+                                     "e^-2 jumps by 2 eta^2, up to an eighth of the jump over n^2; there are two such "
+                                     "phases"));
   Series exact{"exact", {}, {}, Style::lines};
   for (double eta = 0.05; eta < 1.95; eta *= 1.015) {
     const double value = reference::leapfrog_gain(eta, 1000).mean_ln;
@@ -264,7 +266,7 @@ void check_gas(Findings& findings, const Setup& setup, Figure& figure) {
     int runs;
     long collisions;
   };
-  Series points{"gas, N/4 times ln heating a collision", {}, {}, Style::errorbars};
+  Series points{"gas, N/4 times ln heating per collision", {}, {}, Style::errorbars};
   std::vector<Gas> gases{{1.2, setup.coarse ? 4 : 12, 800}, {1.0, 3, 800}, {1.5, 16, 150}};
   if (setup.tier == Tier::full) gases.push_back({0.7, 40, 800});
   const double n = gas_discs;
@@ -279,13 +281,14 @@ void check_gas(Findings& findings, const Setup& setup, Figure& figure) {
     }
     const double measured = heating / static_cast<double>(collisions);
     const auto group = findings.in("gases"), claim = findings.in("integrator.velocity_verlet");
-    const std::string name = fmt::format("gas at w h = {:g}, N times ln heating a collision", gas.eta);
+    const std::string name = fmt::format("gas at w h = {:g}, N times ln heating per collision", gas.eta);
     if (gas.eta == 1.0) {
       findings.expect(
           name, n * measured, 0.0,
           Tolerance::model(5e-4,
-                           "every bounce is exact; contacts that are not head-on turn by v/(r w) = .004 of "
-                           "their length, and .4 % of the time is spent in one while a third disc may come"));
+                           "every bounce is exact; contacts that are not head-on rotate by v/(r w) = 0.004 of their "
+                           "length, and discs spend 0.4 % of the time in a contact, during which a third disc may "
+                           "arrive"));
       continue;
     }
     // Fraction B of the energy in a collision, of mean 1/(N + 1/2) and mean square 2/((N + 1/2)(N + 3/2)): that of the
@@ -296,8 +299,8 @@ void check_gas(Findings& findings, const Setup& setup, Figure& figure) {
     const double error = n * std::sqrt(square * gain.variance / static_cast<double>(collisions));
     findings.expect(
         name, n * measured, expected,
-        Tolerance::model(3.0 * error, fmt::format("three standard errors of the mean of {} collisions, each with its "
-                                                  "own phase and share of the energy",
+        Tolerance::model(3.0 * error, fmt::format("three standard errors of the mean of {} collisions, each with a "
+                                                  "separate phase and fraction of the energy",
                                                   collisions)));
     if (!setup.has("gas_by_rk4") && n * measured > 3.0 * error) {
       points.add(gas.eta, 0.25 * n * measured);
@@ -315,8 +318,8 @@ void run(Findings& findings, const Setup& setup) {
   Figure figure{.name = "heating",
                 .title = "Mean of ln e over all phases",
                 .caption =
-                    "The heating of a bounce by the step; of a gas a quarter of that of its energy, which near "
-                    "small gains is the same. It vanishes wherever a contact lasts a whole number of steps.",
+                    "Heating of a bounce by the step; for a gas a quarter of the heating of its energy, which is the "
+                    "same for small gains. It vanishes wherever a contact lasts a whole number of steps.",
                 .x = {.label = "w h", .log = true},
                 .y = {.label = "mean of ln e", .log = true, .min = 1e-9},
                 .series = {},
@@ -329,30 +332,30 @@ void run(Findings& findings, const Setup& setup) {
 }  // namespace
 
 Case definition() {
-  return {
-      .id = "energy_gain",
-      .title = "Energy gain of one-sided contacts below the stability limit",
-      .family = "speed and accuracy",
-      .requirements = {{"Eq. 25", {"gain_of_speed"}},
-                       {"pair.circle.circle", {"gases"}},
-                       {"pair.circle.half_plane", {"exit_speeds", "exit_speed_bound", "gases"}}},
-      .main_checks = {"largest gain of speed at w h = 0.1", "largest gain of speed at w h = 1.6",
-                      "exit speeds by velocity_verlet, 39 steps of 64 phases, largest error",
-                      "mean of e^-2 less one, over eta^2/(8 n^2), largest of four steps",
-                      "mean of ln e at w h = 0.1 over eta^4 delta^2 (1 - delta)^2/12",
-                      "gas at w h = 1.2, N times ln heating a collision",
-                      "gas at w h = 1, N times ln heating a collision"},
-      .source = "Hairer, Lubich & Wanner 2006; derived here",
-      .faults = {{"stiffness_off", "a contact stiffer by 1e-6",
-                  "exit speeds by velocity_verlet, 39 steps of 64 phases, largest error"},
-                 {"slight_dashpot", "a dashpot of damping ratio 1e-4",
-                  "mean of e^-2 less one, over eta^2/(8 n^2), largest of four steps"},
-                 {"bunched_phases", "phases from a quarter of the step only",
-                  "mean of ln e at w h = 0.3 over eta^4 delta^2 (1 - delta)^2/12"},
-                 {"gas_by_rk4", "a method that keeps no areas", "gas at w h = 1.2, N times ln heating a collision"}},
-      .seconds = 3.0,
-      .full_seconds = 6.0,
-      .run = run};
+  return {.id = "energy_gain",
+          .title = "Energy gain of one-sided contacts below the stability limit",
+          .family = "speed and accuracy",
+          .requirements = {{"Eq. 25", {"gain_of_speed"}},
+                           {"pair.circle.circle", {"gases"}},
+                           {"pair.circle.half_plane", {"exit_speeds", "exit_speed_bound", "gases"}}},
+          .main_checks = {"largest gain of speed at w h = 0.1", "largest gain of speed at w h = 1.6",
+                          "exit speeds by velocity_verlet, 39 steps of 64 phases, largest error",
+                          "mean of e^-2 minus one, over eta^2/(8 n^2), largest of four steps",
+                          "mean of ln e at w h = 0.1 over eta^4 delta^2 (1 - delta)^2/12",
+                          "gas at w h = 1.2, N times ln heating per collision",
+                          "gas at w h = 1, N times ln heating per collision"},
+          .source = "Hairer, Lubich & Wanner 2006; derived here",
+          .faults = {{"stiffness_off", "a contact too stiff by a factor of 1 + 1e-6",
+                      "exit speeds by velocity_verlet, 39 steps of 64 phases, largest error"},
+                     {"slight_dashpot", "a dashpot of damping ratio 1e-4",
+                      "mean of e^-2 minus one, over eta^2/(8 n^2), largest of four steps"},
+                     {"bunched_phases", "phases from one quarter of the step only",
+                      "mean of ln e at w h = 0.3 over eta^4 delta^2 (1 - delta)^2/12"},
+                     {"gas_by_rk4", "a method that does not preserve areas",
+                      "gas at w h = 1.2, N times ln heating per collision"}},
+          .seconds = 3.0,
+          .full_seconds = 6.0,
+          .run = run};
 }
 
 }  // namespace talus::verification::problems::energy_gain

@@ -77,42 +77,42 @@ void check_bounce(Findings& findings, const Setup& setup, Table& table) {
   // One flight; then for each contact that ends: the push, the exit without force, and the next flight.
   const double pieces = 2.0 + 3.0 * static_cast<double>(contacts.size() - 1);
   const std::string words = fmt::format(
-      "pieces by the reference: {} contacts, of which the last stays; a flight, and for each other contact the push, "
-      "the "
-      "way out on which the clamped law does not pull, and a flight",
+      "segments of the reference: {} contacts, the last of which does not end; one flight, and for each other contact "
+      "its loading and unloading, the exit during which the clamped law exerts no force, and a flight",
       contacts.size());
   findings.expect("damped bounce to rest: force evaluations", static_cast<double>(found.evaluations), pieces,
                   Tolerance::exact(words));
-  findings.expect_between("damped bounce to rest: force evaluations over the 60 admitted",
+  findings.expect_between("damped bounce to rest: force evaluations over the permitted 60",
                           static_cast<double>(found.evaluations) / 60.0, 0.02, 1.0,
-                          "60 was set beforehand; below a fiftieth something was not counted");
+                          "60 was set in advance; a result below a fiftieth would mean that evaluations are missing "
+                          "from the count");
   // Overlap at rest g/w^2 = 1e-3, largest overlap 0.036; positions are stored at about 1 from the origin.
   const double rounding = epsilon / (contacts.front().largest_depth);
-  findings.expect("damped bounce to rest: place, largest error over the fall", place / drop.gap, 0.0,
+  findings.expect("damped bounce to rest: position, largest error over the drop height", place / drop.gap, 0.0,
                   Tolerance::round_off(4.0 * rounding,
-                                       "eight places at events, each rounded by half an epsilon of 1, a share of the "
-                                       "overlap of .036 by which the impact goes"));
-  findings.expect("damped bounce to rest: velocity, largest error over the first impact's speed",
+                                       "eight positions at events, each rounded by half an epsilon of 1, relative to "
+                                       "the overlap of 0.036 that determines the impact"));
+  findings.expect("damped bounce to rest: velocity, largest error over the speed of the first impact",
                   speed / contacts.front().start_speed, 0.0,
                   Tolerance::round_off(8.0 * rounding,
-                                       "as for the place; where an output falls within a contact a time of 1e-16 makes "
-                                       "w times as much of the velocity"));
+                                       "as for the position; if an output falls within a contact, a time error of "
+                                       "1e-16 changes the velocity by w times as much"));
   table.rows.push_back(
       {"damped bounce", fmt::format("{:.0f}", pieces), fmt::format("{}", found.evaluations),
        fmt::format("{:.1e}", place / drop.gap),
        fmt::format("{}", ran(scene, make_integrator("stormer_cowell", 1e-9), end, 1, findings).evaluations)});
   const Ran at_once = ran(scene, exact(setup), end, 1, findings);
   findings.expect("damped bounce to rest: force evaluations with one output", static_cast<double>(at_once.evaluations),
-                  pieces, Tolerance::exact("outputs are read off the pieces: none costs an evaluation"));
+                  pieces, Tolerance::exact("outputs are evaluated from the segments and cost no evaluation"));
   if (setup.coarse) return;
   Figure figure{.name = "bounce",
-                .title = "Damped bounce to rest, by one force evaluation a piece",
+                .title = "Damped bounce to rest with one force evaluation per segment",
                 .caption = fmt::format("Gap at {} outputs of a run of {} force evaluations. Crosses: events.", outputs,
                                        found.evaluations),
                 .x = {.label = "time", .unit = "s"},
                 .y = {.label = "gap", .unit = "m"},
                 .series = {gap}};
-  Series events{.label = "touch and end", .style = Style::crosses};
+  Series events{.label = "start and end of contact", .style = Style::crosses};
   for (const auto& contact : contacts) {
     events.add(contact.start_time, 0.0);
     if (std::isfinite(contact.end_time)) events.add(contact.end_time, 0.0);
@@ -144,15 +144,15 @@ void check_impacts(Findings& findings, const Setup& setup, Table& table) {
       worst_lost = std::max(worst_lost, std::abs(lost - 0.5 * (1.0 - e * e)));
     }
   }
-  findings.expect("impacts: force evaluations of all", static_cast<double>(evaluations), static_cast<double>(pieces),
-                  Tolerance::exact("one for each piece"));
+  findings.expect("impacts: force evaluations in total", static_cast<double>(evaluations), static_cast<double>(pieces),
+                  Tolerance::exact("one per segment"));
   const double rounding = epsilon / (0.01 * std::exp(-1.0));
   findings.expect("impacts: exit speed, largest error over the entry speed", worst, 0.0,
                   Tolerance::round_off(rounding,
-                                       "places about 1 from the origin are rounded by up to epsilon in all, a share of "
-                                       "the overlap v/w = .01, less by e^-1 with damping"));
+                                       "positions about 1 from the origin are rounded by up to epsilon in total, "
+                                       "relative to the overlap v/w = 0.01, which damping reduces by e^-1"));
   findings.expect("impacts: work of the dashpots, largest error over twice the energy", worst_lost, 0.0,
-                  Tolerance::round_off(2.0 * rounding, "the energy is of second power in the speed"));
+                  Tolerance::round_off(2.0 * rounding, "the energy is quadratic in the speed"));
   table.rows.push_back({fmt::format("{} impacts", runs), fmt::format("{}", pieces), fmt::format("{}", evaluations),
                         fmt::format("{:.1e}", worst), fmt::format("{}", stormer)});
 }
@@ -176,10 +176,11 @@ void check_latching(Findings& findings, const Setup& setup, Table& table) {
     evaluations += found.evaluations, ++runs;
     stormer += ran(scene, make_integrator("stormer_cowell", 1e-9), end, 1, findings).evaluations;
   }
-  const std::string words = "places up to 4 from the origin are rounded by up to 4 epsilon, three times to the end";
+  const std::string words =
+      "positions up to 4 from the origin are rounded by up to 4 epsilon, three times until the end";
   findings.expect("latching springs: exit speed, largest error", worst, 0.0,
                   Tolerance::round_off(12.0 * epsilon, words));
-  findings.expect("latching springs: place a time of 1 after the end, largest error", worst_time, 0.0,
+  findings.expect("latching springs: position a time of 1 after the end, largest error", worst_time, 0.0,
                   Tolerance::round_off(12.0 * epsilon, words));
   table.rows.push_back({fmt::format("{} latching springs", runs), "-", fmt::format("{}", evaluations),
                         fmt::format("{:.1e}", worst), fmt::format("{}", stormer)});
@@ -220,8 +221,8 @@ void check_rows(Findings& findings, const Setup& setup, Table& table) {
   findings.expect(
       "three discs on a line: velocities, largest error", worst, 0.0,
       Tolerance::round_off(24.0 * epsilon,
-                           "places 8 from the origin are rounded by half of 8 epsilon, of two discs in each "
-                           "of three changes of contact"));
+                           "positions 8 from the origin are rounded by half of 8 epsilon, for two discs in each of "
+                           "three changes of contact"));
   table.rows.push_back({"4 rows of three discs", fmt::format("{:.0f}", pieces), fmt::format("{}", evaluations),
                         fmt::format("{:.1e}", worst), fmt::format("{}", stormer)});
 }
@@ -295,23 +296,24 @@ void check_linear_overlaps(Findings& findings) {
     }
   }
   const auto pairs = findings.in("linear_overlaps");
-  findings.expect("pairs taken for linear whose overlap is not", wrong, 0.0,
-                  Tolerance::exact("second differences over 1e-3 are 5e-7 of what bends, and 1e-15 of what does not"));
-  findings.expect("pairs of discs and planes whose overlap is linear, not taken for it", left_out, 0.0,
-                  Tolerance::exact("the same"));
+  findings.expect("pairs classified as linear whose overlap is nonlinear", wrong, 0.0,
+                  Tolerance::exact("second differences over 1e-3 are 5e-7 for nonlinear overlaps and 1e-15 for linear "
+                                   "ones"));
+  findings.expect("pairs of discs and planes with linear overlap, not classified as linear", left_out, 0.0,
+                  Tolerance::exact("as for the previous check"));
   findings.expect(
-      "pairs taken for linear", accepted, 26.0,
-      Tolerance::exact("in either order: on a plane 4 kinds of discs and 3 of squares; of two discs on a line "
-                       "along which both slide, if one is not fixed, 3 each; none of a disc on a square"));
+      "pairs classified as linear", accepted, 26.0,
+      Tolerance::exact("in either order: on a plane 4 kinds of discs and 3 of squares; for two discs on a line along "
+                       "which both slide or one is fixed, 3 each; none for a disc on a square"));
 }
 
 void run(Findings& findings, const Setup& setup) {
   if (!setup.coarse) check_linear_overlaps(findings);
   Table table{.name = "pieces",
               .caption =
-                  "Force evaluations and largest errors of the exact propagator; the evaluations of "
-                  "`stormer_cowell` at 1e-9 beside them.",
-              .columns = {"scenes", "pieces by the reference", "evaluations", "error", "stormer_cowell"}};
+                  "Force evaluations and largest errors of the exact propagator, and the evaluations of "
+                  "`stormer_cowell` at 1e-9 for comparison.",
+              .columns = {"scenes", "segments of the reference", "evaluations", "error", "stormer_cowell"}};
   check_bounce(findings, setup, table);
   check_impacts(findings, setup, table);
   check_latching(findings, setup, table);
@@ -322,37 +324,38 @@ void run(Findings& findings, const Setup& setup) {
 }  // namespace
 
 Case definition() {
-  return {
-      .id = "exact_pieces",
-      .title = "Exact solution between events",
-      .family = "speed and accuracy",
-      .requirements = {{"integrator.exact",
-                        {"damped bounce to rest: force evaluations",
-                         "damped bounce to rest: force evaluations over the 60 admitted",
-                         "damped bounce to rest: place, largest error over the fall",
-                         "damped bounce to rest: velocity, largest error over the first impact's speed",
-                         "damped bounce to rest: force evaluations with one output",
-                         "impacts: force evaluations of all", "impacts: exit speed, largest error over the entry speed",
-                         "impacts: work of the dashpots, largest error over twice the energy",
-                         "latching springs: exit speed, largest error",
-                         "latching springs: place a time of 1 after the end, largest error",
-                         "three discs on a line: velocities, largest error", "linear_overlaps"}}},
-      .main_checks = {"damped bounce to rest: force evaluations",
-                      "damped bounce to rest: place, largest error over the fall",
-                      "impacts: exit speed, largest error over the entry speed",
-                      "latching springs: exit speed, largest error",
+  return {.id = "exact_pieces",
+          .title = "Exact solution between events",
+          .family = "speed and accuracy",
+          .requirements = {{"integrator.exact",
+                            {"damped bounce to rest: force evaluations",
+                             "damped bounce to rest: force evaluations over the permitted 60",
+                             "damped bounce to rest: position, largest error over the drop height",
+                             "damped bounce to rest: velocity, largest error over the speed of the first impact",
+                             "damped bounce to rest: force evaluations with one output",
+                             "impacts: force evaluations in total",
+                             "impacts: exit speed, largest error over the entry speed",
+                             "impacts: work of the dashpots, largest error over twice the energy",
+                             "latching springs: exit speed, largest error",
+                             "latching springs: position a time of 1 after the end, largest error",
+                             "three discs on a line: velocities, largest error", "linear_overlaps"}}},
+          .main_checks = {"damped bounce to rest: force evaluations",
+                          "damped bounce to rest: position, largest error over the drop height",
+                          "impacts: exit speed, largest error over the entry speed",
+                          "latching springs: exit speed, largest error",
+                          "three discs on a line: velocities, largest error"},
+          .source = "Alefeld et al. 1995; Abramowitz & Stegun 1964",
+          .faults = {{"odeint_for_exact", "Fehlberg 7(8) with step control instead of the propagator",
                       "three discs on a line: velocities, largest error"},
-      .source = "Alefeld et al. 1995; Abramowitz & Stegun 1964",
-      .faults = {{"odeint_for_exact", "Fehlberg 7(8) under step control in the propagator's place",
-                  "three discs on a line: velocities, largest error"},
-                 {"stiffness_by_1e-9", "a stiffness that is off by 1e-9",
-                  "damped bounce to rest: place, largest error over the fall"},
-                 {"other_end_rule", "a contact that pulls before it ends", "damped bounce to rest: force evaluations"},
-                 {"dashpot_by_1e-9", "a dashpot that is off by 1e-9",
-                  "impacts: exit speed, largest error over the entry speed"},
-                 {"growth_lost", "a latching spring that does not stiffen with the largest force",
-                  "latching springs: exit speed, largest error"}},
-      .run = run};
+                     {"stiffness_by_1e-9", "a stiffness with a relative error of 1e-9",
+                      "damped bounce to rest: position, largest error over the drop height"},
+                     {"other_end_rule", "a contact that is attractive before it ends",
+                      "damped bounce to rest: force evaluations"},
+                     {"dashpot_by_1e-9", "a dashpot with a relative error of 1e-9",
+                      "impacts: exit speed, largest error over the entry speed"},
+                     {"growth_lost", "a latching spring that does not stiffen with the largest force",
+                      "latching springs: exit speed, largest error"}},
+          .run = run};
 }
 
 }  // namespace talus::verification::problems::exact_pieces

@@ -70,15 +70,15 @@ FailureFound check_one_sided_gain(Findings& findings, const Setup& setup) {
   const double coarse = setup.has("smaller_step") ? 1.2 : 1.6;
   const Gain fails = largest_gain(coarse, findings), holds = largest_gain(0.1, findings);
   findings.count(2 * 64 * 20);
-  findings.expect_between("one-sided gain: largest of speed at w h = 1.6, far below the limit 2", fails.found, 0.5,
+  findings.expect_between("one-sided gain: largest gain of speed at w h = 1.6, far below the limit 2", fails.found, 0.5,
                           2.0 / 3.0,
-                          "half as fast again, at most 1/sqrt(1 - .64) = 5/3 times as fast (case energy_gain)");
+                          "1.5 times as fast, at most 1/sqrt(1 - 0.64) = 5/3 times as fast (case energy_gain)");
   const double limit = 1.0 / std::sqrt(1.0 - 0.0025) - 1.0;
-  findings.expect_between("one-sided gain: largest of speed at w h = .1", holds.found, 0.8 * holds.exact, limit,
-                          ".2 % is admitted of a fine step and .125 % is the bound; below, four fifths of what the "
-                          "closed form has for these phases");
+  findings.expect_between("one-sided gain: largest gain of speed at w h = 0.1", holds.found, 0.8 * holds.exact, limit,
+                          "0.2 % is accepted for a fine step and 0.125 % is the bound; the lower end is four fifths of "
+                          "the closed form's value for these phases");
   return {fmt::format("w h = 1.6: {:.0f} % faster", 100.0 * fails.found),
-          fmt::format("w h = .1: {:.2f} %", 100.0 * holds.found)};
+          fmt::format("w h = 0.1: {:.2f} %", 100.0 * holds.found)};
 }
 
 FailureFound check_heating(Findings& findings, const Setup& setup) {
@@ -86,12 +86,12 @@ FailureFound check_heating(Findings& findings, const Setup& setup) {
   const double missed = 1.0 / (8.0 * many_phases * many_phases);
   const double fails = mean_ln(0.7, xi, findings), holds = mean_ln(0.1, 0.0, findings);
   const char* why =
-      "a mean of n = 128 middles misses up to eta^2/(8 n^2) at each of two kinks of ln e (case energy_gain)";
-  findings.expect("heating: mean of ln e over 128 phases at w h = .7", fails,
+      "a midpoint mean over n = 128 phases misses up to eta^2/(8 n^2) at each of two kinks of ln e (case energy_gain)";
+  findings.expect("heating: mean of ln e over 128 phases at w h = 0.7", fails,
                   reference::leapfrog_gain(0.7, 20000).mean_ln, Tolerance::truncation(0.49 * missed, 2.0, why));
-  findings.expect("heating: mean of ln e over 128 phases at w h = .1", holds,
+  findings.expect("heating: mean of ln e over 128 phases at w h = 0.1", holds,
                   reference::leapfrog_gain(0.1, 20000).mean_ln, Tolerance::truncation(0.01 * missed, 2.0, why));
-  return {fmt::format("w h = .7: ln e = {:.1e} a bounce", fails), fmt::format("w h = .1: {:.1g}", holds)};
+  return {fmt::format("w h = 0.7: ln e = {:.1e} per bounce", fails), fmt::format("w h = 0.1: {:.1g}", holds)};
 }
 
 FailureFound check_pull_at_end(Findings& findings, const Setup& setup) {
@@ -107,16 +107,16 @@ FailureFound check_pull_at_end(Findings& findings, const Setup& setup) {
         least = std::min(least, force);
     }
   }
-  findings.expect("pull at the end: least force over 64 phases, attractive rule, e = .5, over c e v0", pull / -exact,
-                  -1.0,
+  findings.expect("attraction at the end: minimum force over 64 phases, attractive rule, e = 0.5, over c e v0",
+                  pull / -exact, -1.0,
                   Tolerance::model(0.5 * std::numbers::pi / production_steps,
-                                   "speeds after the jump at touch are off by 2 xi w h u, |u| <= 1/2, xi = .215: .7 % "
-                                   "at w h = pi/100; the lag of the dashpot and the last phase's distance from the end "
-                                   "as much again"));
-  findings.expect("pull at the end: least force over 64 phases, clamped rule", kept, 0.0,
-                  Tolerance::exact("a force that would pull is not exerted"));
-  return {fmt::format("not clamped: least F = {:.2f} c e v0", pull / -exact),
-          fmt::format("clamped: least F = {:g}", kept)};
+                                   "speeds after the jump at touch are off by 2 xi w h u, |u| <= 1/2, xi = 0.215: 0.7 "
+                                   "% at w h = pi/100; the lag of the dashpot and the distance of the last phase from "
+                                   "the end add as much again"));
+  findings.expect("attraction at the end: minimum force over 64 phases, clamped rule", kept, 0.0,
+                  Tolerance::exact("an attractive force is not exerted"));
+  return {fmt::format("attractive: minimum F = {:.2f} c e v0", pull / -exact),
+          fmt::format("clamped: minimum F = {:g}", kept)};
 }
 
 FailureFound check_clamped_restitution(Findings& findings, const Setup& setup) {
@@ -134,37 +134,40 @@ FailureFound check_clamped_restitution(Findings& findings, const Setup& setup) {
   const auto near = [](double xi, double e) {
     const double shift = -leapfrog_restitution_shift(xi, reference::EndRule::clamped) * 0.04 * e;
     return Tolerance::truncation(shift, 1.5,
-                                 "the dashpot's lag of half a step, which shifts e by this much at w h = .04");
+                                 "the dashpot's lag of half a step, which changes e by this much at w h = 0.04");
   };
   const double xi = 0.5 * reference::eq_21_damping(0.5, 1.0, 1.0);
   const double exact = reference::restitution(xi, reference::EndRule::clamped);
-  findings.expect("clamped restitution: mean e with the dashpot of Eq. 21 for .5", fails, exact, near(xi, exact));
-  findings.expect("clamped restitution: mean e with the dashpot solved for .5", holds, 0.5, near(0.5 * solved, 0.5));
-  return {fmt::format("Eq. 21 for e = .5, clamped: {:.3f}", fails), fmt::format("solved: {:.3f}", holds)};
+  findings.expect("clamped restitution: mean e with the dashpot of Eq. 21 for 0.5", fails, exact, near(xi, exact));
+  findings.expect("clamped restitution: mean e with the dashpot solved for 0.5", holds, 0.5, near(0.5 * solved, 0.5));
+  return {fmt::format("Eq. 21 for e = 0.5, clamped: {:.3f}", fails),
+          fmt::format("solved for the clamped rule: {:.3f}", holds)};
 }
 
 FailureFound check_hardly_a_rebound(Findings& findings, const Setup& setup) {
   const double eta = setup.has("half_the_step") ? 0.15 : 0.3;
   const Growth fails = growth(0.01, eta, findings), holds = growth(0.2, 0.3, findings);
   const char* why =
-      "depths of half a metre are rounded to 5.6e-17, deviations are 1.8e-5 and more: 3e-12, three times that";
-  findings.expect("e to zero: ln growth a step at w h = .3, dashpot for e = .01", fails.found,
+      "overlaps of half a metre are rounded to 5.6e-17, deviations are 1.8e-5 or more: 3e-12, three times that";
+  findings.expect("e to zero: ln growth per step at w h = 0.3, dashpot for e = 0.01", fails.found,
                   growth(0.01, 0.3, findings).exact, Tolerance::round_off(1e-11, why));
-  findings.expect("e to zero: ln growth a step at w h = .3, dashpot for e = .2", holds.found, holds.exact,
+  findings.expect("e to zero: ln growth per step at w h = 0.3, dashpot for e = 0.2", holds.found, holds.exact,
                   Tolerance::round_off(1e-11, why));
   const double xi = reference::damping_ratio(0.01, reference::EndRule::clamped);
   const double limit = 2.0 * (std::sqrt(1.0 + xi * xi) - xi);
   const double above = growth(0.01, 1.02 * limit, findings).found, below = growth(0.01, 0.98 * limit, findings).found;
-  findings.expect_true("e to zero: at .98 and 1.02 of 2 (sqrt(1 + xi^2) - xi) the motion dies and grows",
-                       above > 0.0 && below < 0.0, "the limit of a dashpot half a step late (case stability_maps)");
+  findings.expect_true("e to zero: decay at 0.98 and growth at 1.02 of 2 (sqrt(1 + xi^2) - xi)",
+                       above > 0.0 && below < 0.0,
+                       "the limit of a dashpot that lags by half a step (case stability_maps)");
   const double slow = std::log(2.0 * xi) / (xi * xi);
-  findings.expect("e to zero: that limit for e = .01 over 2 sqrt e", limit / 0.2, 1.0 + 0.5 * (slow - 1.0 / (xi * xi)),
+  findings.expect("e to zero: stability limit for e = 0.01 over 2 sqrt e", limit / 0.2,
+                  1.0 + 0.5 * (slow - 1.0 / (xi * xi)),
                   Tolerance::model(slow * slow,
-                                   "for large xi e = (1 - (ln 2 xi - 1/2)/xi^2)/(4 xi^2) and the limit is (1 - 1/(4 "
-                                   "xi^2))/xi; left out are squares of ln 2 xi/xi^2"));
-  return {
-      fmt::format("e = .01 (xi = {:.1f}), w h = .3: x {:.2f} a step; limit {:.3f}", xi, std::exp(fails.found), limit),
-      fmt::format("e = .2: x {:.2f}", std::exp(holds.found))};
+                                   "for large xi, e = (1 - (ln 2 xi - 1/2)/xi^2)/(4 xi^2) and the limit is (1 - 1/(4 "
+                                   "xi^2))/xi; squares of ln 2 xi/xi^2 are neglected"));
+  return {fmt::format("e = 0.01 (xi = {:.1f}), w h = 0.3: x {:.2f} per step; limit {:.3f}", xi, std::exp(fails.found),
+                      limit),
+          fmt::format("e = 0.2: x {:.2f}", std::exp(holds.found))};
 }
 
 }  // namespace talus::verification::problems

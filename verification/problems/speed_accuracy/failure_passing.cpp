@@ -173,18 +173,18 @@ double spinning_error() {
 }
 
 Figure pass_figure(Findings& findings) {
-  Series found{"solver, not watched", {}, {}, Style::points};
+  Series found{"solver, monitor off", {}, {}, Style::points};
   for (const double way : {0.9, 1.6, 2.7, 3.6, 4.4, 5.3, 6.1, 7.0, 7.8})
     found.add(way, unseen_passes(way * radius, findings) / static_cast<double>(fewest_phases));
   const Series exact = curve("1 - 4 r/(v h)", multiples(0.2, 0, 40),
                              [](double way) { return std::max(0.0, 1.0 - 4.0 / std::max(way, 1.0)); });
   return {.name = "passes",
-          .title = "Discs that pass through each other unseen",
+          .title = "Undetected passages of discs through each other",
           .caption =
-              "Share of 64 phases in which a disc flies through a fixed one of the same radius without a change of a "
-              "bit, against the way of a step. Beyond the line the watch refuses the run.",
+              "Fraction of 64 phases in which a disc passes through a fixed one of the same radius with bit-identical "
+              "speed, against the distance travelled in a step. Beyond the line the monitor refuses the run.",
           .x = {.label = "v h / r", .min = 0.0, .max = 8.0},
-          .y = {.label = "share of phases", .min = 0.0, .max = 0.6},
+          .y = {.label = "fraction of phases", .min = 0.0, .max = 0.6},
           .series = {exact, found},
           .lines = {{'x', 1.0, "refused"}}};
 }
@@ -195,39 +195,41 @@ FailureFound check_long_step(Findings& findings, const Setup& setup) {
   const MonitorRules rules = setup.has("not_watched") ? not_told : told;
   const WatchedRun beyond = watched_run(flight(20.0, 0.5), 1.1 * radius, 18.0, rules, findings);
   const WatchedRun within = watched_run(flight(20.0, 0.5), 0.9 * radius, 18.0, told, findings);
-  findings.expect_true("long step: refused before the run at v h = 1.1 r, 20 r before the touch",
+  findings.expect_true("long step: refusal before the run at v h = 1.1 r, 20 r before the touch",
                        !beyond.violation.empty() && beyond.end.t == 0.0,
-                       "a step may take the disc past the other's middle");
-  findings.expect_true("long step: not refused at v h = .9 r", within.violation.empty(),
-                       "it is looked at on either side");
+                       "a step may carry the disc past the middle of the other one");
+  findings.expect_true("long step: no refusal at v h = 0.9 r", within.violation.empty(),
+                       "the disc is sampled on either side of the middle");
   // Gravity adds g h^2/2 to the distance travelled in the first step.
   constexpr double step = 0.8 * radius;
   const auto pulled = [&](double share) {
     const double pull = (share * radius - step) * 2.0 / (step * step);
     return watched_run(flight(20.0, 0.5, pull), step, step, rules, findings).violation;
   };
-  findings.expect_true("long step: refused where v h + g h^2/2 = 1.05 r, with v h = .8 r", !pulled(1.05).empty(),
-                       "bodies that fall pass each other sooner");
-  findings.expect_true("long step: not refused where v h + g h^2/2 = .95 r", pulled(0.95).empty(), "as without a pull");
-  findings.expect("long step: of bars that turn and move, over half the widths by the speed of their ends, worst error",
-                  spinning_error(), 0.0, Tolerance::round_off(1e-15, "half a dozen operations"));
+  findings.expect_true("long step: refusal at v h + g h^2/2 = 1.05 r, with v h = 0.8 r", !pulled(1.05).empty(),
+                       "falling bodies pass each other sooner");
+  findings.expect_true("long step: no refusal at v h + g h^2/2 = 0.95 r", pulled(0.95).empty(), "as without gravity");
+  findings.expect(
+      "long step: permitted step of rotating bars against half their widths over the speed of their ends, largest "
+      "relative error",
+      spinning_error(), 0.0, Tolerance::round_off(1e-15, "about six operations"));
   // Contacts of fewer than ten steps must be reported.
   const auto contact_of = [&](double steps) {
     const MonitorRules by{
         .instability = CheckAction::off, .tunnelling = CheckAction::off, .accuracy = CheckAction::error};
     return watched_run(flight(0.05, 2.0 * std::numbers::pi), 0.5 / steps, 1.0, by, findings).violation;
   };
-  findings.expect_true("long step: a contact of 9.9 steps is refused, one of 10.1 is not",
+  findings.expect_true("long step: refusal of a contact of 9.9 steps, but not of 10.1",
                        !contact_of(9.9).empty() && contact_of(10.1).empty(),
                        "half a period of the spring is half a unit of time");
   const int passes = unseen_passes(4.4 * radius, findings), seen = unseen_passes(3.6 * radius, findings);
   const double phases = static_cast<double>(fewest_phases);
-  findings.expect("long step: share of 64 phases that pass unseen without the watch, v h = 1.1 of 4 r", passes / phases,
-                  1.0 - 1.0 / 1.1,
+  findings.expect("long step: fraction of 64 phases with undetected passage, monitor off, v h = 1.1 of 4 r",
+                  passes / phases, 1.0 - 1.0 / 1.1,
                   Tolerance::model(1.0 / phases,
-                                   "discs overlap along 4 r of way, and the other phases leap over it; of 64 "
-                                   "phases one more or less"));
-  findings.expect("long step: passes unseen of 64 phases without the watch, v h = .9 of 4 r", seen, 0.0,
+                                   "discs overlap along a distance of 4 r, and the other phases step over it; of 64 "
+                                   "phases one more or fewer"));
+  findings.expect("long step: undetected passages in 64 phases, monitor off, v h = 0.9 of 4 r", seen, 0.0,
                   Tolerance::exact("no step is longer than the overlap"));
   double worst_exit = 0.0;
   for (const std::string& method : integrator_names()) {
@@ -237,8 +239,8 @@ FailureFound check_long_step(Findings& findings, const Setup& setup) {
     findings.expect(
         fmt::format("long step: {} with step control, impacts missed in 16 flights of one output interval", method),
         flights.passed, 0.0,
-        Tolerance::exact("step control sees no error in free flight, so that steps must end where discs may "
-                         "have met: no impact is missed"));
+        Tolerance::exact("step control detects no error in free flight, so that steps must end where discs may have "
+                         "met: no impact is missed"));
     if (method != "odeint_fehlberg78") {
       keep_worst(worst_exit, flights.error);
       continue;
@@ -250,18 +252,18 @@ FailureFound check_long_step(Findings& findings, const Setup& setup) {
         "tolerance over that at 1e-8",
         finer.error / flights.error, 1.0,
         Tolerance::model(0.75,
-                         "its error estimate is a difference of derivatives at the two ends of a step, "
-                         "and hardly sees a contact that begins within it: the tolerance decides "
-                         "little"));
+                         "its error estimate is a difference of derivatives at the two ends of a step and hardly "
+                         "detects a contact that begins within it: the tolerance has little effect"));
   }
-  findings.expect("long step: exit speed with step control, largest error, methods with an estimate of each stage",
-                  worst_exit, 0.0,
-                  Tolerance::model(1e-4,
-                                   "no method is smooth across the two kinks of the force: a step that begins before "
-                                   "one has an error far above its tolerance, 1e-8, unless it is short"));
+  findings.expect(
+      "long step: exit speed with step control, largest error, methods with an error estimate in each stage",
+      worst_exit, 0.0,
+      Tolerance::model(1e-4,
+                       "no method is smooth across the two kinks of the force: a step that begins before a kink has an "
+                       "error far above its tolerance, 1e-8, unless it is short"));
   if (!setup.coarse) findings.figure(pass_figure(findings));
-  return {fmt::format("v h = 1.1 r: refused at t = 0; not watched, 4.4 r: {} of 64 pass", passes),
-          fmt::format("v h = .9 r: runs; not watched, 3.6 r: {}", seen)};
+  return {fmt::format("v h = 1.1 r: refused at t = 0; monitor off, 4.4 r: {} of 64 pass", passes),
+          fmt::format("v h = 0.9 r: not refused; monitor off, 3.6 r: {}", seen)};
 }
 
 FailureFound check_deep_overlap(Findings& findings, const Setup& setup) {
@@ -273,27 +275,28 @@ FailureFound check_deep_overlap(Findings& findings, const Setup& setup) {
             {.radius = radius, .gap = 0.1, .speed = 1.0, .contact = LinearSpringDashpot{w * w, 0.0, EndRule::clamped}}),
         0.005, 3.0, by, findings);
   };
-  findings.expect_true("deep overlap: ended on the way at v/w = 1.1 of r/2", !fall(1.1, rules).violation.empty(),
-                       "the largest overlap is v/w");
-  findings.expect_true("deep overlap: runs at v/w = .9 of r/2", fall(0.9, told).violation.empty(), "as before");
+  findings.expect_true("deep overlap: run ended during the impact at v/w = 1.1 of r/2",
+                       !fall(1.1, rules).violation.empty(), "the largest overlap is v/w");
+  findings.expect_true("deep overlap: run not ended at v/w = 0.9 of r/2", fall(0.9, told).violation.empty(),
+                       "as for the previous check");
   const auto speed = [&](double share) {
     return watched_run(flight(0.1, 1.0 / (share * 2.0 * radius)), 0.005, 20.0, not_told, findings).end.v[0];
   };
   const double through = speed(1.1), back = speed(0.9);
   findings.expect(
-      "deep overlap: speed behind a disc, v/w = 1.1 of 2 r, without the watch", through, 1.0,
+      "deep overlap: speed beyond the disc, v/w = 1.1 of 2 r, monitor off", through, 1.0,
       Tolerance::truncation(
           0.5 * 0.005 * 4.0 * radius / std::pow(2.2 * radius, 2) * std::sqrt(1.0 - 1.0 / 1.21), 1.0,
-          "a spring of 2 r at full length takes all of v^2 where v/w = 2 r: beyond, the disc comes out on the "
-          "other side with its speed. At the middle the force leaps by 4 r w^2, at a moment known to half a "
-          "step, at which the speed is sqrt(1 - 1/1.21) v"));
+          "a spring compressed by 2 r absorbs all of v^2 if v/w = 2 r: above that, the disc leaves on the other side "
+          "with its initial speed. At the middle the force jumps by 4 r w^2, at a time known to half a step, at which "
+          "the speed is sqrt(1 - 1/1.21) v"));
   findings.expect(
-      "deep overlap: speed before a disc, v/w = .9 of 2 r, without the watch", back, -1.0,
+      "deep overlap: speed after the rebound, v/w = 0.9 of 2 r, monitor off", back, -1.0,
       Tolerance::truncation(std::pow(0.005 / 1.8, 2) / 8.0, 1.0,
-                            "it turns before the middle; the leapfrog changes the speed of a bounce by at most "
-                            "(w h)^2/8 of it"));
-  return {fmt::format("v/w = 1.1 of r/2: ended; not watched, 1.1 of 2 r: through at {:.2f} v", through),
-          fmt::format("v/w = .9 of r/2: runs; not watched, .9 of 2 r: {:.2f} v", back)};
+                            "the disc reverses before the middle; the leapfrog changes the speed of a bounce by at "
+                            "most a fraction (w h)^2/8"));
+  return {fmt::format("v/w = 1.1 of r/2: ended; monitor off, 1.1 of 2 r: passes at {:.2f} v", through),
+          fmt::format("v/w = 0.9 of r/2: not ended; monitor off, 0.9 of 2 r: {:.2f} v", back)};
 }
 
 FailureFound check_crossed_bars(Findings& findings, const Setup& setup) {
@@ -303,23 +306,23 @@ FailureFound check_crossed_bars(Findings& findings, const Setup& setup) {
   const double overlap = penetration(bodies[0].shape, {}, bodies[1].shape, {});
   const WatchedRun silent = watched_run(plus, 0.125, 8.0, not_told, findings);
   const WatchedRun said = watched_run(plus, 0.125, 8.0, told, findings);
-  findings.expect("crossed bars: change of speed on the way across, by nodes, without the watch",
-                  silent.end.v[0] - 0.0625, 0.0,
-                  Tolerance::exact("no node is inside, no force acts: this is the failure"));
-  findings.expect("crossed bars: force of the plus by nodes", force(plus), 0.0, Tolerance::exact("as before"));
+  findings.expect("crossed bars: change of speed while crossing, by nodes, monitor off", silent.end.v[0] - 0.0625, 0.0,
+                  Tolerance::exact("no node is inside, so that no force acts: this is the failure"));
+  findings.expect("crossed bars: force of the plus by nodes", force(plus), 0.0,
+                  Tolerance::exact("as for the previous check"));
   findings.expect_true(
-      "crossed bars: said before the run",
+      "crossed bars: overlap reported before the run",
       said.violation.find("no node of either is in the other") != std::string::npos && said.end.t == 0.0,
-      "an overlap of 9 half widths that no node sees");
-  findings.expect("crossed bars: overlap of the plus by all directions, over the sum of the half sides",
+      "an overlap of 9 half widths that no node detects");
+  findings.expect("crossed bars: overlap of the plus, minimum over all directions, over the sum of the half sides",
                   overlap / 1.125, 1.0, Tolerance::exact("both are sums of powers of two"));
   findings.expect("crossed bars: force of the plus by one resultant", force(crossed(0.0, ContactMethod::resultant)),
-                  2.25, Tolerance::exact("at both ends of the side k times the least overlap of the sides, 1.125"));
+                  2.25, Tolerance::exact("at both ends of the side, k times the minimum overlap of the sides, 1.125"));
   findings.expect("crossed bars: force of two corners inside, by nodes", force(corner), 0.125,
-                  Tolerance::exact("two nodes, each 1/16 deep"));
-  findings.expect_true("crossed bars: nothing said of corners inside",
-                       watched_run(corner, 0.125, 0.125, told, findings).violation.empty(), "the nodes see them");
-  return {fmt::format("a plus, by nodes: F = {:g} k L at an overlap of {:g}; said at t = 0", force(plus), overlap),
+                  Tolerance::exact("two nodes, each with an overlap of 1/16"));
+  findings.expect_true("crossed bars: no report with corners inside",
+                       watched_run(corner, 0.125, 0.125, told, findings).violation.empty(), "the nodes detect them");
+  return {fmt::format("a plus, by nodes: F = {:g} k L at an overlap of {:g}; reported at t = 0", force(plus), overlap),
           fmt::format("corners inside: {:g} k L; one resultant: {:g}", force(corner),
                       force(crossed(0.0, ContactMethod::resultant)))};
 }

@@ -93,18 +93,19 @@ FailureFound check_many_rebounds(Findings& findings, const Setup& setup) {
   const double euler = ln_speed("euler", eta, few, 0.0, findings).end / static_cast<double>(few);
   const Drift verlet = ln_speed("velocity_verlet", eta, bounces, setup.has("leaky_box") ? 1e-5 : 0.0, findings);
   const double contact = 0.5 * std::numbers::pi * eta;
-  findings.expect("e to one: gain of ln v a bounce by euler at w h = .1", euler, contact,
+  findings.expect("e to one: gain of ln v per bounce at w h = 0.1, euler", euler, contact,
                   Tolerance::model(0.5 * eta * eta,
-                                   "ln(1 + eta^2)/2 a step, pi/eta steps: pi eta/2; a bounce has a step more or less"));
+                                   "ln(1 + eta^2)/2 per step, pi/eta steps: pi eta/2; a bounce has one step more or "
+                                   "fewer"));
   findings.expect(
-      "e to one: farthest of ln v in all bounces of a box by velocity_verlet", verlet.farthest, 0.0,
+      "e to one: largest magnitude of ln v in all bounces in a box, velocity_verlet", verlet.farthest, 0.0,
       Tolerance::truncation(eta * eta / 8.0, 3.0,
-                            "what one bounce may gain at most. A thousandth of the speed moves the phase of "
-                            "the next touch, 37 steps on, by a twenty-fifth of a step: neighbouring bounces "
-                            "are alike, and as areas are kept their errors come back instead of adding up; "
-                            "from other starts up to 2.1 times the bound was measured"));
-  return {fmt::format("Euler, w h = .1: ln v grows by {:.3f} a bounce", euler),
-          fmt::format("Verlet, {} bounces: {:.4f} at most", bounces, verlet.farthest)};
+                            "the largest gain of one bounce. A change of the speed by a thousandth moves the phase of "
+                            "the next touch, 37 steps later, by a twenty-fifth of a step: neighbouring bounces are "
+                            "similar, and as areas are preserved their errors return instead of accumulating; from "
+                            "other initial states up to 2.1 times the bound was measured"));
+  return {fmt::format("Euler, w h = 0.1: ln v grows by {:.3f} per bounce", euler),
+          fmt::format("Verlet, {} bounces: at most {:.4f}", bounces, verlet.farthest)};
 }
 
 FailureFound check_jump_at_touch(Findings& findings, const Setup& setup) {
@@ -116,15 +117,16 @@ FailureFound check_jump_at_touch(Findings& findings, const Setup& setup) {
   const Integrator unlocated = setup.has("located") ? located : Integrator{VelocityVerlet{}};
   const double fails = impact_errors(at, b.exact, 50.0, unlocated, findings).restitution.rms();
   const double holds = impact_errors(at, b.exact, 50.0, located, findings).restitution.max();
-  findings.expect("jump at touch: rms error of e at 50 steps, xi = .2, steps not cut", fails,
+  findings.expect("jump at touch: rms error of e at 50 steps, xi = 0.2, steps not cut", fails,
                   predicted_restitution_error(b, 50.0),
                   Tolerance::model(2.0 * next_power,
-                                   "as predicted from jump and lag, .23/N; the next power of the step "
-                                   "is 4 % at 100 steps")
+                                   "as predicted from jump and lag, 0.23/N; the next power of the step is 4 % at 100 "
+                                   "steps")
                       .relative());
-  findings.expect(
-      "jump at touch: largest error of e, steps cut at the touch", holds, 0.0,
-      Tolerance::truncation(tolerance, 3.0, "the method's tolerance is that of a step, a share of the way and speed"));
+  findings.expect("jump at touch: largest error of e, steps cut at the touch", holds, 0.0,
+                  Tolerance::truncation(tolerance, 3.0,
+                                        "the method's tolerance applies to one step, relative to the displacement and "
+                                        "speed"));
   return {fmt::format("steps not cut: {:.2f}/N of e (rms)", 50.0 * fails),
           fmt::format("cut at the touch: {:.1g}", holds)};
 }
@@ -152,22 +154,22 @@ FailureFound check_snatch(Findings& findings, const Setup& setup) {
     if (i % 8 == 0) located.add(error(make_integrator("stormer_cowell", tolerance), 50.0, i));
   }
   const double order = std::log(coarse.rms() / fine.rms()) / std::log(200.5 / 50.5);
-  findings.expect("snatch: order of the speed of return, steps not cut", order, 1.0,
+  findings.expect("snatched cable: order of the return speed, steps not cut", order, 1.0,
                   Tolerance::model(0.05,
-                                   "the leap of the force and the lag of the dashpot; the next power of the step, "
-                                   "w h = .05, tilts the line by half of that over two doublings"));
-  findings.expect("snatch: largest error of the speed of return, steps cut", located.max(), 0.0,
+                                   "the jump of the force and the lag of the dashpot; the next power of the step, w h "
+                                   "= 0.05, changes the order by half of that over two doublings"));
+  findings.expect("snatched cable: largest error of the return speed, steps cut", located.max(), 0.0,
                   Tolerance::truncation(tolerance, 3.0, "the method's tolerance"));
-  findings.expect("snatch: least of k x + c v where the cable has let go, over c e v0",
+  findings.expect("snatched cable: minimum of k x + c v while stretched without tension, over c e v0",
                   least.let_go / (2.0 * xi * exact.restitution), -1.0,
                   Tolerance::model(0.04,
-                                   "what an unclamped cable would push with at x = 0: a phase comes within a "
-                                   "64th of a step of it, and e itself is off by up to .45/N"));
-  findings.expect("snatch: least tension of all runs", least.tension, 0.0,
-                  Tolerance::exact("zero where it has let go"));
-  return {fmt::format("not cut: order {:.2f}; k x + c v comes to {:.2f} c e v0", order,
+                                   "the compression that an unclamped cable would exert at x = 0: one phase comes "
+                                   "within a 64th of a step of it, and e itself is off by up to 0.45/N"));
+  findings.expect("snatched cable: minimum tension of all runs", least.tension, 0.0,
+                  Tolerance::exact("zero where the law is clamped"));
+  return {fmt::format("not cut: order {:.2f}; k x + c v falls to {:.2f} c e v0", order,
                       least.let_go / (2.0 * xi * exact.restitution)),
-          fmt::format("cut: {:.1g}; least T = {:g}", located.max(), least.tension)};
+          fmt::format("cut: {:.1g}; minimum T = {:g}", located.max(), least.tension)};
 }
 
 FailureFound check_changed_step(Findings& findings, const Setup& setup) {
@@ -185,23 +187,24 @@ FailureFound check_changed_step(Findings& findings, const Setup& setup) {
   const double leaves = kept_energy(changed.state, radius, second), came = kept_energy(half.state, radius, first);
   const double x = radius - half.state.q[1];
   const double round_off = 20.0 * 8.0 * 0x1p-53;
-  const char* why = "twenty steps of depths that are differences of lengths of 8";
-  findings.expect("changed step: energy gained by a step doubled half-way, over that at touch", 2.0 * (leaves - 0.5),
-                  0.25 * x * x * (first * first - 0.04), Tolerance::round_off(2.0 * round_off, why));
-  findings.expect("changed step: energy gained by a step kept, over that at touch",
+  const char* why = "twenty steps with overlaps that are differences of lengths of 8";
+  findings.expect("change of step: energy gain if the step is doubled half-way, over the energy at touch",
+                  2.0 * (leaves - 0.5), 0.25 * x * x * (first * first - 0.04),
+                  Tolerance::round_off(2.0 * round_off, why));
+  findings.expect("change of step: energy gain with a constant step, over the energy at touch",
                   2.0 * (kept_energy(kept.state, radius, first) - 0.5), 0.0,
                   Tolerance::round_off(2.0 * round_off, why));
-  findings.expect("changed step: the same until half-way", 2.0 * (came - 0.5), 0.0,
+  findings.expect("change of step: energy gain until half-way, over the energy at touch", 2.0 * (came - 0.5), 0.0,
                   Tolerance::round_off(2.0 * round_off, why));
   constexpr double tolerance = 1e-10;
   Scene free = scenes::bouncing_disc(
       {.radius = radius, .gap = 0.3, .speed = 1.0, .contact = LinearSpringDashpot{1.0, 0.0, EndRule::clamped}});
   const RunEnd located = run_steps(free, make_integrator("stormer_cowell", tolerance), 1.0, 6);
   const double loss = located.state.v[1] * located.state.v[1] - 1.0;
-  findings.expect("changed step: energy gained by steps of variable length, cut at events", loss, 0.0,
+  findings.expect("change of step: energy gain with variable steps cut at events, over the energy at touch", loss, 0.0,
                   Tolerance::truncation(tolerance, 3.0, "the method's tolerance"));
-  return {fmt::format("h doubled at the turn: {:+.2f} % of the energy", 200.0 * (leaves - 0.5)),
-          fmt::format("kept: {:.1g}; cut at events: {:.1g}",
+  return {fmt::format("h doubled half-way: {:+.2f} % of the energy", 200.0 * (leaves - 0.5)),
+          fmt::format("constant: {:.1g}; cut at events: {:.1g}",
                       std::abs(2.0 * (kept_energy(kept.state, radius, first) - 0.5)), std::abs(loss))};
 }
 
@@ -227,19 +230,19 @@ FailureFound check_overflow(Findings& findings, const Setup& setup) {
   const auto gives_up = [](const Outcome& end) {
     return end.kind == Outcome::Kind::diverged && end.words.starts_with("no step is short enough") && end.time < 1.0;
   };
-  findings.expect_true("overflow: ended with the body's name, velocity Verlet",
+  findings.expect_true("overflow: error with the body's name, velocity Verlet",
                        fixed.kind == Outcome::Kind::diverged && fixed.words.find("disc") != std::string::npos,
-                       "the force at 0.3 of the way in is 1e600");
-  findings.expect_true("overflow: ended because no step is short enough, stormer_cowell", gives_up(located),
-                       "a step that fails is repeated shorter, and not for ever");
-  findings.expect_true("overflow: ended because no step is short enough, odeint_dopri5", gives_up(embedded),
-                       "as by the solver's own method with step control");
+                       "the force at 0.3 of the distance into the contact is 1e600");
+  findings.expect_true("overflow: end of the run because no step is short enough, stormer_cowell", gives_up(located),
+                       "a failed step is repeated with a shorter one, but not indefinitely");
+  findings.expect_true("overflow: end of the run because no step is short enough, odeint_dopri5", gives_up(embedded),
+                       "as for the solver's other method with step control");
   bool finished = true;
   for (const char* method : {"velocity_verlet", "stormer_cowell", "odeint_dopri5"})
     finished = finished && outcome(method, method[0] == 'v' ? 0.0 : 1e-10, 1.0).kind == Outcome::Kind::finished;
-  findings.expect_true("overflow: nothing of the kind at a stiffness and speed of 1", finished, "the same scene");
+  findings.expect_true("overflow: no failure at a stiffness and speed of 1", finished, "the same scene");
   return {fmt::format("k = v = 1e300: diverged at {:.1g}, {:.1g} and {:.1g}", fixed.time, located.time, embedded.time),
-          "k = v = 1: to the end"};
+          "k = v = 1: complete run"};
 }
 
 }  // namespace talus::verification::problems

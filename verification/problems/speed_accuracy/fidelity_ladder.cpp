@@ -115,27 +115,27 @@ void check_contact_ladder(Findings& findings, const Setup& setup) {
 
   Table table{.name = "contacts",
               .caption =
-                  "The contact alone, against the bed of springs: root mean square and largest miss over 16 "
-                  "turns of the rock. The formula takes e = .4, which the bed's dashpots, of the same share, do "
-                  "not give.",
-              .columns = {"contact", "evaluations", "springs", "speed, rms", "largest", "push, rms", "largest"}};
+                  "The contact alone, compared with the bed of springs: root mean square and largest error over 16 "
+                  "rotations of the rock. The formula uses e = 0.4, which the bed's dashpots, in the same ratio to the "
+                  "springs, do not give.",
+              .columns = {"contact", "evaluations", "springs", "speed, rms", "largest", "peak force, rms", "largest"}};
   const double formula = speed_by_formula(n, n.column_mass);
   table.rows.push_back(
       {"formula", "0", "0", fmt::format("{:.2} %", 100.0 * std::abs(formula / exact.exit - 1.0)), "", "-", "-"});
   const Blow single =
       blow(struck_column(n, {linear.stiffness, linear.damping, EndRule::clamped}, 0, 0.0), end, findings);
-  findings.expect("one resultant: speed, by the formula", single.exit, formula,
+  findings.expect("one resultant: speed against the formula", single.exit, formula,
                   Tolerance::truncation(6.5e-7, 1.0,
-                                        "a prediction may miss 1e-7 of the largest speed; what is corrected is of an "
-                                        "order more: a tenth"),
+                                        "a prediction may have an error of 1e-7 of the largest speed; the corrected "
+                                        "value is more accurate by one order: a tenth"),
                   "ft/s");
-  findings.expect("one resultant: push, by its closed form", single.push, events.largest_force,
+  findings.expect("one resultant: peak force against its closed form", single.push, events.largest_force,
                   Tolerance::truncation(2e-5, 1.0,
-                                        "read every .0015 of the contact time, up to half of that beside the peak: "
-                                        "(w h)^2/8 with w h = .0045 is 3e-6; the steps' own 1e-7 at the speed's share")
+                                        "sampled every 0.0015 of the contact time, up to half of that beside the peak: "
+                                        "(w h)^2/8 with w h = 0.0045 is 3e-6; the steps add 1e-7 of the speed")
                       .relative(),
                   "lb");
-  Series speeds{.label = "speed, nodes"}, pushes{.label = "push, nodes"};
+  Series speeds{.label = "speed, nodes"}, pushes{.label = "peak force, nodes"};
   Convergence speed_errors, push_errors;
   table.rows.push_back({"one resultant", fmt::format("{:.0f}", single.evaluations), "1",
                         fmt::format("{:.2} %", 100.0 * std::abs(single.exit / exact.exit - 1.0)), "",
@@ -158,31 +158,34 @@ void check_contact_ladder(Findings& findings, const Setup& setup) {
          fmt::format("{:.3} %", 100.0 * found.push.rms()), fmt::format("{:.3} %", 100.0 * found.push.max())});
   }
   findings.expect_order(
-      "order of the push in the spacing of the nodes", push_errors, 0.7, 1.3,
-      "1: the next node's dashpot sets in with a jump of c v or not; less where only a few of the teeth "
-      "share the top");
-  findings.expect_order("order of the speed in the spacing of the nodes", speed_errors, 2.2, 3.3,
-                        "5/2: what a node at the rim takes is c v^2 over a short time, and v there falls with the root "
-                        "of its depth; 3 where the rock's spin, of order 3/2 by its lopsided nodes, takes more");
+      "order of the peak force in the node spacing", push_errors, 0.7, 1.3,
+      "first order: the dashpot of the next node sets in with a jump of c v or not; less where only a few nodes form "
+      "the peak");
+  findings.expect_order("order of the speed in the node spacing", speed_errors, 2.2, 3.3,
+                        "5/2: a node at the rim dissipates c v^2 over a short time, and v there falls with the root of "
+                        "its overlap; 3 where the rock's spin, of order 3/2 because its nodes are not symmetric, takes "
+                        "more");
   if (setup.coarse) return;
   const double single_miss = std::abs(single.exit / exact.exit - 1.0);
-  findings.expect_between("12 nodes: miss of the speed over that of one resultant", coarsest / single_miss, 1.0, 10.0,
-                          "their spacing, .50 ft, is more than half of the .68 ft of outline that touches: one or two "
-                          "nodes act. By the spacing alone the speed is uncertain by a few times (.50/.68)^(5/2) of "
-                          "the dashpot's share of it, a tenth");
+  findings.expect_between("12 nodes: speed error over that of one resultant", coarsest / single_miss, 1.0, 10.0,
+                          "their spacing, 0.50 ft, is more than half of the 0.68 ft of outline in contact: one or two "
+                          "nodes act. From the spacing alone the speed is uncertain by a few times (0.50/0.68)^(5/2) "
+                          "of the dashpot's contribution, a tenth");
   findings.table(table);
   findings.figure(
       {.name = "contacts",
-       .title = "What a contact misses against what it costs",
-       .caption = "12 to 192 nodes (rms over 16 turns of the rock), and one resultant, from the bed of "
+       .title = "Error of a contact model against its cost",
+       .caption = "12 to 192 nodes (rms over 16 rotations of the rock) and one resultant, compared with the bed of "
                   "springs.",
        .x = {.label = "force evaluations times springs", .log = true},
-       .y = {.label = "miss", .unit = "1", .log = true},
-       .series = {
-           speeds,
-           pushes,
-           {"speed, one resultant", {single.evaluations}, {single_miss}, Style::crosses},
-           {"push, one resultant", {single.evaluations}, {std::abs(single.push / exact.push - 1.0)}, Style::crosses}}});
+       .y = {.label = "error", .unit = "1", .log = true},
+       .series = {speeds,
+                  pushes,
+                  {"speed, one resultant", {single.evaluations}, {single_miss}, Style::crosses},
+                  {"peak force, one resultant",
+                   {single.evaluations},
+                   {std::abs(single.push / exact.push - 1.0)},
+                   Style::crosses}}});
 }
 
 /// Checks the free pair and the hung column against the formula.
@@ -191,20 +194,21 @@ void check_formula(Findings& findings, const Setup& setup) {
   const auto mass = [&](double with_arm) { return setup.has("arm_forgotten") ? n.column_mass : with_arm; };
   for (const double height : {0.0, 1.5}) {
     const FenceNumbers here = fence_numbers(ladder_fence(height));
-    findings.expect(fmt::format("free pair, {} ft off centre: speed, by the formula", height),
+    findings.expect(fmt::format("free pair, {} ft off centre: speed against the formula", height),
                     passage(free_pair(here, height), tight, findings).exit,
                     speed_by_formula(here, mass(free_column_mass(here, height))),
                     Tolerance::truncation(65.0 * tight, 1.0,
-                                          "exact for a free pair; a tolerance of 1e-10 of the largest speed is what "
-                                          "a step may miss"),
+                                          "exact for a free pair; one step may have an error of 1e-10 of the largest "
+                                          "speed"),
                     "ft/s");
   }
-  findings.expect("hung column: speed, by the formula with I_p/h^2", passage(hung_column(n, 0.0), tight, findings).exit,
+  findings.expect("hung column: speed against the formula with I_p/h^2",
+                  passage(hung_column(n, 0.0), tight, findings).exit,
                   speed_by_formula(n, mass(hung_column_mass(n, 0.0))),
                   Tolerance::model(0.18,
-                                   "while it is hit the column turns by .0115 rad, and its face takes the line of "
-                                   "force 2.2 ft x .0115 nearer to the pin: .39 % of h, .78 % of the mass, .18 ft/s "
-                                   "if it were so from the start"),
+                                   "during the contact the column rotates by 0.0115 rad, which moves the line of force "
+                                   "2.2 ft x 0.0115 closer to the pin: 0.39 % of h, 0.78 % of the mass, 0.18 ft/s if "
+                                   "it applied from the start"),
                   "ft/s");
 }
 
@@ -216,14 +220,14 @@ void check_particles(Findings& findings, const Setup& setup) {
   for (const Held held : {Held::neighbours, Held::ends}) {
     const double length = held == Held::ends ? n.half_span : n.segment;
     findings.expect(
-        fmt::format("particle on cables to the {}: largest tension, by its energy",
+        fmt::format("particle on cables to the {}: largest tension against its energy",
                     held == Held::ends ? "ends" : "neighbours"),
         passage(particle_on_cables(n, 0.0, held, setup), tight, findings).pull,
         std::sqrt(n.first_tension * n.first_tension + 0.5 * n.cable_modulus / length * mass * struck * struck),
         Tolerance::model(
             5e-4,
-            "the contact hands on the little that the cables take while it lasts: an impulse of .8 lb s to "
-            "the column's 754, of which it gives back what it hands on to the rock, at most a half")
+            "the contact transmits the small effect of the cables during it: an impulse of 0.8 lb s compared with the "
+            "column's 754, of which the column gives back at most a half, the part transmitted to the rock")
             .relative(),
         "lb");
   }
@@ -262,75 +266,75 @@ void check_fences(Findings& findings, const Setup& setup) {
     };
     apart = std::max(apart, norm(place(half_scene, half.end) - place(full_scene, full.end)));
   }
-  findings.expect("half fence from the full one at .2 s, largest distance", apart, 0.0,
-                  Tolerance::exact("T + T is 2 T, and the steps are chosen by the largest errors, which are the same"),
+  findings.expect("half fence against the full one at 0.2 s, largest distance", apart, 0.0,
+                  Tolerance::exact("T + T is 2 T, and the steps are chosen by the largest errors, which are equal"),
                   "ft");
   if (setup.coarse) return;
   const FenceNumbers n = fence_numbers(ladder_fence(0.0));
   const double taken = speed_taken_by_cables(n);
-  findings.expect_between("fence: speed after the first contact, miss of the formula over what the cables take",
-                          (speed_by_formula(n, n.column_mass) - full.first) / taken, 0.05, 1.0 + n.restitution,
-                          "all that they take, (1 + e) times over, had it come before the contact, and nothing had it "
-                          "come after; it grows with the third power of time, so that most of it is late");
+  findings.expect_between(
+      "fence: error of the formula's speed after the first contact over the speed taken by the cables",
+      (speed_by_formula(n, n.column_mass) - full.first) / taken, 0.05, 1.0 + n.restitution,
+      "(1 + e) times what the cables take if all of it came before the contact, nothing if all came after it; it grows "
+      "with the third power of time, so that most of it comes late");
   const Passage two = passage(fence_of(0.0, 2, scenes::FenceSymmetry::half), tight, findings);
   findings.expect(
-      "two layers: speed after the first contact, from one layer's", two.first, full.first,
-      Tolerance::exact("the columns, .1 ft apart, touch when it is over; until then the back layer stands in "
-                       "balance to the last bit, and the steps are those of one layer"),
+      "two layers: speed after the first contact against one layer", two.first, full.first,
+      Tolerance::exact("the columns, 0.1 ft apart, touch after the contact has ended; until then the back layer is in "
+                       "bit-exact equilibrium, and the steps are those of one layer"),
       "ft/s");
   const double ends = passage(particle_on_cables(n, 0.0, Held::ends, {}), tight, findings).pull;
   const double neighbours = passage(particle_on_cables(n, 0.0, Held::neighbours, {}), tight, findings).pull;
   findings.expect_between("fence: largest tension of a top cable, between those of the two particles", full.pull, ends,
-                          neighbours, "neighbours neither stand still nor follow without mass", "lb");
+                          neighbours, "neighbours are neither fixed nor massless", "lb");
 }
 
 void run(Findings& findings, const Setup& setup) {
-  if (setup.needs("by the formula")) check_formula(findings, setup);
+  if (setup.needs("against the formula")) check_formula(findings, setup);
   if (setup.needs("particle on cables")) check_particles(findings, setup);
   if (setup.needs("half fence")) check_fences(findings, setup);
   if (!setup.coarse) check_rungs(findings, setup);
-  if (setup.needs("order of the push")) check_contact_ladder(findings, setup);
+  if (setup.needs("order of the peak force")) check_contact_ladder(findings, setup);
 }
 
 }  // namespace
 
 Case definition() {
-  return {.id = "fidelity_ladder",
-          .title = "Fidelity ladder: error and cost of simplified models",
-          .family = "speed and accuracy",
-          .requirements =
-              {{"integrator.stormer_cowell",
-                {"half fence from the full one at .2 s, largest distance",
-                 "steps: speed at .2 s by 1e-7 from that by 1e-10, largest of all levels"}},
-               {"method.nodes",
-                {"order of the push in the spacing of the nodes", "order of the speed in the spacing of the nodes"}},
-               {"method.resultant",
-                {"one resultant: speed, by the formula", "one resultant: push, by its closed form",
-                 "12 nodes: miss of the speed over that of one resultant"}},
-               {"pair.circle.rectangle",
-                {"one resultant: speed, by the formula", "one resultant: push, by its closed form",
-                 "order of the push in the spacing of the nodes", "order of the speed in the spacing of the nodes",
-                 "12 nodes: miss of the speed over that of one resultant"}}},
-          .main_checks = {"free pair, 1.5 ft off centre: speed, by the formula",
-                          "hung column: speed, by the formula with I_p/h^2",
-                          "particle on cables to the neighbours: largest tension, by its energy",
-                          "half fence from the full one at .2 s, largest distance",
-                          "fence: largest tension of a top cable, between those of the two particles",
-                          "speed at .2 s: digits gained by 7 columns that move in place of 5",
-                          "12 nodes: miss of the speed over that of one resultant",
-                          "order of the push in the spacing of the nodes",
-                          "order of the speed in the spacing of the nodes"},
-          .source = "Mustoe & Huttelmaier 1993, Table 2",
-          .faults = {{"arm_forgotten", "the hung column's mass in place of I_p/h^2",
-                      "hung column: speed, by the formula with I_p/h^2"},
-                     {"cable_stiffness_halved", "the particle's cables half as stiff",
-                      "particle on cables to the neighbours: largest tension, by its energy"},
-                     {"half_column", "the half fence with half its central column",
-                      "half fence from the full one at .2 s, largest distance"},
-                     {"stiffness_per_node", "the whole spring and dashpot at each of so many nodes, as in 1993",
-                      "order of the push in the spacing of the nodes"}},
-          .full_seconds = 4.0,
-          .run = run};
+  return {
+      .id = "fidelity_ladder",
+      .title = "Fidelity ladder: error and cost of simplified models",
+      .family = "speed and accuracy",
+      .requirements =
+          {{"integrator.stormer_cowell",
+            {"half fence against the full one at 0.2 s, largest distance",
+             "steps: speed at 0.2 s, tolerance 1e-7 against 1e-10, largest difference of all levels"}},
+           {"method.nodes", {"order of the peak force in the node spacing", "order of the speed in the node spacing"}},
+           {"method.resultant",
+            {"one resultant: speed against the formula", "one resultant: peak force against its closed form",
+             "12 nodes: speed error over that of one resultant"}},
+           {"pair.circle.rectangle",
+            {"one resultant: speed against the formula", "one resultant: peak force against its closed form",
+             "order of the peak force in the node spacing", "order of the speed in the node spacing",
+             "12 nodes: speed error over that of one resultant"}}},
+      .main_checks = {"free pair, 1.5 ft off centre: speed against the formula",
+                      "hung column: speed against the formula with I_p/h^2",
+                      "particle on cables to the neighbours: largest tension against its energy",
+                      "half fence against the full one at 0.2 s, largest distance",
+                      "fence: largest tension of a top cable, between those of the two particles",
+                      "speed at .2 s: digits gained by 7 columns that move in place of 5",
+                      "12 nodes: speed error over that of one resultant", "order of the peak force in the node spacing",
+                      "order of the speed in the node spacing"},
+      .source = "Mustoe & Huttelmaier 1993, Table 2",
+      .faults = {{"arm_forgotten", "the hung column's mass instead of I_p/h^2",
+                  "hung column: speed against the formula with I_p/h^2"},
+                 {"cable_stiffness_halved", "cables of the particle with half the stiffness",
+                  "particle on cables to the neighbours: largest tension against its energy"},
+                 {"half_column", "a half fence with half of its central column",
+                  "half fence against the full one at 0.2 s, largest distance"},
+                 {"stiffness_per_node", "spring and dashpot of a node independent of the number of nodes, as in 1993",
+                  "order of the peak force in the node spacing"}},
+      .full_seconds = 4.0,
+      .run = run};
 }
 
 }  // namespace talus::verification::problems::fidelity_ladder

@@ -176,7 +176,7 @@ Scene moving_columns(const scenes::Fence& fence, int beside) {
     body.force = {};
     body.sleeps = false;
   }
-  return started("Half fence, held from a column on", std::move(model), fence.rocks.front().velocity);
+  return started("Half fence with fixed outer columns", std::move(model), fence.rocks.front().velocity);
 }
 
 Passage passage(const Scene& scene, double tolerance, Findings& findings) {

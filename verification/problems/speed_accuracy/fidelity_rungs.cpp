@@ -61,8 +61,8 @@ struct Rung {
   }
 };
 
-constexpr std::array<const char*, 4> questions{"speed after the first contact", "largest push of the rock",
-                                               "largest pull of a top cable", "speed at .2 s"};
+constexpr std::array<const char*, 4> questions{"speed after the first contact", "peak force of the rock",
+                                               "largest tension of a top cable", "speed at 0.2 s"};
 double answer(const Passage& p, std::size_t question) { return std::array{p.first, p.push, p.pull, p.exit}[question]; }
 
 /// Name of the first level of one layer whose relative error is at most `most` at the first `count` heights. The
@@ -91,9 +91,9 @@ std::string sufficient(const std::vector<Level>& levels, const std::vector<Rung>
 Table answers(const std::vector<Level>& levels, const std::vector<Rung>& rungs) {
   Table table{.name = "answers",
               .caption =
-                  "Which level suffices: the first that misses the full fence by no more, hit at the centre, and "
-                  "hit 1.5 ft below and above it as well.",
-              .columns = {"question", "10 %", "1 %", ".1 %", "all three: 10 %", "1 %", ".1 %"}};
+                  "Sufficient level: the first whose error against the full fence does not exceed the limit, hit at "
+                  "the centre, and hit 1.5 ft below and above it as well.",
+              .columns = {"question", "10 %", "1 %", "0.1 %", "all three: 10 %", "1 %", "0.1 %"}};
   for (std::size_t question = 0; question < questions.size(); ++question) {
     table.rows.push_back({questions[question]});
     for (const std::size_t count : {std::size_t{1}, heights.size()}) {
@@ -107,10 +107,10 @@ Table answers(const std::vector<Level>& levels, const std::vector<Rung>& rungs) 
 Table rung_table(const std::vector<Level>& levels, const std::vector<Rung>& rungs, const std::vector<double>& times) {
   Table table{.name = "levels",
               .caption =
-                  "What the levels give, hit at the centre, and the speed at .2 s hit 1.5 ft below and above it. "
-                  "Degrees of freedom; evaluations to .2 s with a tolerance of 1e-7.",
-              .columns = {"level", "d.o.f.", "evaluations", "first [ft/s]", "push [lb]", "pull [lb]", ".2 s [ft/s]",
-                          "below", "above"}};
+                  "Results of the levels, hit at the centre, and the speed at 0.2 s, hit 1.5 ft below and above it. "
+                  "Degrees of freedom; evaluations to 0.2 s with a tolerance of 1e-7.",
+              .columns = {"level", "d.o.f.", "evaluations", "first [ft/s]", "peak force [lb]", "tension [lb]",
+                          "0.2 s [ft/s]", "below", "above"}};
   if (!times.empty()) table.columns.push_back("time [us]");
   const auto number = [](double x, int digits) { return std::isfinite(x) ? fmt::format("{:.{}f}", x, digits) : "-"; };
   table.rows.push_back({"formula", "0", "0"});
@@ -135,14 +135,14 @@ Table rung_table(const std::vector<Level>& levels, const std::vector<Rung>& rung
 
 Figure rung_figure(const std::vector<Rung>& rungs, double own) {
   Figure figure{.name = "ladder",
-                .title = "What a level misses against what it costs",
+                .title = "Error of a level against its cost",
                 .caption =
-                    "Hit at the centre, against the full fence. From left to right: hung column, free pair, on "
-                    "cables to the ends and to neighbours, half fence with 1, 3, ... 13 columns that move (the "
-                    "last misses nothing). Line: error of steps with a tolerance of 1e-7; misses below a hundredth of "
-                    "it are not drawn.",
+                    "Hit at the centre, compared with the full fence. From left to right: hung column, free pair, on "
+                    "cables to the ends and to neighbours, half fence with 1, 3, ... 13 moving columns (the last has "
+                    "no error). Line: error of steps with a tolerance of 1e-7; errors below a hundredth of it are not "
+                    "drawn.",
                 .x = {.label = "force evaluations times degrees of freedom", .log = true},
-                .y = {.label = "miss", .unit = "1", .log = true},
+                .y = {.label = "error", .unit = "1", .log = true},
                 .series = {},
                 .lines = {{'y', own, "steps"}}};
   std::vector<std::size_t> order(full_fence - 1);
@@ -221,10 +221,10 @@ void check_rungs(Findings& findings, const Setup& setup) {
   const FenceNumbers numbers = fence_numbers(ladder_fence(0.0));
   const double moved =
       std::abs(passage(fence_of(0.02, 1, scenes::FenceSymmetry::half), tight, findings).exit - full.exit);
-  findings.expect("steps: speed at .2 s by 1e-7 from that by 1e-10, largest of all levels", own, 0.0,
+  findings.expect("steps: speed at 0.2 s, tolerance 1e-7 against 1e-10, largest difference of all levels", own, 0.0,
                   Tolerance::model(0.002 * moved,
-                                   "a five-hundredth of what the rock .02 ft higher changes; nobody sets it up "
-                                   "better than that"),
+                                   "a five-hundredth of the change caused by a rock 0.02 ft higher; the rock cannot be "
+                                   "positioned more accurately than that"),
                   "ft/s");
   const auto digits_gained = [&](std::size_t beside) {
     const auto exit_miss = [&](std::size_t l) { return miss(rungs[first_moving + l].at[0].exit, full.exit); };
@@ -232,10 +232,10 @@ void check_rungs(Findings& findings, const Setup& setup) {
   };
   findings.expect_between("speed at .2 s: digits gained by 7 columns that move in place of 5", digits_gained(2), 1.7,
                           6.0,
-                          "the held columns' answer comes back when the rock has all but gone; six digits more would "
-                          "say that it never came before");
+                          "the response of the held columns comes back when the rock has almost left; six more digits "
+                          "would mean that it never came back before");
   findings.expect_between("speed at .2 s: digits gained by 9 columns that move in place of 7", digits_gained(3), 1.7,
-                          6.0, "the same, two segments later");
+                          6.0, "as for the previous check, two segments later");
   findings.table(rung_table(levels, rungs, setup.tier == Tier::full ? run_times(levels) : std::vector<double>{}));
   findings.table(answers(levels, rungs));
   findings.figure(rung_figure(rungs, own / full.exit));
@@ -243,16 +243,14 @@ void check_rungs(Findings& findings, const Setup& setup) {
     return 100.0 * miss(answer(rungs[level].at[0], question), answer(full, question));
   };
   findings.note(fmt::format(
-      "*What it says.* A richer model is not always a better one: the pin of the hung column is stiffer than any "
-      "cable, "
-      "and it misses the speed after the first contact by {:.0f} %, the formula by {:.2f} %. Then the cables throw the "
-      "column back at the rock; that speed nothing poorer than 7 columns has, particles on cables not even its sign (< "
-      "0: thrown back), and 1.5 ft above the centre nothing but the whole fence has it to 1 %. The rock .02 ft higher "
-      "changes it by {:.1f} %: more digits than that no model is worth. Half a fence is the fence, bit by bit, at {} "
-      "for "
-      "{} degrees of freedom. A second layer is another fence: the same to the first contact's end, then {:.2f} in "
-      "place "
-      "of {:.2f} ft/s and {:.0f} in place of {:.0f} kip.",
+      "*Interpretation.* A more detailed model is not always more accurate: the pin of the hung column is stiffer than "
+      "any cable, and its speed after the first contact is off by {:.0f} %, that of the formula by {:.2f} %. Then the "
+      "cables throw the column back at the rock; no model with fewer than 7 columns gives the resulting speed, "
+      "particles on cables not even its sign (< 0: thrown back), and 1.5 ft above the centre only the full fence gives "
+      "it to 1 %. A rock 0.02 ft higher changes it by {:.1f} %: no model needs more digits than that. The half fence "
+      "equals the full fence bit for bit, with {} instead of {} degrees of freedom. A fence with a second layer is "
+      "different: the same until the end of the first contact, then {:.2f} instead of {:.2f} ft/s and {:.0f} instead "
+      "of {:.0f} kip.",
       percent(hung, 0), 100.0 * miss(speed_by_formula(numbers, numbers.column_mass), full.first),
       100.0 * moved / full.exit, rungs[full_fence - 1].usual.coordinates, rungs[full_fence].usual.coordinates,
       rungs.back().at[0].exit, full.exit, 1e-3 * rungs.back().at[0].pull, 1e-3 * full.pull));

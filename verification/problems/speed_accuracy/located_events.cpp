@@ -23,12 +23,12 @@ struct Bound {
   const char* words;
 };
 constexpr Bound bounds[] = {
-    {{1200.0, 3000.0}, "set beforehand, as less than any of odeint's steppers was known to take"},
-    {{5000.0, 10000.0}, "set beforehand, as less than any of odeint's steppers was known to take"},
-    {{900.0, 1800.0}, "set beforehand, as less than any of odeint's steppers was known to take"},
+    {{1200.0, 3000.0}, "set in advance, below what any of odeint's steppers was known to take"},
+    {{5000.0, 10000.0}, "set in advance, below what any of odeint's steppers was known to take"},
+    {{900.0, 1800.0}, "set in advance, below what any of odeint's steppers was known to take"},
     {{4000.0, 4000.0},
-     "set beforehand, as a hundredth of what velocity Verlet was thought to take to 1e-6; by its order it takes more "
-     "(case work_precision)"}};
+     "set in advance, as a hundredth of the assumed cost of velocity Verlet for 1e-6; because of its order it takes "
+     "more (case work_precision)"}};
 
 /// Recorded numbers of evaluations, summed over all tolerances, on each of the motions and on the fence, from the last
 /// deliberate change of the method. They are the same on every machine, so that a change of steps and orders is
@@ -36,10 +36,10 @@ constexpr Bound bounds[] = {
 constexpr double counted[] = {17320.0, 32456.0, 9787.0, 13147.0}, counted_on_fence = 15322.0;
 
 void expect_counted(Findings& findings, const std::string& scene, double evaluations, double known) {
-  findings.expect_between("evaluations of all tolerances over those counted before, " + scene, evaluations / known,
+  findings.expect_between("evaluations for all tolerances over the recorded number, " + scene, evaluations / known,
                           0.995, 1.005,
-                          "counted, not timed: half a per cent is left for another rounding. A change of the method "
-                          "brings its own count");
+                          "a count, not a time: 0.5 % is allowed for different rounding. A change of the method "
+                          "requires new recorded numbers");
 }
 
 /// The method, or the one by which a fault replaces it.
@@ -65,24 +65,23 @@ void check_motion(const ExactMotion& motion, const Bound& bound, double known, F
   figure.series.push_back(series);
   const double reached[] = {evaluations_to_reach(points, 1e-6), evaluations_to_reach(points, 1e-9)};
   const std::string words = fmt::format(
-      "{:.0f} and {:.0f} evaluations are admitted for 1e-6 and 1e-9: {}; fewer than a fiftieth would say that "
-      "something was not counted",
+      "{:.0f} and {:.0f} evaluations are permitted for 1e-6 and 1e-9: {}; fewer than a fiftieth would mean that "
+      "evaluations are missing from the count",
       bound.asked[0], bound.asked[1], bound.words);
   findings.in("evaluations_to_1e_6")
-      ->expect_between(fmt::format("evaluations to reach 1e-6 over the most that are admitted, {}", motion.name),
+      ->expect_between(fmt::format("evaluations to reach 1e-6 over the permitted number, {}", motion.name),
                        reached[0] / bound.asked[0], 0.02, 1.0, words);
   findings.in("evaluations_to_1e_9")
-      ->expect_between(fmt::format("evaluations to reach 1e-9 over the most that are admitted, {}", motion.name),
+      ->expect_between(fmt::format("evaluations to reach 1e-9 over the permitted number, {}", motion.name),
                        reached[1] / bound.asked[1], 0.02, 1.0, words);
   expect_counted(findings, motion.name, evaluations, known);
   const std::size_t last = points.size() - 1;
   const double digit = std::sqrt(points[last].evaluations / points[last - 4].evaluations);
   findings.expect_between(
-      fmt::format("evaluations for a tenth of the tolerance, {}", motion.name), digit, std::pow(10.0, 1.0 / 18.0),
-      std::pow(10.0, 1.0 / 10.0),
-      "over the last two digits; as a power of the step, 13 is expected at the highest order. 10 "
-      "and 18 allow 5 % either way: orders and lengths are chosen step by step, and the motion differs "
-      "from scene to scene");
+      fmt::format("factor of evaluations for a tenth of the tolerance, {}", motion.name), digit,
+      std::pow(10.0, 1.0 / 18.0), std::pow(10.0, 1.0 / 10.0),
+      "over the last two digits; as a power of the step, 13 is expected at the highest order. 10 and 18 allow 5 % in "
+      "either direction: orders and lengths are chosen step by step, and the motion differs from scene to scene");
   table.rows.push_back({motion.name, whole(evaluations_to_reach(points, 1e-4)), whole(reached[0]), whole(reached[1]),
                         fmt::format("{:.3f}", digit), fmt::format("{}", points.back().events)});
 }
@@ -139,15 +138,16 @@ void check_scheme_of_1993(const FenceHit& hit, const FenceExit& best, Findings& 
     }
     errors.add(mean, std::sqrt(squares));
   }
-  findings.expect_order("order of central_difference in the rock's speed at .05 s", errors, 0.6, 1.4,
-                        "events late by up to a step: order 1. Root mean squares of 8 runs with steps spread over an "
-                        "octave, each uncertain by a fifth, which over two octaves tilts the line by .2; twice that");
+  findings.expect_order("order of central_difference in the rock's speed at 0.05 s", errors, 0.6, 1.4,
+                        "events are late by up to a step: order 1. Root mean squares of 8 runs with steps spread over "
+                        "an octave, each uncertain by a fifth, which over two octaves changes the order by 0.2; twice "
+                        "that");
 }
 
 void check_fence(Findings& findings, const Setup& setup, Figure& figure) {
   const FenceHit hit = fence_hit();
   Table table{.name = "fence",
-              .caption = "The fence of Table 2 by tolerance: error of the largest tension and of the rock's speed.",
+              .caption = "The fence of Table 2 by tolerance: errors of the largest tension and of the rock's speed.",
               .columns = {"end [s]", "tolerance", "evaluations", "events", "tension", "speed"}};
   double furthest = 0.0, evaluations = 0.0;
   for (const double end : {early, late}) {
@@ -166,26 +166,27 @@ void check_fence(Findings& findings, const Setup& setup, Figure& figure) {
           ->expect_between(
               fmt::format("fence, evaluations to reach {} over {:.0f}", what, most), found / most, 0.1, 1.0,
               fmt::format(
-                  "set beforehand, for a method that locates events; the scheme of 1993 takes {:.0f} steps of 2e-6 "
-                  "s; fewer than a tenth would say that something was not counted",
+                  "set in advance, for a method that locates events; the 1993 scheme takes {:.0f} steps of 2e-6 s; "
+                  "fewer than a tenth would mean that evaluations are missing from the count",
                   end / 2e-6));
     };
     if (end == early) {
-      demand("1e-5 of tension and 1.4e-4 of speed at .05 s", 1e-5, 1.4e-4, 561.0);
-      demand("2e-7 of tension and 3e-6 of speed at .05 s", 2e-7, 3e-6, 1071.0);
+      demand("1e-5 of tension and 1.4e-4 of speed at 0.05 s", 1e-5, 1.4e-4, 561.0);
+      demand("2e-7 of tension and 3e-6 of speed at 0.05 s", 2e-7, 3e-6, 1071.0);
       if (setup.coarse) return;
       check_scheme_of_1993(hit, best, findings, setup);
     } else {
-      demand("7e-5 of speed at .2 s", 1.0, 7e-5, 2166.0);
+      demand("7e-5 of speed at 0.2 s", 1.0, 7e-5, 2166.0);
     }
     furthest = std::max(furthest, distance_of_others(hit, end, best, findings));
   }
   expect_counted(findings, "fence", evaluations, counted_on_fence);
-  findings.expect("fence, speed of the rock at .05 and .2 s: furthest of three of odeint's steppers at 1e-13", furthest,
-                  0.0,
+  findings.expect("fence, speed of the rock at 0.05 and 0.2 s: largest difference of three odeint steppers at 1e-13",
+                  furthest, 0.0,
                   Tolerance::truncation(100.0 * others_tolerance * std::abs(hit.scene.initial.v[hit.rock]), 1.0,
-                                        "a step's error is held below 1e-13 of the rock's first speed, and those of "
-                                        "some ten thousand steps add up as a random walk: a hundred times that"),
+                                        "the error of a step is kept below 1e-13 of the rock's initial speed, and the "
+                                        "errors of about ten thousand steps add up as a random walk: a hundred times "
+                                        "that"),
                   "ft/s");
   findings.table(table);
 }
@@ -216,10 +217,10 @@ void check_grazing(Findings& findings) {
     keep_worst(worst, run.state.q[1] - (radius + touch * left + 0.5 * g * left * left));
   }
   findings.expect(
-      "position after a grazing contact of three depths, worst", worst, 0.0,
+      "position after a grazing contact: largest error of three overlaps", worst, 0.0,
       Tolerance::truncation(20.0 * tolerance, 3.0,
-                            "local errors below 1e-11 of the distance travelled, some ten in one direction; "
-                            "a contact that is missed moves it by 1e-5 and more"),
+                            "local errors below 1e-11 of the distance travelled, about ten of the same sign; a missed "
+                            "contact changes the position by 1e-5 or more"),
       "m");
 }
 
@@ -239,9 +240,9 @@ void check_choice(Findings& findings) {
     choosing += followed ? 1.0 : 0.0;
   }
   findings.expect_between("methods that follow a contact between two outputs", choosing, 4.0,
-                          static_cast<double>(methods.size()) - 5.0, "some of each kind are in the list");
-  findings.expect("methods said to choose their steps that do not, or the other way round", wrong, 0.0,
-                  Tolerance::exact("by what they do"));
+                          static_cast<double>(methods.size()) - 5.0, "the list contains several methods of each kind");
+  findings.expect("methods wrongly reported as choosing or not choosing their steps", wrong, 0.0,
+                  Tolerance::exact("compared with their behaviour"));
 }
 
 /// Counts discs that do not rebound: a small disc is thrown fast at a small post from afar, and only the post can
@@ -267,7 +268,7 @@ void check_posts(Findings& findings) {
       if (!(dot(pose(scene.model, end.state, flying).v_WB, from) > 0.99 * speed)) lost += 1.0;
     }
   }
-  findings.expect("discs thrown at a post that do not come back", lost, 0.0, Tolerance::exact("of eight"));
+  findings.expect("discs thrown at a post that do not rebound", lost, 0.0, Tolerance::exact("none of eight"));
 }
 
 /// Checks a large disc that falls from rest on another, for so long that a step could last many seconds: only its
@@ -287,11 +288,11 @@ void check_falls(Findings& findings) {
   Scene scene{.title = "Fall", .model = builder.build()};
   scene.initial = rest_state(scene.model);
   const RunEnd end = run_steps(scene, make_integrator("stormer_cowell", 1e-6), 2.5 * fall, 1, findings);
-  findings.expect("speed of a disc that fell on a large one for half a fall after its return, over that of the fall",
+  findings.expect("velocity of a disc 2.5 fall times after its release above a large disc, over its impact speed",
                   end.state.v[1] / (gravity * fall), -0.5,
                   Tolerance::model(1e-3,
-                                   "its contact lasts pi sqrt(m/k) = 0.003 s of 14; a disc that has passed falls on "
-                                   "at 2.5"));
+                                   "the contact lasts pi sqrt(m/k) = 0.003 s of 14 s; a disc that has passed through "
+                                   "continues to fall at 2.5"));
 
   const Scene bouncing =
       scenes::bouncing_disc({.gap = 0.5, .gravity = gravity, .contact = LinearSpringDashpot{1e6, 0.0}});
@@ -301,7 +302,7 @@ void check_falls(Findings& findings) {
     // The disc starts with a speed of 1, first touches at the time `first`, and each later flight lasts 2 u/g.
     const double u = std::sqrt(1.0 + 2.0 * gravity * 0.5), first = (u - 1.0) / gravity;
     const double bounces = std::floor((3.0 - first) / (2.0 * u / gravity)) + 1.0;
-    findings.expect(fmt::format("events of a disc that bounces, {}", method),
+    findings.expect(fmt::format("located events of a bouncing disc, {}", method),
                     static_cast<double>(talus::located_events(bounced.method).value_or(0)), 2.0 * bounces,
                     Tolerance::exact("each contact begins and ends"));
   }
@@ -311,8 +312,8 @@ void run(Findings& findings, const Setup& setup) {
   if (!setup.coarse) check_grazing(findings), check_choice(findings), check_posts(findings), check_falls(findings);
   Table table{.name = "evaluations",
               .caption =
-                  "Evaluations to reach an error; their factor for a tenth of the tolerance, the last two "
-                  "digits; events located.",
+                  "Evaluations to reach an error; their factor for a tenth of the tolerance, over the last two digits; "
+                  "located events.",
               .columns = {"motion", "1e-4", "1e-6", "1e-9", "factor", "events"}};
   Figure figure{.name = "work_precision",
                 .title = "Error against force evaluations, located events",
@@ -340,18 +341,19 @@ Case definition() {
           .family = "speed and accuracy",
           .requirements = {{"integrator.stormer_cowell",
                             {"evaluations_to_1e_6", "evaluations_to_1e_9", "fence_evaluations"}}},
-          .main_checks = {"evaluations to reach 1e-6 over the most that are admitted, pendulum, 90 degrees",
-                          "evaluations to reach 1e-9 over the most that are admitted, pendulum, 170 degrees",
-                          "evaluations to reach 1e-9 over the most that are admitted, two cables",
-                          "evaluations to reach 1e-9 over the most that are admitted, damped bounce",
-                          "evaluations for a tenth of the tolerance, two cables",
-                          "fence, speed of the rock at .05 and .2 s: furthest of three of odeint's steppers at 1e-13",
-                          "fence, evaluations to reach 7e-5 of speed at .2 s over 2166"},
+          .main_checks = {"evaluations to reach 1e-6 over the permitted number, pendulum, 90 degrees",
+                          "evaluations to reach 1e-9 over the permitted number, pendulum, 170 degrees",
+                          "evaluations to reach 1e-9 over the permitted number, two cables",
+                          "evaluations to reach 1e-9 over the permitted number, damped bounce",
+                          "factor of evaluations for a tenth of the tolerance, two cables",
+                          "fence, speed of the rock at 0.05 and 0.2 s: largest difference of three odeint steppers at "
+                          "1e-13",
+                          "fence, evaluations to reach 7e-5 of speed at 0.2 s over 2166"},
           .source = "Stoermer 1907; Cowell & Crommelin 1910; Krogh 1974; Shampine & Gordon 1975; Alefeld et al. 1995",
-          .faults = {{"no_events", "Fehlberg 7(8) under step control, which does not stop at events",
-                      "evaluations to reach 1e-6 over the most that are admitted, damped bounce"},
-                     {"fence_without_events", "Dormand-Prince 5 under step control, which does not stop at events",
-                      "fence, evaluations to reach 2e-7 of tension and 3e-6 of speed at .05 s over 1071"}},
+          .faults = {{"no_events", "Fehlberg 7(8) with step control, which does not stop at events",
+                      "evaluations to reach 1e-6 over the permitted number, damped bounce"},
+                     {"fence_without_events", "Dormand-Prince 5 with step control, which does not stop at events",
+                      "fence, evaluations to reach 2e-7 of tension and 3e-6 of speed at 0.05 s over 1071"}},
           .full_seconds = 7.0,
           .run = run};
 }

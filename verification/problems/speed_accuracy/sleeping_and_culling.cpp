@@ -126,9 +126,9 @@ void check_pairs(Findings& findings, const Setup& setup, Table& table, const cha
   const State all = stepped(scene, dynamics, VelocityVerlet{}, EveryPair{dynamics}, step, count, unwatched);
   findings.count(2 * count);
   findings.in("state_at_end")
-      ->expect(fmt::format("{}: state at the end from that with every pair, largest difference", name),
+      ->expect(fmt::format("{}: state at the end against the run with every pair, largest difference", name),
                change(visited, all), 0.0,
-               Tolerance::exact("bodies out of reach push nothing, and a node outside its target neither"));
+               Tolerance::exact("bodies out of reach exert no force, and neither does a node outside its target"));
   StormerCowell located;
   located.tolerance = 1e-8;
   // Only a tenth of the duration, because events between crowded bodies follow each other closely.
@@ -138,9 +138,9 @@ void check_pairs(Findings& findings, const Setup& setup, Table& table, const cha
       setup.has("no_time_ahead")
           ? stepped(scene, dynamics, located, ShortSighted{RigidBodySystem{dynamics, true}}, interval, 1, unwatched)
           : stepped(scene, dynamics, located, RigidBodySystem{dynamics, true}, interval, 1, unwatched);
-  findings.expect(fmt::format("{}, located events: state from that with every guard, largest difference", name),
+  findings.expect(fmt::format("{}, located events: state against the run with every guard, largest difference", name),
                   change(ahead, every), 0.0,
-                  Tolerance::exact("bodies that at their speed do not meet in five steps end no mode in one"));
+                  Tolerance::exact("bodies that at their speed do not meet within five steps end no mode within one"));
   table.rows.push_back({fmt::format("pairs within reach, {}", name),
                         fmt::format("{}", dynamics.contacts().candidates()), fmt::format("{:.2f}", near), "none"});
 }
@@ -220,13 +220,13 @@ void check_rows(Findings& findings, const Setup& setup, Table& table) {
   const State bare = stepped(scene, dynamics, VelocityVerlet{}, RigidBodySystem{dynamics, false}, 1e-5, count, watch);
   const auto [place, velocity] = difference(bare, told);
   findings.count(2 * count);
-  findings.expect("without ledger, paths not told: state at the end from that with, largest difference",
+  findings.expect("without ledger: state at the end against the run with ledger, largest difference",
                   std::max(place, velocity), 0.0,
-                  Tolerance::exact("what pulls on bodies is the same sum, whether the paths are kept or not"));
-  findings.expect("tensions of rows of cables from those of the laws, one by one, largest difference over a run",
+                  Tolerance::exact("the force on a body is the same sum, whether the paths are computed or not"));
+  findings.expect("tensions of rows of cables against those of the individual laws, largest difference over a run",
                   largest, 0.0, Tolerance::exact("the same operations on the same numbers, several at a time"), "lb");
-  table.rows.push_back({"cables asked by their laws, fence that yields", fmt::format("{}", scene.model.cables.size()),
-                        fmt::format("{:.2f}", by_law), "none"});
+  table.rows.push_back({"cables evaluated by their laws, fence that yields",
+                        fmt::format("{}", scene.model.cables.size()), fmt::format("{:.2f}", by_law), "none"});
 }
 
 constexpr long steps = 25000;
@@ -279,24 +279,24 @@ LongRun run_long(const scenes::FenceScene& made, Findings& findings) {
 void check_sleep(Findings& findings, const Setup& setup, Table& table) {
   const auto with = [&](Sleep sleep) { return run_long(long_fence(101, Sag::share_of_span, sleep), findings); };
   const LongRun off = with(Sleep::off), exact = with(setup.has("default_for_exact") ? Sleep::on : Sleep::exact);
-  findings.expect("101 columns, sleep exact: state at .05 s from that without sleep, largest difference",
+  findings.expect("101 columns, sleep exact: state at 0.05 s against the run without sleep, largest difference",
                   change(exact.state, off.state), 0.0,
-                  Tolerance::exact("what sleeps is at rest in balance, and no pull on it has changed by a bit"));
+                  Tolerance::exact("sleeping bodies are in equilibrium at rest, and no force on them has changed by a "
+                                   "bit"));
   if (setup.coarse) return;
   const LongRun on = with(Sleep::on);
   const char* why =
-      "a column stays asleep while the pull on it changes by less than 1e-13 of a tension of 65 600 lb: 6.6e-9 lb for "
-      "a "
-      "thousandth of a second, in which the motion of the next one doubles many times, on 14.9 slug are 4.4e-13 ft/s "
-      "at "
-      "the border, 8e-14 of the rock's 5.5 ft/s, and in the middle less; round-off of the 25 000 steps is as much";
-  findings.expect("101 columns, sleep by default: speed of the rock, from that without", on.state.v[0], off.state.v[0],
-                  Tolerance::model(2e-13, why).relative(), "ft/s");
+      "a column stays asleep while the force on it changes by less than 1e-13 of a tension of 65 600 lb: 6.6e-9 lb "
+      "during a thousandth of a second, in which the motion of the next column doubles many times, on 14.9 slug cause "
+      "4.4e-13 ft/s at the border, 8e-14 of the rock's 5.5 ft/s, and less in the middle; the round-off of 25 000 steps "
+      "is of the same size";
+  findings.expect("101 columns, sleep by default: speed of the rock against the run without sleep", on.state.v[0],
+                  off.state.v[0], Tolerance::model(2e-13, why).relative(), "ft/s");
   findings.expect("101 columns, sleep by default: largest difference of any coordinate or velocity",
                   change(on.state, off.state), 0.0,
                   Tolerance::model(2.2e-11,
-                                   "6.6e-9 lb for all of .05 s on 14.9 slug: a border column that slept through what a "
-                                   "waking one would have done"));
+                                   "6.6e-9 lb during the whole 0.05 s on 14.9 slug: a column at the border that sleeps "
+                                   "although it would have moved if awake"));
   table.rows.push_back({"sleep exact, 101 columns", "51", fmt::format("{:.1f}", exact.awake), "none"});
   table.rows.push_back({"sleep by default, 101 columns", "51", fmt::format("{:.1f}", on.awake),
                         fmt::format("{:.1e} of the speed", std::abs(on.state.v[0] / off.state.v[0] - 1.0))});
@@ -316,15 +316,16 @@ void check_length(Findings& findings, const Setup& setup, Table& table) {
     const bool tight = sag == Sag::as_tight;
     const double ratio = whole.awake / tenth.awake;
     if (tight) {
-      findings.expect_between("columns awake in .05 s, as tight: with 1,001 over with 101", ratio, 0.9, 1.1,
-                              "nothing near the hit knows how long the fence is: the tensions differ by .7 %, and the "
-                              "slopes of the cables");
+      findings.expect_between("columns awake in 0.05 s, equal tightness: 1,001 columns over 101", ratio, 0.9, 1.1,
+                              "nothing near the impact depends on the length of the fence except the tensions, which "
+                              "differ by 0.7 %, and the slopes of the cables");
     } else {
-      findings.expect_between("columns awake in .05 s, by share of the span: with 1,001 over with 101", ratio, 1.0,
-                              std::sqrt(whole.horizontal_tension / tenth.horizontal_tension),
-                              "motion runs along a cable with the root of its tension, and has to come that far");
+      findings.expect_between("columns awake in 0.05 s, sag a fixed fraction of the span: 1,001 columns over 101",
+                              ratio, 1.0, std::sqrt(whole.horizontal_tension / tenth.horizontal_tension),
+                              "motion spreads along a cable at a speed proportional to the root of its tension, and "
+                              "takes time to do so");
     }
-    const char* what = tight ? "as tight" : "share of span";
+    const char* what = tight ? "equal tightness" : "fixed sag fraction";
     for (const auto& [columns, found] : {std::pair{51, &tenth}, std::pair{501, &whole}}) {
       table.rows.push_back({fmt::format("sleep by default, {} columns, {}", 2 * columns - 1, what),
                             fmt::format("{}", columns), fmt::format("{:.1f}", found->awake), ""});
@@ -362,8 +363,9 @@ void check_guards(Findings& findings, const Setup& setup) {
     }
   }
   findings.expect(
-      "guards ahead: cables at a moving column, of 41, without that of their law", missing, 0.0,
-      Tolerance::exact("a column that comes 10 ft further takes its cables off the linear branches of their laws"));
+      "guards ahead: cables at a moving column without the guard of their law, of 41", missing, 0.0,
+      Tolerance::exact("a column that moves by 10 ft within the horizon takes its cables off the linear branches of "
+                       "their laws"));
   // Rough discs that approach: friction cannot begin before the normal force.
   ModelBuilder builder;
   const BodyId a = builder.add(Body{.name = "a", .mass = 1.0, .inertia = 1.0, .shape = Circle{1.0}});
@@ -381,20 +383,21 @@ void check_guards(Findings& findings, const Setup& setup) {
   RigidBodySystem approach{discs, true};
   approach.update_modes(state);
   (void)approach.guards(state, true, 1.0, guards);
-  findings.expect("guards ahead: of the normal law of rough discs that come nearer",
+  findings.expect("guards ahead: guard of the normal law of approaching rough discs",
                   guards[discs.layout().contact_slots[0].mode], 0.25, Tolerance::exact("the gap"));
-  findings.expect_true("guards ahead: friction of discs that do not touch has none",
-                       std::isinf(guards[discs.layout().friction_slots[0].mode]), "it begins with the normal force");
+  findings.expect_true("guards ahead: no guard for the friction of discs without contact",
+                       std::isinf(guards[discs.layout().friction_slots[0].mode]),
+                       "friction begins with the normal force");
   findings.expect("guards ahead: cables compared", compared, 41.0,
-                  Tolerance::exact("21 columns, the central one with one"));
+                  Tolerance::exact("21 columns with two cables each, but one at the central column"));
 }
 
 void run(Findings& findings, const Setup& setup) {
   Table table{.name = "visited",
               .caption =
-                  "What a step could visit, and what it does (mean over the steps). Without sleep a fence visits "
-                  "all its columns; half of a fence is modelled.",
-              .columns = {"what", "in the scene", "visited", "change of the result"}};
+                  "Number of objects that a step could evaluate, and number that it evaluates (mean over the steps). "
+                  "Without sleep a fence evaluates all its columns; half of a fence is modelled.",
+              .columns = {"what", "in the scene", "evaluated", "change of the result"}};
   if (setup.needs("sleep exact") || setup.needs("sleep by default")) check_sleep(findings, setup, table);
   if (setup.needs("columns awake")) check_length(findings, setup, table);
   if (setup.needs("with every pair") || setup.needs("with every guard")) check_contacts(findings, setup, table);
@@ -411,33 +414,33 @@ Case definition() {
       .title = "Sleeping bodies and culled contacts: results unchanged",
       .family = "speed and accuracy",
       .requirements = {{"E10", {"state_at_end"}}},
-      .main_checks = {"101 columns, sleep exact: state at .05 s from that without sleep, largest difference",
-                      "101 columns, sleep by default: speed of the rock, from that without",
-                      "columns awake in .05 s, as tight: with 1,001 over with 101",
-                      "columns awake in .05 s, by share of the span: with 1,001 over with 101",
-                      "yard: state at the end from that with every pair, largest difference",
-                      "16 discs: state at the end from that with every pair, largest difference",
-                      "fence of two layers: state at the end from that with every pair, largest difference",
-                      "yard, located events: state from that with every guard, largest difference",
-                      "16 discs, located events: state from that with every guard, largest difference",
-                      "fence of two layers, located events: state from that with every guard, largest difference",
-                      "tensions of rows of cables from those of the laws, one by one, largest difference over a run",
-                      "without ledger, paths not told: state at the end from that with, largest difference"},
+      .main_checks = {"101 columns, sleep exact: state at 0.05 s against the run without sleep, largest difference",
+                      "101 columns, sleep by default: speed of the rock against the run without sleep",
+                      "columns awake in 0.05 s, equal tightness: 1,001 columns over 101",
+                      "columns awake in 0.05 s, sag a fixed fraction of the span: 1,001 columns over 101",
+                      "yard: state at the end against the run with every pair, largest difference",
+                      "16 discs: state at the end against the run with every pair, largest difference",
+                      "fence of two layers: state at the end against the run with every pair, largest difference",
+                      "yard, located events: state against the run with every guard, largest difference",
+                      "16 discs, located events: state against the run with every guard, largest difference",
+                      "fence of two layers, located events: state against the run with every guard, largest difference",
+                      "tensions of rows of cables against those of the individual laws, largest difference over a run",
+                      "without ledger: state at the end against the run with ledger, largest difference"},
       .source = "Verlet 1967 and Baraff 1992 for the contact search",
-      .faults = {{"default_for_exact", "the default's threshold where `exact` is asked for",
-                  "101 columns, sleep exact: state at .05 s from that without sleep, largest difference"},
+      .faults = {{"default_for_exact", "the default threshold where `exact` is required",
+                  "101 columns, sleep exact: state at 0.05 s against the run without sleep, largest difference"},
                  {"never_asleep", "a fence that never sleeps",
-                  "columns awake in .05 s, as tight: with 1,001 over with 101"},
-                 {"pair_forgotten", "one of the yard's pairs never found",
-                  "yard: state at the end from that with every pair, largest difference"},
-                 {"no_time_ahead", "located events without the guards of what does not act yet",
-                  "yard, located events: state from that with every guard, largest difference"},
-                 {"columns_at_rest", "columns that do not move, whose cables stay on their lines",
-                  "guards ahead: cables at a moving column, of 41, without that of their law"},
-                 {"line_of_another", "one cable's law stiffer by 1e-15",
-                  "tensions of rows of cables from those of the laws, one by one, largest difference over a run"},
-                 {"paths_of_another", "the run with ledger of a fence one of whose cables is stiffer by 1e-15",
-                  "without ledger, paths not told: state at the end from that with, largest difference"}},
+                  "columns awake in 0.05 s, equal tightness: 1,001 columns over 101"},
+                 {"pair_forgotten", "one pair of the yard never found",
+                  "yard: state at the end against the run with every pair, largest difference"},
+                 {"no_time_ahead", "located events without the guards of inactive modes",
+                  "yard, located events: state against the run with every guard, largest difference"},
+                 {"columns_at_rest", "columns at rest, whose cables stay on their linear branches",
+                  "guards ahead: cables at a moving column without the guard of their law, of 41"},
+                 {"line_of_another", "the law of one cable stiffer by 1e-15",
+                  "tensions of rows of cables against those of the individual laws, largest difference over a run"},
+                 {"paths_of_another", "the run with ledger for a fence with one cable stiffer by 1e-15",
+                  "without ledger: state at the end against the run with ledger, largest difference"}},
       .seconds = 3.0,
       .run = run};
 }

@@ -70,17 +70,17 @@ Tolerance limits_found(const FixedStepMethod& method) {
                                                      "slope of ln growth near one")
                               : Tolerance::round_off(1e-8,
                                                      "the exact limit is where ln growth is 1e-10, and its slope "
-                                                     "over a share of the step is at least .02, Euler's");
+                                                     "against the relative step is at least 0.02 (Euler)");
 }
 
 Tolerance limits_found_between_doubles(const FixedStepMethod& method) {
   return method.dimension > 3
              ? Tolerance::round_off(1e-3,
-                                    "two of sixteen eigenvalues are one: what is shown is that growth has the "
-                                    "right sign a thousandth of the limit to both sides")
+                                    "two of sixteen eigenvalues coincide: the check shows that growth has the right "
+                                    "sign a thousandth of the limit on both sides")
              : Tolerance::round_off(3e-6,
-                                    "two eigenvalues are one, or ln growth counts from 1e-6 on: the root of a "
-                                    "rounding, 2.5e-7, times what the map is larger than they, over a slope "
+                                    "two eigenvalues coincide, or ln growth counts from 1e-6 on: the root of a "
+                                    "rounding, 2.5e-7, times the ratio of the map to the eigenvalues, over a slope "
                                     "above 2");
 }
 
@@ -102,14 +102,14 @@ std::vector<std::string> check_limits_of(const FixedStepMethod& method, Findings
     row.push_back(fmt::format("{:.4f}", found));
   }
   row.emplace_back(advised ? "yes" : "");
-  findings.expect(name + ": measured limits, largest share of error", worst, 0.0, limits_found(method));
+  findings.expect(name + ": measured limits, largest relative error", worst, 0.0, limits_found(method));
   if (method.undamped || method.doubles) {
-    findings.expect(name + ": measured limits where two eigenvalues are one, largest share of error",
+    findings.expect(name + ": measured limits where two eigenvalues coincide, largest relative error",
                     worst_between_doubles, 0.0, limits_found_between_doubles(method));
   }
   if (advised) {
     findings.in("advice")->expect(
-        "step advice: linear limit of " + name + " against the measured one, largest share of error", worst_advice, 0.0,
+        "step advice: linear limit of " + name + " against the measured one, largest relative error", worst_advice, 0.0,
         limits_found_between_doubles(method));
   }
   return row;
@@ -133,16 +133,17 @@ void check_both_sides(const FixedStepMethod& method, Findings& findings, const S
   const auto claim = findings.in("integrator." + name);
   findings.in("sides_of_limit")
       ->expect(name + ": runs on the wrong side of the limit", seen.wrong, 0.0,
-               Tolerance::exact("a count: at .98, .999, 1.001 and 1.02 of each limit runs must, as the exact growth "
-                                "says, not grow in 4000 steps or grow from 1e-9 (Adams': 1e-6) to 9e-3; by the fit "
-                                "where that takes more than 45000 steps"));
-  findings.expect(name + ": ln growth at .98, .999, 1.001, 1.02 of the limit, largest share of error", seen.worst, 0.0,
+               Tolerance::exact("count: at 0.98, 0.999, 1.001 and 1.02 of each limit runs must, according to the exact "
+                                "growth, either not grow in 4000 steps or grow from 1e-9 (Adams': 1e-6) to 9e-3; where "
+                                "that takes more than 45000 steps the fit decides"));
+  findings.expect(name + ": ln growth at 0.98, 0.999, 1.001, 1.02 of the limit, largest relative error", seen.worst,
+                  0.0,
                   method.dimension > 3 ? Tolerance::round_off(1e-3,
                                                               "rounding in the fit of sixteen eigenvalues, 1e-7, "
                                                               "over the smallest growth here, 1e-4")
                                        : Tolerance::round_off(1e-7,
                                                               "a rounding of the largest start, 6e-14, over the "
-                                                              "smallest growth here, 8e-7, Euler's"));
+                                                              "smallest growth here, 8e-7 (Euler)"));
 }
 
 /// Checks the steps at which runs begin to grow, for all methods at six damping ratios, against the exact limits, and
@@ -150,17 +151,17 @@ void check_both_sides(const FixedStepMethod& method, Findings& findings, const S
 void check_limits(Findings& findings, const Setup& setup) {
   Table table{.name = "limits",
               .caption =
-                  "Steps $\\omega h$ at which the solver's runs begin to grow, by damping ratio $\\xi$; Euler's "
-                  "and Taylor's methods grow at any step where nothing damps, odeint's too slowly to be told. "
-                  "The watch of a run knows the limits of some.",
-              .columns = {"method", "0", "0.1", "0.4", "1", "1.5", "2", "watched"}};
+                  "Steps $\\omega h$ at which the solver's runs begin to grow, by damping ratio $\\xi$; without "
+                  "damping Euler's and Taylor's methods grow at any step, and odeint's too slowly to be detected. The "
+                  "monitor of a run uses the limits of some methods.",
+              .columns = {"method", "0", "0.1", "0.4", "1", "1.5", "2", "monitored"}};
   int advised = 0;
   for (const FixedStepMethod& method : fixed_step_methods) {
     table.rows.push_back(check_limits_of(method, findings, setup));
     advised += table.rows.back().back().empty() ? 0 : 1;
   }
   findings.expect("step advice: methods with a linear limit", advised, 8.0,
-                  Tolerance::exact("a count: all of the map but odeint's"));
+                  Tolerance::exact("count: all methods of the map except odeint's"));
   findings.table(table);
 }
 
@@ -172,14 +173,14 @@ void check_growth_undamped(Findings& findings, const Setup& setup) {
     if (!euler && method.scheme != reference::Scheme::taylor) continue;
     const auto claim = findings.in(fmt::format("integrator.{}", method.name));
     constexpr double eta = 0.02;
-    findings.expect(fmt::format("{}: ln growth of an undamped run of w h = {:g}, share of error", method.name, eta),
+    findings.expect(fmt::format("{}: ln growth of an undamped run at w h = {:g} over the exact one", method.name, eta),
                     long_growth(disc, method, eta, 1e-4, setup) / (0.5 * std::log1p(eta * eta / (euler ? 1.0 : 2.0))),
                     1.0,
                     Tolerance::round_off(1e-6,
-                                         "sixty states of 9e-3, with roundings of 3e-14 of them, over a growth "
-                                         "of 1e-4 and a turn of .02 a step"));
+                                         "sixty states of 9e-3, with relative roundings of 3e-14, over a growth of "
+                                         "1e-4 and a rotation of 0.02 per step"));
     findings.in("advice_undamped")
-        ->expect(fmt::format("step advice: linear limit of {} where nothing damps", method.name),
+        ->expect(fmt::format("step advice: linear limit of {} without damping", method.name),
                  linear_limit(method.name, 0.0).value_or(std::nan("")), 0.0, Tolerance::exact("it grows at any step"));
   }
 }
@@ -188,10 +189,10 @@ void check_growth_undamped(Findings& findings, const Setup& setup) {
 void check_common_limit(Findings& findings, const Setup& setup) {
   Table table = common_formula(
       "lagged_limits",
-      "**Limit of the step $2/\\omega$ (Eq. 25) where a dashpot acts,** as $\\omega h$. A dashpot that sees the "
-      "velocity of half a step before lowers it to $2(\\sqrt{1 + \\xi^2} - \\xi)$, one that sees the velocity of one "
-      "and a half steps before to $\\sqrt{1 + \\xi^2} - \\xi$, which tends to 1, not 2, as the damping goes. Solver: "
-      "where the fitted growth of a disc between two planes passes zero.");
+      "**Limit of the step $2/\\omega$ (Eq. 25) with a dashpot,** as $\\omega h$. A dashpot that uses the velocity of "
+      "half a step before lowers it to $2(\\sqrt{1 + \\xi^2} - \\xi)$, one that uses the velocity of one and a half "
+      "steps before to $\\sqrt{1 + \\xi^2} - \\xi$, which tends to 1, not 2, as the damping vanishes. Solver: the step "
+      "at which the fitted growth of a disc between two planes passes zero.");
   for (const FixedStepMethod& method : {fixed_step_methods[1], fixed_step_methods[3]}) {
     const auto claim = findings.in(fmt::format("integrator.{}", method.name));
     for (const double xi : {0.1, 0.4, 1.0}) {
@@ -200,8 +201,8 @@ void check_common_limit(Findings& findings, const Setup& setup) {
       findings.in("limits")->expect(
           fmt::format("limit of the step of {}, xi = {:g}", method.name, xi), found, exact,
           Tolerance::round_off(1e-9,
-                               "twenty-four halvings of two thousandths of it, and a rounding of 6e-14 over "
-                               "a slope of ln growth near .1"));
+                               "twenty-four halvings of an interval of 2e-3 of the limit, and a rounding of 6e-14 over "
+                               "a slope of ln growth near 0.1"));
       table.rows.push_back({fmt::format("`{}`, $\\xi$ = {:g}", method.name, xi), "2", fmt::format("{:.4f}", exact),
                             fmt::format("{:+.0f} %", 100.0 * (2.0 / exact - 1.0)), fmt::format("{:.4f}", found)});
     }
@@ -278,27 +279,26 @@ void check_map(const FixedStepMethod& method, Findings& findings, const Setup& s
     findings.in("growth")->expect(
         name + ": ln growth over the map, largest error", map.worst, 0.0,
         Tolerance::round_off(1e-3,
-                             "sixteen eigenvalues, fitted to states in which rounding is up to 3e-7 "
-                             "of the smallest: those smaller than that are taken for none, and the "
-                             "largest is off by as much over their distance from it"));
+                             "sixteen eigenvalues, fitted to states in which rounding is up to 3e-7 of the smallest: "
+                             "eigenvalues smaller than that are taken as zero, and the largest one is off by as much "
+                             "over their distance from it"));
   } else {
     findings.in("growth")->expect(
         name + ": ln growth over the map, largest error in roundings", map.worst, 0.0,
         Tolerance::round_off(400.0,
-                             "runs begin up to twenty times nearer to rest than they must, and where "
-                             "eigenvalues nearly meet, as Fehlberg's at xi = 1.1, the fit makes "
-                             "twenty of one"));
+                             "runs begin up to twenty times closer to rest than necessary, and where eigenvalues "
+                             "nearly coincide, as Fehlberg's at xi = 1.1, the fit amplifies a rounding by twenty"));
   }
   if (method.doubles && !setup.coarse) {
-    findings.expect(name + ": ln growth at xi = 1, where two eigenvalues are one, largest error", map.worst_one, 0.0,
+    findings.expect(name + ": ln growth at xi = 1, where two eigenvalues coincide, largest error", map.worst_one, 0.0,
                     method.dimension > 3
                         ? Tolerance::round_off(1e-2, "the root of the error elsewhere, 1e-4")
                         : Tolerance::round_off(3e-5,
-                                               "a rounding of the largest start, 6e-14, parts them by its root, "
-                                               "2.5e-7, times what the map is larger than they, up to 1e2"));
+                                               "a rounding of the largest start, 6e-14, separates them by its root, "
+                                               "2.5e-7, times the ratio of the map to the eigenvalues, up to 1e2"));
   }
   findings.expect(name + ": points of the map on the wrong side of the exact curve", map.wrong, 0.0,
-                  Tolerance::exact("a count, of all points at which ln growth is further from zero than 1e-5"));
+                  Tolerance::exact("count of all points at which ln growth differs from zero by more than 1e-5"));
   if (setup.coarse) return;
   map.growth.panel = static_cast<int>(figure.panels.size());
   const std::string_view word = method.scheme == Scheme::late ? "lagged" : method.name;
@@ -322,18 +322,18 @@ void check_list(Findings& findings, const Setup& setup) {
     const bool fixed = !needs_tolerance(name) && !needs_closed_form(name);
     strangers += mapped == fixed && named != fixed ? 0 : 1;
   }
-  findings.expect("integrators of fixed step without a map, or of none without their name on this page", strangers, 0.0,
-                  Tolerance::exact("a count over the solver's closed list"));
+  findings.expect("fixed-step integrators without a map, or other integrators not named on this page", strangers, 0.0,
+                  Tolerance::exact("count over the solver's closed list"));
 }
 
 /// Figure of the exact limits against damping, for velocities in the dashpot of different times.
 Figure time_levels() {
   Figure figure{.name = "time_levels",
-                .title = "What the dashpot sees decides",
+                .title = "Stability limit by the velocity in the dashpot",
                 .caption =
-                    "Exact limits of leapfrogs and of velocity Verlet by the velocity that their dashpots see. "
-                    "Half a step old (velocity Verlet, central difference, Euler-Cromer) and one and a half "
-                    "(lagged central difference) are run in the maps.",
+                    "Exact limits of leapfrogs and of velocity Verlet by the velocity that their dashpots use. The "
+                    "maps contain the methods with a velocity half a step old (velocity Verlet, central difference, "
+                    "Euler-Cromer) and one and a half steps old (lagged central difference).",
                 .x = {.label = "damping ratio"},
                 .y = {.label = "largest stable w h", .min = 0.0}};
   struct Level {
@@ -376,8 +376,8 @@ void run(Findings& findings, const Setup& setup) {
   Figure figure{.name = "maps",
                 .title = "Growth per step of twelve methods",
                 .caption =
-                    "Measured ln of the growth per step, blue where the motion dies, red where it grows, and "
-                    "the exact limit (black). Each panel's $\\omega h$ is in units of the number above it.",
+                    "Measured ln of the growth per step, blue where the motion decays, red where it grows, and the "
+                    "exact limit (black). $\\omega h$ of each panel is in units of the number above it.",
                 .x = {.label = "damping ratio", .min = -0.025, .max = 2.025},
                 .y = {.label = "w h over scale", .min = 0.0, .max = 1.25},
                 .series = {},
@@ -391,8 +391,9 @@ void run(Findings& findings, const Setup& setup) {
   }
   check_bilateral_systems(findings, setup);
   if (setup.coarse) return;
-  findings.expect("all methods: ln growth at the end of long runs, largest share of error", worst_run, 0.0,
-                  Tolerance::round_off(1e-5, "rounding is 3e-9 of the smallest state, and the smallest growth 5e-4"));
+  findings.expect(
+      "all methods: ln growth at the end of long runs, largest relative error", worst_run, 0.0,
+      Tolerance::round_off(1e-5, "rounding is 3e-9 of the smallest state, and the smallest growth is 5e-4"));
   check_limits(findings, setup);
   check_growth_undamped(findings, setup);
   check_common_limit(findings, setup);
@@ -405,41 +406,41 @@ void run(Findings& findings, const Setup& setup) {
 }  // namespace
 
 Case definition() {
-  return {.id = "stability_maps",
-          .title = "Stability maps: growth per step against damping and step",
-          .family = "speed and accuracy",
-          .requirements = {{"Eq. 25",
-                            {"sides_of_limit", "sides_of_2", "advice", "step advice: methods with a linear limit",
-                             "advice_undamped", "limits"}},
-                           {"law.linear_spring_dashpot", {"growth"}},
-                           {"end_rule.attractive", {"growth"}},
-                           {"pair.circle.half_plane", {"growth"}}},
-          .main_checks = {"velocity_verlet: ln growth over the map, largest error in roundings",
-                          "blanes_moan4: ln growth over the map, largest error in roundings",
-                          "odeint_fehlberg78: ln growth over the map, largest error in roundings",
-                          "velocity_verlet: runs on the wrong side of the limit",
-                          "fence held at 0.02 s: ln growth per step at 1.001 and 1.02 of the limit, largest share of "
-                          "error"},
-          .source =
-              "Mustoe & Huttelmaier 1993, Eq. 25; Dormand & Prince 1980; Cash & Karp 1990; Fehlberg 1968; "
-              "Blanes & Moan 2002",
-          .faults = {{"dashpot_lags", "the lagged central difference under velocity Verlet's name",
-                      "velocity_verlet: ln growth over the map, largest error in roundings"},
-                     {"step_too_long", "steps 3 % longer than said",
-                      "velocity_verlet: runs on the wrong side of the limit"},
-                     {"stiffness_halved", "contacts of half the stiffness",
-                      "velocity_verlet: points of the map on the wrong side of the exact curve"},
-                     {"drift_after_kick", "Euler-Cromer's method under Euler's name",
-                      "euler: ln growth over the map, largest error in roundings"},
-                     {"method_forgotten", "Taylor's method left out of the maps",
-                      "integrators of fixed step without a map, or of none without their name on this page"},
-                     {"kt_ignored", "the step of a disc that sticks chosen by its normal contact alone",
-                      "disc that sticks, kt = .4 kn: runs on the wrong side of w h = 2"},
-                     {"fence_by_rule", "the fence's step chosen by the frequency of the 1993 rule",
-                      "fence held at 0.02 s: ln growth per step at 1.001 and 1.02 of the limit, largest share of "
-                      "error"}},
-          .seconds = 4.0,
-          .run = run};
+  return {
+      .id = "stability_maps",
+      .title = "Stability maps: growth per step against damping and step",
+      .family = "speed and accuracy",
+      .requirements = {{"Eq. 25",
+                        {"sides_of_limit", "sides_of_2", "advice", "step advice: methods with a linear limit",
+                         "advice_undamped", "limits"}},
+                       {"law.linear_spring_dashpot", {"growth"}},
+                       {"end_rule.attractive", {"growth"}},
+                       {"pair.circle.half_plane", {"growth"}}},
+      .main_checks =
+          {"velocity_verlet: ln growth over the map, largest error in roundings",
+           "blanes_moan4: ln growth over the map, largest error in roundings",
+           "odeint_fehlberg78: ln growth over the map, largest error in roundings",
+           "velocity_verlet: runs on the wrong side of the limit",
+           "fence held at 0.02 s: ln growth per step at 1.001 and 1.02 of the limit, largest relative error"},
+      .source =
+          "Mustoe & Huttelmaier 1993, Eq. 25; Dormand & Prince 1980; Cash & Karp 1990; Fehlberg 1968; "
+          "Blanes & Moan 2002",
+      .faults = {{"dashpot_lags", "the lagged central difference under the name of velocity Verlet",
+                  "velocity_verlet: ln growth over the map, largest error in roundings"},
+                 {"step_too_long", "steps 3 % longer than stated",
+                  "velocity_verlet: runs on the wrong side of the limit"},
+                 {"stiffness_halved", "contacts with half the stiffness",
+                  "velocity_verlet: points of the map on the wrong side of the exact curve"},
+                 {"drift_after_kick", "Euler-Cromer's method under the name of Euler's",
+                  "euler: ln growth over the map, largest error in roundings"},
+                 {"method_forgotten", "Taylor's method missing from the maps",
+                  "fixed-step integrators without a map, or other integrators not named on this page"},
+                 {"kt_ignored", "the step of a sticking disc chosen by its normal contact alone",
+                  "sticking disc, kt = 0.4 kn: runs on the wrong side of w h = 2"},
+                 {"fence_by_rule", "the fence's step chosen by the frequency of the 1993 rule",
+                  "fence held at 0.02 s: ln growth per step at 1.001 and 1.02 of the limit, largest relative error"}},
+      .seconds = 4.0,
+      .run = run};
 }
 
 }  // namespace talus::verification::problems::stability_maps

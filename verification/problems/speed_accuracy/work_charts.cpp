@@ -88,9 +88,9 @@ Figure figure_of(const std::string& title, const Chart& chart) {
   Figure figure{.name = stem_of(title),
                 .title = title,
                 .caption =
-                    "Relative error against force evaluations. Upright line: $\\omega h = 2$, the limit of the "
-                    "leapfrog methods; crosses at the top: points of which a run failed or was off by more than "
-                    "all, their number in brackets. Dashed: orders 1, 2 and 4.",
+                    "Relative error against force evaluations. Vertical line: $\\omega h = 2$, the limit of the "
+                    "leapfrog methods; crosses at the top: points at which a run failed or had an error above 100 %, "
+                    "their number in brackets. Dashed: orders 1, 2 and 4.",
                 .x = {.label = "force evaluations", .unit = "1", .log = true},
                 .y = {.label = "error", .unit = "1", .log = true, .min = {}, .max = top},
                 .series = {},
@@ -107,7 +107,7 @@ Figure figure_of(const std::string& title, const Chart& chart) {
     figure.series.push_back(series);
   }
   if (!chart.crosses.x.empty()) figure.series.push_back(chart.crosses);
-  if (least < 1e3 * chart.floor) figure.lines.push_back({'y', chart.floor, "reference's floor"});
+  if (least < 1e3 * chart.floor) figure.lines.push_back({'y', chart.floor, "resolution of the reference"});
   return figure;
 }
 
@@ -162,7 +162,7 @@ std::vector<Table> cost_tables(const std::vector<SceneCurves>& all) {
   std::vector<Table> tables;
   for (const double error : read_off_errors) {
     Table table{.name = fmt::format("cost_{:.0e}", error),
-                .caption = fmt::format("Force evaluations to an error of {:.0e}; -: not reached.", error),
+                .caption = fmt::format("Force evaluations for an error of {:.0e}; -: not reached.", error),
                 .columns = {"method"}};
     for (const char* const name : work_methods)
       table.rows.push_back({name});
@@ -189,7 +189,7 @@ Cheapest cheapest(const SceneCurves& curves, std::size_t q, double error) {
 
 Table cheapest_table(const std::vector<SceneCurves>& all) {
   Table table{.name = "cheapest",
-              .caption = "The method that reaches an error for the fewest force evaluations, and how many.",
+              .caption = "The method that reaches an error with the fewest force evaluations, and their number.",
               .columns = {"scene", "1e-2", "1e-4", "1e-6", "1e-9"}};
   for (const SceneCurves& each : all) {
     for (std::size_t q = 0; q < each.scene->quantities.size(); ++q) {

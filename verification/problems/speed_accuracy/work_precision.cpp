@@ -91,7 +91,7 @@ std::vector<TimedPoint> timed_points(const SceneCurves& curves) {
     for (const std::size_t i : order)
       timed[i].seconds.push_back(measured_seconds(scene, dynamics, timed[i], sum));
   }
-  if (!std::isfinite(sum)) throw std::runtime_error("a run that was timed did not come to its end");
+  if (!std::isfinite(sum)) throw std::runtime_error("a timed run failed");
   std::vector<TimedPoint> points;
   for (std::size_t q = 0; q < scene.quantities.size(); ++q) {
     for (Timed& each : timed) {
@@ -128,9 +128,9 @@ std::vector<Figure> timing_figures(const DataFile& data, const std::string& mach
       title = own;
       figures.push_back({.name = fmt::format("time_{}", figures.size() + 1),
                          .title = "Time, " + title,
-                         .caption = fmt::format("Nanoseconds of a run against its relative error: median of {} "
+                         .caption = fmt::format("Time of a run in nanoseconds against its relative error: median of {} "
                                                 "interleaved, shuffled repetitions, bars from the fastest to the "
-                                                "slowest. {}. Nothing is checked on times.",
+                                                "slowest. {}. No check uses these times.",
                                                 repetitions, machine),
                          .x = {.label = "error", .unit = "1", .log = true},
                          .y = {.label = "time of a run", .unit = "ns", .log = true}});
@@ -184,15 +184,15 @@ struct ExpectedOrder {
   const char* why;
 };
 constexpr const char* second =
-    "smooth motion, errors in even powers of the step: the next term is of the size of the error itself, 1e-3 at the "
-    "coarsest point, which tilts a line over three decades by less than twice that";
-constexpr const char* smooth = "smooth motion; the next power of the step tilts the line by a tenth, twice that";
+    "smooth motion, errors in even powers of the step: the next term has the relative size of the error itself, 1e-3 "
+    "at the coarsest point, which changes the order over three decades by less than twice that";
+constexpr const char* smooth = "smooth motion; the next power of the step changes the order by a tenth; twice that";
 constexpr const char* kink =
-    "a kink of the force at a phase of 64, order 2 whatever the method; 64 phases leave a few "
-    "hundredths of a root mean square, the next power of the coarsest step a tenth";
+    "a kink of the force within a step, at 64 phases: order 2 for every method; 64 phases leave a few hundredths of a "
+    "root mean square, the next power of the coarsest step a tenth";
 constexpr const char* jump =
-    "a jump of the force at a phase of 64, order 1 whatever the method; 64 phases leave a few "
-    "hundredths of a root mean square, the next power of the coarsest step a tenth";
+    "a jump of the force within a step, at 64 phases: order 1 for every method; 64 phases leave a few hundredths of a "
+    "root mean square, the next power of the coarsest step a tenth";
 constexpr ExpectedOrder orders[] = {
     {"velocity_verlet", "pendulum, 90 degrees", 2.0, 1e-6, 1e-3, 0.002, second},
     {"velocity_verlet", "pendulum, 170 degrees", 2.0, 1e-6, 1e-3, 0.002, second},
@@ -201,8 +201,8 @@ constexpr ExpectedOrder orders[] = {
     {"blanes_moan4", "two cables", 4.0, 1e-10, 1e-5, 0.2, smooth},
     {"rk4", "two cables", 4.0, 1e-11, 1e-7, 0.2, smooth},
     {"rk4", "pendulum, 170 degrees", 5.0, 1e-9, 1e-2, 0.3,
-     "near the upper rest a swing's period hangs on its energy, of which each step loses the share z^6/72, z = w h: "
-     "order 5 where that outweighs the phase's error of order 4"},
+     "near the upper equilibrium the period of an oscillation depends on its energy, of which each step loses the "
+     "fraction z^6/72, z = w h: order 5 where that exceeds the phase error of order 4"},
     {"velocity_verlet", "wall, undamped", 2.0, 3e-6, 1e-2, 0.15, kink},
     {"rk4", "wall, undamped", 2.0, 3e-6, 1e-2, 0.15, kink},
     {"blanes_moan4", "wall, undamped", 2.0, 3e-6, 1e-2, 0.15, kink},
@@ -233,7 +233,8 @@ void check_constants(const SceneCurves& all, Findings& findings) {
   constexpr double xi = 0.2;
   const double verlet = leapfrog_impact_error(xi, reference::EndRule::clamped).restitution;
   const double runge_kutta = 2.0 * xi / 6.0;
-  const char* next = "the next power of the step, w h = .007 there, and what 64 phases leave of a mean square: 2 %";
+  const char* next =
+      "the next power of the step, w h = 0.007 there, and the remainder of a mean square over 64 phases: 2 %";
   findings.expect("error of velocity_verlet over its prediction, wall, damped", over_step("velocity_verlet") / verlet,
                   1.0, Tolerance::model(0.02, next));
   findings.expect("error of rk4 over its prediction, wall, damped", over_step("rk4") / runge_kutta, 1.0,
@@ -257,15 +258,17 @@ Advantage expected_cheapest(const SceneCurves& all) {
   });
   if (closed_form) {
     return {"exact", 10.0, 60.0,
-            "one evaluation for each piece between events, where the next restarts with order 1 and takes 15 to 50 "
-            "to 1e-6"};
+            "one evaluation per segment between events, where the next method restarts with order 1 and takes 15 to 50 "
+            "for 1e-6"};
   }
   if (all.scene->runs > 1) {  // events
     return {"stormer_cowell", 4.0, 30.0,
-            "step control without located events halves its steps some ten times at each, at six stages or more a try, "
-            "and grows them again: 60 to 200 evaluations where a located event takes 10 to 20 to restart"};
+            "step control without located events halves its steps about ten times at each event, with six or more "
+            "stages per attempt, and increases them again: 60 to 200 evaluations where a located event takes 10 to 20 "
+            "to restart"};
   }
-  return {"stormer_cowell", 1.1, 4.0, "one evaluation a step of order 12, against two of order 8 or six of order 4"};
+  return {"stormer_cowell", 1.1, 4.0,
+          "one evaluation per step of order 12, compared with two of order 8 or six of order 4"};
 }
 
 /// Checks that the expected method is the cheapest to 1e-6.
@@ -307,22 +310,22 @@ void compare_with_known(const SceneCurves& all, Findings& findings, Table& table
   for (const Known& known : knowns) {
     if (known.scene != all.scene->name) continue;
     const double verlet = cost_of(curve(all, "velocity_verlet"), 0, 1e-6);
-    findings.expect_between(fmt::format("evaluations of velocity_verlet to 1e-6 over those known, {}", known.scene),
-                            verlet / known.verlet, 0.9, 1.02,
-                            "the same formula; what was known is of the first run that was as good, up to a tenth more "
-                            "than is read between "
-                            "two runs; 2 % for the reading");
+    findings.expect_between(
+        fmt::format("evaluations of velocity_verlet to 1e-6 over the known number, {}", known.scene),
+        verlet / known.verlet, 0.9, 1.02,
+        "the same formula; the known number is that of the first run of this accuracy, up to a tenth more than the "
+        "value interpolated between two runs; 2 % for the interpolation");
     std::vector<std::string> row{known.scene, fmt::format("{:.0f} ({:.0f})", verlet, known.verlet)};
     const double errors[] = {1e-4, 1e-6, 1e-9};
     for (std::size_t i = 0; i < 3; ++i) {
       const Cheapest best = best_of_odeint(all, errors[i]);
       row.push_back(fmt::format("{:.0f} {} ({:.0f})", best.evaluations, best.method.substr(7), known.odeint[i]));
       findings.expect_between(
-          fmt::format("evaluations of the best of odeint's steppers to {:.0e} over those known, {}", errors[i],
+          fmt::format("evaluations of the best of odeint's steppers to {:.0e} over the known number, {}", errors[i],
                       known.scene),
           best.evaluations / known.odeint[i], 0.6, 1.5,
-          "the same formulas; starts of the multistep method, tried steps and tolerances and the reading differ: half "
-          "as many again, either way");
+          "the same formulas; start-up of the multistep method, tested steps and tolerances, and interpolation differ: "
+          "50 % more in either direction");
     }
     for (const double error : errors)
       row.push_back(in_words(cost_of(curve(all, "stormer_cowell"), 0, error)));
@@ -337,11 +340,11 @@ void tell_of_1993(const WorkScene& fence, Findings& findings) {
   const WorkRun run = fence.measure(make_integrator("central_difference"), steps, 0, findings);
   findings.expect_between(
       "fence, exit speed at the step of 1993: relative error", run.errors[0], 1e-4, 1e-2,
-      "w h = .016, of which a jump leaves a tenth: three digits are expected; a single run of 77 events "
-      "may lie ten times above or below");
+      "w h = 0.016, of which a jump leaves a tenth: three digits are expected; a single run with 77 events may deviate "
+      "by a factor of ten in either direction");
   findings.note(
-      fmt::format("At the 2e-6 s of 1993 the scheme takes {:.0f} evaluations to .2 s; the rock's speed is off "
-                  "by {:.1e} of itself, the largest tension by {:.1e}.",
+      fmt::format("With the 2e-6 s of 1993 the scheme takes {:.0f} evaluations to 0.2 s; the relative error of the "
+                  "rock's speed is {:.1e}, that of the largest tension {:.1e}.",
                   run.evaluations, run.errors[0], run.errors[1]));
 }
 
@@ -350,25 +353,25 @@ void check_bounce(const SceneCurves& all, Findings& findings) {
   const Convergence found = between_errors(curve(all, "velocity_verlet"), 0, 1e-9, 0.2);
   findings.in("integrator.velocity_verlet")
       ->expect_order("order of velocity_verlet, damped bounce", found, 0.5, 1.4,
-                     "13 contacts, each with a jump: order 1. The first is felt in all later ones and in the times "
-                     "of touch, which makes an error above a tenth no longer proportional");
+                     "13 contacts, each with a jump: order 1. The error of the first affects all later ones and the "
+                     "times of touch, so that an error above 0.1 is no longer proportional to the step");
   findings.expect_between(
       "damped bounce: evaluations of velocity_verlet to 2e-2 over those of stormer_cowell",
       cost_of(curve(all, "velocity_verlet"), 0, 2e-2) / cost_of(curve(all, "stormer_cowell"), 0, 2e-2), 5.0, 100.0,
-      "some 15 to 30 evaluations for each of 13 contacts, against w t/(w h) = 300/(w h) steps: each contact leaves "
-      "0.13 "
-      "w h of the speed, which what it does to later touches makes up to ten times as much: 2,000 to 20,000 steps for "
-      "2e-2");
+      "about 15 to 30 evaluations for each of 13 contacts, compared with w t/(w h) = 300/(w h) steps: each contact "
+      "causes an error of 0.13 w h of the speed, which its effect on later touches multiplies by up to ten: 2,000 to "
+      "20,000 steps for 2e-2");
 }
 
 void run(Findings& findings, const Setup& setup) {
   const std::vector<WorkScene> scenes = work_scenes(setup, !setup.coarse);
   std::vector<SceneCurves> all;
   std::vector<TimedPoint> timed;
-  Table known{.name = "known",
-              .caption = "Evaluations on the smooth motions; in brackets what was known beforehand, by other programs.",
-              .columns = {"motion", "verlet 1e-6", "odeint 1e-4", "odeint 1e-6", "odeint 1e-9", "stormer 1e-4",
-                          "stormer 1e-6", "stormer 1e-9"}};
+  Table known{
+      .name = "known",
+      .caption = "Evaluations on the smooth motions; in brackets the numbers known beforehand from other programs.",
+      .columns = {"motion", "verlet 1e-6", "odeint 1e-4", "odeint 1e-6", "odeint 1e-9", "stormer 1e-4", "stormer 1e-6",
+                  "stormer 1e-9"}};
   for (const WorkScene& scene : scenes) {
     if (!setup.needs(scene.name)) continue;
     all.push_back(curves_of(scene, setup, findings));
@@ -406,27 +409,26 @@ void run(Findings& findings, const Setup& setup) {
 Case definition() {
   const std::string equal_work =
       "error of rk4 over that of velocity_verlet at equal work, over its prediction, wall, damped";
-  return {
-      .id = "work_precision",
-      .title = "Work-precision diagrams of all integrators",
-      .family = "speed and accuracy",
-      .requirements = {},
-      .main_checks = {"order of velocity_verlet, wall, damped", "order of velocity_verlet, wall, undamped", equal_work,
-                      "order of blanes_moan4, two cables",
-                      "cheapest to 1e-6, stormer_cowell: evaluations of the next over its, pendulum, 90 degrees",
-                      "cheapest to 1e-6, stormer_cowell: evaluations of the next over its, fence, exit speed"},
-      .source =
-          "Swope et al. 1982; Blanes & Moan 2002; Krogh 1974; Hairer, Lubich & Wanner 2006; Ahnert & Mulansky 2011",
-      .faults = {{"other_amplitude", "the pendulum let go a thousandth of a radian higher",
-                  "order of velocity_verlet, pendulum, 90 degrees"},
-                 {"commensurate", "steps that divide the contact's time", "order of velocity_verlet, wall, undamped"},
-                 {"stages_not_counted", "rk4's steps counted, not its evaluations", equal_work},
-                 {"late_events", "Dormand-Prince under step control in the place of stormer_cowell",
-                  "cheapest to 1e-6, stormer_cowell: evaluations of the next over its, pinned column"}},
-      .seconds = 4.0,
-      .full_seconds = 59.0,
-      .time_limit = 600.0,
-      .run = run};
+  return {.id = "work_precision",
+          .title = "Work-precision diagrams of all integrators",
+          .family = "speed and accuracy",
+          .requirements = {},
+          .main_checks = {"order of velocity_verlet, wall, damped", "order of velocity_verlet, wall, undamped",
+                          equal_work, "order of blanes_moan4, two cables",
+                          "cheapest to 1e-6, stormer_cowell: evaluations of the next over its, pendulum, 90 degrees",
+                          "cheapest to 1e-6, stormer_cowell: evaluations of the next over its, fence, exit speed"},
+          .source =
+              "Swope et al. 1982; Blanes & Moan 2002; Krogh 1974; Hairer, Lubich & Wanner 2006; Ahnert & Mulansky 2011",
+          .faults = {{"other_amplitude", "a pendulum released 0.001 rad higher",
+                      "order of velocity_verlet, pendulum, 90 degrees"},
+                     {"commensurate", "steps that divide the contact time", "order of velocity_verlet, wall, undamped"},
+                     {"stages_not_counted", "steps of rk4 counted instead of its evaluations", equal_work},
+                     {"late_events", "Dormand-Prince with step control instead of stormer_cowell",
+                      "cheapest to 1e-6, stormer_cowell: evaluations of the next over its, pinned column"}},
+          .seconds = 4.0,
+          .full_seconds = 59.0,
+          .time_limit = 600.0,
+          .run = run};
 }
 
 }  // namespace talus::verification::problems::work_precision
