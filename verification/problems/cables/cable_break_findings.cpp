@@ -249,12 +249,12 @@ void check_merged(Findings& findings, const Setup& setup) {
   const CableRunResult first = run_pair(strength, step, 0.5, exact.time + 4.0 * step, VelocityVerlet{}, findings);
   const double left = 0.9 * (exact.slack_time - first.end.t);
   const Scene two = hung_pair(pair, strength);
-  reference::HungPair told = pair;
+  reference::HungPair given = pair;
   if (setup.has("two_cables_side_by_side")) {
-    told.stiffness_1 += told.stiffness_2;
-    told.stiffness_2 = 1e9;
+    given.stiffness_1 += given.stiffness_2;
+    given.stiffness_2 = 1e9;
   }
-  const Scene one = parted_pair_scene(told, first.end);
+  const Scene one = parted_pair_scene(given, first.end);
   const CableRunResult a =
       run_cables(two, first.end, VelocityVerlet{}, {step, first.end.t + left, false, true}, findings);
   const CableRunResult b =

@@ -65,13 +65,13 @@ struct Course {
 };
 
 Parting parting(const Meeting& meeting, Findings& findings, const Setup& setup) {
-  const double told = setup.has("ratio_for_root") ? std::sqrt(meeting.ratio) : meeting.ratio;
+  const double given = setup.has("ratio_for_root") ? std::sqrt(meeting.ratio) : meeting.ratio;
   const double before = setup.has("gap_not_scaled") ? 0.5 : meeting.speed;
   FilledRow row = fill({.radius = meeting.radius,
                         .velocity = {0.5 * meeting.speed, -0.5 * meeting.speed},
                         .gap = {meeting.phase * meeting.step * before}});
   if (setup.has("one_disc_heavier")) row.shapes.inverse_mass[0] /= 1.01;
-  DiscSystem system{row.shapes, {}, LatchingSpring{0.5, 0.5 / told, 0.0}, meeting.radius};
+  DiscSystem system{row.shapes, {}, LatchingSpring{0.5, 0.5 / given, 0.0}, meeting.radius};
   Course course;
   const auto watch = [&](const auto& seen) {
     seen.for_each_contact(row.discs, [&](const auto& contact) {

@@ -103,9 +103,9 @@ Watched run_right_or_wrong(double gap, double step, double phase, Findings& find
   if (setup.has("forgotten_at_zero_force")) return run_by(ForgettingLatch{law}, gap, step, phase, findings);
   if (setup.has("ended_at_zero_force")) return run_by(ClearedLatch{law}, gap, step, phase, findings);
   if (setup.has("never_forgotten")) return run_by(RetentiveLatch{law}, gap, step, phase, findings);
-  LatchingSpring told = law;
-  if (setup.has("way_back_softer")) told.unloading_stiffness *= 0.99;
-  return run_by(told, gap, step, phase, findings);
+  LatchingSpring given = law;
+  if (setup.has("way_back_softer")) given.unloading_stiffness *= 0.99;
+  return run_by(given, gap, step, phase, findings);
 }
 
 /// Exact results by moment and gap.

@@ -78,12 +78,12 @@ void expect_inertial_number(Findings& findings, CellRun& run, const Setup& setup
     return cell.block_speed / depth * cell.diameter * std::sqrt(cell.density() / cell.overburden());
   };
   const std::vector<CellNumber> groups = cell_groups({.title = "", .units = {}, .cell = cell, .plan = run.plan()}, run);
-  const auto told =
+  const auto given =
       std::find_if(groups.begin(), groups.end(), [](const auto& of) { return of.name == "inertial_number"; });
   const double nominal = inertial_number(cell.rows * cell.diameter);
   findings.expect(
       "reported inertial number over that from the solid fraction, " + where,
-      (setup.has("nominal_depth") ? nominal : told->estimate.value) / inertial_number(depth_of_fraction(run)), 1.0,
+      (setup.has("nominal_depth") ? nominal : given->estimate.value) / inertial_number(depth_of_fraction(run)), 1.0,
       Tolerance::model(
           0.02,
           "the mean of 1/H exceeds one over the mean of H by the square of the relative deviation of the depth, "

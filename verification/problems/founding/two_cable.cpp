@@ -249,11 +249,11 @@ void check_accounts(Findings& findings, const std::string& name, TwoCableEnd end
                                 "of 1e-4 of x_max change this by less than 0.002"));
   if (end.rule == EndRule::clamped) return;
   const double xi = reference::damping_ratio(problem.restitution, same(end.formula));
-  const double booked = 0.25 * step * 2.0 * xi * std::sqrt(contact_stiffness * reduced_mass()) *
-                        (1.0 - problem.restitution * problem.restitution) * problem.approach_speed *
-                        problem.approach_speed;
+  const double predicted_error = 0.25 * step * 2.0 * xi * std::sqrt(contact_stiffness * reduced_mass()) *
+                                 (1.0 - problem.restitution * problem.restitution) * problem.approach_speed *
+                                 problem.approach_speed;
   findings.expect(
-      "energy balance error over its prediction", run.energy_closure / booked, 1.0,
+      "energy balance error over its prediction", run.energy_closure / predicted_error, 1.0,
       Tolerance::model(0.005,
                        "the power of the dashpot is computed with the velocity of half a step before: h c (1 - e^2) "
                        "v0^2/4; the end of the contact within a step, xi w h of it, is not included"));

@@ -26,9 +26,9 @@ struct SlopeRun {
 };
 
 SlopeRun run_slope(const Slope& slope, const Setup& setup, double step, double end, bool watched, Findings& findings) {
-  Slope told = slope;
-  if (setup.has("friction_halved")) told.friction *= 0.5;
-  const Scene scene = slope_scene(told);
+  Slope given = slope;
+  if (setup.has("friction_halved")) given.friction *= 0.5;
+  const Scene scene = slope_scene(given);
   SlopeRun run;
   RunLedger ledger{scene.model, first_state(scene)};
   const Watcher watch = [&](const State& state, const StepInfo&) {
@@ -95,9 +95,9 @@ SlopeSweep sweep_slopes(bool rolls, const Setup& setup, Findings& findings) {
     Slope slope{rolls, std::atan(tangent), mu, stiffness, stiffness, 0.0, true};
     const double time = 0.05;
     const reference::DraggedSliderMotion exact{dragged_slider(slope), time};
-    Slope told = slope;
-    if (setup.has("disc_that_cannot_spin")) told.rolls = false;
-    const SlopeRun run = run_slope(told, setup, 2e-5, time, false, findings);
+    Slope given = slope;
+    if (setup.has("disc_that_cannot_spin")) given.rolls = false;
+    const SlopeRun run = run_slope(given, setup, 2e-5, time, false, findings);
     const double a = run.end.v[0] / time, reference = exact.at(time).speed_gain / time;
     sweep.tangents.push_back(tangent);
     sweep.accelerations.push_back(a);
@@ -139,11 +139,11 @@ void check_threshold(Findings& findings, const Setup& setup, bool rolls, const s
   for (const double share : {0.999, 1.001}) {
     Slope slope{rolls, 0.0, mu, stiffness, stiffness, 0.0, true};
     slope.angle = std::atan(share * mu * dragged_slider(slope).mobility);
-    Slope told = slope;
-    if (setup.has("slope_too_flat")) told.angle *= 0.998;
-    if (setup.has("slope_too_steep")) told.angle *= 1.002;
+    Slope given = slope;
+    if (setup.has("slope_too_flat")) given.angle *= 0.998;
+    if (setup.has("slope_too_steep")) given.angle *= 1.002;
     const double time = 0.2;
-    const SlopeRun run = run_slope(told, setup, 2e-5, time, false, findings);
+    const SlopeRun run = run_slope(given, setup, 2e-5, time, false, findings);
     const double lost = run.end.work[static_cast<std::size_t>(Mechanism::friction)];
     if (share < 1.0) {
       findings.in("below_threshold")
@@ -199,9 +199,9 @@ void check_rolling(Findings& findings, const Setup& setup) {
   const Slope slope{true, 0.0, mu, stiffness, stiffness, speed, true};
   const reference::DraggedSlider slider = dragged_slider(slope);
   const reference::DraggedSliderMotion exact{slider, end};
-  Slope told = slope;
-  if (setup.has("disc_that_cannot_spin")) told.rolls = false;
-  const SlopeRun run = run_slope(told, setup, step, end, true, findings);
+  Slope given = slope;
+  if (setup.has("disc_that_cannot_spin")) given.rolls = false;
+  const SlopeRun run = run_slope(given, setup, step, end, true, findings);
   const double arm = slope_radius - 0.5 * slope_mass * slope_gravity / stiffness;
   const double slip_ends = end_of_slip(run, arm);
   findings.expect(

@@ -19,8 +19,8 @@ using namespace turned_pair;
 constexpr double epsilon = std::numeric_limits<double>::epsilon();
 
 Turn turned_as_told(long steps, const Setup& setup) {
-  const turned_pair::Faults told{setup.has("one_disc_that_does_not_spin"), setup.has("spring_left_behind")};
-  return setup.has("late_slip") ? turned<LateSlipSystem>(steps, told) : turned<RigidBodySystem>(steps, told);
+  const turned_pair::Faults given{setup.has("one_disc_that_does_not_spin"), setup.has("spring_left_behind")};
+  return setup.has("late_slip") ? turned<LateSlipSystem>(steps, given) : turned<RigidBodySystem>(steps, given);
 }
 
 void check_turn(Findings& findings, const Setup& setup) {

@@ -55,11 +55,11 @@ Cooling cool(const L& law, std::size_t discs, double contact_time, std::uint64_t
   FollowPlan plan{.step = contact_time / 20.0, .rest_frame = setup.has("drift_in_temperature")};
   plan.steps = std::lround(length / rate / plan.step), plan.every = std::max(1L, plan.steps / 1000);
   Cooling found;
-  double first = 0.0, lost = 0.0, booked = 0.0;
+  double first = 0.0, lost = 0.0, recorded = 0.0;
   follow(start, law, plan, [&](const SeenDiscs& seen) {
     const double held = seen.motion + seen.contacts.stored;
     if (seen.t == 0.0) first = held;
-    lost = first - held, booked = seen.lost;
+    lost = first - held, recorded = seen.lost;
     found.time.push_back(seen.t * rate);
     found.temperature.push_back(seen.temperature);
     Vec2 sum{-drift * static_cast<double>(discs), 0.0};
@@ -69,7 +69,7 @@ Cooling cool(const L& law, std::size_t discs, double contact_time, std::uint64_t
   });
   findings.count(plan.steps);
   found.slope = slope_of(found.time, found.temperature);
-  found.account = booked / lost;
+  found.account = recorded / lost;
   return found;
 }
 

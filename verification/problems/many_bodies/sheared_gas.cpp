@@ -47,11 +47,11 @@ Sheared shear(const reference::GasOfDiscs& gas, std::size_t discs, double softne
   constexpr double before = 15.0;
   plan.steps = std::lround((before + strain) / plan.step);
   BlockMeans means{4, strain, 20};  // temperature, shear stress, pressure, difference of normal stresses
-  double booked_before = -1.0, booked = 0.0, heat = 0.0;
+  double recorded_before = -1.0, recorded = 0.0, heat = 0.0;
   follow(start, law, plan, [&](const SeenDiscs& seen) {
     if (seen.t < before) return;
-    if (booked_before < 0.0) booked_before = seen.lost;
-    booked = seen.lost - booked_before;
+    if (recorded_before < 0.0) recorded_before = seen.lost;
+    recorded = seen.lost - recorded_before;
     means.add(seen.t - before, 1.0,
               std::array{seen.temperature, -seen.stress.xy, seen.stress.pressure(), seen.stress.xx - seen.stress.yy});
     heat -= seen.stress.xy * plan.step * static_cast<double>(plan.every) * start.width * start.height;
@@ -63,7 +63,7 @@ Sheared shear(const reference::GasOfDiscs& gas, std::size_t discs, double softne
   found.friction = over(means.ratio(1, 2, 0), found.theory.friction());
   found.pressure = means.mean(2, 0, means.blocks()) / found.theory.pressure;
   found.difference = means.ratio(3, 2, 0).value;
-  found.balance = booked / heat;
+  found.balance = recorded / heat;
   // The energy of the discs at both ends differs from the mean.
   found.balance_error = 2.0 * found.temperature.error * std::sqrt(20.0) * t * static_cast<double>(discs) /
                         (found.theory.loss * start.width * start.height * strain);

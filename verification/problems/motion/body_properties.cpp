@@ -28,8 +28,8 @@ Tolerance few_roundings() {
 void check_solid(Findings& findings, const Setup& setup, const char* name, reference::Solid solid,
                  MassProperties (*properties)(double, double, double)) {
   for (const auto& [a, b] : sizes) {
-    const double told = setup.has("full_length") ? 2.0 * b : b;
-    MassProperties found = properties(a, told, density);
+    const double given = setup.has("full_length") ? 2.0 * b : b;
+    MassProperties found = properties(a, given, density);
     if (setup.has("sphere_for_ellipsoid")) found.inertia = 0.4 * found.mass * a * a;
     const reference::SolidMoments exact = reference::integrated_moments(solid, a, b);
     const std::string which = fmt::format("{} of half-lengths {:g} and {:g}", name, a, b);

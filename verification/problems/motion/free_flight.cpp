@@ -50,8 +50,8 @@ struct FlightErrors {
 };
 
 FlightErrors fly(const Integrator& method, double step, long count, const Setup& setup, Findings& findings) {
-  const Integrator told = setup.has("euler_for_verlet") && name(method) == "velocity_verlet" ? EulerCromer{} : method;
-  const RunEnd run = run_steps(flight_scene(setup), told, step, count, findings);
+  const Integrator given = setup.has("euler_for_verlet") && name(method) == "velocity_verlet" ? EulerCromer{} : method;
+  const RunEnd run = run_steps(flight_scene(setup), given, step, count, findings);
   const double t = step * static_cast<double>(count);
   FlightErrors errors;
   for (std::size_t i = 0; i < flights.size(); ++i) {

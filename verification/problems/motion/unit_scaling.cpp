@@ -27,13 +27,13 @@ struct UnitPlan {
 
 UnitRun run_in_units(const Scene& scene, const Integrator& method, UnitPlan plan, const UnitScale& scale,
                      const Setup& setup, Findings& findings) {
-  Model told = scaled(scene.model, scale);
-  if (setup.has("gravity_overlooked")) told.gravity = scene.model.gravity;
-  if (setup.has("strength_overlooked") && !told.hangers.empty())
-    told.hangers[0].strength = scene.model.hangers[0].strength;
-  if (setup.has("slip_stiffness_overlooked")) told.contacts[0].friction->stiffness *= scale.length / scale.mass;
-  Scene other{.model = told, .initial = scaled(scene.model, scene.initial, scale)};
-  RunLedger ledger{told, first_state(other)};
+  Model given = scaled(scene.model, scale);
+  if (setup.has("gravity_overlooked")) given.gravity = scene.model.gravity;
+  if (setup.has("strength_overlooked") && !given.hangers.empty())
+    given.hangers[0].strength = scene.model.hangers[0].strength;
+  if (setup.has("slip_stiffness_overlooked")) given.contacts[0].friction->stiffness *= scale.length / scale.mass;
+  Scene other{.model = given, .initial = scaled(scene.model, scene.initial, scale)};
+  RunLedger ledger{given, first_state(other)};
   const double end = plan.end * scale.time;
   const State state = run_scene(other, method, {plan.step * scale.time, end, end, true}, findings).state;
   const Accounts sums = ledger(state);
@@ -155,9 +155,9 @@ void tabulate_step_control(Findings& findings, const Scene& scene) {
 /// Number of values that differ between a fence built from a deck in its original units and in other units.
 int differing_fences(const scenes::Fence& fence, const Setup& setup) {
   const scenes::FenceScene made = scenes::fence_scene(fence);
-  scenes::Fence told = scaled(fence, all_units);
-  if (setup.has("sag_overlooked")) told.sag *= 1.0 + 0x1p-40;
-  const scenes::FenceScene other = scenes::fence_scene(told);
+  scenes::Fence given = scaled(fence, all_units);
+  if (setup.has("sag_overlooked")) given.sag *= 1.0 + 0x1p-40;
+  const scenes::FenceScene other = scenes::fence_scene(given);
   const UnitScale back = all_units.inverse();
   return differing_numbers(scaled(other.scene.model, back), made.scene.model) +
          differing_numbers(scaled(made.scene.model, other.scene.initial, back), made.scene.initial) +

@@ -31,8 +31,8 @@ Ball ball(double xi, EndRule rule, const Setup& setup) {
   made.exact = reference::hertz_events({stiffness, xi, 1.0, 1.0}, same(rule));
   const double damping =
       (setup.has("constant_of_linear_dashpot") ? 2.0 : std::sqrt(5.0)) * xi * std::sqrt(4.0 / 3.0 * modulus * radius);
-  const double told = setup.has("radius_forgotten") ? 1.0 : radius;
-  made.law = Hertz{modulus, told, damping * std::pow(told / radius, 0.25), rule};
+  const double given = setup.has("radius_forgotten") ? 1.0 : radius;
+  made.law = Hertz{modulus, given, damping * std::pow(given / radius, 0.25), rule};
   if (setup.has("linear_spring")) made.law = LinearSpringDashpot{stiffness, 0.0, rule};
   return made;
 }

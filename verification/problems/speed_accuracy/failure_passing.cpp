@@ -21,9 +21,9 @@ namespace talus::verification::problems {
 namespace {
 
 constexpr double radius = 1.0;
-constexpr MonitorRules told{
+constexpr MonitorRules monitored{
     .instability = CheckAction::off, .tunnelling = CheckAction::error, .accuracy = CheckAction::off};
-constexpr MonitorRules not_told{
+constexpr MonitorRules unmonitored{
     .instability = CheckAction::off, .tunnelling = CheckAction::off, .accuracy = CheckAction::off};
 
 /// A run as by `talus run`, with RunMonitor checks before the first step and after each step.
@@ -75,7 +75,7 @@ Scene flight(double before, double frequency, double pull = 0.0) {
 int unseen_passes(double step, Findings& findings) {
   int passes = 0;
   for (const double phase : even_phases(fewest_phases)) {
-    const WatchedRun run = watched_run(flight(phase * step, 0.5), step, 40.0 * radius, not_told, findings);
+    const WatchedRun run = watched_run(flight(phase * step, 0.5), step, 40.0 * radius, unmonitored, findings);
     passes += run.end.v[0] == 1.0 ? 1 : 0;
   }
   return passes;
@@ -192,9 +192,9 @@ Figure pass_figure(Findings& findings) {
 }  // namespace
 
 FailureFound check_long_step(Findings& findings, const Setup& setup) {
-  const MonitorRules rules = setup.has("not_watched") ? not_told : told;
+  const MonitorRules rules = setup.has("not_watched") ? unmonitored : monitored;
   const WatchedRun beyond = watched_run(flight(20.0, 0.5), 1.1 * radius, 18.0, rules, findings);
-  const WatchedRun within = watched_run(flight(20.0, 0.5), 0.9 * radius, 18.0, told, findings);
+  const WatchedRun within = watched_run(flight(20.0, 0.5), 0.9 * radius, 18.0, monitored, findings);
   findings.expect_true("long step: refusal before the run at v h = 1.1 r, 20 r before the touch",
                        !beyond.violation.empty() && beyond.end.t == 0.0,
                        "a step may carry the disc past the middle of the other one");
@@ -267,7 +267,7 @@ FailureFound check_long_step(Findings& findings, const Setup& setup) {
 }
 
 FailureFound check_deep_overlap(Findings& findings, const Setup& setup) {
-  const MonitorRules rules = setup.has("not_watched_either") ? not_told : told;
+  const MonitorRules rules = setup.has("not_watched_either") ? unmonitored : monitored;
   const auto fall = [&](double share, const MonitorRules& by) {
     const double w = 1.0 / (share * 0.5 * radius);
     return watched_run(
@@ -277,10 +277,10 @@ FailureFound check_deep_overlap(Findings& findings, const Setup& setup) {
   };
   findings.expect_true("deep overlap: run ended during the impact at v/w = 1.1 of r/2",
                        !fall(1.1, rules).violation.empty(), "the largest overlap is v/w");
-  findings.expect_true("deep overlap: run not ended at v/w = 0.9 of r/2", fall(0.9, told).violation.empty(),
+  findings.expect_true("deep overlap: run not ended at v/w = 0.9 of r/2", fall(0.9, monitored).violation.empty(),
                        "as for the previous check");
   const auto speed = [&](double share) {
-    return watched_run(flight(0.1, 1.0 / (share * 2.0 * radius)), 0.005, 20.0, not_told, findings).end.v[0];
+    return watched_run(flight(0.1, 1.0 / (share * 2.0 * radius)), 0.005, 20.0, unmonitored, findings).end.v[0];
   };
   const double through = speed(1.1), back = speed(0.9);
   findings.expect(
@@ -304,8 +304,8 @@ FailureFound check_crossed_bars(Findings& findings, const Setup& setup) {
   const Scene corner = crossed(1.0625, ContactMethod::nodes);
   const std::vector<Body>& bodies = plus.model.bodies;
   const double overlap = penetration(bodies[0].shape, {}, bodies[1].shape, {});
-  const WatchedRun silent = watched_run(plus, 0.125, 8.0, not_told, findings);
-  const WatchedRun said = watched_run(plus, 0.125, 8.0, told, findings);
+  const WatchedRun silent = watched_run(plus, 0.125, 8.0, unmonitored, findings);
+  const WatchedRun said = watched_run(plus, 0.125, 8.0, monitored, findings);
   findings.expect("crossed bars: change of speed while crossing, by nodes, monitor off", silent.end.v[0] - 0.0625, 0.0,
                   Tolerance::exact("no node is inside, so that no force acts: this is the failure"));
   findings.expect("crossed bars: force of the plus by nodes", force(plus), 0.0,
@@ -321,7 +321,8 @@ FailureFound check_crossed_bars(Findings& findings, const Setup& setup) {
   findings.expect("crossed bars: force of two corners inside, by nodes", force(corner), 0.125,
                   Tolerance::exact("two nodes, each with an overlap of 1/16"));
   findings.expect_true("crossed bars: no report with corners inside",
-                       watched_run(corner, 0.125, 0.125, told, findings).violation.empty(), "the nodes detect them");
+                       watched_run(corner, 0.125, 0.125, monitored, findings).violation.empty(),
+                       "the nodes detect them");
   return {fmt::format("a plus, by nodes: F = {:g} k L at an overlap of {:g}; reported at t = 0", force(plus), overlap),
           fmt::format("corners inside: {:g} k L; one resultant: {:g}", force(corner),
                       force(crossed(0.0, ContactMethod::resultant)))};

@@ -180,9 +180,9 @@ FailureFound check_high_powers(Findings& findings, const Setup& setup) {
   for (const double x : {1e-3, 10.0}) {
     for (const double y : {1e-3, 0.5, 10.0}) {
       for (const double n : {50.0, 1000.0}) {
-        const double told = setup.has("exponent_50") ? 50.0 : n;
-        const double sum = std::pow(x, told) + std::pow(y, told);
-        const double across = std::pow(x, told - 1.0), up = std::pow(y, told - 1.0);
+        const double exponent = setup.has("exponent_50") ? 50.0 : n;
+        const double sum = std::pow(x, exponent) + std::pow(y, exponent);
+        const double across = std::pow(x, exponent - 1.0), up = std::pow(y, exponent - 1.0);
         const bool usable = std::isfinite(sum) && sum > 0.0 && across > 0.0 && up > 0.0;
         (n == 50.0 ? lost_below : lost) += usable ? 0 : 1;
         const Superquadric shape{1.0, 0.7, n};

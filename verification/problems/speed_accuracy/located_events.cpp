@@ -19,7 +19,7 @@ namespace {
 /// Maximum numbers of evaluations for errors of 1e-6 and 1e-9 on each of the motions, set before the method was
 /// written.
 struct Bound {
-  double asked[2];
+  double admitted[2];
   const char* words;
 };
 constexpr Bound bounds[] = {
@@ -67,13 +67,13 @@ void check_motion(const ExactMotion& motion, const Bound& bound, double known, F
   const std::string words = fmt::format(
       "{:.0f} and {:.0f} evaluations are permitted for 1e-6 and 1e-9: {}; fewer than a fiftieth would mean that "
       "evaluations are missing from the count",
-      bound.asked[0], bound.asked[1], bound.words);
+      bound.admitted[0], bound.admitted[1], bound.words);
   findings.in("evaluations_to_1e_6")
       ->expect_between(fmt::format("evaluations to reach 1e-6 over the permitted number, {}", motion.name),
-                       reached[0] / bound.asked[0], 0.02, 1.0, words);
+                       reached[0] / bound.admitted[0], 0.02, 1.0, words);
   findings.in("evaluations_to_1e_9")
       ->expect_between(fmt::format("evaluations to reach 1e-9 over the permitted number, {}", motion.name),
-                       reached[1] / bound.asked[1], 0.02, 1.0, words);
+                       reached[1] / bound.admitted[1], 0.02, 1.0, words);
   expect_counted(findings, motion.name, evaluations, known);
   const std::size_t last = points.size() - 1;
   const double digit = std::sqrt(points[last].evaluations / points[last - 4].evaluations);

@@ -196,19 +196,20 @@ void check_rows(Findings& findings, const Setup& setup, Table& table) {
   Model other = scene.model;
   if (setup.has("line_of_another") || setup.has("paths_of_another"))
     std::get<ElasticPlastic>(other.cables.front().law).stiffness *= 1.0 + 1e-15;
-  const Dynamics asked{other};
+  const Dynamics by_laws{other};
   const auto unwatched = [](const Dynamics&, const State&) {};
   constexpr long count = 5000;
-  const State told = stepped(scene, asked, VelocityVerlet{}, RigidBodySystem{asked, true}, 1e-5, count, unwatched);
-  Workspace work = dynamics.workspace(), laws = asked.workspace();
+  const State full_state =
+      stepped(scene, by_laws, VelocityVerlet{}, RigidBodySystem{by_laws, true}, 1e-5, count, unwatched);
+  Workspace work = dynamics.workspace(), laws = by_laws.workspace();
   LawForces forces;
   Rates rates{scene.initial};
   double largest = 0.0, by_law = 0.0;
   const auto watch = [&](const Dynamics&, const State& state) {
     dynamics.update(state, work);
     dynamics.rates(state, work, rates, false);
-    asked.update_all(state, laws);
-    asked.forces(state, laws, forces);
+    by_laws.update_all(state, laws);
+    by_laws.forces(state, laws, forces);
     for (const auto& runs : work.active.cables) {
       for (const talus::CableSpan& run : runs) {
         if (!run.on_linear_branch) by_law += static_cast<double>(run.count) / count;
@@ -218,7 +219,7 @@ void check_rows(Findings& findings, const Setup& setup, Table& table) {
     }
   };
   const State bare = stepped(scene, dynamics, VelocityVerlet{}, RigidBodySystem{dynamics, false}, 1e-5, count, watch);
-  const auto [place, velocity] = difference(bare, told);
+  const auto [place, velocity] = difference(bare, full_state);
   findings.count(2 * count);
   findings.expect("without ledger: state at the end against the run with ledger, largest difference",
                   std::max(place, velocity), 0.0,
