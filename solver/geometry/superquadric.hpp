@@ -18,9 +18,10 @@ struct Superquadric {
   double exponent{2.0};  ///< n >= 1: for smaller n the outline is not convex
 
   static constexpr std::array<Field<Superquadric>, 3> fields() {
-    return {{{"half_width", dimension::length, &Superquadric::half_width, Range::positive, "half its size along x"},
-             {"half_height", dimension::length, &Superquadric::half_height, Range::positive, "half its size along y"},
-             {"exponent", dimension::number, &Superquadric::exponent, Range::positive, "n of |x/a|^n + |y/b|^n = 1"}}};
+    return {
+        {{"half_width", dimension::length, &Superquadric::half_width, Range::positive, "half its size along x"},
+         {"half_height", dimension::length, &Superquadric::half_height, Range::positive, "half its size along y"},
+         {"exponent", dimension::number, &Superquadric::exponent, Range::positive, "n > 1 of |x/a|^n + |y/b|^n = 1"}}};
   }
   friend constexpr bool operator==(const Superquadric&, const Superquadric&) = default;
 };

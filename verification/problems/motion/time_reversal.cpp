@@ -162,7 +162,8 @@ void run(Findings& findings, const Setup& setup) {
   for (const Reversible& one : reversible_scenes()) {
     for (const char* method : {"velocity_verlet", "central_difference"}) {
       const auto claim = findings.in(fmt::format("integrator.{}", method)), group = findings.in(one.name);
-      const Return found = there_and_back(with_fault(one, setup), given(method, setup), one.step, steps, true, findings);
+      const Return found =
+          there_and_back(with_fault(one, setup), given(method, setup), one.step, steps, true, findings);
       findings.in("returns")->expect(
           fmt::format("return error of {}, {}", one.name, method), found.missed, 0.0,
           Tolerance::round_off(4.0 * found.rounding,
