@@ -61,6 +61,8 @@ Quantity quantity_named(const Model& model, std::string_view name) {
     // Balance errors are omitted: they measure the method and vanish with its error.
     if (column.starts_with("closure.")) continue;
     known.push_back(fmt::format("{}{}", kind[i], column));
+    if (name == column || name == known.back())
+      throw InputError{fmt::format("found \"{0}\"; it must end in .max, .min, .abs_max or .end, e.g. {0}.max", name)};
     if (wanted == column || wanted == known.back()) {
       return {std::string{name}, i, columns[i].dimension, i >= without_ledger, reduction_named(name.substr(dot + 1))};
     }
