@@ -186,9 +186,10 @@ std::string controlled_steps(Stepper& stepper, Method& method, const OdeintStepp
   if constexpr (std::is_same_v<Stepper, BulirschStoer>) stepper.reset();
   const double end = t + h;
   double dt = method.internal_step == 0.0 ? h : std::min(method.internal_step, h);
-  double most = longest(h);
+  double most = 0.0;  // longest step from the state accepted last; 0: not evaluated
   for (long steps = 0; t < end; ++steps) {
     if (steps == most_internal_steps) return internal_steps_failure(t);
+    if (most == 0.0) most = longest(end - t);
     const double next = std::min(dt, most);
     const bool last = t + next * (1.0 + 1e-12) >= end;
     double attempt = last ? end - t : next;
@@ -198,7 +199,7 @@ std::string controlled_steps(Stepper& stepper, Method& method, const OdeintStepp
       // A step cut short by the end of the interval or by a contact to come is no reason to shorten the next one.
       dt = last || next < dt ? std::max(dt, attempt) : attempt;
       accepted(x, t);
-      most = longest(end - t);
+      most = 0.0;
     } else {
       dt = attempt;
     }
