@@ -3,6 +3,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <set>
+#include <utility>
 
 #include "reports/error.hpp"
 #include "reports/markdown.hpp"
@@ -18,24 +20,24 @@ const Record* finished_record(const Results& results, const std::string& id) {
   return found == results.records.end() || !finished(found->status) ? nullptr : &*found;
 }
 
-struct Covered {
-  std::size_t touched{}, all{};
-};
-
-bool touched(const Requirement& requirement) {
-  return std::any_of(requirement.shown_by.begin(), requirement.shown_by.end(),
-                     [](const ShownBy& shown) { return !shown.checks.empty(); });
-}
-
-template <class Belongs>
-Covered covered(const Results& results, Belongs&& belongs) {
-  Covered count;
-  for (const Requirement& requirement : results.requirements) {
-    if (!belongs(requirement.group)) continue;
-    ++count.all;
-    count.touched += touched(requirement) ? 1 : 0;
+/// The requirements that have a check in this run and none that failed.
+std::set<std::string> verified_ids(const Results& results) {
+  std::set<std::pair<std::string, std::string>> failed;
+  for (const Record& record : results.records) {
+    for (const Check& check : record.checks)
+      if (!check.pass) failed.emplace(record.id, check.name);
   }
-  return count;
+  std::set<std::string> ids;
+  for (const Requirement& requirement : results.requirements) {
+    std::size_t checks = 0, wrong = 0;
+    for (const ShownBy& shown : requirement.shown_by) {
+      checks += shown.checks.size();
+      for (const std::string& name : shown.checks)
+        wrong += failed.count({shown.case_id, name});
+    }
+    if (checks > 0 && wrong == 0) ids.insert(requirement.id);
+  }
+  return ids;
 }
 
 /// "<<NAME>>" replaced by what the check of that name measured.
@@ -60,46 +62,46 @@ std::string with_values(const std::string& text, const Record& record) {
 }  // namespace
 
 std::string verified(const Results& results) {
+  const std::set<std::string> ids = verified_ids(results);
   std::string text;
-  const auto add = [&](const Covered& count, const std::string& what) {
-    if (count.all == 0) return;
-    text += fmt::format(
-        "{}{} {}", text.empty() ? "" : ", ",
-        count.touched == count.all ? fmt::format("{}", count.all) : fmt::format("{} of {}", count.touched, count.all),
-        what);
+  const auto add = [&](const std::vector<std::string>& groups, const char* what) {
+    std::size_t all = 0, count = 0;
+    for (const Requirement& requirement : results.requirements) {
+      if (std::find(groups.begin(), groups.end(), requirement.group) == groups.end()) continue;
+      ++all;
+      count += ids.count(requirement.id);
+    }
+    if (all == 0) return;
+    text += fmt::format("{}{} {}", text.empty() ? "" : ", ",
+                        count == all ? fmt::format("{}", all) : fmt::format("{} of {}", count, all), what);
   };
-  const auto group = [&](const char* name) {
-    return covered(results, [&](const std::string& each) { return each == name; });
-  };
-  add(group("equation"), "equations of the 1993 report");
-  add(group("law"), "force laws");
-  add(group("regime"), "of their regimes");
-  add(group("integrator"), "integrators");
-  add(group("shape"), "shapes");
-  add(group("pair"), "pairs of shapes in contact");
-  add(group("mechanism"), "mechanisms of energy loss");
-  add(covered(results,
-              [&](const std::string& each) {
-                return std::find(results.families.begin(), results.families.end(), each) != results.families.end();
-              }),
-      "problems of the catalogue");
-  return text.empty() ? "nothing: no requirement is listed." : text + " have checks in this run.";
+  add({"equation"}, "equations of the 1993 report");
+  add({"law"}, "force laws");
+  add({"regime"}, "of their regimes");
+  add({"integrator"}, "integrators");
+  add({"shape"}, "shapes");
+  add({"pair"}, "pairs of shapes in contact");
+  add({"mechanism"}, "mechanisms of energy loss");
+  add(results.families, "problems of the catalogue");
+  return text.empty() ? "nothing: no requirement is listed." : text + " have checks in this run, all of which pass.";
 }
 
 std::string not_verified(const Results& results) {
+  const std::set<std::string> ids = verified_ids(results);
   std::string open;
   std::size_t count = 0;
   constexpr std::size_t named = 12;
   for (const Requirement& requirement : results.requirements) {
-    if (touched(requirement)) continue;
+    if (ids.count(requirement.id) > 0) continue;
     if (++count <= named) open += (open.empty() ? "" : "; ") + markdown::words(requirement.id);
   }
   if (count > named) open += fmt::format("; {} more", count - named);
-  return (open.empty() ? std::string("Every listed requirement has a check. ")
-                       : fmt::format("Without a check in this run: {} ([traceability](page:traceability)). ", open)) +
+  return (open.empty()
+              ? std::string("Every listed requirement has checks, all of which pass. ")
+              : fmt::format("Without checks that all pass in this run: {} ([traceability](page:traceability)). ",
+                            open)) +
          "Verification compares the solver with solutions of the same equations. Whether these equations describe a "
-         "given "
-         "fence or material (validation) is outside this report, as is motion in three dimensions.";
+         "given fence or material (validation) is outside this report, as is motion in three dimensions.";
 }
 
 std::string highlight_stem(const records::Highlight& highlight) {

@@ -8,10 +8,10 @@
 
 namespace talus::reports {
 
-/// How many requirements of each group the cases of this run cover, in a sentence.
+/// How many requirements of each group have checks in this run, all of which pass, in a sentence.
 [[nodiscard]] std::string verified(const Results& results);
 
-/// Requirements without a check in this run, and what the report is not about.
+/// Requirements without a check in this run or with one that failed, and what the report is not about.
 [[nodiscard]] std::string not_verified(const Results& results);
 
 /// The highlights in rows of two, as the pictures figures/<highlight_stem()>.svg; highlights of cases that did not run are

@@ -237,20 +237,17 @@ Made make_report(const fs::path& verify, const fs::path& report, const ToolPaths
   const auto write_pdf = [&](std::size_t i) {
     without[i] = no_latex.empty() ? failure_of([&] { make_pdf(documents[i]); }) : no_latex;
   };
-  in_parallel({[&] { write_pdf(1); }, [&] { write_pdf(0); },
-               [&] {
-                 no_html = failure_of([&] {
-                   html_warnings = make_site(site_pages(pages, results), navigation(pages, results), site, tools.jobs);
-                 });
-               }},
-              tools.jobs);
+  in_parallel({[&] { write_pdf(1); }, [&] { write_pdf(0); }}, tools.jobs);
+  // Apart from the PDF: it starts as many processes as are allowed.
+  no_html = failure_of(
+      [&] { html_warnings = make_site(site_pages(pages, results), navigation(pages, results), site, tools.jobs); });
   no_pdf = !without[0].empty() ? without[0] : without[1];
   Made made{{}, picture_warnings + html_warnings + latex_warnings, undrawn + no_html};
   if (no_pdf != no_html) made.unmade += no_pdf;
   const auto publish = [&](const std::string& name, bool was_made, const std::string& named = {}) {
     if (was_made) {
       staging.publish(name);
-      if (name != "figures" && name != "data") made.files.push_back(report / (named.empty() ? name : named));
+      if (name != "figures") made.files.push_back(report / (named.empty() ? name : named));
     } else {
       fs::remove_all(report / name);  // left by an earlier report
     }
@@ -279,18 +276,15 @@ Made make_pages(const std::vector<fs::path>& files, const std::string& title, co
     contents += fmt::format("- [{}]({}.html)\n", markdown::words(page.title), page.name);
     pages.push_back(std::move(page));
   }
-  Document site{staging.folder() / "site", "index", title.empty() ? pages.front().title : title,
-                tools.resources / "pandoc"};
-  fs::create_directory(site.folder);
+  const Document site{staging.folder(), "index", title.empty() ? pages.front().title : title,
+                      tools.resources / "pandoc"};
   Made made;
   made.warnings = make_site(pages, contents, site, tools.jobs);
-  for (const auto& entry : fs::directory_iterator(site.folder)) {
-    const std::string name = entry.path().filename().string();
-    fs::rename(entry.path(), staging.folder() / name);
-  }
-  fs::remove(site.folder);
+  std::vector<std::string> made_files;
   for (const auto& entry : fs::directory_iterator(staging.folder()))
-    staging.publish(entry.path().filename().string());
+    made_files.push_back(entry.path().filename().string());
+  for (const std::string& name : made_files)
+    staging.publish(name);
   made.files.push_back(target / "index.html");
   return made;
 }

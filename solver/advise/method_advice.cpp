@@ -71,7 +71,6 @@ struct Climb {
   std::vector<TriedMethod> good{};  ///< the last consecutive rungs that are accurate enough
   TriedMethod last{};
   int rung{};
-  int refusals{};
   double next_cost{};  ///< estimated evaluations of the next rung
   bool confirmed{};    ///< runs next to the first of these rungs are accurate enough, too
   bool ended{};

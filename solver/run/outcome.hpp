@@ -14,7 +14,7 @@ struct [[nodiscard]] Outcome {
 
   Kind kind{Kind::finished};
   double time{};      ///< the last time reached [T]
-  std::string words;  ///< for a diverged run: the cause, with the body and the ratio of the step to its limit
+  std::string words;  ///< for a diverged run: the cause, with the body or contact where there is one
 
   /// Whether the results are valid up to `time`.
   explicit operator bool() const { return kind != Kind::diverged; }

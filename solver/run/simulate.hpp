@@ -22,7 +22,6 @@ struct RunState;
 /// change. The outcome is `diverged`, with the body and the time, when a coordinate or velocity is no longer finite.
 /// `seen` is the snapshot for the observers, if it is to outlast the run: afterwards it refers to the last state that
 /// the observers requested.
-/// they requested it.
 Outcome simulate(RigidBodySystem& system, RunState& run_state, const RunPlan& plan,
                  std::span<const Observer> observers = {}, const StopCondition& stop = {}, Snapshot* seen = nullptr);
 

@@ -4,6 +4,9 @@
 
 #include "reports/comparisons.hpp"
 #include "reports/coverage.hpp"
+#include "reports/error.hpp"
+#include "reports/front_page.hpp"
+#include "reports/pages.hpp"
 #include "reports/summary.hpp"
 
 using namespace talus::reports;
@@ -87,6 +90,77 @@ BOOST_AUTO_TEST_CASE(the_summary_goes_by_families_and_adds_them_up) {
   BOOST_TEST(text.find("A: motion") < text.find("[flight]"));
   BOOST_TEST(text.find("[flight]") < text.find("B: contact"));
   BOOST_TEST(text.find("B: contact") < text.find("[bounce]"));
+}
+
+BOOST_AUTO_TEST_CASE(verified_is_what_has_checks_and_none_that_failed) {
+  Results all = results();
+  all.requirements.push_back(requirement("A1", "A: motion", {{"flight", {"height"}}}));
+  all.requirements.push_back(requirement("A2", "A: motion", {{"flight", {"height", "speed"}}}));  // speed failed
+  all.requirements.push_back(requirement("B1", "B: contact", {{"bounce", {"height"}}}));
+  all.requirements.push_back(requirement("C1", "C: friction", {{"flight", {}}}));  // claimed, no check ran
+  BOOST_TEST(verified(all) ==
+             "1 force laws, 1 of 2 of their regimes, 1 integrators, 1 of 2 pairs of shapes in contact, "
+             "2 of 4 problems of the catalogue have checks in this run, all of which pass.");
+  const std::string open = not_verified(all);
+  BOOST_TEST(contains(open, "end\\_rule.attractive; regime.spring.released; pair.circle.circle; A2; C1 ("), open);
+  all.requirements = {requirement("B1", "B: contact", {{"bounce", {"depth, clamped"}}})};
+  BOOST_TEST(contains(not_verified(all), "Every listed requirement has checks, all of which pass."));
+  all.requirements.clear();
+  for (int i = 1; i <= 15; ++i)
+    all.requirements.push_back(requirement("A" + std::to_string(i), "A: motion"));
+  BOOST_TEST(contains(not_verified(all), "A11; A12; 3 more ("), not_verified(all));
+}
+
+BOOST_AUTO_TEST_CASE(findings_show_what_their_checks_measured) {
+  Results all = results();
+  all.findings = {{"bounce", "Order <<order of rk4>>, damped <<order of rk4, damped>>: $x_1$."},
+                  {"elsewhere", "Not selected: <<nothing>>."},
+                  {"flight", "Second."}};
+  BOOST_TEST(findings(all) ==
+             "1. Order 1.98, damped 1.02: $x_1$. ([bounce](page:bounce))\n1. Second. ([flight](page:flight))\n");
+  all.records[0].status = Status::timeout;  // of a case that broke off nothing is quoted
+  BOOST_TEST(findings(all) == "1. Second. ([flight](page:flight))\n");
+  all.findings = {{"flight", "<<no such check>>"}};
+  BOOST_CHECK_EXCEPTION(static_cast<void>(findings(all)), RecordError, [](const RecordError& wrong) {
+    return std::string(wrong.what()) == "findings: case 'flight' has no check 'no such check'";
+  });
+  all.findings = {{"flight", "<<height"}};
+  BOOST_CHECK_THROW(static_cast<void>(findings(all)), RecordError);
+}
+
+BOOST_AUTO_TEST_CASE(the_pictures_of_the_first_page_are_in_rows_of_two) {
+  Results all = results();
+  for (Record& each : all.records)
+    each.figures = {{.name = "f", .title = "F", .caption = "", .x = {}, .y = {}}};
+  all.highlights = {
+      {"bounce", "f", "One."}, {"elsewhere", "f", "No."}, {"flight", "f", "Two."}, {"bounce", "f", "Three."}};
+  const std::string text = highlights(all);
+  const auto row = [&](const std::string& cells) { BOOST_TEST(contains(text, cells), text); };
+  row("| ![](figures/front-bounce-f.svg){alt=\"bounce\" width=48%} | ![](figures/front-flight-f.svg){alt=\"flight\" "
+      "width=48%} |");
+  row("| One. [bounce](page:bounce) | Two. [flight](page:flight) |");
+  row("| Three. [bounce](page:bounce) | ");
+  all.highlights = {{"flight", "g", "None."}};
+  BOOST_CHECK_EXCEPTION(static_cast<void>(highlights(all)), RecordError, [](const RecordError& wrong) {
+    return std::string(wrong.what()) == "highlights: case 'flight' has no figure 'g'";
+  });
+}
+
+BOOST_AUTO_TEST_CASE(links_lead_within_a_volume_to_the_other_and_to_pages) {
+  const std::vector<ReportPage> pages{
+      {"index", "First", "", "# First\n[a](page:a) [d](details:a)\n", "# Second\n"},
+      {"a", "A", "family", "# a: A\n![](figures/a.svg)\n", "## Details of a\n[m](page:m)\n"},
+      {"b", "B", "family", "# b\n", "## Details of b\n[a](page:a)\n"},
+      {"m", "Mutants", "", "", "# Mutants\n"}};
+  const std::string main = volume_text(pages, Volume::main), details = volume_text(pages, Volume::details);
+  BOOST_TEST(contains(main, "[a](#a-a) [d](verification-details.md#details-of-a)"), main);
+  BOOST_TEST(contains(details, "[m](#mutants)"), details);
+  BOOST_TEST(contains(details, "[a](verification.md#a-a)"), details);
+  BOOST_TEST(details.find("# family\n") == details.rfind("# family\n"));  // once for its cases
+  BOOST_TEST(site_text(pages, pages[0]) == "# First\n[a](a.html) [d](a.html#details-of-a)\n");
+  BOOST_TEST(site_text(pages, pages[1]) == "# a: A\n![](../figures/a.svg)\n\n## Details of a\n[m](m.html)\n");
+  const std::vector<ReportPage> dead{{"index", "First", "", "# First\n[x](page:x)\n", ""}};
+  BOOST_CHECK_THROW(static_cast<void>(volume_text(dead, Volume::main)), OutputError);
 }
 
 BOOST_AUTO_TEST_CASE(a_case_without_a_family_is_not_lost) {

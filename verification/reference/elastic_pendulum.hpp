@@ -15,7 +15,6 @@
 /// A small change dL of the Lagrangian changes the action J(E) = oint p dq at fixed energy by oint dL dt, and the
 /// period is dJ/dE. At the turning point E = -m g L cos A - (m g cos A)^2/(2k). Hence at fixed amplitude, in units
 /// m = g = L = 1 (E_rigid = -cos A, dE = sin A dA, T = 3 cos th - 2 cos A on the rigid motion):
-/// g = L = 1 (E_rigid = -cos A, dE = sin A dA, T = 3 cos th - 2 cos A on the rigid motion):
 ///   T(eps) = T_0 + eps T_1,   T_1 = [ (1/2) dI/dA - (1/2) cos^2 A dT_0/dA ]/sin A,
 ///   I = oint (3 cos th - 2 cos A)^2 dt.
 /// With cos th = 1 - 2 q sn^2, q = sin^2(A/2), and the integrals of sn^2 and sn^4,
