@@ -448,7 +448,9 @@ double ContactForces::safe_step(const Workspace& work, double ahead, double pull
     const Pose A = work.poses[index(pair.a)], B = work.poses[index(pair.b)];
     const double speed = largest_closing_speed(pair, A, B);
     const double apart = norm(B.p_WB - A.p_WB) - furthest(pair.bounds_a) - furthest(pair.bounds_b) - pair.reach;
-    const double way = tunnelling_distance(pair) + std::max(apart, 0.0);
+    // A step that enters the contact is short: the error estimate of a long one, whose last stages alone see the force,
+    // is poor.
+    const double way = std::max(apart, tunnelling_distance(pair));
     if ((speed + 0.5 * pull * longest) * longest > way) longest = step_over(way, speed, pull);
   }
   return longest;

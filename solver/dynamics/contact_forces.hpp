@@ -70,8 +70,8 @@ class ContactForces {
     ContactId contact{};
   };
   TunnellingLimit tunnelling_limit(const Workspace& work, double pull) const;
-  /// Longest step [T], at most `ahead`, after which no pair can have missed its contact: each may first close the distance
-  /// between the circles around its bodies, and then move by tunnelling_distance().
+  /// Longest step [T], at most `ahead`, after which no pair can have missed its contact: each may close the distance between
+  /// the circles around its bodies, or move by tunnelling_distance() where that is more.
   double safe_step(const Workspace& work, double ahead, double pull) const;
   /// Largest overlap within reach, relative to half the smallest width of the smaller of its bodies.
   struct Overlap {
