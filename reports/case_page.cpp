@@ -5,6 +5,7 @@
 #include "reports/markdown.hpp"
 #include "reports/page_cells.hpp"
 #include "reports/pages.hpp"
+#include "reports/sketch.hpp"
 
 namespace talus::reports {
 namespace {
@@ -117,6 +118,7 @@ std::string figures(const Record& record, std::size_t chapter, const Drawn& draw
     if (const auto hidden = drawn.hidden.find(key); hidden != drawn.hidden.end() && hidden->second > 0) {
       caption += fmt::format(" ({} points at or below zero have no place on a log axis.)", hidden->second);
     }
+    if (!figure.csv.empty()) caption += fmt::format(" [Data]({})", data_file(record, figure).string());
     const bool beside = place == Place::beside_caption;
     text += fmt::format("![{}](figures/{}.svg){{{}alt=\"{}\" width={:.0f}%}}\n\n", caption,
                         picture_stem(record, figure), beside ? ".beside " : "", alternative_text(figure),
@@ -150,15 +152,21 @@ std::string details_heading(const Record& record) { return "Details of " + recor
 
 std::string picture_stem(const Record& record, const Figure& figure) { return record.id + "-" + figure.name; }
 
+std::filesystem::path data_file(const Record& record, const Figure& figure) {
+  return std::filesystem::path("data") / record.id / figure.csv;
+}
+
 std::string case_page(const Record& record, std::size_t chapter, const Drawn& drawn,
                       const std::filesystem::path& templates) {
+  const bool drawable = drawn.no_pictures.empty();
+  const std::string page = drawable ? with_sketch_pictures(record.page, record.id) : record.page;
   mustache::data values;
   values.set("heading", case_heading(record));
   values.set("status", status_word(record));
   values.set("message", record.message);
   values.set("seconds", fmt::format("{:.2f}", record.seconds));
   values.set("tier", name_of(record.tier));
-  values.set("page", markdown::with_headings_below(record.page, 2));
+  values.set("page", markdown::with_headings_below(page, 2));
   values.set("main_checks", record.checks.empty() ? "No check ran.\n" : main_check_table(record));
   const bool panels = !record.figures.empty() && !record.figures.front().panels.empty();
   values.set("figure", figures(record, chapter, drawn, 0, 1, panels ? Place::over_caption : Place::beside_caption));

@@ -157,8 +157,8 @@ std::string drawn_in_each_format(const Canvas& canvas, const std::string& stem, 
     } else {
       text += fmt::format(
           "set terminal pngcairo enhanced font 'DejaVu Sans,9' fontscale 1.6 linewidth 1.6 pointscale 1.6 size "
-          "1400,{:.0f}\n",
-          1400.0 * height / centimetres_wide);
+          "{:.0f},{:.0f}\n",
+          1400.0 * canvas.width / centimetres_wide, 1400.0 * height / centimetres_wide);
     }
     text += fmt::format("set output {}\n{}\nunset output\n", gnuplot_quoted(file), body);
   }

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cctype>
+#include <map>
 
 namespace talus::reports {
 namespace {
@@ -63,6 +64,35 @@ std::string without_formula_marks(const std::string& text) {
   return result;
 }
 
+/// Replaces names of signs by the signs, as in `\omega`; other backslashes are unchanged.
+std::string with_signs(const std::string& text) {
+  static const std::map<std::string, const char*> signs{
+      {"alpha", "α"},  {"beta", "β"},  {"gamma", "γ"},  {"delta", "δ"},  {"epsilon", "ε"}, {"varepsilon", "ε"},
+      {"eta", "η"},    {"theta", "θ"}, {"kappa", "κ"},  {"lambda", "λ"}, {"mu", "μ"},      {"nu", "ν"},
+      {"xi", "ξ"},     {"pi", "π"},    {"rho", "ρ"},    {"sigma", "σ"},  {"tau", "τ"},     {"phi", "φ"},
+      {"varphi", "φ"}, {"psi", "ψ"},   {"omega", "ω"},  {"Delta", "Δ"},  {"Omega", "Ω"},   {"Sigma", "Σ"},
+      {"ell", "ℓ"},    {"cdot", "·"},  {"times", "×"},  {"le", "≤"},     {"ge", "≥"},      {"pm", "±"},
+      {"to", "→"},     {"infty", "∞"}, {"approx", "≈"}, {"ne", "≠"},     {"dots", "…"},    {"sqrt", "√"}};
+  std::string result;
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    if (text[i] != '\\') {
+      result += text[i];
+      continue;
+    }
+    std::size_t end = i + 1;
+    while (end < text.size() && std::isalpha(static_cast<unsigned char>(text[end])) != 0)
+      ++end;
+    const auto sign = signs.find(text.substr(i + 1, end - i - 1));
+    if (sign == signs.end()) {
+      result += text[i];
+      continue;
+    }
+    result += sign->second;
+    i = end - 1;
+  }
+  return result;
+}
+
 /// Replaces control characters, for example tabs in a deck's title.
 std::string without_control(std::string text) {
   for (char& letter : text)
@@ -104,7 +134,7 @@ std::string gnuplot_verbatim(const std::string& text, std::size_t most) {
 }
 
 std::string gnuplot_text(const std::string& words) {
-  const std::string text = without_control(without_formula_marks(words));
+  const std::string text = with_signs(without_control(without_formula_marks(words)));
   std::string result = "'";
   for (std::size_t i = 0; i < text.size(); ++i) {
     const bool raises = text[i] == '^';

@@ -8,7 +8,8 @@ namespace talus::reports {
 
 /// A label for gnuplot's enhanced text, in single quotes. Text as in a record: the two `$` around a formula are dropped
 /// (the first has no space after it, the second none before it and no digit after it), `^` followed by a number or
-/// letters is a superscript, `_` after a single letter a subscript (`k_n`); any other mark is printed literally.
+/// letters is a superscript, `_` after a single letter a subscript (`k_n`), LaTeX's names of Greek letters and of some
+/// signs are those signs (`\omega`, `\le`); any other mark is printed literally.
 [[nodiscard]] std::string gnuplot_text(const std::string& words);
 
 /// Literal text for gnuplot's enhanced text, in single quotes: a title or name given by the user. Text longer than

@@ -18,6 +18,7 @@ struct Options {
   std::string to;
   std::string sheet;
   std::vector<std::string> site;
+  std::vector<std::string> sketches;
   std::string title;
   std::vector<std::string> formats{"svg", "pdf", "png"};
   unsigned jobs{std::max(1U, std::thread::hardware_concurrency())};
@@ -27,17 +28,20 @@ void describe(CLI::App& app, Options& options) {
   app.description(
       "Writes verification.pdf, verification-details.pdf, both as .md, and html/index.html from the records of a "
       "verification run,\n"
-      "or the pictures of one run (--plot), or a site from Markdown (--site). Exit codes: 0 written, 2 wrong usage or "
+      "or the pictures of one run (--plot), a site from Markdown (--site), or the sketches of pages (--sketches). Exit "
+      "codes: 0 written, 2 wrong usage or "
       "record, 4 a file or tool failed\n"
       "or a tool is missing; what can be made without it is there.");
   app.add_option("verify", options.verify, "folder with results.json and the cases' folders (build/verify)");
   app.add_option("report", options.report, "folder to write the report to (build/report)");
   app.add_option("--plot", options.plot, "a run's folder: draw the figures of its plot.json");
-  app.add_option("--to", options.to, "folder for the pictures or the site; of --plot default its plots/");
+  app.add_option("--to", options.to, "folder for the pictures, sketches or site; of --plot default its plots/");
   app.add_option("--sheet", options.sheet, "a fence run's folder: make sheet.pdf and sheet.html from its sheet.json");
   app.add_option("--site", options.site, "Markdown files, the first page first: make a site of linked pages in --to");
+  app.add_option("--sketches", options.sketches, "pages of cases (Markdown): draw their sketches in --to");
   app.add_option("--title", options.title, "title of the site; default the first page's");
-  app.add_option("--format", options.formats, "formats of --plot, from ps, pdf, svg, png; default the last three")
+  app.add_option("--format", options.formats,
+                 "formats of --plot and --sketches, from ps, pdf, svg, png; default the last three")
       ->delimiter(',')
       ->check(CLI::IsMember({"ps", "pdf", "svg", "png"}));
   app.add_option("--jobs", options.jobs, "processes at a time; default the number of cores")
@@ -62,8 +66,8 @@ int print(const talus::reports::Made& made) {
 
 int work(const Options& options) {
   const talus::reports::ToolPaths tools{talus::reports::find_resources(), options.jobs};
+  const std::set<std::string> formats(options.formats.begin(), options.formats.end());
   if (!options.plot.empty()) {
-    const std::set<std::string> formats(options.formats.begin(), options.formats.end());
     const std::filesystem::path run = options.plot;
     const std::filesystem::path target = options.to.empty() ? run / "plots" : std::filesystem::path{options.to};
     return print(talus::reports::make_plots(run, target, formats, tools));
@@ -71,6 +75,10 @@ int work(const Options& options) {
   if (!options.site.empty()) {
     const std::vector<std::filesystem::path> pages(options.site.begin(), options.site.end());
     return print(talus::reports::make_pages(pages, options.title, options.to, tools));
+  }
+  if (!options.sketches.empty()) {
+    const std::vector<std::filesystem::path> pages(options.sketches.begin(), options.sketches.end());
+    return print(talus::reports::make_sketches(pages, options.to, formats, tools));
   }
   if (!options.sheet.empty()) return print(talus::reports::make_sheet(options.sheet, tools));
   return print(talus::reports::make_report(options.verify, options.report, tools));
@@ -85,13 +93,14 @@ int main(int argc, char** argv) {
   try {
     app.parse(argc, argv);
     const int jobs = (!options.verify.empty() && !options.report.empty()) + !options.plot.empty() +
-                     !options.sheet.empty() + !options.site.empty();
+                     !options.sheet.empty() + !options.site.empty() + !options.sketches.empty();
     if (jobs != 1 || options.verify.empty() != options.report.empty()) {
       throw CLI::ValidationError(
-          "give either two folders, VERIFY and REPORT, or --plot DIR, --sheet DIR, or --site FILES --to DIR");
+          "give either two folders, VERIFY and REPORT, or --plot DIR, --sheet DIR, --site FILES --to DIR, or "
+          "--sketches FILES --to DIR");
     }
-    if (!options.site.empty() && options.to.empty())
-      throw CLI::ValidationError("--site requires --to (the folder that receives the pages)");
+    if (!(options.site.empty() && options.sketches.empty()) && options.to.empty())
+      throw CLI::ValidationError("--site and --sketches require --to (the folder that receives what is made)");
   } catch (const CLI::ParseError& wrong) {
     return app.exit(wrong) == 0 ? 0 : 2;
   }

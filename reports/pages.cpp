@@ -171,9 +171,11 @@ std::string site_text(const std::vector<ReportPage>& pages, const ReportPage& pa
     const ReportPage& other = page_of(pages, name);
     return fmt::format("{}.html{}", name, is_details ? "#" + markdown::heading_id(first_heading(other.details)) : "");
   });
-  const std::string picture = "](figures/";
-  for (std::size_t at = text.find(picture); at != std::string::npos; at = text.find(picture, at + picture.size()))
-    text.replace(at, picture.size(), "](../figures/");
+  for (const std::string folder : {"figures/", "data/"}) {
+    const std::string link = "](" + folder;
+    for (std::size_t at = text.find(link); at != std::string::npos; at = text.find(link, at + link.size()))
+      text.replace(at, link.size(), "](../" + folder);
+  }
   return text;
 }
 

@@ -32,6 +32,9 @@ struct Drawn {
 /// File stem of a figure's picture in the report's folder figures/.
 [[nodiscard]] std::string picture_stem(const Record& record, const Figure& figure);
 
+/// The file with a figure's points, within the report's folder.
+[[nodiscard]] std::filesystem::path data_file(const Record& record, const Figure& figure);
+
 /// The page of one case, as chapter number `chapter` (figures and tables are numbered within it): its text, its main
 /// checks (for a case that marks none, the failed ones and the first few) and its first figure.
 [[nodiscard]] std::string case_page(const Record& record, std::size_t chapter, const Drawn& drawn,
@@ -72,7 +75,8 @@ enum class Volume { main, details };
 /// The text of a volume, its links resolved: within the volume to headings, else to the Markdown file of the other.
 [[nodiscard]] std::string volume_text(const std::vector<ReportPage>& pages, Volume volume);
 
-/// The text of a page of the site, its links resolved: to NAME.html, and to pictures in ../figures.
+/// The text of a page of the site, its links resolved: to NAME.html, to pictures in ../figures and to numbers in
+/// ../data.
 [[nodiscard]] std::string site_text(const std::vector<ReportPage>& pages, const ReportPage& page);
 
 }  // namespace talus::reports

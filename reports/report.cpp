@@ -18,6 +18,7 @@
 #include "reports/pages.hpp"
 #include "reports/process.hpp"
 #include "reports/progress.hpp"
+#include "reports/sketch.hpp"
 #include "solver/threads/parallel_for.hpp"
 #include "verification/record/whole_file.hpp"
 
@@ -28,6 +29,18 @@ namespace {
 /// Runs the tasks in parallel on up to `jobs` threads. Rethrows the exception of the first task in the list that threw.
 void in_parallel(const std::vector<std::function<void()>>& tasks, unsigned jobs) {
   parallel_for(tasks.size(), jobs, [&](std::size_t i) { tasks[i](); });
+}
+
+/// Copies the CSV files of the figures that were drawn.
+void copy_data(const Results& results, const fs::path& verify, const fs::path& report) {
+  for (const Record& record : results.records) {
+    for (const Figure& figure : record.figures) {
+      const fs::path from = verify / record.id / figure.csv, to = report / data_file(record, figure);
+      if (figure.csv.empty() || !fs::exists(from)) continue;
+      fs::create_directories(to.parent_path());
+      fs::copy_file(from, to, fs::copy_options::skip_existing);  // several figures may share one
+    }
+  }
 }
 
 bool broke_off(const Record& record) { return !finished(record.status); }
@@ -80,6 +93,9 @@ std::vector<Drawing> drawings_of(const Results& results, const Trials& trials, c
         drawn.undrawn[key] = wrong.what();
       }
     }
+    const std::vector<PageSketch> sketches = page_sketches(record.page);
+    for (std::size_t i = 0; i < sketches.size(); ++i)
+      script += sketch_script(sketches[i].drawing, canvas, sketch_stem(record.id, i));
     if (!script.empty()) drawings.push_back({"case " + record.id, script});
   }
   return drawings;
@@ -185,6 +201,8 @@ Made make_report(const fs::path& verify, const fs::path& report, const ToolPaths
   const StagingFolder staging(report);
   const fs::path figures = staging.folder() / "figures";
   fs::create_directory(figures);
+  fs::create_directory(staging.folder() / "data");
+  copy_data(results, verify, staging.folder());
   const Canvas canvas{tools.resources / "gnuplot" / "preamble.gp", figures, {"pdf", "svg"}};
   Drawn drawn;
   const std::vector<Drawing> drawings = drawings_of(results, trials, verify, canvas, drawn);
@@ -247,12 +265,13 @@ Made make_report(const fs::path& verify, const fs::path& report, const ToolPaths
   const auto publish = [&](const std::string& name, bool was_made, const std::string& named = {}) {
     if (was_made) {
       staging.publish(name);
-      if (name != "figures") made.files.push_back(report / (named.empty() ? name : named));
+      if (name != "figures" && name != "data") made.files.push_back(report / (named.empty() ? name : named));
     } else {
       fs::remove_all(report / name);  // left by an earlier report
     }
   };
   publish("figures", undrawn.empty());
+  publish("data", true);
   for (const Volume which : volumes)
     publish(stem_of(which) + ".md", true);
   publish("html", no_html.empty(), "html/index.html");
@@ -286,6 +305,38 @@ Made make_pages(const std::vector<fs::path>& files, const std::string& title, co
   for (const std::string& name : made_files)
     staging.publish(name);
   made.files.push_back(target / "index.html");
+  return made;
+}
+
+Made make_sketches(const std::vector<fs::path>& files, const fs::path& target, const std::set<std::string>& formats,
+                   const ToolPaths& tools) {
+  const StagingFolder staging(target);
+  const Canvas canvas{tools.resources / "gnuplot" / "preamble.gp", staging.folder(), formats};
+  std::vector<Drawing> drawings;
+  std::vector<std::string> names;
+  for (const fs::path& file : files) {
+    std::vector<PageSketch> sketches;
+    try {
+      sketches = page_sketches(records::read_whole(file));
+    } catch (const RecordError& wrong) {
+      throw RecordError(fmt::format("{}: {}", file.string(), wrong.what()));
+    }
+    if (sketches.empty()) throw RecordError(fmt::format("{}: it has no sketch (a block ```sketch)", file.string()));
+    const std::string stem = file.stem().string();
+    std::string script;
+    for (std::size_t i = 0; i < sketches.size(); ++i) {
+      script += sketch_script(sketches[i].drawing, canvas, sketch_stem(stem, i));
+      for (const std::string& format : formats)
+        names.push_back(sketch_stem(stem, i) + "." + format);
+    }
+    drawings.push_back({file.string(), script});
+  }
+  Made made;
+  made.warnings = draw(drawings, staging.folder(), tools.jobs);
+  for (const std::string& name : names) {
+    staging.publish(name);
+    made.files.push_back(target / name);
+  }
   return made;
 }
 

@@ -29,7 +29,7 @@ struct Made {
 };
 
 /// Makes the volumes report/verification and report/verification-details, each as .md and .pdf, the site
-/// report/html/index.html with a page for each case, and report/figures/, from verify/results.json and the CSV files in
+/// report/html/index.html with a page for each case, report/figures/ and report/data/ (the points of the figures), from verify/results.json and the CSV files in
 /// verify/<id>/. All appear together at the end, or none. What needs a tool that is missing or fails is left out, and an
 /// earlier one removed: pictures without gnuplot (text and tables then say so), HTML and PDF without pandoc, PDF
 /// without pdflatex. Throws RecordError when a record is wrong, OutputError when a folder is, FileError.
@@ -52,6 +52,12 @@ Made make_plots(const std::filesystem::path& run, const std::filesystem::path& t
 /// Makes run/sheet.pdf and run/sheet.html, one page each, from run/sheet.json; without gnuplot both have no pictures,
 /// without pdflatex only the HTML is made. Throws as make_report() does.
 Made make_sheet(const std::filesystem::path& run, const ToolPaths& tools);
+
+/// Draws the sketches of pages of cases (see sketch.hpp) as target/NAME-sketch-1.<format> ... from each NAME.md, for the
+/// authors of pages. Throws RecordError with the file's name as page_sketches() does, and when a file has no sketch,
+/// OutputError if gnuplot fails, FileError.
+Made make_sketches(const std::vector<std::filesystem::path>& files, const std::filesystem::path& target,
+                   const std::set<std::string>& formats, const ToolPaths& tools);
 
 /// Makes target/NAME.html from each NAME.md, the first as index.html, with contents and search on every page; `title`,
 /// empty for that of the first page, is in the titles of all. Headings are found by the search. Throws RecordError when

@@ -9,8 +9,9 @@ function Image(image)
   return image
 end
 
--- Links between the volumes lead from PDF to PDF.
+-- Links between the volumes lead from PDF to PDF. The numbers of a figure are beside the site, not beside the PDF.
 function Link(link)
+  if link.target:match('^data/') then return {} end
   link.target = link.target:gsub('^(verification[%w-]*)%.md#.*$', '%1.pdf')
   return link
 end
