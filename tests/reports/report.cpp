@@ -60,7 +60,7 @@ BOOST_AUTO_TEST_CASE(the_site_has_a_page_for_each_case_and_no_dead_link) {
   const Scratch scratch("report");
   BOOST_TEST_REQUIRE(program({(data / "pass").string(), scratch.folder.string()}).status == 0);
   const fs::path site = scratch.folder / "html";
-  int links = 0, pictures = 0;
+  int links = 0, pictures = 0, tables = 0;
   for (const auto& entry : fs::directory_iterator(site)) {
     if (entry.path().extension() != ".html") continue;
     const std::string html = read_whole(entry.path());
@@ -74,12 +74,14 @@ BOOST_AUTO_TEST_CASE(the_site_has_a_page_for_each_case_and_no_dead_link) {
         BOOST_TEST(contains(read_whole(file), "id=\"" + id + "\""), entry.path() << ": " << name << "#" << id);
       ++links;
       if (name.rfind("../figures/", 0) == 0) ++pictures;
+      if (name.rfind("../data/", 0) == 0) ++tables;
     }
     BOOST_TEST(contains(html, "<input id=\"search\""), entry.path());
     BOOST_TEST(!contains(html, "page:"), entry.path());
   }
   BOOST_TEST(links > 100);
-  BOOST_TEST(pictures == 4);
+  BOOST_TEST(pictures == 5);  // three figures, the margins and a sketch
+  BOOST_TEST(tables == 3);
   for (const char* name :
        {"index.html", "two_cable.html", "pendulum.html", "coverage.html", "margins.html", "site.css"})
     BOOST_TEST(fs::exists(site / name), name);
@@ -115,7 +117,7 @@ BOOST_AUTO_TEST_CASE(links_of_the_volumes_lead_to_headings_and_pictures) {
       BOOST_TEST(fs::exists(scratch.folder / (*it)[1].str()), (*it)[1].str());
   }
   BOOST_TEST(between >= 3);
-  BOOST_TEST(pictures == 4);
+  BOOST_TEST(pictures == 5);
   BOOST_TEST(contains(texts["verification.md"], "**PASS.** 2 cases"));
 }
 
@@ -262,7 +264,7 @@ BOOST_AUTO_TEST_CASE(a_missing_tool_costs_only_what_needs_it) {
                finished.messages);
     BOOST_TEST(contains(finished.messages, std::string("Debian's packages: ") + package + ";"), finished.messages);
     std::vector<std::string> expected = made, found;
-    expected.push_back("verification.md"), expected.push_back("verification-details.md");
+    expected.push_back("data"), expected.push_back("verification.md"), expected.push_back("verification-details.md");
     for (const auto& entry : fs::directory_iterator(report))
       found.push_back(entry.path().filename().string());
     std::sort(expected.begin(), expected.end()), std::sort(found.begin(), found.end());
@@ -474,5 +476,24 @@ BOOST_AUTO_TEST_CASE(a_site_is_made_of_markdown_pages) {
   write_whole(scratch.folder / "bare.md", "No heading.\n");
   BOOST_TEST(site("bare.md").status == 2);
   BOOST_TEST(contains(site("bare.md").messages, "bare.md:1: must begin with '# '"));
-  BOOST_TEST(contains(program({"--site", (scratch.folder / "other.md").string()}).messages, "--site requires --to"));
+  BOOST_TEST(contains(program({"--site", (scratch.folder / "other.md").string()}).messages,
+                      "--site and --sketches require --to"));
+}
+
+BOOST_AUTO_TEST_CASE(sketches_of_pages_are_drawn_for_their_authors) {
+  const Scratch scratch("sketches");
+  const auto sketch = [&](const std::string& page) {
+    write_whole(scratch.folder / "drop.md", page);
+    return program({"--sketches", (scratch.folder / "drop.md").string(), "--to", (scratch.folder / "out").string()});
+  };
+  const Finished finished = sketch("Text.\n\n```sketch A ball\ndisc 0 0 1\n```\n\n```sketch A box\nbox 0 0 1 1\n```\n");
+  BOOST_TEST_REQUIRE(finished.status == 0, finished.messages);
+  for (const char* name : {"drop-sketch-1.svg", "drop-sketch-1.pdf", "drop-sketch-1.png", "drop-sketch-2.svg"}) {
+    BOOST_TEST(contains(finished.output, name));
+    BOOST_TEST(fs::file_size(scratch.folder / "out" / name) > 500U);
+  }
+  BOOST_TEST(sketch("No sketch.\n").status == 2);
+  BOOST_TEST(contains(sketch("No sketch.\n").messages, "drop.md: it has no sketch"));
+  BOOST_TEST(
+      contains(sketch("```sketch A ball\ndisc 0\n```\n").messages, "drop.md: sketch, line 1: disc has 1 numbers"));
 }
