@@ -20,8 +20,11 @@ using Points = std::vector<SketchPoint>;
 using Side = SketchLabel::Side;
 
 constexpr double border_width = 0.12;   // around all elements [cm]
-constexpr double letter_width = 0.16;   // of a label [cm]
-constexpr double letter_height = 0.34;  // of a label [cm]
+constexpr double letter_width = 0.135;  // of a label [cm]
+constexpr double letter_height = 0.3;   // of a label [cm]
+
+/// In the site, where letters are larger than on paper; pandoc/pdf.lua divides by it.
+constexpr double em_per_centimetre = 4.0;
 
 constexpr const char* ink = "#222222";
 constexpr const char* body_fill = "#dce8f3";
@@ -510,7 +513,7 @@ std::string sketch_script(const Sketch& sketch, const Canvas& canvas, const std:
   }
   Canvas own = canvas;
   own.width = size.x;
-  return text + drawn_in_each_format(own, stem, "plot " + plots, size.y, {0.6, 13.0});
+  return text + drawn_in_each_format(own, stem, "plot " + plots, size.y, {0.42, 10.0});
 }
 
 std::vector<PageSketch> page_sketches(const std::string& page) {
@@ -548,8 +551,9 @@ std::string with_sketch_pictures(const std::string& page, const std::string& cas
     std::string title = sketch.title;
     std::erase(title, '"');
     text += page.substr(from, sketch.begin - from);
-    text += fmt::format("![](figures/{}.svg){{.sketch alt=\"{}\" width={:.2f}cm}}", sketch_stem(case_id, index++),
-                        title, sketch.drawing.high.x - sketch.drawing.low.x);
+    const double wide = em_per_centimetre * (sketch.drawing.high.x - sketch.drawing.low.x);
+    text += fmt::format("![](figures/{}.svg){{.sketch alt=\"{}\" width={:.2f}em}}", sketch_stem(case_id, index++),
+                        title, wide);
     from = sketch.end;
   }
   return text + page.substr(from);

@@ -1,11 +1,14 @@
 -- What the PDF needs beyond pandoc's own LaTeX: pictures as PDF, a new page for each chapter, places to break long names
--- in tables, sketches in a size that fits.
+-- in tables, sketches in the size in which they are drawn.
 
 local function latex_inline(text) return pandoc.RawInline('latex', text) end
 local function latex_block(text) return pandoc.RawBlock('latex', text) end
 
 function Image(image)
   image.src = image.src:gsub('%.svg$', '.pdf')
+  if image.classes:includes('sketch') then  -- 4 em in the site are a centimetre on paper
+    image.attributes.width = ('%.2fcm'):format(tonumber(image.attributes.width:match('[%d.]+')) / 4)
+  end
   return image
 end
 
@@ -125,7 +128,7 @@ function Table(wide)
   return pandoc.walk_block(wide, { Str = function(word) return breakable(word.text) end })
 end
 
--- 100 columns of \footnotesize fill the page; sketches are small already.
+-- 100 columns of \footnotesize fill the page.
 function CodeBlock(block)
   local longest = 0
   for line in block.text:gmatch('[^\n]+') do

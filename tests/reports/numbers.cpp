@@ -1,5 +1,5 @@
-/// Every number of the report is one of results.json or a sum of such numbers. After `--` the test takes two folders instead of its own data: of a
-/// verification run and of the report made from it.
+/// Every number of the report is one of results.json or a sum of such numbers. After `--` the test takes two folders
+/// instead of its data: of a verification run and of the report made from it.
 #define BOOST_TEST_MODULE reports_numbers
 #include <algorithm>
 #include <boost/test/unit_test.hpp>

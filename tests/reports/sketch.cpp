@@ -174,11 +174,11 @@ BOOST_AUTO_TEST_CASE(sketches_of_a_page_become_pictures) {
   const std::vector<PageSketch> sketches = page_sketches(page);
   BOOST_TEST(sketches.size() == 2U);
   BOOST_TEST(sketches[1].title == "A box");
-  const std::string width_of_disc = "2.24";
+  const std::string width_of_disc = "8.96";
   BOOST_TEST(std::abs(width(sketches[0].drawing) - 2.24) < 1e-9);
   BOOST_TEST(with_sketch_pictures(page, "c") ==
              "Text.\n\n![](figures/c-sketch-1.svg){.sketch alt=\"A round disc\" width=" + width_of_disc +
-                 "cm}\n\n```\ncode\n```\n\n![](figures/c-sketch-2.svg){.sketch alt=\"A box\" width=1.24cm}\nEnd.\n");
+                 "em}\n\n```\ncode\n```\n\n![](figures/c-sketch-2.svg){.sketch alt=\"A box\" width=4.96em}\nEnd.\n");
   BOOST_TEST(sketch_stem("c", 1) == "c-sketch-2");
   BOOST_TEST(error_of_page("```sketch\ndisc 0 0 1\n```\n") ==
              "page: the line '```sketch' has no alternative text for its sketch");

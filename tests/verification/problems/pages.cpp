@@ -10,6 +10,8 @@
 #include <string>
 #include <vector>
 
+#include "reports/record.hpp"
+#include "reports/sketch.hpp"
 #include "verification/catalogue/catalogue.hpp"
 #include "verification/driver/case_list.hpp"
 
@@ -188,6 +190,21 @@ BOOST_AUTO_TEST_CASE(pages_have_their_parts_and_letters_that_latex_takes) {
     for (const std::string& fault : faults_of_form(c.page))
       BOOST_ERROR(c.id + ".md: " + fault);
   }
+}
+
+// A block that is not a sketch would be printed as typed.
+BOOST_AUTO_TEST_CASE(sketches_can_be_drawn) {
+  std::size_t sketches = 0;
+  for (const Case& c : cases()) {
+    try {
+      const std::size_t found = talus::reports::page_sketches(c.page).size();
+      if (2 * found != matches(c.page, "(^|\n)```", 0).size()) BOOST_ERROR(c.id + ".md: a block is not a sketch");
+      sketches += found;
+    } catch (const talus::reports::RecordError& wrong) {
+      BOOST_ERROR(c.id + ".md: " + wrong.what());
+    }
+  }
+  BOOST_TEST(sketches > 70u);
 }
 
 BOOST_AUTO_TEST_CASE(what_pages_refer_to_exists) {
