@@ -1,5 +1,5 @@
 # Thin: each goal is a script, and the scripts install what is missing.
-.PHONY: help verify verify-full test fuzz faults mutants nightly guide bench bench-discs format clean
+.PHONY: help verify verify-full test fuzz faults mutants interface nightly guide bench bench-discs format clean
 
 help:  ## this list
 	@sed -n 's/^\([a-z-]*\):.*## /  make \1\t/p' Makefile
@@ -18,6 +18,9 @@ faults:  ## kill runs at 100 random times and compare what they continue to with
 
 mutants:  ## compile small bugs into a copy of the solver and run the cases with each of them
 	@scripts/mutants
+
+interface:  ## make one option, field, column or member of the program wrong at a time and run the cases that start it
+	@scripts/interface
 
 nightly:  ## what is too long for every change: other builds, sanitizers, coverage, the next part of all mutants
 	@scripts/nightly

@@ -10,6 +10,7 @@
 #include "reports/coverage.hpp"
 #include "reports/error.hpp"
 #include "reports/front_page.hpp"
+#include "reports/interface_page.hpp"
 #include "reports/markdown.hpp"
 #include "reports/mutants_page.hpp"
 #include "reports/page_cells.hpp"
@@ -112,6 +113,9 @@ std::vector<ReportPage> report_pages(const Results& results, const Trials& trial
              trials.rounded.empty()
                  ? "The cases were not run under other roundings in this run: `scripts/nightly rounding` does so.\n"
                  : rounding_text(results, trials.rounded));
+  values.set("interface", trials.interface.empty()
+                              ? "The interface was not changed in this run: `scripts/interface` does so.\n"
+                              : interface_text(trials.interface));
   values.set("mutants", trials.mutants ? mutants_text(*trials.mutants, results, drawn.no_pictures.empty())
                                        : "The cases were not run with mutants in this run: `make mutants` does so.\n");
   values.set("perturbed", perturbed_references(results));
@@ -134,7 +138,7 @@ std::vector<ReportPage> report_pages(const Results& results, const Trials& trial
   for (const std::string& name : results.families)
     family(name);
   family("");
-  for (const char* name : {"margins", "mutants", "rounding", "traceability"})
+  for (const char* name : {"margins", "mutants", "interface", "rounding", "traceability"})
     chapter(name, values, Volume::details);
   for (const char* name : {"provenance", "references", "colophon"})
     chapter(name, values, Volume::main);

@@ -9,6 +9,7 @@
 
 #include "reports/record.hpp"
 #include "reports/rounding.hpp"
+#include "verification/record/interface.hpp"
 #include "verification/record/mutants.hpp"
 
 namespace talus::reports {
@@ -46,8 +47,9 @@ struct Drawn {
 
 /// Further results on the cases, obtained outside the reported run; absent if not measured.
 struct Trials {
-  std::optional<records::Mutants> mutants{};  ///< results of the cases on mutants
-  RoundedResults rounded{};                   ///< results of the cases under other rounding modes
+  std::optional<records::Mutants> mutants{};         ///< results of the cases on mutants
+  std::vector<records::InterfaceItem> interface {};  ///< results of the cases with the program's interface changed
+  RoundedResults rounded{};                          ///< results of the cases under other rounding modes
 };
 
 /// A page of the report: of a case, or of a chapter. On paper its two texts are in two volumes, in the site they follow

@@ -101,10 +101,11 @@ std::vector<Drawing> drawings_of(const Results& results, const Trials& trials, c
   return drawings;
 }
 
-/// Reads verify/mutants.json and verify/rounding/MODE/results.json, if they exist.
+/// Reads verify/mutants.json, verify/interface.json and verify/rounding/MODE/results.json, if they exist.
 Trials read_trials(const fs::path& verify) {
   Trials trials;
   if (fs::exists(verify / "mutants.json")) trials.mutants = records::read_mutants(verify / "mutants.json");
+  if (fs::exists(verify / "interface.json")) trials.interface = records::read_interface(verify / "interface.json");
   for (const char* rounding : {"upward", "downward", "toward_zero"}) {
     const fs::path file = verify / "rounding" / rounding / "results.json";
     if (fs::exists(file)) trials.rounded.emplace(rounding, records::read_results(file));

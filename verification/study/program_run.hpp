@@ -34,7 +34,8 @@ struct ProgramEnd {
   std::string messages{};  ///< standard error
 };
 
-/// Runs `talus` with these arguments in a folder. Throws the errors of reports::run() if it cannot be started.
+/// Runs `talus` with these arguments in a folder: the built program, or that which the environment names in TALUS_PROGRAM
+/// (tests/interface). Throws the errors of reports::run() if it cannot be started.
 [[nodiscard]] ProgramEnd run_talus(const TemporaryFolder& folder, const std::vector<std::string>& arguments);
 
 /// Standard output of a run that must succeed. Throws std::runtime_error with the arguments and the messages if the

@@ -1,0 +1,149 @@
+/// interface_talus: takes the place of the program `talus` in the cases, with one item of its interface changed.
+///
+/// Environment: TALUS_INTERFACE_PROGRAM the real program; TALUS_INTERFACE_LOG a file to which the items of this call and
+/// its exit code are appended; TALUS_INTERFACE_ITEM the item to change, "rewrite" for none, with JSON files written again
+/// (if it is not set nothing is changed, and the items of files are recorded).
+/// Besides the items of files (interface_text.hpp) there are "option COMMAND --name", which is dropped from the command
+/// line, and "output COMMAND: member" of a JSON text on stdout.
+#include <fmt/format.h>
+
+#include <cstdio>
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <map>
+#include <regex>
+#include <set>
+#include <string>
+#include <vector>
+
+#include "reports/process.hpp"
+#include "tests/interface/interface_text.hpp"
+#include "verification/record/whole_file.hpp"
+
+namespace {
+
+namespace fs = std::filesystem;
+using namespace talus;
+using namespace talus::interface_audit;
+
+std::string variable(const char* name) {
+  const char* const value = std::getenv(name);
+  return value == nullptr ? "" : value;
+}
+
+/// Whether an option takes a value, from the command's help.
+bool takes_value(const std::string& program, const std::string& command, const std::string& option) {
+  const std::string help = reports::run({program, {command, "--help"}, {}, {}}).output;
+  const std::regex line("\n  (-[a-z],)?" + option + " +(TEXT|INT|UINT|FLOAT|NUMBER|[A-Z]+)(:| |\n|=)");
+  return std::regex_search(help, line);
+}
+
+/// Files written by the program, before they were changed: read again by the next call in the same folder.
+fs::path originals() {
+  const fs::path here = fs::current_path();
+  return here.parent_path() / ("originals_" + here.filename().string());
+}
+
+/// A checkpoint is read by the program alone: what is wrong in it shows in the resumed run.
+bool is_output(const fs::path& file) {
+  static const std::set<std::string> types{".csv", ".json", ".vtp", ".vtu"};
+  return types.contains(file.extension().string()) && file.filename() != "checkpoint.json";
+}
+
+std::map<fs::path, std::string> outputs() {
+  std::map<fs::path, std::string> texts;
+  for (const auto& entry : fs::recursive_directory_iterator(fs::current_path())) {
+    if (entry.is_regular_file() && is_output(entry.path())) texts[entry.path()] = records::read_whole(entry.path());
+  }
+  return texts;
+}
+
+void write(const fs::path& file, const std::string& text) { std::ofstream(file, std::ios::binary) << text; }
+
+void restore_originals() {
+  if (!fs::exists(originals())) return;
+  for (const auto& entry : fs::recursive_directory_iterator(originals())) {
+    const fs::path file = fs::current_path() / fs::relative(entry.path(), originals());
+    if (entry.is_regular_file() && fs::exists(file)) write(file, records::read_whole(entry.path()));
+  }
+  fs::remove_all(originals());
+}
+
+void keep_original(const fs::path& file, const std::string& text) {
+  const fs::path place = originals() / fs::relative(file, fs::current_path());
+  fs::create_directories(place.parent_path());
+  write(place, text);
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  const std::string program = variable("TALUS_INTERFACE_PROGRAM"), item = variable("TALUS_INTERFACE_ITEM");
+  std::vector<std::string> arguments(argv + 1, argv + argc);
+  const std::string command = arguments.empty() ? "" : arguments.front();
+  std::set<std::string> items;
+  bool reached = false;
+
+  std::vector<std::string> passed;
+  for (std::size_t i = 0; i < arguments.size(); ++i) {
+    const std::string name = arguments[i].substr(0, arguments[i].find('='));
+    if (i == 0 || !name.starts_with("--")) {
+      passed.push_back(arguments[i]);
+      continue;
+    }
+    const std::string option = fmt::format("option {} {}", command, name);
+    items.insert(option);
+    if (option != item) {
+      passed.push_back(arguments[i]);
+      continue;
+    }
+    reached = true;
+    if (name == arguments[i] && takes_value(program, command, name)) ++i;
+  }
+
+  std::map<fs::path, std::string> inputs;  // as they were
+  for (const std::string& argument : passed) {
+    const fs::path file = fs::current_path() / argument;
+    if (!argument.ends_with(".toml") || !fs::is_regular_file(file)) continue;
+    const std::string text = records::read_whole(file);
+    if (item.empty()) items.merge(items_of(file, text));
+    // Only files of the case's folder are changed, not those of the source tree.
+    if (const auto other = changed(file, text, item); other && !argument.starts_with("/")) {
+      reached = true;
+      inputs.emplace(file, text);
+      write(file, *other);
+    }
+  }
+
+  restore_originals();
+  const auto before = outputs();
+  reports::Finished finished = reports::run({program, passed, {}, {}});
+  for (const auto& [file, text] : outputs()) {
+    const auto earlier = before.find(file);
+    const bool is_new = earlier == before.end() || earlier->second != text;
+    if (is_new && item.empty()) items.merge(items_of(file, text));
+    const auto other = item == "rewrite" ? rewritten(file, text) : changed(file, text, item);
+    if (!other) continue;
+    reached = reached || is_new;
+    keep_original(file, text);
+    write(file, *other);
+  }
+  for (const auto& [file, text] : inputs)
+    if (fs::exists(file)) write(file, text);
+
+  const fs::path printed = "stdout." + command + ".json";  // "member *.COMMAND.json: ..."
+  if (item.empty()) items.merge(items_of(printed, finished.output));
+  const auto other = item == "rewrite" ? rewritten(printed, finished.output) : changed(printed, finished.output, item);
+  if (other && finished.output.starts_with("{")) reached = true, finished.output = *other;
+
+  std::string log;
+  for (const std::string& each : items)
+    log += each + "\n";
+  log += fmt::format("exit {}\n", finished.status);
+  if (reached) log += "reached\n";
+  std::ofstream(variable("TALUS_INTERFACE_LOG"), std::ios::app) << log;
+  std::fputs(finished.output.c_str(), stdout);
+  std::fputs(finished.messages.c_str(), stderr);
+  return finished.status;
+}
