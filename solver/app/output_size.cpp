@@ -86,7 +86,7 @@ double fence_bytes(const FenceInput& input, const RunPlan& plan, const Dynamics&
   const FenceHistory history{input.fence, input.made, dynamics};
   const OutListing listing{input.fence, input.made, plan};
   const auto members = static_cast<double>(input.made.members.size());
-  const auto columns = static_cast<double>(history.history().columns.size());
+  const auto columns = input.fence.requests_histories() ? static_cast<double>(history.history().columns.size()) : 0.0;
   const auto states = static_cast<double>(steps / input.fence.print_every);
   const auto rows = static_cast<double>(records(steps, input.fence.history_every));
   constexpr double listing_line = 71.0, listing_head = 95.0;

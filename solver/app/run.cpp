@@ -133,7 +133,7 @@ Command add_run(CLI::App& talus) {
   app->add_option(
       "--out", options->folder,
       "folder for history.csv, final_state.json, summary.json, plot.json and the geometry NAME.pvd, and for a fence "
-      "its listing NAME.OUT and the deck's histories NAME.history.csv and .json; without it nothing is written");
+      "its listing NAME.OUT and, if it requests histories, NAME.history.csv and .json; without it nothing is written");
   app->add_option("--until", options->until,
                   "stop there and save the run in the folder of --out, to be resumed, e.g. \"20 ms\"");
   app->add_option("--resume", options->resume,

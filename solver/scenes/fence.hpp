@@ -250,6 +250,8 @@ struct Fence {
 
   FenceElement ground;               ///< element 1
   std::vector<Vec2> ground_profile;  ///< uneven ground instead of its level surface: points of a line, world [L]
+  bool requests_histories() const { return !history_elements.empty() && !history_codes.empty(); }
+
   std::vector<FenceElement> rocks;   ///< elements 2 .. nel - 1
   FenceElement column;               ///< element nel: represents every column
   std::vector<ChangedColumn> changed_columns;  ///< columns that differ from it

@@ -6,7 +6,7 @@
 
 namespace talus::app {
 
-/// NAME.history.csv and NAME.history.json: the histories requested by a fence's deck.
+/// NAME.history.csv and NAME.history.json: the histories requested by a fence (history_elements, history_codes).
 class DeckHistoryOutput {
  public:
   static constexpr std::string_view name = "deck_history";
@@ -18,7 +18,10 @@ class DeckHistoryOutput {
 
   static std::optional<DeckHistoryOutput> make(const OutputRequest& request) {
     if (!request.file.fence) return std::nullopt;
-    return DeckHistoryOutput{request};
+    DeckHistoryOutput output{request};
+    // A file of times alone would look as if its values were lost.
+    if (!request.file.fence->fence.requests_histories()) return std::nullopt;
+    return output;
   }
   void operator()(const Snapshot& snapshot, const StepInfo& info) { history_(snapshot, info); }
   void write(const OutputSource&) const {

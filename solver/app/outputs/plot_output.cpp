@@ -30,7 +30,7 @@ std::vector<DrawnBody> drawn_bodies(const SceneFile& file) {
 
 RunFiles drawn_from(const SceneFile& file, const std::string& name) {
   RunFiles files;
-  if (file.fence) files.histories.push_back(name + ".history.csv");
+  if (file.fence && file.fence->fence.requests_histories()) files.histories.push_back(name + ".history.csv");
   files.histories.emplace_back("history.csv");
   files.geometry = name + ".pvd";
   files.bodies = drawn_bodies(file);

@@ -328,6 +328,20 @@ BOOST_AUTO_TEST_CASE(a_full_disk_leaves_nothing_behind) {
   rlimit before{};
   BOOST_REQUIRE(::getrlimit(RLIMIT_FSIZE, &before) == 0);
   const rlimit small{4096, before.rlim_max};
+// A file of times alone would look as if its values were lost.
+BOOST_AUTO_TEST_CASE(a_fence_without_requested_histories_has_no_file_of_them) {
+  const Folder folder;
+  const std::string out = (folder.path / "out").string();
+  const std::string file = folder.file("new.toml", talus_ran({"new", "fence"}).out).string();
+  const Ended ended = talus_ran({"run", file, "--end", "10 ms", "--out", out});
+  BOOST_TEST(ended.code == 0);
+  BOOST_TEST(!holds(ended.out, ".history."));
+  BOOST_TEST(!fs::exists(out + "/new.history.csv"));
+  BOOST_TEST(!fs::exists(out + "/new.history.json"));
+  BOOST_TEST(!holds(talus::read_text(out + "/plot.json"), ".history."));
+  BOOST_TEST(talus_ran({"plot", out, "--history", "rock.vx"}).code == 0);
+}
+
   BOOST_REQUIRE(::setrlimit(RLIMIT_FSIZE, &small) == 0);
   const Ended ended = talus_ran({"run", scene("two_cable.toml"), "--out", out});
   BOOST_REQUIRE(::setrlimit(RLIMIT_FSIZE, &before) == 0);
