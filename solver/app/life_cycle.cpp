@@ -244,7 +244,7 @@ int live(const RunRequest& request, const std::function<std::unique_ptr<Resumabl
   printed = print_warnings(*run, printed);
   if (!undrawn.empty()) print_failure(undrawn);
   if (!outcome) {
-    print_failure(outcome.words);
+    print_failure(fmt::format("the run diverged at t = {:.10g}; its summary gives the reason", outcome.time));
     return diverged;
   }
   if (signal() == 0) return undrawn.empty() ? ok : io_failed;

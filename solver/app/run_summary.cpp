@@ -34,7 +34,8 @@ void head(Page& page, const RunRecord& record) {
     const bool finished = record.outcome.kind == Outcome::Kind::finished;
     page.line("  outcome      {} at t = {:.10g} {}", finished ? "finished" : "stopped", record.outcome.time, time);
   } else {
-    page.line("  outcome      {}", record.outcome.words);
+    // The reason is in the line of the quality.
+    page.line("  outcome      diverged at t = {:.10g} {}", record.outcome.time, time);
   }
   page.line("  integrator   {}, step {:.6g} {}", record.integrator, record.plan.step, time);
   if (!record.integrator_why.empty()) page.line("               chosen, as {}", record.integrator_why);

@@ -227,14 +227,21 @@ BOOST_AUTO_TEST_CASE(a_diverged_run_is_recorded) {
   const Ended watched = talus_ran({"run", scene_file, "--out", out});
   BOOST_TEST(watched.code == 3);
   BOOST_TEST(watched.err.rfind("talus: warning: h omega = ", 0) == 0U);
-  BOOST_TEST(holds(watched.err, "\ntalus: at t = 0 h omega = "));
+  // The reason is in the summary, once; a message after it names the time.
+  BOOST_TEST(holds(watched.err, "\ntalus: the run diverged at t = 0; its summary gives the reason\n"));
+  const std::string reason = "at t = 0 h omega = ";
+  BOOST_TEST(holds(watched.out, "\n  quality      NOT USABLE: " + reason));
+  BOOST_TEST(holds(watched.out, "\n  outcome      diverged at t = 0 s\n"));
+  BOOST_TEST(watched.out.find(reason) == watched.out.rfind(reason));
+  BOOST_TEST(!holds(watched.err, reason));
   // Without the run monitor it continues until numbers are no longer finite, and the limit is reported again as the
   // reason.
   const std::string alone = (folder.path / "alone.toml").string();
   std::ofstream{alone} << talus::read_text(scene_file) << "watch = { instability = \"off\", accuracy = \"off\" }\n";
   const Ended ended = talus_ran({"run", alone, "--out", out});
   BOOST_TEST(ended.code == 3);
-  BOOST_TEST(holds(ended.err, "\ntalus: diverged at t = "));
+  BOOST_TEST(holds(ended.out, "NOT USABLE: diverged at t = "));
+  BOOST_TEST(holds(ended.err, "\ntalus: the run diverged at t = "));
   const auto summary = nlohmann::json::parse(talus::read_text(folder.path / "run" / "summary.json"));
   BOOST_TEST(summary.at("outcome").at("kind").get<std::string>() == "diverged");
   const std::string history = talus::read_text(folder.path / "run" / "history.csv");
