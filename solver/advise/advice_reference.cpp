@@ -186,11 +186,11 @@ std::optional<Refusal> ReferenceSearch::vanishing(double value, double size) con
 Refusal ReferenceSearch::too_dear() const {
   const bool all_failed = std::ranges::all_of(climbs_, [](const Climb& climb) { return climb.failures != 0; });
   if (all_failed) {
-    return {Refusal::Kind::unsettled, fmt::format("no method comes through: {}: {}", climbs_.back().method.integrator,
-                                                  climbs_.back().last.failure)};
+    return {Refusal::Kind::unsettled, fmt::format("every integrator fails; the last one, {}: {}",
+                                                  climbs_.back().method.integrator, climbs_.back().last.failure)};
   }
   return {Refusal::Kind::stiff,
-          fmt::format("the run takes {} steps to resolve its fastest spring, and no two methods came to {} values "
+          fmt::format("resolving the fastest spring takes {} steps; fewer than two integrators completed {} runs "
                       "within {} force evaluations",
                       resolving_, agreeing, rules_->evaluations)};
 }
@@ -206,11 +206,15 @@ Refusal ReferenceSearch::unsettled() const {
   if (climbs.size() < 2) return too_dear();
   const Climb &first = *climbs[0], &second = *climbs[1];
   if (auto refusal = vanishing(first.values.back(), first.last.size)) return *refusal;
-  return {Refusal::Kind::unsettled,
-          fmt::format("within {} force evaluations no two methods agree: {} gives {:.10g}, {:.1e} from "
-                      "its value an octave before; {} gives {:.10g}, {:.1e} from its own; required: {:.0e}",
-                      rules_->evaluations, first.method.integrator, first.values.back(), spread(&first),
-                      second.method.integrator, second.values.back(), spread(&second), rules_->accuracy)};
+  return {
+      Refusal::Kind::unsettled,
+      fmt::format("no reference value within {} force evaluations: {} gives {:.10g}, its last {} runs differ by "
+                  "{:.1e}; {} gives {:.10g}, its last {} by {:.1e}; required are differences below {:.1e} and, from "
+                  "another integrator of different order, {:.1e}{}",
+                  rules_->evaluations, first.method.integrator, first.values.back(), agreeing, spread(&first),
+                  second.method.integrator, second.values.back(), agreeing, spread(&second),
+                  own_agreement * rules_->accuracy, other_agreement * rules_->accuracy,
+                  rules_->among.empty() ? "" : "; all integrators are run for this, not only the given ones")};
 }
 
 }  // namespace talus

@@ -1,6 +1,7 @@
 #include "solver/advise/method_advice.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cmath>
@@ -208,8 +209,13 @@ void check(const AdviceRules& rules) {
   if (!(rules.accuracy >= 1e-10 && rules.accuracy <= 0.5))
     throw InputError{fmt::format("accuracy: found {}; it must be in [1e-10, 0.5]", rules.accuracy)};
   if (rules.evaluations < 1) throw InputError{fmt::format("evaluations: found {}; it must be > 0", rules.evaluations)};
-  for (const std::string& name : rules.among)
-    static_cast<void>(needs_tolerance(name));
+  for (const std::string& name : rules.among) {
+    try {
+      static_cast<void>(needs_tolerance(name));
+    } catch (const InputError& error) {
+      throw InputError{fmt::format("among: {}", error.what())};
+    }
+  }
 }
 
 Refusal unreached(const Advice& advice, const AdviceRules& rules) {
@@ -217,10 +223,14 @@ Refusal unreached(const Advice& advice, const AdviceRules& rules) {
   for (const TriedMethod& tried : advice.tried) {
     if (tried.evaluations > 0 && (nearest == nullptr || tried.error < nearest->error)) nearest = &tried;
   }
-  std::string words = fmt::format("no method keeps its errors below {:.2g} within {} force evaluations",
-                                  rules.kept * rules.accuracy, rules.evaluations);
-  if (nearest != nullptr)
-    words += fmt::format("; the nearest, {}, came to {:.1e}", nearest->method.integrator, nearest->error);
+  const std::string given =
+      rules.among.empty() ? "integrator" : fmt::format("given integrator ({})", fmt::join(rules.among, ", "));
+  std::string words = fmt::format("no {} has errors below {:.2g} in {} consecutive runs within {} force evaluations",
+                                  given, rules.kept * rules.accuracy, rules.in_a_row, rules.evaluations);
+  if (nearest != nullptr) {
+    words += fmt::format("; the smallest error of a single run is {:.1e}, of {}", nearest->error,
+                         nearest->method.integrator);
+  }
   return {Refusal::Kind::unreached, words};
 }
 

@@ -146,6 +146,20 @@ BOOST_AUTO_TEST_CASE(a_refusal_has_its_own_exit_code_and_leaves_no_file) {
   const Ended dear = advised(scene("two_cable.toml"), "1e-3", "particle.x.max", out, {"--evaluations", "100"});
   BOOST_TEST(dear.code == 5);
   BOOST_TEST(holds(dear.out, "\nno advice (stiff): "));
+  // The smallest error of a single run may be below the bound, which nine consecutive runs must keep.
+  const Ended given = advised(scene("pendulum.toml"), "1e-3", "rod.spin.end", out,
+                              {"--among", "euler_cromer,exact", "--evaluations", "60000"});
+  BOOST_TEST(given.code == 5);
+  BOOST_TEST(holds(given.out,
+                   "\nno advice (unreached): no given integrator (euler_cromer, exact) has errors below 0.0005 in 9 "
+                   "consecutive runs within 60000 force evaluations; the smallest error of a single run is "),
+             given.out);
+  const Ended unsettled =
+      advised(scene("two_cable.toml"), "1e-3", "particle.x.max", out, {"--among", "rk4", "--evaluations", "300000"});
+  BOOST_TEST(unsettled.code == 5);
+  BOOST_TEST(holds(unsettled.out, "\nno advice (unsettled): no reference value within 300000 force evaluations: "),
+             unsettled.out);
+  BOOST_TEST(holds(unsettled.out, "all integrators are run for this, not only the given ones\n"), unsettled.out);
   BOOST_TEST(folder.files() == 0);
 }
 
@@ -162,7 +176,8 @@ BOOST_AUTO_TEST_CASE(wrong_requests_are_refused_before_any_pilot) {
        "--of: column 'cable.upper.tensoin' is not known; nearest: cable.upper.tension; known: body.particle.x, ");
   says(advised(file, "1e-3", "cable.upper.tension.most", out), 2, "--of: reduction 'most' is not known; nearest: ");
   says(advised(file, "0", "cable.upper.tension.max", out), 2, "accuracy: found 0; it must be in [1e-10, 0.5]");
-  says(advised(file, "1e-3", "cable.upper.tension.max", out, {"--among", "rk5"}), 2, "integrator 'rk5' is not known");
+  says(advised(file, "1e-3", "cable.upper.tension.max", out, {"--among", "rk5"}), 2,
+       "among: integrator 'rk5' is not known");
   says(advised(file, "1e-3", "cable.upper.tension.max", (folder.path / "a.DAT").string()), 2,
        "it must be a scene file");
   says(advised(file, "1e-3", "cable.upper.tension.max", (folder.path / "no/a.toml").string()), 4, "does not exist");
