@@ -96,8 +96,11 @@ Pilot PilotRuns::run(const RunMethod& method, long most, const Nudge& nudge) {
 
 void PilotRuns::take(RigidBodySystem& system, const Scene& scene, State start, Pilot& pilot) const {
   system.begin(start);
+  // A missing contact is a property of the scene, not of the method that is tried.
+  Scene monitored = scene;
+  monitored.plan.watch.missing_contacts = CheckAction::off;
   Recorder recorder{dynamics_, start, scene.plan.ledger || quantity_->ledger};
-  RunMonitor monitor{scene, dynamics_, start};
+  RunMonitor monitor{monitored, dynamics_, start};
   LargestBetween largest, least;
   const std::vector<double> lengths = dynamics_.lengths();
   const Observer observer = [&](const Snapshot& seen, const StepInfo& info) {

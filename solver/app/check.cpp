@@ -1,4 +1,5 @@
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
@@ -20,6 +21,7 @@
 #include "solver/io/read_scene_file.hpp"
 #include "solver/run/simulate.hpp"
 #include "solver/run/snapshot.hpp"
+#include "solver/stability/missing_contacts.hpp"
 #include "solver/stability/start_overlaps.hpp"
 #include "solver/stability/step_advice.hpp"
 
@@ -46,6 +48,23 @@ void print_rest(std::size_t count) {
   if (count > most_lines) fmt::print("  ... and {} more\n", count - most_lines);
 }
 
+/// Prints the pairs of bodies that pass through each other: their number and the first three.
+void print_missing_contacts(const MissingContacts& missing, const Scene& scene) {
+  if (missing.size() == 0) return;
+  if (!missing.is_checked()) {
+    return fmt::print("pairs of bodies without a contact: more than {}, whose overlaps are not checked\n",
+                      MissingContacts::most_pairs);
+  }
+  constexpr std::size_t most_named = 3;
+  std::vector<std::string> names;
+  for (const Candidate& pair : std::span{missing.pairs()}.first(std::min(missing.size(), most_named))) {
+    names.push_back(
+        fmt::format("'{}' and '{}'", scene.model.bodies[index(pair.a)].name, scene.model.bodies[index(pair.b)].name));
+  }
+  fmt::print("pairs of bodies without a contact {}, which pass through each other: {}{}\n", missing.size(),
+             fmt::join(names, ", "), missing.size() > most_named ? ", ..." : "");
+}
+
 void print_bodies(const Scene& scene, const Dynamics& dynamics) {
   const UnitSystem& units = scene.model.units;
   const Layout& layout = dynamics.layout();
@@ -63,6 +82,7 @@ void print_bodies(const Scene& scene, const Dynamics& dynamics) {
     contact_instances += count;
   fmt::print("contact pairs possible {}, with {} law instances; cables {}\n", scene.model.contacts.size(),
              contact_instances, scene.model.cables.size());
+  if (scene.plan.watch.missing_contacts != CheckAction::off) print_missing_contacts(MissingContacts{dynamics}, scene);
 }
 
 /// The number as text, or a dash if it is not finite (a spring between immobile bodies has infinite effective mass).
@@ -230,7 +250,8 @@ int check(const std::string& file) {
   }
   print_cost(scene, dynamics);
   print_output(read, dynamics, path, warnings);
-  for (const auto& found : {start_warnings(read, dynamics), geometry_warnings(read)})
+  for (const auto& found :
+       {start_warnings(read, dynamics), missing_contact_warnings(scene, dynamics), geometry_warnings(read)})
     warnings.insert(warnings.end(), found.begin(), found.end());
   for (const std::string& warning : warnings)
     print_failure(fmt::format("warning: {}", warning));

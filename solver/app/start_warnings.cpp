@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include "solver/scenes/fence_plausibility.hpp"
+#include "solver/stability/missing_contacts.hpp"
 #include "solver/stability/start_overlaps.hpp"
 
 namespace talus::app {
@@ -15,6 +16,13 @@ std::vector<std::string> start_warnings(const SceneFile& file, const Dynamics& d
   const std::string overlaps = overlap_warning(start_overlaps(dynamics, file.scene.initial), file.scene.model);
   if (overlaps.empty()) return {};
   return {overlaps};
+}
+
+std::vector<std::string> missing_contact_warnings(const Scene& scene, const Dynamics& dynamics) {
+  if (scene.plan.watch.missing_contacts == CheckAction::off) return {};
+  const std::string overlap = missing_contact_warning(dynamics, scene.initial);
+  if (overlap.empty()) return {};
+  return {overlap};
 }
 
 std::vector<std::string> geometry_warnings(const SceneFile& file) {

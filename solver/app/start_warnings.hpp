@@ -16,6 +16,10 @@ namespace talus::app {
 /// Warnings about overlaps of contacts at a scene's start, which are probably not intended.
 [[nodiscard]] std::vector<std::string> start_warnings(const SceneFile& file, const Dynamics& dynamics);
 
+/// Warning about bodies that overlap at a scene's start without a contact between them; none if its watch switches this
+/// check off. A run gets the same warning from its monitor.
+[[nodiscard]] std::vector<std::string> missing_contact_warnings(const Scene& scene, const Dynamics& dynamics);
+
 /// Warnings about geometry of a fence that is probably not intended; none for other scenes.
 [[nodiscard]] std::vector<std::string> geometry_warnings(const SceneFile& file);
 

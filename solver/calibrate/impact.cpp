@@ -162,7 +162,7 @@ Scene impact_scene(const ContactLaw& law, double effective_mass, double speed, d
   scene.integrator = integrator;
   // Coarse steps prolong the contact; three times its duration plus a few steps is enough for all steps of practical
   // use.
-  scene.plan = {step, 3.0 * ending + 4.0 * step, step, false, {CheckAction::off, CheckAction::off, CheckAction::off}};
+  scene.plan = {step, 3.0 * ending + 4.0 * step, step, false, MonitorRules::off()};
   return scene;
 }
 

@@ -138,7 +138,7 @@ void ContactSearch::prepare(std::size_t bodies) {
 }
 
 bool ContactSearch::find(const Poses& poses, std::vector<char>& found, Sweep& sweep) const {
-  if (sweep.places.x.size() == 0 || any_exceeded_skin(poses, sweep.places, skin_limits_)) list_close(poses, sweep);
+  if (!is_current(poses, sweep)) list_close(poses, sweep);
   bool any = false;
   for (const std::size_t p : sweep.close) {
     const Candidate& pair = pairs_[p];

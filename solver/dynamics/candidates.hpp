@@ -109,6 +109,10 @@ class ContactSearch {
 
   const std::vector<Candidate>& pairs() const { return pairs_; }
 
+  /// True while the list of close pairs of `sweep` is valid for these poses; false if `sweep` is empty.
+  bool is_current(const Poses& poses, const Sweep& sweep) const {
+    return sweep.places.x.size() != 0 && !any_exceeded_skin(poses, sweep.places, skin_limits_);
+  }
   /// Marks the pairs within reach in `found`, which must be all zero. Pairs that are apart may be omitted though
   /// out_of_reach() is false for them; which ones depends on when the list was made. True if there are any pairs.
   /// `sweep`: empty, or as this function left it.

@@ -167,18 +167,19 @@ CatalogueField integrator_field(std::vector<std::string> names, std::string abse
           .absent = std::move(absent)};
 }
 
-Group watch_group(std::string id, std::string head) {
+Group watch_group(std::string id, std::string head, const MonitorRules& absent) {
   Group group{.id = std::move(id),
               .head = std::move(head),
               .about =
                   "what the run monitor does when it finds a limit exceeded; \"off\" in place of the table: "
                   "nothing"};
   for (const MonitorRules::Choice& watched : MonitorRules::choices()) {
-    const std::string meaning = watched.name == "instability" ? "step beyond the linear limit of the springs that act"
-                                : watched.name == "tunnelling"
-                                    ? "bodies that may pass each other in a step, or overlap half-way"
-                                    : "contacts of few steps, large overlaps, error of the energy balance";
-    group.fields.push_back(choice(std::string{watched.name}, meaning, MonitorRules{}.*watched.member));
+    const std::string meaning =
+        watched.name == "instability"  ? "step beyond the linear limit of the springs that act"
+        : watched.name == "tunnelling" ? "bodies that may pass each other in a step, or overlap half-way"
+        : watched.name == "accuracy"   ? "contacts of few steps, large overlaps, error of the energy balance"
+        : "bodies that overlap and have no contact between them";
+    group.fields.push_back(choice(std::string{watched.name}, meaning, absent.*watched.member));
   }
   return group;
 }
@@ -615,12 +616,13 @@ std::vector<Group> all_groups() {
   add_cables(groups);
   groups.push_back(hanger());
   groups.push_back(run());
-  groups.push_back(watch_group("watch", "watch of [run]"));
+  groups.push_back(watch_group("watch", "watch of [run]", {}));
   groups.push_back(fence_file());
   groups.push_back(fence());
   add_fence_elements(groups);
-  groups.insert(groups.end(), {changed_column(), stretched_cable(), options(),
-                               watch_group("fence watch", "watch of [fence.options]"), cell_file()});
+  groups.insert(groups.end(),
+                {changed_column(), stretched_cable(), options(),
+                 watch_group("fence watch", "watch of [fence.options]", scenes::current_options().watch), cell_file()});
   add_cell(groups);
   groups.push_back(cell_run());
   return groups;

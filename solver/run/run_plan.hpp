@@ -25,16 +25,25 @@ struct MonitorRules {
       CheckAction::error};  ///< bodies could pass through each other in a step, or overlap by half the half-width of
                             ///< the smaller body
   CheckAction accuracy{CheckAction::warning};  ///< too few steps per contact, deep overlaps, energy balance errors
+  CheckAction missing_contacts{CheckAction::warning};  ///< bodies without a contact between them overlap
 
   /// A kind of check, by its name in scenes.
   struct Choice {
     std::string_view name;
     CheckAction MonitorRules::*member;
   };
-  static constexpr std::array<Choice, 3> choices() {
+  static constexpr std::array<Choice, 4> choices() {
     return {{{"instability", &MonitorRules::instability},
              {"tunnelling", &MonitorRules::tunnelling},
-             {"accuracy", &MonitorRules::accuracy}}};
+             {"accuracy", &MonitorRules::accuracy},
+             {"missing_contacts", &MonitorRules::missing_contacts}}};
+  }
+  /// No checks.
+  static constexpr MonitorRules off() {
+    MonitorRules rules;
+    for (const Choice& choice : choices())
+      rules.*choice.member = CheckAction::off;
+    return rules;
   }
   friend bool operator==(const MonitorRules&, const MonitorRules&) = default;
 };

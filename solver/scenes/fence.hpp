@@ -189,7 +189,9 @@ struct FenceOptions {
   ColumnGround column_ground{ColumnGround::none};
   FenceEnd end{FenceEnd::steps};
   Sleep sleep{Sleep::exact};  ///< of columns that have not been moved; `on` gives up the smallest digits of the listing
-  MonitorRules watch{};       ///< checks that end a run or print a warning
+  /// Checks that end a run or print a warning. The contacts of a fence are those of its model: columns do not touch each
+  /// other.
+  MonitorRules watch{.missing_contacts = CheckAction::off};
   std::string integrator{"lagged_central_difference"};
   double tolerance{};  ///< error tolerance of the integrator's step control; 0: none (1993)
 
@@ -248,10 +250,10 @@ struct Fence {
   std::vector<int> history_elements;  ///< elno: numbers of the elements whose histories are recorded
   std::vector<int> history_codes;     ///< variab: codes of the recorded quantities, 1 .. 61
 
-  FenceElement ground;               ///< element 1
-  std::vector<Vec2> ground_profile;  ///< uneven ground instead of its level surface: points of a line, world [L]
   bool requests_histories() const { return !history_elements.empty() && !history_codes.empty(); }
 
+  FenceElement ground;               ///< element 1
+  std::vector<Vec2> ground_profile;  ///< uneven ground instead of its level surface: points of a line, world [L]
   std::vector<FenceElement> rocks;   ///< elements 2 .. nel - 1
   FenceElement column;               ///< element nel: represents every column
   std::vector<ChangedColumn> changed_columns;  ///< columns that differ from it

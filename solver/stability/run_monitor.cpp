@@ -25,6 +25,9 @@ constexpr double fewest_steps = 10.0;
 
 constexpr long looks = 64, frequency_looks = 512;
 
+/// Number of pairs without a contact whose overlap is reported.
+constexpr long most_reported_pairs = 5;
+
 std::vector<double> times_of_contacts(const Dynamics& dynamics, const StepAdvice& advice) {
   std::vector<double> times(dynamics.contacts().size());
   for (std::size_t i = 0; i < times.size(); ++i)
@@ -51,6 +54,10 @@ RunMonitor::RunMonitor(const Scene& scene, const Dynamics& dynamics, const State
   const std::vector<Contact>& contacts = scene.model.contacts;
   for (std::size_t c = 0; c < contacts.size(); ++c) {
     if (contacts[c].method == ContactMethod::nodes) by_nodes_.push_back(static_cast<ContactId>(c));
+  }
+  if (scene.plan.watch.missing_contacts != CheckAction::off) {
+    missing_contacts_.emplace(dynamics);
+    if (!missing_contacts_->is_checked()) missing_contacts_.reset();
   }
   const long steps = step_count(scene.plan);
   every_ = std::max(1L, steps / looks);
@@ -101,6 +108,7 @@ void RunMonitor::check(const Snapshot& snapshot, long step, const std::optional<
     look_at_pairs(snapshot);
     if (step % 8 == 0) look_at_unseen(snapshot);
   }
+  if (missing_contacts_ && reported_pairs_ < most_reported_pairs) look_for_missing_contacts(snapshot);
   if ((turn || balance) && scene_->plan.ledger && rules.accuracy != CheckAction::off) look_at_drift(snapshot, balance);
 }
 
@@ -211,6 +219,20 @@ void RunMonitor::take_overlap(Watched which, double share, const State& seen, Co
   });
 }
 
+void RunMonitor::look_for_missing_contacts(const Snapshot& snapshot) {
+  for (const UndeclaredOverlap& overlap : missing_contacts_->new_overlaps(snapshot.geometry())) {
+    if (reported_pairs_++ == most_reported_pairs) return;
+    const std::string said =
+        fmt::format("at t = {:.6g} {}{}", snapshot.state().t, overlap_text(overlap, dynamics_->model()),
+                    reported_pairs_ == most_reported_pairs ? "; further pairs are not reported" : "");
+    if (scene_->plan.watch.missing_contacts == CheckAction::error) {
+      breach_ = said;
+      return;
+    }
+    warnings_.push_back(said);
+  }
+}
+
 void RunMonitor::look_at_contacts(const State& seen) {
   for (std::size_t i = 0; i < contact_times_.size(); ++i) {
     if (modes_[i] != 0 || seen.mode[i] == 0 || !std::isfinite(contact_times_[i])) continue;
@@ -256,6 +278,10 @@ void RunMonitor::serialize(Archive& archive) {
   archive.numbers("modes", modes_);
   archive.count("looked", looked_);
   archive.scope("ledger", [&] { ledger_.serialize(archive); });
+  if (missing_contacts_) {
+    archive.count("reported_pairs", reported_pairs_);
+    archive.scope("missing_contacts", [&] { missing_contacts_->serialize(archive); });
+  }
   archive.number("balance_error", balance_.error);
   archive.number("balance_scale", balance_.scale);
   archive.number("drift_time", drift_time_);

@@ -7,6 +7,7 @@
 
 #include "solver/run/energy_ledger.hpp"
 #include "solver/scenes/scene.hpp"
+#include "solver/stability/missing_contacts.hpp"
 #include "solver/stability/step_advice.hpp"
 
 namespace talus {
@@ -30,6 +31,8 @@ inline constexpr double largest_balance_error = 0.01;
 /// - passing and overlap are checked after every step in which something touches, else after every eighth (passing only
 ///   for fixed steps: methods that locate events limit their steps themselves); unseen after every eighth;
 /// - contact is checked when one closes, for methods of fixed step and scenes of up to as many coordinates;
+/// - bodies without a contact between them are checked for overlaps after every step, and each pair is reported once, of
+///   the first five pairs;
 /// - the energy balance is checked after every step for which it is given, else 64 times, with the ledger on. If it is
 ///   to warn, the whole run is judged at its end: early errors are small relative to later energies.
 class RunMonitor {
@@ -90,6 +93,7 @@ class RunMonitor {
   template <class Words>
   void take_overlap(Watched which, double share, const State& seen, ContactId contact, const Words& words);
   void look_at_contacts(const State& seen);
+  void look_for_missing_contacts(const Snapshot& snapshot);
   void look_at_drift(const Snapshot& snapshot, const std::optional<Balance>& balance);
   std::string drift_words() const;
   /// Updates the extreme of a quantity; if a limit is exceeded for the first time, reports a violation with the text of
@@ -106,8 +110,10 @@ class RunMonitor {
   long apart_{};                       ///< minimum number of steps between two checks of the frequency
   std::vector<ContactId> by_nodes_;    ///< contacts by nodes, whose forces miss overlaps without a node inside
   std::vector<double> contact_times_;  ///< per contact instance [T]
-  std::vector<Mode> modes_;            ///< at the last check
-  long looked_{};                      ///< step of the last check of the frequency
+  std::optional<MissingContacts> missing_contacts_;  ///< unless the scene switches their check off
+  long reported_pairs_{};                            ///< pairs without a contact that overlapped so far
+  std::vector<Mode> modes_;                          ///< at the last check
+  long looked_{};                                    ///< step of the last check of the frequency
   std::array<Extreme, watched_count> extremes_{};
   std::array<double, watched_count> reported_{};  ///< largest limit that each was reported to exceed; 0: none yet
   Balance balance_;                               ///< the largest error so far, and the scale

@@ -122,7 +122,7 @@ scenes::FenceOptions read_options(SceneTable table, scenes::FenceOptions options
   known.insert(known.end(), {"watch", "integrator", "table"});
   table.allow(known);
   for_each_choice(options, [&](std::string_view name, auto& choice) { choice = table.choice_or(name, choice); });
-  if (table.has("watch")) table.guard([&] { options.watch = read_watch(table, "watch"); });
+  if (table.has("watch")) table.guard([&] { options.watch = read_watch(table, "watch", options.watch); });
   if (table.has("integrator")) {
     table.guard([&] { options.integrator = table.choice("integrator", integrator_choices()); });
     // The default tolerance does not apply to a method without step control.

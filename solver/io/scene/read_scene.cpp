@@ -195,13 +195,11 @@ State start_state(const Parts& parts, const Model& model) {
 
 }  // namespace
 
-MonitorRules read_watch(SceneTable& owner, std::string_view key) {
-  MonitorRules rules;
+MonitorRules read_watch(SceneTable& owner, std::string_view key, const MonitorRules& absent) {
+  MonitorRules rules = absent;
   if (owner.is_text(key)) {
     static_cast<void>(owner.choice(key, {"off"}));
-    for (const MonitorRules::Choice& choice : MonitorRules::choices())
-      rules.*choice.member = CheckAction::off;
-    return rules;
+    return MonitorRules::off();
   }
   SceneTable table = owner.table(key);
   for (const MonitorRules::Choice& choice : MonitorRules::choices())

@@ -78,7 +78,7 @@ class BodyNames {
 [[nodiscard]] std::vector<SceneHanger> read_hangers(SceneTable& file, const BodyNames& bodies);
 
 /// Reads the checks of the run monitor: `watch = { instability = "error", .. }`, or "off".
-[[nodiscard]] MonitorRules read_watch(SceneTable& owner, std::string_view key);
+[[nodiscard]] MonitorRules read_watch(SceneTable& owner, std::string_view key, const MonitorRules& absent = {});
 
 /// Calls visit with a default-constructed value of the variant's alternative called `name`; false if there is none.
 template <class Variant, std::size_t I = 0, class Visit>

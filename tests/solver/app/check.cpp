@@ -206,6 +206,50 @@ BOOST_AUTO_TEST_CASE(a_run_warns_of_overlaps_at_its_start) {
   BOOST_TEST(holds(talus::read_text(out + "/summary.json"), "overlaps by 0.05 m at the start, 10 %"));
 }
 
+// Two bodies without a contact pass through each other: the check names the pair, and warns if they overlap at the
+// start; the run warns when they come to overlap.
+BOOST_AUTO_TEST_CASE(bodies_without_a_contact) {
+  const Folder folder;
+  const std::string run = "integrator = \"velocity_verlet\"\nstep = \"1 ms\"\nend = \"0.4 s\"\n";
+  const auto two = [&](double x, double speed, const std::string& watch) {
+    std::string text = disc(1.0, run + watch);
+    const std::string post = fmt::format(
+        "[[body]]\nname = \"post\"\nmobility = \"fixed\"\nshape = {{ kind = \"circle\", radius = \"0.5 m\" }}\n"
+        "position = [\"{} m\", \"1 m\"]\n",
+        x);
+    text.insert(text.find("[[contact]]"), post);
+    return text.insert(text.find("[[body]]\nname = \"floor"),
+                       fmt::format("velocity = [\"{} m/s\", \"0 m/s\"]\n", speed));
+  };
+  const std::string words =
+      " of half the width of the smaller one, and no [[contact]] is declared between them: they pass through each "
+      "other";
+  const std::string apart = folder.file("apart.toml", two(3.0, 10.0, "")).string();
+  const Ended checked = talus_ran({"check", apart});
+  BOOST_TEST(checked.err == "");
+  BOOST_TEST(
+      holds(checked.out, "\npairs of bodies without a contact 1, which pass through each other: 'disc' and 'post'\n"),
+      checked.out);
+  // 2 m apart at 10 m/s: outlines meet at 0.2 s.
+  const Ended met = talus_ran({"run", apart});
+  BOOST_TEST(met.code == 0);
+  BOOST_TEST(holds(met.err, "talus: warning: at t = 0.20"), met.err);
+  BOOST_TEST(holds(met.err, " bodies 'disc' and 'post' overlap by "));
+  BOOST_TEST(holds(met.err, words));
+  BOOST_TEST(std::ranges::count(met.err, '\n') == 1);
+  const std::string inside = folder.file("inside.toml", two(0.9, 0.0, "")).string();
+  const std::string said = "talus: warning: at the start bodies 'disc' and 'post' overlap by 20 %" + words;
+  BOOST_TEST(holds(talus_ran({"check", inside}).err, said));
+  BOOST_TEST(
+      holds(talus_ran({"run", inside}).err, "talus: warning: at t = 0 bodies 'disc' and 'post' overlap by 20 %"));
+  const std::string off = folder.file("off.toml", two(0.9, 0.0, "watch = { missing_contacts = \"off\" }\n")).string();
+  BOOST_TEST(talus_ran({"check", off}).err == "");
+  BOOST_TEST(talus_ran({"run", off}).err == "");
+  const std::string error =
+      folder.file("error.toml", two(3.0, 10.0, "watch = { missing_contacts = \"error\" }\n")).string();
+  BOOST_TEST(talus_ran({"run", error}).code == 3);
+}
+
 // Valid cases cause no warnings except about steps; for an implausible fence both commands print the same warnings.
 BOOST_AUTO_TEST_CASE(unlikely_fences) {
   const Folder folder;

@@ -168,6 +168,7 @@ ledger = "off"
 instability = "warning"
 tunnelling = "warning"
 accuracy = "off"
+missing_contacts = "off"
 )",
     R"(# scene
 units = "US"
@@ -301,6 +302,7 @@ rupture = 0.3
 instability = "warning"
 tunnelling = "warning"
 accuracy = "off"
+missing_contacts = "off"
 )",
     R"(# fence file
 units = "SI"
