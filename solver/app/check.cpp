@@ -209,11 +209,12 @@ void print_output(const SceneFile& file, const Dynamics& dynamics, const std::fi
   }
 }
 
-/// Adds the warning that a run prints about its step, if the step is beyond the linear limit.
-void warn_of_step(const Scene& scene, const StepAdvice& advice, const std::string& file,
+/// Adds the warning that a run prints about its step, if the step is beyond the linear limit. Returns whether it is, and
+/// the scene requires usable results.
+bool warn_of_step(const Scene& scene, const StepAdvice& advice, const std::string& file,
                   std::vector<std::string>& warnings) {
   const auto verdict = step_verdict(scene, advice);
-  if (!verdict || !verdict->is_beyond) return;
+  if (!verdict || !verdict->is_beyond) return false;
   warnings.push_back(step_warning(verdict->text, fmt::format("talus run {} --integrator auto", shell_word(file))));
   if (scene.initial.q.size() > most_watched_coordinates) {
     warnings.push_back(
@@ -221,6 +222,7 @@ void warn_of_step(const Scene& scene, const StepAdvice& advice, const std::strin
                     "freedom, here are {}",
                     most_watched_coordinates, scene.initial.q.size()));
   }
+  return scene.plan.watch.quality == CheckAction::error;
 }
 
 int check(const std::string& file) {
@@ -233,6 +235,7 @@ int check(const std::string& file) {
   const Scene& scene = read.scene;
   const Dynamics dynamics{scene.model};
   std::vector<std::string> warnings;
+  bool is_beyond = false;
   fmt::print("{}\n", scene.title);
   print_bodies(scene, dynamics);
   print_overlaps(scene, dynamics);
@@ -243,7 +246,7 @@ int check(const std::string& file) {
     }();
     print_springs(scene, advice);
     print_step(scene, advice);
-    warn_of_step(scene, advice, file, warnings);
+    is_beyond = warn_of_step(scene, advice, file, warnings);
   } else {
     fmt::print("step {:.6g} {} with {}; frequencies are evaluated up to {} degrees of freedom\n", scene.plan.step,
                symbol(scene.model.units, dimension::time), name(scene.integrator), most_coordinates);
@@ -255,7 +258,7 @@ int check(const std::string& file) {
     warnings.insert(warnings.end(), found.begin(), found.end());
   for (const std::string& warning : warnings)
     print_failure(fmt::format("warning: {}", warning));
-  return ok;
+  return is_beyond ? unusable : ok;
 }
 
 }  // namespace
@@ -265,7 +268,10 @@ Command add_check(CLI::App& talus) {
       "check", "Read a scene; print its parts, overlaps, step limits and the expected cost and output");
   const auto scene = std::make_shared<std::string>();
   app->add_option("SCENE", *scene, "scene file (.toml), deck of 1993 or CNTRL.DAT of 1989 (.DAT)")->required();
-  app->footer("Example:\n  talus check cases/pivoted_cylinder.toml");
+  app->footer(
+      "Example:\n  talus check cases/pivoted_cylinder.toml\n"
+      "The exit code is 7 if the step is beyond the linear limit of the method, unless the watch of\n"
+      "the scene has quality = \"warning\", as runs as of 1993 do.");
   return {app, [scene] { return check(*scene); }};
 }
 

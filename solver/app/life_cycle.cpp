@@ -164,11 +164,16 @@ std::optional<int> report_ended_run(const RunOptions& options, const GivenOption
   std::error_code none;
   if (folder.empty() || fs::exists(folder / checkpoint_name, none)) return {};
   std::string summary, kind, failure;
+  bool is_usable = true;
   try {
     summary = read_json_text(folder / "summary.json");
-    const auto outcome = nlohmann::json::parse(summary).at("outcome");
+    const auto json = nlohmann::json::parse(summary);
+    const auto& outcome = json.at("outcome");
     outcome.at("kind").get_to(kind);
     if (kind == "diverged") outcome.at("words").get_to(failure);
+    // The summary of a cell has no quality.
+    if (const auto quality = json.find("quality"); quality != json.end())
+      is_usable = quality->at("usable").get<bool>() || !quality->at("enforced").get<bool>();
   } catch (const IoError&) {
     return {};  // no run ended here; the missing checkpoint is reported where it is read
   } catch (const nlohmann::json::exception&) {
@@ -187,7 +192,7 @@ std::optional<int> report_ended_run(const RunOptions& options, const GivenOption
     return diverged;
   }
   if (!options.json) fmt::print("{}: the run is finished; there is nothing to resume\n", options.resume);
-  return ok;
+  return is_usable ? ok : unusable;
 }
 
 RunRequest run_request(std::string_view command, const RunOptions& options, const GivenOptions& kept) {
@@ -247,7 +252,7 @@ int live(const RunRequest& request, const std::function<std::unique_ptr<Resumabl
     print_failure(fmt::format("the run diverged at t = {:.10g}; its summary gives the reason", outcome.time));
     return diverged;
   }
-  if (signal() == 0) return undrawn.empty() ? ok : io_failed;
+  if (signal() == 0) return !undrawn.empty() ? io_failed : resumable || run->is_usable() ? ok : unusable;
   const std::string_view name = interruption->name();
   if (outcome.kind == Outcome::Kind::finished) {
     // The signal may have interrupted the repeat of a fence's run; the summary then reports it.

@@ -45,7 +45,7 @@ struct RunRequest {
   bool resumes() const { return !from.empty(); }
 };
 
-/// The exit code (`ok` or `diverged`) of the run in the folder of --resume if that run has ended, else nothing; prints
+/// The exit code (`ok`, `diverged` or `unusable`) of the run in the folder of --resume if that run has ended, else nothing; prints
 /// that there is nothing to resume, or with --json the run's summary. Errors: InputError if one of `others` is given,
 /// the options that require an interrupted run.
 [[nodiscard]] std::optional<int> report_ended_run(const RunOptions& options, const GivenOptions& others);
@@ -82,6 +82,8 @@ class ResumableRun {
   /// Evaluates the run after its last step and completes the outcome; returns early when `interrupted` is true. Returns
   /// whether the run can be resumed.
   virtual bool finish(Outcome& outcome, const Condition& interrupted) = 0;
+  /// Whether the ended run may count as done; if not, the exit code is `unusable`.
+  virtual bool is_usable() const { return true; }
   /// Warnings so far, beginning with those known at the start.
   virtual std::vector<std::string> warnings() const = 0;
 

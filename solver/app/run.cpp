@@ -69,6 +69,7 @@ class RequestedScene final : public ResumableRun {
     if (record_.fence && !resumable) run_again([&](const Snapshot&) { return interrupted(); });
     return resumable;
   }
+  bool is_usable() const override { return record_.quality.flaw.empty() || !record_.quality.enforced; }
   std::vector<std::string> warnings() const override {
     std::vector<std::string> all;
     if (beyond_at_start_) all.push_back(step_warning(run_.watch().step_ratio(), repair_command(*options_)));
@@ -165,7 +166,9 @@ Command add_run(CLI::App& talus) {
       "  talus run cases/fence/sample2.DAT --until \"10 ms\" --out out && talus run --resume out\n"
       "  talus run cases/fence/table_2.toml --sheet --out out\n"
       "SIGINT, SIGTERM and SIGHUP stop a run that has a folder after its present step; --resume continues it.\n"
-      "A run that diverges keeps its history up to there; its summary says why, and the exit code is 3.");
+      "A run that diverges keeps its history up to there; its summary says why, and the exit code is 3.\n"
+      "A run whose results are NOT USABLE writes its files; the exit code is 7, or 0 if the watch of the\n"
+      "scene has quality = \"warning\", as runs as of 1993 do.");
   return {app, [options] { return run(*options); }};
 }
 

@@ -117,6 +117,7 @@ Outcome SceneRun::proceed(const StopCondition& stop, Progress& progress) {
 
 RunQuality SceneRun::quality(const Outcome& outcome) const {
   RunQuality found;
+  found.enforced = scene_->plan.watch.quality == CheckAction::error;
   if (const auto& ledger = recorder_.ledger()) {
     // From the ledger, not from the run monitor, which may be off.
     const double scale = ledger->energy_scale();

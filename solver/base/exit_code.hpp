@@ -2,7 +2,14 @@
 
 namespace talus::app {
 
-/// Exit codes of the commands.
-enum ExitCode : int { ok = 0, bad_input = 2, diverged = 3, io_failed = 4, refused = 5 };
+/// Exit codes of the commands. 1 and 6 are those of talus_verify.
+enum ExitCode : int {
+  ok = 0,
+  bad_input = 2,
+  diverged = 3,
+  io_failed = 4,
+  refused = 5,
+  unusable = 7,  ///< the run ended, but its results are not usable; of `check`: its step is beyond the linear limit
+};
 
 }  // namespace talus::app

@@ -11,7 +11,7 @@ namespace talus {
 enum class CheckAction {
   off,      ///< no check
   warning,  ///< prints a warning and continues
-  error,    ///< ends the run as diverged
+  error,    ///< ends the run as diverged; of a check after the end, an exit code of the program
 };
 template <>
 struct Names<CheckAction> {
@@ -26,17 +26,20 @@ struct MonitorRules {
                             ///< the smaller body
   CheckAction accuracy{CheckAction::warning};  ///< too few steps per contact, deep overlaps, energy balance errors
   CheckAction missing_contacts{CheckAction::warning};  ///< bodies without a contact between them overlap
+  CheckAction quality{CheckAction::error};  ///< the results of a run that has ended are NOT USABLE: an error is an exit
+                                            ///< code of the program, also of `check` for a step beyond its limit
 
   /// A kind of check, by its name in scenes.
   struct Choice {
     std::string_view name;
     CheckAction MonitorRules::*member;
   };
-  static constexpr std::array<Choice, 4> choices() {
+  static constexpr std::array<Choice, 5> choices() {
     return {{{"instability", &MonitorRules::instability},
              {"tunnelling", &MonitorRules::tunnelling},
              {"accuracy", &MonitorRules::accuracy},
-             {"missing_contacts", &MonitorRules::missing_contacts}}};
+             {"missing_contacts", &MonitorRules::missing_contacts},
+             {"quality", &MonitorRules::quality}}};
   }
   /// No checks.
   static constexpr MonitorRules off() {

@@ -128,6 +128,7 @@ FenceOptions current_options() {
   options.start = FenceStart::plain;
   options.integrator = automatic_integrator;
   options.tolerance = usual_tolerance;
+  options.watch.quality = CheckAction::error;
   return options;
 }
 

@@ -36,7 +36,8 @@ struct ExtremeRecord {
 
 /// Quality of the results of a run.
 struct RunQuality {
-  std::string flaw;  ///< why the results are unusable; empty: they are usable
+  std::string flaw;     ///< why the results are unusable; empty: they are usable
+  bool enforced{true};  ///< unusable results are an error of the run: MonitorRules::quality
   /// Largest error of the energy balance, relative to the largest energy; empty if no balance was computed.
   std::optional<double> balance;
   double balance_time{};                ///< [T]

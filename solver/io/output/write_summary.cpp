@@ -139,7 +139,8 @@ Json verdict(const RunRecord& record) {
 }  // namespace
 
 nlohmann::ordered_json quality_json(const RunQuality& quality, double time_size) {
-  Json json{{"usable", quality.flaw.empty()}, {"flaw", quality.flaw}, {"step", quality.step}};
+  Json json{
+      {"usable", quality.flaw.empty()}, {"flaw", quality.flaw}, {"enforced", quality.enforced}, {"step", quality.step}};
   json["energy_balance"] = quality.balance ? Json(json_number(*quality.balance)) : Json("off");
   if (quality.contact_steps) json["steps_in_shortest_contact"] = json_number(*quality.contact_steps);
   if (const auto& last = quality.last_contact) {

@@ -140,7 +140,7 @@ BOOST_AUTO_TEST_CASE(the_verdict_on_the_step_is_that_of_the_run) {
     const std::string run = fmt::format("integrator = \"velocity_verlet\"\nstep = \"{} s\"\nend = \"0.2 s\"\n", step);
     const std::string file = folder.file("s.toml", disc(5.0, run)).string();
     const Ended ended = talus_ran({std::string{command}, file});
-    BOOST_TEST(ended.code == 0);
+    BOOST_TEST(ended.code == (command == "check" && step > 0.02 ? 7 : 0));
     if (command == "check") BOOST_TEST(holds(ended.out, "TOO LONG") == (step > 0.02));
     return lines_of(ended.err);
   };
@@ -204,6 +204,21 @@ BOOST_AUTO_TEST_CASE(a_run_warns_of_overlaps_at_its_start) {
   BOOST_TEST(lines_of(ended.err).size() == 1U);
   BOOST_TEST(std::count(ended.err.begin(), ended.err.end(), '\n') == 1);
   BOOST_TEST(holds(talus::read_text(out + "/summary.json"), "overlaps by 0.05 m at the start, 10 %"));
+}
+
+// A step beyond its limit is an error of the check, as the results of the run are not usable; a run as of 1993 is to
+// repeat the errors of its step.
+BOOST_AUTO_TEST_CASE(a_step_beyond_its_limit_has_an_exit_code) {
+  const Folder folder;
+  const std::string run = "integrator = \"velocity_verlet\"\nend = \"0.2 s\"\n";
+  BOOST_TEST(talus_ran({"check", folder.file("s.toml", disc(0.6, run + "step = \"19 ms\"\n")).string()}).code == 0);
+  const std::string beyond = run + "step = \"21 ms\"\n";
+  BOOST_TEST(talus_ran({"check", folder.file("b.toml", disc(0.6, beyond)).string()}).code == 7);
+  const std::string accepted = beyond + "watch = { quality = \"warning\" }\n";
+  BOOST_TEST(talus_ran({"check", folder.file("a.toml", disc(0.6, accepted)).string()}).code == 0);
+  const Ended deck = talus_ran({"check", scene("fence/sample2.DAT")});
+  BOOST_TEST(deck.code == 0);
+  BOOST_TEST(holds(deck.out, "TOO LONG"));
 }
 
 // Two bodies without a contact pass through each other: the check names the pair, and warns if they overlap at the

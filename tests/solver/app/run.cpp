@@ -328,13 +328,6 @@ BOOST_AUTO_TEST_CASE(a_fence_leaves_its_listing_histories_and_geometry) {
     BOOST_TEST(talus::read_text(by_deck + file) == talus::read_text(by_scene + file));
 }
 
-// The size of files is limited to 4096 bytes here; a state of the geometry needs more.
-BOOST_AUTO_TEST_CASE(a_full_disk_leaves_nothing_behind) {
-  const Folder folder;
-  const std::string out = (folder.path / "run").string();
-  rlimit before{};
-  BOOST_REQUIRE(::getrlimit(RLIMIT_FSIZE, &before) == 0);
-  const rlimit small{4096, before.rlim_max};
 // A file of times alone would look as if its values were lost.
 BOOST_AUTO_TEST_CASE(a_fence_without_requested_histories_has_no_file_of_them) {
   const Folder folder;
@@ -349,6 +342,13 @@ BOOST_AUTO_TEST_CASE(a_fence_without_requested_histories_has_no_file_of_them) {
   BOOST_TEST(talus_ran({"plot", out, "--history", "rock.vx"}).code == 0);
 }
 
+// The size of files is limited to 4096 bytes here; a state of the geometry needs more.
+BOOST_AUTO_TEST_CASE(a_full_disk_leaves_nothing_behind) {
+  const Folder folder;
+  const std::string out = (folder.path / "run").string();
+  rlimit before{};
+  BOOST_REQUIRE(::getrlimit(RLIMIT_FSIZE, &before) == 0);
+  const rlimit small{4096, before.rlim_max};
   BOOST_REQUIRE(::setrlimit(RLIMIT_FSIZE, &small) == 0);
   const Ended ended = talus_ran({"run", scene("two_cable.toml"), "--out", out});
   BOOST_REQUIRE(::setrlimit(RLIMIT_FSIZE, &before) == 0);
@@ -383,6 +383,41 @@ BOOST_AUTO_TEST_CASE(a_summary_begins_with_the_verdict) {
   BOOST_TEST(holds(apart.out, "  last contact impact, still touching at t = 0.001 s\n"));
   BOOST_TEST(holds(talus_ran({"run", scene("damped_disc.toml"), "--end", "100 us"}).out,
                    "  last contact none: nothing touched; closest was bounce with a gap of 0.5 m\n"));
+}
+
+// Unusable results have an exit code, also from --resume; the files are written. The scene may accept
+// them.
+BOOST_AUTO_TEST_CASE(unusable_results_have_an_exit_code) {
+  const Folder folder;
+  const std::string out = (folder.path / "run").string();
+  const std::vector<std::string> step{"--step", "2 ms", "--out", out};
+  const auto ran = [&](const std::string& file) {
+    std::vector<std::string> words{"run", file};
+    words.insert(words.end(), step.begin(), step.end());
+    return talus_ran(words);
+  };
+  const Ended ended = ran(scene("two_cable.toml"));
+  BOOST_TEST(ended.code == 7);
+  BOOST_TEST(holds(ended.out, "  quality      NOT USABLE: the energy balance is off by 1.61 %"));
+  const auto quality = [&] { return nlohmann::json::parse(talus::read_text(out + "/summary.json")).at("quality"); };
+  BOOST_TEST(!quality().at("usable").get<bool>());
+  BOOST_TEST(quality().at("enforced").get<bool>());
+  BOOST_TEST(fs::exists(out + "/history.csv"));
+  BOOST_TEST(talus_ran({"run", "--resume", out}).code == 7);
+  const std::string accepting =
+      folder.file("accepting.toml", talus::read_text(scene("two_cable.toml")) + "watch = { quality = \"warning\" }\n")
+          .string();
+  const Ended accepted = ran(accepting);
+  BOOST_TEST(accepted.code == 0);
+  BOOST_TEST(holds(accepted.out, "  quality      NOT USABLE: the energy balance is off by 1.61 %"));
+  BOOST_TEST(!quality().at("usable").get<bool>());
+  BOOST_TEST(!quality().at("enforced").get<bool>());
+  BOOST_TEST(talus_ran({"run", "--resume", out}).code == 0);
+  // An interrupted run is not judged.
+  std::vector<std::string> half{"run", scene("two_cable.toml"), "--until", "1.5 s"};
+  half.insert(half.end(), step.begin(), step.end());
+  BOOST_TEST(talus_ran(half).code == 0);
+  BOOST_TEST(talus_ran({"run", "--resume", out}).code == 7);
 }
 
 BOOST_AUTO_TEST_CASE(a_run_whose_balance_fails_is_not_usable_and_a_repair_is_tried) {

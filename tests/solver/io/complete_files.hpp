@@ -169,6 +169,7 @@ instability = "warning"
 tunnelling = "warning"
 accuracy = "off"
 missing_contacts = "off"
+quality = "warning"
 )",
     R"(# scene
 units = "US"
@@ -303,6 +304,7 @@ instability = "warning"
 tunnelling = "warning"
 accuracy = "off"
 missing_contacts = "off"
+quality = "warning"
 )",
     R"(# fence file
 units = "SI"
