@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
+#include <limits>
 #include <memory>
 #include <span>
 #include <vector>
@@ -21,6 +22,7 @@
 #include "solver/io/read_scene_file.hpp"
 #include "solver/run/simulate.hpp"
 #include "solver/run/snapshot.hpp"
+#include "solver/stability/contact_range.hpp"
 #include "solver/stability/missing_contacts.hpp"
 #include "solver/stability/start_overlaps.hpp"
 #include "solver/stability/step_advice.hpp"
@@ -105,7 +107,59 @@ void print_springs(const Scene& scene, const StepAdvice& advice) {
   print_rest(advice.springs.size());
 }
 
-void print_step(const Scene& scene, const StepAdvice& advice) {
+/// Contacts whose effective mass can differ by more than 1 % from that in the position of the start, on the side of
+/// shorter contacts.
+std::vector<ContactRange> lighter_contacts(const Dynamics& dynamics, const StepAdvice& advice) {
+  std::vector<ContactRange> lighter;
+  std::size_t instance = 0;
+  for (const ContactRange& range : contact_ranges(dynamics)) {
+    double least = std::numeric_limits<double>::infinity();
+    for (std::size_t i = 0; i < dynamics.layout().contact_instances[index(range.contact)]; ++i)
+      least = std::min(least, advice.springs[instance++].spring.effective_mass);
+    if (range.least_mass < 0.99 * least) lighter.push_back(range);
+  }
+  return lighter;
+}
+
+/// Step over the linear limit of the scene's method for a contact with its smallest effective mass alone; zero if no
+/// limit is known.
+double step_over_limit(const Scene& scene, const ContactRange& range) {
+  const auto limit = step_limit({{range.highest_frequency, range.damping_ratio}}, name(scene.integrator));
+  return limit && !chooses_steps(scene.integrator) ? scene.plan.step / limit->step : 0.0;
+}
+
+void print_lighter_contacts(const Scene& scene, const std::vector<ContactRange>& lighter) {
+  if (lighter.empty()) return;
+  const UnitSystem& units = scene.model.units;
+  fmt::print("  The table holds for the position of the start. Bounds over all positions in which the bodies touch:\n");
+  fmt::print("  {:<14}{:>12}{:>12}{:>15}{:>14}{:>12}\n", "law", "m_eff min", "m_eff max", "frequency max",
+             "contact time", "steps in it");
+  fmt::print("  {:<14}{:>12}{:>12}{:>15}{:>14}{:>12}\n", "", symbol(units, dimension::mass),
+             symbol(units, dimension::mass), symbol(units, dimension::angular_velocity),
+             fmt::format("min, {}", symbol(units, dimension::time)), "1");
+  for (const ContactRange& range : shown(lighter)) {
+    fmt::print("  {:<14}{:>12.5g}{:>12}{:>15.5g}{:>14.5g}{:>12.5g}\n", scene.model.contacts[index(range.contact)].name,
+               range.least_mass, number_or_dash(range.largest_mass), range.highest_frequency, range.shortest_time,
+               range.shortest_time / scene.plan.step);
+  }
+  print_rest(lighter.size());
+}
+
+/// Warning about a step that is within its linear limit at the start, but not for a contact with its smallest effective
+/// mass.
+void warn_of_lighter_contacts(const Scene& scene, const std::vector<ContactRange>& lighter,
+                              std::vector<std::string>& warnings) {
+  const auto worst =
+      std::ranges::max_element(lighter, {}, [&](const ContactRange& range) { return step_over_limit(scene, range); });
+  if (worst == lighter.end() || !(step_over_limit(scene, *worst) > 1.0)) return;
+  warnings.push_back(fmt::format(
+      "contact '{}' can act with an effective mass of {:.4g} {}, less than at the start: the step is then {:.3g} times "
+      "the linear limit of {}",
+      scene.model.contacts[index(worst->contact)].name, worst->least_mass, symbol(scene.model.units, dimension::mass),
+      step_over_limit(scene, *worst), name(scene.integrator)));
+}
+
+void print_step(const Scene& scene, const StepAdvice& advice, const std::vector<ContactRange>& lighter) {
   const std::string time = symbol(scene.model.units, dimension::time);
   const double step = scene.plan.step;
   fmt::print("step {:.6g} {} with {}\n", step, time, name(scene.integrator));
@@ -125,9 +179,12 @@ void print_step(const Scene& scene, const StepAdvice& advice) {
   } else {
     fmt::print("  the method has no limit in closed form here; with a tolerance, or exact, it chooses its own steps\n");
   }
-  if (std::isfinite(advice.shortest_contact) && !located_events(scene.integrator)) {
+  double shortest = advice.shortest_contact;
+  for (const ContactRange& range : lighter)
+    shortest = std::min(shortest, range.shortest_time);
+  if (std::isfinite(shortest) && !located_events(scene.integrator)) {
     fmt::print("  shortest contact: {:.6g} {}, {:.4g} steps; one-sided contacts need some 50 for 1 % in restitution\n",
-               advice.shortest_contact, time, advice.shortest_contact / step);
+               shortest, time, shortest / step);
   }
 }
 
@@ -245,8 +302,11 @@ int check(const std::string& file) {
       return advise_step(dynamics, scene.initial);
     }();
     print_springs(scene, advice);
-    print_step(scene, advice);
+    const std::vector<ContactRange> lighter = lighter_contacts(dynamics, advice);
+    print_lighter_contacts(scene, lighter);
+    print_step(scene, advice, lighter);
     is_beyond = warn_of_step(scene, advice, file, warnings);
+    if (!is_beyond) warn_of_lighter_contacts(scene, lighter, warnings);
   } else {
     fmt::print("step {:.6g} {} with {}; frequencies are evaluated up to {} degrees of freedom\n", scene.plan.step,
                symbol(scene.model.units, dimension::time), name(scene.integrator), most_coordinates);

@@ -10,6 +10,7 @@
 
 #include "solver/base/error.hpp"
 #include "solver/integrate/integrator_list.hpp"
+#include "solver/stability/contact_range.hpp"
 
 namespace talus {
 namespace {
@@ -38,19 +39,12 @@ std::vector<SpringLabel> spring_labels(const Dynamics& dynamics) {
   return labels;
 }
 
-/// Duration of an impact on this spring [T]; for a cable, and for a law with more than one stiffness, half the period
-/// of its stiffest branch. Infinite for a spring that no motion stretches (a cable that runs straight across its
+/// Duration of an impact on this spring [T]; for a cable half its period. Infinite for a spring that no motion stretches (a cable that runs straight across its
 /// bodies' path): it has no frequency.
 double duration(const SpringLabel& label, const Spring& spring) {
   if (!std::isfinite(spring.effective_mass)) return std::numeric_limits<double>::infinity();
-  const double half_period = std::numbers::pi * std::sqrt(spring.effective_mass / spring.stiffness);
-  if (!label.law) return half_period;
-  return std::visit(
-      [&]<class L>(const L& law) {
-        if constexpr (OneSided<L> && KnowsImpacts<L>) return law.contact_time(spring.effective_mass);
-        return half_period;
-      },
-      *label.law);
+  if (label.law) return contact_time(*label.law, spring.effective_mass);
+  return std::numbers::pi * std::sqrt(spring.effective_mass / spring.stiffness);
 }
 
 }  // namespace

@@ -221,6 +221,56 @@ BOOST_AUTO_TEST_CASE(a_step_beyond_its_limit_has_an_exit_code) {
   BOOST_TEST(holds(deck.out, "TOO LONG"));
 }
 
+// A ball over the middle of a beam that is pinned there has its own mass of 2 kg; at an end of the beam, 1 m from the
+// pin, it has 1/(1/2 + 1/1) = 2/3 kg, and contacts are shorter by sqrt(3).
+BOOST_AUTO_TEST_CASE(effective_masses_hold_for_a_position) {
+  const Folder folder;
+  const auto beam = [&](const std::string& step) {
+    return folder
+        .file("beam.toml", fmt::format(R"(units = "SI"
+[[body]]
+name = "ball"
+mobility = "particle"
+mass = "2 kg"
+shape = {{ kind = "circle", radius = "0.1 m" }}
+position = ["0 m", "1 m"]
+[[body]]
+name = "beam"
+mobility = "pinned"
+mass = "3 kg"
+inertia = "1 kg m^2"
+pin = ["0 m", "0 m"]
+shape = {{ kind = "rectangle", half_width = "1 m", half_height = "0.1 m" }}
+position = ["0 m", "0 m"]
+[[contact]]
+name = "landing"
+between = ["ball", "beam"]
+law = "linear_spring_dashpot"
+stiffness = "2e6 N/m"
+damping = "0 N s/m"
+[run]
+integrator = "velocity_verlet"
+step = "{}"
+end = "1 s"
+)",
+                                       step))
+        .string();
+  };
+  const Ended fine = talus_ran({"check", beam("10 us")});
+  BOOST_TEST(fine.err == "");
+  BOOST_TEST(holds(fine.out, "\n  landing             2e+06           0           2        1000 "), fine.out);
+  BOOST_TEST(holds(fine.out, "\n  landing            0.66667           2         1732.1     0.0018138      181.38\n"),
+             fine.out);
+  BOOST_TEST(holds(fine.out, "\n  shortest contact: 0.0018138 s, 181.4 steps"), fine.out);
+  // 1.5 ms is below 2/1000 s, and above 2/1732 s.
+  const Ended coarse = talus_ran({"check", beam("1.5 ms")});
+  BOOST_TEST(coarse.code == 0);
+  BOOST_TEST(holds(coarse.err,
+                   "warning: contact 'landing' can act with an effective mass of 0.6667 kg, less than at the "
+                   "start: the step is then 1.3 times the linear limit of velocity_verlet"),
+             coarse.err);
+}
+
 // Two bodies without a contact pass through each other: the check names the pair, and warns if they overlap at the
 // start; the run warns when they come to overlap.
 BOOST_AUTO_TEST_CASE(bodies_without_a_contact) {
