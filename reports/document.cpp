@@ -61,7 +61,7 @@ std::map<std::string, std::string> fixed_time(const Document& document) {
 }
 
 /// Extracts the error from a log: TeX's error messages start with `!`.
-std::string complaint_in(const std::string& log) {
+std::string error_in_log(const std::string& log) {
   const std::size_t place = log.find("\n!");
   return place == std::string::npos ? log.substr(log.size() > 1500 ? log.size() - 1500 : 0)
                                     : log.substr(place + 1, 900);
@@ -193,7 +193,7 @@ void make_pdf(const Document& d) {
     const Finished finished = run(command);
     if (finished.status != 0) {
       throw OutputError(fmt::format("pdflatex failed on {}.tex (exit code {}):\n{}", d.stem, finished.status,
-                                    complaint_in(finished.output)));
+                                    error_in_log(finished.output)));
     }
     return finished.output;
   };

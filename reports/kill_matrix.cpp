@@ -66,8 +66,8 @@ bool kills_at(const Trial& trial, double factor) {
   return trial.ratio > factor;
 }
 
-double share_at(const Mutants& mutants, const std::vector<const MutantRecord*>& of, double factor,
-                const std::string& family) {
+double fraction_at(const Mutants& mutants, const std::vector<const MutantRecord*>& of, double factor,
+                   const std::string& family) {
   std::set<std::string> members;
   for (const records::UnchangedCase& one : mutants.cases) {
     if (family.empty() || one.family == family) members.insert(one.id);

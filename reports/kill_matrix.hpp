@@ -44,8 +44,8 @@ template <class Name>
 [[nodiscard]] bool kills_at(const Trial& trial, double factor);
 
 /// Fraction of the counted mutants that would be killed at that factor, by cases of a family (empty: of all).
-[[nodiscard]] double share_at(const Mutants& mutants, const std::vector<const MutantRecord*>& of, double factor,
-                              const std::string& family);
+[[nodiscard]] double fraction_at(const Mutants& mutants, const std::vector<const MutantRecord*>& of, double factor,
+                                 const std::string& family);
 
 /// One case of the greedy order, and the number of mutants that it kills in addition to those before it.
 struct Greedy {

@@ -108,8 +108,8 @@ std::vector<std::size_t> widths_of(const std::vector<Column>& columns,
   const double spare = taken < whole ? static_cast<double>(whole - taken) : 0.0;
   for (std::size_t c = 0; c < columns.size(); ++c) {
     // Spare width is used only as required: a small table stays small.
-    const double share = wished > spare ? spare / wished : 1.0;
-    least[c] += static_cast<std::size_t>(share * static_cast<double>(wish[c]));
+    const double ratio = wished > spare ? spare / wished : 1.0;
+    least[c] += static_cast<std::size_t>(ratio * static_cast<double>(wish[c]));
   }
   return least;
 }

@@ -20,7 +20,7 @@ using Rows = std::vector<std::vector<std::string>>;
 
 constexpr std::array factors{1.0, 2.0, 5.0, 10.0};
 
-std::string percent(double share) { return fmt::format("{:.1f} %", 100.0 * share); }
+std::string percent(double fraction) { return fmt::format("{:.1f} %", 100.0 * fraction); }
 
 std::string folder_of(const MutantRecord& mutant) { return mutant.file.substr(0, mutant.file.rfind('/')); }
 
@@ -30,7 +30,7 @@ std::vector<std::string> score_row(const std::string& name, const Score& score) 
           fmt::format("{}", score.survived),
           fmt::format("{}", score.unreached),
           fmt::format("{}", score.equivalent),
-          percent(score.share())};
+          percent(score.fraction())};
 }
 
 /// One row per name, and a total.
@@ -92,7 +92,7 @@ Figure tolerance_figure(const Mutants& mutants) {
   const auto add = [&](const std::string& label, const std::string& family) {
     Series series{.label = label};
     for (const double factor : factors)
-      series.add(factor, 100.0 * share_at(mutants, of, factor, family));
+      series.add(factor, 100.0 * fraction_at(mutants, of, factor, family));
     figure.series.push_back(std::move(series));
   };
   add("all cases", "");
@@ -231,9 +231,9 @@ std::string mutants_text(const Mutants& mutants, const Results& results, bool pi
       "tier run (their right setups, without controls). **{} of {} generated mutants were killed: {}** ({} equivalent "
       "ones do not count). They are a sample of {} candidates (seed {}), whose score lies between {} and {} (Wilson "
       "interval, 95 %). **Of {} bugs written by hand {} were killed.** Building took {:.0f} s, the runs {:.0f} s.\n\n",
-      mutants.cases.size(), score.killed, score.counted(), percent(score.share()), score.equivalent, mutants.candidates,
-      mutants.seed, percent(range.low), percent(range.high), bugs.size(), of_bugs.killed, mutants.build_seconds,
-      mutants.run_seconds);
+      mutants.cases.size(), score.killed, score.counted(), percent(score.fraction()), score.equivalent,
+      mutants.candidates, mutants.seed, percent(range.low), percent(range.high), bugs.size(), of_bugs.killed,
+      mutants.build_seconds, mutants.run_seconds);
   const Mutants others = without_recorded(mutants);
   if (others.cases.size() < mutants.cases.size()) {
     const Score independent = score_of(generated(others));
@@ -241,7 +241,7 @@ std::string mutants_text(const Mutants& mutants, const Results& results, bool pi
         "Of them {} are noticed by comparison with recorded results alone, which shows that something changed, not "
         "what is "
         "right. **Without it {} are killed: {}**; the tables count it, the curves do not.\n\n",
-        score.killed - independent.killed, independent.killed, percent(independent.share()));
+        score.killed - independent.killed, independent.killed, percent(independent.fraction()));
   }
   const auto pending = static_cast<std::size_t>(
       std::ranges::count(sample, MutantStatus::pending, [](const MutantRecord* mutant) { return mutant->status; }));

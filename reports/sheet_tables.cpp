@@ -18,7 +18,7 @@ constexpr std::size_t longest = 5, longest_together = 12;
 using Row = std::vector<std::string>;
 
 std::string seconds(double value) { return fmt::format("{:.4f}", value); }
-std::string per_cent(double share) { return fmt::format("{:.1f}", 100.0 * share); }
+std::string per_cent(double fraction) { return fmt::format("{:.1f}", 100.0 * fraction); }
 
 /// A quantity in both unit systems, the scene's first: "213 (47.9)".
 std::string both(const SheetRecord& record, double value, const SheetUnits& units) {

@@ -19,7 +19,7 @@ bool passes(const Check& check) { return check.pass; }
 bool passes(const Control& control) { return control.pass(); }
 
 /// Number of passing items in a list.
-struct Share {
+struct Tally {
   std::size_t passed{}, all{};
 
   template <class Items>
@@ -45,7 +45,7 @@ std::string worst_margin(const Record& record) {
 }
 
 std::vector<std::string> row_of(const Record& record) {
-  Share checks, controls;
+  Tally checks, controls;
   checks.add(record.checks);
   controls.add(record.controls);
   return {case_link(record),
@@ -60,7 +60,7 @@ std::vector<std::string> row_of(const Record& record) {
 /// Rows of one family, with the family's totals above them; nothing if no case belongs to it.
 void append_family(Rows& rows, const std::string& family, const Results& results) {
   const std::size_t head = rows.size();
-  Share checks, controls;
+  Tally checks, controls;
   double seconds = 0.0;
   std::size_t cases = 0, passed = 0;
   for (const Record& record : results.records) {

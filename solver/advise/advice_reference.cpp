@@ -146,9 +146,9 @@ std::optional<Refusal> ReferenceSearch::find() {
 std::optional<Refusal> ReferenceSearch::follow_differences(const Climb& climb) {
   followed_ = true;
   if (!rules_->follows_differences) return {};
-  const auto run = [&](double share, int direction) {
+  const auto run = [&](double fraction, int direction) {
     Pilot pilot =
-        runs_->run(climb.method, rules_->evaluations - runs_->evaluations(), {share, direction, climb.last.speed});
+        runs_->run(climb.method, rules_->evaluations - runs_->evaluations(), {fraction, direction, climb.last.speed});
     if (rules_->progress) rules_->progress(runs_->evaluations());
     return pilot;
   };
@@ -156,18 +156,18 @@ std::optional<Refusal> ReferenceSearch::follow_differences(const Climb& climb) {
   if (!from.failure.empty()) return {};
   if (auto refusal = vanishing(from.between, from.size)) return refusal;
   // Differences below 1e-13 are comparable to round-off after some thousand operations.
-  const std::array shares{std::max(1e-13, 1e-9 * rules_->accuracy), std::max(1e-13, 1e-6 * rules_->accuracy)};
-  for (const double share : shares) {
+  const std::array fractions{std::max(1e-13, 1e-9 * rules_->accuracy), std::max(1e-13, 1e-6 * rules_->accuracy)};
+  for (const double fraction : fractions) {
     for (const int direction : {1, 2}) {
-      const Pilot to = run(share, direction);
+      const Pilot to = run(fraction, direction);
       if (!to.failure.empty() || to.between == from.between) continue;
       const double result = std::abs(to.between - from.between) / std::abs(from.between);
-      if (!(result <= growth_.result)) growth_ = {share, result};
+      if (!(result <= growth_.result)) growth_ = {fraction, result};
     }
     if (!(growth_.result > rules_->accuracy)) continue;
     return Refusal{Refusal::Kind::chaotic,
                    fmt::format("differences of {:.0e} in the start grow to {:.0e} of the result: no step gives {:.0e}",
-                               growth_.share, growth_.result, rules_->accuracy)};
+                               growth_.fraction, growth_.result, rules_->accuracy)};
   }
   return {};
 }

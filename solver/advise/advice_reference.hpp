@@ -50,8 +50,8 @@ struct Reference {
 
 /// Growth of small initial differences until the end of the run.
 struct Growth {
-  double share{};   ///< initial velocity differences, relative to the largest speed
-  double result{};  ///< resulting relative difference of the quantity
+  double fraction{};  ///< initial velocity differences, relative to the largest speed
+  double result{};    ///< resulting relative difference of the quantity
 };
 
 /// Search for the reference value of a quantity.

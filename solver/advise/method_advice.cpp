@@ -15,7 +15,7 @@ namespace {
 /// Rungs per octave of steps or decade of tolerance in the search for the cheapest method.
 constexpr int rungs_of_unit = 6;
 /// Fraction of the accuracy that the error of an extreme by the output interval may reach.
-constexpr double output_share = 0.25;
+constexpr double output_fraction = 0.25;
 /// Maximum relative excess over the required number of outputs; it varies from run to run, so that an extreme does not
 /// always coincide with an output.
 constexpr double output_spread = 0.5;
@@ -23,7 +23,7 @@ constexpr double output_spread = 0.5;
 constexpr long most_outputs = 2'000'000;
 
 /// i-th number of a sequence in [0, 1) that is evenly distributed at any length: multiples of the golden ratio.
-double golden_share(int i) {
+double golden_fraction(int i) {
   const double x = 0.6180339887498949 * i;
   return x - std::floor(x);
 }
@@ -49,7 +49,7 @@ double error_of_every(std::size_t n, const Reference& reference, const Quantity&
 /// Number of outputs that a method with step control needs to resolve the extremes; nothing if that is too many.
 std::optional<long> outputs_needed(PilotRuns& runs, const AdviceRules& rules, Reference reference, long resolving) {
   if (runs.quantity().reduction == Reduction::end || !rules.judges_as_printed) return resolving;
-  const double most = output_share * rules.accuracy;
+  const double most = output_fraction * rules.accuracy;
   for (;;) {
     long outputs = 0;
     for (long n = 2; reference.method.steps >= n * resolving / 2; n *= 2) {
@@ -147,7 +147,7 @@ class MethodSearch {
     const double height = static_cast<double>(climb.rung++) / rungs_of_unit;
     if (height > climb.ladder.top()) return end(climb, "not reached");
     const long outputs =
-        std::lround(static_cast<double>(outputs_.value_or(1)) * (1.0 + output_spread * golden_share(climb.rung)));
+        std::lround(static_cast<double>(outputs_.value_or(1)) * (1.0 + output_spread * golden_fraction(climb.rung)));
     TriedMethod& now = climb.last;
     now.method = climb.ladder.at(height, outputs);
     if (now.method.steps > rules_->evaluations) return end(climb, "not reached");
@@ -182,8 +182,8 @@ class MethodSearch {
     TriedMethod& first = climb.good.front();
     for (int i = 1; i <= rules_->beside; ++i) {
       TriedMethod other = first;
-      const double up = golden_share(i) / rungs_of_unit;
-      const double stretch = climb.ladder.by_tolerance ? 1.0 + output_spread * golden_share(i * i) : std::exp2(up);
+      const double up = golden_fraction(i) / rungs_of_unit;
+      const double stretch = climb.ladder.by_tolerance ? 1.0 + output_spread * golden_fraction(i * i) : std::exp2(up);
       other.method.steps = std::lround(static_cast<double>(first.method.steps) * stretch);
       other.method.tolerance = first.method.tolerance * std::pow(10.0, -up);
       static_cast<void>(judge(other, climb.next_cost));

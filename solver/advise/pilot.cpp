@@ -71,7 +71,7 @@ State PilotRuns::start(const Nudge& nudge) const {
   dynamics_.wake_all(state);
   const std::vector<double> lengths = dynamics_.lengths();
   for (std::size_t i = 0; i < state.v.size(); ++i)
-    state.v[i] += nudge.share * nudge.speed / lengths[i] * spread(i, nudge.direction);
+    state.v[i] += nudge.fraction * nudge.speed / lengths[i] * spread(i, nudge.direction);
   return state;
 }
 
@@ -134,20 +134,20 @@ void PilotRuns::take(RigidBodySystem& system, const Scene& scene, State start, P
 }
 
 long PilotRuns::cost(const RunMethod& method) {
-  constexpr long looked_at = 32, most_looked_at = 10'000;
-  if (method.steps <= looked_at) return method.steps;
+  constexpr long sampled = 32, most_sampled = 10'000;
+  if (method.steps <= sampled) return method.steps;
   try {
     Scene scene = with_method(*scene_, method);
     RigidBodySystem system{dynamics_, scene.plan.ledger || quantity_->ledger};
-    scene.plan.end = scene.initial.t + static_cast<double>(looked_at) * scene.plan.step;
-    system.allow(most_looked_at);
+    scene.plan.end = scene.initial.t + static_cast<double>(sampled) * scene.plan.step;
+    system.allow(most_sampled);
     try {
       static_cast<void>(simulate(system, scene.integrator, scene.initial, scene.plan));
     } catch (const TooManyEvaluations&) {
       // The run is that expensive already; the estimate below suffices.
     }
     evaluations_ += system.evaluations();
-    return method.steps / looked_at * std::max(1L, system.evaluations());
+    return method.steps / sampled * std::max(1L, system.evaluations());
   } catch (const InputError&) {
     return method.steps;
   }

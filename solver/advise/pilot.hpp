@@ -20,10 +20,10 @@ struct RunMethod {
 /// at least one step. Errors: InputError if the integrator does not accept the tolerance.
 [[nodiscard]] Scene with_method(Scene scene, const RunMethod& method);
 
-/// A small change of a run's start: each velocity changes by up to `share` of the largest speed of the run, in the
+/// A small change of a run's start: each velocity changes by up to `fraction` of the largest speed of the run, in the
 /// direction of state space that `direction` numbers.
 struct Nudge {
-  double share{};
+  double fraction{};
   int direction{};
   double speed{};  ///< [L/T]
 };

@@ -66,7 +66,8 @@ void print_text(const Scene& scene, const Quantity& quantity, const AdviceRules&
                symbol(units, quantity.dimension), value.method.integrator, value.other, value.spread);
   }
   if (advice.growth.result > 0.0) {
-    fmt::print("differences of {:.0e} in the start grow to {:.0e} of it\n", advice.growth.share, advice.growth.result);
+    fmt::print("differences of {:.0e} in the start grow to {:.0e} of it\n", advice.growth.fraction,
+               advice.growth.result);
   }
   print_tried(advice, duration, units);
   fmt::print("pilots: {} force evaluations\n", advice.evaluations);
@@ -90,7 +91,7 @@ void print_json(const Scene& scene, const Quantity& quantity, const AdviceRules&
   nlohmann::ordered_json json{{"quantity", quantity.name}, {"accuracy", rules.accuracy}};
   if (!advice.reference.other.empty())
     json["value"] = advice.reference.value * si_size(scene.model.units, quantity.dimension);
-  json["growth"] = {{"start", advice.growth.share}, {"result", advice.growth.result}};
+  json["growth"] = {{"start", advice.growth.fraction}, {"result", advice.growth.result}};
   json["evaluations_of_pilots"] = advice.evaluations;
   json["tried"] = nlohmann::ordered_json::array();
   for (const TriedMethod& tried : advice.tried) {

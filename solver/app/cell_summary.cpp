@@ -69,7 +69,7 @@ std::string cell_summary(const CellScene& scene, CellRun& run, const CellOutcome
   };
   energy("driven", ledger.driven, "work of what drives the block");
   energy("dissipated", ledger.dissipated, "kept by contacts");
-  if (scene.cell.friction) energy("rubbed", ledger.rubbed, "of it by friction");
+  if (scene.cell.friction) energy("rubbed", ledger.friction_work, "of it by friction");
   energy("kinetic", ledger.kinetic, "");
   energy("stored", ledger.stored, "in contacts");
   add("unaccounted for", fmt::format("{:.2g} of the work", ledger.unaccounted()));

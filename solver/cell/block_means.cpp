@@ -39,8 +39,8 @@ std::size_t block_length(std::span<const double> series) {
   const std::size_t window = std::min(2 * std::max<std::size_t>(last, 1), furthest);
   double spectrum = variance, slope = 0.0;  // at frequency 0
   for (std::size_t lag = 1; lag <= window; ++lag) {
-    const double share = static_cast<double>(lag) / static_cast<double>(window);
-    const double part = 2.0 * (share <= 0.5 ? 1.0 : 2.0 * (1.0 - share)) * autocovariance(series, mean, lag);
+    const double fraction = static_cast<double>(lag) / static_cast<double>(window);
+    const double part = 2.0 * (fraction <= 0.5 ? 1.0 : 2.0 * (1.0 - fraction)) * autocovariance(series, mean, lag);
     spectrum += part, slope += part * static_cast<double>(lag);
   }
   // If successive blocks compensate each other, the spectrum nearly vanishes at frequency 0.

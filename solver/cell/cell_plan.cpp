@@ -13,7 +13,7 @@ namespace {
 constexpr double most_outputs = 1e5, most_steps = 1e15;
 /// Largest w2 h on unloading. In a triangular array of discs the stiffest motion is sqrt(3) times as fast as that of a
 /// pair (w^2 = 6 K/m), and a leapfrog is stable below 2.
-constexpr double fastest_way_back = 1.0;
+constexpr double largest_unloading_phase = 1.0;
 
 /// Whether the steps of a method leave the restitution unchanged.
 bool is_leapfrog(const DiscMethod& method) { return traits(method).amplitude_growth_rate == 0.0; }
@@ -79,11 +79,11 @@ std::vector<CellError> validation_errors(const ShearCell& cell, const CellPlan& 
                              cell.contact_time(), plan.integrator, cell.contact_time() / 10.0)});
   }
   if (cell.largest_stiffness() > cell.stiffness() && is_leapfrog(method)) {
-    const double way_back = std::sqrt(2.0 * cell.largest_stiffness() / cell.mass);
-    if (way_back * plan.step > fastest_way_back) {
+    const double unloading_frequency = std::sqrt(2.0 * cell.largest_stiffness() / cell.mass);
+    if (unloading_frequency * plan.step > largest_unloading_phase) {
       found.push_back({"step", fmt::format("found {}; contacts open so stiffly that {} needs a step of at most {:.4g}, "
                                            "1/w2 = sqrt(M/(2 K2))",
-                                           plan.step, plan.integrator, fastest_way_back / way_back)});
+                                           plan.step, plan.integrator, largest_unloading_phase / unloading_frequency)});
     }
   }
   const double stepped = stepped_restitution(method, cell.restitution(), cell.loading_frequency() * plan.step);

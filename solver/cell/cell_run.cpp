@@ -164,7 +164,7 @@ long CellRun::free_steps() const {
 }
 
 /// Displacement of the freely falling block along y in `steps` steps [L].
-double CellRun::block_way(long steps) const {
+double CellRun::block_displacement(long steps) const {
   const auto n = static_cast<double>(steps);
   const double h = plan_.step, fall = 0.5 * cell_.gravity * h * (n + free_fall_offset(traits(method_)));
   return n * h * (discs_.vy.back() - fall);
@@ -179,7 +179,7 @@ void CellRun::jump(long steps) {
   const double sixth = static_cast<double>(steps) * plan_.step / 6.0, first = height();
   const long rest = steps - steps / 2;
   fly(steps / 2);
-  const double middle = height(), last = middle + block_way(rest);
+  const double middle = height(), last = middle + block_displacement(rest);
   add_walls(sixth, {}, {}, first), add_walls(4.0 * sixth, {}, {}, middle), add_walls(sixth, {}, {}, last);
   steps_ += steps;
   jumped_ += steps;
@@ -191,7 +191,7 @@ void CellRun::jump(long steps) {
 void CellRun::fly(long steps) {
   const double time = static_cast<double>(steps) * plan_.step, speed = discs_.vy.back();
   const auto block = discs_.vy.begin() + static_cast<std::ptrdiff_t>(first_block_disc(cell_));
-  std::fill(block, discs_.vy.end(), block_way(steps) / time);
+  std::fill(block, discs_.vy.end(), block_displacement(steps) / time);
   std::visit([&](auto& system) { system.drift(discs_, time); }, system_);
   std::fill(block, discs_.vy.end(), speed - cell_.gravity * time);
   discs_.t += time;
@@ -370,7 +370,7 @@ CellRun::Ledger CellRun::energies() {
   for (std::size_t i = 0; i < cell_.free_discs() && cell_.friction; ++i)
     ledger.kinetic += 0.5 * inertia * now.spin[i] * now.spin[i];
   ledger.potential = cell_.block_mass * cell_.gravity * now.y[first_block_disc(cell_)];
-  ledger.rubbed = now.work[static_cast<std::size_t>(Mechanism::friction)];
+  ledger.friction_work = now.work[static_cast<std::size_t>(Mechanism::friction)];
   ledger.dissipated = now.dissipated();
   const auto look = [&](const auto& system) {
     system.for_each_contact(now, [&](const DiscContact& contact) { ledger.stored += contact.stored; });

@@ -127,7 +127,7 @@ class CellRun {
     double kinetic{}, potential{}, stored{};  ///< present values; kinetic includes spin, potential is the block's
     double driven{};                          ///< input: work of the drive on the block
     double dissipated{};                      ///< by contacts
-    double rubbed{};                          ///< part of it, by friction
+    double friction_work{};                   ///< part of it, by friction
     /// Present energy.
     double held() const { return kinetic + potential + stored; }
     double gained{};  ///< spurious gain: present + dissipated - driven - initial; zero except for the method's error
@@ -156,7 +156,7 @@ class CellRun {
   long free_steps() const;
   void jump(long steps);
   void fly(long steps);
-  double block_way(long steps) const;
+  double block_displacement(long steps) const;
   long next_loop() const;
   long steps_ahead() const;
   void take_steps(long steps);

@@ -18,9 +18,9 @@
 namespace talus {
 namespace {
 
-using Objections = std::vector<CellError>;
+using CellErrors = std::vector<CellError>;
 
-void object(Objections& found, std::string_view field, double value, std::string_view allowed) {
+void object(CellErrors& found, std::string_view field, double value, std::string_view allowed) {
   found.push_back({std::string{field}, fmt::format("found {}; it must be {}", value, allowed)});
 }
 
@@ -33,7 +33,7 @@ double loading_stiffness(const L& law) {
 
 /// Adds the errors of the law's parameters, for impacts of this effective mass [M].
 template <Law L>
-void add_objections(Objections& found, const L& law, double effective_mass) {
+void add_errors(CellErrors& found, const L& law, double effective_mass) {
   for (const auto& field : L::fields()) {
     if (!contains(field.range, law.*field.member)) object(found, field.name, law.*field.member, words(field.range));
   }
@@ -46,8 +46,8 @@ void add_objections(Objections& found, const L& law, double effective_mass) {
     }
   }
   if constexpr (HasDamping<L>) {
-    const double endless = std::numeric_limits<double>::infinity();
-    if (is_in_range && effective_mass > 0.0 && law.contact_time(effective_mass) == endless) {
+    const double infinite = std::numeric_limits<double>::infinity();
+    if (is_in_range && effective_mass > 0.0 && law.contact_time(effective_mass) == infinite) {
       const double critical = 2.0 * std::sqrt(loading_stiffness(law) * effective_mass);
       object(found, "damping", law.damping,
              fmt::format("< {}: with its end rule discs that are damped more never part", critical));
@@ -77,14 +77,14 @@ const LatchingSpring* ShearCell::law_of_1989() const {
 double ShearCell::density() const { return mass / (0.25 * std::numbers::pi * diameter * diameter * diameter); }
 
 std::vector<CellError> validation_errors(const ShearCell& cell) {
-  Objections found;
+  CellErrors found;
   const auto demand = [&](bool holds, std::string_view field, double value, std::string_view allowed) {
     if (!holds) object(found, field, value, allowed);
   };
   const auto demand_range = [&](Range range, std::string_view field, double value) {
     demand(contains(range, value), field, value, words(range));
   };
-  std::visit([&](const auto& law) { add_objections(found, law, 0.5 * cell.mass); }, cell.law);
+  std::visit([&](const auto& law) { add_errors(found, law, 0.5 * cell.mass); }, cell.law);
   if (cell.friction) {
     demand_range(Range::non_negative, "friction", cell.friction->coefficient);
     demand_range(Range::positive, "shear_stiffness", cell.friction->stiffness);

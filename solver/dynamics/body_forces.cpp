@@ -94,13 +94,13 @@ void BodyForces::list_awake(ActiveSet& active) const {
 }
 
 void BodyForces::place_velocities(const State& state, Workspace& work) const {
-  for (const BodySpan& run : worked_out(work))
-    talus::place_velocities(run, &state.v[free_[run.place].first], work.poses);
+  for (const BodySpan& span : evaluated_spans(work))
+    talus::place_velocities(span, &state.v[free_[span.place].first], work.poses);
 }
 
 void BodyForces::place(const State& state, Workspace& work) const {
-  for (const BodySpan& run : worked_out(work))
-    place_bodies(run, &state.q[free_[run.place].first], work.poses);
+  for (const BodySpan& span : evaluated_spans(work))
+    place_bodies(span, &state.q[free_[span.place].first], work.poses);
   if (only_free_) return;
   for (const Compiled& body : particles_) {
     const double* q = &state.q[body.first];
@@ -133,8 +133,8 @@ void BodyForces::rates(Workspace& work, Rates& out, bool ledger) const {
   const std::size_t moving = work.active.moving;
   if (work.active.any_asleep) std::fill_n(out.v.begin(), std::min(std::max(out.moving, moving), out.v.size()), 0.0);
   out.moving = moving;
-  for (const BodySpan& run : work.active.bodies) {
-    accelerate_bodies(run, constants_, work.wrenches, &out.v[free_[run.place].first]);
+  for (const BodySpan& span : work.active.bodies) {
+    accelerate_bodies(span, constants_, work.wrenches, &out.v[free_[span.place].first]);
   }
   if (ledger) {
     for (const Compiled& body : free_)

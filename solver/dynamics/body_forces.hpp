@@ -75,7 +75,7 @@ class BodyForces {
   void guided_rates(const Compiled& body, const Workspace& work, Rates& out, bool ledger) const;
 
   std::vector<Compiled>& array(Mobility mobility);
-  const std::vector<BodySpan>& worked_out(const Workspace& work) const {
+  const std::vector<BodySpan>& evaluated_spans(const Workspace& work) const {
     return work.active.complete ? free_runs_ : work.active.bodies;
   }
   BodySpan run_of(std::size_t free) const { return {free, free_[free].body, 1}; }

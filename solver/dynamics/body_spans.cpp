@@ -81,36 +81,36 @@ namespace {
 /// Calls visit(threes, body, are) for each pack of a span of bodies: their three numbers each, the first body, and the
 /// lanes that are used. Some bodies may be visited twice.
 template <class Visit>
-[[gnu::always_inline]] inline void for_body_packs(const BodySpan& run, const double* threes, Visit&& visit) {
-  if (run.count < pack_size) {
+[[gnu::always_inline]] inline void for_body_packs(const BodySpan& span, const double* threes, Visit&& visit) {
+  if (span.count < pack_size) {
     // Memory behind the last body must not be read.
     std::array<double, 3 * pack_size> few{};
-    std::copy_n(threes, 3 * run.count, few.begin());
+    std::copy_n(threes, 3 * span.count, few.begin());
     Sizes are;
-    between(are, 0, static_cast<std::ptrdiff_t>(run.count));
-    return visit(few.data(), run.body, are);
+    between(are, 0, static_cast<std::ptrdiff_t>(span.count));
+    return visit(few.data(), span.body, are);
   }
   constexpr Sizes all{-1, -1, -1, -1};
   std::size_t i = 0;
-  for (; i + pack_size <= run.count; i += pack_size)
-    visit(threes + 3 * i, run.body + i, all);
-  if (i == run.count) return;
-  i = run.count - pack_size;
-  visit(threes + 3 * i, run.body + i, all);
+  for (; i + pack_size <= span.count; i += pack_size)
+    visit(threes + 3 * i, span.body + i, all);
+  if (i == span.count) return;
+  i = span.count - pack_size;
+  visit(threes + 3 * i, span.body + i, all);
 }
 
 }  // namespace
 
-TALUS_CLONES void place_bodies(const BodySpan& run, const double* q, Poses& poses) {
+TALUS_CLONES void place_bodies(const BodySpan& span, const double* q, Poses& poses) {
   for_body_packs(
-      run, q, [&](const double* threes, std::size_t body, const Sizes& are) __attribute__((always_inline)) {
+      span, q, [&](const double* threes, std::size_t body, const Sizes& are) __attribute__((always_inline)) {
         place_pack(threes, body, are, poses);
       });
 }
 
-TALUS_CLONES void place_velocities(const BodySpan& run, const double* v, Poses& poses) {
+TALUS_CLONES void place_velocities(const BodySpan& span, const double* v, Poses& poses) {
   for_body_packs(
-      run, v, [&](const double* threes, std::size_t body, const Sizes& are) __attribute__((always_inline)) {
+      span, v, [&](const double* threes, std::size_t body, const Sizes& are) __attribute__((always_inline)) {
         Pack vx, vy, w;
         part(threes, vx, vy, w);
         put(poses.vx.at(body), are, vx), put(poses.vy.at(body), are, vy), put(poses.w.at(body), are, w);
@@ -134,28 +134,28 @@ TALUS_CLONES bool any_exceeded_skin(const Poses& poses, const Places& places, co
     change(x, poses.x, places.x, i), change(y, poses.y, places.y, i);
     change(cosine, poses.cosine, places.cosine, i), change(sine, poses.sine, places.sine, i);
     load(radius, limits.radius.at(i));
-    Sizes most, way{};
-    std::memcpy(&most, limits.way.at(i), sizeof most);
-    raise(way, x + y + radius * (cosine + sine));
-    moved |= most - way;
+    Sizes most, displacement{};
+    std::memcpy(&most, limits.displacement.at(i), sizeof most);
+    raise(displacement, x + y + radius * (cosine + sine));
+    moved |= most - displacement;
   }
   return any_bit(moved & std::numeric_limits<std::int64_t>::min());
 }
 
-TALUS_CLONES void accelerate_bodies(const BodySpan& run, const BodyConstants& constants, const Wrenches& wrenches,
+TALUS_CLONES void accelerate_bodies(const BodySpan& span, const BodyConstants& constants, const Wrenches& wrenches,
                                     double* a) {
-  if (run.count < pack_size) {
+  if (span.count < pack_size) {
     std::array<double, 3 * pack_size> few;
-    accelerate_pack(run.place, run.body, constants, wrenches, few.data());
-    std::copy_n(few.begin(), 3 * run.count, a);
+    accelerate_pack(span.place, span.body, constants, wrenches, few.data());
+    std::copy_n(few.begin(), 3 * span.count, a);
     return;
   }
   // The last pack first; some of its bodies are computed again below, so that a reader that loads packs from the start
   // finds each as it was stored.
-  const std::size_t last = run.count - pack_size;
-  if (last % pack_size != 0) accelerate_pack(run.place + last, run.body + last, constants, wrenches, a + 3 * last);
-  for (std::size_t i = 0; i + pack_size <= run.count; i += pack_size)
-    accelerate_pack(run.place + i, run.body + i, constants, wrenches, a + 3 * i);
+  const std::size_t last = span.count - pack_size;
+  if (last % pack_size != 0) accelerate_pack(span.place + last, span.body + last, constants, wrenches, a + 3 * last);
+  for (std::size_t i = 0; i + pack_size <= span.count; i += pack_size)
+    accelerate_pack(span.place + i, span.body + i, constants, wrenches, a + 3 * i);
 }
 
 TALUS_CLONES void box_depths(const Row& x, const Row& y, std::size_t first, std::size_t count, const Placement& A_in_B,

@@ -20,7 +20,7 @@ struct CableArray {
   std::vector<std::size_t> cable;  ///< index of each in Workspace::paths
   std::vector<L> laws;
   std::vector<Slot> slots;
-  std::vector<CableSpan> runs;  ///< cables that are consecutive in the model
+  std::vector<CableSpan> spans;  ///< cables that are consecutive in the model
 };
 
 /// Position of the law of one cable: in the list of laws, and in its array.
@@ -47,30 +47,30 @@ void for_each_cable(const Laws& laws, Visit&& visit) {
 
 /// Calls visit(array, span) for each span of cables in the active set.
 template <class Laws, class ActiveSet, class Visit>
-void for_each_run(const Laws& laws, ActiveSet& active, Visit&& visit) {
+void for_each_span(const Laws& laws, ActiveSet& active, Visit&& visit) {
   for_each_array(laws, [&](const auto& array, std::size_t law) {
-    for (auto& run : active.cables[law])
-      visit(array, run);
+    for (auto& span : active.cables[law])
+      visit(array, span);
   });
 }
 
 /// Calls visit(law, slot, cable) for each cable of a span.
 template <class Array, class Visit>
-void for_each_of(const Array& array, const CableSpan& run, Visit&& visit) {
-  const auto* const laws = &array.laws[run.place];
-  const Slot* const slots = &array.slots[run.place];
-  for (std::size_t i = 0, count = run.count, cable = run.cable; i < count; ++i)
+void for_each_of(const Array& array, const CableSpan& span, Visit&& visit) {
+  const auto* const laws = &array.laws[span.place];
+  const Slot* const slots = &array.slots[span.place];
+  for (std::size_t i = 0, count = span.count, cable = span.cable; i < count; ++i)
     visit(laws[i], slots[i], cable + i);
 }
 
 /// Computes the linear branches of a span of cables.
 template <class L>
-[[gnu::noinline]] void make_lines(const CableArray<L>& array, const CableSpan& run, const State& state,
+[[gnu::noinline]] void make_lines(const CableArray<L>& array, const CableSpan& span, const State& state,
                                   CableLinearization& lines) {
-  const Slot first = array.slots[run.place];
-  std::copy_n(&state.mode[first.mode], run.count, &lines.mode[run.cable]);
-  std::copy_n(state.z.data() + first.memory, L::memory_size * run.count, &lines.memory[run.cable]);
-  for_each_of(array, run, [&](const L& law, Slot slot, std::size_t c) {
+  const Slot first = array.slots[span.place];
+  std::copy_n(&state.mode[first.mode], span.count, &lines.mode[span.cable]);
+  std::copy_n(state.z.data() + first.memory, L::memory_size * span.count, &lines.memory[span.cable]);
+  for_each_of(array, span, [&](const L& law, Slot slot, std::size_t c) {
     lines.set(c, law.linear_piece(memory(law, state, slot), state.mode[slot.mode]));
   });
 }
@@ -78,17 +78,17 @@ template <class L>
 /// Computes the linear branches of a span if its modes or memories have changed since the last time: checked at each
 /// evaluation, and rarely true.
 template <class L>
-[[gnu::always_inline]] inline void keep_lines(const CableArray<L>& array, const CableSpan& run, const State& state,
+[[gnu::always_inline]] inline void keep_lines(const CableArray<L>& array, const CableSpan& span, const State& state,
                                               CableLinearization& lines) {
-  const Slot first = array.slots[run.place];
-  bool same = std::memcmp(&state.mode[first.mode], &lines.mode[run.cable], run.count * sizeof(Mode)) == 0;
+  const Slot first = array.slots[span.place];
+  bool same = std::memcmp(&state.mode[first.mode], &lines.mode[span.cable], span.count * sizeof(Mode)) == 0;
   // The array z of a state without memory is empty.
   if constexpr (L::memory_size > 0) {
     const double* const kept = state.z.data() + first.memory;
-    const std::size_t numbers = L::memory_size * run.count;
-    same = same && std::memcmp(kept, &lines.memory[run.cable], numbers * sizeof(double)) == 0;
+    const std::size_t numbers = L::memory_size * span.count;
+    same = same && std::memcmp(kept, &lines.memory[span.cable], numbers * sizeof(double)) == 0;
   }
-  if (!same) make_lines(array, run, state, lines);
+  if (!same) make_lines(array, span, state, lines);
 }
 
 /// Calls visit(law, slot) for one cable.

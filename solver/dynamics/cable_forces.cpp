@@ -44,9 +44,9 @@ CableForces::CableForces(const Model& model, const Layout& layout) {
           auto& array = std::get<CableArray<std::decay_t<decltype(law)>>>(laws_);
           places_.push_back({cable.law.index(), array.laws.size()});
           if (!array.cable.empty() && array.cable.back() + 1 == c)
-            ++array.runs.back().count;
+            ++array.spans.back().count;
           else
-            array.runs.push_back({.place = array.laws.size(), .cable = c, .count = 1});
+            array.spans.push_back({.place = array.laws.size(), .cable = c, .count = 1});
           array.cable.push_back(c);
           array.laws.push_back(law);
           array.slots.push_back(layout.cable_slots[c]);
@@ -84,12 +84,12 @@ void CableForces::list_awake(ActiveSet& active, const HangerTopology& topology) 
   std::vector<char> in_row(joints_.size(), 0);
   active.rows_only = true;
   std::size_t last = 0;
-  for (std::vector<CableSpan>& runs : active.cables) {
-    for (CableSpan& run : runs) {
-      find_row(run, listed);
-      if (run.row) std::fill_n(in_row.begin() + static_cast<std::ptrdiff_t>(run.a), run.count + 1, 1);
-      active.rows_only = active.rows_only && run.row && run.a >= last;
-      last = run.a;
+  for (std::vector<CableSpan>& spans : active.cables) {
+    for (CableSpan& span : spans) {
+      find_row(span, listed);
+      if (span.row) std::fill_n(in_row.begin() + static_cast<std::ptrdiff_t>(span.a), span.count + 1, 1);
+      active.rows_only = active.rows_only && span.row && span.a >= last;
+      last = span.a;
     }
   }
   active.joints.clear();
@@ -100,19 +100,19 @@ void CableForces::list_awake(ActiveSet& active, const HangerTopology& topology) 
 
 /// Finds whether a span is a row, and which of its joints are on bodies; `ends_at`: number of cables that end at each
 /// joint.
-void CableForces::find_row(CableSpan& run, const std::vector<std::size_t>& ends_at) const {
-  if (run.b != run.a + 1 || ends_at[run.a] != 1 || ends_at[run.a + run.count] != 1) return;
-  const Joint* const joints = &joints_[run.a];
-  run.from = joints[0].on_body ? 0 : 1;
-  run.to = joints[run.count].on_body ? run.count + 1 : run.count;
-  if (run.from >= run.to || !joints[run.from].on_body) return;
-  run.body = static_cast<std::ptrdiff_t>(index(joints[run.from].body)) - static_cast<std::ptrdiff_t>(run.from);
-  for (std::size_t i = run.from; i < run.to; ++i) {
-    if (i > 0 && i < run.count && ends_at[run.a + i] != 2) return;
-    const auto body = static_cast<std::size_t>(run.body + static_cast<std::ptrdiff_t>(i));
+void CableForces::find_row(CableSpan& span, const std::vector<std::size_t>& ends_at) const {
+  if (span.b != span.a + 1 || ends_at[span.a] != 1 || ends_at[span.a + span.count] != 1) return;
+  const Joint* const joints = &joints_[span.a];
+  span.from = joints[0].on_body ? 0 : 1;
+  span.to = joints[span.count].on_body ? span.count + 1 : span.count;
+  if (span.from >= span.to || !joints[span.from].on_body) return;
+  span.body = static_cast<std::ptrdiff_t>(index(joints[span.from].body)) - static_cast<std::ptrdiff_t>(span.from);
+  for (std::size_t i = span.from; i < span.to; ++i) {
+    if (i > 0 && i < span.count && ends_at[span.a + i] != 2) return;
+    const auto body = static_cast<std::size_t>(span.body + static_cast<std::ptrdiff_t>(i));
     if (!joints[i].on_body || index(joints[i].body) != body) return;
   }
-  run.row = true;
+  span.row = true;
 }
 
 void CableForces::place_anchors(Workspace& work) const {
@@ -122,21 +122,22 @@ void CableForces::place_anchors(Workspace& work) const {
 }
 
 void CableForces::update(const State& state, Workspace& work) const {
-  for (const JointSpan& run : work.active.joints) {
-    if (run.on_body && !run.in_row) place_joints(run, constants_.body_x, constants_.body_y, work.poses, work.joints);
+  for (const JointSpan& span : work.active.joints) {
+    if (span.on_body && !span.in_row) place_joints(span, constants_.body_x, constants_.body_y, work.poses, work.joints);
   }
   clear(work.pulls, work.active.reached_bodies);
   work.active.on_linear_branch = work.active.rows_only;
-  for_each_run(laws_, work.active, [&]<class L>(const CableArray<L>& array, CableSpan& run) {
-    if (!run.row) return evaluate_paths(run, work);
-    if constexpr (HasLinearPiece<L>) keep_lines(array, run, state, work.lines);
-    run.on_linear_branch = evaluate_chain(run, constants_, work.lines, work.poses, work.joints, work.paths, work.pulls);
-    work.active.on_linear_branch = work.active.on_linear_branch && run.on_linear_branch;
+  for_each_span(laws_, work.active, [&]<class L>(const CableArray<L>& array, CableSpan& span) {
+    if (!span.row) return evaluate_paths(span, work);
+    if constexpr (HasLinearBranch<L>) keep_lines(array, span, state, work.lines);
+    span.on_linear_branch =
+        evaluate_chain(span, constants_, work.lines, work.poses, work.joints, work.paths, work.pulls);
+    work.active.on_linear_branch = work.active.on_linear_branch && span.on_linear_branch;
   });
   if (work.topology.chains.empty()) return;
   // Cables that continue through broken hangers have other paths: then no span is on its linear branch.
   work.active.on_linear_branch = false;
-  for_each_run(laws_, work.active, [](const auto&, CableSpan& run) { run.on_linear_branch = false; });
+  for_each_span(laws_, work.active, [](const auto&, CableSpan& span) { span.on_linear_branch = false; });
   for (Chain& chain : work.topology.chains)
     straighten(chain, state, work);
 }
@@ -147,23 +148,23 @@ bool CableForces::pull_rows(const State& state, Workspace& work) const {
   clear(work.wrenches, active.reached_bodies);
   // All cables are awake: check the spans of the arrays, which are fewer than the spans of the active set.
   for_each_array(laws_, [&]<class L>(const CableArray<L>& array, std::size_t) {
-    if constexpr (HasLinearPiece<L>) {
-      for (const CableSpan& run : array.runs)
-        keep_lines(array, run, state, work.lines);
+    if constexpr (HasLinearBranch<L>) {
+      for (const CableSpan& span : array.spans)
+        keep_lines(array, span, state, work.lines);
     }
   });
   bool on_linear_branch = true;
-  for_each_run(laws_, active, [&](const auto&, CableSpan& run) {
+  for_each_span(laws_, active, [&](const auto&, CableSpan& span) {
     on_linear_branch =
-        chain_wrenches(run, constants_, work.lines, work.poses, work.joints, work.wrenches) && on_linear_branch;
-    run.on_linear_branch = true;
+        chain_wrenches(span, constants_, work.lines, work.poses, work.joints, work.wrenches) && on_linear_branch;
+    span.on_linear_branch = true;
   });
   return active.on_linear_branch = on_linear_branch;
 }
 
-void CableForces::evaluate_paths(const CableSpan& run, Workspace& work) const {
-  for (std::size_t i = 0; i < run.count; ++i) {
-    const std::size_t c = run.cable + i;
+void CableForces::evaluate_paths(const CableSpan& span, Workspace& work) const {
+  for (std::size_t i = 0; i < span.count; ++i) {
+    const std::size_t c = span.cable + i;
     const auto [a, b] = ends_[c];
     work.paths.set(c, path(work.joints.p_WP(a), work.joints.v_WP(a), work.joints.p_WP(b), work.joints.v_WP(b),
                            constants_.across_squared[c]));
@@ -171,9 +172,9 @@ void CableForces::evaluate_paths(const CableSpan& run, Workspace& work) const {
 }
 
 void CableForces::update_modes(State& state, const Workspace& work) const {
-  for_each_run(laws_, work.active, [&](const auto& array, const CableSpan& run) {
-    if (run.on_linear_branch) return;
-    for_each_of(array, run, [&](const auto& law, Slot slot, std::size_t c) {
+  for_each_span(laws_, work.active, [&](const auto& array, const CableSpan& span) {
+    if (span.on_linear_branch) return;
+    for_each_of(array, span, [&](const auto& law, Slot slot, std::size_t c) {
       update_mode(law, slot, kinematics(work, c), state, multiplicities_[c]);
     });
   });
@@ -189,8 +190,8 @@ void CableForces::load(const State& state, Workspace& work, Rates* out) const {
   } else {
     sum_pulls(state, work, out);
     clear(work.wrenches, work.active.reached_bodies);
-    for (const JointSpan& run : work.active.joints) {
-      if (run.on_body) load_bodies(run, work.joints, work.wrenches);
+    for (const JointSpan& span : work.active.joints) {
+      if (span.on_body) load_bodies(span, work.joints, work.wrenches);
     }
   }
   if (!out) return;
@@ -208,35 +209,35 @@ void CableForces::load(const State& state, Workspace& work, Rates* out) const {
 /// branch.
 void CableForces::sum_pulls(const State& state, Workspace& work, Rates* out) const {
   JointPoints& joints = work.joints;
-  for_each_run(laws_, work.active, [&](const auto&, const CableSpan& run) {
-    if (run.on_linear_branch) return;
-    joints.clear_forces(run.a, run.row ? run.count + 1 : 1);
-    if (!run.row) joints.clear_forces(run.b, run.count);
+  for_each_span(laws_, work.active, [&](const auto&, const CableSpan& span) {
+    if (span.on_linear_branch) return;
+    joints.clear_forces(span.a, span.row ? span.count + 1 : 1);
+    if (!span.row) joints.clear_forces(span.b, span.count);
   });
-  for_each_run(laws_, work.active, [&]<class L>(const CableArray<L>& array, const CableSpan& run) {
-    if (run.on_linear_branch) return;
-    for_each_of(array, run, [&](const L& law, Slot slot, std::size_t c) {
+  for_each_span(laws_, work.active, [&]<class L>(const CableArray<L>& array, const CableSpan& span) {
+    if (span.on_linear_branch) return;
+    for_each_of(array, span, [&](const L& law, Slot slot, std::size_t c) {
       const LawForce force = law(kinematics(work, c), memory(law, state, slot), state.mode[slot.mode]);
       work.paths.tension[c] = force.total();
       if (out)
         out->work[static_cast<std::size_t>(L::dissipation)] +=
             multiplicities_[c] * force.dissipative * work.paths.length_rate[c];
     });
-    sum_pulls(run, work);
+    sum_pulls(span, work);
   });
   for (const std::size_t j : work.topology.free_joints)
     joints.force_x[j] = joints.force_y[j] = 0.0;
 }
 
 /// Joint i of a span receives the forces of cable i and of the one before it, in one sum.
-void CableForces::sum_pulls(const CableSpan& run, Workspace& work) const {
-  const auto pull = [&](std::size_t i) { return work.paths.tension[run.cable + i] * work.paths.pull(run.cable + i); };
-  const auto end_a = [&](std::size_t i) { return constants_.symmetry_weight_a[run.cable + i] * pull(i); };
-  const auto end_b = [&](std::size_t i) { return constants_.symmetry_weight_b[run.cable + i] * pull(i); };
-  work.joints.add_force(run.a, end_a(0));
-  for (std::size_t i = 1; i < run.count; ++i)
-    work.joints.add_force(run.a + i, end_a(i) - end_b(i - 1));
-  work.joints.add_force(run.b + run.count - 1, -end_b(run.count - 1));
+void CableForces::sum_pulls(const CableSpan& span, Workspace& work) const {
+  const auto pull = [&](std::size_t i) { return work.paths.tension[span.cable + i] * work.paths.pull(span.cable + i); };
+  const auto end_a = [&](std::size_t i) { return constants_.symmetry_weight_a[span.cable + i] * pull(i); };
+  const auto end_b = [&](std::size_t i) { return constants_.symmetry_weight_b[span.cable + i] * pull(i); };
+  work.joints.add_force(span.a, end_a(0));
+  for (std::size_t i = 1; i < span.count; ++i)
+    work.joints.add_force(span.a + i, end_a(i) - end_b(i - 1));
+  work.joints.add_force(span.b + span.count - 1, -end_b(span.count - 1));
 }
 
 void CableForces::keep_rest(const State& state, const Workspace& work) {
@@ -247,13 +248,13 @@ void CableForces::keep_rest(const State& state, const Workspace& work) {
   });
 }
 
-void CableForces::list_woken(const State& state, const Workspace& work, double share,
+void CableForces::list_woken(const State& state, const Workspace& work, double fraction,
                              std::vector<BodyId>& woken) const {
   for (const std::size_t c : work.active.borders) {
     visit_cable(laws_, places_[c], [&]<class L>(const L& law, Slot slot) {
       const double tension = law(kinematics(work, c), memory(law, state, slot), state.mode[slot.mode]).total();
       const Vec2 change = tension * work.paths.pull(c) - rest_pulls_[c];
-      if (std::max(std::abs(change.x), std::abs(change.y)) <= share * tension) return;
+      if (std::max(std::abs(change.x), std::abs(change.y)) <= fraction * tension) return;
       const Joint& a = joints_[ends_[c].a];
       const bool asleep = a.on_body && !work.active.awake[index(a.body)];
       woken.push_back((asleep ? a : joints_[ends_[c].b]).body);
@@ -269,21 +270,21 @@ bool CableForces::follows(const State& state) const {
   return found;
 }
 
-bool CableForces::none_ends(const Workspace& work, double ahead) const {
+bool CableForces::none_ends(const Workspace& work, double horizon) const {
   TALUS_ASSERT(work.has_geometry());
   if (!hanger_joints_.empty()) return false;
   return size() == 0 || (work.active.on_linear_branch &&
-                         remains_linear(0, size(), constants_.rest_length, work.lines, work.paths, ahead));
+                         remains_linear(0, size(), constants_.rest_length, work.lines, work.paths, horizon));
 }
 
-bool CableForces::guards(const State& state, const Workspace& work, double ahead, std::span<double> out) const {
+bool CableForces::guards(const State& state, const Workspace& work, double horizon, std::span<double> out) const {
   bool any = !hanger_joints_.empty();
-  for_each_run(laws_, work.active, [&]<class L>(const CableArray<L>& array, const CableSpan& run) {
-    if (run.on_linear_branch &&
-        remains_linear(run.cable, run.count, constants_.rest_length, work.lines, work.paths, ahead))
+  for_each_span(laws_, work.active, [&]<class L>(const CableArray<L>& array, const CableSpan& span) {
+    if (span.on_linear_branch &&
+        remains_linear(span.cable, span.count, constants_.rest_length, work.lines, work.paths, horizon))
       return;
     any = true;
-    for_each_of(array, run, [&](const L& law, Slot slot, std::size_t c) {
+    for_each_of(array, span, [&](const L& law, Slot slot, std::size_t c) {
       out[slot.mode] = law.guard(kinematics(work, c), memory(law, state, slot), state.mode[slot.mode]);
     });
   });

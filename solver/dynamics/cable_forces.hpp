@@ -64,10 +64,10 @@ class CableForces {
   /// True if some memory is changed by update_modes() alone: that of cables that yield.
   bool follows(const State& state) const;
   /// Cheap sufficient test that all guards() are infinite.
-  bool none_ends(const Workspace& work, double ahead) const;
-  /// Computes the guards, except for rows that remain on their linear branches for the time `ahead` [T] at their
+  bool none_ends(const Workspace& work, double horizon) const;
+  /// Computes the guards, except for rows that remain on their linear branches for the time `horizon` [T] at their
   /// present rates. True if any were computed.
-  bool guards(const State& state, const Workspace& work, double ahead, std::span<double> out) const;
+  bool guards(const State& state, const Workspace& work, double horizon, std::span<double> out) const;
   /// A cable in tension that runs straight between its own two joints.
   struct TautCable {
     std::size_t index{};
@@ -78,9 +78,9 @@ class CableForces {
   void for_each_taut(const State& state, const Workspace& work,
                      const std::function<void(const TautCable&)>& visit) const;
   double stored_energy(const State& state, const Workspace& work) const;
-  /// Lists the sleeping bodies on which a cable force differs from that at rest, by more than the fraction `share` of
+  /// Lists the sleeping bodies on which a cable force differs from that at rest, by more than the `fraction` of
   /// its tension.
-  void list_woken(const State& state, const Workspace& work, double share, std::vector<BodyId>& woken) const;
+  void list_woken(const State& state, const Workspace& work, double fraction, std::vector<BodyId>& woken) const;
   /// Stores the present cable forces as those at rest.
   void keep_rest(const State& state, const Workspace& work);
   /// Tension of each cable [F] >= 0.
@@ -99,10 +99,10 @@ class CableForces {
   };
 
   std::size_t joint(const CableEnd& end);
-  void find_row(CableSpan& run, const std::vector<std::size_t>& ends_at) const;
-  void evaluate_paths(const CableSpan& run, Workspace& work) const;
+  void find_row(CableSpan& span, const std::vector<std::size_t>& ends_at) const;
+  void evaluate_paths(const CableSpan& span, Workspace& work) const;
   void sum_pulls(const State& state, Workspace& work, Rates* out) const;
-  void sum_pulls(const CableSpan& run, Workspace& work) const;
+  void sum_pulls(const CableSpan& span, Workspace& work) const;
   /// Magnitude of the resultant cable force on a hanger [F].
   double pull_on(const HangerJoint& holder, const State& state, const Workspace& work) const;
   Chain chain_from(std::size_t cable, const HangerTopology& topology, std::vector<char>& used) const;

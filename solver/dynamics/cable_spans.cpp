@@ -15,15 +15,15 @@ struct PackOfJoints {
 
 /// Computes the joints of a row from its joint `first` on; joints that are on no body remain unchanged.
 template <bool recorded, class Joints>
-[[gnu::always_inline]] inline void place_joints(PackOfJoints& at, const CableSpan& run, std::size_t first,
+[[gnu::always_inline]] inline void place_joints(PackOfJoints& at, const CableSpan& span, std::size_t first,
                                                 const CableConstants& constants, const Poses& poses, Joints& joints) {
-  const auto from = static_cast<std::ptrdiff_t>(run.from), to = static_cast<std::ptrdiff_t>(run.to);
+  const auto from = static_cast<std::ptrdiff_t>(span.from), to = static_cast<std::ptrdiff_t>(span.to);
   const auto begin = static_cast<std::ptrdiff_t>(first);
   Sizes& on_body = at.on_body;
   between(on_body, from - begin, to - begin);
   // A lane before the first body reads the room in front of the array.
-  const std::ptrdiff_t body = run.body + begin;
-  const std::size_t joint = run.a + first;
+  const std::ptrdiff_t body = span.body + begin;
+  const std::size_t joint = span.a + first;
   Pack x, y, cosine, sine, p_x, p_y;
   load(x, poses.x.at(body)), load(y, poses.y.at(body));
   load(cosine, poses.cosine.at(body)), load(sine, poses.sine.at(body));
@@ -54,36 +54,36 @@ template <bool recorded, class Joints>
 }
 
 /// Shifts a pack by one lane; the last lane becomes the first of the pack after.
-[[gnu::always_inline]] inline void ahead(Pack& next, const Pack& pack, const Pack& after) {
+[[gnu::always_inline]] inline void shift_lanes(Pack& next, const Pack& pack, const Pack& after) {
   next = __builtin_shufflevector(pack, after, 1, 2, 3, 4);
 }
 
 /// Evaluates a row in one pass, in registers from the poses to the forces: if results were written and read again
 /// between stages, each stage would wait for the one before. `recorded`: stores the results for joints and cables, too.
 template <bool recorded, class Joints>
-[[gnu::always_inline]] inline bool pull(const CableSpan& run, const CableConstants& constants,
+[[gnu::always_inline]] inline bool pull(const CableSpan& span, const CableConstants& constants,
                                         const CableLinearization& lines, const Poses& poses, Joints& joints,
                                         Paths* paths, Wrenches& pulls) {
-  const auto count = static_cast<std::ptrdiff_t>(run.count);
+  const auto count = static_cast<std::ptrdiff_t>(span.count);
   Sizes left{};
   Pack before_x{}, before_y{};  // forces of the preceding cables at their ends B
   PackOfJoints here;
-  place_joints<recorded>(here, run, 0, constants, poses, joints);
+  place_joints<recorded>(here, span, 0, constants, poses, joints);
   for (std::ptrdiff_t block = 0; block <= count; block += pack_size) {
     PackOfJoints next{};
     const auto first = static_cast<std::size_t>(block);
     if (block + static_cast<std::ptrdiff_t>(pack_size) <= count)
-      place_joints<recorded>(next, run, first + pack_size, constants, poses, joints);
-    const std::size_t cable = run.cable + first, joint = run.a + first;
+      place_joints<recorded>(next, span, first + pack_size, constants, poses, joints);
+    const std::size_t cable = span.cable + first, joint = span.a + first;
     Sizes is;
     between(is, 0, count - block);
     Pack x, y, vx, vy;
-    ahead(x, here.x, next.x), ahead(y, here.y, next.y);
+    shift_lanes(x, here.x, next.x), shift_lanes(y, here.y, next.y);
     Lanes dx, dy, dvx{}, dvy{}, across, length, rate, pull_x, pull_y;
     Pack pack;
     dx.set(x - here.x), dy.set(y - here.y);
     if constexpr (recorded) {
-      ahead(vx, here.vx, next.vx), ahead(vy, here.vy, next.vy);
+      shift_lanes(vx, here.vx, next.vx), shift_lanes(vy, here.vy, next.vy);
       dvx.set(vx - here.vx), dvy.set(vy - here.vy);
     }
     load(pack, constants.across_squared.at(cable)), across.set(pack);
@@ -125,7 +125,7 @@ template <bool recorded, class Joints>
       between(is, 0, count + 1 - block);
       put(joints.force_x.at(joint), is, joint_x), put(joints.force_y.at(joint), is, joint_y);
     }
-    const std::ptrdiff_t body = run.body + block;
+    const std::ptrdiff_t body = span.body + block;
     Pack sum_x, sum_y, sum;
     load(sum_x, pulls.x.at(body)), load(sum_y, pulls.y.at(body)), load(sum, pulls.moment.at(body));
     choose(sum_x, here.on_body, sum_x + joint_x), choose(sum_y, here.on_body, sum_y + joint_y);
@@ -155,9 +155,9 @@ TALUS_CLONES void copy(const Wrenches& from, std::size_t count, Wrenches& to) {
   }
 }
 
-void place_joints(const JointSpan& run, const Row& p_x, const Row& p_y, const Poses& poses, JointPoints& joints) {
-  for (std::size_t i = 0; i < run.count; ++i) {
-    const std::size_t body = run.body + i, joint = run.joint + i;
+void place_joints(const JointSpan& span, const Row& p_x, const Row& p_y, const Poses& poses, JointPoints& joints) {
+  for (std::size_t i = 0; i < span.count; ++i) {
+    const std::size_t body = span.body + i, joint = span.joint + i;
     const double cosine = poses.cosine[body], sine = poses.sine[body], w = poses.w[body];
     const double dx = cosine * p_x[joint] - sine * p_y[joint];
     const double dy = sine * p_x[joint] + cosine * p_y[joint];
@@ -167,18 +167,20 @@ void place_joints(const JointSpan& run, const Row& p_x, const Row& p_y, const Po
   }
 }
 
-TALUS_CLONES bool evaluate_chain(const CableSpan& run, const CableConstants& constants, const CableLinearization& lines,
-                                 const Poses& poses, JointPoints& joints, Paths& paths, Wrenches& pulls) {
-  return pull<true>(run, constants, lines, poses, joints, &paths, pulls);
+TALUS_CLONES bool evaluate_chain(const CableSpan& span, const CableConstants& constants,
+                                 const CableLinearization& lines, const Poses& poses, JointPoints& joints, Paths& paths,
+                                 Wrenches& pulls) {
+  return pull<true>(span, constants, lines, poses, joints, &paths, pulls);
 }
 
-TALUS_CLONES bool chain_wrenches(const CableSpan& run, const CableConstants& constants, const CableLinearization& lines,
-                                 const Poses& poses, const JointPoints& joints, Wrenches& pulls) {
-  return pull<false>(run, constants, lines, poses, joints, nullptr, pulls);
+TALUS_CLONES bool chain_wrenches(const CableSpan& span, const CableConstants& constants,
+                                 const CableLinearization& lines, const Poses& poses, const JointPoints& joints,
+                                 Wrenches& pulls) {
+  return pull<false>(span, constants, lines, poses, joints, nullptr, pulls);
 }
 
 TALUS_CLONES bool remains_linear(std::size_t first, std::size_t count, const Row& rest_length,
-                                 const CableLinearization& lines, const Paths& paths, double ahead) {
+                                 const CableLinearization& lines, const Paths& paths, double horizon) {
   Sizes left{};
   for (std::size_t i = 0; i < count; i += pack_size) {
     const std::size_t cable = first + i;
@@ -187,8 +189,8 @@ TALUS_CLONES bool remains_linear(std::size_t first, std::size_t count, const Row
     const double *const low = lines.low.at(cable), *const high = lines.high.at(cable);
     Sizes off, is;
     ask_lanes(off, [&](std::size_t l) {
-      const double deformation = length[l] - rest[l], way = ahead * std::abs(rate[l]);
-      return !((deformation - low[l] > way) & (high[l] - deformation > way));
+      const double deformation = length[l] - rest[l], change = horizon * std::abs(rate[l]);
+      return !((deformation - low[l] > change) & (high[l] - deformation > change));
     });
     between(is, 0, static_cast<std::ptrdiff_t>(count - i));
     left |= off & is;
@@ -196,15 +198,15 @@ TALUS_CLONES bool remains_linear(std::size_t first, std::size_t count, const Row
   return !any_bit(left);
 }
 
-TALUS_CLONES void load_bodies(const JointSpan& run, const JointPoints& joints, Wrenches& wrenches) {
-  for (std::size_t i = 0; i < run.count; i += pack_size) {
-    const std::size_t joint = run.joint + i, body = run.body + i;
+TALUS_CLONES void load_bodies(const JointSpan& span, const JointPoints& joints, Wrenches& wrenches) {
+  for (std::size_t i = 0; i < span.count; i += pack_size) {
+    const std::size_t joint = span.joint + i, body = span.body + i;
     Pack force_x, force_y, arm_x, arm_y, x, y, moment;
     load(force_x, joints.force_x.at(joint)), load(force_y, joints.force_y.at(joint));
     load(arm_x, joints.arm_x.at(joint)), load(arm_y, joints.arm_y.at(joint));
     load(x, wrenches.x.at(body)), load(y, wrenches.y.at(body)), load(moment, wrenches.moment.at(body));
     Sizes are;
-    between(are, 0, static_cast<std::ptrdiff_t>(run.count - i));
+    between(are, 0, static_cast<std::ptrdiff_t>(span.count - i));
     put(wrenches.x.at(body), are, x + force_x), put(wrenches.y.at(body), are, y + force_y);
     put(wrenches.moment.at(body), are, moment + (arm_x * force_y - arm_y * force_x));
   }

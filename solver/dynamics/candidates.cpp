@@ -61,7 +61,7 @@ namespace {
 /// Skin, relative to the smallest half width of a body: a rock of the fence of 1993 is listed again every few hundred
 /// steps of its path. The step of Table 2 takes 0.151, 0.153, 0.156 and 0.157 us with 0.02, 0.05, 0.1 and 0.2, and that
 /// of two layers 0.403, 0.384, 0.404 and 0.405 us.
-constexpr double skin_share = 0.05;
+constexpr double skin_ratio = 0.05;
 
 /// Largest number of bodies in the sweep. Beyond it a table of all pairs takes more memory than a machine has to spare
 /// (128 MB at this number), and the list is made by checking all pairs of the model.
@@ -106,7 +106,7 @@ void ContactSearch::prepare(std::size_t bodies) {
     const std::size_t i = index(body);
     // Turning moves no point of the outline of a disc; ground does not move.
     skin_limits_.radius[i] = bounds.round ? 0.0 : furthest(bounds);
-    skin_limits_.way[i] = is_unbounded(bounds) ? 0.0 : skin_share * least_half_width(bounds);
+    skin_limits_.displacement[i] = is_unbounded(bounds) ? 0.0 : skin_ratio * least_half_width(bounds);
     skin_limits_.first = std::min(skin_limits_.first, i), skin_limits_.last = std::max(skin_limits_.last, i + 1);
   };
   for (const Candidate& pair : pairs_)
@@ -161,13 +161,14 @@ void ContactSearch::list_close(const Poses& poses, Sweep& sweep) const {
   const auto look = [&](std::size_t p) {
     const Candidate& pair = pairs_[p];
     const std::size_t a = index(pair.a), b = index(pair.b);
-    if (!out_of_reach(pair, poses[a], poses[b], skin_limits_.way[a] + skin_limits_.way[b])) sweep.close.push_back(p);
+    if (!out_of_reach(pair, poses[a], poses[b], skin_limits_.displacement[a] + skin_limits_.displacement[b]))
+      sweep.close.push_back(p);
   };
   for (const std::size_t p : single_)
     look(p);
   for (std::size_t i = 0; i < swept_.size(); ++i) {
     const auto& [body, bounds, reach] = swept_[i];
-    sweep.stretches[i] = stretch(bounds, poses[index(body)], skin_limits_.way[index(body)] + reach);
+    sweep.stretches[i] = stretch(bounds, poses[index(body)], skin_limits_.displacement[index(body)] + reach);
   }
   sort(sweep.order, sweep.stretches);
   for (std::size_t i = 0; i < sweep.order.size(); ++i) {

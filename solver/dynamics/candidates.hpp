@@ -74,13 +74,13 @@ struct Candidate {
   return 0.5 * (least_half_width(pair.bounds_a) + least_half_width(pair.bounds_b));
 }
 
-/// True if two bodies, neither of them ground, that approach by the distance `way` [L] >= 0 can neither act on each
-/// other nor tunnel, judged by circles around them: a cheap test that is true for most pairs.
-[[nodiscard]] inline bool cannot_touch(const Candidate& pair, const Poses& poses, double way) {
+/// True if two bodies, neither of them ground, that approach by a displacement [L] >= 0 can neither act on each other
+/// nor tunnel, judged by circles around them: a cheap test that is true for most pairs.
+[[nodiscard]] inline bool cannot_touch(const Candidate& pair, const Poses& poses, double displacement) {
   const std::size_t a = index(pair.a), b = index(pair.b);
   const double x = poses.x[b] - poses.x[a], y = poses.y[b] - poses.y[a];
-  const double reach = furthest(pair.bounds_a) + furthest(pair.bounds_b) + pair.reach + way;
-  return way <= tunnelling_distance(pair) && x * x + y * y > reach * reach;
+  const double reach = furthest(pair.bounds_a) + furthest(pair.bounds_b) + pair.reach + displacement;
+  return displacement <= tunnelling_distance(pair) && x * x + y * y > reach * reach;
 }
 
 /// Range of a swept body along x [L].

@@ -61,7 +61,7 @@ void Dynamics::affine_piece(const State& state, const Workspace& work, AffinePie
     struct Side {
       BodyId body;
       double sign;
-      double share;
+      double weight;
     };
     const Side sides[] = {{contact.a, 1.0, contact.symmetry_weight_a}, {contact.b, -1.0, contact.symmetry_weight_b}};
     const auto along = [&](std::size_t i) {
@@ -72,7 +72,7 @@ void Dynamics::affine_piece(const State& state, const Workspace& work, AffinePie
       for (const Side& moved : sides) {
         for (std::size_t i = layout_.first[index(pushed.body)]; i < layout_.first[index(pushed.body) + 1]; ++i) {
           for (std::size_t j = layout_.first[index(moved.body)]; j < layout_.first[index(moved.body) + 1]; ++j) {
-            const double each = pushed.sign * moved.sign * pushed.share * along(i) * along(j) / inertias_[i];
+            const double each = pushed.sign * moved.sign * pushed.weight * along(i) * along(j) / inertias_[i];
             if (each != 0.0)
               out.terms.push_back({i, j, each * contact.slopes.stiffness, each * contact.slopes.damping});
           }

@@ -134,20 +134,20 @@ void add_pair(Workspace& work, const ContactGroup& group, const Gap& gap, Vec2 o
 /// True for a body and ground.
 bool is_unbounded(const Candidate& pair) { return is_unbounded(pair.bounds_a) || is_unbounded(pair.bounds_b); }
 
-/// Step [T] in which a pair with this closing speed [L/T] moves by the distance `way` [L] > 0 under the acceleration `pull`
-/// [L/T^2]: way = speed h + pull h^2/2, solved without cancellation.
-double step_over(double way, double speed, double pull) {
-  return 2.0 * way / (speed + std::sqrt(speed * speed + 2.0 * pull * way));
+/// Step [T] in which a pair with this closing speed [L/T] moves by a distance [L] > 0 under the acceleration `pull`
+/// [L/T^2]: distance = speed h + pull h^2/2, solved without cancellation.
+double step_over(double distance, double speed, double pull) {
+  return 2.0 * distance / (speed + std::sqrt(speed * speed + 2.0 * pull * distance));
 }
 
 /// Reduces the longest step to the one that a pair with this closing speed [L/T] allows, under the acceleration `pull`
 /// [L/T^2].
 void limit_step(ContactForces::TunnellingLimit& tunnelling_limit, const Candidate& pair, std::size_t contact,
                 double speed, double pull) {
-  const double way = tunnelling_distance(pair);
+  const double distance = tunnelling_distance(pair);
   const double most = tunnelling_limit.longest_step;
-  if ((speed + 0.5 * pull * most) * most <= way) return;
-  const double step = step_over(way, speed, pull);
+  if ((speed + 0.5 * pull * most) * most <= distance) return;
+  const double step = step_over(distance, speed, pull);
   if (step < most) tunnelling_limit = {step, static_cast<ContactId>(contact)};
 }
 
@@ -239,8 +239,8 @@ bool ContactForces::update_of(const State& state, std::span<const std::size_t> m
   return work.any_near;
 }
 
-double ContactForces::update_far(const State& state, double ahead, double pull, Workspace& work) const {
-  TunnellingLimit tunnelling_limit{ahead, {}};
+double ContactForces::update_far(const State& state, double horizon, double pull, Workspace& work) const {
+  TunnellingLimit tunnelling_limit{horizon, {}};
   bool any = false;
   for (std::size_t c = 0; c < candidates(); ++c) {
     char& near = work.near[c];
@@ -248,12 +248,12 @@ double ContactForces::update_far(const State& state, double ahead, double pull, 
     const bool passes = !is_unbounded(pair);
     if (near) near = Workspace::known;
     if (near && !passes) continue;
-    const auto way = [&](double speed) { return ahead * (speed + 0.5 * pull * ahead); };
-    if (!near && passes && cannot_touch(pair, work.poses, way(closing_speed_bound(pair, work.poses)))) continue;
+    const auto distance = [&](double speed) { return horizon * (speed + 0.5 * pull * horizon); };
+    if (!near && passes && cannot_touch(pair, work.poses, distance(closing_speed_bound(pair, work.poses)))) continue;
     const Pose A = work.poses[index(pair.a)], B = work.poses[index(pair.b)];
     const double speed = largest_closing_speed(pair, A, B);
     if (passes) limit_step(tunnelling_limit, pair, c, speed, pull);
-    if (near || out_of_reach(pair, A, B, way(speed))) continue;
+    if (near || out_of_reach(pair, A, B, distance(speed))) continue;
     near = Workspace::wanted;
     any = true;
   }
@@ -441,8 +441,8 @@ ContactForces::TunnellingLimit ContactForces::tunnelling_limit(const Workspace& 
   return found;
 }
 
-double ContactForces::safe_step(const Workspace& work, double ahead, double pull) const {
-  double longest = ahead;
+double ContactForces::safe_step(const Workspace& work, double horizon, double pull) const {
+  double longest = horizon;
   for (const Candidate& pair : search_.pairs()) {
     if (is_unbounded(pair)) continue;
     const Pose A = work.poses[index(pair.a)], B = work.poses[index(pair.b)];
@@ -450,8 +450,8 @@ double ContactForces::safe_step(const Workspace& work, double ahead, double pull
     const double apart = norm(B.p_WB - A.p_WB) - furthest(pair.bounds_a) - furthest(pair.bounds_b) - pair.reach;
     // A step that enters the contact is short: the error estimate of a long one, whose last stages alone see the force,
     // is poor.
-    const double way = std::max(apart, tunnelling_distance(pair));
-    if ((speed + 0.5 * pull * longest) * longest > way) longest = step_over(way, speed, pull);
+    const double distance = std::max(apart, tunnelling_distance(pair));
+    if ((speed + 0.5 * pull * longest) * longest > distance) longest = step_over(distance, speed, pull);
   }
   return longest;
 }
@@ -463,7 +463,7 @@ ContactForces::Overlap ContactForces::deepest_overlap(const Workspace& work) con
     const Candidate& pair = search_.pairs()[c];
     const double size = smaller_size(pair);
     for (std::size_t i = pair.first; i < pair.last; ++i) {
-      if (work.gaps[i].depth > found.share * size) found = {work.gaps[i].depth / size, static_cast<ContactId>(c)};
+      if (work.gaps[i].depth > found.ratio * size) found = {work.gaps[i].depth / size, static_cast<ContactId>(c)};
     }
   }
   return found;

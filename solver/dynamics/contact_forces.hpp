@@ -40,9 +40,9 @@ class ContactForces {
   /// Computes the gaps of all pairs.
   void update_all(Workspace& work) const;
   /// After update(): computes also the gaps that it omitted, except for bodies that at their present speed, and under
-  /// the acceleration `pull` [L/T^2], do not come within reach of each other in the time `ahead` [T]. Returns the
-  /// longest step of tunnelling_limit(), at most `ahead`.
-  double update_far(const State& state, double ahead, double pull, Workspace& work) const;
+  /// the acceleration `pull` [L/T^2], do not come within reach of each other in the time `horizon` [T]. Returns the
+  /// longest step of tunnelling_limit(), at most `horizon`.
+  double update_far(const State& state, double horizon, double pull, Workspace& work) const;
   /// Computes only the gaps of the pairs that have one of these modes. True if there are any.
   bool update_of(const State& state, std::span<const std::size_t> modes, Workspace& work) const;
   /// True if a mode is of a contact or its friction.
@@ -70,12 +70,12 @@ class ContactForces {
     ContactId contact{};
   };
   TunnellingLimit tunnelling_limit(const Workspace& work, double pull) const;
-  /// Longest step [T], at most `ahead`, after which no pair can have missed its contact: each may close the distance between
-  /// the circles around its bodies, or move by tunnelling_distance() where that is more.
-  double safe_step(const Workspace& work, double ahead, double pull) const;
+  /// Longest step [T], at most `horizon`, after which no pair can have missed its contact: each may close the distance
+  /// between the circles around its bodies, or move by tunnelling_distance() where that is more.
+  double safe_step(const Workspace& work, double horizon, double pull) const;
   /// Largest overlap within reach, relative to half the smallest width of the smaller of its bodies.
   struct Overlap {
-    double share{};
+    double ratio{};
     ContactId contact{};
   };
   Overlap deepest_overlap(const Workspace& work) const;

@@ -95,8 +95,8 @@ void Dynamics::list_awake(const State& state, Workspace& work, bool whole) const
   const auto awake = static_cast<std::size_t>(active.awake.rend() - last);
   active.moving = layout_.first[awake];
   active.reached_bodies = whole ? model_.bodies.size() : awake;
-  for (const JointSpan& run : active.joints) {
-    if (run.on_body) active.reached_bodies = std::max(active.reached_bodies, run.body + run.count);
+  for (const JointSpan& span : active.joints) {
+    if (span.on_body) active.reached_bodies = std::max(active.reached_bodies, span.body + span.count);
   }
 }
 
@@ -255,11 +255,11 @@ void Dynamics::rates(const State& state, Workspace& work, Rates& out, bool ledge
   bodies_.rates(work, out, ledger);
 }
 
-bool Dynamics::guards(const State& state, Workspace& work, std::span<double> out, double ahead) const {
+bool Dynamics::guards(const State& state, Workspace& work, std::span<double> out, double horizon) const {
   TALUS_ASSERT(work.has_geometry());
   std::fill(out.begin(), out.end(), std::numeric_limits<double>::infinity());
   contacts_.guards(state, work, out);
-  return cables_.guards(state, work, ahead, out) || work.any_near;
+  return cables_.guards(state, work, horizon, out) || work.any_near;
 }
 
 void Dynamics::guards_of(const State& state, std::span<const std::size_t> modes, Workspace& work,
@@ -282,8 +282,8 @@ void Dynamics::guards_of(const State& state, std::span<const std::size_t> modes,
 
 bool Dynamics::follows(const State& state) const { return contacts_.follows(state) || cables_.follows(state); }
 
-double Dynamics::safe_step(const Workspace& work, double ahead) const {
-  return contacts_.safe_step(work, ahead, gravity_magnitude_);
+double Dynamics::safe_step(const Workspace& work, double horizon) const {
+  return contacts_.safe_step(work, horizon, gravity_magnitude_);
 }
 
 double Dynamics::longest_step(const Workspace& work) const {

@@ -72,11 +72,11 @@ class Dynamics {
   void update_everywhere(const State& state, Workspace& work) const;
   /// As update_everywhere(), with all gaps, however far apart the bodies.
   void update_all(const State& state, Workspace& work) const;
-  /// After update(): computes also the gaps of bodies out of reach that may come within reach in the time `ahead` [T],
-  /// at their present speed and under their weight. All other pairs have no gaps, and infinite guards. Returns
-  /// longest_step(), at most `ahead`.
-  double update_far(const State& state, double ahead, Workspace& work) const {
-    return contacts_.update_far(state, ahead, gravity_magnitude_, work);
+  /// After update(): computes also the gaps of bodies out of reach that may come within reach in the time `horizon`
+  /// [T], at their present speed and under their weight. All other pairs have no gaps, and infinite guards. Returns
+  /// longest_step(), at most `horizon`.
+  double update_far(const State& state, double horizon, Workspace& work) const {
+    return contacts_.update_far(state, horizon, gravity_magnitude_, work);
   }
   /// True if some memory has a rate of change, as the stretch of friction has.
   bool follows_motion() const { return follows_motion_; }
@@ -96,14 +96,14 @@ class Dynamics {
   /// update_modes() accumulates this work, with the friction limit at the end of the step.
   void rates(const State& state, Workspace& work, Rates& out, bool ledger = true, bool slip_power = false) const;
   /// Cheap sufficient test that all guards() are infinite.
-  [[nodiscard]] bool none_ends(const Workspace& work, double ahead) const {
-    return !work.any_near && cables_.none_ends(work, ahead);
+  [[nodiscard]] bool none_ends(const Workspace& work, double horizon) const {
+    return !work.any_near && cables_.none_ends(work, horizon);
   }
   /// Computes the guards of all law instances and hangers in the state's modes, by mode slot: positive while the mode
   /// lasts, and infinite if nothing can end it from here or, for rows of cables on their linear branches, if nothing
-  /// ends it within the time `ahead` [T] at the present rates. True if any may be finite.
+  /// ends it within the time `horizon` [T] at the present rates. True if any may be finite.
   bool guards(const State& state, Workspace& work, std::span<double> out,
-              double ahead = std::numeric_limits<double>::infinity()) const;
+              double horizon = std::numeric_limits<double>::infinity()) const;
   /// Computes the guards of a few modes; other elements of `out` may change, too. Evaluates only what these guards
   /// need: another update() is required before any other function.
   void guards_of(const State& state, std::span<const std::size_t> modes, Workspace& work, std::span<double> out) const;
@@ -111,7 +111,7 @@ class Dynamics {
   /// True if, in the state's modes, some memory is changed by update_modes() alone.
   [[nodiscard]] bool follows(const State& state) const;
   /// See ContactForces::safe_step(), with gravity as the acceleration.
-  double safe_step(const Workspace& work, double ahead) const;
+  double safe_step(const Workspace& work, double horizon) const;
   /// After update(): longest step [T] from here in which no body can tunnel through another; infinite if none can.
   [[nodiscard]] double longest_step(const Workspace& work) const;
   /// Displacement [L] of a body for one unit of each coordinate: 1, or the radius of gyration.

@@ -96,10 +96,10 @@ void CableForces::straighten(Chain& chain, const State& state, Workspace& work) 
   double along = 0.0;
   for (std::size_t i = 0; i < chain.cables.size(); ++i) {
     const std::size_t c = chain.cables[i];
-    const double share = compliances[i] / compliance;
+    const double ratio = compliances[i] / compliance;
     const double length = lengths[i] + tension * compliances[i];
     const Vec2 pull = ends_[c].a == chain.joints[i] ? whole.pull_A : -whole.pull_A;
-    work.paths.set(c, {length, share * whole.length_rate, pull});
+    work.paths.set(c, {length, ratio * whole.length_rate, pull});
     along += length;
     if (i + 1 == chain.cables.size()) break;
     const double part = whole.length > 0.0 ? std::clamp(along / whole.length, 0.0, 1.0) : 1.0;
@@ -127,10 +127,10 @@ std::vector<HangerId> CableForces::overloaded(const State& state, const Workspac
   double most = 1.0;
   for (std::size_t h = 0; h < hanger_joints_.size(); ++h) {
     if (state.mode[first_hanger_ + h] != 0) continue;
-    const double share = pull_on(hanger_joints_[h], state, work) / hanger_joints_[h].strength;
-    if (share < most) continue;
-    if (share > most) found.clear();
-    most = share;
+    const double ratio = pull_on(hanger_joints_[h], state, work) / hanger_joints_[h].strength;
+    if (ratio < most) continue;
+    if (ratio > most) found.clear();
+    most = ratio;
     found.push_back(static_cast<HangerId>(h));
   }
   return found;

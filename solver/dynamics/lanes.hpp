@@ -167,7 +167,7 @@ struct BodySpan {
   std::size_t place{};  ///< index of the first in the array of free bodies
   std::size_t body{};   ///< index of the first in the model; the coordinates are consecutive
   std::size_t count{};
-  bool goes_on(const BodySpan& next) const { return next.place == place + count && next.body == body + count; }
+  bool continues(const BodySpan& next) const { return next.place == place + count && next.body == body + count; }
 };
 
 /// Span of joints on consecutive bodies, or of joints on no body.
@@ -177,7 +177,7 @@ struct JointSpan {
   std::size_t count{};
   bool on_body{};
   bool in_row{};  ///< placed together with its row of cables
-  bool goes_on(const JointSpan& next) const {
+  bool continues(const JointSpan& next) const {
     return next.joint == joint + count && next.on_body == on_body && next.in_row == in_row &&
            (!on_body || next.body == body + count);
   }
@@ -198,19 +198,19 @@ struct CableSpan {
   std::size_t to{};         ///< counted from a
   std::ptrdiff_t body{};    ///< on which joint a is, or would be
   bool on_linear_branch{};  ///< of a row, in the last evaluation: each cable is on the linear branch of its mode
-  bool goes_on(const CableSpan& next) const {
+  bool continues(const CableSpan& next) const {
     return b == a + 1 && next.a == a + count && next.b == b + count && next.place == place + count &&
            next.cable == cable + count;
   }
 };
 
 /// Extends the last span by one element, or begins another.
-template <class Run>
-void append(std::vector<Run>& runs, const Run& one) {
-  if (!runs.empty() && runs.back().goes_on(one)) {
-    ++runs.back().count;
+template <class Span>
+void append(std::vector<Span>& spans, const Span& one) {
+  if (!spans.empty() && spans.back().continues(one)) {
+    ++spans.back().count;
   } else {
-    runs.push_back(one);
+    spans.push_back(one);
   }
 }
 

@@ -15,12 +15,12 @@ class Line {
  public:
   Line(const Dynamics& dynamics, const Workspace& work) : dynamics_{dynamics}, work_{work} {}
 
-  /// Adds a body: motion of its point at p_WP along `direction` increases the deformation, and `share` times the force
+  /// Adds a body: motion of its point at p_WP along `direction` increases the deformation, and `weight` times the force
   /// acts on it in the opposite direction.
-  void add(BodyId body, Vec2 p_WP, Vec2 direction, double share) {
+  void add(BodyId body, Vec2 p_WP, Vec2 direction, double weight) {
     for_each_gradient(dynamics_, work_, body, p_WP, direction, [&](std::size_t coordinate, double gradient) {
       if (gradient != 0.0)
-        parts_[count_++] = {coordinate, gradient, share * gradient / dynamics_.inertias()[coordinate]};
+        parts_[count_++] = {coordinate, gradient, weight * gradient / dynamics_.inertias()[coordinate]};
     });
   }
 
@@ -84,8 +84,8 @@ void Dynamics::linearization(const State& state, const Workspace& work, AffinePi
   });
   cables_.for_each_taut(state, work, [&](const CableForces::TautCable& cable) {
     Line line{*this, work};
-    const auto add = [&](const Joint& joint, std::size_t j, Vec2 direction, double share) {
-      if (joint.on_body) line.add(joint.body, work.joints.p_WP(j), direction, share);
+    const auto add = [&](const Joint& joint, std::size_t j, Vec2 direction, double weight) {
+      if (joint.on_body) line.add(joint.body, work.joints.p_WP(j), direction, weight);
     };
     const CableForces::Ends ends = cables_.ends()[cable.index];
     const Vec2 pull = work.paths.pull(cable.index);

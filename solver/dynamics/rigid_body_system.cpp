@@ -42,18 +42,18 @@ void RigidBodySystem::update_modes(State& state, const State& before) {
   dynamics_->update_modes(state, work_, &before);
 }
 
-GuardBounds RigidBodySystem::guards(const State& state, bool same, double ahead, std::vector<double>& out) {
+GuardBounds RigidBodySystem::guards(const State& state, bool same, double horizon, std::vector<double>& out) {
   if (!same) dynamics_->update(state, work_);
-  const double longest_step = dynamics_->update_far(state, ahead, work_);
+  const double longest_step = dynamics_->update_far(state, horizon, work_);
   out.resize(state.mode.size());
-  const bool none_ends = dynamics_->none_ends(work_, ahead);
-  return {!none_ends && dynamics_->guards(state, work_, out, ahead), longest_step};
+  const bool none_ends = dynamics_->none_ends(work_, horizon);
+  return {!none_ends && dynamics_->guards(state, work_, out, horizon), longest_step};
 }
 
-double RigidBodySystem::safe_step(const State& state, double ahead) {
-  if (dynamics_->contacts().candidates() == 0) return ahead;
+double RigidBodySystem::safe_step(const State& state, double horizon) {
+  if (dynamics_->contacts().candidates() == 0) return horizon;
   dynamics_->update(state, work_);
-  return dynamics_->safe_step(work_, ahead);
+  return dynamics_->safe_step(work_, horizon);
 }
 
 void RigidBodySystem::guards_of(const State& state, std::span<const std::size_t> modes, std::span<double> out) {

@@ -33,14 +33,14 @@ class RigidBodySystem {
   void evaluate(State& state, Rates& out);
 
   /// Computes the guards in the state's modes. `same`: the state is that of the last update_modes() or derivative().
-  /// Guards of bodies that do not touch in the time `ahead` [T] at their present speed are infinite; see GuardBounds.
+  /// Guards of bodies that do not touch in the time `horizon` [T] at their present speed are infinite; see GuardBounds.
   /// No force evaluation.
-  GuardBounds guards(const State& state, bool same, double ahead, std::vector<double>& out);
+  GuardBounds guards(const State& state, bool same, double horizon, std::vector<double>& out);
   /// Computes the guards of a few modes, at any state; other elements of `out` may change, too.
   void guards_of(const State& state, std::span<const std::size_t> modes, std::span<double> out);
-  /// Longest step [T], at most `ahead`, in which no two bodies can pass each other without a contact in the state at its
-  /// end, at their present speed and under gravity. No force evaluation.
-  double safe_step(const State& state, double ahead);
+  /// Longest step [T], at most `horizon`, in which no two bodies can pass each other without a contact in the state at
+  /// its end, at their present speed and under gravity. No force evaluation.
+  double safe_step(const State& state, double horizon);
   bool follows(const State& state) const { return dynamics_->follows(state); }
   std::vector<double> lengths() const { return dynamics_->lengths(); }
   /// Linear equations of motion of the state whose derivative() was evaluated last.

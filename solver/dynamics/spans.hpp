@@ -10,17 +10,17 @@ namespace talus {
 
 /// Computes positions and orientations of a span of free bodies from their coordinates q, three for each body. Leaves
 /// the velocities in `poses` unchanged.
-void place_bodies(const BodySpan& run, const double* q, Poses& poses);
+void place_bodies(const BodySpan& span, const double* q, Poses& poses);
 /// Computes the velocities of a span of free bodies from the rates v of these coordinates.
-void place_velocities(const BodySpan& run, const double* v, Poses& poses);
+void place_velocities(const BodySpan& span, const double* v, Poses& poses);
 
 /// Computes the joints of a span of bodies from the poses of the bodies; p_x, p_y in body coordinates [L].
-void place_joints(const JointSpan& run, const Row& p_x, const Row& p_y, const Poses& poses, JointPoints& joints);
+void place_joints(const JointSpan& span, const Row& p_x, const Row& p_y, const Poses& poses, JointPoints& joints);
 
 /// Limits of the displacement of bodies since the contact search listed them, one number for each body.
 struct SkinLimits {
   Row radius;                   ///< of all points that a rotation moves, about the centre of mass [L]; 0 for a disc
-  Row way;                      ///< largest displacement of any point of it [L]; infinite if it is not limited
+  Row displacement;             ///< largest displacement of any point of it [L]; infinite if it is not limited
   std::size_t first{}, last{};  ///< bodies outside first .. last - 1 are not limited
 };
 
@@ -35,7 +35,7 @@ struct BodyConstants {
 };
 
 /// Computes the accelerations of a span of free bodies, three for each body.
-void accelerate_bodies(const BodySpan& run, const BodyConstants& constants, const Wrenches& wrenches, double* a);
+void accelerate_bodies(const BodySpan& span, const BodyConstants& constants, const Wrenches& wrenches, double* a);
 
 /// Sets the wrenches of the first `count` bodies, and some behind them, to zero, or copies them.
 void clear(Wrenches& wrenches, std::size_t count);
@@ -54,16 +54,16 @@ struct CableConstants {
 /// Evaluates a row: its joints and the paths of its cables and, if all cables are on the linear branches of their
 /// modes, the tensions and the forces at the joints, which are added to the forces on the bodies. True if all are on
 /// their linear branches.
-bool evaluate_chain(const CableSpan& run, const CableConstants& constants, const CableLinearization& lines,
+bool evaluate_chain(const CableSpan& span, const CableConstants& constants, const CableLinearization& lines,
                     const Poses& poses, JointPoints& joints, Paths& paths, Wrenches& pulls);
 /// Computes the forces of a row on the bodies alone. Reads only those joints that are on no body.
-bool chain_wrenches(const CableSpan& run, const CableConstants& constants, const CableLinearization& lines,
+bool chain_wrenches(const CableSpan& span, const CableConstants& constants, const CableLinearization& lines,
                     const Poses& poses, const JointPoints& joints, Wrenches& pulls);
 
 /// True if the `count` cables from `first` on, which are on their linear branches (see evaluate_chain()), remain there
-/// for the time `ahead` [T] at their present rates.
+/// for the time `horizon` [T] at their present rates.
 bool remains_linear(std::size_t first, std::size_t count, const Row& rest_length, const CableLinearization& lines,
-                    const Paths& paths, double ahead);
+                    const Paths& paths, double horizon);
 
 /// Computes the depths [L] of `count` points of A, from the `first` of those at x, y in A's coordinates on, in the box
 /// around an outline of B: box_depth() of each. Writes up to one pack more to `depths`.
@@ -75,6 +75,6 @@ void plane_depths(const Row& x, const Row& y, const Row& radius, std::size_t fir
                   const Placement& A_in_B, double* depths);
 
 /// Adds the forces at joints to the wrenches of the span of bodies that they are on.
-void load_bodies(const JointSpan& run, const JointPoints& joints, Wrenches& wrenches);
+void load_bodies(const JointSpan& span, const JointPoints& joints, Wrenches& wrenches);
 
 }  // namespace talus

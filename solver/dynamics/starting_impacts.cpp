@@ -15,10 +15,10 @@ double coupling(const PointMobility& mobility, const Workspace& work, const Star
   const Gap &here = work.gaps[one.instance], &there = work.gaps[other.instance];
   double sum = 0.0;
   for (const auto& [body, sign] : {std::pair{one.group->a, 1.0}, {one.group->b, -1.0}}) {
-    for (const auto& [same, same_sign, share] : {std::tuple{other.group->a, 1.0, other.group->symmetry_weight_a},
-                                                 {other.group->b, -1.0, other.group->symmetry_weight_b}}) {
+    for (const auto& [same, same_sign, weight] : {std::tuple{other.group->a, 1.0, other.group->symmetry_weight_a},
+                                                  {other.group->b, -1.0, other.group->symmetry_weight_b}}) {
       if (body != same) continue;
-      sum += sign * same_sign * share *
+      sum += sign * same_sign * weight *
              mobility.between(body, work.poses[index(body)], {here.p_WC, here.n_AB}, {there.p_WC, there.n_AB});
     }
   }

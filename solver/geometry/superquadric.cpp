@@ -92,8 +92,8 @@ double gauge(const Superquadric& shape, Vec2 p) {
   const double v = std::abs(p.y) / shape.half_height;
   const double most = std::max(u, v);
   if (most == 0.0) return 0.0;
-  const double share = std::min(u, v) / most;
-  return most * root(1.0 + power(share, shape.exponent), shape.exponent);
+  const double ratio = std::min(u, v) / most;
+  return most * root(1.0 + power(ratio, shape.exponent), shape.exponent);
 }
 
 bool is_inside(const Superquadric& shape, Vec2 p) {

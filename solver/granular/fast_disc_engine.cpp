@@ -118,7 +118,7 @@ void FastDiscEngine::sweep(double kick, double drift) {
     for (const Stripe& stripe : stripes_)
       fastest = std::max(fastest, stripe.fastest);
   }
-  way_ = list_.approach(drift, fastest);
+  approach_ = list_.approach(drift, fastest);
 }
 
 void FastDiscEngine::begin_kick() {
@@ -265,8 +265,8 @@ StepBlock FastDiscEngine::work(Stripe& stripe, bool kicks, double drift) {
 void FastDiscEngine::end_drift(Discs& discs, double h) {
   slid_ += h * list_.box().sliding();
   if (list_.box().sliding() != 0.0) list_.shifts(slid_, shifts_);
-  list_.use(way_);
-  used_ += way_;
+  list_.use(approach_);
+  used_ += approach_;
   if (list_.may_end()) {
     store(discs);
     if (!list_.holds(discs)) return rebuild(discs);

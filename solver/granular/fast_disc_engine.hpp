@@ -229,7 +229,7 @@ class FastDiscEngine {
   bool all_near_{};              ///< all listed pairs count as near
   double reach_{};               ///< s, reach of the near list beyond contact [L]
   double used_{};                ///< used part of s [L]
-  double way_{};                 ///< bound of the approach of any pair in the last step [L]
+  double approach_{};            ///< bound of the approach of any pair in the last step [L]
 
   double lost_{};  ///< loss of contacts that have ended [F L]
   std::vector<PartedPair> parted_;

@@ -179,17 +179,17 @@ void FastDiscEngine::prune(Stripe& stripe) {
 /// as near instead.
 bool FastDiscEngine::choose_reach() {
   // After a period without a near list one is built, so that the next choice is based on present conditions.
-  const bool looks_again = std::exchange(all_near_, false);
+  const bool is_checked_again = std::exchange(all_near_, false);
   if (reach_ == 0.0) reach_ = first_reach * skin_;
   double near = 0.0, touching = 0.0;
   for (const Stripe& stripe : stripes_) {
     near += static_cast<double>(stripe.own.near.count + stripe.outgoing.near.count);
     touching += static_cast<double>(stripe.own.contacts.now.count + stripe.outgoing.contacts.now.count);
   }
-  if (way_ == 0.0 || near == 0.0 || looks_again) return false;
+  if (approach_ == 0.0 || near == 0.0 || is_checked_again) return false;
   const double listed = static_cast<double>(pairs_.count);
-  const double making = making_cost * listed * way_;
-  const double least = std::min(2.0 * way_, skin_), last = reach_;
+  const double making = making_cost * listed * approach_;
+  const double least = std::min(2.0 * approach_, skin_), last = reach_;
   reach_ = std::clamp(std::sqrt(making * last / std::max(near - touching, 1.0)), least, skin_);
   const bool settled = std::abs(reach_ / last - 1.0) < 0.2;
   // With several stripes a near list is always built, because it also separates the outgoing pairs.

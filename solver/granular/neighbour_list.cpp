@@ -59,40 +59,40 @@ class Cells {
     };
     // For each thread: the images of its discs, and the number of its entries in each cell, which is then replaced by
     // the index in standing_ of the first of them.
-    struct Share {
+    struct ThreadBins {
       std::vector<PlacedDisc> images;
       std::vector<std::uint32_t> in_cell;
     };
-    std::vector<Share> shares(pool == nullptr ? 1 : pool->size());
+    std::vector<ThreadBins> all_bins(pool == nullptr ? 1 : pool->size());
     const std::size_t cells = stride_ * (rows_ + 2);
     cell_.resize(discs.size());
     in_ranges(pool, discs.size(), [&](const IndexRange& part) {
-      Share& share = shares[part.number];
-      share.in_cell.assign(cells, 0);
+      ThreadBins& bins = all_bins[part.number];
+      bins.in_cell.assign(cells, 0);
       for (std::size_t i = part.begin; i < part.end; ++i) {
         const PlacedDisc one = disc(i);
         cell_[i] = static_cast<std::uint32_t>(cell(one));
-        ++share.in_cell[cell_[i]];
-        add_images(box, offset, reach, one, share.images);
+        ++bins.in_cell[cell_[i]];
+        add_images(box, offset, reach, one, bins.images);
       }
-      for (const PlacedDisc& image : share.images)
-        ++share.in_cell[cell(image)];
+      for (const PlacedDisc& image : bins.images)
+        ++bins.in_cell[cell(image)];
     });
     begin_.resize(cells + 1);
     std::uint32_t count = 0;
     for (std::size_t c = 0; c < cells; ++c) {
       begin_[c] = count;
-      for (Share& share : shares)
-        count += std::exchange(share.in_cell[c], count);
+      for (ThreadBins& bins : all_bins)
+        count += std::exchange(bins.in_cell[c], count);
     }
     begin_[cells] = count;
     standing_.resize(count);
     in_ranges(pool, discs.size(), [&](const IndexRange& part) {
-      Share& share = shares[part.number];
+      ThreadBins& bins = all_bins[part.number];
       for (std::size_t i = part.begin; i < part.end; ++i)
-        standing_[share.in_cell[cell_[i]]++] = disc(i);
-      for (const PlacedDisc& image : share.images)
-        standing_[share.in_cell[cell(image)]++] = image;
+        standing_[bins.in_cell[cell_[i]]++] = disc(i);
+      for (const PlacedDisc& image : bins.images)
+        standing_[bins.in_cell[cell(image)]++] = image;
     });
   }
 

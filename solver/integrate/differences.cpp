@@ -49,14 +49,14 @@ TALUS_CLONES void move_rows(const double* q, const double* v, double h, const do
                             std::span<const Differences::Basis> basis, double* to_q, double* to_v, std::size_t count) {
   for_packs(
       count, [&](std::size_t c, auto left) __attribute__((always_inline)) {
-        Pack way, speed, row;
-        load(way, q + c, left), load(speed, v + c, left);
-        way += h * speed;
+        Pack displacement, speed, row;
+        load(displacement, q + c, left), load(speed, v + c, left);
+        displacement += h * speed;
         for (std::size_t i = 0; i < basis.size(); ++i) {
           load(row, table + i * stride + c, left);
-          way += row * basis[i].twice, speed += row * basis[i].once;
+          displacement += row * basis[i].twice, speed += row * basis[i].once;
         }
-        store(way, to_q + c, left), store(speed, to_v + c, left);
+        store(displacement, to_q + c, left), store(speed, to_v + c, left);
       });
 }
 

@@ -22,45 +22,45 @@ std::string accumulation_failure(double t) {
 
 namespace {
 
-constexpr double endless = std::numeric_limits<double>::infinity();
+constexpr double infinite = std::numeric_limits<double>::infinity();
 /// Horizon of the guards as a multiple of the next step, so that no guard should reach zero in the first step in which
 /// it is finite; one that does is still found in that step. A guard that a steady force turns round at zero must be
 /// finite at the beginning of the preceding step: that step may be an eighth as long, and the guard decreases twice as
 /// fast there as on average over both.
 constexpr double steps_ahead = 5.0;
 
-/// Lists the indices of the numbers that are not `endless`; returns their count.
+/// Lists the indices of the numbers that are not `infinite`; returns their count.
 TALUS_CLONES std::size_t list_finite_numbers(const std::vector<double>& numbers, std::size_t* list) {
-  constexpr auto its_bits = std::bit_cast<std::int64_t>(endless);
+  constexpr auto its_bits = std::bit_cast<std::int64_t>(infinite);
   std::size_t count = 0, first = 0;
   for (; first + pack_size <= numbers.size(); first += pack_size) {
     Sizes bits;
     std::memcpy(&bits, &numbers[first], sizeof bits);
     if (!any_bit(bits ^ its_bits)) continue;
     for (std::size_t i = first; i < first + pack_size; ++i)
-      list[count] = i, count += numbers[i] != endless ? 1 : 0;
+      list[count] = i, count += numbers[i] != infinite ? 1 : 0;
   }
   for (std::size_t i = first; i < numbers.size(); ++i)
-    list[count] = i, count += numbers[i] != endless ? 1 : 0;
+    list[count] = i, count += numbers[i] != infinite ? 1 : 0;
   return count;
 }
 
 }  // namespace
 
 void EventSearch::Guards::fill_in() {
-  if (all_endless) std::fill(each.begin(), each.end(), endless);
-  all_endless = false;
+  if (all_infinite) std::fill(each.begin(), each.end(), infinite);
+  all_infinite = false;
 }
 
-void EventSearch::ask(HybridSystem& system, NearEnd at, double ahead) {
-  const GuardBounds found = system.guards(*at.state, at.same, ahead, guards_.each);
+void EventSearch::request_guards(HybridSystem& system, NearEnd at, double horizon) {
+  const GuardBounds found = system.guards(*at.state, at.same, horizon, guards_.each);
   longest_step_ = found.longest_step;
-  guards_.all_endless = !found.finite;
+  guards_.all_infinite = !found.finite;
 }
 
 bool EventSearch::begin_segment(HybridSystem& system, const State& start, const std::vector<Mode>& before) {
-  earlier_.each.clear(), earlier_.all_endless = false;
-  ask(system, {&start, true}, endless);
+  earlier_.each.clear(), earlier_.all_infinite = false;
+  request_guards(system, {&start, true}, infinite);
   guards_.fill_in();
   const std::vector<double>& guards = guards_.each;
   masked_.resize(guards.size());
@@ -79,11 +79,11 @@ bool EventSearch::begin_segment(HybridSystem& system, const State& start, const 
 double EventSearch::find(HybridSystem& system, const State& begin, double end, double next, NearEnd near_end,
                          const StateAt& state_at) {
   std::swap(before_, guards_);
-  ask(system, near_end, steps_ahead * next);
-  if (guards_.all_endless) {
-    forget_dormant();
+  request_guards(system, near_end, steps_ahead * next);
+  if (guards_.all_infinite) {
+    unmask_guards();
     proceed(begin.t);
-    return endless;
+    return infinite;
   }
   before_.fill_in(), earlier_.fill_in();
   list_finite();
@@ -92,11 +92,11 @@ double EventSearch::find(HybridSystem& system, const State& begin, double end, d
     near |= masked_[i] == 0.0 && may_have_ended(i);
     worse |= masked_[i] == 1.0 && guards_.each[i] <= 0.0 && guards_.each[i] < before_.each[i];
   }
-  std::optional<double> last = near ? std::optional{end} : dip(begin.t, end);
+  std::optional<double> last = near ? std::optional{end} : interior_minimum(begin.t, end);
   const auto ends_by = [&](const std::optional<double>& t) { return t && find_ended(system, begin, *t, state_at); };
   bool ends = ends_by(last);
   if (near && !ends) {
-    last = dip(begin.t, end);
+    last = interior_minimum(begin.t, end);
     ends = ends_by(last);
   }
   if (!ends) {
@@ -106,23 +106,23 @@ double EventSearch::find(HybridSystem& system, const State& begin, double end, d
     for (std::size_t i = 0; i < guards_.each.size(); ++i)
       masked_[i] = guards_.each[i] > 0.0 ? 0.0 : masked_[i];
     proceed(begin.t);
-    return endless;
+    return infinite;
   }
-  const double after = least_share();
-  const auto share_at = [&](double t) {
-    look_at(system, begin, t, state_at);
-    return least_share();
+  const double after = least_ratio();
+  const auto ratio_at = [&](double t) {
+    evaluate_guards(system, begin, t, state_at);
+    return least_ratio();
   };
-  const double before = share_at(begin.t);
+  const double before = ratio_at(begin.t);
   if (!(before > 0.0)) return begin.t;
   std::uintmax_t evaluations = 200;
-  const auto found = boost::math::tools::toms748_solve(share_at, begin.t, *last, before, after,
+  const auto found = boost::math::tools::toms748_solve(ratio_at, begin.t, *last, before, after,
                                                        boost::math::tools::eps_tolerance<double>(52), evaluations);
   return found.second;
 }
 
 /// Unmasks all guards: their modes may end again.
-void EventSearch::forget_dormant() {
+void EventSearch::unmask_guards() {
   if (any_masked_) std::fill(masked_.begin(), masked_.end(), 0.0);
   any_masked_ = false;
 }
@@ -146,7 +146,7 @@ bool EventSearch::may_have_ended(std::size_t guard) const {
 
 /// Time of the interior minimum in the last step of a guard that is positive at both ends, if the guard may have been
 /// negative there; from the parabola through three times.
-std::optional<double> EventSearch::dip(double begin, double end) const {
+std::optional<double> EventSearch::interior_minimum(double begin, double end) const {
   std::optional<double> found;
   if (earlier_.each.size() != guards_.each.size() || finite_.empty()) return found;
   double least = std::numeric_limits<double>::infinity();
@@ -158,23 +158,24 @@ std::optional<double> EventSearch::dip(double begin, double end) const {
     const double curvature = (to - from) * per_both;  // half the second derivative
     const double slope = to - curvature * b;          // at the beginning of the step; at its end: to + curvature b
     // A single branch (&, not &&): hardly any guard turns in a step, and each condition alone is hard to predict.
-    if (!((curvature > 0.0) & (curvature < endless) & (slope < 0.0) & (to + curvature * b > 0.0) & (masked_[i] == 0.0)))
+    if (!((curvature > 0.0) & (curvature < infinite) & (slope < 0.0) & (to + curvature * b > 0.0) &
+          (masked_[i] == 0.0)))
       continue;
     const double s = std::min(-0.5 * slope / curvature, b);
-    const double share = 1.0 + 0.5 * slope * s / before_.each[i];
-    if (share > 0.1 * std::min(1.0, guards_.each[i] / before_.each[i]) || share >= least) continue;
-    least = share;
+    const double ratio = 1.0 + 0.5 * slope * s / before_.each[i];
+    if (ratio > 0.1 * std::min(1.0, guards_.each[i] / before_.each[i]) || ratio >= least) continue;
+    least = ratio;
     found = begin + s;
   }
   return found;
 }
 
 /// Evaluates the guards listed in ended_ at a time in the last step.
-void EventSearch::look_at(HybridSystem& system, const State& begin, double t, const StateAt& state_at) {
-  state_at(t, looked_at_);
-  looked_at_.mode = begin.mode;
-  looked_.resize(guards_.each.size());
-  system.guards_of(looked_at_, ended_, looked_);
+void EventSearch::evaluate_guards(HybridSystem& system, const State& begin, double t, const StateAt& state_at) {
+  state_at(t, sampled_);
+  sampled_.mode = begin.mode;
+  sampled_guards_.resize(guards_.each.size());
+  system.guards_of(sampled_, ended_, sampled_guards_);
 }
 
 /// Lists in ended_ the guards that are not positive at a time in the last step, except masked ones; returns true if
@@ -184,18 +185,18 @@ bool EventSearch::find_ended(HybridSystem& system, const State& begin, double t,
   for (const std::size_t i : finite_) {
     if (masked_[i] == 0.0) ended_.push_back(i);
   }
-  look_at(system, begin, t, state_at);
-  std::erase_if(ended_, [this](std::size_t i) { return !(looked_[i] <= 0.0); });
+  evaluate_guards(system, begin, t, state_at);
+  std::erase_if(ended_, [this](std::size_t i) { return !(sampled_guards_[i] <= 0.0); });
   return !ended_.empty();
 }
 
 /// Minimum of the guards listed in ended_, each relative to its value at the beginning of the step, so that units do
 /// not matter.
-double EventSearch::least_share() const {
+double EventSearch::least_ratio() const {
   double least = std::numeric_limits<double>::max();
   for (const std::size_t i : ended_) {
     const bool measured = before_.each[i] > 0.0 && std::isfinite(before_.each[i]);
-    least = std::min(least, measured ? looked_[i] / before_.each[i] : looked_[i] > 0.0 ? 1.0 : -1.0);
+    least = std::min(least, measured ? sampled_guards_[i] / before_.each[i] : sampled_guards_[i] > 0.0 ? 1.0 : -1.0);
   }
   return least;
 }
@@ -204,10 +205,10 @@ void EventSearch::update_modes(HybridSystem& system, State& at, const State& bef
   modes_ = at.mode;
   system.update_modes(at, before);
   // A slider is first brought to its limit and only then found to stick. Guards out of reach last: horizon zero.
-  if (!system.guards(at, true, 0.0, looked_).finite) return;
+  if (!system.guards(at, true, 0.0, sampled_guards_).finite) return;
   bool lasts = true;
-  for (std::size_t i = 0; i < looked_.size(); ++i)
-    lasts = lasts && (looked_[i] > 0.0 || masked_[i] != 0.0 || at.mode[i] != modes_[i]);
+  for (std::size_t i = 0; i < sampled_guards_.size(); ++i)
+    lasts = lasts && (sampled_guards_[i] > 0.0 || masked_[i] != 0.0 || at.mode[i] != modes_[i]);
   if (!lasts) system.update_modes(at);
 }
 

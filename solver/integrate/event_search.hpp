@@ -31,7 +31,7 @@ class EventSearch {
   using StateAt = std::function<void(double t, State& out)>;
 
   EventSearch() = default;
-  explicit EventSearch(const State& like) : looked_at_{like} {}
+  explicit EventSearch(const State& like) : sampled_{like} {}
 
   /// Begins a segment of the motion; `before`: the modes before it. Returns true if a mode began with a guard that is
   /// not positive: only a short first step then shows whether the mode lasts.
@@ -55,19 +55,19 @@ class EventSearch {
   /// Guards of a state, one per mode.
   struct Guards {
     std::vector<double> each;
-    bool all_endless{};  ///< all are infinite, and `each` is not written
+    bool all_infinite{};  ///< all are infinite, and `each` is not written
     void fill_in();
   };
 
-  void ask(HybridSystem& system, NearEnd at, double ahead);
-  void forget_dormant();
+  void request_guards(HybridSystem& system, NearEnd at, double horizon);
+  void unmask_guards();
   void proceed(double begin);
   void list_finite();
   bool may_have_ended(std::size_t guard) const;
-  std::optional<double> dip(double begin, double end) const;
-  void look_at(HybridSystem& system, const State& begin, double t, const StateAt& state_at);
+  std::optional<double> interior_minimum(double begin, double end) const;
+  void evaluate_guards(HybridSystem& system, const State& begin, double t, const StateAt& state_at);
   bool find_ended(HybridSystem& system, const State& begin, double t, const StateAt& state_at);
-  double least_share() const;
+  double least_ratio() const;
 
   Guards guards_;               ///< at the end of the last step
   Guards earlier_;              ///< at the beginning of the last step; empty in the first step of a segment
@@ -79,10 +79,10 @@ class EventSearch {
 
   // Scratch of a step.
   Guards before_;
-  std::vector<double> looked_;
+  std::vector<double> sampled_guards_;
   std::vector<std::size_t> finite_;  ///< indices of guards that are finite
   std::vector<std::size_t> ended_;   ///< indices of guards that were not positive where they were first checked
-  State looked_at_;
+  State sampled_;
   std::vector<Mode> modes_;
 };
 

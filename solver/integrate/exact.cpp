@@ -33,8 +33,8 @@ void LinearMotion::begin(HybridSystem& system, const State& start, double interv
 
 std::string LinearMotion::advance(HybridSystem& system, const State& begin, State& end, double longest) {
   if (!system.has_affine_pieces()) return "the system does not say where its motion is linear";
-  const double h = std::min(share_ * step_, longest);
-  share_ = 1.0;
+  const double h = std::min(fraction_ * step_, longest);
+  fraction_ = 1.0;
   sum_series(begin, h, end);
   end.t = begin.t + h;
   end.mode = begin.mode;
@@ -67,10 +67,10 @@ void LinearMotion::sum_series(const State& begin, double h, State& out) const {
     }
   }
   for (std::size_t i = 0; i < n; ++i) {
-    double way = 0.0, speed = 0.0;  // the smallest terms first
+    double displacement = 0.0, speed = 0.0;  // the smallest terms first
     for (std::size_t k = count; k-- > 2;)
-      way += power(k)[i], speed += static_cast<double>(k) * power(k)[i];
-    out.q[i] += power(1)[i] + way;
+      displacement += power(k)[i], speed += static_cast<double>(k) * power(k)[i];
+    out.q[i] += power(1)[i] + displacement;
     out.v[i] += speed / h;
   }
 }
@@ -102,7 +102,7 @@ void LinearMotion::serialize(Archive& archive, const State& like) {
   archive.numbers("piece_velocities", v0_);
   archive.numbers("piece_accelerations", a0_);
   archive.number("step", step_);
-  archive.number("share", share_);
+  archive.number("share", fraction_);
   std::vector<double> numbers;
   for (const AffinePiece::Term& term : piece_.terms)
     numbers.insert(numbers.end(),

@@ -24,7 +24,7 @@ class LinearMotion {
   LinearMotion(const State& state, double) : found_{state}, along_{state} {}
 
   void begin(HybridSystem& system, const State& start, double interval);
-  void shorten_to_probe() { share_ = 1e-4; }
+  void shorten_to_probe() { fraction_ = 1e-4; }
   std::string advance(HybridSystem& system, const State& begin, State& end, double longest);
   NearEnd near_end(const State& end) const { return {&end, false}; }
   void state_at(const State& begin, const State& end, double t, State& out) const;
@@ -40,7 +40,7 @@ class LinearMotion {
   AffinePiece piece_;
   std::vector<double> q0_, v0_, a0_;  ///< at the beginning of the segment
   double step_{};                     ///< step of the segment: at most one radian of its fastest motion [T]
-  double share_{1.0};                 ///< fraction of step_ for the next step
+  double fraction_{1.0};              ///< fraction of step_ for the next step
 
   // Scratch of a step.
   mutable std::vector<double> terms_;  ///< terms of the series, power by power

@@ -62,10 +62,10 @@ concept WakeAllFits = !NamesWakeAll<S> || requires(S & system, State& state) {
 /// signature does not compile, nor do some members of the first group without the others.
 ///
 /// Where events end the modes (without these the motion is smooth):
-///   GuardBounds guards(state, same, ahead, out)
+///   GuardBounds guards(state, same, horizon, out)
 ///                           one guard per mode, in the state's present modes, and bounds on all of them; `same`: the
 ///                           state is the one that was last updated, or whose derivative was last evaluated. Guards
-///                           that cannot reach zero within the horizon `ahead` [T] at present speeds may be infinite
+///                           that cannot reach zero within the horizon [T] at present speeds may be infinite
 ///   guards_of(state, modes, out)
 ///                           guards of the given modes; entries of other modes may change, too
 ///   update_modes(state, before)
@@ -96,7 +96,7 @@ class HybridSystem {
   virtual void update_modes(State& state) = 0;
   virtual void update_modes(State& state, const State& before) = 0;
   /// Without guards: none is finite, and steps are not limited.
-  virtual GuardBounds guards(const State& state, bool same, double ahead, std::vector<double>& out) = 0;
+  virtual GuardBounds guards(const State& state, bool same, double horizon, std::vector<double>& out) = 0;
   virtual void guards_of(const State& state, std::span<const std::size_t> modes, std::span<double> out) = 0;
   virtual bool follows(const State& state) = 0;
   virtual std::vector<double> lengths(const State& state) = 0;
@@ -126,8 +126,8 @@ class HybridSystemOf final : public HybridSystem {
     else
       system_.update_modes(state);
   }
-  GuardBounds guards(const State& state, bool same, double ahead, std::vector<double>& out) override {
-    if constexpr (Guarded<System>) return system_.guards(state, same, ahead, out);
+  GuardBounds guards(const State& state, bool same, double horizon, std::vector<double>& out) override {
+    if constexpr (Guarded<System>) return system_.guards(state, same, horizon, out);
     return {false, std::numeric_limits<double>::infinity()};
   }
   void guards_of(const State& state, std::span<const std::size_t> modes, std::span<double> out) override {

@@ -100,7 +100,7 @@ bool ImplicitStep::solve_stage(HybridSystem& system, const State& begin, double 
     for (std::size_t i = 0; i < change_.size(); ++i)
       residual_[i] -= change_[i];
     const double size = largest(change_, scales.lengths);
-    const double now = std::max({relative(b * size, scales.speed), relative(b * b * size, scales.way),
+    const double now = std::max({relative(b * size, scales.speed), relative(b * b * size, scales.displacement),
                                  relative(largest(residual_, scales.lengths), force_scale)}) /
                        scales.tolerance;
     if (!std::isfinite(now)) return false;
@@ -131,7 +131,8 @@ double ImplicitStep::error(double h, const ErrorScales& scales) {
   for (const AffinePiece::Term& term : piece_.terms)
     residual_[term.row] += term.stiffness * missed_q_[term.column] + term.damping * missed_v_[term.column];
   return std::max({relative(largest(missed_v_, scales.lengths), scales.speed),
-                   relative(largest(missed_q_, scales.lengths), scales.way), relative(memory, scales.way),
+                   relative(largest(missed_q_, scales.lengths), scales.displacement),
+                   relative(memory, scales.displacement),
                    relative(largest(residual_, scales.lengths), fastest_rate_ * scales.speed)}) /
          scales.tolerance;
 }
@@ -187,9 +188,10 @@ void ImplicitStep::state_at(const State& begin, double t, State& out) const {
   const double da0 = 0.5 * h * s * r * r * (2.0 - 5.0 * s), da1 = -0.5 * h * r * s * s * (2.0 - 5.0 * r);
   out.t = t;
   for (std::size_t i = 0; i < out.q.size(); ++i) {
-    const double way = begin.q[i] - end.q[i];
-    out.q[i] = end.q[i] + q0 * way + v0 * begin.v[i] + v1 * end.v[i] + a0 * begin_rates_.v[i] + a1 * end_rates_.v[i];
-    out.v[i] = dq * way + dv0 * begin.v[i] + dv1 * end.v[i] + da0 * begin_rates_.v[i] + da1 * end_rates_.v[i];
+    const double displacement = begin.q[i] - end.q[i];
+    out.q[i] =
+        end.q[i] + q0 * displacement + v0 * begin.v[i] + v1 * end.v[i] + a0 * begin_rates_.v[i] + a1 * end_rates_.v[i];
+    out.v[i] = dq * displacement + dv0 * begin.v[i] + dv1 * end.v[i] + da0 * begin_rates_.v[i] + da1 * end_rates_.v[i];
   }
   cubic(begin.z, end.z, begin_rates_.z, end_rates_.z, out.z);
   cubic(begin.work, end.work, begin_rates_.work, end_rates_.work, out.work);

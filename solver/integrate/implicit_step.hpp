@@ -14,7 +14,7 @@ namespace talus {
 /// Scales of the errors of a motion.
 struct ErrorScales {
   double speed{};                   ///< [L/T]
-  double way{};                     ///< displacement [L]
+  double displacement{};            ///< displacement [L]
   double tolerance{};               ///< error allowed, relative to these scales
   std::span<const double> lengths;  ///< distance by which one unit of each coordinate moves its body [L]
 };

@@ -156,7 +156,7 @@ template <class Stepper>
 constexpr bool keeps_derivative = std::is_same_v<Stepper, Dopri5> || std::is_same_v<Stepper, Controlled<Dopri5>>;
 
 /// Minimum internal step as a fraction of the interval: below it a run has failed, not merely slowed down.
-constexpr double least_share = 1e-12;
+constexpr double least_ratio = 1e-12;
 
 }  // namespace
 
@@ -203,7 +203,7 @@ std::string controlled_steps(Stepper& stepper, Method& method, const OdeintStepp
     } else {
       dt = attempt;
     }
-    if (dt < least_share * h || !std::isfinite(wanted)) return short_step_failure(method.tolerance, t);
+    if (dt < least_ratio * h || !std::isfinite(wanted)) return short_step_failure(method.tolerance, t);
   }
   method.internal_step = dt;
   return {};

@@ -47,9 +47,9 @@ class OdeintStepper {
   using Derivative = std::function<void(const Vector& x, Vector& dxdt, double t)>;
   /// Called after each accepted internal step with the vector and its time; may change the vector.
   using Accepted = std::function<void(Vector& x, double t)>;
-  /// Longest internal step from the state accepted last, at most `ahead` [T]: step control does not see a contact that
-  /// begins and ends between two of its evaluations.
-  using Longest = std::function<double(double ahead)>;
+  /// Longest internal step from the state accepted last, at most `horizon` [T]: step control does not see a contact
+  /// that begins and ends between two of its evaluations.
+  using Longest = std::function<double(double horizon)>;
 
   /// tolerance > 0: relative and absolute error allowed in each step, with step control; 0: steps of fixed length. The
   /// caller must ensure that the method supports this (see odeint_traits).
@@ -115,9 +115,9 @@ class Odeint {
       pack(state, x);
     };
     // Passed by reference: copies of functions with this many captures would allocate at each step.
-    const auto longest = [&](double ahead) {
-      if constexpr (requires { system.safe_step(state, ahead); }) return system.safe_step(state, ahead);
-      return ahead;
+    const auto longest = [&](double horizon) {
+      if constexpr (requires { system.safe_step(state, horizon); }) return system.safe_step(state, horizon);
+      return horizon;
     };
     failure_ = stepper_->advance(std::cref(derivative), std::cref(accepted), std::cref(longest), x_, state.t, h);
   }

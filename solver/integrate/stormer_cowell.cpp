@@ -20,7 +20,7 @@ namespace {
 
 constexpr std::size_t most_terms = 12;
 /// First step of a segment as a fraction of the usual step.
-constexpr double first_share = 0.25;
+constexpr double first_fraction = 0.25;
 
 /// Cost of an implicit step relative to a step of the polynomial.
 constexpr double implicit_cost = 12.0;
@@ -47,20 +47,20 @@ double inverse_root(double e, std::size_t n) {
 /// Largest speed and displacement of any coordinate, each times the distance by which one unit of it moves its body.
 struct Reach {
   double speed{};
-  double way{};
+  double displacement{};
 };
 TALUS_CLONES Reach reach(const State& begin, const State& end, const std::vector<double>& start,
                          const std::vector<double>& lengths) {
-  Sizes speeds{}, ways{};
+  Sizes speeds{}, displacements{};
   for_packs(
       lengths.size(), [&](std::size_t i, auto left) __attribute__((always_inline)) {
         Pack length, before, after, from, to;
         load(length, &lengths[i], left), load(before, &begin.v[i], left), load(after, &end.v[i], left);
         load(from, &start[i], left), load(to, &begin.q[i], left);
         raise(speeds, length * before), raise(speeds, length * after);
-        raise(ways, length * (to - from));
+        raise(displacements, length * (to - from));
       });
-  return {largest(speeds), largest(ways)};
+  return {largest(speeds), largest(displacements)};
 }
 
 }  // namespace
@@ -100,7 +100,7 @@ void PolynomialMotion::begin(HybridSystem& system, const State& start, double in
     usual_ = interval;
     start_scales(system, start);
   }
-  step_ = first_share * usual_;
+  step_ = first_fraction * usual_;
   probes_ = implicit_ = implicit_last_ = false;
   held_ = 0;
 }
@@ -116,7 +116,7 @@ void PolynomialMotion::start_scales(HybridSystem& system, const State& start) {
   double most = 0.0;
   for (std::size_t i = 0; i < lengths_.size(); ++i)
     most = std::max(most, lengths_[i] * std::abs(found_.v[i]));
-  speed_ = most / rate, way_ = speed_ / rate;
+  speed_ = most / rate, displacement_ = speed_ / rate;
 }
 
 std::string PolynomialMotion::advance(HybridSystem& system, const State& begin, State& end, double longest) {
@@ -175,12 +175,12 @@ bool PolynomialMotion::advance_implicitly(HybridSystem& system, const State& beg
   constexpr long trial = 4;
   if (implicit_count_ >= trial && step_ < implicit_cost * explicit_step_) return false;
   double h = std::min(step_, longest);
-  speed_now_ = speed_, way_now_ = way_;
+  speed_now_ = speed_, displacement_now_ = displacement_;
   while (begin.t + h > begin.t) {
     const double error = implicit_step_.take(system, begin, implicit_rates_, h, scales(), end);
     if (error <= 1.0) {
       measure(h, begin, end);
-      speed_ = speed_now_, way_ = way_now_;
+      speed_ = speed_now_, displacement_ = displacement_now_;
       step_ = h * (error > 0.0 ? std::clamp(0.9 * inverse_root(error, 4), 0.3, 5.0) : 5.0);
       implicit_last_ = true;
       ++implicit_count_;
@@ -199,7 +199,7 @@ void PolynomialMotion::leave_implicit(const State& begin) {
   order_ = 1;
   const double paid = implicit_cost * static_cast<double>(implicit_count_) * explicit_step_;
   patience_ = begin.t - implicit_start_ > 2.0 * paid ? first_patience : std::min(2 * patience_, most_patience);
-  step_ = first_share * explicit_step_;
+  step_ = first_fraction * explicit_step_;
   implicit_ = false;
 }
 
@@ -270,7 +270,7 @@ void PolynomialMotion::measure(double h, const State& begin, const State& end) {
   const Reach now = reach(begin, end, start_, lengths_);
   // Not yet stored as speed_ and way_: if the step fails, its end may be anywhere.
   speed_now_ = std::max(speed_, now.speed);
-  way_now_ = std::max(way_, std::max(now.way, h * speed_now_));
+  displacement_now_ = std::max(displacement_, std::max(now.displacement, h * speed_now_));
 }
 
 /// The last step's errors as multiples of the tolerance: the difference between prediction and correction.
@@ -288,13 +288,13 @@ PolynomialMotion::Errors PolynomialMotion::errors(const State& like) const {
   // NaN counts as the largest.
   const auto raise = [](double& most, double x) { most = x > most || x != x ? x : most; };
   // While the motion has not begun, its scale is zero and any error but zero is too large.
-  const auto share = [](double x, double of) { return x == 0.0 ? 0.0 : x / of; };
+  const auto ratio = [](double x, double of) { return x == 0.0 ? 0.0 : x / of; };
   const auto error = [&](std::size_t place, std::size_t used) {
     const Basis& left_out = basis_[used];
     const double once = std::abs(left_out.once / left_out.value), twice = std::abs(left_out.twice / left_out.value);
-    double most = share(motion[place] * once, speed_now_);
-    raise(most, share(motion[place] * twice, way_now_));
-    raise(most, share(memory[place] * once, way_now_));
+    double most = ratio(motion[place] * once, speed_now_);
+    raise(most, ratio(motion[place] * twice, displacement_now_));
+    raise(most, ratio(memory[place] * once, displacement_now_));
     return most / tolerance_;
   };
   constexpr double none = std::numeric_limits<double>::infinity();
@@ -303,14 +303,14 @@ PolynomialMotion::Errors PolynomialMotion::errors(const State& like) const {
 
 /// Chooses the length of the next attempt after a failed step.
 void PolynomialMotion::shorten(double h, const Errors& errors) {
-  const double share = std::isfinite(errors.now) ? 0.8 * inverse_root(errors.now, used_ + 1) : 0.0;
-  step_ = h * std::clamp(share, used_ == 1 ? 1e-3 : 0.1, 0.8);
+  const double ratio = std::isfinite(errors.now) ? 0.8 * inverse_root(errors.now, used_ + 1) : 0.0;
+  step_ = h * std::clamp(ratio, used_ == 1 ? 1e-3 : 0.1, 0.8);
   if (errors.fewer < errors.now) order_ = used_ - 1;
 }
 
 /// After an accepted step: adopts its scales, and chooses the order that allows the longest next step, and that step.
 void PolynomialMotion::choose_next(double h, const Errors& errors) {
-  speed_ = speed_now_, way_ = way_now_;
+  speed_ = speed_now_, displacement_ = displacement_now_;
   const auto growth = [](double e, std::size_t terms) { return e > 0.0 ? 0.9 * inverse_root(e, terms + 1) : 10.0; };
   double best = growth(errors.now, used_);
   order_ = used_;
@@ -328,7 +328,7 @@ void PolynomialMotion::choose_next(double h, const Errors& errors) {
   }
   if (probes_) {
     // The probe limits the first step; without an error it does not.
-    step_ = first_share * usual_;
+    step_ = first_fraction * usual_;
     if (errors.now > 0.0) step_ = std::min(best * h, step_);
     return;
   }
@@ -361,7 +361,7 @@ void PolynomialMotion::serialize(Archive& archive, const State& like) {
   count("used", used_);
   archive.number("step", step_);
   archive.number("usual_step", usual_);
-  archive.number("way", way_);
+  archive.number("way", displacement_);
   archive.number("speed", speed_);
   archive.numbers("start", start_);
   archive.flag("implicit", implicit_);

@@ -45,7 +45,7 @@ class PolynomialMotion {
   using Basis = Differences::Basis;
 
   void start_scales(HybridSystem& system, const State& start);
-  ErrorScales scales() const { return {speed_now_, way_now_, tolerance_, lengths_}; }
+  ErrorScales scales() const { return {speed_now_, displacement_now_, tolerance_, lengths_}; }
   bool is_held_by_stiffness(HybridSystem& system, const State& begin);
   bool advance_implicitly(HybridSystem& system, const State& begin, State& end, double longest);
   void leave_implicit(const State& begin);
@@ -79,7 +79,7 @@ class PolynomialMotion {
   bool moves_memory_{true};    ///< see Hybrid
   bool keeps_accounts_{true};  ///< likewise
   double tolerance_{};
-  double way_{};                 ///< largest displacement of a coordinate so far [L]
+  double displacement_{};        ///< largest displacement of a coordinate so far [L]
   double speed_{};               ///< largest speed so far [L/T]
   std::vector<double> start_;    ///< coordinates at the start of the run
   std::vector<double> lengths_;  ///< of the coordinates, see Hybrid; empty before they are first needed
@@ -98,7 +98,7 @@ class PolynomialMotion {
 
   // Scratch of a step.
   std::vector<Basis> basis_;
-  double way_now_{}, speed_now_{};
+  double displacement_now_{}, speed_now_{};
   State predicted_;
   Rates found_;
 };

@@ -112,7 +112,7 @@ concept HasLinearPart = requires(const L law, std::span<const double> memory, Mo
   { law.linear_part(memory, mode) } -> std::same_as<Tangent>;
 };
 template <class L>
-concept HasLinearPiece = L::memory_size <= 1 && requires(const L law, std::span<const double> memory, Mode mode) {
+concept HasLinearBranch = L::memory_size <= 1 && requires(const L law, std::span<const double> memory, Mode mode) {
   { law.linear_piece(memory, mode) } -> std::same_as<LinearBranch>;
 };
 template <class L>
@@ -204,7 +204,7 @@ concept HasYieldTable = requires(L law) {
   HOOK(track, Tracks)                                 \
   HOOK(memory_follows, Tracks)                        \
   HOOK(linear_part, HasLinearPart)                    \
-  HOOK(linear_piece, HasLinearPiece)                  \
+  HOOK(linear_piece, HasLinearBranch)                  \
   HOOK(natural_elongation, HasNaturalElongation)      \
   HOOK(yields, Yields)                                \
   HOOK(largest_yield, Yields)                         \

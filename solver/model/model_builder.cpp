@@ -98,8 +98,9 @@ bool has_gap(const Shape& a, const Shape& b, ContactMethod method) {
 
 /// Checks that the geometry gives a law that acts at a distance a true distance. Errors: InputError.
 void check_reach(const Contact& contact, std::string_view law, const Shape& a, const Shape& b) {
-  const std::string objection = objection_to_reach(contact.method, contact.node_depth, a, b);
-  if (!objection.empty()) throw InputError{fmt::format("contact '{}': law {}: {}", contact.name, law, objection)};
+  const std::string refusal_reason = reach_error(contact.method, contact.node_depth, a, b);
+  if (!refusal_reason.empty())
+    throw InputError{fmt::format("contact '{}': law {}: {}", contact.name, law, refusal_reason)};
 }
 
 /// True if two cables in series have the same tension when the elongation divides between them by their compliances.

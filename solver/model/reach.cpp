@@ -6,7 +6,7 @@
 
 namespace talus {
 
-std::string objection_to_reach(ContactMethod method, NodeDepth node_depth, const Shape& a, const Shape& b) {
+std::string reach_error(ContactMethod method, NodeDepth node_depth, const Shape& a, const Shape& b) {
   constexpr std::string_view is_no_distance = "is no distance between outlines that are apart";
   if (method == ContactMethod::nodes) {
     if (node_depth == NodeDepth::nearest) return {};

@@ -9,7 +9,6 @@ namespace talus {
 
 /// Reason why a law that acts between surfaces apart cannot act between these outlines: their gap function is not a
 /// distance there. Empty if it can. At least one of the shapes must be able to move.
-[[nodiscard]] std::string objection_to_reach(ContactMethod method, NodeDepth node_depth, const Shape& a,
-                                             const Shape& b);
+[[nodiscard]] std::string reach_error(ContactMethod method, NodeDepth node_depth, const Shape& a, const Shape& b);
 
 }  // namespace talus

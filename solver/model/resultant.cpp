@@ -17,7 +17,7 @@ bool has_flat_sides(const Shape& shape) {
 
 }  // namespace
 
-std::string objection_to_resultant(const Shape& a, const Shape& b) {
+std::string resultant_error(const Shape& a, const Shape& b) {
   if ((!is_blunt(a) && !is_blunt(b)) || !has_flat_sides(a) || !has_flat_sides(b)) return {};
   const Superquadric& blunt = std::get<Superquadric>(is_blunt(a) ? a : b);
   return fmt::format(

@@ -13,6 +13,6 @@ inline constexpr double largest_rocking_exponent = 5.0;
 
 /// Reason why a contact of these outlines with one resultant force cannot be simulated when they lie on each other:
 /// both have flat sides, and at least one of them is a superquadric. Empty if it can.
-[[nodiscard]] std::string objection_to_resultant(const Shape& a, const Shape& b);
+[[nodiscard]] std::string resultant_error(const Shape& a, const Shape& b);
 
 }  // namespace talus

@@ -130,9 +130,9 @@ Model FenceMaker::hung(Model model) {
     }
     const Eigen::VectorXd step = stiffness.fullPivLu().solve(-residual);
     // A step of more than a tenth of the sag would leave the neighbourhood in which the cables are taut.
-    const double share = std::min(1.0, 0.1 * fence_.sag / step.cwiseAbs().maxCoeff());
+    const double fraction = std::min(1.0, 0.1 * fence_.sag / step.cwiseAbs().maxCoeff());
     for (Eigen::Index i = 0; i < count; ++i)
-      model.bodies[bodies[static_cast<std::size_t>(i)]].p_WB.y += share * step[i];
+      model.bodies[bodies[static_cast<std::size_t>(i)]].p_WB.y += fraction * step[i];
   }
   if (!(forces(model).cwiseAbs().maxCoeff() < 1e-6 * column_weight()))
     throw InputError{"fence: the stretched cables leave the columns no place at which they hang in balance"};

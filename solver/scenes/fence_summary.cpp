@@ -340,15 +340,15 @@ void FenceMonitor::watch_rocks(const State& state) {
     last_spin_[i] = now.w_WB;
     watch_passing(i, state);
     if (!rock.touched) continue;
-    const double way = rock.approach_velocity.x < 0.0 ? -1.0 : 1.0;
+    const double sign = rock.approach_velocity.x < 0.0 ? -1.0 : 1.0;
     const bool leaves = !touching && !rock.left;
     rock.left = !touching;
     if (!touching && !leaves) continue;
     rock.exit_time = state.t;
     rock.exit_velocity = now.v_WB, rock.exit_spin = now.w_WB, rock.exit_energy = rock.end_energy;
-    rock.travel = std::max(rock.travel, way * (now.p_WB.x - touch_x_[i]));
+    rock.travel = std::max(rock.travel, sign * (now.p_WB.x - touch_x_[i]));
     if (rock.turned) continue;
-    rock.turned = way * now.v_WB.x <= 0.0;
+    rock.turned = sign * now.v_WB.x <= 0.0;
     rock.braking_time = state.t - rock.touch_time;
   }
 }
@@ -388,7 +388,7 @@ void FenceMonitor::watch_anchors(const State& state) {
       // Remaining component of the unit vector, not the joint's `along`: at a broken hanger the cable bypasses its
       // joint.
       const double along = std::copysign(std::sqrt(std::max(0.0, 1.0 - dot(pull, pull))), anchored.along);
-      force = force + anchored.way * forces_now_->tensions[anchored.cable] * Vec3{pull.x, pull.y, along};
+      force = force + anchored.sign * forces_now_->tensions[anchored.cable] * Vec3{pull.x, pull.y, along};
     }
     add(summary_.anchors[i].force, force, last_anchor_[i], state.t, h);
   }

@@ -198,7 +198,7 @@ class FenceMonitor {
   /// A cable attached to an anchor.
   struct AnchoredCable {
     std::size_t cable{};
-    double way{};    ///< 1 if the anchor is at the cable's end A, else -1
+    double sign{};   ///< 1 if the anchor is at the cable's end A, else -1
     double along{};  ///< from end A to end B, along the fence [L]
   };
   std::vector<std::vector<AnchoredCable>> anchored_;  ///< for each anchor

@@ -17,13 +17,13 @@ namespace talus {
 namespace {
 
 /// Overlap over half the minimum width beyond which two bodies may slip through each other.
-constexpr double deepest_share = 0.5;
+constexpr double deepest_ratio = 0.5;
 /// Overlap over half the minimum width beyond which the shapes are no longer those of the scene.
-constexpr double deep_share = 0.25;
+constexpr double deep_ratio = 0.25;
 /// A contact of fewer steps has a speed error of more than 5 % (0.45/N with a dashpot, the worst over all phases).
 constexpr double fewest_steps = 10.0;
 
-constexpr long looks = 64, frequency_looks = 512;
+constexpr long regular_checks = 64, frequency_checks = 512;
 
 /// Number of pairs without a contact whose overlap is reported.
 constexpr long most_reported_pairs = 5;
@@ -60,8 +60,8 @@ RunMonitor::RunMonitor(const Scene& scene, const Dynamics& dynamics, const State
     if (!missing_contacts_->is_checked()) missing_contacts_.reset();
   }
   const long steps = step_count(scene.plan);
-  every_ = std::max(1L, steps / looks);
-  apart_ = std::max(1L, steps / frequency_looks);
+  every_ = std::max(1L, steps / regular_checks);
+  apart_ = std::max(1L, steps / frequency_checks);
   if (start.q.size() > most_watched_coordinates) return;
   const StepAdvice closed = advise_step(dynamics, start);
   contact_times_ = times_of_contacts(dynamics, closed);
@@ -83,7 +83,7 @@ void RunMonitor::take(Watched which, double value, double limit, CheckAction vio
   reported_[place] = limit;
   const std::string said = fmt::format("at t = {:.6g} {}", seen.t, words());
   if (violation == CheckAction::error) {
-    breach_ = said;
+    violation_ = said;
   } else {
     warnings_.push_back(said);
   }
@@ -95,21 +95,21 @@ void RunMonitor::check(const Snapshot& snapshot, long step, const std::optional<
   const bool turn = step % every_ == 0;
   const bool changed = seen.mode != modes_;
   if (fixed_step_ && rules.instability != CheckAction::off && seen.q.size() <= most_watched_coordinates &&
-      (turn || (changed && step - looked_ >= apart_))) {
-    looked_ = step;
+      (turn || (changed && step - checked_step_ >= apart_))) {
+    checked_step_ = step;
     check_frequency(snapshot);
   }
-  if (changed && fixed_step_ && rules.accuracy != CheckAction::off) look_at_contacts(seen);
+  if (changed && fixed_step_ && rules.accuracy != CheckAction::off) check_contact_steps(seen);
   if (step == 0 || changed) follow_contacts(seen);
   if (last_.touching) last_.time = seen.t;
   if (changed) modes_ = seen.mode;
   if ((rules.tunnelling != CheckAction::off || rules.accuracy != CheckAction::off) &&
       (step % 8 == 0 || touches(seen))) {
-    look_at_pairs(snapshot);
-    if (step % 8 == 0) look_at_unseen(snapshot);
+    check_pairs(snapshot);
+    if (step % 8 == 0) check_unseen_overlaps(snapshot);
   }
-  if (missing_contacts_ && reported_pairs_ < most_reported_pairs) look_for_missing_contacts(snapshot);
-  if ((turn || balance) && scene_->plan.ledger && rules.accuracy != CheckAction::off) look_at_drift(snapshot, balance);
+  if (missing_contacts_ && reported_pairs_ < most_reported_pairs) check_missing_contacts(snapshot);
+  if ((turn || balance) && scene_->plan.ledger && rules.accuracy != CheckAction::off) check_balance(snapshot, balance);
 }
 
 /// True if some contact acts.
@@ -151,7 +151,7 @@ void RunMonitor::check_frequency(const Snapshot& snapshot) {
   });
 }
 
-void RunMonitor::look_at_pairs(const Snapshot& snapshot) {
+void RunMonitor::check_pairs(const Snapshot& snapshot) {
   if (dynamics_->contacts().candidates() == 0) return;
   const MonitorRules& rules = scene_->plan.watch;
   const auto contact_name = [this](ContactId contact) { return dynamics_->model().contacts[index(contact)].name; };
@@ -169,7 +169,7 @@ void RunMonitor::look_at_pairs(const Snapshot& snapshot) {
     }
   }
   const auto overlap = dynamics_->contacts().deepest_overlap(work);
-  take_overlap(Watched::overlap, overlap.share, seen, overlap.contact, [](bool through) {
+  take_overlap(Watched::overlap, overlap.ratio, seen, overlap.contact, [](bool through) {
     return fmt::format(
         "{}; it needs a stiffer contact (overlaps go with 1/sqrt(k)), a slower impact, or bodies farther apart at the "
         "start",
@@ -178,7 +178,7 @@ void RunMonitor::look_at_pairs(const Snapshot& snapshot) {
 }
 
 /// Outlines may overlap without a node of either inside the other: two crossed bars, or a peak of the ground.
-void RunMonitor::look_at_unseen(const Snapshot& snapshot) {
+void RunMonitor::check_unseen_overlaps(const Snapshot& snapshot) {
   const Workspace& work = snapshot.geometry();
   for (const ContactId contact : by_nodes_) {
     const std::size_t c = index(contact);
@@ -193,47 +193,47 @@ void RunMonitor::look_at_unseen(const Snapshot& snapshot) {
     const double size = smaller_size(pair);
     // Boxes around the outlines are cheap to check, and overlap at least as far.
     if (!is_unbounded(pair.bounds_a) && !is_unbounded(pair.bounds_b) &&
-        !(gap(box_around(pair.bounds_a), A, box_around(pair.bounds_b), B).depth > deep_share * size))
+        !(gap(box_around(pair.bounds_a), A, box_around(pair.bounds_b), B).depth > deep_ratio * size))
       continue;
     const std::vector<Body>& bodies = dynamics_->model().bodies;
-    const double share = penetration(bodies[index(pair.a)].shape, A, bodies[index(pair.b)].shape, B) / size;
+    const double ratio = penetration(bodies[index(pair.a)].shape, A, bodies[index(pair.b)].shape, B) / size;
     // A curved outline always overlaps a little between two nodes.
-    if (share <= deep_share) continue;
-    take_overlap(Watched::unseen, share, snapshot.state(), contact, [](bool) {
+    if (ratio <= deep_ratio) continue;
+    take_overlap(Watched::unseen, ratio, snapshot.state(), contact, [](bool) {
       return "no node of either is in the other, so that no force acts; it needs more nodes, or the method resultant";
     });
   }
 }
 
 template <class Words>
-void RunMonitor::take_overlap(Watched which, double share, const State& seen, ContactId contact, const Words& words) {
-  if (!(share > 0.0)) return;
+void RunMonitor::take_overlap(Watched which, double ratio, const State& seen, ContactId contact, const Words& words) {
+  if (!(ratio > 0.0)) return;
   const MonitorRules& rules = scene_->plan.watch;
-  const bool through = share > deepest_share && rules.tunnelling != CheckAction::off;
+  const bool through = ratio > deepest_ratio && rules.tunnelling != CheckAction::off;
   if (!through && rules.accuracy == CheckAction::off) return;
-  const double limit = through ? deepest_share : deep_share;
-  take(which, share, limit, through ? rules.tunnelling : rules.accuracy, seen, contact, [&] {
+  const double limit = through ? deepest_ratio : deep_ratio;
+  take(which, ratio, limit, through ? rules.tunnelling : rules.accuracy, seen, contact, [&] {
     return fmt::format(
         "contact '{}' overlaps by {:.3g} of half the least width of its smaller body, more than {:g}: {}",
-        dynamics_->model().contacts[index(contact)].name, share, limit, words(through));
+        dynamics_->model().contacts[index(contact)].name, ratio, limit, words(through));
   });
 }
 
-void RunMonitor::look_for_missing_contacts(const Snapshot& snapshot) {
+void RunMonitor::check_missing_contacts(const Snapshot& snapshot) {
   for (const UndeclaredOverlap& overlap : missing_contacts_->new_overlaps(snapshot.geometry())) {
     if (reported_pairs_++ == most_reported_pairs) return;
     const std::string said =
         fmt::format("at t = {:.6g} {}{}", snapshot.state().t, overlap_text(overlap, dynamics_->model()),
                     reported_pairs_ == most_reported_pairs ? "; further pairs are not reported" : "");
     if (scene_->plan.watch.missing_contacts == CheckAction::error) {
-      breach_ = said;
+      violation_ = said;
       return;
     }
     warnings_.push_back(said);
   }
 }
 
-void RunMonitor::look_at_contacts(const State& seen) {
+void RunMonitor::check_contact_steps(const State& seen) {
   for (std::size_t i = 0; i < contact_times_.size(); ++i) {
     if (modes_[i] != 0 || seen.mode[i] == 0 || !std::isfinite(contact_times_[i])) continue;
     const double steps = contact_times_[i] / scene_->plan.step;
@@ -247,7 +247,7 @@ void RunMonitor::look_at_contacts(const State& seen) {
   }
 }
 
-void RunMonitor::look_at_drift(const Snapshot& snapshot, const std::optional<Balance>& balance) {
+void RunMonitor::check_balance(const Snapshot& snapshot, const std::optional<Balance>& balance) {
   Balance now;
   if (balance) {
     now = *balance;
@@ -259,7 +259,8 @@ void RunMonitor::look_at_drift(const Snapshot& snapshot, const std::optional<Bal
   const double error = std::abs(now.error);
   if (!(error <= balance_.error)) balance_.error = error, drift_time_ = snapshot.state().t;
   balance_.scale = std::max(balance_.scale, now.scale);
-  if (scene_->plan.watch.accuracy == CheckAction::error && !(drift() <= largest_balance_error)) breach_ = drift_words();
+  if (scene_->plan.watch.accuracy == CheckAction::error && !(drift() <= largest_balance_error))
+    violation_ = drift_words();
 }
 
 std::string RunMonitor::drift_words() const {
@@ -276,7 +277,7 @@ std::vector<std::string> RunMonitor::warnings() const {
 
 void RunMonitor::serialize(Archive& archive) {
   archive.numbers("modes", modes_);
-  archive.count("looked", looked_);
+  archive.count("looked", checked_step_);
   archive.scope("ledger", [&] { ledger_.serialize(archive); });
   if (missing_contacts_) {
     archive.count("reported_pairs", reported_pairs_);

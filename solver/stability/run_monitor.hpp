@@ -31,8 +31,8 @@ inline constexpr double largest_balance_error = 0.01;
 /// - passing and overlap are checked after every step in which something touches, else after every eighth (passing only
 ///   for fixed steps: methods that locate events limit their steps themselves); unseen after every eighth;
 /// - contact is checked when one closes, for methods of fixed step and scenes of up to as many coordinates;
-/// - bodies without a contact between them are checked for overlaps after every step, and each pair is reported once, of
-///   the first five pairs;
+/// - bodies without a contact between them are checked for overlaps after every step; each of the first five pairs is
+///   reported once;
 /// - the energy balance is checked after every step for which it is given, else 64 times, with the ledger on. If it is
 ///   to warn, the whole run is judged at its end: early errors are small relative to later energies.
 class RunMonitor {
@@ -75,7 +75,7 @@ class RunMonitor {
   bool step_is_beyond() const { return step_is_beyond_; }
 
   /// Why the run must end; empty while it may continue.
-  const std::string& violation() const { return breach_; }
+  const std::string& violation() const { return violation_; }
   /// Findings that do not end the run, once for each quantity and limit.
   std::vector<std::string> warnings() const;
   const Extreme& extreme(Watched which) const { return extremes_[static_cast<std::size_t>(which)]; }
@@ -87,14 +87,14 @@ class RunMonitor {
   bool touches(const State& seen) const;
   void follow_contacts(const State& seen);
   void check_frequency(const Snapshot& snapshot);
-  void look_at_pairs(const Snapshot& snapshot);
-  void look_at_unseen(const Snapshot& snapshot);
+  void check_pairs(const Snapshot& snapshot);
+  void check_unseen_overlaps(const Snapshot& snapshot);
   /// Records an overlap as a fraction of the size, and checks both its limits.
   template <class Words>
-  void take_overlap(Watched which, double share, const State& seen, ContactId contact, const Words& words);
-  void look_at_contacts(const State& seen);
-  void look_for_missing_contacts(const Snapshot& snapshot);
-  void look_at_drift(const Snapshot& snapshot, const std::optional<Balance>& balance);
+  void take_overlap(Watched which, double ratio, const State& seen, ContactId contact, const Words& words);
+  void check_contact_steps(const State& seen);
+  void check_missing_contacts(const Snapshot& snapshot);
+  void check_balance(const Snapshot& snapshot, const std::optional<Balance>& balance);
   std::string drift_words() const;
   /// Updates the extreme of a quantity; if a limit is exceeded for the first time, reports a violation with the text of
   /// `words`. A quantity may have two limits, of which the larger is the more severe.
@@ -113,7 +113,7 @@ class RunMonitor {
   std::optional<MissingContacts> missing_contacts_;  ///< unless the scene switches their check off
   long reported_pairs_{};                            ///< pairs without a contact that overlapped so far
   std::vector<Mode> modes_;                          ///< at the last check
-  long looked_{};                                    ///< step of the last check of the frequency
+  long checked_step_{};                              ///< step of the last check of the frequency
   std::array<Extreme, watched_count> extremes_{};
   std::array<double, watched_count> reported_{};  ///< largest limit that each was reported to exceed; 0: none yet
   Balance balance_;                               ///< the largest error so far, and the scale
@@ -122,7 +122,7 @@ class RunMonitor {
   bool touched_{};  ///< some contact has acted
   std::string step_ratio_;
   bool step_is_beyond_{};
-  std::string breach_;
+  std::string violation_;
   std::vector<std::string> warnings_;
 };
 

@@ -49,18 +49,18 @@ std::optional<StudyMean::Run> run_of(const StudyPoint& point, std::uint64_t seed
   if (!run.failure().empty()) return {};
   using C = CellQuantity;
   const auto mean = [&](C quantity) { return run.mean(quantity).value; };
-  const auto share = [](double part, double whole) { return whole != 0.0 ? part / whole : 0.0; };
+  const auto ratio = [](double part, double whole) { return whole != 0.0 ? part / whole : 0.0; };
   Numbers of{};
   const auto set = [&](Q quantity, double value) { of[static_cast<std::size_t>(quantity)] = value; };
   const double all_shear = mean(C::shear_virial), all_normal = mean(C::normal_virial);
   const double shear = mean(C::multiple_shear_virial), normal = mean(C::multiple_normal_virial);
-  set(Q::stress_ratio, share(mean(C::top_shear), mean(C::top_normal)));
+  set(Q::stress_ratio, ratio(mean(C::top_shear), mean(C::top_normal)));
   set(Q::depth, mean(C::depth) / cell.diameter);
   set(Q::touching, mean(C::touching));
-  set(Q::multiple_share, share(mean(C::multiple), mean(C::contacts)));
-  set(Q::multiple_shear_share, share(shear, all_shear));
-  set(Q::multiple_stress_ratio, share(shear, normal));
-  set(Q::binary_stress_ratio, share(all_shear - shear, all_normal - normal));
+  set(Q::multiple_share, ratio(mean(C::multiple), mean(C::contacts)));
+  set(Q::multiple_shear_share, ratio(shear, all_shear));
+  set(Q::multiple_stress_ratio, ratio(shear, normal));
+  set(Q::binary_stress_ratio, ratio(all_shear - shear, all_normal - normal));
   set(Q::order, order / seen);
   set(Q::inertial_number,
       cell.block_speed / mean(C::depth) * cell.diameter * std::sqrt(cell.density() / cell.overburden()));

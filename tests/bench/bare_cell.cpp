@@ -38,8 +38,8 @@ void BareCell::advance(Discs& discs, double h, long steps) {
     const double change = h * (force_on_block_ / block_mass_ - gravity_);
     for (std::size_t i = block_; i < velocities_.size(); i += 2)
       velocities_[i + 1] += change;
-    const double way = list_.approach(h, move_discs(all(h)));
-    list_.use(way), used_ += way;
+    const double approach = list_.approach(h, move_discs(all(h)));
+    list_.use(approach), used_ += approach;
     if (list_.may_end()) {
       store(discs);
       if (!list_.holds(discs)) {
@@ -47,7 +47,7 @@ void BareCell::advance(Discs& discs, double h, long steps) {
         continue;
       }
     }
-    if (used_ + way > reach_) prune();
+    if (used_ + approach > reach_) prune();
   }
   store(discs);
 }

@@ -59,10 +59,10 @@ void print_search_costs() {
                      }});
     // A body that moves back and forth by more than the skin causes a new list at each search; one that creeps does
     // not.
-    for (const double way : {0.5, 1e-9}) {
-      tasks.push_back({fmt::format("{} {}", count, way), [&scene, way] {
+    for (const double displacement : {0.5, 1e-9}) {
+      tasks.push_back({fmt::format("{} {}", count, displacement), [&scene, displacement] {
                          for (int i = 0; i < searches; ++i) {
-                           scene.poses.x[0] += i % 2 == 0 ? way : -way;
+                           scene.poses.x[0] += i % 2 == 0 ? displacement : -displacement;
                            std::fill(scene.found.begin(), scene.found.end(), char{0});
                            scene.search.find(scene.poses, scene.found, scene.sweep);
                          }

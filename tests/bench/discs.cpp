@@ -367,7 +367,7 @@ void print_jumps() {
   };
   for (const Of& of : {Of{10, 8, 1.0}, Of{4, 4, 1.0}, Of{4, 4, 100.0}, Of{4, 4, 1e4}}) {
     std::vector<double> stepped, jumped;
-    double share = 0.0;
+    double fraction = 0.0;
     for (std::uint64_t seed = 1; seed <= 5; ++seed) {
       ShearCell cell = ice_cell(8e3, 5e3, seed);
       cell.law = LatchingSpring{1.7e4 * of.stiffer, 1.7e4 * of.stiffer / 0.49, 0.0};
@@ -382,12 +382,12 @@ void print_jumps() {
           while (!run.finished())
             run.advance();
         }));
-        share += static_cast<double>(run.jumped()) / static_cast<double>(run.last_step()) / 5.0;
+        fraction += static_cast<double>(run.jumped()) / static_cast<double>(run.last_step()) / 5.0;
       }
     }
     fmt::print(
         "Shear cell of {} discs, {:g} times as stiff, with jumps over {:.0f} % of its steps: {:.2f} times as fast.\n",
-        of.columns * of.rows, of.stiffer, 100.0 * share, median_ratio(stepped, jumped));
+        of.columns * of.rows, of.stiffer, 100.0 * fraction, median_ratio(stepped, jumped));
   }
 }
 

@@ -398,8 +398,8 @@ void run_mutants(records::Mutants& mutants, const std::vector<Unchanged>& unchan
           saved = Clock::now();
         }
         if (progress.due()) {
-          const double share = static_cast<double>(ended) / static_cast<double>(passages.size());
-          progress.show(fmt::format("{} of {} mutants, {}", ended, passages.size(), time_left_text(elapsed, share)));
+          const double fraction = static_cast<double>(ended) / static_cast<double>(passages.size());
+          progress.show(fmt::format("{} of {} mutants, {}", ended, passages.size(), time_left_text(elapsed, fraction)));
         }
       });
   mutants.run_seconds = std::chrono::duration<double>(Clock::now() - start).count();
@@ -420,7 +420,7 @@ records::Score print(const records::Mutants& mutants) {
   }
   const auto row = [](const std::string& name, const records::Score& score) {
     fmt::print("{:<44} {:>6} {:>8} {:>9} {:>10} {:>7.1f} %\n", name, score.killed, score.survived, score.unreached,
-               score.equivalent, 100.0 * score.share());
+               score.equivalent, 100.0 * score.fraction());
   };
   fmt::print("{:<44} {:>6} {:>8} {:>9} {:>10} {:>9}\n", "file", "killed", "survived", "unreached", "equivalent",
              "score");
@@ -507,7 +507,7 @@ int run(const Options& options) {
   save();
   records::write_whole(out.parent_path() / "report.json", schema_report(mutants, options.root));
   const records::Score score = print(mutants);
-  const bool enough = score.share() >= options.least_score;
+  const bool enough = score.fraction() >= options.least_score;
   if (!enough) fmt::print("the score is less than {:.1f} %\n", 100.0 * options.least_score);
   return demand_named(mutants) && enough ? 0 : 1;
 }

@@ -58,11 +58,11 @@ BOOST_AUTO_TEST_CASE(a_score_leaves_out_what_is_equivalent) {
   BOOST_TEST(score.killed == 3u);
   BOOST_TEST(score.survived == 1u);
   BOOST_TEST(score.equivalent == 1u);
-  BOOST_TEST(score.share() == 0.75);
+  BOOST_TEST(score.fraction() == 0.75);
   BOOST_TEST(score_of(written(all)).killed == 1u);
   const auto by_operation = scores_by(generated(all), [](const MutantRecord& one) { return one.operation; });
-  BOOST_TEST(by_operation.at("sign").share() == 1.0);
-  BOOST_TEST(by_operation.at("factor").share() == 0.5);
+  BOOST_TEST(by_operation.at("sign").fraction() == 1.0);
+  BOOST_TEST(by_operation.at("factor").fraction() == 0.5);
 }
 
 BOOST_AUTO_TEST_CASE(what_recorded_results_alone_notice_is_counted_apart) {
@@ -90,11 +90,11 @@ BOOST_AUTO_TEST_CASE(what_recorded_results_alone_notice_is_counted_apart) {
 BOOST_AUTO_TEST_CASE(wider_bounds_kill_less) {
   const Mutants all = some();
   const auto of = generated(all);
-  BOOST_TEST(share_at(all, of, 1.0, "") == 0.75);
-  BOOST_TEST(share_at(all, of, 5.0, "") == 0.75);
-  BOOST_TEST(share_at(all, of, 10.0, "") == 0.5);
-  BOOST_TEST(share_at(all, of, 1.0, "fences") == 0.0);
-  BOOST_TEST(share_at(all, of, 1.0, "contact") == 0.75);
+  BOOST_TEST(fraction_at(all, of, 1.0, "") == 0.75);
+  BOOST_TEST(fraction_at(all, of, 5.0, "") == 0.75);
+  BOOST_TEST(fraction_at(all, of, 10.0, "") == 0.5);
+  BOOST_TEST(fraction_at(all, of, 1.0, "fences") == 0.0);
+  BOOST_TEST(fraction_at(all, of, 1.0, "contact") == 0.75);
 }
 
 BOOST_AUTO_TEST_CASE(the_greedy_order_takes_the_best_first_and_of_equal_ones_the_faster) {

@@ -36,7 +36,7 @@ Figure figure_of(bool log) {
 
 void write_csv(const Scratch& scratch, const std::string& text) { std::ofstream(scratch.folder / "f.csv") << text; }
 
-std::string complaint(const Figure& figure, const Scratch& scratch) {
+std::string error_message(const Figure& figure, const Scratch& scratch) {
   try {
     static_cast<void>(plot_of(figure, scratch.folder));
   } catch (const RecordError& wrong) {
@@ -64,17 +64,17 @@ BOOST_AUTO_TEST_CASE(labels_are_text) {
 
 BOOST_AUTO_TEST_CASE(what_is_missing_is_named) {
   const Scratch scratch("plot");
-  BOOST_TEST(names(complaint(figure_of(false), scratch), "f.csv: No such file or directory"));
+  BOOST_TEST(names(error_message(figure_of(false), scratch), "f.csv: No such file or directory"));
   write_csv(scratch, "h [s],error\n1,2\n");
-  BOOST_TEST(names(complaint(figure_of(false), scratch), "has no column 'e'; its columns: h [s], error"));
+  BOOST_TEST(names(error_message(figure_of(false), scratch), "has no column 'e'; its columns: h [s], error"));
   write_csv(scratch, "h [s],e\n1,2\n3\n");
-  BOOST_TEST(names(complaint(figure_of(false), scratch), "f.csv:3: found 1 cells; the header has 2"));
+  BOOST_TEST(names(error_message(figure_of(false), scratch), "f.csv:3: found 1 cells; the header has 2"));
   write_csv(scratch, "h [s],e\n1,nan\n");
-  BOOST_TEST(names(complaint(figure_of(false), scratch), "f.csv:2: column 'e': found 'nan'"));
+  BOOST_TEST(names(error_message(figure_of(false), scratch), "f.csv:2: column 'e': found 'nan'"));
   write_csv(scratch, "h [s],e\n");
-  BOOST_TEST(names(complaint(figure_of(false), scratch), "has no row"));
+  BOOST_TEST(names(error_message(figure_of(false), scratch), "has no row"));
   write_csv(scratch, "h [s],e\n1,0\n");
-  BOOST_TEST(names(complaint(figure_of(true), scratch), "is empty: no point can be drawn"));
+  BOOST_TEST(names(error_message(figure_of(true), scratch), "is empty: no point can be drawn"));
 }
 
 BOOST_AUTO_TEST_CASE(limits_hold_the_points) {

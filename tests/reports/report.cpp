@@ -326,7 +326,7 @@ Page two_panels() {
 
 const ToolPaths tools{find_resources(), 2};
 
-std::string complaint_of(const Pictures& pictures, const fs::path& target) {
+std::string page_error(const Pictures& pictures, const fs::path& target) {
   try {
     make_pictures(pictures, target, {"svg"}, tools);
   } catch (const RecordError& wrong) {
@@ -386,50 +386,50 @@ BOOST_AUTO_TEST_CASE(circles_are_filled_by_their_values) {
   const std::string svg = read_whole(scratch.folder / "page.svg");
   for (const char* part : {"rgb(103,   0,  31)", "rgb(254, 196,  79)", "rgb(160, 176, 192)", ">wall<", "speed [m/s]"})
     BOOST_TEST(contains(svg, part), part);
-  const auto complaint = [&](auto&& change) {
+  const auto error_message = [&](auto&& change) {
     Figure wrong = panel;
     change(wrong);
-    return complaint_of(page(wrong), scratch.folder);
+    return page_error(page(wrong), scratch.folder);
   };
-  BOOST_TEST(complaint([](Figure& f) { f.series[0].radius = {}; }) ==
+  BOOST_TEST(error_message([](Figure& f) { f.series[0].radius = {}; }) ==
              "page 'page': panels[0]: series[0].radius: is missing: circles need it");
-  BOOST_TEST(complaint([](Figure& f) { f.series[0].values = {}; }) ==
+  BOOST_TEST(error_message([](Figure& f) { f.series[0].values = {}; }) ==
              "page 'page': panels[0]: series[0]: shapes need a colour, a fill or a value");
-  BOOST_TEST(complaint([](Figure& f) { f.series[1].look.fill = ""; }) ==
+  BOOST_TEST(error_message([](Figure& f) { f.series[1].look.fill = ""; }) ==
              "page 'page': panels[0]: series[1]: circles need a fill or a value");
-  BOOST_TEST(complaint([](Figure& f) { f.series[0].y[1] = NAN; }) ==
+  BOOST_TEST(error_message([](Figure& f) { f.series[0].y[1] = NAN; }) ==
              "figure 'p': series '': found nan at point 2; it must be a finite number");
 }
 
 BOOST_AUTO_TEST_CASE(wrong_pages_are_named) {
   const Scratch scratch("page");
-  const auto complaint = [&](auto&& change) {
+  const auto error_message = [&](auto&& change) {
     Pictures pictures{.pages = {two_panels()}, .films = {{"film", 0.1, {two_panels()}}}, .players = {{"play", "", ""}}};
     change(pictures);
-    return complaint_of(pictures, scratch.folder);
+    return page_error(pictures, scratch.folder);
   };
-  BOOST_TEST(complaint([](Pictures& p) { p.pages[0].panels[1].series[0].look.colour = "blue"; }) ==
+  BOOST_TEST(error_message([](Pictures& p) { p.pages[0].panels[1].series[0].look.colour = "blue"; }) ==
              "page 'page': panels[1]: series[0].colour: must be a colour such as #0072b2, found 'blue'");
-  BOOST_TEST(complaint([](Pictures& p) { p.pages[0].panels[0].x.min = {}; }) ==
+  BOOST_TEST(error_message([](Pictures& p) { p.pages[0].panels[0].x.min = {}; }) ==
              "page 'page': panels[0]: a figure with equal units needs min and max of both axes");
-  BOOST_TEST(complaint([](Pictures& p) { p.pages[0].columns = 0; }) ==
+  BOOST_TEST(error_message([](Pictures& p) { p.pages[0].columns = 0; }) ==
              "page 'page': columns: must be from 1 to 12, found 0");
-  BOOST_TEST(complaint([](Pictures& p) { p.pages[0].panels = {}; }) ==
+  BOOST_TEST(error_message([](Pictures& p) { p.pages[0].panels = {}; }) ==
              "page 'page': panels: must hold at least one figure");
-  BOOST_TEST(complaint([](Pictures& p) { p.pages[0].scale->max = 0.0; }) ==
+  BOOST_TEST(error_message([](Pictures& p) { p.pages[0].scale->max = 0.0; }) ==
              "page 'page': scale: min must be less than max, found 0 and 0");
-  BOOST_TEST(complaint([](Pictures& p) { p.pages[0].panels[0].series[0] = {.label = "none", .look = {"#102030"}}; }) ==
-             "");
-  BOOST_TEST(complaint([](Pictures& p) {
+  BOOST_TEST(error_message(
+                 [](Pictures& p) { p.pages[0].panels[0].series[0] = {.label = "none", .look = {"#102030"}}; }) == "");
+  BOOST_TEST(error_message([](Pictures& p) {
                for (Series& series : p.pages[0].panels[0].series)
                  series = {.label = "none"};
              }) == "figure 'p' is empty: no point can be drawn");
-  BOOST_TEST(complaint([](Pictures& p) { p.films[0].delay = 0.0; }) == "film 'film': delay: must be > 0, found 0");
-  BOOST_TEST(complaint([](Pictures& p) { p.films[0].pages = {}; }) ==
+  BOOST_TEST(error_message([](Pictures& p) { p.films[0].delay = 0.0; }) == "film 'film': delay: must be > 0, found 0");
+  BOOST_TEST(error_message([](Pictures& p) { p.films[0].pages = {}; }) ==
              "film 'film': pages: must hold at least one page");
-  BOOST_TEST(complaint([](Pictures& p) { p.films[0].pages[0].columns = 13; }) ==
+  BOOST_TEST(error_message([](Pictures& p) { p.films[0].pages[0].columns = 13; }) ==
              "film 'film': pages[0]: columns: must be from 1 to 12, found 13");
-  BOOST_TEST(complaint([](Pictures& p) { p.players[0].name = "../play"; }) ==
+  BOOST_TEST(error_message([](Pictures& p) { p.players[0].name = "../play"; }) ==
              "name of a player: found '../play'; it must be a plain file name");
   for (const auto& entry : fs::directory_iterator(scratch.folder))
     BOOST_TEST(entry.path().filename().string().front() != '.', "left behind: " << entry.path());

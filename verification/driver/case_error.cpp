@@ -15,7 +15,7 @@ bool is_snake_case(const std::string& word) {
   return !word.empty() && std::all_of(word.begin(), word.end(), plain);
 }
 
-std::string flaw_of_requirements(const Case& verification_case, const Catalogue& catalogue) {
+std::string requirements_error(const Case& verification_case, const Catalogue& catalogue) {
   for (const auto& claim : verification_case.requirements) {
     const std::string& id = claim.requirement;
     if (catalogue.requirement(id) == nullptr) return fmt::format("requirement '{}' is in no closed list", id);
@@ -28,7 +28,7 @@ std::string flaw_of_requirements(const Case& verification_case, const Catalogue&
   return "";
 }
 
-std::string flaw_of_family(const Case& verification_case, const Catalogue& catalogue) {
+std::string family_error(const Case& verification_case, const Catalogue& catalogue) {
   std::vector<std::string> ids;
   for (const auto& claim : verification_case.requirements)
     ids.push_back(claim.requirement);
@@ -90,7 +90,7 @@ std::string case_error(const Case& verification_case, const std::vector<Case>& a
     return "its time limit must be finite and greater than zero";
   if (!(std::isfinite(c.memory_limit) && c.memory_limit > 0.0))
     return "its memory limit must be finite and greater than zero";
-  for (const std::string& flaw : {flaw_of_requirements(c, catalogue), flaw_of_family(c, catalogue),
+  for (const std::string& flaw : {requirements_error(c, catalogue), family_error(c, catalogue),
                                   flaw_of_citations(c, catalogue), flaw_of_main_checks(c), flaw_of_faults(c)}) {
     if (!flaw.empty()) return flaw;
   }

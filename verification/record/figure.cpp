@@ -11,7 +11,7 @@ namespace {
 constexpr int most_columns = 12;
 constexpr int most_divisions = 100;
 
-void demand_sound(const Axis& axis, const std::string& part, const Complain& fail) {
+void demand_sound(const Axis& axis, const std::string& part, const Fail& fail) {
   if (axis.log && ((axis.min && *axis.min <= 0.0) || (axis.max && *axis.max <= 0.0)))
     fail(part, "limits of a log axis must be > 0");
   if (axis.divisions < 0 || axis.divisions > most_divisions) {
@@ -19,13 +19,13 @@ void demand_sound(const Axis& axis, const std::string& part, const Complain& fai
   }
 }
 
-void demand_colour(const std::string& colour, const std::string& part, const Complain& fail) {
+void demand_colour(const std::string& colour, const std::string& part, const Fail& fail) {
   const bool fine = colour.size() == 7 && colour[0] == '#' &&
                     colour.find_first_not_of("0123456789abcdefABCDEF", 1) == std::string::npos;
   if (!colour.empty() && !fine) fail(part, fmt::format("must be a colour such as #0072b2, found '{}'", colour));
 }
 
-void demand_sound(const Figure& figure, const Series& series, const std::string& part, const Complain& fail) {
+void demand_sound(const Figure& figure, const Series& series, const std::string& part, const Fail& fail) {
   const bool by_value = coloured_by_value(series);
   demand_colour(series.look.colour, part + ".colour", fail);
   demand_colour(series.look.fill, part + ".fill", fail);
@@ -76,12 +76,12 @@ std::vector<std::string> series_keys(const Figure& figure) {
 
 }  // namespace
 
-void demand_sound(const Scale& scale, const Complain& fail) {
+void demand_sound(const Scale& scale, const Fail& fail) {
   if (!(scale.min < scale.max))
     fail("scale", fmt::format("min must be less than max, found {} and {}", scale.min, scale.max));
 }
 
-void demand_sound(const Figure& figure, const Complain& fail) {
+void demand_sound(const Figure& figure, const Fail& fail) {
   demand_sound(figure.x, "x", fail);
   demand_sound(figure.y, "y", fail);
   if (figure.series.empty()) fail("series", "must hold at least one series");

@@ -150,14 +150,14 @@ struct Figure {
 };
 
 /// Called with the faulty part of a figure ("series[1].look", empty for the whole) and the fault; throws.
-using Complain = std::function<void(const std::string& part, const std::string& fault)>;
+using Fail = std::function<void(const std::string& part, const std::string& fault)>;
 
 /// Checks the rules for all figures, created or read: limits and lines of logarithmic axes > 0, existing panels and
 /// scales, valid colours.
-void demand_sound(const Figure& figure, const Complain& fail);
+void demand_sound(const Figure& figure, const Fail& fail);
 
 /// Checks min < max.
-void demand_sound(const Scale& scale, const Complain& fail);
+void demand_sound(const Scale& scale, const Fail& fail);
 
 /// Sets the CSV file name of a figure (NAME.csv) and the columns of its series: x, y, those of error bars and values if
 /// present, and in the column `series` the label in lower case with '_' in place of all but letters and digits,

@@ -110,7 +110,7 @@ struct Score {
   /// Number of mutants in the score: all except the equivalent ones.
   [[nodiscard]] std::size_t counted() const { return killed + survived + unreached; }
   /// Killed fraction of the counted mutants; 1 if there are none.
-  [[nodiscard]] double share() const {
+  [[nodiscard]] double fraction() const {
     return counted() == 0 ? 1.0 : static_cast<double>(killed) / static_cast<double>(counted());
   }
 };

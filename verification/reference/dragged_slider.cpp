@@ -30,7 +30,7 @@ DraggedSliderMotion::DraggedSliderMotion(const DraggedSlider& problem, double un
   if (std::abs(problem.stretch) > limit_) throw std::invalid_argument("dragged_slider: |s(0)| must be <= mu N/k_s");
   rest_ = problem.mass * problem.drive / (problem.mobility * problem.tangential_stiffness);
   frequency_ = std::sqrt(problem.mobility * problem.tangential_stiffness / problem.mass);
-  Phase phase{0.0, way(problem.slip_rate, problem.stretch), problem.slip_rate, problem.stretch, 0.0};
+  Phase phase{0.0, slip_sign(problem.slip_rate, problem.stretch), problem.slip_rate, problem.stretch, 0.0};
   phases_.push_back(phase);
   for (double end = duration(phase); end < until; end = phase.begin + duration(phase)) {
     const bool slipped = phase.slips != 0;
@@ -41,14 +41,14 @@ DraggedSliderMotion::DraggedSliderMotion(const DraggedSlider& problem, double un
     } else {
       next.stretch = std::copysign(limit_, next.stretch);
     }
-    next.slips = way(next.slip_rate, next.stretch);
+    next.slips = slip_sign(next.slip_rate, next.stretch);
     phases_.push_back(next);
     phase = next;
   }
 }
 
 /// Direction in which the slider slips from here; 0: it sticks.
-int DraggedSliderMotion::way(double slip_rate, double stretch) const {
+int DraggedSliderMotion::slip_sign(double slip_rate, double stretch) const {
   if (std::abs(stretch) < limit_) return 0;
   const int outward = stretch > 0.0 ? 1 : -1;
   if (slip_rate * outward > 0.0) return outward;

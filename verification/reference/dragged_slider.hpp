@@ -54,7 +54,7 @@ class DraggedSliderMotion {
  private:
   [[nodiscard]] Phase state_in(const Phase& phase, double t) const;
   [[nodiscard]] double duration(const Phase& phase) const;
-  [[nodiscard]] int way(double slip_rate, double stretch) const;
+  [[nodiscard]] int slip_sign(double slip_rate, double stretch) const;
 
   DraggedSlider problem_;
   double limit_{};      ///< L

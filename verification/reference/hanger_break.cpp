@@ -29,8 +29,8 @@ std::array<Swing, 2> swings(const HungPair& p) {
       yc = -kbc;
     }
     const double norm = std::hypot(yb, yc);
-    const double share = yc / norm * std::sqrt(p.mass_c) * p.speed;
-    found[i] = {std::sqrt(root), share * yb / norm / std::sqrt(p.mass_b), share * yc / norm / std::sqrt(p.mass_c)};
+    const double ratio = yc / norm * std::sqrt(p.mass_c) * p.speed;
+    found[i] = {std::sqrt(root), ratio * yb / norm / std::sqrt(p.mass_b), ratio * yc / norm / std::sqrt(p.mass_c)};
   }
   return found;
 }

@@ -27,9 +27,9 @@ Sums sums(const HangingChain& chain, const Real50& compliance, const Pair& pull)
   Sums s{{Real50(-chain.span), Real50(-chain.rise)}, 0, 0, 0, {0, 0}};
   for (int i = 0; i <= chain.joints; ++i) {
     const Pair p{pull.x, pull.y + Real50(chain.weight) * i};
-    const Real50 t = length(p), share = chain.link / t, bend = share / (t * t);
-    s.miss.x += (share + compliance) * p.x;
-    s.miss.y += (share + compliance) * p.y;
+    const Real50 t = length(p), ratio = chain.link / t, bend = ratio / (t * t);
+    s.miss.x += (ratio + compliance) * p.x;
+    s.miss.y += (ratio + compliance) * p.y;
     s.xx += bend * p.y * p.y + compliance;
     s.xy -= bend * p.x * p.y;
     s.yy += bend * p.x * p.x + compliance;
@@ -54,11 +54,11 @@ Pair first_pull(const HangingChain& chain, const Real50& compliance) {
   for (int iteration = 0; iteration < 200; ++iteration) {
     if (length(now.miss) < 1e-46 * chain.span) return pull;
     const Pair step = solve(now, now.miss);
-    Real50 share = 1;
-    for (;; share /= 2) {
-      const Pair next{pull.x + share * step.x, pull.y + share * step.y};
+    Real50 ratio = 1;
+    for (;; ratio /= 2) {
+      const Pair next{pull.x + ratio * step.x, pull.y + ratio * step.y};
       const Sums there = sums(chain, compliance, next);
-      if (share > 1e-12 && !(length(there.miss) < length(now.miss))) continue;
+      if (ratio > 1e-12 && !(length(there.miss) < length(now.miss))) continue;
       pull = next;
       now = there;
       break;
@@ -75,9 +75,9 @@ HungChain hung_chain(const HangingChain& chain, double compliance) {
   Pair at{0, 0};
   for (int i = 0; i <= chain.joints; ++i) {
     const Pair p{pull.x, pull.y + Real50(chain.weight) * i};
-    const Real50 t = length(p), share = chain.link / t + compliance;
+    const Real50 t = length(p), ratio = chain.link / t + compliance;
     hung.tension.push_back(nearest(t));
-    at = {at.x + share * p.x, at.y + share * p.y};
+    at = {at.x + ratio * p.x, at.y + ratio * p.y};
     if (i == chain.joints) break;
     hung.x.push_back(nearest(at.x));
     hung.y.push_back(nearest(at.y));

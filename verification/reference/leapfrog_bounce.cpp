@@ -24,22 +24,22 @@ LeapfrogBounce leapfrog_bounce(double eta, double theta) {
   };
   while (x(n) > 0.0)
     ++n;
-  const double inside = x(n - 1), way = inside - x(n);
-  return {way, 1.0 - inside / way, n - 1};
+  const double inside = x(n - 1), displacement = inside - x(n);
+  return {displacement, 1.0 - inside / displacement, n - 1};
 }
 
 LeapfrogGain leapfrog_gain(double eta, int phases) {
   LeapfrogGain gain{.least = std::numeric_limits<double>::infinity()};
-  const double share = 1.0 / phases;
+  const double weight = 1.0 / phases;
   for (int i = 0; i < phases; ++i) {
-    const double e = leapfrog_bounce(eta, (i + 0.5) * share).ratio;
+    const double e = leapfrog_bounce(eta, (i + 0.5) * weight).ratio;
     gain.least = std::min(gain.least, e);
     gain.most = std::max(gain.most, e);
-    gain.mean += share * e;
-    gain.mean_ln += share * std::log(e);
-    gain.mean_square += share * (e * e - 1.0);
-    gain.variance += share * (e * e - 1.0) * (e * e - 1.0);
-    gain.inverse_square += share / (e * e);
+    gain.mean += weight * e;
+    gain.mean_ln += weight * std::log(e);
+    gain.mean_square += weight * (e * e - 1.0);
+    gain.variance += weight * (e * e - 1.0) * (e * e - 1.0);
+    gain.inverse_square += weight / (e * e);
   }
   return gain;
 }

@@ -36,13 +36,13 @@ double cubic_period(const MidSpan& span, double amplitude) {
 }
 
 double longer_by_amplitude(const MidSpan& span, double amplitude) {
-  const double share = amplitude / span.length;
-  return (0.125 + 1.5 * gamma_ratio_squared()) * share * share;
+  const double ratio = amplitude / span.length;
+  return (0.125 + 1.5 * gamma_ratio_squared()) * ratio * ratio;
 }
 
 double longer_by_steps(const MidSpan& span, double amplitude, double step) {
-  const double share = amplitude / span.length;
-  return (1.0 - 12.0 * gamma_ratio_squared()) / 24.0 * span.stiffness / span.mass * share * share * step * step;
+  const double ratio = amplitude / span.length;
+  return (1.0 - 12.0 * gamma_ratio_squared()) / 24.0 * span.stiffness / span.mass * ratio * ratio * step * step;
 }
 
 }  // namespace talus::verification::reference

@@ -23,15 +23,15 @@ class Frame {
 };
 
 /// Point of the boundary at the fraction 0 <= share < 1, in the outline's local frame.
-Point boundary_point(const Outline& o, double share) {
+Point boundary_point(const Outline& o, double fraction) {
   const double a = o.size.a, b = o.kind == OutlineKind::circle ? o.size.a : o.size.b;
   if (o.kind == OutlineKind::rectangle) {
-    const double side = 4.0 * share, along = 2.0 * (side - std::floor(side)) - 1.0;
+    const double side = 4.0 * fraction, along = 2.0 * (side - std::floor(side)) - 1.0;
     const int i = static_cast<int>(side);
     const double sign = i < 2 ? 1.0 : -1.0;
     return i % 2 == 0 ? Point{sign * a, sign * along * b} : Point{-sign * along * a, sign * b};
   }
-  const double t = 2.0 * std::numbers::pi * share, e = o.kind == OutlineKind::circle ? 1.0 : 2.0 / o.size.n;
+  const double t = 2.0 * std::numbers::pi * fraction, e = o.kind == OutlineKind::circle ? 1.0 : 2.0 / o.size.n;
   const double c = std::cos(t), s = std::sin(t);
   return {a * std::copysign(std::pow(std::abs(c), e), c), b * std::copysign(std::pow(std::abs(s), e), s)};
 }

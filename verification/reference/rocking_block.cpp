@@ -18,8 +18,8 @@ double fall_time(const RockingBlock& block, double tilt) {
   // cos(alpha - q0) - cos(alpha - q) = 2 sin(alpha - q + (q - q0)/2) sin((q0 - q)/2), with q0 - q = q0 u^2.
   const auto integrand = [&](double u) {
     const double half = 0.5 * tilt * u * u;
-    const double share = half == 0.0 ? 1.0 : std::sin(half) / half;
-    return 2.0 * tilt / std::sqrt(2.0 * tilt * share * std::sin(alpha - tilt + half));
+    const double ratio = half == 0.0 ? 1.0 : std::sin(half) / half;
+    return 2.0 * tilt / std::sqrt(2.0 * tilt * ratio * std::sin(alpha - tilt + half));
   };
   constexpr int pieces = 2000;
   double sum = integrand(0.0) + integrand(1.0);

@@ -25,7 +25,7 @@ double small_rocking_frequency(const RockingEllipse& e) {
 
 double centre_height(const RockingEllipse& e, double angle) { return static_cast<double>(support(e, angle)); }
 
-double centre_way(const RockingEllipse& e, double angle) {
+double centre_displacement(const RockingEllipse& e, double angle) {
   // Simpson's rule: h is smooth, and there are many intervals.
   const Long step = Long{angle} / pieces;
   Long sum = support(e, 0) + support(e, angle);

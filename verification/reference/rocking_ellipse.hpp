@@ -18,7 +18,7 @@ struct RockingEllipse {
 
 /// Height of the centre, and its horizontal displacement from rest, -integral of h dq (rolling) [L].
 [[nodiscard]] double centre_height(const RockingEllipse& ellipse, double angle);
-[[nodiscard]] double centre_way(const RockingEllipse& ellipse, double angle);
+[[nodiscard]] double centre_displacement(const RockingEllipse& ellipse, double angle);
 
 /// Period of oscillations of any amplitude [rad] below a quarter turn: four times the integral of dq/q' from rest to
 /// the amplitude, q = amplitude sin u, by the midpoint rule in u, which converges exponentially [T].

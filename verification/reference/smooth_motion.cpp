@@ -102,7 +102,9 @@ struct Pair {
 
 template <class Rate>
 Pair advanced(const Pair& from, Real t, Real h, const Rate& rates) {
-  const auto along = [&](Real share, const Pair& k) { return Pair{from.x + share * k.x, from.e + share * k.e}; };
+  const auto along = [&](Real fraction, const Pair& k) {
+    return Pair{from.x + fraction * k.x, from.e + fraction * k.e};
+  };
   const Pair k1 = rates(from, t), k2 = rates(along(0.5L * h, k1), t + 0.5L * h);
   const Pair k3 = rates(along(0.5L * h, k2), t + 0.5L * h), k4 = rates(along(h, k3), t + h);
   Pair out = along(h / 6.0L, k1);

@@ -12,18 +12,18 @@ constexpr double quarter = 0.5 * std::numbers::pi;
 double unloading_step(const SteppedLatch& latch) { return latch.step / std::sqrt(latch.ratio); }
 
 double fraction(double x) { return x - std::floor(x); }
-double gamma(double share) { return share * (1.0 - share); }
+double gamma(double phase) { return phase * (1.0 - phase); }
 
 double determinant(StepMap map, double z) {
   return map == StepMap::euler ? 1.0 + z * z : map == StepMap::taylor ? 1.0 + 0.5 * z * z : 1.0;
 }
 
-/// Number of steps from x = 0 to v = 0 (`way` 1), or back (-1).
-double quarter_in_steps(StepMap map, double z, double way) {
+/// Number of steps from x = 0 to v = 0 (`direction` 1), or back (-1).
+double quarter_in_steps(StepMap map, double z, double direction) {
   const double trace = map == StepMap::euler ? 2.0 : map == StepMap::taylor ? 2.0 - 0.5 * z * z : 2.0 - z * z;
   const double angle = std::acos(0.5 * trace / std::sqrt(determinant(map, z)));
   const double tilt = map == StepMap::taylor ? std::asin(0.25 * z) : 0.0;
-  return (quarter + way * tilt) / angle;
+  return (quarter + direction * tilt) / angle;
 }
 
 /// ln of the growth of the amplitude until the contact ends.

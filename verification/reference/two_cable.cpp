@@ -140,10 +140,10 @@ TwoCableMotion::State TwoCableMotion::at(double t) const {
     }
   }
   const long double side = quarter < 2 ? 1.0L : -1.0L;
-  const long double way = quarter == 0 || quarter == 3 ? 1.0L : -1.0L;
+  const long double sign = quarter == 0 || quarter == 3 ? 1.0L : -1.0L;
   const long double x = motion.x_max * std::sin(u);
   // v = x_max cos u/f(u): cos u keeps the digits that x_max - x would lose at the turning point.
-  return {static_cast<double>(side * x), static_cast<double>(way * motion.x_max * std::cos(u) / motion.pace(u))};
+  return {static_cast<double>(side * x), static_cast<double>(sign * motion.x_max * std::cos(u) / motion.pace(u))};
 }
 
 double cable_tension(const TwoCable& problem, double x) {

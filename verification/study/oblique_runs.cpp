@@ -15,7 +15,7 @@ reference::ObliqueImpact oblique_disc(double kappa, double ratio) {
           .slip_rate = ratio * oblique_friction / kappa};
 }
 
-Scene oblique_scene_told(const reference::ObliqueImpact& impact, const Setup& setup) {
+Scene oblique_scene_of(const reference::ObliqueImpact& impact, const Setup& setup) {
   reference::ObliqueImpact wrong = impact;
   if (setup.has("friction_halved")) wrong.friction *= 0.5;
   if (setup.has("slip_stiffness_doubled")) wrong.tangential_stiffness *= 2.0;

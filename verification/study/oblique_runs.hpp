@@ -12,7 +12,7 @@ inline constexpr double oblique_friction = 0.3;
 [[nodiscard]] reference::ObliqueImpact oblique_disc(double kappa, double ratio);
 
 /// Scene of an impact as given to the solver, with the setup's fault planted.
-[[nodiscard]] Scene oblique_scene_told(const reference::ObliqueImpact& impact, const Setup& setup);
+[[nodiscard]] Scene oblique_scene_of(const reference::ObliqueImpact& impact, const Setup& setup);
 
 /// Moves the state back by t along the free motion before touch.
 void go_back(State& state, double t);

@@ -30,13 +30,13 @@ class PressedDisc {
   /// Moves the disc from its present overlap to another.
   void press(double to) {
     constexpr double step = 0x1p-10;
-    const double way = to > path_.back() ? 1.0 : -1.0;
-    state_.v[1] = -way;
+    const double direction = to > path_.back() ? 1.0 : -1.0;
+    state_.v[1] = -direction;
     for (long count = std::lround(std::abs(to - path_.back()) / step); count > 0; --count) {
       system_.drift(state_, step);
       const double before = forces_.back();
       look();
-      work_ += 0.5 * (before + forces_.back()) * way * step;
+      work_ += 0.5 * (before + forces_.back()) * direction * step;
     }
   }
 

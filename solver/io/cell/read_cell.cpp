@@ -44,7 +44,7 @@ void blame_option(const CellChoices& choices, const CellError& error) {
 
 /// Errors of a historical run, which must be as the runs of 1989 may have been: Euler, K1/K2 = 0.45 and a step of 1e-7
 /// (both numbers are from the thesis; Euler's method is inferred from them).
-std::vector<CellError> historical_objections(const CellScene& scene) {
+std::vector<CellError> historical_errors(const CellScene& scene) {
   std::vector<CellError> found;
   const LatchingSpring* const law = scene.cell.law_of_1989();
   if (!scene.plan.historical || law == nullptr) return found;
@@ -62,9 +62,9 @@ std::vector<CellError> historical_objections(const CellScene& scene) {
   return found;
 }
 
-std::vector<CellError> all_objections(const CellScene& scene) {
+std::vector<CellError> all_errors(const CellScene& scene) {
   std::vector<CellError> found = validation_errors(scene.cell, scene.plan);
-  const auto more = historical_objections(scene);
+  const auto more = historical_errors(scene);
   found.insert(found.end(), more.begin(), more.end());
   return found;
 }
@@ -173,7 +173,7 @@ CellScene read_control(std::string_view text, std::string_view name, const CellC
   scene.plan.every = reader.real("LOOP", "every");
   scene.plan.end = reader.real("TIME", "end");
   choose(scene, choices);
-  if (const auto found = all_objections(scene); !found.empty()) {
+  if (const auto found = all_errors(scene); !found.empty()) {
     blame_option(choices, found.front());
     reader.fail(found.front());
   }
@@ -295,7 +295,7 @@ void read_run_table(SceneTable& run, CellScene& scene) {
 
 /// Reports all validation_errors of a cell and its run, which the ranges of single fields do not cover.
 void check_whole(const CellScene& scene, const CellChoices& choices, const SceneTable& cell, const SceneTable& run) {
-  const std::vector<CellError> found = all_objections(scene);
+  const std::vector<CellError> found = all_errors(scene);
   if (!found.empty()) blame_option(choices, found.front());
   const std::vector<std::string> keys = run_keys();
   for (const CellError& error : found) {

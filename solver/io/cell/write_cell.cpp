@@ -82,11 +82,11 @@ constexpr std::array cell_columns{
 };
 
 /// Fraction part/whole; NaN if `whole` is zero.
-double share(double part, double whole) {
+double quotient(double part, double whole) {
   return whole != 0.0 ? part / whole : std::numeric_limits<double>::quiet_NaN();
 }
 /// The same for series, which are plotted; zero if `whole` is zero.
-double share_or_none(double part, double whole) { return whole != 0.0 ? part / whole : 0.0; }
+double ratio_or_zero(double part, double whole) { return whole != 0.0 ? part / whole : 0.0; }
 
 }  // namespace
 
@@ -157,13 +157,13 @@ std::vector<CellNumber> cell_results(const CellRun& run) {
         "M/S read as the shear of contacts that multiple ones carry");
   ratio("multiple_stress_ratio", Q::multiple_shear_virial, Q::multiple_normal_virial, "S/N of multiple contacts");
   results.push_back({"binary_stress_ratio", dimension::number, run.estimate([](auto&& of) {
-                       return share(of(Q::shear_virial) - of(Q::multiple_shear_virial),
-                                    of(Q::normal_virial) - of(Q::multiple_normal_virial));
+                       return quotient(of(Q::shear_virial) - of(Q::multiple_shear_virial),
+                                       of(Q::normal_virial) - of(Q::multiple_normal_virial));
                      }),
                      0.0, "S/N of binary contacts"});
   ratio("kinetic_shear_share", Q::kinetic_shear, Q::top_moment, "share of the shear that moving discs carry");
   results.push_back({"shear_balance", dimension::number, run.estimate([](auto&& of) {
-                       return share(of(Q::shear_virial) + of(Q::kinetic_shear), of(Q::top_moment));
+                       return quotient(of(Q::shear_virial) + of(Q::kinetic_shear), of(Q::top_moment));
                      }),
                      0.0, "shear of contacts and moving discs over the block's; 1 in a steady flow"});
   if (run.cell().friction) {
@@ -198,10 +198,10 @@ std::string cell_history_csv(const CellScene& scene, const CellRun& run) {
     csv.number(run.began() + std::min(static_cast<double>(k + 1) * scene.plan.every, last));
     for (const HistoryColumn& column : cell_columns)
       csv.number(of(column.quantity));
-    csv.number(share_or_none(of(Q::top_shear), of(Q::top_normal)));
-    csv.number(share_or_none(of(Q::multiple), of(Q::contacts)));
+    csv.number(ratio_or_zero(of(Q::top_shear), of(Q::top_normal)));
+    csv.number(ratio_or_zero(of(Q::multiple), of(Q::contacts)));
     if (scene.cell.friction) {
-      csv.number(share_or_none(of(Q::sliding), of(Q::contacts)));
+      csv.number(ratio_or_zero(of(Q::sliding), of(Q::contacts)));
       csv.number(of(Q::spin));
     }
     csv.end_row();
@@ -266,7 +266,7 @@ std::string cell_summary_json(const CellScene& scene, CellRun& run, const CellOu
                     {"dissipated", json_number(ledger.dissipated)},
                     {"gained", json_number(ledger.gained)},
                     {"unaccounted", json_number(ledger.unaccounted())}};
-  if (scene.cell.friction) json["energy"]["rubbed"] = json_number(ledger.rubbed);
+  if (scene.cell.friction) json["energy"]["rubbed"] = json_number(ledger.friction_work);
   json["counts"] = {{"discs", run.cell().free_discs()},
                     {"wall_discs", 2 * run.cell().wall_discs},
                     {"steps", run.steps()},

@@ -145,7 +145,7 @@ std::vector<FenceFault> faults(const Fence& fence) {
   return found;
 }
 
-std::string objection_to_title(std::string_view title) {
+std::string title_error(std::string_view title) {
   for (std::size_t i = 0; i < title.size(); ++i) {
     const auto byte = static_cast<unsigned char>(title[i]);
     // U+0080 .. U+009F are control characters; in the code pages of DOS these bytes are letters.

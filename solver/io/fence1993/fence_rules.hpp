@@ -21,7 +21,7 @@ struct FenceFault {
 [[nodiscard]] std::vector<FenceFault> faults(const scenes::Fence& fence);
 
 /// Reason why a text in UTF-8 cannot be a title; empty if it can.
-[[nodiscard]] std::string objection_to_title(std::string_view title);
+[[nodiscard]] std::string title_error(std::string_view title);
 
 /// Maximum number of codes that the 1993 program could store.
 inline constexpr std::size_t most_history_codes = 8;

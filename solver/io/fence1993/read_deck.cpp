@@ -55,7 +55,7 @@ class DeckReader {
   std::string title() {
     place_.line = 1;
     const std::string title = as_utf8(placed("title", [&] { return input_.whole_line(); }));
-    if (const std::string why = objection_to_title(title); !why.empty()) fail(place_, "title", why);
+    if (const std::string why = title_error(title); !why.empty()) fail(place_, "title", why);
     return title;
   }
 

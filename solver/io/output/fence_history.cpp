@@ -39,7 +39,7 @@ void FenceHistory::choose(int number) {
   std::vector<std::pair<std::string_view, std::vector<int>>> validation_errors;
   for (const int which : fence_->history_codes) {
     const FenceCode& code = fence_codes()[static_cast<std::size_t>(which - 1)];
-    const std::string_view why = objection(number, code);
+    const std::string_view why = refusal_reason(number, code);
     if (why.empty()) {
       series_.push_back({number, &code});
       history_.columns.push_back({fmt::format("element{}.{}", number, code.name), code.dimension});
@@ -55,7 +55,7 @@ void FenceHistory::choose(int number) {
 }
 
 /// Reason why an element has no such quantity; empty if it has.
-std::string_view FenceHistory::objection(int number, const FenceCode& code) const {
+std::string_view FenceHistory::refusal_reason(int number, const FenceCode& code) const {
   const scenes::FenceMember& member = made_->members[static_cast<std::size_t>(number - 1)];
   if (!member.body) return "it is a fixed end of the top cable, not a body";
   switch (code.needs) {

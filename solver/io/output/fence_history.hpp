@@ -41,7 +41,7 @@ class FenceHistory {
     const FenceCode* code{};
   };
   const scenes::FenceElement& element(int number) const;
-  std::string_view objection(int number, const FenceCode& code) const;
+  std::string_view refusal_reason(int number, const FenceCode& code) const;
   void choose(int number);
 
   const scenes::Fence* fence_;

@@ -25,7 +25,7 @@ Shape read_shape(SceneTable table) {
 }
 
 /// Reason why a body of this mobility has no such quantity; empty if it has.
-std::string_view objection(std::string_view key, Mobility mobility) {
+std::string_view refusal_reason(std::string_view key, Mobility mobility) {
   const bool fixed = mobility == Mobility::fixed;
   const bool turns = talus::turns(mobility);
   if (key == "mass" || key == "force") return fixed ? "a fixed body has none; leave it out" : "";
@@ -45,10 +45,10 @@ SceneBody read_body(SceneTable table) {
   static_cast<void>(table.choice("mobility", {Names<Mobility>::list.begin(), Names<Mobility>::list.end()}));
   body.mobility = table.choice_or("mobility", Mobility::free);
   for (const std::string_view key : {"mass", "inertia", "moment", "pin", "velocity", "spin", "force"}) {
-    if (const std::string_view why = objection(key, body.mobility); !why.empty()) table.refuse(key, why);
+    if (const std::string_view why = refusal_reason(key, body.mobility); !why.empty()) table.refuse(key, why);
   }
   for (const auto& field : Body::fields()) {
-    if (objection(field.name, body.mobility).empty()) table.read_field(body, field);
+    if (refusal_reason(field.name, body.mobility).empty()) table.read_field(body, field);
   }
   if (table.has("shape")) table.guard([&] { body.shape = read_shape(table.table("shape")); });
   body.p_WB = table.vector("position", dimension::length);

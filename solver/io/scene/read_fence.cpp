@@ -230,7 +230,7 @@ Fence read_fence(SceneTable& file, SceneSource& source) {
   fence.units = source.units;
   source.guard(file.line(), [&] {
     fence.title = file.title();
-    if (const std::string why = objection_to_title(fence.title); !why.empty()) file.fail("title", why);
+    if (const std::string why = title_error(fence.title); !why.empty()) file.fail("title", why);
   });
   SceneTable table = file.table("fence");
   std::vector<std::string> known = keys<Fence>();

@@ -105,8 +105,8 @@ double particle_mass(const Model& model, const Contact& contact) {
 void check_resultant(const Contact& contact, const Model& model) {
   if (contact.method != ContactMethod::resultant) return;
   const auto& bodies = model.bodies;
-  const std::string objection = objection_to_resultant(bodies[index(contact.a)].shape, bodies[index(contact.b)].shape);
-  if (!objection.empty()) throw InputError{fmt::format("contact '{}': {}", contact.name, objection)};
+  const std::string refusal_reason = resultant_error(bodies[index(contact.a)].shape, bodies[index(contact.b)].shape);
+  if (!refusal_reason.empty()) throw InputError{fmt::format("contact '{}': {}", contact.name, refusal_reason)};
 }
 
 /// The contact as part of the model, with damping by Eq. 21 if it requires that.

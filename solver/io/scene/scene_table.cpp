@@ -13,7 +13,7 @@ namespace {
 constexpr double placeholder = 1.0;
 
 /// Reason why a name cannot be used in the column headers of a history; empty if it can.
-std::string_view objection(std::string_view name) {
+std::string_view refusal_reason(std::string_view name) {
   for (const std::string_view taken : {"time", "energy", "lost", "closure"}) {
     if (name == taken) return "a history has columns of that name; choose another";
   }
@@ -357,7 +357,7 @@ std::vector<SceneTable> SceneTable::tables(std::string_view key) {
   for (SceneTable& table : numbered_tables(key)) {
     source_->guard(table.line_, [&] {
       const std::string name = table.text("name");
-      if (const std::string_view why = objection(name); !why.empty()) {
+      if (const std::string_view why = refusal_reason(name); !why.empty()) {
         table.fail("name", fmt::format("found \"{}\"; {}", name, why));
       }
       table.noun_ = fmt::format("{} '{}'", key, name);

@@ -155,7 +155,7 @@ BOOST_AUTO_TEST_CASE(no_file_of_an_earlier_run_stays_beside_those_of_another) {
   BOOST_TEST((left == files(fresh)));
 }
 
-BOOST_AUTO_TEST_CASE(what_no_mean_tells_is_null) {
+BOOST_AUTO_TEST_CASE(undefined_means_are_null) {
   const Folder folder;
   const std::string out = folder.path / "out";
   // Neither shear nor pressure acts on the discs.

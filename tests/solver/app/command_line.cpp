@@ -218,7 +218,7 @@ BOOST_AUTO_TEST_CASE(titles_and_names_in_other_encodings) {
   }
 }
 
-BOOST_AUTO_TEST_CASE(check_tells_cells_from_bodies) {
+BOOST_AUTO_TEST_CASE(check_distinguishes_cells_from_bodies) {
   for (const char* const cell : {"cell/ice.toml", "cell/CNTRL.DAT", "cell/rough.toml"}) {
     const Ended ended = talus_ran({"check", scene(cell)});
     BOOST_TEST(ended.code == 0, ended.err);

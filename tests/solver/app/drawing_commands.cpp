@@ -35,7 +35,7 @@ const fs::path& sample() {
 
 }  // namespace
 
-BOOST_AUTO_TEST_CASE(the_menu_tells_what_a_run_kept) {
+BOOST_AUTO_TEST_CASE(the_menu_lists_what_a_run_saved) {
   const Ended ended = talus_ran({"plot", sample().string(), "--list"});
   BOOST_TEST(ended.code == 0);
   BOOST_TEST(holds(ended.out, "  48  top_tension               [lbf]      tension in top cable"));

@@ -49,7 +49,7 @@ BOOST_AUTO_TEST_CASE(formula_and_its_inverse) {
   BOOST_TEST(stepped_restitution(contact, 1.1 * root * root) > least);
 }
 
-BOOST_AUTO_TEST_CASE(what_is_simulated_has_the_mean_asked_for) {
+BOOST_AUTO_TEST_CASE(simulated_impacts_have_the_required_mean) {
   for (const char* method : {"euler", "taylor", "velocity_verlet"}) {
     for (const double e : {0.95, 0.6, 0.4}) {
       const SteppedContact contact = contact_of(method, 0.1);

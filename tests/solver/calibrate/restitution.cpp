@@ -95,7 +95,7 @@ BOOST_AUTO_TEST_CASE(highest_frequency_of_the_pivoted_impact) {
   BOOST_TEST(advice.springs[0].frequency == advice.highest_frequency(), boost::test_tools::tolerance(1e-12));
 }
 
-BOOST_AUTO_TEST_CASE(laws_without_a_dashpot_are_told_their_stiffest_piece) {
+BOOST_AUTO_TEST_CASE(laws_without_a_dashpot_report_their_stiffest_branch) {
   const Scene scene = scenes::bouncing_disc({.gap = 1.0, .contact = LatchingSpring{100.0, 400.0, 0.0}});
   const Dynamics dynamics{scene.model};
   const StepAdvice advice = advise_step(dynamics, scene.initial);

@@ -23,7 +23,7 @@ BOOST_AUTO_TEST_CASE(means_are_weighted_by_time) {
   BOOST_TEST(means.block_mean(3, 0) == 7.0);
 }
 
-BOOST_AUTO_TEST_CASE(what_cannot_be_told_is_no_number) {
+BOOST_AUTO_TEST_CASE(undefined_means_are_not_numbers) {
   BlockMeans means{2, 4.0, 4};
   BOOST_TEST(std::isnan(means.estimate(0, 0).value));
   for (const double t : {0.5, 1.5, 2.5, 3.5})

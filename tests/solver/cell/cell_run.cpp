@@ -76,8 +76,8 @@ BOOST_AUTO_TEST_CASE(accounts_of_dashpots_and_friction_close_as_the_step_shrinks
       const CellRun::Ledger ledger = ran.ledger();
       const bool loses = cell.restitution() < 1.0 || cell.friction;
       BOOST_TEST((ledger.dissipated > 0.0) == loses);
-      BOOST_TEST((ledger.rubbed > 0.0) == cell.friction.has_value());
-      BOOST_TEST(ledger.rubbed <= ledger.dissipated);
+      BOOST_TEST((ledger.friction_work > 0.0) == cell.friction.has_value());
+      BOOST_TEST(ledger.friction_work <= ledger.dissipated);
       // Powers are evaluated with the velocities before a kick: the error is about (w h)/10 of a contact's energy.
       BOOST_TEST(std::abs(ledger.gained) < 0.6 / steps * (loses ? ledger.dissipated : ledger.driven));
     }
@@ -222,7 +222,7 @@ BOOST_AUTO_TEST_CASE(contacts_are_counted_from_their_first_moment_on) {
   BOOST_TEST(most > 5U);
 }
 
-BOOST_AUTO_TEST_CASE(how_often_a_run_is_looked_at_changes_nothing) {
+BOOST_AUTO_TEST_CASE(the_number_of_samples_changes_no_result) {
   for (const ShearCell& cell : cells()) {
     for (const std::string& name : methods(cell)) {
       CellPlan how = plan(cell, 300.0, integrator_traits(name).amplitude_growth_rate != 0.0 ? 300.0 : 20.0);

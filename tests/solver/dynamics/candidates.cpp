@@ -83,9 +83,9 @@ struct Strewn {
   void wander(double most) {
     std::uniform_real_distribution<double> step{-most, most};
     for (std::size_t i = 0; i + 1 < bodies; ++i) {
-      const Vec2 way{step(random), step(random)};
+      const Vec2 displacement{step(random), step(random)};
       angles[i] += step(random);
-      poses.set(i, {poses[i].p_WB + way, rotation(angles[i]), {}, 0.0});
+      poses.set(i, {poses[i].p_WB + displacement, rotation(angles[i]), {}, 0.0});
     }
   }
 
@@ -239,11 +239,12 @@ BOOST_AUTO_TEST_CASE(what_is_said_at_once_is_never_too_little) {
       if (is_unbounded(pair.bounds_a) || is_unbounded(pair.bounds_b)) continue;
       const Pose A = poses[index(pair.a)], B = poses[index(pair.b)];
       BOOST_REQUIRE(closing_speed_bound(pair, poses) >= largest_closing_speed(pair, A, B));
-      const double way = size(random);
-      if (!cannot_touch(pair, poses, way)) continue;
+      const double displacement = size(random);
+      if (!cannot_touch(pair, poses, displacement)) continue;
       ++apart;
-      BOOST_REQUIRE(norm(B.p_WB - A.p_WB) - largest_radius(pair.bounds_a) - largest_radius(pair.bounds_b) > way);
-      BOOST_REQUIRE(way <= 0.5 * (least_half_width(pair.bounds_a) + least_half_width(pair.bounds_b)));
+      BOOST_REQUIRE(norm(B.p_WB - A.p_WB) - largest_radius(pair.bounds_a) - largest_radius(pair.bounds_b) >
+                    displacement);
+      BOOST_REQUIRE(displacement <= 0.5 * (least_half_width(pair.bounds_a) + least_half_width(pair.bounds_b)));
     }
   }
   BOOST_TEST(apart > 10000);

@@ -286,7 +286,7 @@ BOOST_AUTO_TEST_CASE(a_contact_pushes_whichever_way_round_its_pair_is_named) {
   }
 }
 
-BOOST_AUTO_TEST_CASE(guards_tell_which_modes_last) {
+BOOST_AUTO_TEST_CASE(guards_show_which_modes_last) {
   const Model model = crowded();
   const Dynamics dynamics{model};
   Evaluation now = evaluate(dynamics, moving(model));
@@ -301,7 +301,7 @@ BOOST_AUTO_TEST_CASE(guards_tell_which_modes_last) {
     BOOST_TEST((guards[mode] < 0.0) == (now.state.mode[mode] != 0));
 }
 
-BOOST_AUTO_TEST_CASE(a_guard_asked_for_alone_is_the_same_as_among_all) {
+BOOST_AUTO_TEST_CASE(a_guard_evaluated_alone_is_the_same_as_among_all) {
   for (const ContactMethod method : {ContactMethod::resultant, ContactMethod::nodes}) {
     Model model = crowded(method);
     for (Contact& contact : model.contacts)

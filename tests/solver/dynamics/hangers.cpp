@@ -127,7 +127,7 @@ BOOST_AUTO_TEST_CASE(a_chain_runs_through_several_broken_hangers) {
   BOOST_TEST(std::abs(end.closure) < 1e-4 * end.scale);
 }
 
-BOOST_AUTO_TEST_CASE(energy_lost_by_straightening_is_booked) {
+BOOST_AUTO_TEST_CASE(energy_lost_by_straightening_is_recorded) {
   const Model model = row({strong, 70.0, strong});
   const Run end = run(model, 1e-5, 1.0);
   BOOST_TEST_REQUIRE(end.failures.size() == 1u);
@@ -136,7 +136,7 @@ BOOST_AUTO_TEST_CASE(energy_lost_by_straightening_is_booked) {
   BOOST_TEST(std::abs(end.closure) < 1e-4 * end.scale);
 }
 
-BOOST_AUTO_TEST_CASE(energy_is_booked_once_when_a_cable_breaks_with_its_hanger) {
+BOOST_AUTO_TEST_CASE(energy_is_recorded_once_when_a_cable_breaks_with_its_hanger) {
   // Cables 1 and 2, stretched from 1.9 to sqrt(4.04), become one with tension (4 - 3.8) 1200 = 240 between masses that
   // have not moved: more than 230. All of their stored energy is lost.
   const Model model = row({strong, 1.0, strong}, 230.0);

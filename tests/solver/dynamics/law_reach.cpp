@@ -52,14 +52,14 @@ BOOST_AUTO_TEST_CASE(a_law_that_acts_at_a_distance_needs_one) {
   const Shape circle = Circle{1.0}, box = Rectangle{1.0, 2.0}, outline = Superquadric{1.0, 2.0, 3.0},
               plane = HalfPlane{};
   for (const Shape& other : {circle, box, outline, plane})
-    BOOST_TEST(objection_to_reach(ContactMethod::resultant, NodeDepth::nearest, circle, other).empty());
+    BOOST_TEST(reach_error(ContactMethod::resultant, NodeDepth::nearest, circle, other).empty());
   for (const Shape& other : {circle, outline, plane})
-    BOOST_TEST(objection_to_reach(ContactMethod::resultant, NodeDepth::nearest, other, box).empty());
-  BOOST_TEST(objection_to_reach(ContactMethod::resultant, NodeDepth::nearest, box, box) ==
+    BOOST_TEST(reach_error(ContactMethod::resultant, NodeDepth::nearest, other, box).empty());
+  BOOST_TEST(reach_error(ContactMethod::resultant, NodeDepth::nearest, box, box) ==
              "it acts at a distance, and the gap of a rectangle and a rectangle is no distance between outlines that "
              "are apart; give a superquadric, or contact by nodes");
-  BOOST_TEST(objection_to_reach(ContactMethod::nodes, NodeDepth::nearest, box, outline).empty());
-  BOOST_TEST(objection_to_reach(ContactMethod::nodes, NodeDepth::centroid_ray, box, outline) ==
+  BOOST_TEST(reach_error(ContactMethod::nodes, NodeDepth::nearest, box, outline).empty());
+  BOOST_TEST(reach_error(ContactMethod::nodes, NodeDepth::centroid_ray, box, outline) ==
              "it acts at a distance, and the depth of nodes by 'centroid_ray' is no distance between outlines that are "
              "apart; node_depth must be 'nearest'");
 }

@@ -147,7 +147,7 @@ BOOST_AUTO_TEST_CASE(rows_of_any_length_pull_as_their_cables_do_one_by_one) {
   }
 }
 
-BOOST_AUTO_TEST_CASE(cables_that_go_slack_and_yield_move_the_same_whether_paths_are_told_or_not) {
+BOOST_AUTO_TEST_CASE(cables_that_go_slack_and_yield_move_the_same_with_and_without_recorded_paths) {
   std::mt19937 random{11};
   for (const std::size_t bodies : {3UL, 8UL, 13UL}) {
     const Hung scene = hung(bodies, {true, true}, ElasticPlastic{.stiffness = 80.0, .yield = 40.0}, random);

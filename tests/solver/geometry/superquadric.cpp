@@ -134,10 +134,10 @@ BOOST_AUTO_TEST_CASE(ellipse_touches_a_plane_at_its_support) {
 BOOST_AUTO_TEST_CASE(side_faces_and_rays_change_sign_on_the_outline) {
   for (int i = 0; i < 64; ++i) {
     const Vec2 p = boundary_point(outline(20.0), 0.05 + 2.0 * pi * i / 64);
-    for (const double share : {0.999, 1.001}) {
-      const Vec2 near = share * p;
-      BOOST_TEST((depth_below(SideFaces{outline(20.0)}, near).depth > 0.0) == (share < 1.0));
-      BOOST_TEST((depth_below(CentroidRays{outline(20.0)}, near).depth > 0.0) == (share < 1.0));
+    for (const double ratio : {0.999, 1.001}) {
+      const Vec2 near = ratio * p;
+      BOOST_TEST((depth_below(SideFaces{outline(20.0)}, near).depth > 0.0) == (ratio < 1.0));
+      BOOST_TEST((depth_below(CentroidRays{outline(20.0)}, near).depth > 0.0) == (ratio < 1.0));
     }
   }
   BOOST_TEST(depth_below(SideFaces{outline(20.0)}, {-1.0, 0.5}).depth == 0.25);
@@ -195,7 +195,7 @@ BOOST_AUTO_TEST_CASE(nearest_point_beside_a_sharp_corner) {
   // A point inside a corner, at similar distances from both sides, may have two local minima of the distance to the
   // outline, close to each other: no point of the outline may be nearer than the one found.
   std::mt19937_64 random{5};
-  std::uniform_real_distribution<double> share{0.0, 1.0};
+  std::uniform_real_distribution<double> ratio{0.0, 1.0};
   for (const double n : {20.0, 50.0, 200.0}) {
     const Superquadric shape{1.0, 0.7, n};
     std::vector<Vec2> outline;
@@ -203,8 +203,8 @@ BOOST_AUTO_TEST_CASE(nearest_point_beside_a_sharp_corner) {
       outline.push_back(boundary_point(shape, 0.5 * std::numbers::pi * i / 2000));
     int farther = 0;
     for (int i = 0; i < 2000; ++i) {
-      const double in = 0.01 + 0.09 * share(random);  // similar distances from both sides
-      const Vec2 p{1.0 - in * (0.9 + 0.2 * share(random)), 0.7 - in};
+      const double in = 0.01 + 0.09 * ratio(random);  // similar distances from both sides
+      const Vec2 p{1.0 - in * (0.9 + 0.2 * ratio(random)), 0.7 - in};
       double least = 1.0;
       for (const Vec2 q : outline)
         least = std::min(least, norm(q - p));

@@ -203,7 +203,7 @@ void for_each_disc_law(Visit&& visit) {
 
 }  // namespace
 
-BOOST_AUTO_TEST_CASE(whatever_both_are_asked_they_answer_the_same) {
+BOOST_AUTO_TEST_CASE(both_engines_give_the_same_results) {
   long saved = 0;
   for_each_law_and_friction([&](const auto& law, const auto& friction) {
     long prunings = 0;

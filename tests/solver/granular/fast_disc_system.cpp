@@ -246,7 +246,7 @@ BOOST_AUTO_TEST_CASE(contacts_and_losses_are_those_of_the_plain_one) {
   });
 }
 
-BOOST_AUTO_TEST_CASE(contacts_are_told_after_a_new_list_too) {
+BOOST_AUTO_TEST_CASE(contacts_are_reported_after_a_new_list) {
   for_each_law_and_friction([](const auto& law, const auto& friction) {
     const Packing p = thrown(10, 0.1, boxes[1]);
     Discs discs = p.discs;

@@ -51,11 +51,11 @@ struct Composition {
   State run(const Motion& motion, long steps) const {
     double q = motion.place, v = motion.velocity;
     const double h = motion.duration / static_cast<double>(steps);
-    const auto move = [&](bool kick, double share) {
+    const auto move = [&](bool kick, double fraction) {
       if (kick)
-        v += share * h * motion.acceleration(q);
+        v += fraction * h * motion.acceleration(q);
       else
-        q += share * h * v;
+        q += fraction * h * v;
     };
     for (long n = 0; n < steps; ++n) {
       for (std::size_t i = 0; i < inner.size(); ++i) {

@@ -89,7 +89,7 @@ BOOST_AUTO_TEST_CASE(records_are_list_directed) {
   BOOST_TEST(scene.cell.wall_discs == 11);
 }
 
-BOOST_AUTO_TEST_CASE(what_is_wrong_is_told_with_its_place) {
+BOOST_AUTO_TEST_CASE(errors_name_file_line_and_field) {
   BOOST_TEST(message(with(control, "3.4e4", "1.6e4")) ==
              "CNTRL.DAT:2: K1 K2 D M G MTOP: K2: found 16000; it must be at least the stiffness, 17000: a "
              "contact gives back no more than it took");
@@ -124,7 +124,7 @@ BOOST_AUTO_TEST_CASE(what_is_wrong_is_told_with_its_place) {
   BOOST_TEST(message("").starts_with("CNTRL.DAT:1: RESTRT GRAPH: RESTRT: "));
 }
 
-BOOST_AUTO_TEST_CASE(cells_are_told_from_bodies_by_what_stands_in_the_file) {
+BOOST_AUTO_TEST_CASE(cells_are_distinguished_from_bodies_by_their_tables) {
   const Folder folder;
   BOOST_TEST(describes_cell(folder.file("OTHER.DAT", control)));
   BOOST_TEST(!describes_cell(folder.file("MORE.DAT", control + "1\n")));
@@ -210,7 +210,7 @@ BOOST_AUTO_TEST_CASE(a_scene_file_names_its_law_and_its_friction) {
               CoulombFriction{0.4, 1e4}));
 }
 
-BOOST_AUTO_TEST_CASE(what_does_not_go_with_a_law_is_told_with_its_place) {
+BOOST_AUTO_TEST_CASE(fields_that_a_law_does_not_have_are_errors_with_their_line) {
   const auto refusal = [&](std::string_view what, std::string_view by) {
     return message(with(toml, what, by), "c.toml");
   };
@@ -266,7 +266,7 @@ BOOST_AUTO_TEST_CASE(images_across_the_borders_may_be_virtual_discs) {
              "--jump: found on; with virtual discs each step is taken");
 }
 
-BOOST_AUTO_TEST_CASE(a_key_that_is_mistyped_is_told_before_the_one_that_is_missing) {
+BOOST_AUTO_TEST_CASE(a_mistyped_key_is_reported_before_a_missing_one) {
   const auto refusal = [&](std::string_view what, std::string_view by) {
     return message(with(toml, what, by), "c.toml");
   };

@@ -26,7 +26,7 @@ namespace fs = std::filesystem;
 namespace {
 
 template <class Read>
-std::string complaint(Read read) {
+std::string error_message(Read read) {
   try {
     read();
   } catch (const InputError& error) {
@@ -77,7 +77,7 @@ BOOST_AUTO_TEST_CASE(what_was_written_is_read) {
 BOOST_AUTO_TEST_CASE(damaged_geometry_is_named) {
   const Folder folder;
   const auto index = [&](const std::string& text) {
-    return complaint([&] { static_cast<void>(read_geometry_index(folder.file("x.pvd", text))); });
+    return error_message([&] { static_cast<void>(read_geometry_index(folder.file("x.pvd", text))); });
   };
   BOOST_TEST(holds(index("<VTKFile>\n<Coll"), "x.pvd:2: not XML: "));
   BOOST_TEST(holds(index("<VTKFile/>"), "x.pvd: VTKFile/Collection: it is missing; "));
@@ -87,7 +87,7 @@ BOOST_AUTO_TEST_CASE(damaged_geometry_is_named) {
                    "x.pvd: timestep: found \"now\"; it must be a number"));
   const auto piece = [&](const std::string& text) {
     const fs::path file = folder.file("x.vtp", "<VTKFile><PolyData><Piece>" + text + "</Piece></PolyData></VTKFile>");
-    return complaint([&] { static_cast<void>(read_geometry({0.0, file})); });
+    return error_message([&] { static_cast<void>(read_geometry({0.0, file})); });
   };
   BOOST_TEST(holds(piece(""), "x.vtp: Points: array 'Points': it is missing"));
   BOOST_TEST(holds(piece("<Points><DataArray Name=\"Points\">0 1 a</DataArray></Points>"),
@@ -139,7 +139,7 @@ BOOST_AUTO_TEST_CASE(damaged_discs_are_named) {
   const auto wrong = [&](const std::string& from, const std::string& to) {
     std::string text = good;
     text.replace(text.find(from), from.size(), to);
-    return complaint([&] { static_cast<void>(read_discs({0.0, folder.file("x.vtp", text)})); });
+    return error_message([&] { static_cast<void>(read_discs({0.0, folder.file("x.vtp", text)})); });
   };
   BOOST_TEST(holds(wrong("Name=\"id\"", "Name=\"no\""), "x.vtp: PointData: array 'id': it is missing"));
   BOOST_TEST(holds(wrong("\n0.5 ", "\n"), " values for "));
@@ -163,7 +163,7 @@ BOOST_AUTO_TEST_CASE(histories_are_read_with_their_units) {
   BOOST_TEST(history.find("time")->values[1] == 0.5);
   BOOST_TEST(history.find("nothing") == nullptr);
   const auto wrong = [&](const std::string& text) {
-    return complaint([&] { static_cast<void>(read_history(folder.file("h.csv", text))); });
+    return error_message([&] { static_cast<void>(read_history(folder.file("h.csv", text))); });
   };
   BOOST_TEST(holds(wrong("time [s],x [m]\n0,1\n2\n"), "h.csv:3: found 1 cells; the header has 2"));
   BOOST_TEST(
@@ -175,7 +175,7 @@ BOOST_AUTO_TEST_CASE(what_no_run_left_is_named) {
   const Folder folder;
   const auto wrong = [&](const std::string& text) {
     static_cast<void>(folder.file("plot.json", text));
-    return complaint([&] { static_cast<void>(read_run_folder(folder.path)); });
+    return error_message([&] { static_cast<void>(read_run_folder(folder.path)); });
   };
   BOOST_TEST(holds(wrong("{"), "plot.json: it is not what `talus run --out` or `talus cell --out` leaves: "));
   BOOST_TEST(

@@ -36,7 +36,7 @@ void for_each_law(Visit&& visit) {
 }
 
 /// A motion of two bodies through contacts and separations, with reversals at any overlap.
-std::vector<Kinematics> way(unsigned seed) {
+std::vector<Kinematics> path(unsigned seed) {
   std::mt19937 random{seed};
   std::uniform_real_distribution<double> unit{-1.0, 1.0};
   std::vector<Kinematics> points{{-0.1, 1.0}};
@@ -61,7 +61,7 @@ BOOST_AUTO_TEST_CASE(kernels_give_the_bits_of_the_modes) {
       Mode mode = 0;
       std::array<double, 1> memory{};
       double largest = 0.0, before = -1.0, let_go = 0.0;
-      for (const Kinematics& x : way(seed)) {
+      for (const Kinematics& x : path(seed)) {
         if (x.deformation == -reach(law)) continue;
         const std::span<double> remembered{memory.data(), L::memory_size};
         double released = 0.0;
@@ -93,7 +93,7 @@ BOOST_AUTO_TEST_CASE(kernels_give_the_bits_of_the_modes) {
   });
 }
 
-BOOST_AUTO_TEST_CASE(packs_are_worked_out_as_their_lanes_would_be_alone) {
+BOOST_AUTO_TEST_CASE(packs_are_evaluated_as_their_lanes_would_be_alone) {
   for_each_law([](const auto& law) {
     const auto kernel = contact_kernel(law);
     std::mt19937 random{7};

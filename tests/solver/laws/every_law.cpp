@@ -319,7 +319,7 @@ BOOST_AUTO_TEST_CASE(release_books_the_spring_energy_once) {
 BOOST_AUTO_TEST_CASE(a_straight_line_is_the_law_as_long_as_it_lasts) {
   int lines = 0;
   over_all_laws([&lines]<class L>(const L& law) {
-    if constexpr (HasLinearPiece<L>) {
+    if constexpr (HasLinearBranch<L>) {
       for (Mode mode = 0; mode < L::modes.size(); ++mode) {
         for (const double kept : {0.0, 0.3, 1.7}) {
           const std::vector<double> memory(L::memory_size, kept);

@@ -95,7 +95,7 @@ BOOST_AUTO_TEST_CASE(it_is_that_of_its_state_at_every_step) {
 }
 
 /// Observers do not change the run, whatever they request.
-BOOST_AUTO_TEST_CASE(a_run_does_not_depend_on_who_looks) {
+BOOST_AUTO_TEST_CASE(a_run_does_not_depend_on_its_observers) {
   for (const char* const name : files) {
     BOOST_TEST_CONTEXT(name) {
       const Scene run = scene(name);

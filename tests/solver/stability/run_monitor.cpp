@@ -24,7 +24,7 @@ struct WatchedRun {
   std::string violation;
   std::vector<std::string> warnings;
   double time{};
-  double share{};  ///< largest overlap, relative to half the smallest width of the bodies
+  double ratio{};  ///< largest overlap, relative to half the smallest width of the bodies
 };
 
 WatchedRun run(Scene scene, double step, double end, const char* method = "velocity_verlet",
@@ -147,7 +147,7 @@ BOOST_AUTO_TEST_CASE(overlaps_are_measured_against_the_smaller_body) {
   const WatchedRun deep = run(impact(0.251), 1e-4, 2.0);
   BOOST_TEST(deep.violation.empty());
   BOOST_TEST(deep.warnings.size() == 1U);
-  BOOST_TEST(deep.share == 0.251, boost::test_tools::tolerance(1e-4));
+  BOOST_TEST(deep.ratio == 0.251, boost::test_tools::tolerance(1e-4));
   BOOST_TEST(!run(impact(0.251), 1e-4, 2.0, "velocity_verlet", rules).violation.empty());
   BOOST_TEST(run(impact(0.499), 1e-4, 3.0).violation.empty());
   const WatchedRun through = run(impact(0.501), 1e-4, 3.0);
@@ -169,7 +169,7 @@ BOOST_AUTO_TEST_CASE(outlines_that_cross_where_no_node_is_in_the_other) {
   // With corners in the other bar, or with a single resultant, a force acts.
   const WatchedRun corners = run(crossed(1.08, ContactMethod::nodes), 1e-3, 0.1);
   BOOST_TEST(corners.violation.empty());
-  BOOST_TEST(corners.share == 0.2, boost::test_tools::tolerance(1e-12));
+  BOOST_TEST(corners.ratio == 0.2, boost::test_tools::tolerance(1e-12));
   const WatchedRun resultant = run(crossed(0.0, ContactMethod::resultant), 1e-3, 0.1, "velocity_verlet", rules);
   BOOST_TEST(says(resultant.violation, "the bodies may slip through each other"));
   // Separate bodies, or a check that is off, cause no message.

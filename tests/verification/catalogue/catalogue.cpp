@@ -44,7 +44,7 @@ Catalogue read(const std::map<std::string, std::string>& files) {
 }
 
 /// Error message for the valid catalogue with `old` in a file replaced by `changed`, from the file's name on.
-std::string complaint(const std::string& file, const std::string& old, const std::string& changed) {
+std::string error_message(const std::string& file, const std::string& old, const std::string& changed) {
   auto files = sound;
   std::string& text = files.at(file);
   const std::size_t at = text.find(old);
@@ -93,74 +93,76 @@ BOOST_AUTO_TEST_CASE(a_missing_file_is_no_input_error) {
   }
 }
 
-BOOST_AUTO_TEST_CASE(mistakes_of_toml_are_told_with_their_line) {
-  BOOST_TEST(complaint("peers.toml", "id = \"DEM01\"", "id = DEM01").starts_with("peers.toml:3: not TOML: "));
-  BOOST_TEST(complaint("peers.toml", "id = \"DEM01\"", "suite = \"mfix\"").starts_with("peers.toml:3: not TOML: "));
-  BOOST_TEST(complaint("requirements.toml", "A2", "A1").starts_with("requirements.toml:8: not TOML: "));
+BOOST_AUTO_TEST_CASE(errors_of_toml_name_their_line) {
+  BOOST_TEST(error_message("peers.toml", "id = \"DEM01\"", "id = DEM01").starts_with("peers.toml:3: not TOML: "));
+  BOOST_TEST(error_message("peers.toml", "id = \"DEM01\"", "suite = \"mfix\"").starts_with("peers.toml:3: not TOML: "));
+  BOOST_TEST(error_message("requirements.toml", "A2", "A1").starts_with("requirements.toml:8: not TOML: "));
 }
 
 BOOST_AUTO_TEST_CASE(unknown_and_missing_keys_are_refused) {
-  BOOST_TEST(complaint("peers.toml", "form", "from") ==
+  BOOST_TEST(error_message("peers.toml", "form", "from") ==
              "peers.toml:5: check 'DEM01': key 'from' is not known; nearest: form; known: suite, id, what, form, "
              "problems, remark");
-  BOOST_TEST(complaint("errata.toml", "[[erratum]]", "[[eratum]]") ==
+  BOOST_TEST(error_message("errata.toml", "[[erratum]]", "[[eratum]]") ==
              "errata.toml:1: key 'eratum' is not known; nearest: erratum; known: erratum");
-  BOOST_TEST(complaint("requirements.toml", "title = \"the fence\"", "titel = \"the fence\"")
+  BOOST_TEST(error_message("requirements.toml", "title = \"the fence\"", "titel = \"the fence\"")
                  .starts_with("requirements.toml:11: family: key 'titel' is not known; nearest: title; "));
-  BOOST_TEST(complaint("peers.toml", "form = \"closed\"\n", "") == "peers.toml:1: check 'DEM01': form: it is missing");
-  BOOST_TEST(complaint("findings.toml", "text = ", "texts = ") ==
+  BOOST_TEST(error_message("peers.toml", "form = \"closed\"\n", "") ==
+             "peers.toml:1: check 'DEM01': form: it is missing");
+  BOOST_TEST(error_message("findings.toml", "text = ", "texts = ") ==
              "findings.toml:3: finding 'a_case': key 'texts' is not known; nearest: text; known: case, text");
-  BOOST_TEST(complaint("errata.toml", "id = \"E1\"\n", "") == "errata.toml:1: erratum: id: it is missing");
-  BOOST_TEST(complaint("requirements.toml", "[equations]\n\"Eq. 1\" = \"outline\"\n", "") ==
+  BOOST_TEST(error_message("errata.toml", "id = \"E1\"\n", "") == "errata.toml:1: erratum: id: it is missing");
+  BOOST_TEST(error_message("requirements.toml", "[equations]\n\"Eq. 1\" = \"outline\"\n", "") ==
              "requirements.toml:1: equations: it is missing");
 }
 
 BOOST_AUTO_TEST_CASE(values_of_another_kind_are_refused) {
-  BOOST_TEST(complaint("peers.toml", "\"fall\"", "3") ==
+  BOOST_TEST(error_message("peers.toml", "\"fall\"", "3") ==
              "peers.toml:4: check 'DEM01': what: found 3; it must be a text in quotes");
-  BOOST_TEST(complaint("errata.toml", "\"it is\"", "\" \"") ==
+  BOOST_TEST(error_message("errata.toml", "\"it is\"", "\" \"") ==
              "errata.toml:8: erratum 'E1': evidence: found \" \"; it must not be empty");
-  BOOST_TEST(complaint("peers.toml", "[\"A1\"]", "\"A1\"") ==
+  BOOST_TEST(error_message("peers.toml", "[\"A1\"]", "\"A1\"") ==
              "peers.toml:6: check 'DEM01': problems: found \"A1\"; it must be an array of texts, [\"..\", \"..\"]");
-  BOOST_TEST(complaint("peers.toml", "[\"A1\"]", "[1]") ==
+  BOOST_TEST(error_message("peers.toml", "[\"A1\"]", "[1]") ==
              "peers.toml:6: check 'DEM01': problems: found 1; it must be a text in quotes");
-  BOOST_TEST(complaint("peers.toml", "[\"A1\"]", "[\"A1\", \"A1\"]") ==
+  BOOST_TEST(error_message("peers.toml", "[\"A1\"]", "[\"A1\", \"A1\"]") ==
              "peers.toml:6: check 'DEM01': problems: found \"A1\" twice; each may be given once");
-  BOOST_TEST(complaint("errata.toml", "[[erratum]]", "[erratum]") ==
+  BOOST_TEST(error_message("errata.toml", "[[erratum]]", "[erratum]") ==
              "errata.toml:1: erratum: found a table; it must be an array of tables, [[erratum]]");
-  BOOST_TEST(complaint("requirements.toml", "[equations]\n\"Eq. 1\" =", "equations =") ==
+  BOOST_TEST(error_message("requirements.toml", "[equations]\n\"Eq. 1\" =", "equations =") ==
              "requirements.toml:1: equations: found \"outline\"; it must be a table");
-  BOOST_TEST(complaint("requirements.toml", "\"spin\"", "[2]") ==
+  BOOST_TEST(error_message("requirements.toml", "\"spin\"", "[2]") ==
              "requirements.toml:8: family 'A: motion': problems: A2: found [2]; it must be a text in quotes");
 }
 
 BOOST_AUTO_TEST_CASE(names_must_fit_and_be_used_once) {
-  BOOST_TEST(complaint("requirements.toml", "Eq. 1", "Eq. one") ==
+  BOOST_TEST(error_message("requirements.toml", "Eq. 1", "Eq. one") ==
              "requirements.toml:2: equations: Eq. one: it must be \"Eq. \" and a number");
-  BOOST_TEST(complaint("requirements.toml", "A2", "B2") ==
+  BOOST_TEST(error_message("requirements.toml", "A2", "B2") ==
              "requirements.toml:8: family 'A: motion': problems: B2: it must be A and a number, as the title of "
              "its family begins");
-  BOOST_TEST(complaint("requirements.toml", "A2", "\"\"").find("it must be A and a number") != std::string::npos);
-  BOOST_TEST(complaint("requirements.toml", "the fence", "A: motion") ==
+  BOOST_TEST(error_message("requirements.toml", "A2", "\"\"").find("it must be A and a number") != std::string::npos);
+  BOOST_TEST(error_message("requirements.toml", "the fence", "A: motion") ==
              "requirements.toml:11: family 'A: motion': title: it is given twice");
-  BOOST_TEST(complaint("requirements.toml", "title = \"the fence\"\n",
-                       "title = \"A: again\"\n[family.problems]\nA1 = \"flight\"\n") ==
+  BOOST_TEST(error_message("requirements.toml", "title = \"the fence\"\n",
+                           "title = \"A: again\"\n[family.problems]\nA1 = \"flight\"\n") ==
              "requirements.toml:13: family 'A: again': problems: A1: it is given twice");
-  BOOST_TEST(complaint("peers.toml", "DEM02", "DEM01") == "peers.toml:10: check 'DEM01': id: its suite has it twice");
-  BOOST_TEST(complaint("errata.toml", "\"E1\"", "\"E2\"") ==
+  BOOST_TEST(error_message("peers.toml", "DEM02", "DEM01") ==
+             "peers.toml:10: check 'DEM01': id: its suite has it twice");
+  BOOST_TEST(error_message("errata.toml", "\"E1\"", "\"E2\"") ==
              "errata.toml:2: erratum 'E2': id: found \"E2\"; the next must be E1");
 }
 
 BOOST_AUTO_TEST_CASE(what_is_referred_to_must_be_there) {
-  BOOST_TEST(complaint("peers.toml", "mfix", "mfx") ==
+  BOOST_TEST(error_message("peers.toml", "mfix", "mfx") ==
              "peers.toml:2: check 'DEM01': suite: reference 'mfx' is not known; nearest: mfix; known: lammps, mfix");
-  BOOST_TEST(complaint("peers.toml", "\"A1\"", "\"A9\"")
+  BOOST_TEST(error_message("peers.toml", "\"A1\"", "\"A9\"")
                  .starts_with("peers.toml:6: check 'DEM01': problems: requirement 'A9' is not known; nearest: A"));
-  BOOST_TEST(complaint("peers.toml", "remark = \"no\"\n", "") ==
+  BOOST_TEST(error_message("peers.toml", "remark = \"no\"\n", "") ==
              "peers.toml:13: check 'DEM02': problems: found an empty array; a remark must then give the reason");
   const std::string third =
       "[[check]]\nsuite = \"lammps\"\nid = \"1\"\nwhat = \"a\"\nform = \"b\"\nproblems = [\"A1\"]\n\n[[check]]\nsuite";
-  BOOST_TEST(complaint("peers.toml", "\n[[check]]\nsuite", "\n" + third) ==
+  BOOST_TEST(error_message("peers.toml", "\n[[check]]\nsuite", "\n" + third) ==
              "peers.toml:16: check 'DEM02': suite: found \"mfix\" after another suite; the checks of a suite must be "
              "adjacent");
 }

@@ -110,7 +110,7 @@ BOOST_AUTO_TEST_CASE(a_crash_fails) {
   demand_failure(synthetic("crashing", [](Findings&, const Setup&) { std::raise(SIGSEGV); }), "error", "signal 11");
 }
 
-BOOST_AUTO_TEST_CASE(an_abort_tells_its_last_words) {
+BOOST_AUTO_TEST_CASE(an_abort_reports_its_last_message) {
   demand_failure(synthetic("aborting",
                            [](Findings&, const Setup&) {
                              std::fputs("the demand does not hold\n", stderr);

@@ -92,7 +92,7 @@ BOOST_AUTO_TEST_CASE(only_errata_of_registered_cases_are_printed) {
     BOOST_TEST(erratum.at("case") == "pivoted_cylinder");
 }
 
-BOOST_AUTO_TEST_CASE(families_orders_and_peers_are_told) {
+BOOST_AUTO_TEST_CASE(families_orders_and_peers_are_printed) {
   Results results = one_case();
   const auto json = written(results);
   BOOST_TEST(json.at("cases").at(0).at("family") == "founding problems");

@@ -20,7 +20,7 @@ std::vector<std::string> row_of(const Csv& csv, std::size_t row) {
 }
 
 std::string refused(const std::string& text) {
-  return complaint([&] { const Csv csv("a.csv", text); });
+  return error_message([&] { const Csv csv("a.csv", text); });
 }
 
 using Cells = std::vector<std::string>;
@@ -73,15 +73,15 @@ BOOST_AUTO_TEST_CASE(broken_files_are_refused_with_file_and_line) {
   BOOST_TEST(refused("x,y") == "a.csv:1: the last line has no end; the file was cut short");
   BOOST_TEST(refused("x,y\n1,\"2\n3,4\n") == "a.csv:2: a quoted cell that begins here does not end");
   const Csv csv("a.csv", "x,y\n1,2\n");
-  BOOST_TEST(complaint([&] { (void)csv.column("z"); }) == "a.csv: has no column 'z'; its columns: x, y");
+  BOOST_TEST(error_message([&] { (void)csv.column("z"); }) == "a.csv: has no column 'z'; its columns: x, y");
   const Scratch folder;
-  BOOST_TEST(holds(complaint([&] { (void)read_csv(folder.path / "none.csv"); }), "No such file or directory"));
+  BOOST_TEST(holds(error_message([&] { (void)read_csv(folder.path / "none.csv"); }), "No such file or directory"));
 }
 
 BOOST_AUTO_TEST_CASE(only_finite_numbers_are_numbers) {
   for (const char* text : {"", "one", "1x", " 1", "+1", "nan", "inf", "-inf", "1e999", "0x10"}) {
     const Csv csv("a.csv", std::string("n,x\n0,") + text + "\n");
-    BOOST_TEST(complaint([&] { (void)csv.number(0, 1); }) ==
+    BOOST_TEST(error_message([&] { (void)csv.number(0, 1); }) ==
                std::string("a.csv:2: column 'x': found '") + text + "'; it must be a finite number");
   }
   const Csv csv("a.csv", "x\n.5\n-1e-320\n7\n");

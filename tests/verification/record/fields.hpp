@@ -41,12 +41,12 @@ inline void demand_strict(const talus::records::Json& good, const std::string& r
   for (const Field& field : fields) {
     Json without = good;
     without[field.pointer.parent_pointer()].erase(field.key);
-    const std::string absent = complaint([&] { read(without); });
+    const std::string absent = error_message([&] { read(without); });
     if (may_be_absent.count(field.key) == 0) BOOST_TEST(holds(absent, field.path + ": is missing"), absent);
     // No field is a list of lists of numbers.
     Json other = good;
     other[field.pointer] = Json::array({Json::array({1})});
-    const std::string changed = complaint([&] { read(other); });
+    const std::string changed = error_message([&] { read(other); });
     BOOST_TEST(holds(changed, field.path), field.path << ": " << changed);
   }
 }

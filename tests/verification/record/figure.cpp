@@ -87,7 +87,7 @@ BOOST_AUTO_TEST_CASE(broken_points_are_refused) {
   Figure figure = two_series();
   figure.series.resize(1);
   const auto refused = [&](const std::string& csv, Rows rows = Rows::all) {
-    return complaint([&] { read_points(figure, Csv("a.csv", csv), rows); });
+    return error_message([&] { read_points(figure, Csv("a.csv", csv), rows); });
   };
   BOOST_TEST(refused("series,x,y\nverlet_rms,1,2\n") == "");
   BOOST_TEST(holds(refused("series,x,y\n"),
@@ -136,7 +136,7 @@ BOOST_AUTO_TEST_CASE(figures_share_a_file_beside_them) {
   BOOST_TEST(figures[2].series[0].y == Numbers({2.0, 4.0}));
   BOOST_TEST(figures[2].series[0].x == Numbers({0.0, 1.0}));
   figures.push_back(figure("four", "c.csv", "x"));
-  BOOST_TEST(holds(complaint([&] { read_points(figures, scratch.path); }), "c.csv: No such file or directory"));
+  BOOST_TEST(holds(error_message([&] { read_points(figures, scratch.path); }), "c.csv: No such file or directory"));
 }
 
 BOOST_AUTO_TEST_CASE(each_rule_of_a_figure_is_demanded) {

@@ -15,7 +15,7 @@ namespace {
 /// Error message of `read` for the member "x" of an object with this value.
 std::string refused(const std::string& value, const std::function<void(const Node&)>& read) {
   const Json json = Json::parse("{\"x\": " + value + "}");
-  return complaint([&] { read(Node{json, "a.json: all"}.at("x")); });
+  return error_message([&] { read(Node{json, "a.json: all"}.at("x")); });
 }
 
 }  // namespace
@@ -99,11 +99,11 @@ BOOST_AUTO_TEST_CASE(errors_name_file_path_what_was_found_and_what_is_allowed) {
 BOOST_AUTO_TEST_CASE(files_that_are_no_json_are_refused) {
   const Scratch folder;
   const auto read = [&](const std::string& text) {
-    return complaint([&] { (void)read_json(folder.file("a.json", text)); });
+    return error_message([&] { (void)read_json(folder.file("a.json", text)); });
   };
   BOOST_TEST(read("{\"a\": 1}") == "");
   BOOST_TEST(holds(read(""), "a.json: is empty"));
   BOOST_TEST(holds(read("{\"a\": 1"), "a.json: truncated or not JSON: "));
   BOOST_TEST(holds(read("{\"a\": 1e999}"), "a.json: truncated or not JSON: "));
-  BOOST_TEST(holds(complaint([&] { (void)read_json(folder.path / "none"); }), "No such file or directory"));
+  BOOST_TEST(holds(error_message([&] { (void)read_json(folder.path / "none"); }), "No such file or directory"));
 }

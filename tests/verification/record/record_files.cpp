@@ -89,7 +89,7 @@ Record full_record() {
 
 /// Error message of read_record() for the folder.
 std::string refused(const Scratch& folder) {
-  return complaint([&] { (void)read_record(folder.path); });
+  return error_message([&] { (void)read_record(folder.path); });
 }
 
 /// The error message after `from` was replaced by `to` in record.json.

@@ -29,7 +29,7 @@ Results read(const Json& document) {
 std::string refused(const std::function<void(Json&)>& change) {
   Json document = sample();
   change(document);
-  return complaint([&] { (void)read(document); });
+  return error_message([&] { (void)read(document); });
 }
 
 /// Results in which no field has its default value; the case has one check.
@@ -117,7 +117,7 @@ BOOST_AUTO_TEST_CASE(a_good_file_is_read_and_written_to_the_same_bytes) {
   BOOST_TEST(text_of(read_results(folder.path / "once.json")) == read_whole(folder.path / "once.json"));
 }
 
-BOOST_AUTO_TEST_CASE(complaints_name_file_and_path) {
+BOOST_AUTO_TEST_CASE(errors_name_file_and_path) {
   BOOST_TEST(refused([](Json& d) { d["cases"][0]["checks"][2].erase("why"); }) ==
              "results.json: results.cases[0].checks[2].why: is missing");
   BOOST_TEST(holds(refused([](Json& d) { d["schema"] = 2; }), "results.schema: must be 1, found 2"));
@@ -126,7 +126,7 @@ BOOST_AUTO_TEST_CASE(complaints_name_file_and_path) {
   BOOST_TEST(holds(refused([](Json& d) { d["cases"][0]["figures"][0]["csv"] = "../x.csv"; }), "plain file name"));
   BOOST_TEST(holds(refused([](Json& d) { d["cases"][0]["tables"][0]["rows"][0].erase(0); }), "has 3 cells"));
   const Scratch folder;
-  BOOST_TEST(holds(complaint([&] { (void)read_results(folder.file("results.json", "{\"schema\": 1,")); }),
+  BOOST_TEST(holds(error_message([&] { (void)read_results(folder.file("results.json", "{\"schema\": 1,")); }),
                    "results.json: truncated or not JSON"));
   BOOST_CHECK_THROW((void)read_results(folder.path / "none.json"), FileError);
 }

@@ -38,7 +38,7 @@ struct Scratch {
 
 /// The message of the RecordError or FileError that `action` throws; empty if it throws none.
 template <class Action>
-std::string complaint(Action&& action) {
+std::string error_message(Action&& action) {
   try {
     action();
   } catch (const talus::records::RecordError& error) {

@@ -30,7 +30,7 @@ struct FileLimit {
 };
 
 std::string message(const fs::path& file, std::string_view content) {
-  return complaint([&] { write_whole(file, content); });
+  return error_message([&] { write_whole(file, content); });
 }
 
 mode_t permissions(const fs::path& file) {
@@ -80,10 +80,10 @@ BOOST_AUTO_TEST_CASE(errors_give_the_systems_reason) {
   BOOST_TEST(message("/dev/full", "text") == "/dev/full: No space left on device");
   const fs::path lost = folder.path / "no" / "a";
   BOOST_TEST(message(lost, "text") == lost.string() + ": No such file or directory");
-  BOOST_TEST(complaint([&] { (void)read_whole(lost); }) == lost.string() + ": No such file or directory");
+  BOOST_TEST(error_message([&] { (void)read_whole(lost); }) == lost.string() + ": No such file or directory");
   fs::create_directory(folder.path / "is_folder");
   BOOST_TEST(message(folder.path / "is_folder", "text") == (folder.path / "is_folder").string() + ": Is a directory");
-  BOOST_TEST(holds(complaint([&] { (void)read_whole(folder.path / "is_folder"); }), "Is a directory"));
+  BOOST_TEST(holds(error_message([&] { (void)read_whole(folder.path / "is_folder"); }), "Is a directory"));
   BOOST_TEST(folder.files() == 1);
 }
 

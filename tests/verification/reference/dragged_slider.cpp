@@ -56,7 +56,7 @@ BOOST_AUTO_TEST_CASE(obeys_its_equations_between_and_across_phases) {
   }
 }
 
-BOOST_AUTO_TEST_CASE(keeps_energy_and_starts_as_told) {
+BOOST_AUTO_TEST_CASE(conserves_energy_and_starts_as_given) {
   ref::DraggedSlider p = disc();
   const ref::DraggedSliderMotion motion{p, 1.0};
   BOOST_TEST(motion.at(0.0).slip_rate == 3.0);

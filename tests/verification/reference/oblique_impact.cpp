@@ -73,9 +73,9 @@ BOOST_AUTO_TEST_CASE(sliding_all_through) {
 }
 
 BOOST_AUTO_TEST_CASE(full_stick_turns_the_slip_round) {
-  for (const double share : {0.01, 0.5, 0.99}) {
+  for (const double fraction : {0.01, 0.5, 0.99}) {
     ref::ObliqueImpact p = disc(1.0 / 3.0, 0.3, 0.0);
-    p.slip_rate = share * ref::full_stick_ratio(p);
+    p.slip_rate = fraction * ref::full_stick_ratio(p);
     const ref::ObliqueRebound found = ref::rebound(p, EndRule::clamped);
     BOOST_TEST(found.slip_rate == -p.slip_rate, boost::test_tools::tolerance(1e-12));
     BOOST_TEST(found.dissipated == 0.0);

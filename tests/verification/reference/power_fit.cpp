@@ -54,7 +54,7 @@ BOOST_AUTO_TEST_CASE(errors_in_x_weigh_as_the_slope_makes_them) {
   BOOST_TEST(other.chi_squared == fit.chi_squared, boost::test_tools::tolerance(1e-9));
 }
 
-BOOST_AUTO_TEST_CASE(errors_tell_how_far_the_limit_scatters) {
+BOOST_AUTO_TEST_CASE(errors_show_how_far_the_limit_scatters) {
   // A Gaussian number is within its standard error 68 times in a hundred. For 200 fits this fraction has a standard
   // deviation of 0.033. If the power is fitted, errors are the larger of two sides of a curved fit, and more may be
   // within.

@@ -26,8 +26,8 @@ double time_by_steps(const ref::RockingBlock& block, double tilt, double step) {
 
 BOOST_AUTO_TEST_CASE(time_of_the_fall) {
   for (const ref::RockingBlock& block : {ref::RockingBlock{0.2, 1.0, 9.81}, {0.5, 1.0, 9.81}}) {
-    for (const double share : {0.1, 0.5, 0.9}) {
-      const double tilt = share * ref::block_angle(block);
+    for (const double fraction : {0.1, 0.5, 0.9}) {
+      const double tilt = fraction * ref::block_angle(block);
       BOOST_TEST(ref::fall_time(block, tilt) == time_by_steps(block, tilt, 1e-5), boost::test_tools::tolerance(1e-8));
     }
   }

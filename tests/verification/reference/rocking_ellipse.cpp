@@ -55,7 +55,7 @@ BOOST_AUTO_TEST_CASE(the_centre_goes_as_it_rolls) {
   BOOST_TEST(ref::centre_height(ellipse, 0.0) == 0.6);
   BOOST_TEST(ref::centre_height(ellipse, 0.5 * std::numbers::pi) == 1.0, boost::test_tools::tolerance(1e-15));
   // In half a turn a circle rolls half its circumference.
-  BOOST_TEST(ref::centre_way({0.5, 0.5, 1.0}, std::numbers::pi) == -0.5 * std::numbers::pi,
+  BOOST_TEST(ref::centre_displacement({0.5, 0.5, 1.0}, std::numbers::pi) == -0.5 * std::numbers::pi,
              boost::test_tools::tolerance(1e-15));
 }
 

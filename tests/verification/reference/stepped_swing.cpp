@@ -82,7 +82,7 @@ BOOST_AUTO_TEST_CASE(damped_maps_tend_to_the_damped_oscillator) {
   BOOST_TEST(std::abs(ref::unrounded_place({SwingMethod::runge_kutta, c, h, 100000}) - exact) < 1e-14);
 }
 
-BOOST_AUTO_TEST_CASE(distances_are_told_below_a_double_s_last_place) {
+BOOST_AUTO_TEST_CASE(distances_are_resolved_below_a_double_s_last_place) {
   // x = 7/8 after a step; a position 2^-100 away, given in parts.
   const ref::SteppedSwing swing{SwingMethod::velocity_verlet, 0.0, 0.5, 1};
   const std::vector<double> errors = ref::rounding_errors(swing, {{0.875, 0.0, 0.0}, {0.875, 0x1p-100, -0x1p-101}});

@@ -37,8 +37,8 @@ BOOST_AUTO_TEST_CASE(area_and_moment_by_quadrature) {
     const ref::Superellipse s{1.25, 4.0, n};
     // A quarter, in u = x/a: height b (1 - u^n)^(1/n); near u = 1 computed from the distance to the end.
     const auto height = [&](double u, double to_end) {
-      const double share = u > 0.5 ? -std::expm1(n * std::log1p(-std::abs(to_end))) : 1.0 - std::pow(u, n);
-      return std::pow(share, 1.0 / n);
+      const double fraction = u > 0.5 ? -std::expm1(n * std::log1p(-std::abs(to_end))) : 1.0 - std::pow(u, n);
+      return std::pow(fraction, 1.0 / n);
     };
     const double area = 4.0 * s.a * s.b * rule.integrate([&](double u, double e) { return height(u, e); }, 0.0, 1.0);
     const double moment = 4.0 * s.a * s.b *
@@ -92,7 +92,7 @@ BOOST_AUTO_TEST_CASE(curvature_of_the_corner_by_the_circle_through_three_points)
   BOOST_TEST(ref::corner_curvature(1.0, 20.0) == 13.91, boost::test_tools::tolerance(1e-3));
 }
 
-BOOST_AUTO_TEST_CASE(excess_is_nought_on_the_outline) {
+BOOST_AUTO_TEST_CASE(excess_is_zero_on_the_outline) {
   for (const double n : {2.0, 8.0, 50.0}) {
     const ref::Superellipse s{1.25, 4.0, n};
     for (int i = 0; i < 64; ++i)

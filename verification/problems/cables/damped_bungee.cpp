@@ -32,8 +32,8 @@ double exact_restitution(double gravity) {
 /// Predicted root mean square over the phases of the relative error of e, for steps of this length.
 double predicted_error(double gravity, double step) {
   const double exact = exact_restitution(gravity), lag = damping_ratio * step, small = 1e-4;
-  const auto changed = [&](double share, double speed) {
-    const double more = 1.0 + 0.5 * share;
+  const auto changed = [&](double fraction, double speed) {
+    const double more = 1.0 + 0.5 * fraction;
     return return_speed(exact_catch(more, more * damping_ratio, gravity * more * more, speed), gravity);
   };
   const double shift = (changed(small, 1.0) - changed(-small, 1.0)) / (2.0 * small) * lag;

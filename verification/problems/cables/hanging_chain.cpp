@@ -96,8 +96,8 @@ void check_balance(Findings& findings, const Setup& setup) {
     system.evaluate(state, rates);
     findings.count(system.evaluations());
     for (const double a : rates.v) {
-      const double share = std::abs(a) * mass / (stiffness + 1.0 / chain.link);
-      keep_worst(largest, share);
+      const double ratio = std::abs(a) * mass / (stiffness + 1.0 / chain.link);
+      keep_worst(largest, ratio);
     }
   }
   findings.expect("largest acceleration at the exact equilibrium positions, as a displacement", largest, 0.0,

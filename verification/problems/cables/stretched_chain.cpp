@@ -20,25 +20,26 @@ constexpr double spacing = 1.0, rest_length = 0.5;
 constexpr long steps = 4096;
 constexpr auto modes = static_cast<std::size_t>(chain.masses);
 
-enum class Way { along, across };
+enum class Direction { along, across };
 
 /// The chain with the stiffness that acts in this direction: k along the row, T0/L across it.
-reference::StretchedChain exact_chain(Way way) {
+reference::StretchedChain exact_chain(Direction direction) {
   const double tension = chain.stiffness * (spacing - rest_length);
-  return {chain.masses, chain.mass, way == Way::along ? chain.stiffness : tension / spacing};
+  return {chain.masses, chain.mass, direction == Direction::along ? chain.stiffness : tension / spacing};
 }
 
 /// The row at rest, displaced by its modes with these amplitudes.
-Scene chain_scene(Way way, const std::vector<double>& amplitudes, const Setup& setup) {
+Scene chain_scene(Direction direction, const std::vector<double>& amplitudes, const Setup& setup) {
   ModelBuilder builder;
   std::vector<CableEnd> ends{CableEnd{}};
   for (int i = 1; i <= chain.masses; ++i) {
     const double mass = i == 3 && setup.has("third_mass_heavier") ? (1.0 + 1e-9) * chain.mass : chain.mass;
-    ends.push_back({builder.add(Body{.name = fmt::format("mass{}", i),
-                                     .mobility = way == Way::along ? Mobility::sliding_x : Mobility::sliding_y,
-                                     .mass = mass,
-                                     .p_WB = {spacing * i, 0.0}}),
-                    {}});
+    ends.push_back(
+        {builder.add(Body{.name = fmt::format("mass{}", i),
+                          .mobility = direction == Direction::along ? Mobility::sliding_x : Mobility::sliding_y,
+                          .mass = mass,
+                          .p_WB = {spacing * i, 0.0}}),
+         {}});
   }
   ends.push_back({.body = {}, .p = {spacing * (chain.masses + 1), 0.0, 0.0}});
   for (std::size_t i = 0; i + 1 < ends.size(); ++i) {
@@ -78,9 +79,9 @@ class ModeView {
   std::vector<std::vector<double>> shapes_;
 };
 
-std::vector<double> displacements(const State& state, Way way) {
+std::vector<double> displacements(const State& state, Direction direction) {
   std::vector<double> list = state.q;
-  for (std::size_t i = 0; i < modes && way == Way::along; ++i)
+  for (std::size_t i = 0; i < modes && direction == Direction::along; ++i)
     list[i] -= spacing * static_cast<double>(i + 1);
   return list;
 }
@@ -91,9 +92,9 @@ struct Swings {
 };
 
 /// Runs all modes at once from rest, in steps of length h.
-Swings swings(Way way, double amplitude, double h, const Setup& setup, Findings& findings) {
+Swings swings(Direction direction, double amplitude, double h, const Setup& setup, Findings& findings) {
   static const ModeView view;
-  const auto w = reference::chain_frequencies(exact_chain(way));
+  const auto w = reference::chain_frequencies(exact_chain(direction));
   std::vector<double> scale, numerical, last(modes, 0.0), turns(modes, 0.0);
   for (const double exact : w) {
     numerical.push_back(reference::leapfrog_frequency(exact, h));
@@ -101,7 +102,7 @@ Swings swings(Way way, double amplitude, double h, const Setup& setup, Findings&
   }
   Swings found{.frequencies = std::vector<double>(modes)};
   const Watcher watch = [&](const State& state, const StepInfo& info) {
-    const std::vector<double> q = displacements(state, way);
+    const std::vector<double> q = displacements(state, direction);
     for (std::size_t j = 0; j < modes; ++j) {
       const double at = view(q, j), angle = std::atan2(-scale[j] * view(state.v, j), at);
       if (info.step > 0) turns[j] += std::round((last[j] - angle) / (2.0 * std::numbers::pi));
@@ -111,7 +112,7 @@ Swings swings(Way way, double amplitude, double h, const Setup& setup, Findings&
       keep_worst(found.error, error);
     }
   };
-  const Scene scene = chain_scene(way, std::vector<double>(modes, amplitude), setup);
+  const Scene scene = chain_scene(direction, std::vector<double>(modes, amplitude), setup);
   const Integrator method = make_integrator(setup.has("rk4") ? "rk4" : "velocity_verlet");
   const RunEnd end = run_steps(scene, method, h, steps, findings, watch);
   for (std::size_t j = 0; j < modes; ++j)
@@ -120,11 +121,11 @@ Swings swings(Way way, double amplitude, double h, const Setup& setup, Findings&
   return found;
 }
 
-double limit(Way way) { return 2.0 / reference::chain_frequencies(exact_chain(way)).back(); }
+double limit(Direction direction) { return 2.0 / reference::chain_frequencies(exact_chain(direction)).back(); }
 
 /// Largest error of the eight frequencies relative to the numerical frequencies of the leapfrog.
-double frequency_error(const Swings& found, Way way, double h) {
-  const auto w = reference::chain_frequencies(exact_chain(way));
+double frequency_error(const Swings& found, Direction direction, double h) {
+  const auto w = reference::chain_frequencies(exact_chain(direction));
   double largest = 0.0;
   for (std::size_t j = 0; j < modes; ++j) {
     const double error = std::abs(found.frequencies[j] / reference::leapfrog_frequency(w[j], h) - 1.0);
@@ -133,7 +134,7 @@ double frequency_error(const Swings& found, Way way, double h) {
   return largest;
 }
 
-constexpr double shares[] = {0.25, 0.5, 0.9, 0.999};  ///< steps over the limit
+constexpr double ratios[] = {0.25, 0.5, 0.9, 0.999};  ///< steps over the limit
 
 void check_frequencies(Findings& findings, const Setup& setup) {
   Figure figure{.name = "dispersion",
@@ -148,17 +149,17 @@ void check_frequencies(Findings& findings, const Setup& setup) {
     figure.series[0].add(0.01 * i, reference::leapfrog_frequency(0.01 * i, 1.0) / (0.01 * i));
   const auto w = reference::chain_frequencies(chain);
   double worst = 0.0, farthest = 0.0, across = 0.0;
-  for (const double share : shares) {
-    if (setup.coarse && share != 0.5) continue;
-    const double h = share * limit(Way::along);
-    const Swings found = swings(Way::along, 0.03, h, setup, findings);
-    worst = std::max(worst, frequency_error(found, Way::along, h));
+  for (const double ratio : ratios) {
+    if (setup.coarse && ratio != 0.5) continue;
+    const double h = ratio * limit(Direction::along);
+    const Swings found = swings(Direction::along, 0.03, h, setup, findings);
+    worst = std::max(worst, frequency_error(found, Direction::along, h));
     // At 0.999 of the limit a rounding error of the velocity is amplified 22 times in the last mode.
-    if (share < 0.95 && !(found.error <= farthest)) farthest = found.error;
-    const double h_across = share * limit(Way::across);
-    across =
-        std::max(across, frequency_error(swings(Way::across, 1e-7, h_across, setup, findings), Way::across, h_across));
-    figure.series.push_back({fmt::format("h = {:g} of the limit", share), {}, {}, Style::points});
+    if (ratio < 0.95 && !(found.error <= farthest)) farthest = found.error;
+    const double h_across = ratio * limit(Direction::across);
+    across = std::max(across, frequency_error(swings(Direction::across, 1e-7, h_across, setup, findings),
+                                              Direction::across, h_across));
+    figure.series.push_back({fmt::format("h = {:g} of the limit", ratio), {}, {}, Style::points});
     for (std::size_t j = 0; j < modes; ++j) {
       figure.series.back().x.push_back(w[j] * h);
       figure.series.back().y.push_back(found.frequencies[j] / w[j]);
@@ -183,26 +184,27 @@ void check_frequencies(Findings& findings, const Setup& setup) {
   findings.figure(figure);
 }
 
-/// Amplitude of the last mode at each step, from 1e-9, with steps of `share` times the limit.
-Series last_mode(double share, long count, const Setup& setup, Findings& findings) {
+/// Amplitude of the last mode at each step, from 1e-9, with steps of `ratio` times the limit.
+Series last_mode(double ratio, long count, const Setup& setup, Findings& findings) {
   static const ModeView view;
   std::vector<double> amplitudes(modes, 0.0);
   amplitudes.back() = 1e-9;
-  Series series{fmt::format("h = {:g} of the limit", share), {}, {}, Style::points};
+  Series series{fmt::format("h = {:g} of the limit", ratio), {}, {}, Style::points};
   const Watcher watch = [&](const State& state, const StepInfo& info) {
-    series.add(static_cast<double>(info.step), std::abs(view(displacements(state, Way::along), modes - 1)));
+    series.add(static_cast<double>(info.step), std::abs(view(displacements(state, Direction::along), modes - 1)));
   };
-  run_steps(chain_scene(Way::along, amplitudes, setup), make_integrator("velocity_verlet"), share * limit(Way::along),
-            count, findings, watch);
+  run_steps(chain_scene(Direction::along, amplitudes, setup), make_integrator("velocity_verlet"),
+            ratio * limit(Direction::along), count, findings, watch);
   return series;
 }
 
 void check_growth(Findings& findings, const Setup& setup) {
   constexpr std::size_t first = 26, last = 40;
-  const double share = setup.has("step_within_the_limit") ? 0.999 : 1.02;
-  const Series grown = last_mode(share, last, setup, findings);
+  const double ratio = setup.has("step_within_the_limit") ? 0.999 : 1.02;
+  const Series grown = last_mode(ratio, last, setup, findings);
   const double rate = std::log(grown.y[last] / grown.y[first]) / static_cast<double>(last - first);
-  const double exact = std::log(reference::leapfrog_growth(2.0 / limit(Way::along), 1.02 * limit(Way::along)));
+  const double exact =
+      std::log(reference::leapfrog_growth(2.0 / limit(Direction::along), 1.02 * limit(Direction::along)));
   findings.expect(
       "growth rate of the last mode beyond the step limit over the exact rate", rate / exact, 1.0,
       Tolerance::truncation(1.7e-10, 1.2,

@@ -116,8 +116,8 @@ void check_balance(Findings& findings, const Setup& setup) {
     run_steps(mid_span(w, reference::mid_span_force(span, w), setup), make_integrator("velocity_verlet"),
               0.05 / std::abs(w), steps, findings, watch);
     if (seen != steps + 1) away = std::nan("");
-    const double share = away * stretch / (1.0 + stretch);
-    keep_worst(largest, share);
+    const double fraction = away * stretch / (1.0 + stretch);
+    keep_worst(largest, fraction);
   }
   findings.expect(
       "equilibrium at w under the load P(w), largest displacement as a relative error of the cable length", largest,

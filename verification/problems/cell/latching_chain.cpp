@@ -46,10 +46,10 @@ struct ChainErrors {
 ChainErrors errors(std::size_t count, double steps, const reference::ChainRebound& exact, Findings& findings,
                    const Setup& setup) {
   ChainErrors found;
-  const std::vector<double> shares = even_phases(phases);
-  for (std::size_t k = 0; k < shares.size(); ++k) {
+  const std::vector<double> fractions = even_phases(phases);
+  for (std::size_t k = 0; k < fractions.size(); ++k) {
     const double h = offset_step(contact_time(), steps, k);
-    FilledRow row = thrown_row(count, shares[k] * h, setup);
+    FilledRow row = thrown_row(count, fractions[k] * h, setup);
     DiscSystem system{row.shapes, {}, LatchingSpring{0.5, 0.5 / ratio, 0.0}, row_skin};
     const auto most = static_cast<long>(500.0 * contact_time() / h);
     // Discs that leave at nearly equal speeds may approach each other for a long time; they are then evaluated as they

@@ -37,11 +37,11 @@ void expect_balances(Findings& findings, const Setup& setup) {
                   norm(gained + walls) / (static_cast<double>(cell.free_discs()) * cell.mass * cell.block_speed), 0.0,
                   Tolerance::round_off(1e-10, "as in case shear_cell: about 1e5 impulses, each rounded to 1e-16"));
   const CellRun::Ledger ledger = run.ledger();
-  if (ledger.rubbed > 0.0) record_use("mechanism.friction");
-  if (ledger.dissipated > ledger.rubbed) record_use("mechanism.contact_damping");
+  if (ledger.friction_work > 0.0) record_use("mechanism.friction");
+  if (ledger.dissipated > ledger.friction_work) record_use("mechanism.contact_damping");
   double missing = ledger.gained;
   if (setup.has("spin_without_energy")) missing -= spin_energy;
-  if (setup.has("friction_not_booked")) missing -= ledger.rubbed;
+  if (setup.has("friction_not_booked")) missing -= ledger.friction_work;
   // 2 xi w0 h with w0 = sqrt(2 k/m), xi = c/(2 sqrt(k m/2)): 2 c h/m.
   const double off = 2.0 * std::get<LinearSpringDashpot>(cell.law).damping * run.plan().step / cell.mass;
   findings.expect(
@@ -58,7 +58,7 @@ struct Flow {
   double torque{};
   double spin{}, rate{};  ///< mean [1/T]
   double layers{};        ///< spin over half the shear rate, inner layers
-  double ratio{}, sliding{}, rubbed{};
+  double ratio{}, sliding{}, friction_work{};
 };
 
 /// Accumulated energy balance, in units of the kinetic energy of all free discs at the block's speed: work of the
@@ -72,8 +72,8 @@ class Accounts {
   void look(CellRun& run) {
     const CellRun::Ledger ledger = run.ledger();
     if (looks() == 0) held_ = ledger.held();
-    const double kept = ledger.dissipated - ledger.rubbed;
-    const std::array<double, 4> numbers{ledger.driven, kept, ledger.rubbed, ledger.held() - held_};
+    const double kept = ledger.dissipated - ledger.friction_work;
+    const std::array<double, 4> numbers{ledger.driven, kept, ledger.friction_work, ledger.held() - held_};
     for (std::size_t i = 0; i < series_.size(); ++i)
       series_[i].add(1e3 * static_cast<double>(run.steps()) * run.plan().step, numbers[i] / unit_);
   }
@@ -154,7 +154,7 @@ Flow flow(Findings& findings, const Setup& setup, bool rough) {
           rough ? spins_over_rates(findings, run, run.mean(Q::depth).value) : 0.0,
           run.ratio(Q::top_shear, Q::top_normal).value,
           run.ratio(Q::sliding, Q::contacts).value,
-          ledger.rubbed / ledger.dissipated};
+          ledger.friction_work / ledger.dissipated};
 }
 
 void run(Findings& findings, const Setup& setup) {
@@ -186,7 +186,7 @@ void run(Findings& findings, const Setup& setup) {
       "1/e)), and every contact slides at its end, where the normal force falls to zero; so neither none nor most "
       "of the time");
   findings.expect_between(
-      "friction work over the energy dissipated by contacts", rough.rubbed, 0.35, 0.75,
+      "friction work over the energy dissipated by contacts", rough.friction_work, 0.35, 0.75,
       "dashpots dissipate 1 - e^2, half of the normal energy of an impact; friction dissipates at most a third of the "
       "tangential energy (sticking discs retain the rest as spin), of which a sheared cell has more");
   const Flow smooth = flow(findings, setup, false);

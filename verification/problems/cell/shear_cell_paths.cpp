@@ -135,7 +135,7 @@ void expect_own_virtual(Findings& findings, const Setup& setup) {
           "as against the reference; zero until wrapping a disc back into the field first rounds its position, and "
           "from then on growing tenfold in some contacts"));
   findings.expect_true("sliding of rough discs and contacts across the border",
-                       nearest.ledger().rubbed > 0.0 && across > 20,
+                       nearest.ledger().friction_work > 0.0 && across > 20,
                        "otherwise neither friction nor virtual discs would be compared");
 }
 

@@ -63,7 +63,7 @@ void add_figures(Findings& findings, const std::vector<StudyMean>& study) {
   ratio.panels = {"against load", "against speed"};
   ratio.columns = 2;
   findings.figure(std::move(ratio));
-  Figure shares{
+  Figure fractions{
       .name = "shares",
       .title = "Contact statistics and depth against load",
       .caption =
@@ -75,10 +75,10 @@ void add_figures(Findings& findings, const std::vector<StudyMean>& study) {
                  curve(study, "5000 d/s", Q::multiple_share, Over::load, "multiple"),
                  curve(study, "5000 d/s", Q::multiple_shear_share, Over::load, "M/S"),
                  curve(study, "5000 d/s", Q::depth, Over::load, "depth/(10 D)")}};
-  for (std::vector<double>* values : {&shares.series[3].y, &shares.series[3].y_low, &shares.series[3].y_high})
+  for (std::vector<double>* values : {&fractions.series[3].y, &fractions.series[3].y_low, &fractions.series[3].y_high})
     for (double& value : *values)
       value /= 10.0;
-  findings.figure(std::move(shares));
+  findings.figure(std::move(fractions));
 }
 
 /// Outlines of the discs at the end of a run.

@@ -18,8 +18,8 @@ constexpr double step = 2e-6;         // [s]
 void check_two_sides(Findings& findings, const Setup& setup) {
   // Reference run in which no hanger breaks.
   const WeakFenceRun whole = run_weak_fence(weak_fence(1e9), 2e-5, end);
-  const auto broken = [&](double share) {
-    const WeakFenceRun run = run_weak_fence(weak_fence(share * whole.largest_joint_force), 2e-5, end);
+  const auto broken = [&](double ratio) {
+    const WeakFenceRun run = run_weak_fence(weak_fence(ratio * whole.largest_joint_force), 2e-5, end);
     findings.count(run.evaluations);
     return std::ranges::count_if(run.failures, [](const Failure& f) { return f.part == "hanger 'hanger1'"; });
   };

@@ -104,8 +104,8 @@ Pulls pulls_of(const Model& model) {
     for (const auto& [end, sign] : {std::pair{&cable.a, 1.0}, {&cable.b, -1.0}}) {
       if (!end->body) continue;
       const std::size_t body = index(*end->body);
-      const double share = static_cast<double>(cable.multiplicity) / model.bodies[body].multiplicity;
-      const double pull = sign * share * segment.tension / segment.length;
+      const double fraction = static_cast<double>(cable.multiplicity) / model.bodies[body].multiplicity;
+      const double pull = sign * fraction * segment.tension / segment.length;
       pulls.up[body] += pull * segment.line.y, pulls.along[body] += pull * segment.line.z;
     }
   }
@@ -346,8 +346,8 @@ void check_hangers(Findings& findings) {
   fence = fence_of_today(), fence.changed_columns = {unlike};
   findings.expect("number of columns without a hanger at their top joint", missing, 0.0, Tolerance::exact("a count"));
   fence.options.symmetry = FenceSymmetry::half;
-  const auto error = [&](double share) -> std::string {
-    fence.options.hanger_strength = share * mass_of_unlike() * fence.gravity;
+  const auto error = [&](double fraction) -> std::string {
+    fence.options.hanger_strength = fraction * mass_of_unlike() * fence.gravity;
     try {
       (void)scenes::fence_scene(fence);
     } catch (const InputError& found) {

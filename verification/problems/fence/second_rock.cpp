@@ -62,13 +62,13 @@ void check_carried_cables(Findings& findings, const Setup& setup) {
         ->expect(fmt::format("plastic elongation by both masses, {}", name), before + run.end.z[0], second.stretch,
                  to_tolerance, "m");
     // The rupture elongation counts from the original length.
-    for (const double share : {0.999, 1.001}) {
+    for (const double ratio : {0.999, 1.001}) {
       ElasticPlastic weak = law;
-      weak.rupture = share * second.stretch;
+      weak.rupture = ratio * second.stretch;
       const bool broke = throw_second(weak, before, findings, setup).end.mode[0] == ElasticPlastic::broken;
       findings.in("second_rupture")
-          ->expect_true(fmt::format("rupture at {:g} of the plastic elongation by both masses, {}", share, name),
-                        broke == (share < 1.0),
+          ->expect_true(fmt::format("rupture at {:g} of the plastic elongation by both masses, {}", ratio, name),
+                        broke == (ratio < 1.0),
                         "the elongation is known to 1e-10, and the two limits differ from it by a thousandth");
     }
   }

@@ -361,7 +361,7 @@ void study_case(bool cables, const std::string& method, Figure& figure, Findings
   const double xi = reference::damping_ratio(0.5, reference::EndRule::attractive);
   const double w_tc = pi / std::sqrt(1.0 - xi * xi);
   // The struck body's speed is proportional to 1 + e: a relative error r of e changes the speed by e r/(1 + e).
-  const double share = 0.5 / 1.5;
+  const double ratio = 0.5 / 1.5;
   const double scatter = setup.coarse ? 0.04 : 0.0104;
   const std::string scatter_why =
       "64 pairs of phases represent all phases to 3 % in each point: the line through six points, a factor of 4 apart, "
@@ -370,7 +370,7 @@ void study_case(bool cables, const std::string& method, Figure& figure, Findings
   const auto struck = [&](double e) {
     return cables ? struck_cables(e, setup.has("mass_halved") ? 0.5 : 1.0) : struck_column(e);
   };
-  const double damped_constant = share * w_tc *
+  const double damped_constant = ratio * w_tc *
                                  (rk4 ? rk4_damped_constant(xi, reference::EndRule::attractive)
                                       : leapfrog_impact_error(xi, reference::EndRule::attractive).restitution);
   figure.series.push_back(study(findings, {scene + ", damped", struck(0.5), method, counts_of(setup, 8.0, 6),

@@ -185,7 +185,7 @@ Series speed_error_curve(EndRule rule, Findings& findings, const Setup& setup) {
           "step, w h = 0.2, the second order adds about w h/4 of it, which tilts the fitted line by 0.03");
   const double w = std::sqrt(contact_stiffness / reduced_mass());
   const double xi = reference::damping_ratio(problem.restitution, reference::EndRule::attractive);
-  const double predicted = leapfrog_impact_error(xi, same(rule)).restitution * w * particle_share() *
+  const double predicted = leapfrog_impact_error(xi, same(rule)).restitution * w * particle_fraction() *
                            reference::restitution(xi, same(rule)) * problem.approach_speed;
   findings.expect(
       "error constant of the speed after the impact, " + name,
@@ -271,7 +271,7 @@ TwoCableRun check_production_run(Findings& findings, const Setup& setup, const s
   // the attractive rule, the jump at the end, which occurs within half a step of its exact time.
   const double xi = reference::damping_ratio(problem.restitution, same(end.formula));
   const double wh = std::sqrt(contact_stiffness / reduced_mass()) * step;
-  const double after = particle_share() * reference::restitution(xi, same(end.rule)) * problem.approach_speed;
+  const double after = particle_fraction() * reference::restitution(xi, same(end.rule)) * problem.approach_speed;
   const double lag = after * wh * leapfrog_restitution_shift(xi, same(end.rule));
   const double jump = end.rule == EndRule::attractive ? after * xi * wh : 0.0;
   const double second_order = after * wh * wh;

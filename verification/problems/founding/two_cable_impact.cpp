@@ -53,7 +53,7 @@ class ParticleMonitor {
 
 double reduced_mass() { return problem.mass * problem.striker_mass / (problem.mass + problem.striker_mass); }
 
-double particle_share() { return problem.striker_mass / (problem.mass + problem.striker_mass); }
+double particle_fraction() { return problem.striker_mass / (problem.mass + problem.striker_mass); }
 
 double cable_pull(double x) {
   return 2.0 * problem.stiffness * (1.0 - problem.length / std::sqrt(problem.length * problem.length + x * x)) * x;

@@ -21,7 +21,7 @@ struct TwoCableEnd {
 /// M m/(M + m) [kg].
 [[nodiscard]] double reduced_mass();
 /// Fraction of the change of the closing speed that the particle receives: M/(M + m).
-[[nodiscard]] double particle_share();
+[[nodiscard]] double particle_fraction();
 /// U' = 2 k (1 - l/L) x, L = sqrt(l^2 + x^2): the force of both cables on the particle at x [N].
 [[nodiscard]] double cable_pull(double x);
 

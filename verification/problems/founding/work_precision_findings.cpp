@@ -90,8 +90,8 @@ Figure chart(const char* name, const char* title, const std::string& caption) {
 /// Position at which the slope of a method's order is drawn for comparison, so that slopes and labels do not overlap
 /// the curves.
 struct SlopePlace {
-  double share;   ///< fraction of the curve's points before it
-  double height;  ///< ratio to the curve there; 0: the method has no slope
+  double fraction;  ///< fraction of the curve's points before it
+  double height;    ///< ratio to the curve there; 0: the method has no slope
 };
 SlopePlace slope_place(std::string_view method) {
   if (method == "euler_cromer") return {0.75, 0.2};
@@ -106,7 +106,7 @@ void draw(const MethodRange& method, const Series& series, Figure& chart) {
   chart.series.push_back(series);
   const SlopePlace place = slope_place(method.name);
   if (place.height == 0.0 || series.x.empty()) return;
-  const auto at = static_cast<std::size_t>(place.share * static_cast<double>(series.x.size()));
+  const auto at = static_cast<std::size_t>(place.fraction * static_cast<double>(series.x.size()));
   chart.slopes.push_back({-static_cast<double>(method.order()), series.x[at], place.height * series.y[at],
                           fmt::format("order {}", method.order())});
 }

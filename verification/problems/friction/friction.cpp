@@ -32,12 +32,12 @@ class DrawnBlock {
   /// Draws the block to x = `to` at unit speed, and adds the drawing forces on the way to `loop`.
   void draw(double to, Series& loop) {
     constexpr double step = 0x1p-12;
-    const double way = to > state_.q[0] ? 1.0 : -1.0;
-    state_.v[0] = way;
+    const double direction = to > state_.q[0] ? 1.0 : -1.0;
+    state_.v[0] = direction;
     for (long count = std::lround(std::abs(to - state_.q[0]) / step); count > 0; --count) {
       system_.drift(state_, step);
       const double now = drag();
-      work_ -= 0.5 * (force_ + now) * way * step;
+      work_ -= 0.5 * (force_ + now) * direction * step;
       force_ = now;
       if (count % 16 != 0) continue;
       loop.add(state_.q[0], -force_);

@@ -21,7 +21,7 @@ double check_order(Findings& findings, const Setup& setup, const std::string& na
   const reference::ObliqueImpact impact = oblique_disc(kappa, ratio);
   const reference::ObliqueRebound exact = reference::rebound(impact, reference::EndRule::clamped);
   const PhasedImpact phased{
-      oblique_scene_told(impact, setup), std::numbers::pi, 1.2, 0, go_back, [&](std::span<const double> times) {
+      oblique_scene_of(impact, setup), std::numbers::pi, 1.2, 0, go_back, [&](std::span<const double> times) {
         return std::vector<double>(times.size(), impact.slip_rate - exact.speed_lost);
       }};
   const std::vector<double> counts = doublings(16.0, setup.coarse ? 3 : 4);
@@ -79,7 +79,7 @@ void check_orders(Findings& findings, const Setup& setup) {
 /// Sliding throughout: in each step the friction impulse is mu times the normal impulse.
 void check_gross_sliding(Findings& findings, const Setup& setup) {
   const reference::ObliqueImpact impact = oblique_disc(0.8, 5.0);
-  const Scene scene = oblique_scene_told(impact, setup);
+  const Scene scene = oblique_scene_of(impact, setup);
   double ratio = 0.0, spin = 0.0;
   PhaseError lost;
   const double radius = oblique_radius;
@@ -112,7 +112,7 @@ void check_gross_sliding(Findings& findings, const Setup& setup) {
 /// The slip rate is reversed if the normal and the tangential spring oscillate in phase.
 void check_full_stick(Findings& findings, const Setup& setup) {
   const reference::ObliqueImpact impact = oblique_disc(1.0 / 3.0, 0.9);
-  const Scene scene = oblique_scene_told(impact, setup);
+  const Scene scene = oblique_scene_of(impact, setup);
   PhaseError error;
   double work = 0.0;
   for (std::size_t i = 0; i < fewest_phases; ++i) {
@@ -131,7 +131,7 @@ void check_full_stick(Findings& findings, const Setup& setup) {
 void check_ledger(Findings& findings, const Setup& setup) {
   const double kappa = 0.8;
   const reference::ObliqueImpact impact = oblique_disc(kappa, 5.0);
-  const Scene scene = oblique_scene_told(impact, setup);
+  const Scene scene = oblique_scene_of(impact, setup);
   Convergence closures;
   double ratio = 0.0;
   for (const double count : doublings(setup.coarse ? 512.0 : 128.0, setup.coarse ? 1 : 3)) {

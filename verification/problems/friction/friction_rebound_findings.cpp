@@ -21,7 +21,7 @@ struct Rebound {
 
 Rebound measure(const reference::ObliqueImpact& impact, const Setup& setup, Findings& findings) {
   Rebound found{impact.slip_rate, reference::rebound(impact, reference::EndRule::clamped).slip_rate, 0.0, 0.0};
-  const Scene scene = oblique_scene_told(impact, setup);
+  const Scene scene = oblique_scene_of(impact, setup);
   PhaseError error;
   for (std::size_t i = 0; i < fewest_phases; ++i) {
     const ObliqueRun run = run_oblique(scene, std::numbers::pi, 100.0, i, findings);
@@ -54,8 +54,8 @@ void compare_without_slip(double kappa, double ratio, const Rebound& found, Tabl
 
 /// -after/before as text, without a minus sign before zero.
 std::string returned(double after, double before) {
-  const double share = -after / before;
-  return fmt::format("{:.4f}", std::abs(share) < 5e-5 ? 0.0 : share);
+  const double ratio = -after / before;
+  return fmt::format("{:.4f}", std::abs(ratio) < 5e-5 ? 0.0 : ratio);
 }
 
 Series exact_rebounds(double kappa) {
@@ -117,7 +117,7 @@ void check_grazing(Findings& findings, const Setup& setup) {
       impact.friction = friction;
       impact.slip_rate = std::tan(angle * std::numbers::pi / 180.0);
       const double lost = reference::rebound(impact, reference::EndRule::clamped).dissipated;
-      const Scene scene = oblique_scene_told(impact, setup);
+      const Scene scene = oblique_scene_of(impact, setup);
       for (std::size_t i = 0; i < fewest_phases; ++i) {
         const ObliqueRun run = run_oblique_at_step(scene, std::numbers::pi, step, i, findings);
         const double energy = kinetic_energy(run.end);

@@ -136,16 +136,16 @@ Figure slope_figure(const SlopeSweep& disc, const SlopeSweep& block) {
 
 /// Checks slopes a thousandth below and above the slip threshold.
 void check_threshold(Findings& findings, const Setup& setup, bool rolls, const std::string& name) {
-  for (const double share : {0.999, 1.001}) {
+  for (const double ratio : {0.999, 1.001}) {
     Slope slope{rolls, 0.0, mu, stiffness, stiffness, 0.0, true};
-    slope.angle = std::atan(share * mu * dragged_slider(slope).mobility);
+    slope.angle = std::atan(ratio * mu * dragged_slider(slope).mobility);
     Slope given = slope;
     if (setup.has("slope_too_flat")) given.angle *= 0.998;
     if (setup.has("slope_too_steep")) given.angle *= 1.002;
     const double time = 0.2;
     const SlopeRun run = run_slope(given, setup, 2e-5, time, false, findings);
     const double lost = run.end.work[static_cast<std::size_t>(Mechanism::friction)];
-    if (share < 1.0) {
+    if (ratio < 1.0) {
       findings.in("below_threshold")
           ->expect("friction work at 0.999 of the slip threshold, " + name, lost, 0.0,
                    Tolerance::exact("below the friction limit the contact does not slip"), "J");

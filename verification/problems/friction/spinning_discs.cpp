@@ -72,8 +72,9 @@ const double contact_time = std::numbers::pi * std::sqrt(reduced_mass);
 
 struct Met {
   double mean{};
-  double error{};   ///< rms error of the slip rate over the phases
-  double shares{};  ///< largest relative difference between the impulses J computed from speeds and from spins
+  double error{};  ///< rms error of the slip rate over the phases
+  double
+      impulse_difference{};  ///< largest relative difference between the impulses J computed from speeds and from spins
 };
 
 Met meet(double ratio, double count, const Setup& setup, Findings& findings) {
@@ -90,7 +91,7 @@ Met meet(double ratio, double count, const Setup& setup, Findings& findings) {
     const double turned_first = 0.5 * first_mass * first_radius * (scene.initial.v[2] - end.v[2]);
     const double turned_second = 0.5 * second_mass * second_radius * (scene.initial.v[5] - end.v[5]);
     for (const double other : {-first, turned_first, turned_second})
-      met.shares = std::max(met.shares, std::abs(other / second - 1.0));
+      met.impulse_difference = std::max(met.impulse_difference, std::abs(other / second - 1.0));
   }
   met.error = std::sqrt(met.error);
   return met;
@@ -103,10 +104,10 @@ void check_unlike(Findings& findings, const Setup& setup) {
                   "(velocity Verlet, 100 steps per contact, mean of 64 phases). The unit of $v$ is $\\mu v_n "
                   "k_n/k_s$.",
               .columns = {"v", "exact", "solver", "rms error over v_n"}};
-  double farthest = 0.0, shares = 0.0;
+  double farthest = 0.0, impulse_difference = 0.0;
   for (const double ratio : {0.25, 0.75, 1.5, 2.5, 4.0}) {
     const Met met = meet(ratio, 100.0, setup, findings);
-    farthest = std::max(farthest, met.error), shares = std::max(shares, met.shares);
+    farthest = std::max(farthest, met.error), impulse_difference = std::max(impulse_difference, met.impulse_difference);
     const double before = ratio * mu / kappa;
     const double exact = reference::rebound(equivalent(before), reference::EndRule::clamped).slip_rate;
     table.rows.push_back({fmt::format("{:g}", ratio), fmt::format("{:.5f}", exact / before),
@@ -116,7 +117,7 @@ void check_unlike(Findings& findings, const Setup& setup) {
   findings.expect(
       "rms error of the slip rate of discs of different size, largest of 5 spins", farthest, 0.0,
       Tolerance::truncation(0.054 * h * h, 1.2, "measured constant 0.054 (w h)^2, and a fifth for other phases"));
-  findings.expect("impulses from speeds and spins of both discs, largest relative difference", shares, 0.0,
+  findings.expect("impulses from speeds and spins of both discs, largest relative difference", impulse_difference, 0.0,
                   Tolerance::model(0.5 * std::sqrt(reduced_mass) * (1.0 / first_radius + 1.0 / second_radius),
                                    "friction acts half-way through the overlap, at r - d/2 of each disc; d is at most "
                                    "that of the undamped impact"));

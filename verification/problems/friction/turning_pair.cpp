@@ -18,15 +18,15 @@ using namespace turned_pair;
 
 constexpr double epsilon = std::numeric_limits<double>::epsilon();
 
-Turn turned_as_told(long steps, const Setup& setup) {
+Turn turned_pair_of(long steps, const Setup& setup) {
   const turned_pair::Faults given{setup.has("one_disc_that_does_not_spin"), setup.has("spring_left_behind")};
   return setup.has("late_slip") ? turned<LateSlipSystem>(steps, given) : turned<RigidBodySystem>(steps, given);
 }
 
 void check_turn(Findings& findings, const Setup& setup) {
-  constexpr long looked_at = 256;
-  const Turn one = turned_as_told(looked_at, setup);
-  const double exact = exact_drift(looked_at);
+  constexpr long sampled = 256;
+  const Turn one = turned_pair_of(sampled, setup);
+  const double exact = exact_drift(sampled);
   const char* counted =
       "512 steps, each with a dozen roundings of positions of up to 2, most of them of random sign: sqrt(512) x 12 "
       "x 2.2e-16, times the stiffness for a force";
@@ -49,7 +49,7 @@ void check_turn(Findings& findings, const Setup& setup) {
                                        "force of 0.25 N times those of the stretch"),
                   "J");
   const PredictedErrors drift = predicted_errors(doublings(16.0, setup.coarse ? 3 : 6), [&](double n) {
-    return std::array{2.0 * std::numbers::pi / n, turned_as_told(std::lround(n), setup).stretch,
+    return std::array{2.0 * std::numbers::pi / n, turned_pair_of(std::lround(n), setup).stretch,
                       2.0 / 3.0 * std::pow(std::numbers::pi, 3.0) * distance / (n * n)};
   });
   findings.expect_order(

@@ -17,7 +17,7 @@ namespace {
 
 constexpr double skin = 0.1;              ///< of neighbour lists [d]
 constexpr long steps_a_look = 20;         ///< steps between two samples: two contact times
-constexpr double tangential_share = 0.5;  ///< tangential over loading stiffness
+constexpr double tangential_ratio = 0.5;  ///< tangential over loading stiffness
 
 using Plain = DiscSystem<LatchingSpring>;
 using Smooth = FastDiscSystem<LatchingSpring>;
@@ -142,7 +142,7 @@ DenseFlow run_dense(const DensePlan& plan) {
     const long steps =
         plan.friction == 0.0
             ? follow(Smooth{start.shapes, start.box, law, skin}, start, h, plan, means)
-            : follow(Rough{start.shapes, start.box, law, skin, {plan.friction, tangential_share * law.stiffness}},
+            : follow(Rough{start.shapes, start.box, law, skin, {plan.friction, tangential_ratio * law.stiffness}},
                      start, h, plan, means);
     found.steps += static_cast<std::uint64_t>(steps);
     frictions.push_back(means.ratio(shear_stress, pressure, 0));

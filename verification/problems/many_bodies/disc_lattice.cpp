@@ -42,7 +42,7 @@ struct Grown {
   Series amplitude;
 };
 
-Grown grow(const std::string& integrator, double share, int steps, const Setup& setup, Findings& findings) {
+Grown grow(const std::string& integrator, double ratio, int steps, const Setup& setup, Findings& findings) {
   const Lattice start = lattice();
   const double stiffness = setup.has("springs_softer") ? 0.97 : 1.0;
   DiscSystem system{start.shapes, start.box, LinearSpringDashpot{stiffness, 0.0, EndRule::attractive}, 0.2};
@@ -52,9 +52,9 @@ Grown grow(const std::string& integrator, double share, int steps, const Setup& 
     for (double* place : {&discs.x[i], &discs.y[i]})
       *place += first * (std::ldexp(static_cast<double>(random() >> 11), -52) - 1.0);
   }
-  const double h = share * (setup.has("limit_of_a_pair") ? std::sqrt(2.0) : std::sqrt(2.0 / 3.0));
+  const double h = ratio * (setup.has("limit_of_a_pair") ? std::sqrt(2.0) : std::sqrt(2.0 / 3.0));
   Grown grown;
-  grown.amplitude = {.label = fmt::format("{} of the limit", share), .style = Style::lines};
+  grown.amplitude = {.label = fmt::format("{} of the limit", ratio), .style = Style::lines};
   std::visit(
       [&](auto method) {
         system.begin(discs);
@@ -92,20 +92,20 @@ void run(Findings& findings, const Setup& setup) {
       .x = {"step", "1"},
       .y = {.label = "displacement over d", .log = true, .min = 1e-12, .max = 1e-4}};
   for (const char* integrator : {"velocity_verlet", "euler_cromer", "central_difference"}) {
-    for (const double share : {0.99, 1.01, 1.02}) {
-      const Grown grown = grow(integrator, share, share < 1.0 ? (setup.coarse ? 400 : 4000) : 400, setup, findings);
-      const std::string name = fmt::format("{}, step {} of the limit", integrator, share);
-      if (share < 1.0) {
+    for (const double ratio : {0.99, 1.01, 1.02}) {
+      const Grown grown = grow(integrator, ratio, ratio < 1.0 ? (setup.coarse ? 400 : 4000) : 400, setup, findings);
+      const std::string name = fmt::format("{}, step {} of the limit", integrator, ratio);
+      if (ratio < 1.0) {
         findings.expect_between(
             "largest displacement over the initial one, " + name, grown.most, 0.1, 30.0,
             "oscillations near the limit exceed the initial displacement by the factor 1/sqrt(1 - 0.99^2) = 7 at most "
             "for each mode, and 128 modes are superposed");
       } else {
-        const double exact = 2.0 * std::acosh(share);
+        const double exact = 2.0 * std::acosh(ratio);
         findings.in("growth")->expect(
             "growth per step, " + name, grown.rate, exact,
             Tolerance::model(
-                share > 1.015 ? 0.002 : 0.005,
+                ratio > 1.015 ? 0.002 : 0.005,
                 "the overlap changes w by 5e-5, a quarter of a percent of the growth rate at 1.01; the other modes "
                 "become small in comparison but still contribute at half the run")
                 .relative());

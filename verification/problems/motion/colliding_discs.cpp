@@ -74,12 +74,12 @@ Scene twenty_discs(double xi, double mu, const Setup& setup) {
   ModelBuilder builder{si};
   if (setup.has("a_little_weight")) builder.gravity({1e-12, 0.0});
   std::mt19937_64 random{20};
-  std::uniform_real_distribution<double> share{0.0, 1.0};
+  std::uniform_real_distribution<double> fraction{0.0, 1.0};
   std::vector<BodyId> ids;
   std::vector<Vec2> speeds;
   for (int i = 0; i < 20; ++i) {
-    const double radius = 0.2 + 0.15 * share(random), mass = 12.0 * radius * radius;
-    const double angle = 2.0 * std::numbers::pi * (i % 10 + 0.3 * share(random) + (i < 10 ? 0.0 : 0.4)) / 10.0;
+    const double radius = 0.2 + 0.15 * fraction(random), mass = 12.0 * radius * radius;
+    const double angle = 2.0 * std::numbers::pi * (i % 10 + 0.3 * fraction(random) + (i < 10 ? 0.0 : 0.4)) / 10.0;
     const double far = i < 10 ? 1.5 : 2.6;
     const Vec2 out{std::cos(angle), std::sin(angle)};
     ids.push_back(builder.add(Body{.name = fmt::format("disc{}", i),
@@ -88,8 +88,8 @@ Scene twenty_discs(double xi, double mu, const Setup& setup) {
                                    .shape = Circle{radius},
                                    .p_WB = far * out}));
     // Drawn in separate statements, because a compiler may evaluate either of two operands first.
-    const Vec2 aside{0.3 * share(random), -0.2};
-    speeds.push_back(-(1.0 + share(random)) * out + aside);
+    const Vec2 aside{0.3 * fraction(random), -0.2};
+    speeds.push_back(-(1.0 + fraction(random)) * out + aside);
   }
   for (std::size_t i = 0; i < 20; ++i) {
     for (std::size_t j = i + 1; j < 20; ++j) {
@@ -101,7 +101,7 @@ Scene twenty_discs(double xi, double mu, const Setup& setup) {
   Scene scene{.title = "Twenty discs", .model = builder.build()};
   scene.initial = rest_state(scene.model);
   for (std::size_t i = 0; i < 20; ++i)
-    set_velocity(scene.model, scene.initial, ids[i], speeds[i], 2.0 * share(random) - 1.0);
+    set_velocity(scene.model, scene.initial, ids[i], speeds[i], 2.0 * fraction(random) - 1.0);
   return scene;
 }
 

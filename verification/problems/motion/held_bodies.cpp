@@ -202,8 +202,8 @@ void check_half(Mobility mobility, Findings& findings, const Setup& setup) {
   keep_worst(impulses, norm(of_half.momenta.linear - of_both.momenta.linear));
   keep_worst(impulses, of_half.momenta.angular - of_both.momenta.angular);
   const std::string name = name_of_mobility(mobility);
-  const auto same = [](double share) {
-    return Tolerance::round_off(share,
+  const auto same = [](double fraction) {
+    return Tolerance::round_off(fraction,
                                 "F + F instead of 2 F: a rounding of 1e-16 in each of 1500 steps, of forces up to 40, "
                                 "which an impact amplifies by less than 10");
   };

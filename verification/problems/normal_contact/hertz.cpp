@@ -85,8 +85,8 @@ ImpactError predicted_error(const Ball& b, double shift, double step, double pha
     error.largest -= 0.8 * begins * zeta(1.5, touch);  // x_max grows with the speed to the power 4/5
     return error;
   }
-  const auto begins = [&](double speed, double share) {
-    return 2.0 * b.xi * std::sqrt(1.25 * stiffness) * std::pow(speed * step, 0.25) * step * zeta(0.25, share);
+  const auto begins = [&](double speed, double offset) {
+    return 2.0 * b.xi * std::sqrt(1.25 * stiffness) * std::pow(speed * step, 0.25) * step * zeta(0.25, offset);
   };
   error.restitution = shift * step - begins(b.speed, touch);
   if (b.rule == EndRule::attractive) error.restitution -= begins(b.exact.restitution * b.speed, end);

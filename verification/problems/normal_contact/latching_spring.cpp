@@ -59,7 +59,7 @@ void check_latching_path(Findings& findings, const Setup& setup) {
 
 constexpr double production_steps = 100.0;
 
-double gamma(double share) { return share * (1.0 - share); }
+double gamma(double phase) { return phase * (1.0 - phase); }
 
 /// An impact: speed of approach, the law given to the solver, and the exact events.
 struct Latch {

@@ -109,8 +109,8 @@ double predicted_damped_error(const Pair& pair, double step) {
           (p0 * (start.height[0] - rest[0]) + mass * p1 * (start.height[1] - rest[1])) / (p0 * p0 + mass * p1 * p1);
       // x'' (1 - xi w h) + 2 xi w x' + w^2 x = 0 against h = 0, both from rest.
       const auto swing = [&](double h) {
-        const double xi = 0.5 * pair.lag * w, share = 1.0 - xi * w * h;
-        const double frequency = w / std::sqrt(share), ratio = xi / std::sqrt(share);
+        const double xi = 0.5 * pair.lag * w, softening = 1.0 - xi * w * h;
+        const double frequency = w / std::sqrt(softening), ratio = xi / std::sqrt(softening);
         const double s = std::sqrt(1.0 - ratio * ratio), angle = s * frequency * t;
         return std::exp(-ratio * frequency * t) * (std::cos(angle) + ratio / s * std::sin(angle));
       };

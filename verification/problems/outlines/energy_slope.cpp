@@ -174,9 +174,9 @@ void check_slopes(Findings& findings, const Setup& setup) {
     table.rows.push_back(
         {pair.name, fmt::format("{}", m.places), fmt::format("{}", m.mismatched), fmt::format("{:.1e}", m.largest)});
     double& worst = pair.method == ContactMethod::nodes ? of_nodes : of_resultants;
-    const double share = static_cast<double>(m.mismatched) / m.places;
-    if (pair.rule == NodeDepth::smoother) smoother = share;
-    if (pair.rule == NodeDepth::centroid_ray) rays = share;
+    const double fraction = static_cast<double>(m.mismatched) / m.places;
+    if (pair.rule == NodeDepth::smoother) smoother = fraction;
+    if (pair.rule == NodeDepth::centroid_ray) rays = fraction;
     if (pair.rule == NodeDepth::nearest || pair.rule == NodeDepth::side_face) worst = std::max(worst, m.largest);
   }
   const Mismatch cable = mismatch(cable_model(), 0.6, setup);

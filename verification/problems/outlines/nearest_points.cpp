@@ -23,13 +23,13 @@ constexpr std::array kinds{"inside a corner", "anywhere inside", "outside"};
 
 /// A random point of a kind, from up to three random numbers between 0 and 1.
 Vec2 placed(std::size_t kind, const Superquadric& shape, std::mt19937_64& random) {
-  std::uniform_real_distribution<double> share{0.0, 1.0};
+  std::uniform_real_distribution<double> fraction{0.0, 1.0};
   if (kind == 0) {
-    const double in = (0.005 + 0.1 * share(random)) * shape.half_height;
-    return {shape.half_width - in * (0.9 + 0.2 * share(random)), shape.half_height - in};
+    const double in = (0.005 + 0.1 * fraction(random)) * shape.half_height;
+    return {shape.half_width - in * (0.9 + 0.2 * fraction(random)), shape.half_height - in};
   }
-  const Vec2 on = boundary_point(shape, 2.0 * std::numbers::pi * share(random));
-  return (kind == 1 ? share(random) : 1.0 + 2.0 * share(random)) * on;
+  const Vec2 on = boundary_point(shape, 2.0 * std::numbers::pi * fraction(random));
+  return (kind == 1 ? fraction(random) : 1.0 + 2.0 * fraction(random)) * on;
 }
 
 /// Distance by Newton's method in the parametric angle; NaN if it does not converge in 60 steps.
@@ -131,13 +131,13 @@ void check_straight_outlines(Findings& findings, const Setup& setup) {
 /// centre. The reference finds the outline on this ray by bisection.
 void check_rays(Findings& findings) {
   std::mt19937_64 random{1994};
-  std::uniform_real_distribution<double> share{0.05, 0.95};
+  std::uniform_real_distribution<double> fraction{0.05, 0.95};
   double worst = 0.0;
   for (const double n : {2.0, 5.0, 20.0}) {
     const Superquadric shape{1.0, 0.4, n};
     for (int i = 0; i < 50; ++i) {
-      const double angle = 2.0 * std::numbers::pi * share(random);
-      const Vec2 p = share(random) * boundary_point(shape, angle);
+      const double angle = 2.0 * std::numbers::pi * fraction(random);
+      const Vec2 p = fraction(random) * boundary_point(shape, angle);
       double low = 1.0, high = 100.0;
       for (int halving = 0; halving < 70; ++halving) {
         const double s = 0.5 * (low + high);
@@ -182,9 +182,9 @@ void run(Findings& findings, const Setup& setup) {
     }
     std::vector<std::string> row{fmt::format("{:g}", n), fmt::format("{}", sum.points), fmt::format("{}", sum.wrong)};
     for (std::size_t s = 0; s < 3; ++s) {
-      const double share = static_cast<double>(sum.newton_failed[s]) / sum.points;
-      row.push_back(fmt::format("{:.0f} %", 100.0 * share));
-      lines[s].add(n, share);
+      const double fraction = static_cast<double>(sum.newton_failed[s]) / sum.points;
+      row.push_back(fmt::format("{:.0f} %", 100.0 * fraction));
+      lines[s].add(n, fraction);
     }
     solver.add(n, static_cast<double>(sum.wrong) / sum.points);
     table.rows.push_back(row);

@@ -24,7 +24,7 @@ Scene rocking_scene(double amplitude, double stiffness, const Setup& setup) {
            .mass = 1.0,
            .inertia = setup.has("inertia_of_a_ring") ? 2.0 * inertia : inertia,
            .shape = Superquadric{setup.has("longer_axis") ? 1.01 * axis_a : axis_a, axis_b, 2.0},
-           .p_WB = {centre_way(ellipse, amplitude), centre_height(ellipse, amplitude) - gravity / stiffness},
+           .p_WB = {centre_displacement(ellipse, amplitude), centre_height(ellipse, amplitude) - gravity / stiffness},
            .angle = amplitude});
   const BodyId plane = builder.add(Body{.name = "plane", .mobility = Mobility::fixed, .shape = HalfPlane{}});
   builder.add(Contact{.name = "touch",

@@ -16,7 +16,7 @@
 namespace talus::verification::problems::superellipse {
 namespace {
 
-Superquadric superellipse_told(double n, const Setup& setup) {
+Superquadric superellipse_of(double n, const Setup& setup) {
   const auto [a, b] = superellipse_half_axes;
   return {setup.has("half_axis_off") ? 1.000001 * a : a, b, setup.has("exponent_off") ? 1.001 * n : n};
 }
@@ -24,7 +24,7 @@ Superquadric superellipse_told(double n, const Setup& setup) {
 std::vector<reference::Point> polygon(double n, double corners, const Setup& setup) {
   const int count = static_cast<int>(setup.has("nodes_left_out") ? corners / 2.0 : corners);
   std::vector<reference::Point> found;
-  for (const Vec2 p : boundary_nodes(Shape{superellipse_told(n, setup)}, count))
+  for (const Vec2 p : boundary_nodes(Shape{superellipse_of(n, setup)}, count))
     found.push_back({p.x, p.y});
   return found;
 }
@@ -56,7 +56,9 @@ std::array<double, 2> over_leading_order(const Convergence& lacking, double cons
     const std::size_t at = lacking.size() - 3 + i;
     ratio[i] = lacking.errors()[at] / (constant * lacking.steps()[at] * lacking.steps()[at]);
   }
-  const auto without = [](double share, double coarse, double fine) { return (fine - share * coarse) / (1.0 - share); };
+  const auto without = [](double fraction, double coarse, double fine) {
+    return (fine - fraction * coarse) / (1.0 - fraction);
+  };
   const double first = std::pow(0.5, 2.0 / n), second = std::pow(0.5, 6.0 / n);
   return {ratio[2], without(second, without(first, ratio[0], ratio[1]), without(first, ratio[1], ratio[2]))};
 }
@@ -136,7 +138,7 @@ void check_support(Findings& findings, const Setup& setup) {
       const Pose plane{{place(random), place(random)}, rotation(any(random)), {}, 0.0};
       const double turned = 2.0 * std::numbers::pi * i / angles;
       const Pose body{{place(random), place(random)}, rotation(turned), {}, 0.0};
-      const Gap found = gap(superellipse_told(n, setup), body, HalfPlane{}, plane);
+      const Gap found = gap(superellipse_of(n, setup), body, HalfPlane{}, plane);
       const Vec2 up = plane.R_WB * Vec2{0.0, 1.0};
       const Vec2 down = unrotate(body.R_WB, -up);
       const double reach = reference::support({a, b, n}, down.x, down.y);
@@ -215,7 +217,7 @@ void check_depth(Findings& findings, const Setup& setup) {
     const reference::Superellipse shape{a, b, n};
     for (int i = 0; i < (setup.coarse ? 4 : 150); ++i) {
       const Vec2 p{a * any(random), b * any(random)};
-      const Depth found = depth_below(superellipse_told(n, setup), p);
+      const Depth found = depth_below(superellipse_of(n, setup), p);
       const reference::NearestPoint brute = reference::nearest_point(shape, {p.x, p.y}, 400);
       const double sign = reference::excess(shape, {p.x, p.y}) < 0.0 ? 1.0 : -1.0;
       depth_error = std::max(depth_error, std::abs(found.depth - sign * brute.distance));

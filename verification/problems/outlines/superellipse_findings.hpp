@@ -12,7 +12,7 @@ namespace talus::verification::problems {
 inline constexpr std::array superellipse_half_axes{1.25, 4.0};
 
 /// The shape passed to the solver, including the setup's fault.
-[[nodiscard]] Superquadric superellipse_told(double n, const Setup& setup);
+[[nodiscard]] Superquadric superellipse_of(double n, const Setup& setup);
 
 /// Compares overlaps and distances of pairs of outlines with brute force.
 void check_pairs(Findings& findings, const Setup& setup);

@@ -310,10 +310,10 @@ std::array<double, 3> layer_of(const Expected& expected, double low, double high
     }
   };
   double whole = 0.0, velocity = 0.0, temperature = 0.0, time = 0.0;
-  each([&](const Seen& disc, double share) { whole += share, velocity += share * disc.vx; });
+  each([&](const Seen& disc, double ratio) { whole += ratio, velocity += ratio * disc.vx; });
   if (whole > 0.0) velocity /= whole;
-  each([&](const Seen& disc, double share) {
-    temperature += share * 0.5 * mass * ((disc.vx - velocity) * (disc.vx - velocity) + disc.vy * disc.vy);
+  each([&](const Seen& disc, double ratio) {
+    temperature += ratio * 0.5 * mass * ((disc.vx - velocity) * (disc.vx - velocity) + disc.vy * disc.vy);
   });
   for (std::size_t tenth = 0; tenth < 10; ++tenth)
     time += tenth == without ? 0.0 : expected.weights[tenth];
@@ -535,13 +535,13 @@ void check_limits(const TemporaryFolder& folder, Findings& findings, const Setup
   const double euler = std::log(0.75 / 0.7) / (0.25 * std::numbers::pi * (w1 + w2));
   double wrong = 0.0;
   for (const auto& [method, limit] : {std::pair{"euler_cromer", contact / 10.0}, std::pair{"euler", euler}}) {
-    for (const double share : {0.999, 1.001}) {
-      const double h = share * limit * (setup.has("limit_doubled") ? 2.0 : 1.0);
+    for (const double ratio : {0.999, 1.001}) {
+      const double h = ratio * limit * (setup.has("limit_doubled") ? 2.0 : 1.0);
       folder.write("LIMIT.DAT",
                    fmt::format("0 0\n{} {} {} {} {} {}\n{} {} {} {}\n{} {} {}\n", k1, k2, diameter, mass, gravity,
                                block_mass, rows, columns, wall_discs, block_speed, h, 2.0 * h, 4.0 * h));
       const ProgramEnd ended = run_talus(folder, {"cell", "LIMIT.DAT", "--integrator", method});
-      wrong += (ended.exit_code == 0) == (share < 1.0) ? 0.0 : 1.0;
+      wrong += (ended.exit_code == 0) == (ratio < 1.0) ? 0.0 : 1.0;
     }
   }
   findings.expect("steps accepted or rejected on the wrong side of their limit", wrong, 0.0,

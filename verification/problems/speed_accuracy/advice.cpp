@@ -300,7 +300,7 @@ void check_gas(Findings& findings, const Setup& setup, Table& table) {
   findings.expect_true("gas: advice given for the time of its first impacts", early.best.has_value(),
                        "differences are still small: the duration is refused, not the scene");
   table.rows.push_back({"gas of five discs to 100", "1e-02", "refused", "-",
-                        fmt::format("{:.0e} grows to {:.0e}", advice.growth.share, advice.growth.result), "-",
+                        fmt::format("{:.0e} grows to {:.0e}", advice.growth.fraction, advice.growth.result), "-",
                         fmt::format("{}", advice.evaluations), "-"});
 }
 

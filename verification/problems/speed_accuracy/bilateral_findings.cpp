@@ -81,11 +81,11 @@ double mode_growth(const Dynamics& dynamics, const State& rest, const HighestMod
   state = moved(system, state, mode.shape, start);
   std::vector<double> sizes;
   const Observer watch = [&](const State& seen, const StepInfo&) {
-    std::vector<double> way(seen.q.size());
-    for (std::size_t i = 0; i < way.size(); ++i)
-      way[i] = seen.q[i] - rest.q[i];
-    sizes.push_back(
-        std::hypot(product(dynamics, mode.shape, way), product(dynamics, mode.shape, seen.v) / mode.frequency));
+    std::vector<double> displacement(seen.q.size());
+    for (std::size_t i = 0; i < displacement.size(); ++i)
+      displacement[i] = seen.q[i] - rest.q[i];
+    sizes.push_back(std::hypot(product(dynamics, mode.shape, displacement),
+                               product(dynamics, mode.shape, seen.v) / mode.frequency));
   };
   const StopCondition done = [&](const State&) { return !sizes.empty() && !(sizes.back() < 1e6 * start); };
   Integrator verlet = VelocityVerlet{};
@@ -172,11 +172,11 @@ void check_growth(const std::string& name, const Dynamics& dynamics, const State
                   double frequency, double start, Findings& findings) {
   double worst = 0.0;
   int wrong = 0;
-  for (const double share : {0.98, 0.999, 1.001, 1.02}) {
-    const double growth = mode_growth(dynamics, rest, mode, start, share * 2.0 / frequency, 250);
-    wrong += (share > 1.0 ? growth > 0.0 : growth == 0.0) ? 0 : 1;
-    if (share < 1.0) continue;
-    const double error = growth / (2.0 * std::acosh(share)) - 1.0;
+  for (const double ratio : {0.98, 0.999, 1.001, 1.02}) {
+    const double growth = mode_growth(dynamics, rest, mode, start, ratio * 2.0 / frequency, 250);
+    wrong += (ratio > 1.0 ? growth > 0.0 : growth == 0.0) ? 0 : 1;
+    if (ratio < 1.0) continue;
+    const double error = growth / (2.0 * std::acosh(ratio)) - 1.0;
     keep_worst(worst, error);
   }
   findings.count(1000);

@@ -175,9 +175,9 @@ double spinning_error() {
       RigidBodySystem system{dynamics, true};
       system.begin(scene.initial);
       std::vector<double> guards;
-      for (const double ahead : {0.5 * exact, 2.0 * exact}) {
-        const double found = system.guards(scene.initial, false, ahead, guards).longest_step;
-        worst = std::max(worst, std::abs(found / std::min(ahead, exact) - 1.0));
+      for (const double horizon : {0.5 * exact, 2.0 * exact}) {
+        const double found = system.guards(scene.initial, false, horizon, guards).longest_step;
+        worst = std::max(worst, std::abs(found / std::min(horizon, exact) - 1.0));
       }
       Workspace work = dynamics.workspace();
       dynamics.update(scene.initial, work);
@@ -188,8 +188,8 @@ double spinning_error() {
 }
 
 /// Largest relative error of the distance, over the exact one, by which the ends of the bars may approach each other in
-/// the longest step of step control, with gravity and without: the distance of circles around the bars, or half the sum of
-/// their half widths where that is more.
+/// the longest step of step control, with gravity and without: the distance of circles around the bars, or half the sum
+/// of their half widths where that is more.
 double safe_step_error() {
   double worst = 0.0;
   for (const double apart : bar_distances) {
@@ -211,10 +211,10 @@ double safe_step_error() {
 
 Figure pass_figure(Findings& findings) {
   Series found{"solver, monitor off", {}, {}, Style::points};
-  for (const double way : {0.9, 1.6, 2.7, 3.6, 4.4, 5.3, 6.1, 7.0, 7.8})
-    found.add(way, unseen_passes(way * radius, findings) / static_cast<double>(fewest_phases));
+  for (const double distance : {0.9, 1.6, 2.7, 3.6, 4.4, 5.3, 6.1, 7.0, 7.8})
+    found.add(distance, unseen_passes(distance * radius, findings) / static_cast<double>(fewest_phases));
   const Series exact = curve("1 - 4 r/(v h)", multiples(0.2, 0, 40),
-                             [](double way) { return std::max(0.0, 1.0 - 4.0 / std::max(way, 1.0)); });
+                             [](double distance) { return std::max(0.0, 1.0 - 4.0 / std::max(distance, 1.0)); });
   return {.name = "passes",
           .title = "Undetected passages of discs through each other",
           .caption =
@@ -239,8 +239,8 @@ FailureFound check_long_step(Findings& findings, const Setup& setup) {
                        "the disc is sampled on either side of the middle");
   // Gravity adds g h^2/2 to the distance travelled in the first step.
   constexpr double step = 0.8 * radius;
-  const auto pulled = [&](double share) {
-    const double pull = (share * radius - step) * 2.0 / (step * step);
+  const auto pulled = [&](double ratio) {
+    const double pull = (ratio * radius - step) * 2.0 / (step * step);
     return watched_run(flight(20.0, 0.5, pull), step, step, rules, findings).violation;
   };
   findings.expect_true("long step: refusal at v h + g h^2/2 = 1.05 r, with v h = 0.8 r", !pulled(1.05).empty(),
@@ -310,8 +310,8 @@ FailureFound check_long_step(Findings& findings, const Setup& setup) {
 
 FailureFound check_deep_overlap(Findings& findings, const Setup& setup) {
   const MonitorRules rules = setup.has("not_watched_either") ? unmonitored : monitored;
-  const auto fall = [&](double share, const MonitorRules& by) {
-    const double w = 1.0 / (share * 0.5 * radius);
+  const auto fall = [&](double ratio, const MonitorRules& by) {
+    const double w = 1.0 / (ratio * 0.5 * radius);
     return watched_run(
         scenes::bouncing_disc(
             {.radius = radius, .gap = 0.1, .speed = 1.0, .contact = LinearSpringDashpot{w * w, 0.0, EndRule::clamped}}),
@@ -321,8 +321,8 @@ FailureFound check_deep_overlap(Findings& findings, const Setup& setup) {
                        !fall(1.1, rules).violation.empty(), "the largest overlap is v/w");
   findings.expect_true("deep overlap: run not ended at v/w = 0.9 of r/2", fall(0.9, monitored).violation.empty(),
                        "as for the previous check");
-  const auto speed = [&](double share) {
-    return watched_run(flight(0.1, 1.0 / (share * 2.0 * radius)), 0.005, 20.0, unmonitored, findings).end.v[0];
+  const auto speed = [&](double ratio) {
+    return watched_run(flight(0.1, 1.0 / (ratio * 2.0 * radius)), 0.005, 20.0, unmonitored, findings).end.v[0];
   };
   const double through = speed(1.1), back = speed(0.9);
   findings.expect(

@@ -91,13 +91,13 @@ double newton_fails(double n, int pairs) {
   const Superquadric shape{1.0, 0.7, n};
   int failed = 0;
   for (int i = 0; i < pairs; ++i) {
-    const Rotation way = rotation(any(random));
+    const Rotation direction = rotation(any(random));
     const Pose A{{}, rotation(any(random)), {}, 0.0};
     Pose B{{}, rotation(any(random)), {}, 0.0};
     double near = 0.0, far = 4.0;
     for (int k = 0; k < 12; ++k) {
       const double distance = 0.5 * (near + far);
-      B.p_WB = way * Vec2{distance, 0.0};
+      B.p_WB = direction * Vec2{distance, 0.0};
       (penetration(shape, A, shape, B) > 0.01 ? near : far) = distance;
     }
     failed += newton_converges(shape, A, shape, B) ? 0 : 1;
@@ -142,21 +142,21 @@ FailureFound check_corner_normal(Findings& findings, const Setup& setup) {
 
 FailureFound check_common_normal(Findings& findings, const Setup& setup) {
   struct Known {
-    double n, share;
+    double n, fraction;
   };
   const int pairs = setup.coarse ? 60 : 200;
-  std::string shares;
+  std::string fractions;
   for (const Known& known : {Known{8.0, 0.60}, Known{20.0, 0.83}, Known{50.0, 0.94}}) {
     if (setup.coarse && known.n != 50.0) continue;
     const double found = newton_fails(setup.has("ellipses") ? 2.0 : known.n, pairs);
-    const double error = std::sqrt(known.share * (1.0 - known.share) / pairs);
+    const double error = std::sqrt(known.fraction * (1.0 - known.fraction) / pairs);
     findings.expect(
         fmt::format("common normal: fraction of pairs without a solution, radial Newton, n = {:g}", known.n), found,
-        known.share,
+        known.fraction,
         Tolerance::model(3.0 * error + 0.04,
                          "known from 2000 pairs with other random positions, generated differently, for which 0.04 is "
                          "allowed; plus three standard errors of the fraction"));
-    shares += fmt::format("{}{:.0f}", shares.empty() ? "" : ", ", 100.0 * found);
+    fractions += fmt::format("{}{:.0f}", fractions.empty() ? "" : ", ", 100.0 * found);
   }
   findings.expect("common normal: fraction of pairs of ellipses without a solution", newton_fails(2.0, 60), 0.0,
                   Tolerance::exact("quadratic functions: known to be safe up to n = 3"));
@@ -170,7 +170,7 @@ FailureFound check_common_normal(Findings& findings, const Setup& setup) {
   }
   findings.expect("common normal: solver's nearest points, n = 50, largest error of 60 against brute force", farthest,
                   0.0, Tolerance::round_off(3e-15, "a dozen roundings of lengths up to one (case nearest_points)"));
-  return {fmt::format("radial Newton, n = 8, 20, 50: {} % without a solution", shares),
+  return {fmt::format("radial Newton, n = 8, 20, 50: {} % without a solution", fractions),
           fmt::format("solver, n = 50: all 60 found, error {:.1g}", farthest)};
 }
 

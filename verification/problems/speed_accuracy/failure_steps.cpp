@@ -20,7 +20,7 @@ namespace {
 /// A disc of w = 1, v = 1 and damping ratio xi between two planes, with 3.7 of free travel.
 Scene boxed(double xi) {
   ModelBuilder builder;
-  constexpr double radius = 8.0, way = 3.7;
+  constexpr double radius = 8.0, distance = 3.7;
   const LinearSpringDashpot law{1.0, 2.0 * xi, EndRule::clamped};
   const BodyId disc =
       builder.add(Body{.name = "disc", .mobility = Mobility::sliding_y, .mass = 1.0, .shape = Circle{radius}});
@@ -29,7 +29,7 @@ Scene boxed(double xi) {
     const BodyId plane = builder.add(Body{.name = name,
                                           .mobility = Mobility::fixed,
                                           .shape = HalfPlane{},
-                                          .p_WB = {0.0, -side * (radius + 0.5 * way)},
+                                          .p_WB = {0.0, -side * (radius + 0.5 * distance)},
                                           .angle = side > 0.0 ? 0.0 : std::numbers::pi});
     builder.add(Contact{.name = name, .a = plane, .b = disc, .law = law});
   }
@@ -70,7 +70,7 @@ Drift ln_speed(const char* method, double eta, long bounces, double xi, Findings
 struct Least {
   double tension{}, let_go{};
 
-  void look_at(const CableRunResult& run, double damping) {
+  void inspect(const CableRunResult& run, double damping) {
     for (std::size_t i = 1; i < run.time.size(); ++i) {
       tension = std::min(tension, run.tension[i]);
       const bool free = run.elongation[i] > 0.0 && run.tension[i] == 0.0;
@@ -144,7 +144,7 @@ FailureFound check_snatch(Findings& findings, const Setup& setup) {
     state.q[0] -= even_phases(fewest_phases)[phase] * step;
     const CableRunResult run =
         run_cables(scene, state, method, {step, exact.contact_time + 2.0, false, true}, findings);
-    least.look_at(run, 2.0 * used);
+    least.inspect(run, 2.0 * used);
     return std::abs(run.end.v[0]) / exact.restitution - 1.0;
   };
   PhaseError coarse, fine, located;

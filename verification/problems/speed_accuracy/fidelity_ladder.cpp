@@ -238,12 +238,12 @@ void check_particles(Findings& findings, const Setup& setup) {
 double speed_taken_by_cables(const FenceNumbers& n) {
   const reference::Impact impact = soft_impact(n, n.column_mass);
   const double last = reference::impact_events(impact, reference::EndRule::clamped).contact_time;
-  const double both = n.rock_mass + n.column_mass, share = n.rock_mass / both;
+  const double both = n.rock_mass + n.column_mass, ratio = n.rock_mass / both;
   constexpr int parts = 1000;
   double impulse = 0.0;
   for (int i = 0; i < parts; ++i) {
     const double t = (i + 0.5) * last / parts;
-    const double x = share * (n.speed * t - reference::depth_at(impact, t).depth);
+    const double x = ratio * (n.speed * t - reference::depth_at(impact, t).depth);
     const double length = std::hypot(n.segment, x);
     const double tension = n.first_tension + n.cable_modulus / n.segment * (length - n.segment);
     impulse += 2.0 * tension * x / length * last / parts;

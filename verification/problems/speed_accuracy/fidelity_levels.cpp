@@ -49,7 +49,7 @@ class Monitor {
  public:
   explicit Monitor(const Scene& scene) : model_{&scene.model}, probe_{scene.model} {
     rock_ = Layout{scene.model}.first[index(*find_body(scene.model, "rock"))];
-    way_ = std::copysign(1.0, scene.initial.v[rock_]);
+    direction_ = std::copysign(1.0, scene.initial.v[rock_]);
     for (std::size_t c = 0; c < model_->contacts.size(); ++c) {
       const std::string& name = model_->contacts[c].name;
       if (name == "impact" || name == "rock-column1") struck_ = c;
@@ -61,7 +61,7 @@ class Monitor {
   void check(const State& state) {
     probe_.evaluate(state);
     const double push = probe_.forces().contacts[struck_];
-    found.exit = way_ * state.v[rock_];
+    found.exit = direction_ * state.v[rock_];
     if (touched_ && push == 0.0 && std::isnan(found.first)) found.first = found.exit;
     touched_ = touched_ || push > 0.0;
     found.push = std::max(found.push, push);
@@ -77,7 +77,7 @@ class Monitor {
   const Model* model_;
   Probe probe_;
   std::size_t rock_{}, struck_{};
-  double way_{};
+  double direction_{};
   bool touched_{false};
 };
 

@@ -78,8 +78,8 @@ class EveryPair {
 
 /// A system with a fault: modes that do not act yet have infinite guards.
 struct ShortSighted : RigidBodySystem {
-  GuardBounds guards(const State& state, bool same, double ahead, std::vector<double>& out) {
-    const GuardBounds found = RigidBodySystem::guards(state, same, ahead, out);
+  GuardBounds guards(const State& state, bool same, double horizon, std::vector<double>& out) {
+    const GuardBounds found = RigidBodySystem::guards(state, same, horizon, out);
     for (std::size_t i = 0; found.finite && i < out.size(); ++i)
       out[i] = state.mode[i] == 0 ? std::numeric_limits<double>::infinity() : out[i];
     return found;
@@ -232,7 +232,7 @@ void check_rows(Findings& findings, const Setup& setup, Table& table) {
 
 constexpr long steps = 25000;
 
-enum class Sag { as_tight, share_of_span };
+enum class Sag { as_tight, fraction_of_span };
 
 /// Table 2's fence with another number of columns; spacing and end segments are unchanged.
 scenes::FenceScene long_fence(int columns, Sag sag, Sleep sleep) {
@@ -278,7 +278,7 @@ LongRun run_long(const scenes::FenceScene& made, Findings& findings) {
 }
 
 void check_sleep(Findings& findings, const Setup& setup, Table& table) {
-  const auto with = [&](Sleep sleep) { return run_long(long_fence(101, Sag::share_of_span, sleep), findings); };
+  const auto with = [&](Sleep sleep) { return run_long(long_fence(101, Sag::fraction_of_span, sleep), findings); };
   const LongRun off = with(Sleep::off), exact = with(setup.has("default_for_exact") ? Sleep::on : Sleep::exact);
   findings.expect("101 columns, sleep exact: state at 0.05 s against the run without sleep, largest difference",
                   change(exact.state, off.state), 0.0,
@@ -312,7 +312,7 @@ void check_length(Findings& findings, const Setup& setup, Table& table) {
                 .caption = "Half of each fence is modelled: 51 and 501 columns.",
                 .x = {.label = "time", .unit = "ms"},
                 .y = {.label = "columns awake", .min = 0.0}};
-  for (const Sag sag : {Sag::as_tight, Sag::share_of_span}) {
+  for (const Sag sag : {Sag::as_tight, Sag::fraction_of_span}) {
     const LongRun tenth = with(101, sag), whole = with(1001, sag);
     const bool tight = sag == Sag::as_tight;
     const double ratio = whole.awake / tenth.awake;
@@ -341,7 +341,7 @@ void check_length(Findings& findings, const Setup& setup, Table& table) {
 /// Moves one column at a time and checks that the guards of its cables, at any position in the row, equal those
 /// computed without omissions.
 void check_guards(Findings& findings, const Setup& setup) {
-  const scenes::FenceScene made = long_fence(41, Sag::share_of_span, Sleep::off);
+  const scenes::FenceScene made = long_fence(41, Sag::fraction_of_span, Sleep::off);
   const Model& model = made.scene.model;
   const Dynamics dynamics{model};
   RigidBodySystem system{dynamics, true};

@@ -31,8 +31,8 @@ struct BothSides {
 void run_both_sides(const FixedStepMethod& method, double limit, double xi, const Setup& setup, BothSides& seen) {
   const SqueezedRuns disc = squeezed_runs(xi);
   const bool one = method.doubles && xi == 1.0;  // rounding splits the double eigenvalue: only the count is checked
-  for (const double share : {0.98, 0.999, 1.001, 1.02}) {
-    const double eta = share * limit, exact = reference::ln_growth(method.scheme, eta, xi);
+  for (const double ratio : {0.98, 0.999, 1.001, 1.02}) {
+    const double eta = ratio * limit, exact = reference::ln_growth(method.scheme, eta, xi);
     const double fitted = first_growth(disc, method, eta, setup);
     if (!one && (xi > 0.0 || exact > negligible)) keep_worst(seen.worst, fitted / exact - 1.0);
     if (exact <= negligible) {

@@ -64,8 +64,8 @@ void add_row(const std::vector<std::string>& row, Chart& chart) {
   chart.floor = std::stod(row[floor]);
 }
 
-/// The number at the fraction `share` of the distance from `low` to `high` on a logarithmic scale.
-double between(double low, double high, double share) { return low * std::pow(high / low, share); }
+/// The number at the `fraction` of the distance from `low` to `high` on a logarithmic scale.
+double between(double low, double high, double fraction) { return low * std::pow(high / low, fraction); }
 
 /// Reference lines of orders 1, 2 and 4, in the empty corner of small cost and small error.
 std::vector<records::Slope> slopes_in(const Chart& chart) {
@@ -78,9 +78,9 @@ std::vector<records::Slope> slopes_in(const Chart& chart) {
     }
   }
   std::vector<records::Slope> slopes;
-  for (const auto& [order, share] : {std::pair{1.0, 0.55}, {2.0, 0.4}, {4.0, 0.25}})
+  for (const auto& [order, fraction] : {std::pair{1.0, 0.55}, {2.0, 0.4}, {4.0, 0.25}})
     slopes.push_back(
-        {-order, between(first, last, 0.05), between(least, top, share), fmt::format("order {:g}", order)});
+        {-order, between(first, last, 0.05), between(least, top, fraction), fmt::format("order {:g}", order)});
   return slopes;
 }
 

@@ -106,8 +106,9 @@ double cost_of(const WorkCurve& curve, std::size_t quantity, double error) {
   const CurvePoint& reached = curve.points[*first];
   if (*first == 0 || curve.points[*first - 1].failed > 0) return reached.evaluations;
   const CurvePoint& before = curve.points[*first - 1];
-  const double share = std::log(before.rms[quantity] / error) / std::log(before.rms[quantity] / reached.rms[quantity]);
-  return before.evaluations * std::pow(reached.evaluations / before.evaluations, share);
+  const double fraction =
+      std::log(before.rms[quantity] / error) / std::log(before.rms[quantity] / reached.rms[quantity]);
+  return before.evaluations * std::pow(reached.evaluations / before.evaluations, fraction);
 }
 
 Convergence between_errors(const WorkCurve& curve, std::size_t quantity, double least, double most) {

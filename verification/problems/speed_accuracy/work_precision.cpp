@@ -334,7 +334,7 @@ void compare_with_known(const SceneCurves& all, Findings& findings, Table& table
 }
 
 /// Checks and notes the errors of the fence at the step of 1993.
-void tell_of_1993(const WorkScene& fence, Findings& findings) {
+void report_step_of_1993(const WorkScene& fence, Findings& findings) {
   constexpr double step = 2e-6;
   const long steps = std::lround(fence.duration / (static_cast<double>(fence.spans) * step));
   const WorkRun run = fence.measure(make_integrator("central_difference"), steps, 0, findings);
@@ -380,7 +380,7 @@ void run(Findings& findings, const Setup& setup) {
     check_cheapest(all.back(), findings);
     check_bounce(all.back(), findings);
     if (!setup.coarse) compare_with_known(all.back(), findings, known);
-    if (scene.name == "fence") tell_of_1993(scene, findings);
+    if (scene.name == "fence") report_step_of_1993(scene, findings);
     if (setup.tier == Tier::full && !setup.coarse) {
       const std::vector<TimedPoint> points = timed_points(all.back());
       timed.insert(timed.end(), points.begin(), points.end());
