@@ -15,6 +15,8 @@ namespace {
 using records::Json;
 using records::Node;
 
+constexpr int sheet_schema = 3;
+
 template <std::size_t count>
 std::array<double, count> numbers(const Node& node) {
   const std::vector<Node> list = node.list();
@@ -75,12 +77,12 @@ SheetRock rock(const Node& node) {
                   .approach_velocity = numbers<2>(node.at("approach_velocity")),
                   .touched = node.at("touched").flag()};
   if (!found.touched) return found;
-  found.left = node.at("left").flag();
+  found.left = node.at("separated").flag();
   found.turned = node.at("turned").flag();
   found.touch_time = node.at("touch_time").finite();
   found.exit_time = node.at("exit_time").finite();
   found.exit_energy = node.at("exit_energy").finite();
-  found.energy_taken = node.at("energy_taken").number();
+  found.energy_loss_fraction = node.at("energy_loss_fraction").number();
   found.braking_time = node.at("braking_time").finite();
   found.travel = node.at("travel").finite();
   found.exit_velocity = numbers<2>(node.at("exit_velocity"));
@@ -106,14 +108,14 @@ std::vector<SheetEnergy> energies(const Node& sheet) {
     if (std::abs(change) > 1e-9 * node.at("scale").finite()) lines.push_back({words, change});
   }
   std::map<std::string, double> losses;  // sorted by name
-  for (const auto& [mechanism, lost] : node.at("lost").members())
-    losses[mechanism] = lost.finite();
-  for (const auto& [mechanism, lost] : losses) {
+  for (const auto& [mechanism, energy] : node.at("dissipated").members())
+    losses[mechanism] = energy.finite();
+  for (const auto& [mechanism, energy] : losses) {
     std::string words = mechanism;
     std::replace(words.begin(), words.end(), '_', ' ');
-    if (lost != 0.0) lines.push_back({"lost: " + words, lost});
+    if (energy != 0.0) lines.push_back({"dissipated: " + words, energy});
   }
-  lines.push_back({"energy balance error", node.at("closure").finite()});
+  lines.push_back({"energy balance error", node.at("balance_error").finite()});
   return lines;
 }
 
@@ -146,9 +148,9 @@ void read_forces(const Node& sheet, SheetRecord& record) {
                                node.at("peak_time").finite(), node.at("margin").finite()});
   }
   for (const Node& node : sheet.at("anchors").list())
-    record.anchors.push_back({node.at("layer").integer(), numbers<3>(node.at("place")), force(node.at("force"))});
+    record.anchors.push_back({node.at("layer").integer(), numbers<3>(node.at("position")), force(node.at("force"))});
   for (const Node& node : sheet.at("events").list())
-    record.events.push_back({node.at("time").finite(), node.at("part").text(), node.at("what").text()});
+    record.events.push_back({node.at("time").finite(), node.at("part").text(), node.at("event").text()});
 }
 
 void read_drawing(const Node& sheet, SheetRecord& record) {
@@ -172,7 +174,10 @@ void read_drawing(const Node& sheet, SheetRecord& record) {
 SheetRecord read_sheet(const std::filesystem::path& file) {
   const Json all = records::read_json(file);
   const Node sheet{all, file.string()};
-  if (sheet.at("schema").integer() != 2) sheet.at("schema").fail("must be 2");
+  if (const Node found = sheet.at("schema"); found.integer() != sheet_schema) {
+    found.fail(fmt::format("must be {}, found {}: run the fence again with --sheet, by this version of talus",
+                           sheet_schema, found.integer()));
+  }
   const Node run = sheet.at("run"), fence = sheet.at("fence");
   SheetRecord record;
   record.title = sheet.at("title").text();

@@ -28,7 +28,7 @@ struct SheetRock {
   double mass{}, approach_energy{};
   Pair approach_velocity{};
   bool touched{}, left{}, turned{};
-  double touch_time{}, exit_time{}, exit_energy{}, energy_taken{}, braking_time{}, travel{};
+  double touch_time{}, exit_time{}, exit_energy{}, energy_loss_fraction{}, braking_time{}, travel{};
   Pair exit_velocity{};
 };
 

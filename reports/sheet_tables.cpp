@@ -206,7 +206,7 @@ SheetTable rock_table(const SheetRecord& record) {
     row.insert(row.end(), {seconds(rock.touch_time), seconds(rock.exit_time)});
     row.push_back(both(record, size(rock.exit_velocity), speed_units));
     row.push_back(both(record, rock.exit_energy, energy_units));
-    row.insert(row.end(), {per_cent(rock.energy_taken), seconds(rock.braking_time)});
+    row.insert(row.end(), {per_cent(rock.energy_loss_fraction), seconds(rock.braking_time)});
     row.push_back(both(record, rock.travel, length_units));
     table.rows.push_back(std::move(row));
   }

@@ -59,7 +59,7 @@ double largest_speed(const State& state, const std::vector<double>& lengths) {
 Scene with_method(Scene scene, const RunMethod& method) {
   const IntegratorChoice chosen = choose_integrator(scene.model, method.integrator, method.tolerance);
   scene.integrator = chosen.integrator;
-  scene.integrator_why = chosen.why;
+  scene.integrator_reason = chosen.why;
   scene.plan.step = (scene.plan.end - scene.initial.t) / static_cast<double>(method.steps);
   scene.plan.interval = std::max(scene.plan.interval, scene.plan.step);
   return scene;
@@ -106,7 +106,7 @@ void PilotRuns::take(RigidBodySystem& system, const Scene& scene, State start, P
   const Observer observer = [&](const Snapshot& seen, const StepInfo& info) {
     recorder(seen, info);
     std::optional<RunMonitor::Balance> balance;
-    if (recorder.ledger()) balance = {recorder.accounts().energy_closure, recorder.ledger()->energy_scale()};
+    if (recorder.ledger()) balance = {recorder.accounts().energy_balance_error, recorder.ledger()->energy_scale()};
     monitor.check(seen, info.step, balance);
     const double value = recorder.row()[quantity_->column];
     pilot.values.push_back(value);

@@ -104,7 +104,7 @@ void print_json(const Scene& scene, const Quantity& quantity, const AdviceRules&
     json["tried"].push_back(std::move(entry));
   }
   if (advice.refusal) {
-    json["refusal"] = {{"kind", name_of(advice.refusal->kind)}, {"words", advice.refusal->words}};
+    json["refusal"] = {{"kind", name_of(advice.refusal->kind)}, {"message", advice.refusal->words}};
   } else {
     json["advice"] = json_of(advice.best->method, duration);
     json["advice"]["error"] = advice.best->error;

@@ -178,13 +178,13 @@ class RequestedCell final : public ResumableRun {
     }
     // Checked only once the work exceeds the energy held: before, momentary values dominate the ratio.
     const CellRun::Ledger ledger = run_.ledger();
-    const double unaccounted = ledger.unaccounted();
+    const double balance_error = ledger.relative_balance_error();
     if (!scene.plan.historical && run_.failure().empty() && ledger.work() > ledger.held() &&
-        std::abs(unaccounted) > CellRun::most_unaccounted) {
+        std::abs(balance_error) > CellRun::maximum_balance_error) {
       outcome_.warnings.push_back(
           fmt::format("{:.2g} of the work is unaccounted for, more than {}: the step is too long, or the integrator "
                       "adds or takes energy",
-                      unaccounted, CellRun::most_unaccounted));
+                      balance_error, CellRun::maximum_balance_error));
     }
   }
 

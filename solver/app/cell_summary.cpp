@@ -67,12 +67,12 @@ std::string cell_summary(const CellScene& scene, CellRun& run, const CellOutcome
   const auto energy = [&](const char* name, double value, const char* meaning) {
     text += line(scene, {name, dimension::energy, {value, 0.0}, 0.0, meaning});
   };
-  energy("driven", ledger.driven, "work of what drives the block");
-  energy("dissipated", ledger.dissipated, "kept by contacts");
-  if (scene.cell.friction) energy("rubbed", ledger.friction_work, "of it by friction");
+  energy("input", ledger.input, "work of what drives the block");
+  energy("dissipated", ledger.dissipated, "by contacts");
+  if (scene.cell.friction) energy("friction_work", ledger.friction_work, "of it by friction");
   energy("kinetic", ledger.kinetic, "");
   energy("stored", ledger.stored, "in contacts");
-  add("unaccounted for", fmt::format("{:.2g} of the work", ledger.unaccounted()));
+  add("balance error", fmt::format("{:.2g} of the work", ledger.relative_balance_error()));
   return text;
 }
 

@@ -163,7 +163,7 @@ void print_step(const Scene& scene, const StepAdvice& advice, const std::vector<
   const std::string time = symbol(scene.model.units, dimension::time);
   const double step = scene.plan.step;
   fmt::print("step {:.6g} {} with {}\n", step, time, name(scene.integrator));
-  if (!scene.integrator_why.empty()) fmt::print("  chosen, as {}\n", scene.integrator_why);
+  if (!scene.integrator_reason.empty()) fmt::print("  chosen, as {}\n", scene.integrator_reason);
   if (advice.modes.empty()) return fmt::print("  no spring limits it\n");
   const std::string per_time = symbol(scene.model.units, dimension::angular_velocity);
   fmt::print("  highest frequency of the whole, all contacts closed and all cables taut: {:.6g} {}, xi {:.4g}\n",

@@ -170,7 +170,8 @@ std::optional<int> report_ended_run(const RunOptions& options, const GivenOption
     const auto json = nlohmann::json::parse(summary);
     const auto& outcome = json.at("outcome");
     outcome.at("kind").get_to(kind);
-    if (kind == "diverged") outcome.at("words").get_to(failure);
+    // Schema 1 names it "words".
+    if (kind == "diverged") outcome.at(outcome.contains("message") ? "message" : "words").get_to(failure);
     // The summary of a cell has no quality.
     if (const auto quality = json.find("quality"); quality != json.end())
       is_usable = quality->at("usable").get<bool>() || !quality->at("enforced").get<bool>();

@@ -66,10 +66,10 @@ double bytes_of_zero(const SceneFile& file, std::string_view name) {
     return std::ranges::any_of(parts, [&](std::string_view part) { return name.ends_with(part); });
   };
   const auto partly = [](double fraction) { return zero + fraction * (full - zero); };
-  if (name.starts_with("closure.")) return partly(0.8);
-  if (name.starts_with("lost.")) {
-    const bool contacts = name.starts_with("lost.contact_damping") && !model.contacts.empty();
-    const bool friction = name.starts_with("lost.friction") &&
+  if (name.starts_with("balance_error.")) return partly(0.8);
+  if (name.starts_with("dissipated.")) {
+    const bool contacts = name.starts_with("dissipated.contact_damping") && !model.contacts.empty();
+    const bool friction = name.starts_with("dissipated.friction") &&
                           std::ranges::any_of(model.contacts, [](const Contact& c) { return c.friction.has_value(); });
     return contacts || friction ? partly(0.7) : zero;
   }

@@ -38,10 +38,10 @@ void head(Page& page, const RunRecord& record) {
     page.line("  outcome      diverged at t = {:.10g} {}", record.outcome.time, time);
   }
   page.line("  integrator   {}, step {:.6g} {}", record.integrator, record.plan.step, time);
-  if (!record.integrator_why.empty()) page.line("               chosen, as {}", record.integrator_why);
+  if (!record.integrator_reason.empty()) page.line("               chosen, as {}", record.integrator_reason);
   const std::string events = record.events ? fmt::format(", events located {}", *record.events) : "";
   page.line("  steps        {}, force evaluations {}{}", record.steps, record.evaluations, events);
-  page.line("  carried      {} bodies, {} degrees of freedom, {} contacts, {} cables, {} law instances",
+  page.line("  model        {} bodies, {} degrees of freedom, {} contacts, {} cables, {} law instances",
             record.bodies.size(), record.coordinates, record.contacts, record.cables, record.laws);
 }
 
@@ -87,37 +87,37 @@ void failures(Page& page, const RunRecord& record) {
 
 void extremes(Page& page, const RunRecord& record) {
   page.line("extremes over all steps");
-  page.line("  {:<24}{:>14}{:>12}{:>16}{:>12}  unit", "quantity", "least", "at t", "largest", "at t");
+  page.line("  {:<28}{:>14}{:>12}{:>16}{:>12}  unit", "quantity", "minimum", "at t", "maximum", "at t");
   for (const ExtremeRecord& item : record.extremes) {
-    if (item.column.name.rfind("closure.", 0) == 0) continue;  // printed with the energy ledger below
+    if (item.column.name.rfind("balance_error.", 0) == 0) continue;  // printed with the energy ledger below
     if (item.extreme.least == 0.0 && item.extreme.largest == 0.0) continue;
-    page.line("  {:<24}{:>14.7g}{:>12.6g}{:>16.7g}{:>12.6g}  {}", item.column.name, item.extreme.least,
+    page.line("  {:<28}{:>14.7g}{:>12.6g}{:>16.7g}{:>12.6g}  {}", item.column.name, item.extreme.least,
               item.extreme.least_time, item.extreme.largest, item.extreme.largest_time,
               symbol(record.units, item.column.dimension));
   }
 }
 
 void ledger(Page& page, const RunRecord& record) {
-  if (!record.plan.ledger) return page.line("ledger: off; no energies, losses and closures were kept");
+  if (!record.plan.ledger) return page.line("ledger: off; no energies and balance errors were recorded");
   const Accounts& accounts = record.accounts;
   const Energies& energies = accounts.energies;
   const std::string energy = symbol(record.units, dimension::energy);
   page.line("energy ledger at the end ({})", energy);
-  page.line("  {:<24}{:>16.8g}", "kinetic", energies.kinetic);
-  page.line("  {:<24}{:>16.8g}", "gravity", energies.gravity);
-  page.line("  {:<24}{:>16.8g}", "applied forces", energies.applied);
-  page.line("  {:<24}{:>16.8g}", "stored in contacts", energies.contacts);
-  page.line("  {:<24}{:>16.8g}", "stored in cables", energies.cables);
+  page.line("  {:<28}{:>16.8g}", "kinetic", energies.kinetic);
+  page.line("  {:<28}{:>16.8g}", "gravity", energies.gravity);
+  page.line("  {:<28}{:>16.8g}", "applied forces", energies.applied);
+  page.line("  {:<28}{:>16.8g}", "stored in contacts", energies.contacts);
+  page.line("  {:<28}{:>16.8g}", "stored in cables", energies.cables);
   for (std::size_t i = 0; i < mechanism_count; ++i) {
-    page.line("  {:<24}{:>16.8g}", fmt::format("lost: {}", mechanism_names[i]), accounts.lost[i]);
+    page.line("  {:<28}{:>16.8g}", fmt::format("dissipated: {}", mechanism_names[i]), accounts.dissipated[i]);
   }
   const double scale = record.energy_scale;
-  page.line("  {:<24}{:>16.3e}   largest {:.3e}, {:.3e} of the largest energy {:.6g}", "closure",
-            accounts.energy_closure, record.largest_energy_closure,
-            scale > 0.0 ? record.largest_energy_closure / scale : 0.0, scale);
-  page.line("momentum closure           ({:.3e}, {:.3e}) {}", accounts.momentum_closure.x, accounts.momentum_closure.y,
-            symbol(record.units, dimension::momentum));
-  page.line("angular momentum closure    {:.3e} {}", accounts.angular_momentum_closure,
+  page.line("  {:<28}{:>16.3e}   largest {:.3e}, {:.3e} of the largest energy {:.6g}", "balance error",
+            accounts.energy_balance_error, record.largest_energy_balance_error,
+            scale > 0.0 ? record.largest_energy_balance_error / scale : 0.0, scale);
+  page.line("momentum balance error          ({:.3e}, {:.3e}) {}", accounts.momentum_balance_error.x,
+            accounts.momentum_balance_error.y, symbol(record.units, dimension::momentum));
+  page.line("angular momentum balance error   {:.3e} {}", accounts.angular_momentum_balance_error,
             symbol(record.units, dimension::angular_momentum));
 }
 
@@ -131,7 +131,7 @@ std::string run_summary(const RunRecord& record, const StepParts::Found& parts, 
   failures(page, record);
   if (all) extremes(page, record);
   ledger(page, record);
-  if (!record.watched.empty()) page.line("watched");
+  if (!record.watched.empty()) page.line("run monitor");
   for (const std::string& seen : record.watched)
     page.line("  {}", seen);
   for (const std::string& note : record.notes)

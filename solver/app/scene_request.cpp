@@ -54,7 +54,7 @@ void apply(const SceneOptions& options, SceneFile& file) {
     // The step of a method with step control is its output interval; other methods cannot use it as their step.
     needs_step = chooses_steps(scene.integrator) && !chooses_steps(chosen.integrator);
     scene.integrator = chosen.integrator;
-    scene.integrator_why = chosen.why;
+    scene.integrator_reason = chosen.why;
   }
   if (options.step == automatic_step_name || (needs_step && options.step.empty())) {
     scene.plan.step = automatic_step(scene);

@@ -34,7 +34,7 @@ SceneRun::SceneRun(const SceneFile& file, const std::filesystem::path& folder, c
       system_{dynamics_, file.scene.plan.ledger},
       run_state_{initial_run_state(file.scene.integrator, begun(file.scene.initial))},
       seen_{dynamics_, run_state_.state},
-      integrator_why_{file.scene.integrator_why},
+      integrator_reason_{file.scene.integrator_reason},
       recorder_{dynamics_, run_state_.state, file.scene.plan.ledger},
       failures_{dynamics_},
       watch_{file.scene, dynamics_, run_state_.state},
@@ -53,12 +53,12 @@ State SceneRun::begun(State state) {
 void SceneRun::serialize(Archive& archive) {
   archive.scope("run", [&] { run_state_.serialize(archive); });
   State seen = seen_.state();
-  archive.scope("seen", [&] { talus::serialize(archive, seen); });
+  archive.scope("observed_state", [&] { talus::serialize(archive, seen); });
   if (archive.is_loading()) seen_.set(seen);
-  archive.text("integrator_why", integrator_why_);
+  archive.text("integrator_reason", integrator_reason_);
   archive.scope("recorder", [&] { recorder_.serialize(archive); });
   archive.scope("failures", [&] { failures_.serialize(archive); });
-  archive.scope("watch", [&] { watch_.serialize(archive); });
+  archive.scope("monitor", [&] { watch_.serialize(archive); });
   if (!folder_.empty()) archive.scope("outputs", [&] { outputs_.serialize(archive); });
   if (fence_) archive.scope("fence", [&] { fence_->serialize(archive); });
   archive.flag("sheet", sheet_);
@@ -91,7 +91,7 @@ Outcome SceneRun::proceed(const StopCondition& stop, Progress& progress) {
   const auto broken = [&] { return !watch_.violation().empty(); };
   const auto look = [&](const Snapshot& seen, long at) {
     std::optional<RunMonitor::Balance> balance;
-    if (recorder_.ledger()) balance = {recorder_.accounts().energy_closure, recorder_.ledger()->energy_scale()};
+    if (recorder_.ledger()) balance = {recorder_.accounts().energy_balance_error, recorder_.ledger()->energy_scale()};
     watch_.check(seen, at, balance);
   };
   const std::clock_t start = std::clock();
@@ -121,7 +121,7 @@ RunQuality SceneRun::quality(const Outcome& outcome) const {
   if (const auto& ledger = recorder_.ledger()) {
     // From the ledger, not from the run monitor, which may be off.
     const double scale = ledger->energy_scale();
-    found.balance = scale > 0.0 ? ledger->largest_energy_closure() / scale : 0.0;
+    found.balance = scale > 0.0 ? ledger->largest_energy_balance_error() / scale : 0.0;
     found.balance_time = watch_.drift_time();
     if (!(*found.balance <= largest_balance_error))
       found.flaw = fmt::format("the energy balance is off by {:.3g} % of the largest energy", 100.0 * *found.balance);
@@ -157,7 +157,7 @@ RunRecord SceneRun::record(Outcome outcome) const {
   record.title = scene_->title;
   record.units = scene_->model.units;
   record.integrator = name(scene_->integrator);
-  record.integrator_why = integrator_why_;
+  record.integrator_reason = integrator_reason_;
   record.events = located_events(run_state_.integrator);
   record.plan = scene_->plan;
   record.steps = run_state_.step;
@@ -183,7 +183,7 @@ RunRecord SceneRun::record(Outcome outcome) const {
     warn(scenes::implausible_motion(file_->fence->fence, *record.fence));
   }
   record.watched = watch_lines(watch_, *scene_);
-  record.notes = outputs_.left_out();
+  record.notes = outputs_.skipped();
   return record;
 }
 

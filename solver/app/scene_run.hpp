@@ -60,8 +60,8 @@ class SceneRun {
   Dynamics dynamics_;
   RigidBodySystem system_;
   RunState run_state_;
-  Snapshot seen_;               ///< of the last step
-  std::string integrator_why_;  ///< reason for the integrator; of the interrupted run if resumed, else of the scene
+  Snapshot seen_;                  ///< of the last step
+  std::string integrator_reason_;  ///< reason for the integrator; of the interrupted run if resumed, else of the scene
   Recorder recorder_;
   FailureLog failures_;
   RunMonitor watch_;

@@ -65,7 +65,7 @@ RunQuality::Repair repair_run(const SceneFile& file, const RunRecord& record, co
   repair.option = "--integrator auto";
   const IntegratorChoice chosen = choose_integrator(located.scene.model, automatic_integrator);
   located.scene.integrator = chosen.integrator;
-  located.scene.integrator_why = chosen.why;
+  located.scene.integrator_reason = chosen.why;
   const auto repaired = record_of(located, std::max(1'000'000L, 20 * record.evaluations), stop);
   if (!repaired) {
     repair.flaw = interrupted;

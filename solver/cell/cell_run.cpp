@@ -77,7 +77,7 @@ CellRun::CellRun(const ShearCell& cell, const CellPlan& plan, FilledCell start)
       },
       method_, system_);
   const Ledger at_start = energies();
-  held_at_start_ = at_start.held() + at_start.dissipated;
+  energy_at_start_ = at_start.held() + at_start.dissipated;
   began_ = start_.discs.t;
 }
 
@@ -383,8 +383,8 @@ CellRun::Ledger CellRun::energies() {
 CellRun::Ledger CellRun::ledger() {
   Ledger ledger = energies();
   // The block's speed is constant, so the work of the drive is its impulse times that speed.
-  ledger.driven = -on_block_.x * cell_.block_speed;
-  ledger.gained = ledger.held() + ledger.dissipated - ledger.driven - held_at_start_;
+  ledger.input = -on_block_.x * cell_.block_speed;
+  ledger.spurious_gain = ledger.held() + ledger.dissipated - ledger.input - energy_at_start_;
   return ledger;
 }
 
@@ -402,7 +402,7 @@ void CellRun::serialize(Archive& archive) {
   archive.scope("profile", [&] { profile_.serialize(archive); });
   archive.number("largest_overlap", largest_overlap_), archive.number("largest_fraction", largest_fraction_);
   archive.vector("on_block", on_block_), archive.vector("on_base", on_base_);
-  archive.number("held_at_start", held_at_start_), archive.number("began", began_);
+  archive.number("energy_at_start", energy_at_start_), archive.number("start_time", began_);
 }
 
 }  // namespace talus

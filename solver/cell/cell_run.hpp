@@ -66,7 +66,7 @@ class CellRun {
   /// beyond them continues until discs pass through each other.
   static constexpr double fullest = 0.9069, deepest = 0.1;
   /// Largest balance error of a leapfrog with a sufficiently small step, as a fraction of the work.
-  static constexpr double most_unaccounted = 0.01;
+  static constexpr double maximum_balance_error = 0.01;
 
   /// Errors: InputError for the first of the validation_errors.
   CellRun(const ShearCell& cell, const CellPlan& plan);
@@ -125,15 +125,15 @@ class CellRun {
   /// Energy balance since the start [F L].
   struct Ledger {
     double kinetic{}, potential{}, stored{};  ///< present values; kinetic includes spin, potential is the block's
-    double driven{};                          ///< input: work of the drive on the block
+    double input{};                           ///< work of the drive on the block
     double dissipated{};                      ///< by contacts
     double friction_work{};                   ///< part of it, by friction
     /// Present energy.
     double held() const { return kinetic + potential + stored; }
-    double gained{};  ///< spurious gain: present + dissipated - driven - initial; zero except for the method's error
+    double spurious_gain{};  ///< present + dissipated - input - initial; zero except for the method's error
     /// The larger of input and dissipated energy; the spurious gain over it.
-    double work() const { return std::max(std::abs(driven), dissipated); }
-    double unaccounted() const { return work() > 0.0 ? gained / work() : 0.0; }
+    double work() const { return std::max(std::abs(input), dissipated); }
+    double relative_balance_error() const { return work() > 0.0 ? spurious_gain / work() : 0.0; }
   };
   Ledger ledger();
   /// A contact whose force is not zero.
@@ -188,7 +188,7 @@ class CellRun {
   long profile_samples_{};    ///< samples since the last one of the profile
   double largest_overlap_{}, largest_fraction_{};
   Vec2 on_block_, on_base_;
-  double held_at_start_{}, began_{};
+  double energy_at_start_{}, began_{};
   std::string failure_;
 };
 

@@ -45,7 +45,7 @@ const FenceCode* code_of(std::string_view word) {
 /// Whether a column belongs to the energy balance of the whole scene, not to an element.
 bool of_scene(const SavedColumn& column) {
   const std::string subject = column.subject();
-  return subject == "energy" || subject == "lost" || subject == "closure";
+  return subject == "energy" || subject == "dissipated" || subject == "balance_error";
 }
 
 /// Whether a column contains the quantity of some element. Columns named angle and spin also match theta and omega, the

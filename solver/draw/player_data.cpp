@@ -141,12 +141,14 @@ Json charts(const KeptHistory& history) {
   };
   Json made = Json::array();
   for (Json each :
-       {chart("Energies", history,
-              [](const SavedColumn& column) { return column.subject() == "energy" || column.subject() == "lost"; }),
+       {chart(
+            "Energies", history,
+            [](const SavedColumn& column) { return column.subject() == "energy" || column.subject() == "dissipated"; }),
         chart("Cable tensions", history, [](const SavedColumn& column) { return column.quantity() == "tension"; }),
         chart("Contact forces", history, [](const SavedColumn& column) { return column.quantity() == "force"; }),
         chart("Stresses on the walls", history, of({"top_shear", "top_normal", "bottom_shear", "bottom_normal"})),
-        chart("Stress ratio and shares", history, of({"stress_ratio", "solid_fraction", "touching", "multiple_share"})),
+        chart("Stress ratio and fractions", history,
+              of({"stress_ratio", "solid_fraction", "touching", "multiple_fraction"})),
         chart("Depth of the field", history, of({"depth"}))}) {
     if (!each.is_null()) made.push_back(std::move(each));
   }

@@ -88,7 +88,7 @@ void kick_velocities(Discs& discs, const DiscRates& rates, double h);
 /// Serializes a state or rates; when loading, their arrays must already have the right sizes.
 inline void serialize(Archive& archive, Discs& discs) {
   archive.number("t", discs.t);
-  archive.number("slid", discs.slid);
+  archive.number("boundary_shear_displacement", discs.slid);
   archive.numbers("x", discs.x), archive.numbers("y", discs.y);
   archive.numbers("vx", discs.vx), archive.numbers("vy", discs.vy);
   archive.numbers("spin", discs.spin);

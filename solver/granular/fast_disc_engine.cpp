@@ -331,7 +331,7 @@ void FastDiscEngine::serialize(Archive& archive, const Discs& discs) {
     archive.list("first", first), archive.list("second", second);
     archive.list("largest", largest), archive.list("stretch", stretch), archive.list("normal", normal);
   });
-  archive.number("lost", lost_);
+  archive.number("dissipated", lost_);
   if (!archive.is_loading()) return;
   for (const auto* numbers : {&second, &largest, &stretch, &normal}) {
     if (numbers->size() != first.size()) {

@@ -270,7 +270,7 @@ void NeighbourList::find_pairs(const DiscShapes& shapes, const Discs& discs, Thr
 
 void NeighbourList::serialize(Archive& archive, const DiscShapes& shapes) {
   archive.number("used", used_);
-  archive.number("slid", slid_);
+  archive.number("boundary_shear_displacement", slid_);
   archive.number("offset", offset_);
   if (archive.is_loading()) x_.resize(shapes.size()), y_.resize(shapes.size());
   archive.numbers("x", x_), archive.numbers("y", y_);

@@ -217,11 +217,11 @@ void EventSearch::serialize(Archive& archive, std::size_t modes) {
   archive.list("guards", guards_.each);
   archive.list("earlier", earlier_.each);
   archive.number("earlier_time", earlier_time_);
-  archive.list("dormant", masked_);
+  archive.list("masked", masked_);
   archive.number("longest_step", longest_step_);
   any_masked_ = true;
   if (guards_.each.size() != masked_.size() || (!guards_.each.empty() && guards_.each.size() != modes))
-    throw InputError{fmt::format("guards: found {}, of which {} may be dormant; there must be {}", guards_.each.size(),
+    throw InputError{fmt::format("guards: found {}, of which {} may be masked; there must be {}", guards_.each.size(),
                                  masked_.size(), modes)};
 }
 

@@ -98,11 +98,11 @@ void LinearMotion::complete(HybridSystem& system, const State& begin, State& end
 
 void LinearMotion::serialize(Archive& archive, const State& like) {
   q0_.resize(like.q.size()), v0_.resize(like.q.size()), a0_.resize(like.q.size());
-  archive.numbers("piece_coordinates", q0_);
-  archive.numbers("piece_velocities", v0_);
-  archive.numbers("piece_accelerations", a0_);
+  archive.numbers("segment_coordinates", q0_);
+  archive.numbers("segment_velocities", v0_);
+  archive.numbers("segment_accelerations", a0_);
   archive.number("step", step_);
-  archive.number("share", fraction_);
+  archive.number("step_fraction", fraction_);
   std::vector<double> numbers;
   for (const AffinePiece::Term& term : piece_.terms)
     numbers.insert(numbers.end(),

@@ -88,13 +88,13 @@ class LocatedSteps {
     if (archive.is_loading()) reset(like);
     archive.scope("begin", [&] { talus::serialize(archive, begin_); });
     archive.scope("end", [&] { talus::serialize(archive, end_); });
-    archive.flag("fresh", needs_restart_);
+    archive.flag("needs_restart", needs_restart_);
     motion_.serialize(archive, end_);
     search_.serialize(archive, end_.mode.size());
     archive.flag("follows", follows_);
     archive.number("event_time", event_time_);
     archive.count("events", events_);
-    archive.count("crowd", accumulated_);
+    archive.count("accumulated_events", accumulated_);
   }
 
  private:

@@ -87,9 +87,9 @@ class Adams8 {
 
   void serialize(Archive& archive, std::size_t size) {
     long kept = kept_;
-    archive.count("derivatives_kept", kept);
+    archive.count("stored_derivatives", kept);
     if (archive.is_loading()) {
-      if (kept > most) throw InputError{fmt::format("derivatives_kept: found {}; it must be at most {}", kept, most)};
+      if (kept > most) throw InputError{fmt::format("stored_derivatives: found {}; it must be at most {}", kept, most)};
       count_steps(kept, size);
     }
     for (long i = 0; i < kept_; ++i)

@@ -340,14 +340,14 @@ void PolynomialMotion::choose_next(double h, const Errors& errors) {
 }
 
 void PolynomialMotion::serialize(Archive& archive, const State& like) {
-  archive.flag("hesitates", probes_);
+  archive.flag("probes", probes_);
   archive.flag("moves_memory", moves_memory_);
-  archive.flag("keeps_accounts", keeps_accounts_);
+  archive.flag("integrates_balance", keeps_accounts_);
   new_.resize(width(like));
   miss_.resize(new_.size());
   archive.scope("rates", [&] { rates_.serialize(archive, new_.size()); });
   archive.numbers("new_rates", new_);
-  archive.numbers("miss", miss_);
+  archive.numbers("prediction_error", miss_);
   archive.number("last_value", last_value_);
   const auto count = [&](const char* part, std::size_t& value) {
     long whole = static_cast<long>(value);
@@ -361,8 +361,8 @@ void PolynomialMotion::serialize(Archive& archive, const State& like) {
   count("used", used_);
   archive.number("step", step_);
   archive.number("usual_step", usual_);
-  archive.number("way", displacement_);
-  archive.number("speed", speed_);
+  archive.number("largest_displacement", displacement_);
+  archive.number("largest_speed", speed_);
   archive.numbers("start", start_);
   archive.flag("implicit", implicit_);
   archive.flag("implicit_last", implicit_last_);
@@ -372,9 +372,9 @@ void PolynomialMotion::serialize(Archive& archive, const State& like) {
   archive.number("explicit_step", explicit_step_);
   archive.number("implicit_start", implicit_start_);
   archive.count("implicit_count", implicit_count_);
-  archive.count("held", held_);
-  archive.number("held_step", held_step_);
-  archive.count("patience", patience_);
+  archive.count("low_order_steps", held_);
+  archive.number("low_order_step", held_step_);
+  archive.count("low_order_limit", patience_);
 }
 
 }  // namespace talus

@@ -9,15 +9,15 @@ namespace talus {
 
 /// Energy and momentum balance of a run at one time: the stored amounts, the losses and the balance errors.
 struct Accounts {
-  Energies energies;                           ///< [F L]
-  std::array<double, mechanism_count> lost{};  ///< dissipated since the start, by Mechanism [F L]
+  Energies energies;                                 ///< [F L]
+  std::array<double, mechanism_count> dissipated{};  ///< since the start, by Mechanism [F L]
   Momenta momenta;
-  double energy_closure{};            ///< balance error: energy + lost - energy at the start [F L]; zero for an exact
-                                      ///< integration
-  Vec2 momentum_closure;              ///< momentum - external impulse - momentum at the start [M L/T]
-  double angular_momentum_closure{};  ///< the same for moments about the world origin [M L^2/T]
+  double energy_balance_error{};  ///< balance error: energy + dissipated - energy at the start [F L]; zero for an exact
+                                  ///< integration
+  Vec2 momentum_balance_error;    ///< momentum - external impulse - momentum at the start [M L/T]
+  double angular_momentum_balance_error{};  ///< the same for moments about the world origin [M L^2/T]
 
-  double dissipated() const;  ///< sum of `lost` [F L]
+  double total_dissipated() const;  ///< sum over all mechanisms [F L]
 
   /// Serializes all members.
   void serialize(Archive& archive);
@@ -36,8 +36,8 @@ class EnergyLedger {
   /// Energies of the first state [F L].
   const Energies& start() const { return start_energies_; }
 
-  /// Largest |energy_closure| of all balances computed so far [F L].
-  double largest_energy_closure() const { return largest_energy_closure_; }
+  /// Largest |energy_balance_error| of all balances computed so far [F L].
+  double largest_energy_balance_error() const { return largest_energy_balance_error_; }
   /// Reference energy for balance errors [F L]: the largest kinetic energy so far or, if larger, the largest change of
   /// any single other form of energy.
   double energy_scale() const { return energy_scale_; }
@@ -52,7 +52,7 @@ class EnergyLedger {
   Impulse<double> start_impulse_{};
   Energies start_energies_;
   Momenta start_momenta_;
-  double largest_energy_closure_{};
+  double largest_energy_balance_error_{};
   double energy_scale_{};
 };
 

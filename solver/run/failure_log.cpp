@@ -73,26 +73,26 @@ void FailureLog::operator()(const State& state, const StepInfo&) {
 
 /// Serializes, for each failure in order of occurrence, its time and its index among the awaited failures.
 void FailureLog::serialize(Archive& archive) {
-  std::vector<double> times, places;
+  std::vector<double> times, indices;
   for (const Failure& failure : failures_) {
     const auto is = [&](const Failure& awaited) {
       return awaited.part == failure.part && awaited.what == failure.what;
     };
-    places.push_back(static_cast<double>(std::find_if(awaited_.begin(), awaited_.end(), is) - awaited_.begin()));
+    indices.push_back(static_cast<double>(std::find_if(awaited_.begin(), awaited_.end(), is) - awaited_.begin()));
     times.push_back(failure.time);
   }
   archive.list("times", times);
-  places.resize(times.size());
-  archive.numbers("places", places);
+  indices.resize(times.size());
+  archive.numbers("indices", indices);
   if (!archive.is_loading()) return;
   failures_.clear();
   for (std::size_t i = 0; i < times.size(); ++i) {
-    if (!(places[i] >= 0.0 && places[i] < static_cast<double>(watches_.size()))) {
-      throw InputError{fmt::format("places: found {}; it must be from 0 to below {}", places[i], watches_.size())};
+    if (!(indices[i] >= 0.0 && indices[i] < static_cast<double>(watches_.size()))) {
+      throw InputError{fmt::format("indices: found {}; it must be from 0 to below {}", indices[i], watches_.size())};
     }
-    const auto place = static_cast<std::size_t>(places[i]);
-    watches_[place].seen = true;
-    failures_.push_back(awaited_[place]);
+    const auto index = static_cast<std::size_t>(indices[i]);
+    watches_[index].seen = true;
+    failures_.push_back(awaited_[index]);
     failures_.back().time = times[i];
   }
 }

@@ -22,7 +22,7 @@ std::vector<Column> motion_columns(const Model& model) {
     found.push_back({body.name + ".spin", dimension::angular_velocity});
   }
   for (const Contact& contact : model.contacts) {
-    found.push_back({contact.name + ".depth", dimension::length});
+    found.push_back({contact.name + ".overlap", dimension::length});
     found.push_back({contact.name + ".force", dimension::force});
   }
   for (const Cable& cable : model.cables) {
@@ -37,12 +37,12 @@ void add_account_columns(std::vector<Column>& found) {
     found.push_back({fmt::format("energy.{}", part), dimension::energy});
   }
   for (const std::string_view mechanism : mechanism_names) {
-    found.push_back({fmt::format("lost.{}", mechanism), dimension::energy});
+    found.push_back({fmt::format("dissipated.{}", mechanism), dimension::energy});
   }
-  found.push_back({"closure.energy", dimension::energy});
-  found.push_back({"closure.momentum_x", dimension::momentum});
-  found.push_back({"closure.momentum_y", dimension::momentum});
-  found.push_back({"closure.angular_momentum", dimension::angular_momentum});
+  found.push_back({"balance_error.energy", dimension::energy});
+  found.push_back({"balance_error.momentum_x", dimension::momentum});
+  found.push_back({"balance_error.momentum_y", dimension::momentum});
+  found.push_back({"balance_error.angular_momentum", dimension::angular_momentum});
 }
 
 }  // namespace
@@ -103,7 +103,7 @@ void Recorder::serialize(Archive& archive) {
   extremes_.serialize(archive, history_.columns.size());
   if (!ledger_) return;
   archive.scope("ledger", [&] { ledger_->serialize(archive); });
-  archive.scope("accounts", [&] { accounts_.serialize(archive); });
+  archive.scope("balance", [&] { accounts_.serialize(archive); });
 }
 
 void Recorder::fill_row(const Snapshot& snapshot) {
@@ -129,10 +129,10 @@ void Recorder::fill_row(const Snapshot& snapshot) {
     const Energies& energies = accounts_.energies;
     *next++ = energies.kinetic, *next++ = energies.gravity, *next++ = energies.applied;
     *next++ = energies.contacts, *next++ = energies.cables;
-    next = std::copy(accounts_.lost.begin(), accounts_.lost.end(), next);
-    *next++ = accounts_.energy_closure;
-    *next++ = accounts_.momentum_closure.x, *next++ = accounts_.momentum_closure.y;
-    *next++ = accounts_.angular_momentum_closure;
+    next = std::copy(accounts_.dissipated.begin(), accounts_.dissipated.end(), next);
+    *next++ = accounts_.energy_balance_error;
+    *next++ = accounts_.momentum_balance_error.x, *next++ = accounts_.momentum_balance_error.y;
+    *next++ = accounts_.angular_momentum_balance_error;
   }
   TALUS_ASSERT(next == row_.data() + row_.size());
 }

@@ -59,7 +59,7 @@ Quantity quantity_named(const Model& model, std::string_view name) {
   for (std::size_t i = 1; i < columns.size(); ++i) {
     const std::string& column = columns[i].name;
     // Balance errors are omitted: they measure the method and vanish with its error.
-    if (column.starts_with("closure.")) continue;
+    if (column.starts_with("balance_error.")) continue;
     known.push_back(fmt::format("{}{}", kind[i], column));
     if (name == column || name == known.back())
       throw InputError{fmt::format("found \"{0}\"; it must end in .max, .min, .abs_max or .end, e.g. {0}.max", name)};

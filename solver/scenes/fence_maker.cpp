@@ -87,7 +87,7 @@ void FenceMaker::plan() {
   const IntegratorChoice chosen =
       choose_integrator(made_.scene.model, fence_.options.integrator, fence_.options.tolerance);
   made_.scene.integrator = chosen.integrator;
-  made_.scene.integrator_why = chosen.why;
+  made_.scene.integrator_reason = chosen.why;
   if (fence_.options.end == FenceEnd::exit) made_.scene.early_end = EarlyEnd{rocks_, fence_.options.exit_x, 0.0};
   if (fence_.options.end == FenceEnd::rest) made_.scene.early_end = EarlyEnd{rocks_, {}, 1e-3 * speed_};
 }

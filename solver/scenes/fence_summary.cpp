@@ -65,7 +65,7 @@ void serialize(Archive& archive, RockPassage& rock) {
   archive.vector("approach_velocity", rock.approach_velocity);
   archive.number("approach_spin", rock.approach_spin);
   archive.number("approach_energy", rock.approach_energy);
-  archive.flag("left", rock.left);
+  archive.flag("separated", rock.left);
   archive.number("exit_time", rock.exit_time);
   archive.vector("exit_velocity", rock.exit_velocity);
   archive.number("exit_spin", rock.exit_spin);
@@ -442,7 +442,7 @@ std::vector<double> FenceMonitor::row(const State& state) const {
 void FenceMonitor::serialize(Archive& archive) {
   FenceSummary& s = summary_;
   const auto force = [&archive](Vec3& value) { archive.vector("force", value); };
-  archive.flag("begun", begun_);
+  archive.flag("started", begun_);
   archive.number("time", time_);
   archive.numbers("touch_x", touch_x_);
   archive.numbers("last_spin", last_spin_);

@@ -55,7 +55,7 @@ struct RockPassage {
   double distance{};     ///< of its centre from the plane of the fence at the last step [L]
 
   /// Fraction of the kinetic energy lost: (approach - exit)/approach. It includes the work of gravity in between.
-  double energy_taken() const { return (approach_energy - exit_energy) / approach_energy; }
+  double energy_loss_fraction() const { return (approach_energy - exit_energy) / approach_energy; }
 };
 
 /// A column and its hanger (the joint with the top cable).

@@ -49,7 +49,7 @@ struct Scene {
   Model model{};
   State initial{};
   Integrator integrator{};
-  std::string integrator_why{};  ///< reason for an automatic choice
+  std::string integrator_reason{};  ///< reason for an automatic choice
   RunPlan plan{};
   std::optional<EarlyEnd> early_end{};
 };

@@ -252,7 +252,7 @@ void RunMonitor::check_balance(const Snapshot& snapshot, const std::optional<Bal
   if (balance) {
     now = *balance;
   } else {
-    now.error = ledger_.accounts(snapshot).energy_closure;
+    now.error = ledger_.accounts(snapshot).energy_balance_error;
     now.scale = ledger_.energy_scale();
   }
   // NaN counts as the largest.
@@ -277,7 +277,7 @@ std::vector<std::string> RunMonitor::warnings() const {
 
 void RunMonitor::serialize(Archive& archive) {
   archive.numbers("modes", modes_);
-  archive.count("looked", checked_step_);
+  archive.count("checked", checked_step_);
   archive.scope("ledger", [&] { ledger_.serialize(archive); });
   if (missing_contacts_) {
     archive.count("reported_pairs", reported_pairs_);

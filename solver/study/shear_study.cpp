@@ -57,8 +57,8 @@ std::optional<StudyMean::Run> run_of(const StudyPoint& point, std::uint64_t seed
   set(Q::stress_ratio, ratio(mean(C::top_shear), mean(C::top_normal)));
   set(Q::depth, mean(C::depth) / cell.diameter);
   set(Q::touching, mean(C::touching));
-  set(Q::multiple_share, ratio(mean(C::multiple), mean(C::contacts)));
-  set(Q::multiple_shear_share, ratio(shear, all_shear));
+  set(Q::multiple_fraction, ratio(mean(C::multiple), mean(C::contacts)));
+  set(Q::multiple_shear_fraction, ratio(shear, all_shear));
   set(Q::multiple_stress_ratio, ratio(shear, normal));
   set(Q::binary_stress_ratio, ratio(all_shear - shear, all_normal - normal));
   set(Q::order, order / seen);
@@ -239,9 +239,9 @@ std::vector<Verdict> verdicts(const std::vector<StudyMean>& study) {
                                      low.point.overburden / 1e3, words(high.of(Q::depth)), high.point.overburden / 1e3),
                          difference(high, low, Q::depth), -1.0));
   made.push_back(verdict("2. Multiple contacts form as it does.",
-                         fmt::format("their share of contact time {} and {}", words(low.of(Q::multiple_share)),
-                                     words(high.of(Q::multiple_share))),
-                         difference(high, low, Q::multiple_share), 1.0));
+                         fmt::format("their fraction of contact time {} and {}", words(low.of(Q::multiple_fraction)),
+                                     words(high.of(Q::multiple_fraction))),
+                         difference(high, low, Q::multiple_fraction), 1.0));
   // The difference between the two ratios is taken within each run, because their errors are from the same flow.
   double sum = 0.0, squares = 0.0, count = 0.0;
   for (const StudyMean* point : of) {
@@ -260,9 +260,9 @@ std::vector<Verdict> verdicts(const std::vector<StudyMean>& study) {
   if (const auto [soft, hard] = softest_and_hardest(study); soft != nullptr && soft != hard) {
     made.push_back(verdict(
         "Softer discs under the same load and drive, whose contacts are multiple more often, carry a lower ratio.",
-        fmt::format("S/N {} at {:g} times the stiffness, share of multiple contacts {}; {} and {} at {:g} times",
-                    words(soft->of(Q::stress_ratio)), soft->point.stiffness, words(soft->of(Q::multiple_share)),
-                    words(hard->of(Q::stress_ratio)), words(hard->of(Q::multiple_share)), hard->point.stiffness),
+        fmt::format("S/N {} at {:g} times the stiffness, fraction of multiple contacts {}; {} and {} at {:g} times",
+                    words(soft->of(Q::stress_ratio)), soft->point.stiffness, words(soft->of(Q::multiple_fraction)),
+                    words(hard->of(Q::stress_ratio)), words(hard->of(Q::multiple_fraction)), hard->point.stiffness),
         difference(*soft, *hard, Q::stress_ratio), -1.0));
   }
   return made;

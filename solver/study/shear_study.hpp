@@ -14,14 +14,14 @@ namespace talus {
 
 /// Quantities that a study measures in each run.
 enum class StudyQuantity : std::size_t {
-  stress_ratio,           ///< S/N on the block
-  depth,                  ///< in diameters
-  touching,               ///< fraction of time with contacts
-  multiple_share,         ///< fraction of contact time in multiple contacts
-  multiple_shear_share,   ///< M/S, taken as their fraction of the shear of contacts
-  multiple_stress_ratio,  ///< S/N of multiple contacts
-  binary_stress_ratio,    ///< S/N of binary contacts
-  order,                  ///< six-fold order, mean over the outputs
+  stress_ratio,             ///< S/N on the block
+  depth,                    ///< in diameters
+  touching,                 ///< fraction of time with contacts
+  multiple_fraction,        ///< fraction of contact time in multiple contacts
+  multiple_shear_fraction,  ///< M/S, taken as their fraction of the shear of contacts
+  multiple_stress_ratio,    ///< S/N of multiple contacts
+  binary_stress_ratio,      ///< S/N of binary contacts
+  order,                    ///< six-fold order, mean over the outputs
   inertial_number,
   largest_overlap,  ///< in diameters
   count,
@@ -31,8 +31,8 @@ inline constexpr std::size_t study_quantities = static_cast<std::size_t>(StudyQu
 inline constexpr std::array<std::string_view, study_quantities> study_names{"stress_ratio",
                                                                             "depth",
                                                                             "touching",
-                                                                            "multiple_share",
-                                                                            "multiple_shear_share",
+                                                                            "multiple_fraction",
+                                                                            "multiple_shear_fraction",
                                                                             "multiple_stress_ratio",
                                                                             "binary_stress_ratio",
                                                                             "order",

@@ -91,7 +91,7 @@ CableRunResult run_cables(const Scene& scene, const State& start, const Integrat
   run.end = run_scene(from, method, {plan.step, plan.end, 1e9, true}, findings, plan.watched ? watch : Watcher{},
                       plan.until_slack ? slack : Until{})
                 .state;
-  run.closure = ledger(run.end).energy_closure;
+  run.balance_error = ledger(run.end).energy_balance_error;
   run.hanger_broken = !scene.model.hangers.empty() && run.end.mode[layout.first_hanger] != 0;
   return run;
 }

@@ -28,7 +28,7 @@ struct CableRunResult {
   State end;
   std::vector<double> time, elongation, tension;  ///< of the first cable, every step, if `watched`
   std::vector<double> second_tension;             ///< of the second cable, if there is one
-  double closure{};                               ///< energy balance error at the end
+  double balance_error{};                         ///< energy balance error at the end
   bool hanger_broken{};                           ///< at the end
 };
 

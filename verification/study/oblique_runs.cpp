@@ -36,7 +36,7 @@ ObliqueRun run_oblique_at_step(const Scene& scene, double contact_time, double s
   const double steps = std::ceil(1.2 * contact_time / step) + 2.0;
   ObliqueRun run{run_scene(from, VelocityVerlet{}, {step, step * steps, 1e9, true}, findings).state, 0.0, 0.0};
   run.slip_rate = run.end.v[0] + (run.end.v.size() > 2 ? oblique_radius * run.end.v[2] : 0.0);
-  run.closure = ledger(run.end).energy_closure;
+  run.balance_error = ledger(run.end).energy_balance_error;
   return run;
 }
 

@@ -20,8 +20,8 @@ void go_back(State& state, double t);
 /// Result of one impact with velocity Verlet.
 struct ObliqueRun {
   State end;
-  double slip_rate{};  ///< afterwards
-  double closure{};    ///< energy balance error at the end
+  double slip_rate{};      ///< afterwards
+  double balance_error{};  ///< energy balance error at the end
 };
 
 /// Runs the impact that touches at phase number `phase` of 64 equal parts of a step, with a separate step for each

@@ -31,8 +31,8 @@ PlaneRebound plane_rebound(const ContactLaw& law, const PlaneImpact& impact, Fin
   const Accounts accounts = ledger(run.state);
   const double energy = 0.5 * impact.speed * impact.speed;
   seen.speed = run.state.v[1];
-  seen.closure = accounts.energy_closure / energy;
-  seen.lost = accounts.dissipated() / energy;
+  seen.balance_error = accounts.energy_balance_error / energy;
+  seen.lost = accounts.total_dissipated() / energy;
   return seen;
 }
 

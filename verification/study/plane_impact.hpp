@@ -24,7 +24,7 @@ struct PlaneRebound {
   std::vector<double> depth;  ///< overlap [L]
   std::vector<double> force;  ///< [F]
   double speed{};             ///< final speed away from the plane [L/T]
-  double closure{};           ///< final energy balance error, relative to the initial energy
+  double balance_error{};     ///< final energy balance error, relative to the initial energy
   double lost{};              ///< dissipated energy, relative to the same
 
   bool ended() const { return time.size() > 3; }

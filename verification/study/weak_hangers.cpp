@@ -86,7 +86,7 @@ WeakFenceRun run_weak_fence(const scenes::Fence& fence, double step, double end,
                                  });
   run.end = ended.state;
   run.failures = failures.failures();
-  run.closure = ledger(run.end).energy_closure;
+  run.balance_error = ledger(run.end).energy_balance_error;
   run.scale = ledger.energy().energy_scale();
   run.hanger_loss = run.end.work[static_cast<std::size_t>(Mechanism::hanger_break)];
   run.evaluations = ended.evaluations;

@@ -24,7 +24,7 @@ struct WeakFenceRun {
   scenes::FenceScene made;
   State end;
   std::vector<Failure> failures;
-  double closure{};              ///< energy balance error at the end [lb ft]
+  double balance_error{};        ///< energy balance error at the end [lb ft]
   double scale{};                ///< largest energy of the run [lb ft]
   double hanger_loss{};          ///< [lb ft]
   double largest_joint_force{};  ///< at the central column's hanger while it is intact [lb]

@@ -30,7 +30,7 @@ class DeckHistoryOutput {
   }
   std::vector<std::string> files() const { return {name_ + ".csv", name_ + ".json"}; }
   void serialize(Archive& archive) { history_.serialize(archive); }
-  const std::vector<std::string>& left_out() const { return history_.left_out(); }
+  const std::vector<std::string>& skipped() const { return history_.skipped(); }
 
  private:
   std::filesystem::path folder_;

@@ -46,7 +46,7 @@ struct OutputSource {
 ///   output.serialize(archive)  saves or restores its state between two steps
 ///   output.bring_files(from)   called after restoring: copies the files written so far from the folder of the
 ///                              interrupted run
-///   output.left_out()          requested items that do not exist, as notes of the summary
+///   output.skipped()           requested items that do not exist, as notes of the summary
 template <class T>
 concept RunOutput = requires(T& output, const T& fixed, const OutputRequest& request, const OutputSource& source) {
   { T::name } -> std::convertible_to<std::string_view>;
@@ -69,7 +69,7 @@ concept BroughtOutput = requires(T& output, const std::filesystem::path& from) {
 };
 template <class T>
 concept PartialOutput = requires(const T& output) {
-  { output.left_out() } -> std::convertible_to<std::vector<std::string>>;
+  { output.skipped() } -> std::convertible_to<std::vector<std::string>>;
 };
 
 /// An output that observes steps must also serialize its state, otherwise it would be lost at a checkpoint.

@@ -53,10 +53,10 @@ class OutputList {
     return all;
   }
   /// Requested items that do not exist.
-  std::vector<std::string> left_out() const {
+  std::vector<std::string> skipped() const {
     std::vector<std::string> all;
     for_each(*this, [&]<class T>(const T& output) {
-      if constexpr (PartialOutput<T>) all.insert(all.end(), output.left_out().begin(), output.left_out().end());
+      if constexpr (PartialOutput<T>) all.insert(all.end(), output.skipped().begin(), output.skipped().end());
     });
     return all;
   }

@@ -150,10 +150,10 @@ std::vector<CellNumber> cell_results(const CellRun& run) {
                      }),
                      0.0, "standard deviation of the depth"});
   mean("solid_fraction", dimension::number, Q::solid_fraction, "area of the free discs over that of the field");
-  mean("contact_time_share", dimension::number, Q::touching, "share of time with contacts");
-  ratio("multiple_share", Q::multiple, Q::contacts, "share of contact time in multiple contacts");
+  mean("contact_time_fraction", dimension::number, Q::touching, "fraction of time with contacts");
+  ratio("multiple_fraction", Q::multiple, Q::contacts, "fraction of contact time in multiple contacts");
   mean("coordination", dimension::number, Q::coordination, "contacts of a free disc");
-  ratio("multiple_shear_share", Q::multiple_shear_virial, Q::shear_virial,
+  ratio("multiple_shear_fraction", Q::multiple_shear_virial, Q::shear_virial,
         "M/S read as the shear of contacts that multiple ones carry");
   ratio("multiple_stress_ratio", Q::multiple_shear_virial, Q::multiple_normal_virial, "S/N of multiple contacts");
   results.push_back({"binary_stress_ratio", dimension::number, run.estimate([](auto&& of) {
@@ -161,13 +161,13 @@ std::vector<CellNumber> cell_results(const CellRun& run) {
                                        of(Q::normal_virial) - of(Q::multiple_normal_virial));
                      }),
                      0.0, "S/N of binary contacts"});
-  ratio("kinetic_shear_share", Q::kinetic_shear, Q::top_moment, "share of the shear that moving discs carry");
+  ratio("kinetic_shear_fraction", Q::kinetic_shear, Q::top_moment, "fraction of the shear that moving discs carry");
   results.push_back({"shear_balance", dimension::number, run.estimate([](auto&& of) {
                        return quotient(of(Q::shear_virial) + of(Q::kinetic_shear), of(Q::top_moment));
                      }),
                      0.0, "shear of contacts and moving discs over the block's; 1 in a steady flow"});
   if (run.cell().friction) {
-    ratio("sliding_share", Q::sliding, Q::contacts, "share of contact time in contacts that slide");
+    ratio("sliding_fraction", Q::sliding, Q::contacts, "fraction of contact time in contacts that slide");
     mean("spin", dimension::angular_velocity, Q::spin, "mean of the free discs, counter-clockwise > 0");
   }
   results.push_back({"largest_overlap",
@@ -187,9 +187,9 @@ std::string cell_history_csv(const CellScene& scene, const CellRun& run) {
   std::vector<std::string> names{cell_header(scene, "time", dimension::time)};
   for (const HistoryColumn& column : cell_columns)
     names.push_back(cell_header(scene, column.name, column.dimension));
-  names.insert(names.end(), {"stress_ratio", "multiple_share"});
+  names.insert(names.end(), {"stress_ratio", "multiple_fraction"});
   if (scene.cell.friction)
-    names.insert(names.end(), {"sliding_share", cell_header(scene, "spin", dimension::angular_velocity)});
+    names.insert(names.end(), {"sliding_fraction", cell_header(scene, "spin", dimension::angular_velocity)});
   records::CsvText csv{names};
   for (std::size_t k = 0; k < run.intervals(); ++k) {
     if (!run.interval_seen(k)) continue;
@@ -245,7 +245,7 @@ std::string cell_profile_csv(const CellScene& scene, const CellRun& run) {
 std::string cell_summary_json(const CellScene& scene, CellRun& run, const CellOutcome& outcome,
                               const std::string& resume) {
   const CellRun::Ledger ledger = run.ledger();
-  Json json{{"schema", 1},
+  Json json{{"schema", 2},
             {"title", scene.title},
             {"units", nullptr},
             {"outcome",
@@ -254,7 +254,7 @@ std::string cell_summary_json(const CellScene& scene, CellRun& run, const CellOu
                                                            : "diverged"}},
               {"time", json_number(run.discs().t)}}}};
   if (scene.units) json["units"] = std::string{scene.units->name};
-  if (!outcome.words.empty()) json["outcome"]["words"] = outcome.words;
+  if (!outcome.words.empty()) json["outcome"]["message"] = outcome.words;
   json["warnings"] = outcome.warnings;
   json["parameters"] = parameters(scene);
   json["groups"] = numbers(scene, cell_groups(scene, run));
@@ -262,11 +262,11 @@ std::string cell_summary_json(const CellScene& scene, CellRun& run, const CellOu
   json["energy"] = {{"kinetic", json_number(ledger.kinetic)},
                     {"potential", json_number(ledger.potential)},
                     {"stored", json_number(ledger.stored)},
-                    {"driven", json_number(ledger.driven)},
+                    {"input", json_number(ledger.input)},
                     {"dissipated", json_number(ledger.dissipated)},
-                    {"gained", json_number(ledger.gained)},
-                    {"unaccounted", json_number(ledger.unaccounted())}};
-  if (scene.cell.friction) json["energy"]["rubbed"] = json_number(ledger.friction_work);
+                    {"spurious_gain", json_number(ledger.spurious_gain)},
+                    {"relative_balance_error", json_number(ledger.relative_balance_error())}};
+  if (scene.cell.friction) json["energy"]["friction_work"] = json_number(ledger.friction_work);
   json["counts"] = {{"discs", run.cell().free_discs()},
                     {"wall_discs", 2 * run.cell().wall_discs},
                     {"steps", run.steps()},

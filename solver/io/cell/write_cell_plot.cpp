@@ -38,13 +38,13 @@ const std::vector<Kind>& histories() {
         {"bottom_normal", "N on the base"}}},
       {"stress_ratio", "Stress ratio", "S/N on the block", dimension::number, {{"stress_ratio", ""}}},
       {"depth", "Depth of the field", "depth", dimension::length, {{"depth", ""}}},
-      {"shares",
+      {"fractions",
        "Solid fraction and contacts",
-       "share",
+       "fraction",
        dimension::number,
        {{"solid_fraction", "solid fraction"},
-        {"touching", "share of time with contacts"},
-        {"multiple_share", "share of contact time in multiple contacts"}}},
+        {"touching", "fraction of time with contacts"},
+        {"multiple_fraction", "fraction of contact time in multiple contacts"}}},
       {"coordination", "Contacts of a free disc", "coordination", dimension::number, {{"coordination", ""}}}};
   return all;
 }

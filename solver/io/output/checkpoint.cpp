@@ -14,7 +14,7 @@
 namespace talus {
 namespace {
 
-constexpr int schema = 2;
+constexpr int schema = 3;
 constexpr std::string_view hash_line = "\"fnv1a\": ";
 
 nlohmann::json item(const std::vector<double>& numbers) {
@@ -129,11 +129,12 @@ Checkpoint read_checkpoint(const std::filesystem::path& file, std::string_view p
                     file.string(), content.size())};
   }
   const Reader reader{file, json};
-  const auto demand = [&](std::string_view field, const nlohmann::json& allowed) {
-    if (const nlohmann::json& found = reader.member(field, allowed.dump()); found != allowed)
-      reader.refuse(field, found.dump(), allowed.dump());
+  const auto demand = [&](std::string_view field, const nlohmann::json& allowed, std::string_view remedy = "") {
+    const std::string words = fmt::format("{}{}", allowed.dump(), remedy);
+    if (const nlohmann::json& found = reader.member(field, words); found != allowed)
+      reader.refuse(field, found.dump(), words);
   };
-  demand("schema", schema);
+  demand("schema", schema, ": resume the run with the version of talus that wrote it, or run the scene again");
   demand("talus", program);
   demand("fnv1a", fnv1a(std::string_view{content}.substr(0, content.rfind(hash_line))));
   return {.scene_file = reader.text("scene_file"),

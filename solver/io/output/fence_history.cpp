@@ -49,8 +49,8 @@ void FenceHistory::choose(int number) {
     validation_errors.back().second.push_back(which);
   }
   for (const auto& [why, codes] : validation_errors) {
-    left_out_.push_back(fmt::format("element {}: {} {} left out: {}", number, codes.size() == 1 ? "code" : "codes",
-                                    fmt::join(codes, ", "), why));
+    skipped_.push_back(fmt::format("element {}: {} {} skipped: {}", number, codes.size() == 1 ? "code" : "codes",
+                                   fmt::join(codes, ", "), why));
   }
 }
 
@@ -96,7 +96,7 @@ void FenceHistory::operator()(const Snapshot& snapshot, const StepInfo& info) {
 
 std::string FenceHistory::csv_text() const {
   std::string text;
-  for (const std::string& words : left_out_)
+  for (const std::string& words : skipped_)
     text += fmt::format("# {}\n", words);
   return text + csv(history_, fence_->units);
 }
@@ -120,9 +120,10 @@ std::string FenceHistory::json_text() const {
                        {"unit", symbol(fence_->units, code.dimension)},
                        {"values", values(i + 1)}});
   }
-  const Json file{{"title", fence_->title},
+  const Json file{{"schema", 1},
+                  {"title", fence_->title},
                   {"units", fence_->units.name},
-                  {"left_out", left_out_},
+                  {"skipped", skipped_},
                   {"columns", std::move(columns)}};
   return file.dump(1) + "\n";
 }

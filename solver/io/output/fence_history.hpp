@@ -26,8 +26,8 @@ class FenceHistory {
 
   /// Columns "time", "element3.top_joint_force", ...
   const History& history() const { return history_; }
-  /// Skipped pairs, as text: "element 2: codes 51, 52 left out: ...".
-  const std::vector<std::string>& left_out() const { return left_out_; }
+  /// Skipped pairs, as text: "element 2: codes 51, 52 skipped: ...".
+  const std::vector<std::string>& skipped() const { return skipped_; }
 
   /// The history as CSV, after lines beginning with # that list the skipped pairs.
   [[nodiscard]] std::string csv_text() const;
@@ -48,7 +48,7 @@ class FenceHistory {
   const scenes::FenceScene* made_;
   const Dynamics* dynamics_;
   std::vector<Series> series_;
-  std::vector<std::string> left_out_;
+  std::vector<std::string> skipped_;
   History history_;
 };
 

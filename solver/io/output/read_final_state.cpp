@@ -17,6 +17,11 @@ std::vector<scenes::StretchedCable> read_stretched_cables(const std::filesystem:
   std::vector<scenes::StretchedCable> stretched;
   try {
     const Json state = Json::parse(text);
+    // What is read here has the same names in both; schema 2 renamed the reason of a run that diverged.
+    if (const Json& schema = state.at("schema"); schema != 1 && schema != 2) {
+      throw InputError{fmt::format(
+          "schema: found {}; it must be 1 or 2: run the fence again with this version of talus", schema.dump())};
+    }
     if (const std::string system = state.at("units").at("system"); system != units.name) {
       throw InputError{fmt::format("units: found \"{}\"; they must be \"{}\", the fence's", system, units.name)};
     }

@@ -56,7 +56,7 @@ void record_history(RunRecord& record, const Recorder& recorder) {
   record.accounts = recorder.accounts();
   if (!recorder.ledger()) return;
   record.start_energies = recorder.ledger()->start();
-  record.largest_energy_closure = recorder.ledger()->largest_energy_closure();
+  record.largest_energy_balance_error = recorder.ledger()->largest_energy_balance_error();
   record.energy_scale = recorder.ledger()->energy_scale();
 }
 

@@ -76,7 +76,7 @@ struct RunRecord {
   std::string title;
   UnitSystem units{si};
   std::string integrator;
-  std::string integrator_why;  ///< reason, if it was chosen automatically
+  std::string integrator_reason;  ///< reason, if it was chosen automatically
   RunPlan plan;
   Outcome outcome;
   long steps{};                ///< steps done
@@ -91,7 +91,7 @@ struct RunRecord {
   std::vector<PartState> cables_left;   ///< at that step
   std::vector<PartState> hangers_left;  ///< at that step
   Accounts accounts;                    ///< at that step
-  double largest_energy_closure{};
+  double largest_energy_balance_error{};
   double energy_scale{};
   std::vector<ExtremeRecord> extremes;
   std::vector<Failure> failures;  ///< yielding of cables, breaking of cables and hangers, in order of time

@@ -30,12 +30,12 @@ const std::vector<FigureKind>& kinds() {
       {"angles", "Angles", "angle", {".angle"}, ""},
       {"velocities", "Velocities", "velocity", {".vx", ".vy"}, ""},
       {"spins", "Angular velocities", "angular velocity", {".spin"}, ""},
-      {"depths", "Overlaps of the contacts", "overlap", {".depth"}, ""},
+      {"overlaps", "Overlaps of the contacts", "overlap", {".overlap"}, ""},
       {"contact_forces", "Contact forces", "force", {".force"}, ""},
       {"tensions", "Cable tensions", "tension", {".tension"}, ""},
       {"energies", "Energies", "energy", {}, "energy."},
-      {"losses", "Energy lost, by mechanism", "energy", {}, "lost."},
-      {"energy_closure", "Closure of the energy ledger", "energy", {}, "closure.energy"}};
+      {"dissipation", "Dissipated energy, by mechanism", "energy", {}, "dissipated."},
+      {"energy_balance_error", "Energy balance error", "energy", {}, "balance_error.energy"}};
   return all;
 }
 

@@ -23,7 +23,7 @@ class Sheet {
       : record_{record}, input_{input}, dynamics_{dynamics}, watch_{watch}, summary_{watch.summary()}, end_{end} {}
 
   Json json() const {
-    return {{"schema", 2},
+    return {{"schema", 3},
             {"title", record_.title},
             {"units", "SI"},
             {"verdict", name_of(summary_.verdict())},
@@ -121,12 +121,12 @@ Json Sheet::rocks() const {
               {"end_energy", in_si(rock.end_energy, dimension::energy)}};
     if (rock.touched) {
       json.update({{"touch_time", time(rock.touch_time)},
-                   {"left", rock.left},
+                   {"separated", rock.left},
                    {"exit_time", time(rock.exit_time)},
                    {"exit_velocity", velocity(rock.exit_velocity)},
                    {"exit_spin", rock.exit_spin},
                    {"exit_energy", in_si(rock.exit_energy, dimension::energy)},
-                   {"energy_taken", rock.energy_taken()},
+                   {"energy_loss_fraction", rock.energy_loss_fraction()},
                    {"turned", rock.turned},
                    {"braking_time", time(rock.braking_time)},
                    {"travel", length(rock.travel)}});
@@ -186,7 +186,8 @@ Json Sheet::anchors() const {
   Json list = Json::array();
   for (const scenes::AnchorRecord& anchor : summary_.anchors) {
     const Joint& joint = dynamics_.cables().joints()[anchor.joint];
-    list.push_back({{"layer", anchor.layer}, {"place", place(joint.p, joint.along)}, {"force", force(anchor.force)}});
+    list.push_back(
+        {{"layer", anchor.layer}, {"position", place(joint.p, joint.along)}, {"force", force(anchor.force)}});
   }
   return list;
 }
@@ -194,7 +195,7 @@ Json Sheet::anchors() const {
 Json Sheet::events() const {
   Json list = Json::array();
   for (const Failure& failure : record_.failures)
-    list.push_back({{"time", time(failure.time)}, {"part", failure.part}, {"what", failure.what}});
+    list.push_back({{"time", time(failure.time)}, {"part", failure.part}, {"event", failure.what}});
   return list;
 }
 
@@ -207,13 +208,13 @@ Json Sheet::energy() const {
                 {"contacts", in_si(e.contacts, dimension::energy)},
                 {"cables", in_si(e.cables, dimension::energy)}};
   };
-  Json lost = Json::object();
+  Json dissipated = Json::object();
   for (std::size_t i = 0; i < mechanism_count; ++i)
-    lost[std::string{mechanism_names[i]}] = in_si(record_.accounts.lost[i], dimension::energy);
+    dissipated[std::string{mechanism_names[i]}] = in_si(record_.accounts.dissipated[i], dimension::energy);
   return {{"start", parts(record_.start_energies)},
           {"end", parts(record_.accounts.energies)},
-          {"lost", lost},
-          {"closure", in_si(record_.accounts.energy_closure, dimension::energy)},
+          {"dissipated", dissipated},
+          {"balance_error", in_si(record_.accounts.energy_balance_error, dimension::energy)},
           {"scale", in_si(record_.energy_scale, dimension::energy)}};
 }
 

@@ -28,8 +28,8 @@ std::string study_text(const std::vector<StudyMean>& study, const std::vector<Ve
     });
     fmt::format_to(std::back_inserter(text), "{:10} {:6g} {:7g} {:9g} {:5}  {:17} {:15} {:15} {:15} {:15} {}{}\n",
                    point.point.series, point.point.overburden / 1e3, point.point.speed, point.point.stiffness,
-                   point.seeds, of(Q::stress_ratio, 4), of(Q::depth, 3), of(Q::multiple_share, 3),
-                   of(Q::multiple_shear_share, 3), of(Q::largest_overlap, 3), of(Q::order, 3), is_soft ? " *" : "");
+                   point.seeds, of(Q::stress_ratio, 4), of(Q::depth, 3), of(Q::multiple_fraction, 3),
+                   of(Q::multiple_shear_fraction, 3), of(Q::largest_overlap, 3), of(Q::order, 3), is_soft ? " *" : "");
     soft = soft || is_soft, failed = failed || point.seeds < seeds;
   }
   if (soft) {

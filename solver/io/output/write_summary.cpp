@@ -16,7 +16,7 @@ Json vector(Vec2 value) { return Json::array({json_number(value.x), json_number(
 Json outcome(const Outcome& outcome) {
   constexpr std::array kinds{"finished", "stopped", "diverged"};
   Json json{{"kind", kinds.at(static_cast<std::size_t>(outcome.kind))}, {"time", json_number(outcome.time)}};
-  if (!outcome) json["words"] = outcome.words;
+  if (!outcome) json["message"] = outcome.words;
   return json;
 }
 
@@ -35,9 +35,9 @@ Json ledger(const RunRecord& record) {
   if (!record.plan.ledger) return "off";
   const Accounts& accounts = record.accounts;
   const Energies& e = accounts.energies;
-  Json lost = Json::object();
+  Json dissipated = Json::object();
   for (std::size_t i = 0; i < mechanism_count; ++i)
-    lost[std::string{mechanism_names[i]}] = json_number(accounts.lost[i]);
+    dissipated[std::string{mechanism_names[i]}] = json_number(accounts.dissipated[i]);
   return {{"energy",
            {{"kinetic", json_number(e.kinetic)},
             {"gravity", json_number(e.gravity)},
@@ -45,14 +45,14 @@ Json ledger(const RunRecord& record) {
             {"contacts", json_number(e.contacts)},
             {"cables", json_number(e.cables)},
             {"total", json_number(e.total())}}},
-          {"lost", lost},
-          {"energy_closure", json_number(accounts.energy_closure)},
-          {"largest_energy_closure", json_number(record.largest_energy_closure)},
+          {"dissipated", dissipated},
+          {"energy_balance_error", json_number(accounts.energy_balance_error)},
+          {"largest_energy_balance_error", json_number(record.largest_energy_balance_error)},
           {"energy_scale", json_number(record.energy_scale)},
           {"momentum", vector(accounts.momenta.linear)},
-          {"momentum_closure", vector(accounts.momentum_closure)},
+          {"momentum_balance_error", vector(accounts.momentum_balance_error)},
           {"angular_momentum", json_number(accounts.momenta.angular)},
-          {"angular_momentum_closure", json_number(accounts.angular_momentum_closure)}};
+          {"angular_momentum_balance_error", json_number(accounts.angular_momentum_balance_error)}};
 }
 
 Json extremes(const RunRecord& record) {
@@ -60,10 +60,10 @@ Json extremes(const RunRecord& record) {
   for (const ExtremeRecord& item : record.extremes) {
     json.push_back({{"name", item.column.name},
                     {"unit", symbol(record.units, item.column.dimension)},
-                    {"least", json_number(item.extreme.least)},
-                    {"least_time", json_number(item.extreme.least_time)},
-                    {"largest", json_number(item.extreme.largest)},
-                    {"largest_time", json_number(item.extreme.largest_time)}});
+                    {"minimum", json_number(item.extreme.least)},
+                    {"minimum_time", json_number(item.extreme.least_time)},
+                    {"maximum", json_number(item.extreme.largest)},
+                    {"maximum_time", json_number(item.extreme.largest_time)}});
   }
   return json;
 }
@@ -71,7 +71,7 @@ Json extremes(const RunRecord& record) {
 Json failures(const RunRecord& record) {
   Json json = Json::array();
   for (const Failure& failure : record.failures)
-    json.push_back({{"time", json_number(failure.time)}, {"part", failure.part}, {"what", failure.what}});
+    json.push_back({{"time", json_number(failure.time)}, {"part", failure.part}, {"event", failure.what}});
   return json;
 }
 
@@ -161,7 +161,7 @@ nlohmann::ordered_json quality_json(const RunQuality& quality, double time_size)
 }
 
 std::string summary_json(const RunRecord& record, const std::string& resume) {
-  Json json{{"schema", 1},
+  Json json{{"schema", 2},
             {"title", record.title},
             {"units", units(record.units)},
             {"outcome", outcome(record.outcome)},
@@ -171,7 +171,7 @@ std::string summary_json(const RunRecord& record, const std::string& resume) {
             {"end", json_number(record.plan.end)},
             {"steps", record.steps},
             {"evaluations", record.evaluations},
-            {"carried",
+            {"model",
              {{"bodies", record.bodies.size()},
               {"degrees_of_freedom", record.coordinates},
               {"contacts", record.contacts},
@@ -183,18 +183,18 @@ std::string summary_json(const RunRecord& record, const std::string& resume) {
             {"extremes", extremes(record)},
             {"failures", failures(record)},
             {"bodies", bodies(record)},
-            {"watched", record.watched},
+            {"monitor", record.watched},
             {"warnings", record.warnings},
             {"notes", record.notes}};
   if (record.fence) json["verdict"] = verdict(record);
-  if (!record.integrator_why.empty()) json["integrator_why"] = record.integrator_why;
+  if (!record.integrator_reason.empty()) json["integrator_reason"] = record.integrator_reason;
   if (record.events) json["events"] = *record.events;
   if (!resume.empty()) json["resume"] = resume;
   return json.dump(2) + "\n";
 }
 
 std::string final_state_json(const RunRecord& record) {
-  const Json json{{"schema", 1},
+  const Json json{{"schema", 2},
                   {"title", record.title},
                   {"units", units(record.units)},
                   {"outcome", outcome(record.outcome)},

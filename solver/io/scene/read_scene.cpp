@@ -166,7 +166,7 @@ void set_run(const SceneRun& run, Scene& scene) {
   const IntegratorChoice chosen =
       table.placed([&] { return choose_integrator(scene.model, run.integrator, run.tolerance); });
   scene.integrator = chosen.integrator;
-  scene.integrator_why = chosen.why;
+  scene.integrator_reason = chosen.why;
   scene.plan.end = run.end;
   scene.plan.ledger = run.ledger;
   scene.plan.watch = run.watch;

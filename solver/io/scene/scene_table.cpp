@@ -14,7 +14,7 @@ constexpr double placeholder = 1.0;
 
 /// Reason why a name cannot be used in the column headers of a history; empty if it can.
 std::string_view refusal_reason(std::string_view name) {
-  for (const std::string_view taken : {"time", "energy", "lost", "closure"}) {
+  for (const std::string_view taken : {"time", "energy", "dissipated", "balance_error"}) {
     if (name == taken) return "a history has columns of that name; choose another";
   }
   for (const char c : name) {

@@ -41,7 +41,7 @@ BOOST_AUTO_TEST_CASE(quantities_are_named_as_the_columns_of_the_history) {
   const Model model = oscillator().model;
   const std::vector<Column> columns = history_columns(model, true);
   for (std::size_t i = 1; i < columns.size(); ++i) {
-    if (columns[i].name.starts_with("closure.")) continue;
+    if (columns[i].name.starts_with("balance_error.")) continue;
     const Quantity found = quantity_named(model, columns[i].name + ".max");
     BOOST_TEST(found.column == i);
     BOOST_TEST(found.ledger == (i >= history_columns(model, false).size()));
@@ -66,7 +66,7 @@ BOOST_AUTO_TEST_CASE(unknown_quantities_are_refused_by_name) {
   says("cable.bob.tensio.max", "column 'cable.bob.tensio' is not known; nearest: cable.bob.tension; known: body.bob.x");
   says("bob.x", "found \"bob.x\"; it must end in .max, .min, .abs_max or .end, e.g. bob.x.max");
   says("bob.x.mean", "reduction 'mean' is not known; nearest: max; known: max, min, abs_max, end");
-  says("closure.energy.max", "column 'closure.energy' is not known");
+  says("balance_error.energy.max", "column 'balance_error.energy' is not known");
 }
 
 BOOST_AUTO_TEST_CASE(extremes_lie_between_the_steps_where_the_curve_is_smooth) {

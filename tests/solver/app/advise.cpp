@@ -31,7 +31,7 @@ nlohmann::json summary_of(const std::string& scene_file, std::vector<std::string
 
 double largest(const nlohmann::json& summary, const std::string& column) {
   for (const auto& item : summary.at("extremes")) {
-    if (item.at("name") == column) return item.at("largest");
+    if (item.at("name") == column) return item.at("maximum");
   }
   BOOST_TEST_REQUIRE(false);
   return 0.0;

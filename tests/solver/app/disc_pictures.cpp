@@ -165,7 +165,7 @@ BOOST_AUTO_TEST_CASE(histories_and_profiles_of_a_cell_are_drawn) {
   const Folder folder;
   const Ended ended = talus_ran({"plot", sample().string(), "--format", "svg", "--out", folder.path.string()});
   BOOST_TEST(ended.code == 0, ended.err);
-  for (const char* name : {"stresses", "stress_ratio", "depth", "shares", "coordination", "velocity_profile",
+  for (const char* name : {"stresses", "stress_ratio", "depth", "fractions", "coordination", "velocity_profile",
                            "temperature_profile", "solid_fraction_profile"})
     BOOST_TEST(fs::exists(folder.path / (name + std::string{".svg"})), name);
   // Without a unit system no units are printed.
@@ -177,7 +177,7 @@ BOOST_AUTO_TEST_CASE(histories_and_profiles_of_a_cell_are_drawn) {
   for (std::size_t i = 0; i < drawn.size(); ++i)
     BOOST_TEST(drawn[i] == kept.find("top_shear")->values[i]);
   const Ended menu = talus_ran({"plot", sample().string(), "--list"});
-  BOOST_TEST(holds(menu.out, "multiple_share"));
+  BOOST_TEST(holds(menu.out, "multiple_fraction"));
   BOOST_TEST(!holds(menu.out, "["));
 }
 

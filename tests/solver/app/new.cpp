@@ -79,18 +79,18 @@ struct Outcome {
       if (item.at("name") == name) return item;
     throw std::runtime_error{name + " has no extremes"};
   }
-  double largest(const std::string& name) const { return extreme(name).at("largest").get<double>(); }
+  double largest(const std::string& name) const { return extreme(name).at("maximum").get<double>(); }
   /// True if at some time the rock's velocity along x was no longer forward.
   bool stopped() const { return largest("rock.vx") >= 0.0; }
   double peak_tension() const {
     double peak = 0.0;
     for (const json& item : summary.at("extremes"))
       if (item.at("name").get<std::string>().ends_with(".tension"))
-        peak = std::max(peak, item.at("largest").get<double>());
+        peak = std::max(peak, item.at("maximum").get<double>());
     return peak;
   }
   double balance_error() const {
-    return summary.at("ledger").at("largest_energy_closure").get<double>() /
+    return summary.at("ledger").at("largest_energy_balance_error").get<double>() /
            summary.at("ledger").at("energy_scale").get<double>();
   }
   std::array<double, 2> rock() const {
@@ -101,7 +101,7 @@ struct Outcome {
   /// Distance between the rock's last position and that of another run, relative to the width of its path.
   double rock_error(const Outcome& other) const {
     const auto one = rock(), two = other.rock();
-    const double width = largest("rock.x") - extreme("rock.x").at("least").get<double>();
+    const double width = largest("rock.x") - extreme("rock.x").at("minimum").get<double>();
     return std::hypot(one[0] - two[0], one[1] - two[1]) / width;
   }
 };

@@ -59,6 +59,13 @@ inline std::string scene(const char* name) { return (fs::path{TALUS_CASES} / nam
 
 inline bool holds(std::string_view text, std::string_view part) { return text.find(part) != std::string_view::npos; }
 
+/// The text with `by` in place of the first `what`, which it must contain.
+inline std::string replaced(std::string text, std::string_view what, std::string_view by) {
+  const std::size_t place = text.find(what);
+  BOOST_REQUIRE(place != std::string::npos);
+  return text.replace(place, what.size(), by);
+}
+
 /// All files below a folder, by name.
 inline std::map<std::string, std::string> files(const fs::path& folder) {
   std::map<std::string, std::string> found;

@@ -42,12 +42,6 @@ void stops_and_goes_on(std::vector<std::string> command, const std::string& firs
   same_files(in("on"), in("whole"));
 }
 
-std::string replaced(std::string text, std::string_view what, std::string_view by) {
-  const std::size_t place = text.find(what);
-  BOOST_REQUIRE(place != std::string::npos);
-  return text.replace(place, what.size(), by);
-}
-
 }  // namespace
 
 BOOST_AUTO_TEST_CASE(every_integrator_goes_on_to_the_same_files) {
@@ -72,7 +66,7 @@ BOOST_AUTO_TEST_CASE(why_auto_chose_is_still_said_at_the_end) {
   const Folder folder;
   const std::string out = (folder.path / "run").string();
   runs({"run", scene("damped_disc.toml"), "--integrator", "auto", "--tolerance", "1e-9", "--out", out});
-  BOOST_TEST(!nlohmann::json::parse(talus::read_text(out + "/summary.json")).at("integrator_why").empty());
+  BOOST_TEST(!nlohmann::json::parse(talus::read_text(out + "/summary.json")).at("integrator_reason").empty());
 }
 
 BOOST_AUTO_TEST_CASE(a_fence_goes_on_to_the_same_listing_histories_and_geometry) {
@@ -131,6 +125,10 @@ BOOST_AUTO_TEST_CASE(a_run_that_has_ended_is_not_resumed) {
   BOOST_TEST(diverged.code == 3);
   BOOST_TEST(diverged.err.rfind("talus: " + lost + ": the run diverged and cannot be resumed: ", 0) == 0U,
              diverged.err);
+  const std::string summary = talus::read_text(lost + "/summary.json");
+  std::ofstream{lost + "/summary.json"} << replaced(replaced(summary, "\"schema\": 2", "\"schema\": 1"),
+                                                    "\"message\": ", "\"words\": ");
+  BOOST_TEST(talus_ran({"run", "--resume", lost}).err == diverged.err);
 }
 
 BOOST_AUTO_TEST_CASE(wrong_orders) {
@@ -173,9 +171,11 @@ BOOST_AUTO_TEST_CASE(checkpoints_that_are_refused) {
   const std::string good = talus::read_text(file);
   const std::string place = "talus: " + file.string() + ": ";
   const std::string hash = good.substr(good.rfind(": \"") + 3, 16);
+  const std::string remedy =
+      "it must be 3: resume the run with the version of talus that wrote it, or run the scene again\n";
   const std::vector<std::pair<std::string, std::string>> wrong{
-      {replaced(good, "\"schema\": 2", "\"schema\": 1"), "schema: found 1; it must be 2\n"},
-      {replaced(good, "\"schema\": 2,\n", ""), "schema: found nothing; it must be 2\n"},
+      {replaced(good, "\"schema\": 3", "\"schema\": 2"), "schema: found 2; " + remedy},
+      {replaced(good, "\"schema\": 3,\n", ""), "schema: found nothing; " + remedy},
       {replaced(good, "\"talus\": \"", "\"talus\": \"9"), "talus: found \"9"},
       {replaced(good, "\"steps\": 500", "\"steps\": 501"), "fnv1a: found \"" + hash + "\"; it must be \""},
       {good.substr(0, good.size() / 2),

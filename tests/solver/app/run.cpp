@@ -91,11 +91,11 @@ BOOST_AUTO_TEST_CASE(a_run_without_a_ledger_keeps_no_accounts) {
   BOOST_REQUIRE(talus_ran({"run", scene("pendulum.toml"), "--out", with}).code == 0);
   const Ended off = talus_ran({"run", (folder.path / "off.toml").string(), "--out", without});
   BOOST_REQUIRE(off.code == 0);
-  BOOST_TEST(holds(off.out, "\nledger: off; no energies, losses and closures were kept\n"));
+  BOOST_TEST(holds(off.out, "\nledger: off; no energies and balance errors were recorded\n"));
   const auto summary = nlohmann::json::parse(talus::read_text(without + "/summary.json"));
   BOOST_TEST(summary.at("ledger").get<std::string>() == "off");
   for (const char* file : {"/summary.json", "/history.csv", "/plot.json"}) {
-    for (const char* part : {"energy.", "lost.", "closure."})
+    for (const char* part : {"energy.", "dissipated.", "balance_error."})
       BOOST_TEST(!holds(talus::read_text(without + file), part));
   }
   std::istringstream all{talus::read_text(with + "/history.csv")}, motion{talus::read_text(without + "/history.csv")};
@@ -274,6 +274,18 @@ BOOST_AUTO_TEST_CASE(the_next_rock_meets_the_cables_of_the_last) {
   BOOST_TEST(holds(talus::read_text(in("second.toml")), "[[fence.stretched_cable]]\ncable = \"top1\"\nstretch = "));
   BOOST_TEST(talus_ran({"run", in("second.toml"), "--end", "1 ms"}).code == 0);
 
+  // The names that are read here are those of schema 1, too.
+  const std::string state_file = in("first") + "/final_state.json", state = talus::read_text(state_file);
+  std::ofstream{state_file} << replaced(state, "\"schema\": 2", "\"schema\": 1");
+  BOOST_TEST(talus_ran({"convert", in("fence.toml"), in("again.toml"), "--after", in("first")}).code == 0);
+  BOOST_TEST((talus::read_text(in("again.toml")) == talus::read_text(in("second.toml"))));
+  std::ofstream{state_file} << replaced(state, "\"schema\": 2", "\"schema\": 3");
+  const Ended later = talus_ran({"convert", in("fence.toml"), in("again.toml"), "--after", in("first")});
+  BOOST_TEST(later.code == 2);
+  BOOST_TEST(holds(later.err, state_file +
+                                  ": schema: found 3; it must be 1 or 2: run the fence again with this version "
+                                  "of talus\n"));
+
   std::ofstream{in("weak.toml")} << text << "\n[fence.options]\nhanger_strength = \"10000 lbf\"\n";
   const Ended weak = talus_ran({"run", in("weak.toml"), "--end", "10 ms", "--out", in("broken")});
   BOOST_TEST(holds(weak.out, "hanger 'hanger1' breaks"));
@@ -313,10 +325,10 @@ BOOST_AUTO_TEST_CASE(a_fence_leaves_its_listing_histories_and_geometry) {
   const std::string by_scene = (folder.path / "scene").string();
   const Ended ended = talus_ran({"run", scene("fence/sample2.DAT"), "--end", "10 ms", "--out", by_deck});
   BOOST_TEST(ended.code == 0);
-  const std::string left_out = "element 2: codes 51, 52, 48 left out: no cable begins at it\n";
-  BOOST_TEST(holds(ended.out, "\nnote: " + left_out));
+  const std::string skipped = "element 2: codes 51, 52, 48 skipped: no cable begins at it\n";
+  BOOST_TEST(holds(ended.out, "\nnote: " + skipped));
   BOOST_TEST(holds(ended.out, "plot.json, sample2.OUT, sample2.history.csv, sample2.history.json, sample2.pvd\n"));
-  BOOST_TEST(talus::read_text(by_deck + "/sample2.history.csv").rfind("# " + left_out + "time [s],element2.vx", 0) ==
+  BOOST_TEST(talus::read_text(by_deck + "/sample2.history.csv").rfind("# " + skipped + "time [s],element2.vx", 0) ==
              0U);
   const auto summary = nlohmann::json::parse(talus::read_text(by_deck + "/summary.json"));
   BOOST_TEST(summary.at("notes").size() == 1U);

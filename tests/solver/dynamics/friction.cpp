@@ -36,7 +36,7 @@ Model on_table(Mobility mobility, double slope, std::optional<CoulombFriction> f
 
 struct Run {
   State state;
-  double closure{};
+  double balance_error{};
 };
 
 Run run(const Model& model, Vec2 velocity, const char* integrator, double step, double end) {
@@ -48,7 +48,7 @@ Run run(const Model& model, Vec2 velocity, const char* integrator, double step, 
   EnergyLedger ledger{dynamics, state};
   Integrator method = make_integrator(integrator);
   BOOST_TEST(static_cast<bool>(simulate(system, method, state, {step, end, end, true})));
-  return {state, ledger.accounts(state).energy_closure};
+  return {state, ledger.accounts(state).energy_balance_error};
 }
 
 }  // namespace
@@ -66,7 +66,7 @@ BOOST_AUTO_TEST_CASE(a_sliding_disc_ends_rolling_at_two_thirds_of_its_speed) {
       // A third of the energy is dissipated.
       const double lost = end.state.work[static_cast<std::size_t>(Mechanism::friction)];
       BOOST_TEST(std::abs(lost - 3.0) < 6e-3);
-      BOOST_TEST(std::abs(end.closure) < 2e-3);
+      BOOST_TEST(std::abs(end.balance_error) < 2e-3);
     }
   }
 }

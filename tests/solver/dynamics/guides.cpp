@@ -62,10 +62,10 @@ BOOST_AUTO_TEST_CASE(a_pendulum_on_a_sliding_pin_keeps_energy_and_its_place_alon
         0.5 * inertia * w * w + 0.5 * mass * across * across + mass * g * length * (std::cos(start) - std::cos(theta));
     BOOST_TEST(std::abs(energy) < 1e-9);
     BOOST_TEST(std::abs(w) > 0.1);
-    BOOST_TEST(std::abs(end.accounts.energy_closure) < 1e-9);
+    BOOST_TEST(std::abs(end.accounts.energy_balance_error) < 1e-9);
     // Weight and guide force account for all of the momentum.
-    BOOST_TEST(norm(end.accounts.momentum_closure) < 1e-9);
-    BOOST_TEST(std::abs(end.accounts.angular_momentum_closure) < 1e-9);
+    BOOST_TEST(norm(end.accounts.momentum_balance_error) < 1e-9);
+    BOOST_TEST(std::abs(end.accounts.angular_momentum_balance_error) < 1e-9);
     // The pin has remained on its guide.
     const Vec2 pin_now = world_point(pose(model, end.state, BodyId{0}), model.bodies[0].p_BPin);
     BOOST_TEST(std::abs(mobility == Mobility::guided_x ? pin_now.y : pin_now.x) < 1e-12);
@@ -92,8 +92,8 @@ BOOST_AUTO_TEST_CASE(a_sliding_body_falls_or_stays) {
   BOOST_TEST(end.state.q[0] == 1.0 + 0.5 * 3.0);
   BOOST_TEST(end.state.q[1] == 5.0 - 0.5 * 8.0);
   BOOST_TEST(pose(model, end.state, BodyId{0}).p_WB.y == 5.0);
-  BOOST_TEST(norm(end.accounts.momentum_closure) < 1e-12);
-  BOOST_TEST(std::abs(end.accounts.energy_closure) < 1e-12);
+  BOOST_TEST(norm(end.accounts.momentum_balance_error) < 1e-12);
+  BOOST_TEST(std::abs(end.accounts.energy_balance_error) < 1e-12);
   State state = rest_state(model);
   BOOST_CHECK_THROW(set_velocity(model, state, BodyId{0}, {0.0, 1.0}, 0.0), InputError);
   BOOST_CHECK_THROW(set_velocity(model, state, BodyId{0}, {1.0, 0.0}, 1.0), InputError);

@@ -67,16 +67,16 @@ BOOST_AUTO_TEST_CASE(codes_without_a_history_are_refused_by_name) {
   });
 }
 
-BOOST_AUTO_TEST_CASE(pairs_that_do_not_fit_are_left_out_and_named) {
+BOOST_AUTO_TEST_CASE(pairs_that_do_not_fit_are_skipped_and_named) {
   const Kept kept{sample({1, 2, 9, 10}, {6, 13, 23, 48, 52}), 1};
-  BOOST_TEST(kept.history.left_out() ==
-                 (std::vector<std::string>{"element 1: code 13 left out: it is not a column",
-                                           "element 1: code 23 left out: a motion of it is held",
-                                           "element 1: codes 48, 52 left out: no cable begins at it",
-                                           "element 2: code 13 left out: it is not a column",
-                                           "element 2: codes 48, 52 left out: no cable begins at it",
-                                           "element 9: code 52 left out: no bottom cable begins at it",
-                                           "element 10: codes 6, 13, 23, 48, 52 left out: it is a fixed end of the "
+  BOOST_TEST(kept.history.skipped() ==
+                 (std::vector<std::string>{"element 1: code 13 skipped: it is not a column",
+                                           "element 1: code 23 skipped: a motion of it is held",
+                                           "element 1: codes 48, 52 skipped: no cable begins at it",
+                                           "element 2: code 13 skipped: it is not a column",
+                                           "element 2: codes 48, 52 skipped: no cable begins at it",
+                                           "element 9: code 52 skipped: no bottom cable begins at it",
+                                           "element 10: codes 6, 13, 23, 48, 52 skipped: it is a fixed end of the "
                                            "top cable, not a body"}),
              boost::test_tools::per_element());
   std::vector<std::string> columns;
@@ -87,7 +87,7 @@ BOOST_AUTO_TEST_CASE(pairs_that_do_not_fit_are_left_out_and_named) {
                                            "element9.attachment_length", "element9.load_x", "element9.top_tension"}),
       boost::test_tools::per_element());
   const std::string csv = kept.history.csv_text();
-  BOOST_TEST(csv.rfind("# element 1: code 13 left out: it is not a column\n", 0) == 0U);
+  BOOST_TEST(csv.rfind("# element 1: code 13 skipped: it is not a column\n", 0) == 0U);
   BOOST_TEST(csv.find("\ntime [s],element1.vx [ft/s],element2.vx [ft/s],element2.load_x [lbf],") != std::string::npos);
 }
 
@@ -153,7 +153,7 @@ BOOST_AUTO_TEST_CASE(rows_come_every_nhisto_steps_in_both_files) {
   BOOST_TEST(kept.history.history().rows.size() == 4U);
   const auto json = nlohmann::json::parse(kept.history.json_text());
   BOOST_TEST(json.at("units").get<std::string>() == "US");
-  BOOST_TEST(json.at("left_out").empty());
+  BOOST_TEST(json.at("skipped").empty());
   const auto& joint = json.at("columns").at(2);
   BOOST_TEST(joint.at("name").get<std::string>() == "element3.top_joint_force");
   BOOST_TEST(joint.at("element").get<int>() == 3);

@@ -53,19 +53,19 @@ BOOST_AUTO_TEST_CASE(summary_holds_every_number_to_the_bit) {
   BOOST_TEST(json.at("bodies").at(0).at("position").at(0).get<double>() == 1.0 / 3.0);
   BOOST_TEST(json.at("ledger").at("energy").at("kinetic").get<double>() == 2.5);
   BOOST_TEST(json.at("units").at("energy").get<std::string>() == "lbf ft");
-  BOOST_TEST(json.at("extremes").at(0).at("largest").get<double>() == std::numbers::pi);
+  BOOST_TEST(json.at("extremes").at(0).at("maximum").get<double>() == std::numbers::pi);
   BOOST_TEST(json.at("steps").get<long>() == 10);
 }
 
 BOOST_AUTO_TEST_CASE(what_is_not_finite_is_written_as_text) {
   RunRecord made = record();
   made.outcome = {Outcome::Kind::diverged, 0.5, "diverged at t = 0.5"};
-  made.accounts.energy_closure = std::numeric_limits<double>::quiet_NaN();
+  made.accounts.energy_balance_error = std::numeric_limits<double>::quiet_NaN();
   made.accounts.energies.kinetic = std::numeric_limits<double>::infinity();
   const auto json = nlohmann::json::parse(summary_json(made));
-  BOOST_TEST(json.at("ledger").at("energy_closure").get<std::string>() == "nan");
+  BOOST_TEST(json.at("ledger").at("energy_balance_error").get<std::string>() == "nan");
   BOOST_TEST(json.at("ledger").at("energy").at("kinetic").get<std::string>() == "inf");
-  BOOST_TEST(json.at("outcome").at("words").get<std::string>() == "diverged at t = 0.5");
+  BOOST_TEST(json.at("outcome").at("message").get<std::string>() == "diverged at t = 0.5");
 }
 
 BOOST_AUTO_TEST_CASE(a_ledger_that_is_off_is_said) {

@@ -130,6 +130,11 @@ BOOST_AUTO_TEST_CASE(names_and_keys) {
   BOOST_TEST(message("name = \"ground\"", "name = \"rock\"") ==
              "s.toml:11: body 'rock' exists already; names must differ");
   BOOST_TEST(message("name = \"ground\"\n", "") == "s.toml:11: body 2: name: it is missing");
+  for (const char* name : {"time", "energy", "dissipated", "balance_error"}) {
+    BOOST_TEST(
+        message("name = \"ground\"", fmt::format("name = \"{}\"", name)) ==
+        fmt::format("s.toml:12: body 2: name: found \"{}\"; a history has columns of that name; choose another", name));
+  }
   BOOST_TEST(message("[run]", "[rum]") ==
              "s.toml:28: rum: this key is not known; nearest: run; known: fence, title, units, gravity, body, contact, "
              "cable, hanger, run");

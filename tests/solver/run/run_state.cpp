@@ -30,7 +30,7 @@ struct Left {
   long evaluations{};
   std::vector<std::vector<double>> rows;
   std::vector<double> extremes{};
-  std::vector<double> closures{};
+  std::vector<double> balance_errors{};
   std::string failures{};
 };
 
@@ -76,14 +76,14 @@ class Leg {
     for (const Failure& failure : failures_.failures())
       all.failures += failure.part + " " + std::string{failure.what} + " at " + std::to_string(failure.time) + "\n";
     const Accounts& accounts = recorder_.accounts();
-    all.closures = {accounts.energies.total(),
-                    accounts.dissipated(),
-                    accounts.energy_closure,
-                    accounts.momentum_closure.x,
-                    accounts.momentum_closure.y,
-                    accounts.angular_momentum_closure,
-                    recorder_.ledger()->largest_energy_closure(),
-                    recorder_.ledger()->energy_scale()};
+    all.balance_errors = {accounts.energies.total(),
+                          accounts.total_dissipated(),
+                          accounts.energy_balance_error,
+                          accounts.momentum_balance_error.x,
+                          accounts.momentum_balance_error.y,
+                          accounts.angular_momentum_balance_error,
+                          recorder_.ledger()->largest_energy_balance_error(),
+                          recorder_.ledger()->energy_scale()};
     return all;
   }
 
@@ -107,7 +107,7 @@ void same_bits(const Left& one, const Left& other) {
   BOOST_TEST(one.evaluations == other.evaluations);
   BOOST_TEST((one.rows == other.rows));
   BOOST_TEST((one.extremes == other.extremes));
-  BOOST_TEST((one.closures == other.closures));
+  BOOST_TEST((one.balance_errors == other.balance_errors));
   BOOST_TEST(one.failures == other.failures);
 }
 

@@ -21,7 +21,7 @@ struct Run {
   Outcome outcome;
   State state;
   History history;
-  double closure;
+  double balance_error;
 };
 
 Run run(const Scene& scene) {
@@ -33,7 +33,7 @@ Run run(const Scene& scene) {
   const Observer observer = std::ref(recorder);
   Outcome outcome = simulate(system, integrator, state, scene.plan, {&observer, 1});
   return {outcome, state, recorder.history(),
-          recorder.ledger()->largest_energy_closure() / recorder.ledger()->energy_scale()};
+          recorder.ledger()->largest_energy_balance_error() / recorder.ledger()->energy_scale()};
 }
 
 Scene bounce(EndRule rule, const char* integrator, double step) {
@@ -50,8 +50,8 @@ BOOST_AUTO_TEST_CASE(ledger_closes_at_first_order_through_bounces_with_both_end_
   for (const EndRule rule : {EndRule::attractive, EndRule::clamped}) {
     for (const char* integrator : {"central_difference", "velocity_verlet", "euler_cromer", "rk4"}) {
       BOOST_TEST_CONTEXT(integrator) {
-        const double coarse = run(bounce(rule, integrator, 1e-4)).closure;
-        const double fine = run(bounce(rule, integrator, 1e-5)).closure;
+        const double coarse = run(bounce(rule, integrator, 1e-4)).balance_error;
+        const double fine = run(bounce(rule, integrator, 1e-5)).balance_error;
         // The force jump of a dashpot at first contact is integrated up to a step late: v c v h relative to v^2/2 is 2
         // c h = 8e-3 at 1e-4.
         BOOST_TEST(coarse < 4e-2);
@@ -188,5 +188,5 @@ BOOST_AUTO_TEST_CASE(central_difference_shows_observers_one_time) {
   Scene scene = scenes::pendulum({.amplitude = 1.0});
   scene.integrator = CentralDifference{};
   scene.plan = {1e-3, 1.0, 1.0, true};
-  BOOST_TEST(run(scene).closure < 1e-5);
+  BOOST_TEST(run(scene).balance_error < 1e-5);
 }

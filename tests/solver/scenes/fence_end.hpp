@@ -13,8 +13,8 @@ namespace talus::scenes {
 /// A fence's state at the end of a run, and its energy balance.
 struct End {
   State state;
-  double closure{};  ///< balance error of the energy [F L]
-  double scale{};    ///< the largest energy [F L]
+  double balance_error{};  ///< balance error of the energy [F L]
+  double scale{};          ///< the largest energy [F L]
 };
 
 /// Runs a fence from its start to time `end` [T]; it must finish.
@@ -28,7 +28,7 @@ inline End run(const FenceScene& made, double end) {
   RunPlan plan = made.scene.plan;
   plan.end = end;
   BOOST_TEST_REQUIRE(static_cast<bool>(simulate(system, integrator, state, plan)));
-  return {state, ledger.accounts(state).energy_closure, ledger.energy_scale()};
+  return {state, ledger.accounts(state).energy_balance_error, ledger.energy_scale()};
 }
 
 }  // namespace talus::scenes

@@ -124,8 +124,8 @@ BOOST_AUTO_TEST_CASE(a_broken_hanger_closes_its_ledger_at_the_schemes_order) {
   fence.step_factor = 0.005;
   const End fine = run(fence_scene(fence), 0.05);
   BOOST_TEST(coarse.state.work[static_cast<std::size_t>(Mechanism::hanger_break)] > 0.0);
-  BOOST_TEST(std::abs(coarse.closure) < 1e-3 * coarse.scale);
-  BOOST_TEST(std::abs(fine.closure) < 0.4 * std::abs(coarse.closure));
+  BOOST_TEST(std::abs(coarse.balance_error) < 1e-3 * coarse.scale);
+  BOOST_TEST(std::abs(fine.balance_error) < 0.4 * std::abs(coarse.balance_error));
 }
 
 BOOST_AUTO_TEST_CASE(rocks_off_centre_hit_the_columns_before_them) {
@@ -229,8 +229,8 @@ BOOST_AUTO_TEST_CASE(ledger_closes_at_the_schemes_order) {
   fence.step_factor = 0.005;
   const FenceScene fine = fence_scene(fence);
   const End a = run(coarse, 0.05), b = run(fine, 0.05);
-  BOOST_TEST(std::abs(a.closure) < 1e-3 * a.scale);
-  BOOST_TEST(std::abs(b.closure) < 0.4 * std::abs(a.closure));
+  BOOST_TEST(std::abs(a.balance_error) < 1e-3 * a.scale);
+  BOOST_TEST(std::abs(b.balance_error) < 0.4 * std::abs(a.balance_error));
   BOOST_TEST(b.state.work[static_cast<std::size_t>(Mechanism::cable_yield)] > 0.0);
   BOOST_TEST(b.state.work[static_cast<std::size_t>(Mechanism::friction)] > 0.0);
 }
@@ -238,15 +238,15 @@ BOOST_AUTO_TEST_CASE(ledger_closes_at_the_schemes_order) {
 BOOST_AUTO_TEST_CASE(column_against_column_by_the_rule_of_1993_keeps_no_energy) {
   // The force acts along a gradient, the overlap is measured along a ray: no potential has that force. The balance
   // error does not decrease with the step; with one layer, where the rule does not act, it does.
-  const auto closure = [](int layers, double factor) {
+  const auto balance_error = [](int layers, double factor) {
     Fence fence = sample2(layers);
     fence.step_factor = factor;
     const End end = run(fence_scene(fence), 0.05);
-    return end.closure / end.scale;
+    return end.balance_error / end.scale;
   };
-  BOOST_TEST(std::abs(closure(1, 0.005)) < 0.4 * std::abs(closure(1, 0.02)));
-  BOOST_TEST(std::abs(closure(2, 0.005)) > 3e-3);
-  BOOST_TEST(std::abs(closure(2, 0.005)) < 1e-2);
+  BOOST_TEST(std::abs(balance_error(1, 0.005)) < 0.4 * std::abs(balance_error(1, 0.02)));
+  BOOST_TEST(std::abs(balance_error(2, 0.005)) > 3e-3);
+  BOOST_TEST(std::abs(balance_error(2, 0.005)) < 1e-2);
 }
 
 BOOST_AUTO_TEST_CASE(what_cannot_be_is_refused) {

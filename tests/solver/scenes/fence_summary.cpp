@@ -130,7 +130,8 @@ BOOST_AUTO_TEST_CASE(peaks_and_passage) {
   const double energy = 0.5 * m * (exit.v[rock] * exit.v[rock] + exit.v[rock + 1] * exit.v[rock + 1]) +
                         0.5 * 0.4 * m * 1.201 * 1.201 * exit.v[rock + 2] * exit.v[rock + 2];
   BOOST_TEST(passage.exit_energy == energy, boost::test_tools::tolerance(1e-12));
-  BOOST_TEST(passage.energy_taken() == 1.0 - energy / passage.approach_energy, boost::test_tools::tolerance(1e-12));
+  BOOST_TEST(passage.energy_loss_fraction() == 1.0 - energy / passage.approach_energy,
+             boost::test_tools::tolerance(1e-12));
   BOOST_TEST(passage.travel <= deepest);
   double largest = 0.0;
   for (const ColumnRecord& c : run.summary().columns) {

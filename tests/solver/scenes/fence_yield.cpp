@@ -118,8 +118,8 @@ BOOST_AUTO_TEST_CASE(the_ledger_closes_with_a_table_and_broken_hangers) {
     return run(fence_scene(fence), 0.05);
   };
   const End coarse = end(0.02), fine = end(0.005);
-  BOOST_TEST(std::abs(coarse.closure) < 2e-4 * coarse.scale);
-  BOOST_TEST(std::abs(fine.closure) < 0.4 * std::abs(coarse.closure));
+  BOOST_TEST(std::abs(coarse.balance_error) < 2e-4 * coarse.scale);
+  BOOST_TEST(std::abs(fine.balance_error) < 0.4 * std::abs(coarse.balance_error));
   BOOST_TEST(fine.state.work[static_cast<std::size_t>(Mechanism::cable_yield)] > 0.0);
   BOOST_TEST(fine.state.work[static_cast<std::size_t>(Mechanism::hanger_break)] > 0.0);
 }

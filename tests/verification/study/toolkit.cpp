@@ -144,8 +144,8 @@ BOOST_AUTO_TEST_CASE(a_ledger_and_a_recorded_run_balance_the_energy) {
   BOOST_TEST(seen == 1001);
   RunLedger ledger{scene.model, first_state(scene)};
   const Accounts accounts = ledger(run.end().state);
-  BOOST_TEST(accounts.energy_closure == run.recorder().accounts().energy_closure);
-  BOOST_TEST(std::abs(accounts.energy_closure) < 1e-4);
+  BOOST_TEST(accounts.energy_balance_error == run.recorder().accounts().energy_balance_error);
+  BOOST_TEST(std::abs(accounts.energy_balance_error) < 1e-4);
   const Quantity speed = quantity_named(scene.model, "disc.vy.end");
   BOOST_TEST(run.value(speed) == run.end().state.v[1]);
 }

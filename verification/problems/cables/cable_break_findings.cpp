@@ -60,7 +60,7 @@ void check_both_sides(Findings& findings, const Setup& setup) {
 /// Energy released by a break, and the energy balance error.
 void check_release(Findings& findings, const Setup& setup) {
   const double strength = 0.6;
-  Convergence released, kept, closure;
+  Convergence released, kept, balance_error;
   double ratio = 0.0, open_ratio = 0.0;
   for (const double count : doublings(setup.coarse ? 256.0 : 32.0, setup.coarse ? 1 : 4)) {
     PhaseError energy, exit, open;
@@ -71,13 +71,13 @@ void check_release(Findings& findings, const Setup& setup) {
           throw_once({.stiffness = stiffness, .strength = strength}, step, even_phases(phases(setup))[i], findings);
       energy.add(recorded_work(run.end, Mechanism::cable_break) - reference::broken_energy(stiffness, strength));
       exit.add(run.end.v[0] - reference::speed_kept(stiffness, strength, mass, speed));
-      if (setup.has("break_not_booked")) run.closure -= recorded_work(run.end, Mechanism::cable_break);
-      open.add(run.closure);
+      if (setup.has("break_not_booked")) run.balance_error -= recorded_work(run.end, Mechanism::cable_break);
+      open.add(run.balance_error);
     }
     step = half_swing / (count + 0.5);
     released.add(step, energy.rms());
     kept.add(step, exit.rms());
-    closure.add(step, open.rms());
+    balance_error.add(step, open.rms());
     const double left = reference::speed_kept(stiffness, strength, mass, speed);
     ratio = energy.rms() / (strength * left * step / std::sqrt(3.0));
     open_ratio = open.rms() / (0.5 * strength * left * step);
@@ -89,7 +89,7 @@ void check_release(Findings& findings, const Setup& setup) {
                   Tolerance::model(0.03,
                                    "T v u h with u uniformly distributed in (0, 1): rms T v h/sqrt(3); the next order "
                                    "in h is 2 % of it"));
-  findings.expect_order("order of the energy balance error, cable break", closure, 0.95, 1.05,
+  findings.expect_order("order of the energy balance error, cable break", balance_error, 0.95, 1.05,
                         "the force ends with the half kick before the break is detected, but the energy is recorded at "
                         "the detection");
   findings.expect("energy balance error over its prediction, cable break", open_ratio, 1.0,
@@ -144,7 +144,7 @@ void check_located_breaks(Findings& findings, const Setup& setup) {
                    "m");
       if (!law.table.empty()) continue;  // the power of yielding jumps at its corners, which are not events
       findings.in("located_breaks")
-          ->expect("energy balance error after a located break" + by, run.closure, 0.0,
+          ->expect("energy balance error after a located break" + by, run.balance_error, 0.0,
                    Tolerance::truncation(tolerance * mass * thrown * thrown, 3.0, words), "J");
     }
   }
@@ -195,7 +195,7 @@ void check_hanger_orders(Findings& findings, const Setup& setup) {
   const double b_rate = strength / pair.mass_b;
   const double lost_rate = change_with_time(exact, [](const auto& x) { return x.lost; });
   const double exit_rate = change_with_time(exact, [](const auto& x) { return x.exit_speed_c; });
-  Convergence speed_b, lost, exit, closure;
+  Convergence speed_b, lost, exit, balance_error;
   double ratios[4]{};
   // Change by the break of the power of the cable forces on both masses.
   const reference::PairState& at = exact.at_break;
@@ -210,14 +210,14 @@ void check_hanger_orders(Findings& findings, const Setup& setup) {
       of_b.add(run.end.v[0] - exact.at_break.speed_b);
       of_lost.add(recorded_work(run.end, Mechanism::hanger_break) - exact.lost);
       of_exit.add(-run.end.v[1] - exact.exit_speed_c);
-      if (setup.has("hanger_not_booked")) run.closure -= recorded_work(run.end, Mechanism::hanger_break);
-      open.add(run.closure);
+      if (setup.has("hanger_not_booked")) run.balance_error -= recorded_work(run.end, Mechanism::hanger_break);
+      open.add(run.balance_error);
     }
     const double step = exact.slack_time / (4.0 * count + 0.5), late = step / std::sqrt(3.0);
     speed_b.add(step, of_b.rms());
     lost.add(step, of_lost.rms());
     exit.add(step, of_exit.rms());
-    closure.add(step, open.rms());
+    balance_error.add(step, open.rms());
     ratios[0] = of_b.rms() / (0.5 * late * b_rate);
     ratios[1] = of_lost.rms() / (late * lost_rate);
     ratios[2] = of_exit.rms() / (0.5 * late * std::abs(exit_rate));
@@ -235,7 +235,7 @@ void check_hanger_orders(Findings& findings, const Setup& setup) {
   findings.expect("energy balance error over its prediction, hanger break", ratios[3], 1.0, near);
   findings.expect_order("order of the speed of the mass released by the hanger", speed_b, 0.98, 1.02,
                         "the hanger breaks at the first step at which its load exceeds its strength");
-  findings.expect_order("order of the energy balance error, hanger break", closure, 0.98, 1.02,
+  findings.expect_order("order of the energy balance error, hanger break", balance_error, 0.98, 1.02,
                         "the forces change with the half kick before the break is detected, but the energy is recorded "
                         "at the detection");
 }

@@ -70,22 +70,22 @@ std::size_t phases(const Setup& setup) { return setup.coarse ? 16 : fewest_phase
 /// Errors of a throw over 64 phases; that of the exit speed is relative.
 struct DrawErrors {
   PhaseError exit, stretch, lost;
-  double closure{};  ///< energy balance error, rms
+  double balance_error{};  ///< energy balance error, rms
 };
 
 DrawErrors draw_errors(const reference::YieldingCable& cable, double speed, double count, const Setup& setup,
                        Findings& findings) {
   const reference::CableDraw exact = reference::draw(cable, mass, speed);
   DrawErrors errors;
-  PhaseError closure;
+  PhaseError balance_error;
   for (const auto& [i, step, phase] : offset_phases(half_swing, count)) {
     const CableRunResult run = throws(law_of(cable, setup), {speed}, step, phase, setup, findings).front();
     errors.exit.add(-run.end.v[0] / exact.exit_speed - 1.0);
     errors.stretch.add(run.end.z[0] - exact.stretch);
     errors.lost.add(recorded_work(run.end, Mechanism::cable_yield) - exact.lost);
-    closure.add(run.closure);
+    balance_error.add(run.balance_error);
   }
-  errors.closure = closure.rms();
+  errors.balance_error = balance_error.rms();
   return errors;
 }
 
@@ -94,21 +94,21 @@ double speed_at_yield(double speed) { return std::sqrt(speed * speed - yield * y
 
 void check_orders(Findings& findings, const Setup& setup) {
   const double speed = 2.0 * yield;
-  Convergence exit, stretch, closure;
+  Convergence exit, stretch, balance_error;
   double last = 0.0, step = 0.0;
   for (const double count : doublings(16.0, 4)) {
     step = half_swing / (count + 0.5);
     const DrawErrors errors = draw_errors(flat(), speed, count, setup, findings);
     exit.add(step, errors.exit.rms());
     stretch.add(step, errors.stretch.rms());
-    closure.add(step, errors.closure);
-    last = errors.closure;
+    balance_error.add(step, errors.balance_error);
+    last = errors.balance_error;
   }
   findings.expect_order("order of the exit speed, perfectly plastic", exit, 1.85, 2.15,
                         "yield and turning point each lie within a step, which causes errors of second order");
   findings.expect_order("order of the residual stretch, perfectly plastic", stretch, 1.85, 2.15,
                         "as for the exit speed");
-  findings.expect_order("order of the energy balance error, yielding cable", closure, 0.95, 1.05,
+  findings.expect_order("order of the energy balance error, yielding cable", balance_error, 0.95, 1.05,
                         "the work of yielding is computed with the velocity of half a step before");
   findings.expect("energy balance error over its prediction, yielding cable",
                   last / (step * yield * speed_at_yield(speed) / std::sqrt(3.0)), 1.0,
@@ -117,18 +117,18 @@ void check_orders(Findings& findings, const Setup& setup) {
                                    "with the speed v1 at the onset of yielding; the step of the onset adds an error "
                                    "uniformly distributed in +-h Y v1/2: rms h Y v1/sqrt(3); the next order in h is 2 "
                                    "% of this"));
-  findings.figure({.name = "yield_orders",
-                   .title = "Convergence with the step for a mass thrown on a yielding cable",
-                   .caption =
-                       "Perfectly plastic cable, twice the lowest speed at which it yields, velocity Verlet, root mean "
-                       "square over 64 phases.",
-                   .x = {.label = "w h", .log = true},
-                   .y = {.label = "error", .log = true},
-                   .series = {{"exit speed, relative", exit.steps(), exit.errors(), Style::linespoints},
-                              {"residual stretch [m]", stretch.steps(), stretch.errors(), Style::linespoints},
-                              {"energy balance error [J]", closure.steps(), closure.errors(), Style::linespoints}},
-                   .slopes = {{2.0, exit.steps().front(), 0.4 * exit.errors().front(), "h^2"},
-                              {1.0, closure.steps().front(), 1.6 * closure.errors().front(), "h"}}});
+  findings.figure(
+      {.name = "yield_orders",
+       .title = "Convergence with the step for a mass thrown on a yielding cable",
+       .caption = "Perfectly plastic cable, twice the lowest speed at which it yields, velocity Verlet, root mean "
+                  "square over 64 phases.",
+       .x = {.label = "w h", .log = true},
+       .y = {.label = "error", .log = true},
+       .series = {{"exit speed, relative", exit.steps(), exit.errors(), Style::linespoints},
+                  {"residual stretch [m]", stretch.steps(), stretch.errors(), Style::linespoints},
+                  {"energy balance error [J]", balance_error.steps(), balance_error.errors(), Style::linespoints}},
+       .slopes = {{2.0, exit.steps().front(), 0.4 * exit.errors().front(), "h^2"},
+                  {1.0, balance_error.steps().front(), 1.6 * balance_error.errors().front(), "h"}}});
 }
 
 /// Throws just below and above the lowest speed at which the cable yields, and far from it.

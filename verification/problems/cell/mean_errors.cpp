@@ -188,7 +188,7 @@ void expect_verdicts(Findings& findings, const Setup& setup) {
         const auto set = [&](Q quantity, double value) { of[static_cast<std::size_t>(quantity)] = value; };
         const double off = scatter[seed];
         set(Q::depth, 9.0 + off - 0.1 * high);
-        set(Q::multiple_share, 0.7 + off + 0.2 * high);
+        set(Q::multiple_fraction, 0.7 + off + 0.2 * high);
         set(Q::multiple_stress_ratio, 0.25 + 0.5 * off), set(Q::binary_stress_ratio, 0.24 + 2.0 * off * (high - 0.4));
         set(Q::stress_ratio, 0.26 + off + (slow > 0.0 ? -0.08 * high : 0.02 * high));
         numbers.push_back(of);

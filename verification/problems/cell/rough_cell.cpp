@@ -39,7 +39,7 @@ void expect_balances(Findings& findings, const Setup& setup) {
   const CellRun::Ledger ledger = run.ledger();
   if (ledger.friction_work > 0.0) record_use("mechanism.friction");
   if (ledger.dissipated > ledger.friction_work) record_use("mechanism.contact_damping");
-  double missing = ledger.gained;
+  double missing = ledger.spurious_gain;
   if (setup.has("spin_without_energy")) missing -= spin_energy;
   if (setup.has("friction_not_booked")) missing -= ledger.friction_work;
   // 2 xi w0 h with w0 = sqrt(2 k/m), xi = c/(2 sqrt(k m/2)): 2 c h/m.
@@ -73,7 +73,7 @@ class Accounts {
     const CellRun::Ledger ledger = run.ledger();
     if (looks() == 0) held_ = ledger.held();
     const double kept = ledger.dissipated - ledger.friction_work;
-    const std::array<double, 4> numbers{ledger.driven, kept, ledger.friction_work, ledger.held() - held_};
+    const std::array<double, 4> numbers{ledger.input, kept, ledger.friction_work, ledger.held() - held_};
     for (std::size_t i = 0; i < series_.size(); ++i)
       series_[i].add(1e3 * static_cast<double>(run.steps()) * run.plan().step, numbers[i] / unit_);
   }

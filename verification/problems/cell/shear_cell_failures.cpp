@@ -297,7 +297,7 @@ void expect_long_steps(Findings& findings, const Setup& setup, const ShearCell& 
        .x = {.label = "steps in a contact", .log = true, .min = 1.5, .max = 25.0},
        .y = {.label = "fraction", .log = true, .min = 1e-7, .max = 10.0},
        .series = {unaccounted, ratio},
-       .lines = {{'y', CellRun::most_unaccounted, ""}, {'x', 3.3, ""}}});
+       .lines = {{'y', CellRun::maximum_balance_error, ""}, {'x', 3.3, ""}}});
 }
 
 /// Euler and Taylor steps, which add energy in every impact.

@@ -72,8 +72,8 @@ void add_figures(Findings& findings, const std::vector<StudyMean>& study) {
       .x = {.label = "overburden", .unit = "kPa", .log = true},
       .y = {.label = "fraction; depth/(10 D)", .min = 0.3, .max = 1.05},
       .series = {curve(study, "5000 d/s", Q::touching, Over::load, "time with contacts"),
-                 curve(study, "5000 d/s", Q::multiple_share, Over::load, "multiple"),
-                 curve(study, "5000 d/s", Q::multiple_shear_share, Over::load, "M/S"),
+                 curve(study, "5000 d/s", Q::multiple_fraction, Over::load, "multiple"),
+                 curve(study, "5000 d/s", Q::multiple_shear_fraction, Over::load, "M/S"),
                  curve(study, "5000 d/s", Q::depth, Over::load, "depth/(10 D)")}};
   for (std::vector<double>* values : {&fractions.series[3].y, &fractions.series[3].y_low, &fractions.series[3].y_high})
     for (double& value : *values)
@@ -153,7 +153,7 @@ void add_numbers(Findings& findings, const std::vector<StudyMean>& study) {
       return point.seeds == 0 ? std::string{"-"} : fmt::format("{:.3f}", point.of(quantity).value);
     };
     table.rows.push_back({fmt::format("{:g}", key[0] / 1e3), fmt::format("{:g}", key[1]), fmt::format("{:g}", key[2]),
-                          of(Q::stress_ratio), bare(Q::multiple_share), bare(Q::multiple_shear_share),
+                          of(Q::stress_ratio), bare(Q::multiple_fraction), bare(Q::multiple_shear_fraction),
                           of(Q::multiple_stress_ratio), of(Q::binary_stress_ratio), bare(Q::inertial_number),
                           bare(Q::order), bare(Q::largest_overlap)});
   }
@@ -203,7 +203,7 @@ void run(Findings& findings, const Setup& setup) {
     return find(study, "stiffness", 15.0, 5000.0, k)->of(quantity).value;
   };
   findings.expect_between("fraction of multiple contacts at four times the stiffness over that at the original one",
-                          stiff(4.0, Q::multiple_share) / stiff(1.0, Q::multiple_share), 0.6, 0.97,
+                          stiff(4.0, Q::multiple_fraction) / stiff(1.0, Q::multiple_fraction), 0.6, 0.97,
                           "contacts last half as long, so fewer are multiple");
   findings.expect_between("S/N at four times the stiffness over that at the original one",
                           stiff(4.0, Q::stress_ratio) / stiff(1.0, Q::stress_ratio), 0.92, 1.1,

@@ -30,34 +30,36 @@ void check_two_sides(Findings& findings, const Setup& setup) {
                   Tolerance::exact("a count"));
 }
 
-constexpr double closure_constant = 126.0;  // [1/s], measured
+constexpr double balance_error_constant = 126.0;  // [1/s], measured
 /// No step divides another, so that an event falls at another position within the steps of each.
 constexpr std::array<double, 4> steps{1.54e-5, 0.79e-5, 0.377e-5, 0.193e-5};
 
 void check_ledger(Findings& findings, const Setup& setup) {
-  Convergence closures;
+  Convergence balance_errors;
   for (const double h : steps) {
     const WeakFenceRun run = run_weak_fence(weak_fence(strength), h, end);
     findings.count(run.evaluations);
-    const double closure = run.closure - (setup.has("break_not_booked") ? run.hanger_loss : 0.0);
-    closures.add(h, std::abs(closure) / run.scale);
+    const double balance_error = run.balance_error - (setup.has("break_not_booked") ? run.hanger_loss : 0.0);
+    balance_errors.add(h, std::abs(balance_error) / run.scale);
   }
-  const PowerLaw fit = closures.fit();
-  findings.expect("energy balance error at the smallest step over the largest energy", closures.errors().back(), 0.0,
-                  Tolerance::truncation(closure_constant * steps.back(), 1.5,
+  const PowerLaw fit = balance_errors.fit();
+  findings.expect("energy balance error at the smallest step over the largest energy", balance_errors.errors().back(),
+                  0.0,
+                  Tolerance::truncation(balance_error_constant * steps.back(), 1.5,
                                         "first order because of the events; 126/s is the mean over these steps, and "
                                         "the factor 1.5 allows for the positions of the events in their steps"));
   findings.expect_between("order of the energy balance error", fit.order, 0.6, 1.5,
                           "1 for a scheme that steps over its events, each of which falls at a different position "
                           "in its step");
   if (setup.coarse) return;
-  findings.figure({.name = "closure",
-                   .title = "Energy balance error against the step",
-                   .caption = "Energy plus losses at 0.12 s minus the initial energy, over the largest energy.",
-                   .x = {.label = "step", .unit = "s", .log = true},
-                   .y = {.label = "energy balance error", .log = true},
-                   .series = {{.label = "fence with breaking hangers", .x = closures.steps(), .y = closures.errors()}},
-                   .slopes = {{1.0, steps[0], closures.errors()[0], "h"}}});
+  findings.figure(
+      {.name = "balance_error",
+       .title = "Energy balance error against the step",
+       .caption = "Energy plus losses at 0.12 s minus the initial energy, over the largest energy.",
+       .x = {.label = "step", .unit = "s", .log = true},
+       .y = {.label = "energy balance error", .log = true},
+       .series = {{.label = "fence with breaking hangers", .x = balance_errors.steps(), .y = balance_errors.errors()}},
+       .slopes = {{1.0, steps[0], balance_errors.errors()[0], "h"}}});
 }
 
 /// Largest distances between bodies and between cable ends of the half and the full model [ft], and largest difference

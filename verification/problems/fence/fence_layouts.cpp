@@ -382,7 +382,7 @@ void check_words(Findings& findings) {
                   static_cast<double>(scene.model.cables.size()), Tolerance::exact("all cables that may be meant"));
   findings.expect_true("name of the unknown cable in the error for it", words.find("top99") != std::string::npos,
                        "an error says what was found");
-  findings.expect_true("reason for the integrator chosen for a fence", !scene.integrator_why.empty(),
+  findings.expect_true("reason for the integrator chosen for a fence", !scene.integrator_reason.empty(),
                        "the integrator was not given");
 }
 

@@ -213,15 +213,15 @@ void check_report_of_1993(Findings& findings) {
 }
 
 /// Compares the energy balance errors with the predicted constant.
-void check_closures(Findings& findings, const Convergence& closures, double damping) {
+void check_balance_errors(Findings& findings, const Convergence& balance_errors, double damping) {
   const double e = problem.restitution;
   const double constant = 0.25 * damping * (1.0 - e * e) / (0.5 * problem.rock_mass);
   findings.expect_order(
-      "order of the energy balance error", closures, 0.953, 1.047,
+      "order of the energy balance error", balance_errors, 0.953, 1.047,
       "the power of the dashpot is computed with the velocity of half a step before; a next term of w h times the "
       "first, 0.2 at 16 steps and 0.006 at 512, tilts the fitted line by 0.047");
-  findings.expect("energy balance error after the impact, 512 steps per contact", closures.errors().back(),
-                  constant * closures.steps().back(),
+  findings.expect("energy balance error after the impact, 512 steps per contact", balance_errors.errors().back(),
+                  constant * balance_errors.steps().back(),
                   Tolerance::model(0.0065,
                                    "(h/4) c (1 - e^2) v0^2, over the rock's kinetic energy; the next order in h is w h "
                                    "= 0.006 of it")
@@ -234,9 +234,9 @@ void check_closures(Findings& findings, const Convergence& closures, double damp
                        "fitted.",
                    .x = {.label = "step", .unit = "s", .log = true},
                    .y = {.label = "balance error / kinetic energy", .log = true},
-                   .series = {{"velocity Verlet", closures.steps(), closures.errors(), Style::points},
-                              curve("predicted", closures.steps(), [&](double step) { return constant * step; })},
-                   .slopes = {{1.0, closures.steps().front(), 0.5 * closures.errors().front(), "h"}}});
+                   .series = {{"velocity Verlet", balance_errors.steps(), balance_errors.errors(), Style::points},
+                              curve("predicted", balance_errors.steps(), [&](double step) { return constant * step; })},
+                   .slopes = {{1.0, balance_errors.steps().front(), 0.5 * balance_errors.errors().front(), "h"}}});
 }
 
 /// Angular momentum of rock and column about the pin.
@@ -248,18 +248,19 @@ double about_pin(const State& s) {
 }
 
 /// Balance errors of one impact.
-struct Closure {
+struct BalanceError {
   double energy{};    ///< balance error at the end, over the largest kinetic energy
   double momentum{};  ///< largest relative change of the angular momentum about the pin
 };
 
-Closure closure_of(const Scene& scene, const Integrator& method, double step, double end, Findings& findings) {
+BalanceError balance_error_of(const Scene& scene, const Integrator& method, double step, double end,
+                              Findings& findings) {
   RunLedger ledger{scene.model, scene.initial};
   const double before = about_pin(scene.initial);
-  Closure found;
+  BalanceError found;
   const RunEnd ended = run_scene(scene, method, {step, end, end, true}, findings, [&](const State& state, const auto&) {
     found.momentum = std::max(found.momentum, std::abs(about_pin(state) / before - 1.0));
-    found.energy = ledger(state).energy_closure;
+    found.energy = ledger(state).energy_balance_error;
   });
   found.energy = ended.finished ? found.energy / ledger.energy().energy_scale() : std::nan("");
   return found;
@@ -267,7 +268,7 @@ Closure closure_of(const Scene& scene, const Integrator& method, double step, do
 
 /// Angular momentum about the pin and energy balance of the impact, without gravity. Fault `rk4`.
 void check_ledger(Findings& findings, const Setup& setup) {
-  Convergence closures;
+  Convergence balance_errors;
   double worst_momentum = 0.0;
   PivotedRun run{.gravity = false};
   const double damping = contact_of(run).damping;
@@ -279,18 +280,18 @@ void check_ledger(Findings& findings, const Setup& setup) {
     PhaseError energy;
     for (const Phase& phase : offset_phases(time, n)) {
       run.gap = phase.lead() * problem.approach_speed;
-      const Closure found = closure_of(scene_of(run, setup), method, phase.step, 1.5 * time, findings);
+      const BalanceError found = balance_error_of(scene_of(run, setup), method, phase.step, 1.5 * time, findings);
       energy.add(found.energy);
       worst_momentum = std::max(worst_momentum, found.momentum);
     }
-    closures.add(time / (n + 0.5), energy.rms());
+    balance_errors.add(time / (n + 0.5), energy.rms());
   }
   findings.expect("angular momentum about the pin, largest relative change", worst_momentum, 0.0,
                   Tolerance::round_off(3e-14,
                                        "a kick adds equal and opposite moments, and a drift moves the rock along "
                                        "its velocity; 800 steps with a dozen roundings each: sqrt(1e4) x 2.2e-16 = "
                                        "2.2e-14"));
-  if (!setup.coarse) check_closures(findings, closures, damping);
+  if (!setup.coarse) check_balance_errors(findings, balance_errors, damping);
 }
 
 constexpr double softest = 4e4;                         // [lbf/ft]

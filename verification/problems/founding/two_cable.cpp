@@ -234,7 +234,7 @@ double distance_at_speed(const reference::TwoCableMotion& motion, double v) {
 void check_accounts(Findings& findings, const std::string& name, TwoCableEnd end, const TwoCableRun& run, double step) {
   const auto soft = reference::soft_impact(problem, soft_contact(contact_stiffness, end));
   findings.expect(
-      "momentum balance error, " + name, run.momentum_closure, 0.0,
+      "momentum balance error, " + name, run.momentum_balance_error, 0.0,
       Tolerance::round_off(3e-14,
                            "1e5 steps add the same force to both bodies and to the impulse: three roundings of at most "
                            "eps/2 M v0 each, accumulated as a random walk: at most 3 sqrt(1e5) eps/2 = 1e-13, of which "
@@ -253,7 +253,7 @@ void check_accounts(Findings& findings, const std::string& name, TwoCableEnd end
                                  (1.0 - problem.restitution * problem.restitution) * problem.approach_speed *
                                  problem.approach_speed;
   findings.expect(
-      "energy balance error over its prediction", run.energy_closure / predicted_error, 1.0,
+      "energy balance error over its prediction", run.energy_balance_error / predicted_error, 1.0,
       Tolerance::model(0.005,
                        "the power of the dashpot is computed with the velocity of half a step before: h c (1 - e^2) "
                        "v0^2/4; the end of the contact within a step, xi w h of it, is not included"));

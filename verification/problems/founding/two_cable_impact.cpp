@@ -89,15 +89,15 @@ TwoCableRun simulated(Scene scene, double gap, double step, bool to_the_turn, Fi
     watch.check(state);
     if (!to_the_turn) return;
     const Accounts accounts = ledger(state);
-    run.energy_closure = accounts.energy_closure;
-    run.momentum_closure = std::max(run.momentum_closure, std::abs(accounts.momentum_closure.x));
+    run.energy_balance_error = accounts.energy_balance_error;
+    run.momentum_balance_error = std::max(run.momentum_balance_error, std::abs(accounts.momentum_balance_error.x));
   };
   const Until stop = [&](const State&) { return to_the_turn ? finder.found().has_value() : watch.ended(); };
   const RunEnd end = run_scene(scene, scene.integrator, {step, 5.0, 5.0, to_the_turn}, findings, watcher, stop);
   run.speed_after = end.finished ? watch.speed_after : std::nan("");
   run.curve_error = watch.curve_error;
   run.turning = end.finished && finder.found() ? *finder.found() : TurningPoint{std::nan(""), std::nan("")};
-  run.momentum_closure /= problem.striker_mass * problem.approach_speed;
+  run.momentum_balance_error /= problem.striker_mass * problem.approach_speed;
   return run;
 }
 

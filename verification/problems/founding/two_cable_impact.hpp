@@ -37,12 +37,12 @@ struct TwoCableEnd {
 
 /// Results of the solver for one impact.
 struct TwoCableRun {
-  double speed_after{};       ///< of the particle when the contact has ended [m/s]
-  TurningPoint turning;       ///< of the particle
-  double energy_closure{};    ///< balance error at the turning point [J]
-  double momentum_closure{};  ///< largest balance error, over M v0
-  double curve_error{};       ///< largest |v^2 - v^2(theta)| until the turning point, Eq. 27 through the state at the
-                              ///< end of the contact [m^2/s^2]
+  double speed_after{};             ///< of the particle when the contact has ended [m/s]
+  TurningPoint turning;             ///< of the particle
+  double energy_balance_error{};    ///< balance error at the turning point [J]
+  double momentum_balance_error{};  ///< largest balance error, over M v0
+  double curve_error{};  ///< largest |v^2 - v^2(theta)| until the turning point, Eq. 27 through the state at the
+                         ///< end of the contact [m^2/s^2]
 };
 
 /// Runs the scene with the surfaces `gap` apart at t = 0, until the particle turns, or only until the contact has

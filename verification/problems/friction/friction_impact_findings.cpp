@@ -132,24 +132,24 @@ void check_ledger(Findings& findings, const Setup& setup) {
   const double kappa = 0.8;
   const reference::ObliqueImpact impact = oblique_disc(kappa, 5.0);
   const Scene scene = oblique_scene_of(impact, setup);
-  Convergence closures;
+  Convergence balance_errors;
   double ratio = 0.0;
   for (const double count : doublings(setup.coarse ? 512.0 : 128.0, setup.coarse ? 1 : 3)) {
-    PhaseError closure;
+    PhaseError balance_error;
     double predicted = 0.0;
     for (std::size_t i = 0; i < fewest_phases; ++i) {
       const double step = offset_step(std::numbers::pi, count, i);
       ObliqueRun run = run_oblique_at_step(scene, std::numbers::pi, step, i, findings);
       if (setup.has("slider_without_account"))
-        run.closure -= run.end.work[static_cast<std::size_t>(Mechanism::friction)];
-      closure.add(run.closure);
+        run.balance_error -= run.end.work[static_cast<std::size_t>(Mechanism::friction)];
+      balance_error.add(run.balance_error);
       predicted += std::pow(std::numbers::pi / 4.0 * mu * mu * (3.0 - 1.0 / kappa) * step, 2) / fewest_phases;
     }
-    closures.add(std::numbers::pi / (count + 0.5), closure.rms());
-    ratio = closure.rms() / std::sqrt(predicted);
+    balance_errors.add(std::numbers::pi / (count + 0.5), balance_error.rms());
+    ratio = balance_error.rms() / std::sqrt(predicted);
   }
   if (!setup.coarse)
-    findings.expect_order("order of the energy balance error, sliding impact", closures, 0.95, 1.05,
+    findings.expect_order("order of the energy balance error, sliding impact", balance_errors, 0.95, 1.05,
                           "friction work is computed with the normal force at the end of each step");
   findings.expect("energy balance error over its prediction, sliding impact", ratio, 1.0,
                   Tolerance::model(0.02,

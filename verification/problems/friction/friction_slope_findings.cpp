@@ -22,7 +22,7 @@ double normal_round_off(const Slope& slope) {
 struct SlopeRun {
   State end{};
   std::vector<double> time{}, speed{}, rim{};  ///< of every step, if watched; `rim` is -radius x spin
-  double largest_closure{};                    ///< largest energy balance error
+  double largest_balance_error{};              ///< largest energy balance error
 };
 
 SlopeRun run_slope(const Slope& slope, const Setup& setup, double step, double end, bool watched, Findings& findings) {
@@ -38,7 +38,7 @@ SlopeRun run_slope(const Slope& slope, const Setup& setup, double step, double e
     (void)ledger(state);
   };
   run.end = run_scene(scene, VelocityVerlet{}, {step, end, end, true}, findings, watched ? watch : Watcher{}).state;
-  run.largest_closure = ledger.energy().largest_energy_closure();
+  run.largest_balance_error = ledger.energy().largest_energy_balance_error();
   return run;
 }
 
@@ -237,7 +237,7 @@ void check_rolling(Findings& findings, const Setup& setup) {
                        "friction acts on the arm r - d/2: n = 3 - 2 d/r instead of 3, and 5 % for the next power"));
   const double spring = 0.5 * stiffness * slider.stretch * slider.stretch;
   findings.expect(
-      "energy balance error, disc from sliding to rolling", run.largest_closure / energy, 0.0,
+      "energy balance error, disc from sliding to rolling", run.largest_balance_error / energy, 0.0,
       Tolerance::truncation(0.25 * wh * wh * spring / energy, 1.2,
                             "the balance under constant forces is exact to round-off; by velocity Verlet the energy "
                             "of the remaining oscillation, mu^2 N^2/(2 k_s), fluctuates by (w h)^2/4 of it"));

@@ -67,7 +67,7 @@ Ended ended(Scene scene, double tolerance, Findings& findings) {
   found.state = run.end().state;
   found.evaluations = run.end().evaluations;
   found.accounts = run.recorder().accounts();
-  found.balance = run.recorder().ledger()->largest_energy_closure();
+  found.balance = run.recorder().ledger()->largest_energy_balance_error();
   return found;
 }
 
@@ -169,7 +169,7 @@ void rolling_disc(Findings& findings, const Setup& setup, Costs& costs) {
 void nudged(Findings& findings, const Setup& setup) {
   const Ended found = ended(nudged_block(setup), 1e-10, findings);
   const double energy = 0.5 * block.mass * nudge * nudge;
-  const double friction = found.accounts.lost[static_cast<std::size_t>(Mechanism::friction)];
+  const double friction = found.accounts.dissipated[static_cast<std::size_t>(Mechanism::friction)];
   findings.expect("nudged block: friction work over its kinetic energy", friction / energy, 1.0,
                   Tolerance::truncation(1e-10, 1.0,
                                         "the power of the dashpot is integrated to the tolerance, 1e-10, over about "
@@ -214,9 +214,9 @@ end = "0.2 s"
   const double energy = 0.5 * 10.0 * 2.0 * 2.0 + 0.5 * 1.25 * 2.0 * 2.0;
   const Ended found = ended(scene, 1e-10, findings);
   findings.expect(
-      "strong dashpot: error of the energy balance at the end", found.accounts.energy_closure / energy, 0.0,
+      "strong dashpot: error of the energy balance at the end", found.accounts.energy_balance_error / energy, 0.0,
       Tolerance::truncation(1e-10, 1.0, "the powers are integrated to the tolerance, 1e-10, in about 100 steps"));
-  const double lost = found.accounts.lost[static_cast<std::size_t>(Mechanism::friction)];
+  const double lost = found.accounts.dissipated[static_cast<std::size_t>(Mechanism::friction)];
   findings.expect_between("strong dashpot: friction work over the initial energy", lost / energy, 0.0, 0.3,
                           "friction dissipates at most the energy of the spin, including what it transfers to the "
                           "centre");

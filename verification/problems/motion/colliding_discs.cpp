@@ -34,7 +34,7 @@ Ledger run_ledger(const Scene& scene, double step, double end, const Setup& setu
     if (setup.has("dashpot_not_booked")) seen.work[static_cast<std::size_t>(Mechanism::contact_damping)] = 0.0;
     const Accounts now = ledger(seen);
     const Vec2 drift = now.momenta.linear - start.momenta.linear;
-    found.left_over = now.energy_closure / start.energies.kinetic;
+    found.left_over = now.energy_balance_error / start.energies.kinetic;
     found.largest = std::max(found.largest, std::abs(found.left_over));
     found.momentum = std::max({found.momentum, std::abs(drift.x), std::abs(drift.y)});
     found.moment = std::max(found.moment, std::abs(now.momenta.angular - start.momenta.angular));

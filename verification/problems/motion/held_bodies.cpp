@@ -130,7 +130,7 @@ Missed missed_by(Mobility mobility, Findings& findings, const Setup& setup) {
     const Energies& energies = accounts.energies;
     const double stored = energies.contacts + energies.cables - (before.energies.contacts + before.energies.cables);
     const double bodies = now.kinetic + now.gravity + now.applied - (first.kinetic + first.gravity + first.applied);
-    keep_worst(missed.energy, (bodies + stored + accounts.dissipated()) / first.kinetic);
+    keep_worst(missed.energy, (bodies + stored + accounts.total_dissipated()) / first.kinetic);
     const Vec2 momentum = now.momentum - first.momentum - Vec2{state.impulse[0], state.impulse[1]};
     keep_worst(missed.momentum, norm(momentum) / impulse);
     keep_worst(missed.angular, (now.angular - first.angular - state.impulse[2]) / (arm * impulse));
@@ -138,9 +138,10 @@ Missed missed_by(Mobility mobility, Findings& findings, const Setup& setup) {
          {(energies.kinetic - now.kinetic) / first.kinetic, (energies.gravity - now.gravity) / first.kinetic,
           (energies.applied - now.applied) / first.kinetic, (accounts.momenta.angular - now.angular) / (arm * impulse),
           norm(accounts.momenta.linear - now.momentum) / impulse,
-          (accounts.energy_closure - (bodies + stored + accounts.dissipated())) / first.kinetic,
-          norm(accounts.momentum_closure - momentum) / impulse,
-          (accounts.angular_momentum_closure - (now.angular - first.angular - state.impulse[2])) / (arm * impulse)})
+          (accounts.energy_balance_error - (bodies + stored + accounts.total_dissipated())) / first.kinetic,
+          norm(accounts.momentum_balance_error - momentum) / impulse,
+          (accounts.angular_momentum_balance_error - (now.angular - first.angular - state.impulse[2])) /
+              (arm * impulse)})
       keep_worst(missed.reported, off);
   };
   const RunEnd run =
@@ -196,7 +197,7 @@ void check_half(Mobility mobility, Findings& findings, const Setup& setup) {
        {&Energies::kinetic, &Energies::gravity, &Energies::applied, &Energies::contacts, &Energies::cables})
     energy(part);
   for (std::size_t i = 0; i < mechanism_count; ++i)
-    keep_worst(energies, of_half.lost[i] - of_both.lost[i]);
+    keep_worst(energies, of_half.dissipated[i] - of_both.dissipated[i]);
   for (std::size_t i = 0; i < 3; ++i)
     keep_worst(impulses, half.impulse[i] - both.impulse[i]);
   keep_worst(impulses, norm(of_half.momenta.linear - of_both.momenta.linear));

@@ -37,10 +37,10 @@ UnitRun run_in_units(const Scene& scene, const Integrator& method, UnitPlan plan
   const double end = plan.end * scale.time;
   const State state = run_scene(other, method, {plan.step * scale.time, end, end, true}, findings).state;
   const Accounts sums = ledger(state);
-  UnitRun run{
-      scaled(scene.model, state, scale.inverse()),
-      {sums.energies.kinetic, sums.energies.gravity, sums.energies.contacts, sums.energies.cables, sums.energy_closure,
-       sums.momenta.linear.x, sums.momenta.linear.y, sums.momenta.angular, sums.angular_momentum_closure}};
+  UnitRun run{scaled(scene.model, state, scale.inverse()),
+              {sums.energies.kinetic, sums.energies.gravity, sums.energies.contacts, sums.energies.cables,
+               sums.energy_balance_error, sums.momenta.linear.x, sums.momenta.linear.y, sums.momenta.angular,
+               sums.angular_momentum_balance_error}};
   const UnitScale back = scale.inverse();
   for (std::size_t i = 0; i < run.accounts.size(); ++i)
     run.accounts[i] *= back.of(i < 5 ? dimension::energy : i < 7 ? dimension::momentum : dimension::angular_momentum);

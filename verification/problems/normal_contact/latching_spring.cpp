@@ -83,7 +83,7 @@ Latch growing_latch(double speed, const Setup& setup) {
 
 /// Relative errors of one impact, measured or predicted.
 struct ImpactError {
-  double restitution{}, contact_time{}, largest{}, residual{}, closure{};
+  double restitution{}, contact_time{}, largest{}, residual{}, balance_error{};
 };
 
 ImpactError predicted_error(const Latch& l, double step, double phase) {
@@ -98,7 +98,7 @@ ImpactError predicted_error(const Latch& l, double step, double phase) {
   error.restitution = 0.5 * w2 * w2 * (end - (1.0 - r) * turn - r * touch);
   if (l.law.growth > 0.0) error.restitution -= 0.5 * (1.0 - r) * error.largest;
   error.contact_time = -w1 * w2 / 24.0;
-  error.closure = 0.25 * std::numbers::pi * (1.0 - r) * w1;
+  error.balance_error = 0.25 * std::numbers::pi * (1.0 - r) * w1;
   return error;
 }
 
@@ -114,19 +114,20 @@ ImpactError impact_error(const Latch& l, double step, double phase, Findings& fi
   const double end = seen.time[last - 1] + step * (depth(1) - residual) / (depth(1) - depth(0));
   return {seen.speed / (l.exact.restitution * l.speed) - 1.0, end / l.exact.contact_time - 1.0,
           *std::max_element(seen.depth.begin(), seen.depth.end()) / l.exact.largest_depth - 1.0,
-          residual / l.exact.residual_depth - 1.0, seen.closure - (setup.has("loss_not_booked") ? seen.lost : 0.0)};
+          residual / l.exact.residual_depth - 1.0,
+          seen.balance_error - (setup.has("loss_not_booked") ? seen.lost : 0.0)};
 }
 
 /// Root mean squares over 64 phases.
 struct ImpactErrors {
-  PhaseError restitution, contact_time, largest, residual, closure;
+  PhaseError restitution, contact_time, largest, residual, balance_error;
   double mean_restitution{};
   void add(const ImpactError& error) {
     restitution.add(error.restitution);
     contact_time.add(error.contact_time);
     largest.add(error.largest);
     residual.add(error.residual);
-    closure.add(error.closure);
+    balance_error.add(error.balance_error);
     mean_restitution += error.restitution / static_cast<double>(fewest_phases);
   }
 };
@@ -163,11 +164,11 @@ void check_targets(Findings& findings, const Setup& setup) {
              worst_ratio(ratio.contact_time, over(f.contact_time, p.contact_time)),
              worst_ratio(ratio.largest, over(f.largest, p.largest)),
              worst_ratio(ratio.residual, over(f.residual, p.residual)),
-             worst_ratio(ratio.closure, over(f.closure, p.closure))};
+             worst_ratio(ratio.balance_error, over(f.balance_error, p.balance_error))};
     table.rows.push_back({fmt::format("{:.2f}", e * e), fmt::format("{:g}", e), number(f.restitution.rms()),
                           number(p.restitution.rms()), number(f.contact_time.rms()), number(p.contact_time.rms()),
-                          number(f.largest.rms()), number(p.largest.rms()), number(f.closure.rms()),
-                          number(p.closure.rms())});
+                          number(f.largest.rms()), number(p.largest.rms()), number(f.balance_error.rms()),
+                          number(p.balance_error.rms())});
   }
   const auto expect = [&](const char* name, double value, double bound, const char* why) {
     findings.in("impacts")->expect(fmt::format("{} over the predicted, worst of e = 0.9 ... 0.3", name), value, 1.0,
@@ -180,7 +181,7 @@ void check_targets(Findings& findings, const Setup& setup) {
          "the error is that of the leapfrog's period alone; the next power of the step is (w h)^2 of it");
   expect("rms error of the largest overlap", ratio.largest, 0.01, next);
   expect("rms error of the residual overlap", ratio.residual, 0.01, next);
-  expect("energy balance error", ratio.closure, 0.02, next);
+  expect("energy balance error", ratio.balance_error, 0.02, next);
   findings.table(table);
 }
 

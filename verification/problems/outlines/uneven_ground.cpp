@@ -83,10 +83,10 @@ void check_crest(Findings& findings, const Setup& setup) {
   scene.initial.v = {start_speed, 0.0, -start_speed / (radius - 0.5 * overlap)};
   std::optional<RunLedger> ledger;
   Series speed{"solver", {}, {}, Style::points}, exact{"rigid", {}, {}, Style::lines};
-  double worst = std::nan(""), closure = 0.0;  // NaN until the crest is reached
+  double worst = std::nan(""), balance_error = 0.0;  // NaN until the crest is reached
   const Watcher watch = [&](const State& seen, const StepInfo&) {
     if (!ledger) ledger.emplace(scene.model, seen);  // first state with updated modes: contact closed
-    closure = std::max(closure, std::abs((*ledger)(seen).energy_closure));
+    balance_error = std::max(balance_error, std::abs((*ledger)(seen).energy_balance_error));
     const double s = cosine * seen.q[0] - sine * seen.q[1];
     if (s < 0.0) return;
     const double v = cosine * seen.v[0] - sine * seen.v[1];
@@ -106,7 +106,7 @@ void check_crest(Findings& findings, const Setup& setup) {
                                    "d/(3 v), largest where the disc is slowest, and v d/(6 r), with v up to 2"),
                   "m/s");
   findings.expect(
-      "energy balance over the crest: largest error", closure, 0.0,
+      "energy balance over the crest: largest error", balance_error, 0.0,
       Tolerance::truncation(4.6 * step * step, 2.0,
                             "leapfrog conserves H + h^2 (v V'' v/12 - F^2/(24 m)), whose second part changes by a few "
                             "J/s^2 with the forces of 20 N; measured: 4.6 h^2 at steps from 2e-5 to 4e-5"),

@@ -264,9 +264,9 @@ Tolerance of_paths() {
 void check_history(const TemporaryFolder& folder, const Expected& expected, Findings& findings) {
   const Csv history = records::read_csv(folder.path() / "out/history.csv");
   const std::vector<std::string> header{
-      "time [s]",      "top_shear [N/m^2]", "top_normal [N/m^2]", "bottom_shear [N/m^2]", "bottom_normal [N/m^2]",
-      "depth [m]",     "solid_fraction",    "touching",           "coordination",         "stress_ratio",
-      "multiple_share"};
+      "time [s]",         "top_shear [N/m^2]", "top_normal [N/m^2]", "bottom_shear [N/m^2]", "bottom_normal [N/m^2]",
+      "depth [m]",        "solid_fraction",    "touching",           "coordination",         "stress_ratio",
+      "multiple_fraction"};
   findings.expect_true("history.csv: names, units and order of its columns", history.header() == header,
                        "SI, as given by the option");
   findings.expect("history.csv: rows", static_cast<double>(history.rows()), static_cast<double>(expected.loops.size()),
@@ -561,13 +561,13 @@ void check_summary(const Node& summary, const Expected& expected, const VirtualD
       {"depth", mean(depth), diameter},
       {"depth_deviation", std::sqrt(mean(depth_square) - mean(depth) * mean(depth)), diameter},
       {"solid_fraction", mean(solid_fraction), 1.0},
-      {"contact_time_share", mean(touching), 1.0},
-      {"multiple_share", mean(multiple) / mean(contacts), 1.0},
+      {"contact_time_fraction", mean(touching), 1.0},
+      {"multiple_fraction", mean(multiple) / mean(contacts), 1.0},
       {"coordination", mean(coordination), 1.0},
-      {"multiple_shear_share", mean(multiple_shear) / mean(shear), 1.0},
+      {"multiple_shear_fraction", mean(multiple_shear) / mean(shear), 1.0},
       {"multiple_stress_ratio", mean(multiple_shear) / multiples, 1.0},
       {"binary_stress_ratio", (mean(shear) - mean(multiple_shear)) / binaries, 1.0},
-      {"kinetic_shear_share", mean(kinetic) / mean(moment), 1.0},
+      {"kinetic_shear_fraction", mean(kinetic) / mean(moment), 1.0},
       {"shear_balance", (mean(shear) + mean(kinetic)) / mean(moment), 1.0},
       {"largest_overlap", expected.largest_overlap / diameter, 1.0},
       {"largest_solid_fraction", expected.largest_fraction, 1.0}};
@@ -596,12 +596,12 @@ void check_summary(const Node& summary, const Expected& expected, const VirtualD
   double off = 0.0;
   for (const auto& [name, value] :
        {std::pair{"kinetic", kinetic_of(discs)}, std::pair{"potential", potential}, std::pair{"stored", stored},
-        std::pair{"driven", expected.work}, std::pair{"dissipated", discs.lost}, std::pair{"gained", gained}})
+        std::pair{"input", expected.work}, std::pair{"dissipated", discs.lost}, std::pair{"spurious_gain", gained}})
     keep_worst(off, (energy.at(name).number() - value) / expected.work);
   findings.expect("summary.json: energies at the end over the work of the drive, largest error", off, 0.0, of_paths());
-  findings.expect("summary.json: energy unaccounted for",
-                  energy.at("unaccounted").number() - gained / std::max(std::abs(expected.work), discs.lost), 0.0,
-                  of_paths());
+  findings.expect("summary.json: energy balance error over the work",
+                  energy.at("relative_balance_error").number() - gained / std::max(std::abs(expected.work), discs.lost),
+                  0.0, of_paths());
 
   // The dimensionless groups by their definitions; two colliding discs have the effective mass m/2.
   const double contact = 0.5 * std::numbers::pi * (std::sqrt(0.5 * mass / k1) + std::sqrt(0.5 * mass / k2));

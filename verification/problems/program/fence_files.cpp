@@ -151,7 +151,7 @@ void check_anchor(const TemporaryFolder& folder, const Node& sheet, Findings& fi
     const std::vector<Node> list = node.list();
     return Vector{list.at(0).number(), list.at(1).number(), list.at(2).number()};
   };
-  const AnchorForces found = anchor_forces(folder, vector(anchor.at("place")), setup);
+  const AnchorForces found = anchor_forces(folder, vector(anchor.at("position")), setup);
   // Trapezoidal rule over every state (1) or every other state (2).
   const auto impulse = [&](std::size_t every) {
     Vector sum{};

@@ -227,8 +227,8 @@ void run_cell(const ShearCell& cell, CellPlan plan, const std::string& name, Fin
     for (const Estimate& one : {Estimate{layer.y, 0.0}, layer.velocity, layer.temperature, layer.spin, layer.fraction})
       layers.insert(layers.end(), {one.value, one.error});
   const CellRun::Ledger ledger = cell_run.ledger();
-  std::vector<double> energies{ledger.kinetic,    ledger.potential,     ledger.stored, ledger.driven,
-                               ledger.dissipated, ledger.friction_work, ledger.gained};
+  std::vector<double> energies{ledger.kinetic,    ledger.potential,     ledger.stored,       ledger.input,
+                               ledger.dissipated, ledger.friction_work, ledger.spurious_gain};
   std::vector<double> contacts;
   for (const CellRun::ActingContact& contact : cell_run.acting_contacts())
     contacts.insert(contacts.end(),

@@ -137,7 +137,7 @@ const std::vector<Quantity>& quantities() {
                                           {"hung.y", "m", 1.2},
                                           {"hung.vx", "m/s", 1.0},
                                           {"hung.vy", "m/s", 1.2},
-                                          {"bed.depth", "m", 0.5},
+                                          {"bed.overlap", "m", 0.5},
                                           {"bed.force", "N", 1500.0},  // k times the radius: overlap = radius - y
                                           {"rope.elongation", "m", 4.0},
                                           {"rope.tension", "N", 400.0},
@@ -146,18 +146,18 @@ const std::vector<Quantity>& quantities() {
                                           {"energy.applied", "N m", 7.0},
                                           {"energy.contacts", "N m", 21.0},
                                           {"energy.cables", "N m", 115.0},
-                                          {"lost.contact_damping", "N m", 1.0},
-                                          {"lost.contact_release", "N m", 1.0},
-                                          {"lost.cable_damping", "N m", 4.3},
-                                          {"lost.cable_release", "N m", 1.0},
-                                          {"lost.cable_yield", "N m", 1.0},
-                                          {"lost.cable_break", "N m", 1.0},
-                                          {"lost.hanger_break", "N m", 1.0},
-                                          {"lost.friction", "N m", 1.0},
-                                          {"closure.energy", "N m", 200.0},
-                                          {"closure.momentum_x", "N s", 10.0},
-                                          {"closure.momentum_y", "N s", 60.0},
-                                          {"closure.angular_momentum", "N m s", 300.0}};
+                                          {"dissipated.contact_damping", "N m", 1.0},
+                                          {"dissipated.contact_release", "N m", 1.0},
+                                          {"dissipated.cable_damping", "N m", 4.3},
+                                          {"dissipated.cable_release", "N m", 1.0},
+                                          {"dissipated.cable_yield", "N m", 1.0},
+                                          {"dissipated.cable_break", "N m", 1.0},
+                                          {"dissipated.hanger_break", "N m", 1.0},
+                                          {"dissipated.friction", "N m", 1.0},
+                                          {"balance_error.energy", "N m", 200.0},
+                                          {"balance_error.momentum_x", "N s", 10.0},
+                                          {"balance_error.momentum_y", "N s", 60.0},
+                                          {"balance_error.angular_momentum", "N m s", 300.0}};
   return list;
 }
 
@@ -251,7 +251,7 @@ void check_history(const Csv& history, Findings& findings) {
   for (std::size_t row = 0; row < std::min(history.rows(), expected.size()); ++row) {
     const std::vector<double> exact = exact_row(step * expected[row]);
     for (std::size_t i = 0; i < std::min(exact.size(), history.header().size()); ++i) {
-      const bool ledger = quantities()[i].unit.starts_with("N m") || quantities()[i].name.starts_with("closure");
+      const bool ledger = quantities()[i].unit.starts_with("N m") || quantities()[i].name.starts_with("balance_error");
       keep_worst(ledger ? worst_ledger : worst, (history.number(row, i) - exact[i]) / quantities()[i].scale);
     }
   }
@@ -274,12 +274,12 @@ void check_extremes(const Node& summary, Findings& findings) {
     ++named;
     const auto column = [i](const std::vector<double>& row) { return row[i]; };
     const auto [least, largest] = std::ranges::minmax_element(exact, {}, column);
-    keep_worst(value, (found->at("least").number() - (*least)[i]) / quantity.scale);
-    keep_worst(value, (found->at("largest").number() - (*largest)[i]) / quantity.scale);
+    keep_worst(value, (found->at("minimum").number() - (*least)[i]) / quantity.scale);
+    keep_worst(value, (found->at("maximum").number() - (*largest)[i]) / quantity.scale);
     // The extremes of a constant quantity, or of rounding errors, may occur at any time.
     if ((*largest)[i] - (*least)[i] < 1e-6 * quantity.scale) continue;
-    keep_worst(time, found->at("least_time").number() - (*least)[0]);
-    keep_worst(time, found->at("largest_time").number() - (*largest)[0]);
+    keep_worst(time, found->at("minimum_time").number() - (*least)[0]);
+    keep_worst(time, found->at("maximum_time").number() - (*largest)[0]);
   }
   findings.expect("summary.json: quantities with extremes", static_cast<double>(named),
                   static_cast<double>(quantities().size() - 1),
@@ -298,9 +298,9 @@ void check_summary(const Node& summary, Findings& findings) {
   for (std::size_t i = 0; i < quantities().size(); ++i) {
     const auto& [name, unit, scale] = quantities()[i];
     const auto part = name.substr(name.find('.') + 1);
-    const bool energy = name.starts_with("energy."), lost = name.starts_with("lost.");
-    if (!energy && !lost) continue;
-    const Node node = ledger.at(energy ? "energy" : "lost").at(part.c_str());
+    const bool energy = name.starts_with("energy."), dissipated = name.starts_with("dissipated.");
+    if (!energy && !dissipated) continue;
+    const Node node = ledger.at(energy ? "energy" : "dissipated").at(part.c_str());
     keep_worst(worst, (node.number() - exact[i]) / scale);
   }
   findings.expect("summary.json: energies at the end, largest error", worst, 0.0, of_files());

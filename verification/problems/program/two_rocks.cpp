@@ -87,8 +87,8 @@ void check_rocks(const Node& sheet, const Csv& history, const Csv& codes, Findin
     const std::string name = fmt::format("rock{}", of + 1), element = fmt::format("element{}", of + 2);
     const std::vector<double> x = column(history, name + ".x"), vx = column(history, name + ".vx"),
                               vy = column(history, name + ".vy"), spin = column(history, name + ".spin"),
-                              front = column(history, name + "-column1.depth"),
-                              back = column(history, name + "-back_column1.depth"),
+                              front = column(history, name + "-column1.overlap"),
+                              back = column(history, name + "-back_column1.overlap"),
                               front_force = column(history, name + "-column1.force"),
                               back_force = column(history, name + "-back_column1.force"),
                               along = column(codes, element + ".kinetic_translation"),
@@ -120,7 +120,7 @@ void check_rocks(const Node& sheet, const Csv& history, const Csv& codes, Findin
     energies.compare(rock.at("approach_energy").number(), approach, approach);
     energies.compare(rock.at("exit_energy").number(), energy(exit), approach);
     energies.compare(rock.at("end_energy").number(), energy(last), approach);
-    energies.compare(rock.at("energy_taken").number(), 1.0 - energy(exit) / approach, 1.0);
+    energies.compare(rock.at("energy_loss_fraction").number(), 1.0 - energy(exit) / approach, 1.0);
     times.compare(rock.at("touch_time").number(), time[touch], time[last]);
     times.compare(rock.at("exit_time").number(), time[exit], time[last]);
     double travel = 0.0;
@@ -198,13 +198,13 @@ void check_verdict(const Node& sheet, const Node& summary, Findings& findings) {
   for (const std::size_t r : {0U, 1U}) {
     const Node rock = verdict.at("rocks").list().at(r), known = sheet.at("rocks").list().at(r);
     words += rock.at("verdict").text() == known.at("verdict").text() ? 0.0 : 1.0;
-    words += rock.at("still_touching").flag() == !known.at("left").flag() ? 0.0 : 1.0;
+    words += rock.at("still_touching").flag() == !known.at("separated").flag() ? 0.0 : 1.0;
     worst.compare(rock.at("approach_energy").number(), known.at("approach_energy").number() / joule, 1e4);
     worst.compare(rock.at("energy_at_end").number(), known.at("end_energy").number() / joule, 1e4);
     worst.compare(rock.at("velocity_at_end").list().at(0).number(),
                   known.at("end_velocity").list().at(0).number() / metre, 10.0);
     worst.compare(rock.at("last_contact_time").number(), known.at("exit_time").number(), 1e-2);
-    if (!known.at("left").flag()) continue;
+    if (!known.at("separated").flag()) continue;
     worst.compare(rock.at("energy_after").number(), known.at("exit_energy").number() / joule, 1e4);
     worst.compare(rock.at("velocity_after").list().at(1).number(),
                   known.at("exit_velocity").list().at(1).number() / metre, 10.0);

@@ -45,7 +45,7 @@ Found found_by(const Scene& scene, const Quantity& quantity, Findings& findings)
   if (!run.end().finished) return found;
   found.value = run.value(quantity);
   if (const auto& ledger = run.recorder().ledger())
-    found.balance = ledger->largest_energy_closure() / ledger->energy_scale();
+    found.balance = ledger->largest_energy_balance_error() / ledger->energy_scale();
   return found;
 }
 
@@ -141,7 +141,7 @@ FenceFound run_fence(const SceneFile& file, Findings& findings) {
   const RunEnd end = run_scene(scene, findings, watch);
   FenceFound found{fence_watch.summary(), pose(scene.model, layout, end.state, rock).p_WB, largest - least, 0.0,
                    end.evaluations};
-  if (ledger) found.balance = ledger->energy().largest_energy_closure() / ledger->energy().energy_scale();
+  if (ledger) found.balance = ledger->energy().largest_energy_balance_error() / ledger->energy().energy_scale();
   return found;
 }
 
