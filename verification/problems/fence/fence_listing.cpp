@@ -313,7 +313,7 @@ void check_states(Findings& findings, const Sample2Run& run, const std::vector<D
   expect("element 3 at 0.00496 s, largest deviation in units of the last digit", 0, 3, 3, 6.5,
          fmt::format("measured: 6.0 (theta; omega 3.3); contact of a node begins at a step, and the first dashpot "
                      "force changes the column's spin in one step by {:.3f} rad/s, {:.0f} units, so that the "
-                     "deviation is a sixth of one such kick",
+                     "deviation of omega is a sixth of one such kick",
                      rock.spin, rock.spin / 0.001));
   expect("element 3 at 0.00993 s, largest deviation in units of the last digit", 1, 3, 3, 13.0,
          fmt::format("measured: 12.6 (omega), 11.5 (vy); nodes near the corners of the two layers have touched, and "
@@ -321,9 +321,9 @@ void check_states(Findings& findings, const Sample2Run& run, const std::vector<D
                      layers.spin, layers.spin / 0.001));
   expect("columns 4 to 7 at 0.00496 s, largest deviation in units of the last digit", 0, 4, 7, 4.5,
          "measured: 4.1 (element 7), 0.5 at element 4: at the front of the wave each further column follows the "
-         "early motion of the one before and adds about 0.8 units");
+         "early motion of the one before and adds about 1.2 units");
   expect("columns 4 to 8 at 0.00993 s, largest deviation in units of the last digit", 1, 4, 8, 4.0,
-         "measured: 3.8 (element 8), 0.7 at element 4; cause as for columns 4 to 7 at 0.00496 s");
+         "measured: 3.8 (element 8), 0.7 at element 4; cause as for columns 4 to 7 at 0.00496 s, about 0.8 units each");
   expect("elements 11 to 13 at 0.00993 s, largest deviation in units of the last digit", 1, 11, 13, 170.0,
          fmt::format("measured: 164 (vy of 12), 107 (vy of 11), 5.8 (vx of 11). The column of the second layer has "
                      "been in contact for a few steps only: one dashpot changes its velocity in one step by {:.3f} "

@@ -218,7 +218,8 @@ void check_fences(Findings& findings, const Setup& setup) {
   if (setup.coarse) return;
   tight.check(
       findings, 0.01, 5e-9,
-      "1 % is noticeable to an engineer; the error of a tension is about ten times the default tolerance, 1e-10");
+      "1 % is noticeable to an engineer; the error of a tension is about ten times the default tolerance, 1e-10, and "
+      "five times that is allowed for the worst of twenty fences");
   if (setup.tier == Tier::full) {
     fixed.check(
         findings, 0.02, 0.002,

@@ -130,8 +130,8 @@ FailureFound check_corner_normal(Findings& findings, const Setup& setup) {
   findings.expect_between("corner normal: work round a corner by side faces, over the energy", std::abs(made), 0.05,
                           2.0,
                           "the overlap of nodes pushed out of the nearer side face jumps at the top: the work is of "
-                          "the size of the energy itself, once or twice; a twentieth is ten times what the other rule "
-                          "may have");
+                          "the size of the energy itself, once or twice; a twentieth is beyond the bound of the other "
+                          "rule (next check)");
   findings.expect("corner normal: work round a corner by the nearest side, over the energy", kept, 0.0,
                   Tolerance::truncation(2.0 * step / std::sqrt(0.002 * nearest.energy), 2.0,
                                         "the trapezoidal rule errs by half a step times the jump of the force at each "
