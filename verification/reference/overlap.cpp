@@ -61,7 +61,7 @@ std::vector<Point> boundary(const Outline& outline, int count) {
   if (outline.kind == OutlineKind::half_plane) return points;
   const Frame frame{outline};
   for (int i = 0; i < count; ++i)
-    points.push_back(frame.outwards(boundary_point(outline, (i + 0.5) / count)));
+    points.push_back(frame.outwards(boundary_point(outline, static_cast<double>(i) / count)));
   return points;
 }
 
@@ -91,20 +91,29 @@ double displacement(const Outline& a, Outline b, double angle, int count) {
   return 0.5 * (inside + outside);
 }
 
-double distance_of_points(const Outline& a, const Outline& b, int count) {
+/// Smallest distance of a corner of one polygon from the sides of the other.
+double distance_from_sides(const std::vector<Point>& corners, const std::vector<Point>& polygon) {
   double least = std::numeric_limits<double>::infinity();
-  const std::vector<Point> of_b = boundary(b, count);
-  for (const Point p : boundary(a, count)) {
-    for (const Point q : of_b)
-      least = std::min(least, std::hypot(p.x - q.x, p.y - q.y));
+  for (std::size_t i = 0; i < polygon.size(); ++i) {
+    const Point from = polygon[i], to = polygon[(i + 1) % polygon.size()];
+    const double dx = to.x - from.x, dy = to.y - from.y, square = dx * dx + dy * dy;
+    for (const Point p : corners) {
+      const double share = std::clamp(((p.x - from.x) * dx + (p.y - from.y) * dy) / square, 0.0, 1.0);
+      least = std::min(least, std::hypot(from.x + share * dx - p.x, from.y + share * dy - p.y));
+    }
   }
   return least;
+}
+
+double distance_of_polygons(const Outline& a, const Outline& b, int count) {
+  const std::vector<Point> of_a = boundary(a, count), of_b = boundary(b, count);
+  return std::min(distance_from_sides(of_a, of_b), distance_from_sides(of_b, of_a));
 }
 
 }  // namespace
 
 double least_displacement(const Outline& a, const Outline& b, int count) {
-  if (!overlap_by_points(a, b, count)) return -distance_of_points(a, b, count);
+  if (!overlap_by_points(a, b, count)) return -distance_of_polygons(a, b, count);
   constexpr int directions = 90;
   constexpr double part = 2.0 * std::numbers::pi / directions;
   double best = 0.0, least = std::numeric_limits<double>::infinity();

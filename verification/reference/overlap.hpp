@@ -20,8 +20,8 @@ struct Outline {
 /// True if the world point lies inside.
 [[nodiscard]] bool contains(const Outline& outline, Point world);
 
-/// `count` boundary points in world coordinates, none of a half-plane: at equal steps along the sides of a rectangle,
-/// at equal steps of the parametric angle otherwise.
+/// `count` boundary points in world coordinates, none of a half-plane: at equal steps along each side of a rectangle,
+/// with its corners if count is a multiple of 4, and at equal steps of the parametric angle otherwise.
 [[nodiscard]] std::vector<Point> boundary(const Outline& outline, int count);
 
 /// True if a point of one boundary lies in the other outline. Overlaps narrower than the point spacing may be missed.
@@ -29,8 +29,8 @@ struct Outline {
 
 /// Length of the shortest displacement of b after which it no longer overlaps a (for separate outlines, minus their
 /// distance), by brute force: the displacement along each of many directions by bisection of overlap_by_points(), the
-/// shortest refined by golden sections; the distance over all pairs of points. The error for curved outlines is about
-/// (2 pi/count)^2/8 of their radius.
+/// shortest refined by golden sections; the distance of the polygons of boundary points. With a multiple of 4 for
+/// `count`, rectangles are exact; a polygon lies within up to (2 pi/count)^2/8 of the longer half axis of its ellipse.
 [[nodiscard]] double least_displacement(const Outline& a, const Outline& b, int count);
 
 }  // namespace talus::verification::reference

@@ -147,16 +147,13 @@ void check_pairs(Findings& findings, const Setup& setup) {
   }
   findings.expect("overlap of pairs of superellipses and rectangles: largest error against brute force", worst_inside,
                   0.0,
-                  Tolerance::truncation(2e-4, 3.0,
-                                        "boundary points spaced by 2 pi/900 of the parametric angle: (2 pi/900)^2/8 = "
-                                        "6e-6 of a radius of curvature; measured 30 times that where the sides of n = "
-                                        "20, along which the angle varies fast, meet a corner"),
+                  Tolerance::truncation(6.1e-6, 2.0,
+                                        "boundary points spaced by 2 pi/900 of the parametric angle, between which "
+                                        "chords cut off up to (2 pi/900)^2/8 = 6.1e-6 of the half axis of 1 m for n = "
+                                        "2, and 2.2e-6 m for n = 20; twice that for both outlines"),
                   "m");
   findings.expect("distance of pairs of superellipses and rectangles: largest error against brute force", worst_apart,
-                  0.0,
-                  Tolerance::truncation(5e-3, 3.0,
-                                        "the nearest of 900 points of each outline, up to 0.1 apart on the sides of n "
-                                        "= 20: the square of half that spacing over twice the distance"),
+                  0.0, Tolerance::truncation(6.1e-6, 2.0, "the distance of the same polygons: as for the overlap"),
                   "m");
 }
 
