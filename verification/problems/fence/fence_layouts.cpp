@@ -162,17 +162,20 @@ void check_hanging(Findings& findings, const Setup& setup) {
     }
     keep_worst(sag, highest - lowest - fence.sag), keep_worst(span, 2.0 * farthest - fence.span);
   }
-  const Tolerance by_lengths = Tolerance::round_off(1e-8,
+  const Tolerance by_lengths = Tolerance::round_off(5e-11,
                                                     "a tension of 2e4 lb is 9e6 lb/ft times a difference of lengths "
                                                     "of 2.5 to 12.5 ft, rounded to 1e-8 lb; relative to weights of "
-                                                    "480 lb, and times a hundred");
+                                                    "480 lb, 2e-11, and half as much again for two cables a column");
   findings.expect("vertical cable force over weight of the columns, all layouts, worst relative error", balance, 0.0,
                   by_lengths);
   findings.expect("cable force along the fence over weight of the columns, full models, largest", sideways, 0.0,
                   by_lengths);
   findings.expect("horizontal tension of each segment against that from moments, worst relative error", horizontal, 0.0,
-                  by_lengths);
-  const Tolerance lengths = Tolerance::round_off(1e-13, "sums of up to seven lengths of 55 ft");
+                  Tolerance::round_off(2.5e-12,
+                                       "as for the vertical force, 1e-8 lb, relative to tensions of 2e4 lb: 5e-13, and "
+                                       "five times that for the seven segments of a half"));
+  const Tolerance lengths =
+      Tolerance::round_off(2.5e-14, "sums of up to seven lengths of 55 ft, each rounded by at most 3.6e-15 ft");
   findings.expect("sag of the top cables, worst error", sag, 0.0, lengths, "ft");
   findings.expect("span of the top cables, worst error", span, 0.0, lengths, "ft");
   findings.expect("slack of the bottom cables, worst error", slack, 0.0, lengths, "ft");
@@ -225,7 +228,7 @@ void check_long_cables(Findings& findings) {
   findings.expect(
       "vertical cable force over weight of the columns, cables longer by 4 ft per half, worst relative error", balance,
       0.0,
-      Tolerance::round_off(1e-8,
+      Tolerance::round_off(5e-11,
                            "as for all layouts: the tension of at most 1e4 lb is 9e6 lb/ft times a difference of "
                            "lengths"));
   findings.expect_true("central columns of both layers lower by more than ten sags",
