@@ -145,7 +145,7 @@ void expect_study(Findings& findings, const Setup& setup) {
   findings.expect(
       "study: standard errors over seeds, largest relative error", errors, 0.0,
       Tolerance::round_off(
-          1e-9, "depths of ten diameters differ by some thousandths, so that 13 digits of their differences remain"));
+          1e-12, "depths of ten diameters differ by some thousandths, so that 12 digits of their differences remain"));
 }
 
 /// Study point with these numbers for its seeds, and their mean and standard error.
@@ -219,9 +219,12 @@ void expect_verdicts(Findings& findings, const Setup& setup) {
     outturns += found[k].outturn == outturn ? 0.0 : 1.0;
   }
   findings.expect("verdicts: Student's t, largest relative error", significance, 0.0,
-                  Tolerance::round_off(1e-11, "differences of numbers up to 9, of which 14 digits remain"));
+                  Tolerance::round_off(1e-13, "differences of numbers up to 9, of which 13 digits remain"));
   findings.expect("verdicts: probabilities, largest error", chances, 0.0,
-                  Tolerance::round_off(1e-11, "Student's distribution with 4 and 5 degrees of freedom in closed form"));
+                  Tolerance::round_off(3e-14,
+                                       "Student's distribution with 4 and 5 degrees of freedom in closed form: some "
+                                       "twenty roundings of numbers up to one, and a quarter of the relative error of "
+                                       "t, 1e-13, at most"));
   findings.expect("verdicts that disagree with t and its probability", outturns, 0.0,
                   Tolerance::exact("each verdict follows from both"));
 }

@@ -110,16 +110,20 @@ void expect_momentum(Findings& findings, const Setup& setup, const std::string& 
   for (std::size_t i = 0; i < cell.free_discs(); ++i)
     gained += cell.mass * Vec2{after.vx[i] - before.vx[i], after.vy[i] - before.vy[i]};
   const double scale = static_cast<double>(cell.free_discs()) * cell.mass * cell.block_speed;
-  const Tolerance tolerance = Tolerance::round_off(
-      1e-10,
-      "about 1e5 impulses of up to a hundredth of the total, each rounded to 1e-16 of its size, add up like a random "
-      "walk to 3e-16; the resulting speeds are rounded a thousand times more coarsely");
+  // The run has 3.3e4 steps; the weight's impulse is six times N m VXT.
   const double left_out = setup.has("base_left_out") ? 0.0 : 1.0;
   findings.expect("momentum balance error of the free discs, " + integrator,
-                  norm(gained + on_block + left_out * on_base) / scale, 0.0, tolerance);
+                  norm(gained + on_block + left_out * on_base) / scale, 0.0,
+                  Tolerance::round_off(1.2e-13,
+                                       "3.3e4 steps round the impulses on the walls, up to 6 in this unit, by at most "
+                                       "1.1e-16 of them, as a random walk: sqrt(3.3e4) x 6 x 1.1e-16"));
   const double weight = cell.block_mass * cell.gravity * (setup.has("weight_off") ? 1.0 + 1e-6 : 1.0) * after.t;
-  findings.expect("momentum balance error of the block, " + integrator,
-                  (cell.block_mass * after.vy.back() - (on_block.y - weight)) / weight, 0.0, tolerance);
+  findings.expect(
+      "momentum balance error of the block, " + integrator,
+      (cell.block_mass * after.vy.back() - (on_block.y - weight)) / weight, 0.0,
+      Tolerance::round_off(4e-12,
+                           "the time, to which the weight's impulse is proportional, is a sum of 3.3e4 equal "
+                           "steps, each rounded by at most 1.1e-16 of it, perhaps all with the same sign"));
 }
 
 /// Without dissipation the present energy grows by the work of the drive.

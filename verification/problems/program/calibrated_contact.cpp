@@ -76,7 +76,7 @@ void check_numbers(const TemporaryFolder& folder, Findings& findings, const Setu
     }
   }
   const Tolerance round_off = Tolerance::round_off(
-      2e-14, "closed forms of about ten operations and one root on both sides, printed with 17 digits");
+      3e-15, "closed forms of about ten operations and one root on both sides, 1.1e-16 each, printed with 17 digits");
   findings.expect("effective mass, over the exact one: largest deviation from 1", mass, 0.0, round_off);
   findings.expect("damping, over the exact one: largest deviation from 1", damping, 0.0, round_off);
   findings.expect("contact time, over the exact one: largest deviation from 1", time, 0.0, round_off);

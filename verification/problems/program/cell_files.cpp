@@ -256,9 +256,9 @@ Expected expected_of(VirtualDiscs discs, const Setup& setup) {
 
 Tolerance of_paths() {
   return Tolerance::round_off(
-      1e-9,
+      1e-10,
       "positions are rounded to 1e-16 in each of 2010 steps, and neighbouring trajectories diverge tenfold in about "
-      "ten contacts of a disc, to 2.5e-11 here; one step or contact more or less causes more than 1e-4");
+      "ten contacts of a disc, to 7e-12 here; one step or contact more or less causes more than 1e-4");
 }
 
 void check_history(const TemporaryFolder& folder, const Expected& expected, Findings& findings) {
@@ -425,7 +425,7 @@ void check_states(const TemporaryFolder& folder, const Expected& expected, Findi
     contacts_seen += expected.states[k].multiple.size();
   }
   findings.expect("cell.pvd: times of the states, largest error", times, 0.0,
-                  Tolerance::round_off(1e-13, "a sum of 2010 steps of 3e-7 s, each rounded to 2e-18 s"), "s");
+                  Tolerance::round_off(2e-15, "a sum of 2010 steps of 3e-7 s, each rounded by at most 9e-19 s"), "s");
   findings.expect("cell.pvd: positions, velocities, radii and walls of discs, largest error", worst.discs, 0.0,
                   of_paths());
   findings.expect("cell.pvd: ends, forces and kinds of contacts, largest error", worst.contacts, 0.0, of_paths());
@@ -494,7 +494,7 @@ void check_decks(const TemporaryFolder& folder, const Expected& expected, Findin
   const std::size_t first = restart.find('\n') + 1;
   const std::array head = numbers_of(restart.substr(0, first), 2).at(0);
   findings.expect("RESTART.DAT: elapsed time", head[0], elapsed + end,
-                  Tolerance::round_off(1e-13, "a sum of 2010 steps of 3e-7 s, each rounded to 2e-18 s"), "s");
+                  Tolerance::round_off(2e-15, "a sum of 2010 steps of 3e-7 s, each rounded by at most 9e-19 s"), "s");
   findings.expect("RESTART.DAT: cycles", head[1], static_cast<double>(cycles + steps),
                   Tolerance::exact("those of the file from which the run started plus those of the run"));
   double worst = 0.0;

@@ -72,7 +72,10 @@ class Worst {
 };
 
 Tolerance of_units() {
-  return Tolerance::round_off(1e-13, "about ten roundings between feet and metres, in 17 digits");
+  return Tolerance::round_off(
+      5e-15,
+      "about ten roundings between feet and metres, 1.1e-16 each, in 17 digits, and as many again "
+      "in the program's numbers; twice that");
 }
 
 /// A rock touches the fence in the rows in which it overlaps a column or presses it: at the start it may press without
@@ -174,7 +177,9 @@ void check_parts(const Node& sheet, const Csv& history, const Csv& codes, Findin
   findings.expect("sheet: travel of all columns, largest error", travels.error(), 0.0, of_units());
   findings.expect("sheet: largest forces of hangers and segments, largest error", peaks.error(), 0.0, of_units());
   findings.expect("sheet: impulses of the segments, largest error", impulses.error(), 0.0,
-                  Tolerance::round_off(1e-12, "trapezoidal sums of 363 terms"));
+                  Tolerance::round_off(1e-14,
+                                       "trapezoidal sums of 363 terms, each rounded by 1.1e-16 of the sum: 2e-15 as a "
+                                       "walk, five times that"));
   findings.expect("sheet: times of the largest travels and forces over the duration, largest error", times.error(), 0.0,
                   of_units());
   Worst rows;
