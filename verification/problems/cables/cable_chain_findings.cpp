@@ -106,7 +106,10 @@ void check_listings(Findings& findings) {
     }
   } while (std::next_permutation(listing.order.begin(), listing.order.end()));
   findings.expect("tension of three cables past broken hangers, largest error over 48 listing orders", force_error, 0.0,
-                  Tolerance::round_off(1e-12, "100 times the rounding of lengths near 10 m"), "N");
+                  Tolerance::round_off(1.5e-13,
+                                       "a dozen roundings of lengths near 10 m, 5.1e-16 m rms, times the stiffness of "
+                                       "29 N/m: 5e-14 as a random walk, three times that"),
+                  "N");
   findings.expect(
       "positions of the points between three cables past broken hangers, largest error over 48 listing orders",
       place_error, 0.0, Tolerance::round_off(1e-14, "a dozen roundings of lengths near 10 m"), "m");
@@ -133,7 +136,12 @@ void check_mirror_image(Findings& findings) {
   }
   findings.expect(
       "tension of two cables past broken hangers up to a plane of symmetry, largest error over 8 listing orders",
-      force_error, 0.0, Tolerance::round_off(1e-12, "100 times the rounding of lengths near 10 m"), "N");
+      force_error, 0.0,
+      Tolerance::round_off(
+          1.8e-13,
+          "a dozen roundings of lengths near 10 m, 5.1e-16 m rms, times the stiffness of 33 N/m: 6e-14 "
+          "as a random walk, three times that"),
+      "N");
   findings.expect(
       "positions of the points of two cables along the fence past broken hangers, largest error over 8 listing orders",
       place_error, 0.0,
@@ -155,7 +163,10 @@ void check_break_within(Findings& findings) {
                   Tolerance::exact("no cable of a broken chain carries tension"), "N");
   findings.expect("energy loss when the middle cable of a chain breaks", found.lost,
                   0.5 * tension * tension * compliance_of_three,
-                  Tolerance::round_off(1e-13, "100 roundings of lengths near 10 m, times 30 N"), "J");
+                  Tolerance::round_off(1e-13,
+                                       "a dozen roundings of lengths near 10 m, 5.1e-16 m rms, times the tension of 29 "
+                                       "N: 5e-14 as a random walk, twice that"),
+                  "J");
 }
 
 }  // namespace

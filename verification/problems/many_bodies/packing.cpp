@@ -122,7 +122,9 @@ void expect_as_planned(Findings& findings, const Setup& setup, const Plan& each,
   const auto name = [&](const char* what) { return fmt::format("{}, {}", what, each.name); };
   findings.expect(name("free discs"), sums.discs, n, Tolerance::exact("a count"));
   findings.expect(name("solid fraction"), sums.area / (packing.width * packing.height), plan.solid_fraction,
-                  Tolerance::round_off(n * 2.3e-16, "a sum over the discs, rounded at each disc"));
+                  Tolerance::round_off(std::sqrt(n) * 2.3e-16,
+                                       "a sum over n discs, rounded at each disc by at most 1.1e-16 of it at random: "
+                                       "twice sqrt(n) of that"));
   findings.expect(
       name("height over width"), packing.height / packing.width, plan.aspect,
       plan.walls
@@ -192,10 +194,15 @@ void expect_agitated(Findings& findings, const Setup& setup) {
     if (m < mass) of_small += 0.5 * m * (vx * vx + vy * vy), small += 1.0;
   }
   findings.expect("temperature", 0.5 * (along_x + along_y), temperature,
-                  Tolerance::round_off(count * 2.3e-16, "a sum over the discs, rounded at each disc").relative(),
+                  Tolerance::round_off(std::sqrt(count) * 2.3e-16,
+                                       "a sum over n discs, rounded at each disc by at most 1.1e-16 of it at random: "
+                                       "twice sqrt(n) of that")
+                      .relative(),
                   "N m");
   findings.expect("momentum over the sum of its magnitudes", (std::abs(px) + std::abs(py)) / largest, 0.0,
-                  Tolerance::round_off(1e-14, "the mean is subtracted from each velocity, which rounds it"));
+                  Tolerance::round_off(5e-16,
+                                       "the mean is subtracted from each velocity, which rounds it by 1.1e-16 of the "
+                                       "largest, four times the mean, if all errors have the same sign"));
   // The variance of a sum of squares of 2000 nearly Gaussian numbers is 2/2000 of its square.
   const double scatter_of_mean = 4.0 * std::sqrt(2.0 / count);
   findings.expect("temperature along x over that along y", along_x / along_y, 1.0,

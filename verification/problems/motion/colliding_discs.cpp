@@ -175,7 +175,9 @@ void check_twenty(Findings& findings, const Setup& setup, double xi, double mu, 
       "the sums and the moments";
   findings.in("momentum")
       ->expect("largest change of momentum, twenty discs, " + what, last.momentum, 0.0,
-               Tolerance::round_off(rounding * momentum, words), "kg m/s");
+               Tolerance::round_off(rounding * momentum / std::sqrt(20.0),
+                                    words + "; the twenty discs are rounded independently"),
+               "kg m/s");
   findings.in("moment_of_momentum")
       ->expect("largest change of angular momentum, twenty discs, " + what, last.moment, 0.0,
                Tolerance::round_off(rounding * moment, words), "kg m^2/s");

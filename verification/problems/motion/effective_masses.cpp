@@ -227,7 +227,12 @@ void check_friction(Findings& findings) {
     inverse += 1.0 / masses[i] + radii[i] * radii[i] / inertias[i];
   for (const SpringAdvice& spring : advise_step(dynamics, scene.initial).springs) {
     if (spring.name != "touch friction") continue;
-    const auto rounding = Tolerance::round_off(1e-14, "a sum of four quotients, from positions of about 1").relative();
+    const auto rounding =
+        Tolerance::round_off(
+            2e-15,
+            "a sum of four quotients, from positions of about 1: some twenty roundings of 1.1e-16 if all "
+            "have the same sign")
+            .relative();
     findings.in("springs")->expect("frequency of the friction spring between two discs", spring.frequency,
                                    std::sqrt(k_s * inverse), rounding, "rad/s");
     findings.in("springs")->expect("damping ratio of the friction spring between two discs", spring.damping_ratio,

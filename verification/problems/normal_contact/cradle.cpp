@@ -95,7 +95,7 @@ void check_gaps(Findings& findings, const Setup& setup) {
   const auto beyond = reference::rebound({1.0, 1.0, 1.0, 1.001 * limit}).velocity;
   const auto within = reference::rebound({1.0, 1.0, 1.0, 0.9 * limit}).velocity;
   findings.expect("exact speed of the first disc, gap above pi v/(2 w)", beyond[0], 0.0,
-                  Tolerance::round_off(1e-15, "zero in 50 digits"));
+                  Tolerance::round_off(1e-45, "zero in 50 digits, of numbers up to one, in a few dozen operations"));
   findings.expect_true("exact speed of the first disc is not zero, gap below pi v/(2 w)", std::abs(within[0]) > 1e-6,
                        "the second disc meets the third while the first still pushes it");
 }
@@ -119,9 +119,9 @@ void check_order(Findings& findings, const Setup& setup) {
 void check_accounts(Findings& findings, const Setup& setup) {
   const RowRun found = run_row(touching, {0, std::numbers::pi / 100.4, 0.3}, 8.0, findings, setup);
   findings.expect("momentum error of the three discs", found.momentum_error, 0.0,
-                  Tolerance::round_off(8e-15,
-                                       "700 kicks of two contacts, which round speeds below 1 to 1.1e-16: sqrt(1400) x "
-                                       "1.1e-16 = 4e-15, times two for the worst"));
+                  Tolerance::round_off(4e-15,
+                                       "at most 512 half kicks round three speeds below 1, each by 3.2e-17 rms: "
+                                       "sqrt(1536) x 3.2e-17 = 1.3e-15, three times that for the worst"));
 }
 
 void show_speeds(Findings& findings, const Setup& setup) {

@@ -142,10 +142,10 @@ void check_undamped(Figure& figure, Findings& findings, const Setup& setup) {
                                        leapfrog_heights(pair, end_time / static_cast<double>(steps)), findings, setup);
     findings.in("heights")->expect(
         "heights against the exact leapfrog solution, " + name_of(pair), found, 0.0,
-        Tolerance::round_off(4e-13,
-                             "400 steps that round heights of 1 and 3 to 2.2e-16, summed twice: "
-                             "400^1.5/sqrt(3) x 2.2e-16/0.03 = 3e-11 at most, a hundredth of it because "
-                             "the oscillation reverses the sums"));
+        Tolerance::round_off(3.5e-13,
+                             "400 steps that round heights of 1 and 3 by 1.3e-16 rms; in an oscillation "
+                             "these errors add up as a random walk: sqrt(400) x 1.3e-16/0.03 = 9e-14, four times "
+                             "that for the worst of 400 steps"));
     Convergence order;
     for (const double n : doublings(200.0, setup.coarse ? 2 : 4))
       order.add(end_time / n,

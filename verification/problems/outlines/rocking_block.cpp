@@ -94,11 +94,12 @@ void check_slender(Findings& findings, const Setup& setup, double stiffness, Tab
       fmt::format("time of a fall over that of the rigid block, k = {:g}", stiffness), rocked.first / exact, 1.0,
       Tolerance::model(late / exact, "the corner's overlap, divided by the speed at which the other corner descends"));
   const double ratio = energy_ratio(slender, tilt, rocked);
-  findings.expect(
-      fmt::format("energy ratio at a change of corner over Housner's, k = {:g}", stiffness),
-      ratio / impact_energy_ratio(slender), 1.0,
-      Tolerance::model(800.0 / stiffness,
-                       "first order in 1/k, its order checked below; measured constant 640, plus a quarter"));
+  findings.expect(fmt::format("energy ratio at a change of corner over Housner's, k = {:g}", stiffness),
+                  ratio / impact_energy_ratio(slender), 1.0,
+                  Tolerance::model(
+                      500.0 / stiffness,
+                      "first order in 1/k, its order checked below; the measured constant falls from 640 at k = 1e4 to "
+                      "540 at 8e4 and 410 at 1e6, plus a fifth"));
   table.rows.push_back({"slender", fmt::format("{:g}", stiffness), fmt::format("{:.6f}", rocked.first / exact),
                         fmt::format("{:.5f}", ratio), fmt::format("{:.5f}", impact_energy_ratio(slender))});
 }

@@ -257,8 +257,8 @@ Advantage expected_cheapest(const SceneCurves& all) {
     return each.method == "exact" && !each.points.empty();
   });
   if (closed_form) {
-    return {"exact", 10.0, 60.0,
-            "one evaluation per segment between events, where the next method restarts with order 1 and takes 15 to 50 "
+    return {"exact", 10.0, 50.0,
+            "one evaluation per segment between events, where the next method restarts with order 1 and takes 10 to 50 "
             "for 1e-6"};
   }
   if (all.scene->runs > 1) {  // events
