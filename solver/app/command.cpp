@@ -25,7 +25,7 @@ void describe(CLI::App& talus) {
   talus.footer(
       "Examples:\n"
       "  talus new fence > my.toml                    a commented scene file that runs as it is\n"
-      "  talus check cases/two_cable.toml             what the scene carries, and what its step is worth\n"
+      "  talus check cases/two_cable.toml             its bodies and contacts; is the step small enough?\n"
       "  talus advise cases/two_cable.toml --accuracy 1e-3 --of particle.x.max --out advised.toml\n"
       "                                               the method and step that give this at least cost\n"
       "  talus run cases/two_cable.toml --out out     run it; summary here, histories and state in out/\n"

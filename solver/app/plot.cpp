@@ -58,10 +58,12 @@ Command add_plot(CLI::App& talus, const DrawingSink& sink) {
   app->add_option("DIR", wish.folders,
                   "folders that `talus run --out` or `talus cell --out` wrote; without --history one, drawn whole")
       ->required();
-  app->add_option("--history", wish.histories,
-                  "histories to draw: a number or title of 1993 (48), a quantity (top_tension, vx) or a whole column "
-                  "(rock.vx)")
-      ->delimiter(',');
+  CLI::Option* const history =
+      app->add_option(
+             "--history", wish.histories,
+             "histories to draw: a number or title of 1993 (48), a quantity (top_tension, vx) or a whole column "
+             "(rock.vx)")
+          ->delimiter(',');
   app->add_option(
          "--element", wish.elements,
          fmt::format("elements by number, bodies and cables by name; default: all, of more than {} curves in a "
@@ -84,6 +86,10 @@ Command add_plot(CLI::App& talus, const DrawingSink& sink) {
   app->add_flag("--list", options->list, "print what can be drawn, and of which elements");
   add_format_option(*app, wish.picture);
   add_picture_options(*app, wish.picture);
+  // A run drawn whole has the figures of its plot.json, with their axes.
+  for (const char* const name : {"--x", "--until", "--apart", "--columns", "--x-limits", "--y-limits", "--x-title",
+                                 "--y-title", "--divisions", "--no-grid", "--name", "--title"})
+    app->get_option(name)->needs(history);
   app->footer(
       "Examples:\n"
       "  talus run cases/two_cable.toml --out out && talus plot out --format svg\n"

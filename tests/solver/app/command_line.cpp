@@ -336,6 +336,12 @@ BOOST_AUTO_TEST_CASE(drawing_that_fails_says_why_and_leaves_nothing) {
   refused({"plot", run, "--out", pictures}, path.c_str(), 4, "(exit code 3):\ntalus: no terminal\n");
 
   refused({"plot", run, "--out", "/proc/none"}, nullptr, 4, "talus: /proc/none/.partial-");
+  for (const std::string option : {"--title", "--x-limits", "--no-grid", "--until"}) {
+    std::vector<std::string> command{"plot", run, "--out", pictures, option};
+    const std::size_t values = option == "--no-grid" ? 0 : option == "--x-limits" ? 2 : 1;
+    command.insert(command.end(), values, "1");
+    refused(command, nullptr, 2, option + " requires --history");
+  }
   refused({"plot", run, "--history", "vx", "--name", "a/b", "--out", pictures}, nullptr, 2,
           "talus: name of a page: found 'a/b'; it must be a plain file name\n");
   std::ofstream{fs::path{run} / "history.csv", std::ios::app} << "cut";
