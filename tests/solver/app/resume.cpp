@@ -15,9 +15,10 @@
 
 namespace {
 
+/// Steps of some runs are too long for usable results (7).
 void runs(std::vector<std::string> arguments) {
   const Ended ended = talus_ran(std::move(arguments));
-  BOOST_TEST_REQUIRE(ended.code == 0, ended.err);
+  BOOST_TEST_REQUIRE((ended.code == 0 || ended.code == 7), ended.err);
 }
 
 /// Compares a run of `command` to its end with the same run stopped in one folder, resumed in another, stopped, and
