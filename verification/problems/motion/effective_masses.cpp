@@ -93,8 +93,11 @@ double largest_mobility(Mobility mobility) {
   for (const double x : {1.0, -1.0}) {
     for (const double y : {1.0, -1.0}) {
       const Vec2 corner{x * half_width, y * half_height};
-      for (int i = 0; i <= directions; ++i) {
-        const double angle = 0.5 * std::numbers::pi * i / directions;
+      for (int i = 0; i <= directions + 2; ++i) {
+        // The last two are the axes along which a body slides.
+        const double angle = i <= directions       ? 0.5 * std::numbers::pi * i / directions
+                             : i == directions + 1 ? tilt
+                                                   : 0.5 * std::numbers::pi - tilt;
         const Vec2 normal = turned({x * std::cos(angle), y * std::sin(angle)}, tilt);
         const Line line{corner, at + turned(corner, tilt) + normal};
         largest = std::max(largest, mobility_between(mobility, line, line));
