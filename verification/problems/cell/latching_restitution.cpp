@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "solver/calibrate/latching_calibration.hpp"
+#include "solver/granular/disc_method.hpp"
 #include "verification/check/case.hpp"
 #include "verification/problems/cell/disc_row.hpp"
 #include "verification/reference/latching_impact.hpp"
@@ -326,12 +327,13 @@ void check_growth(Findings& findings, const Setup& setup) {
   for (const LatchScheme& scheme : {latch_schemes[0], latch_schemes[1]}) {
     const bool euler = scheme.map == StepMap::euler;
     const char* method = setup.has("methods_exchanged") ? (euler ? "taylor" : "euler") : scheme.name;
-    double worst = 0.0, predicted = 0.0, beyond = 0.0;
+    double worst = 0.0, predicted = 0.0, beyond = 0.0, stated = 0.0;
     for (const double ratio : ratios) {
       for (const double step : {0.0113, 0.0271, 0.045}) {
         const SteppedLatch latch{ratio, step, scheme.map};
         const PhasesOfLatch s = phases_of(latch, method, findings, setup);
         const double form = reference::leading_restitution(latch);
+        keep_worst(stated, stepped_restitution(make_disc_method(scheme.name), std::sqrt(ratio), step) / form - 1.0);
         keep_worst(worst, std::abs(s.mean - form));
         keep_worst(predicted, std::abs(reference::mean_restitution(latch) - form));
         keep_worst(beyond, s.beyond / std::pow(step / std::sqrt(ratio), 4));
@@ -344,6 +346,9 @@ void check_growth(Findings& findings, const Setup& setup) {
                  Tolerance::truncation(predicted, 1.2,
                                        euler ? "3e-4 is required; the closed form neglects the third order of growth"
                                              : "3e-4 is required; the closed form neglects (z2^2 - z1^2)/16"));
+    findings.expect(
+        fmt::format("restitution by {} by which a step of a cell is judged, against the closed form", scheme.label),
+        stated, 0.0, Tolerance::round_off(1e-14, "an exponential and half a dozen operations"));
     findings.in("each_impact")
         ->expect(
             fmt::format("ln e of each impact by {}: largest of 1800 errors over (w2 h)^4", scheme.label), beyond, 0.0,

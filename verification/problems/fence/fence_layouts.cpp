@@ -495,6 +495,7 @@ void run(Findings& findings, const Setup& setup) {
   check_start(findings, setup);
   check_sides(findings, setup);
   check_outlines(findings);
+  check_reach(findings);
   check_warnings(findings);
   check_counts(findings);
   check_ends(findings);

@@ -12,7 +12,9 @@ namespace talus::verification::problems::fence_layouts {
 /// A column that is longer and heavier than the others and has other joints; each use sets its place.
 inline constexpr scenes::ChangedColumn unlike{3, 1.0, 4.6, 0.8, 7.3, -4.5};
 
-void check_outlines(Findings& findings);  // fence_outlines.cpp
+// fence_outlines.cpp
+void check_outlines(Findings& findings);
+void check_reach(Findings& findings);
 // fence_warnings.cpp
 void check_warnings(Findings& findings);
 void check_counts(Findings& findings);

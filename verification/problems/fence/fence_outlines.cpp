@@ -1,6 +1,9 @@
+#include <fmt/format.h>
+
 #include <cmath>
 #include <limits>
 #include <numbers>
+#include <string>
 #include <variant>
 #include <vector>
 
@@ -47,6 +50,28 @@ void check_outlines(Findings& findings) {
                   -probe.overlap(index(*find_contact(scene.model, "rock-ground"))),
                   over / std::hypot(1.0, slope) - rock.a,
                   Tolerance::round_off(1e-14, "a dozen operations on lengths of 50 ft"), "ft");
+}
+
+/// Checks which columns a rock can hit in a full fence: those within half their spacing of it, two if it is midway
+/// between them. The spacings differ from 2 in any unit.
+void check_reach(Findings& findings) {
+  scenes::Fence fence = fence_of_today();
+  fence.options.symmetry = scenes::FenceSymmetry::full;
+  double wrong = 0.0;
+  for (const double spacing : {2.5, 3.5}) {
+    fence.spacing = spacing;
+    for (const double places : {0.0, 0.3, 0.49, 0.5, 0.51, 1.0, 1.5, -0.5, -2.4, -2.5}) {
+      fence.rocks[0].along = places * spacing;
+      const Model model = scenes::fence_scene(fence).scene.model;
+      for (int i = -6; i <= 6; ++i) {
+        const std::string name = i < 0 ? fmt::format("rock-column-{}", 1 - i) : fmt::format("rock-column{}", 1 + i);
+        const bool within = std::abs(places - i) <= 0.5;
+        wrong += find_contact(model, name).has_value() == within ? 0.0 : 1.0;
+      }
+    }
+  }
+  findings.expect("columns wrongly within or out of reach of a rock between two columns", wrong, 0.0,
+                  Tolerance::exact("a count over thirteen columns, ten positions of the rock and two spacings"));
 }
 
 }  // namespace talus::verification::problems::fence_layouts
