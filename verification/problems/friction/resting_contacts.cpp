@@ -243,6 +243,55 @@ void unmoved(Findings& findings) {
                           "without motion no step is too long: one step, or two of Fehlberg's thirteen evaluations");
 }
 
+/// A smooth disc, which spins, and a rough one, which does not, start from rest on one slope: friction acts on the
+/// contact that has it alone, whichever is listed first.
+void smooth_beside_rough(Findings& findings) {
+  constexpr double spin = 3.0, end = 0.5;
+  constexpr long steps = 5000;
+  const double along = gravity * std::sin(disc.angle), down = gravity * std::cos(disc.angle);
+  double smooth_moved = 0.0, smooth_spin = 0.0, rough_moved = 0.0;
+  for (const std::size_t rough : {0U, 1U}) {
+    ModelBuilder builder{si};
+    builder.gravity({along, -down});
+    const BodyId plane = builder.add(Body{.name = "plane", .mobility = Mobility::fixed, .shape = HalfPlane{}});
+    for (const std::size_t i : {0U, 1U}) {
+      const BodyId id =
+          builder.add(Body{.name = fmt::format("disc{}", i),
+                           .mass = disc.mass,
+                           .inertia = disc.inertia,
+                           .shape = Circle{disc.radius},
+                           .p_WB = {static_cast<double>(i), disc.radius - disc.mass * down / disc.normal_stiffness}});
+      Contact touch{.name = fmt::format("touch{}", i),
+                    .a = id,
+                    .b = plane,
+                    .law = LinearSpringDashpot{disc.normal_stiffness, 0.0}};
+      if (i == rough) touch.friction = CoulombFriction{0.4, disc.shear_stiffness};
+      builder.add(std::move(touch));
+    }
+    Scene scene{.title = "A smooth and a rough disc", .model = builder.build()};
+    scene.initial = rest_state(scene.model);
+    const std::size_t at_smooth = rough == 0 ? 3 : 0, at_rough = 3 - at_smooth;
+    scene.initial.v[at_smooth + 2] = spin;
+    const State found = run_steps(scene, VelocityVerlet{}, end / steps, steps, findings).state;
+    const auto moved = [&](std::size_t at) { return found.q[at] - scene.initial.q[at]; };
+    keep_worst(smooth_moved, moved(at_smooth) / (0.5 * along * end * end) - 1.0);
+    keep_worst(smooth_spin, found.v[at_smooth + 2] / spin - 1.0);
+    keep_worst(rough_moved, moved(at_rough) - reference::rolled_displacement(disc, end));
+  }
+  const auto group = findings.in("smooth_beside_rough");
+  group->expect("smooth disc beside a rough one: displacement, largest relative error", smooth_moved, 0.0,
+                Tolerance::round_off(1e-12, "5000 additions to positions of up to 1.4 m, over 0.4 m"));
+  group->expect("smooth disc beside a rough one: spin, largest relative change", smooth_spin, 0.0,
+                Tolerance::exact("no force on it has a moment about its centre"));
+  const double q = disc.inertia / (disc.mass * disc.radius * disc.radius);
+  const double stretch = q / (1.0 + q) * disc.mass * along / disc.shear_stiffness;
+  group->expect("rough disc beside a smooth one: displacement, largest error", rough_moved, 0.0,
+                Tolerance::model(1.5 * q / (1.0 + q) * stretch,
+                                 "without a dashpot its friction spring oscillates about the stretch s of rolling, and "
+                                 "its centre by q s/(1 + q); half of that is allowed for the change of its arm"),
+                "m");
+}
+
 /// Draws the speed of the block with and without the tangential dashpot.
 void draw_speeds(Findings& findings, const Setup& setup) {
   Scene scene = scene_of("sliding_block.toml", setup);
@@ -284,7 +333,7 @@ void run(Findings& findings, const Setup& setup) {
                    .x = {.label = "tolerance", .log = true},
                    .y = {.label = "force evaluations", .log = true, .min = 100.0, .max = 1e4},
                    .series = {costs.block, costs.disc}});
-  if (!setup.coarse) unmoved(findings);
+  if (!setup.coarse) unmoved(findings), smooth_beside_rough(findings);
 }
 
 }  // namespace
