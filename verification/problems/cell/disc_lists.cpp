@@ -4,9 +4,12 @@
 #include <array>
 #include <cmath>
 #include <numbers>
+#include <numeric>
 #include <string>
+#include <utility>
 #include <vector>
 
+#include "solver/base/error.hpp"
 #include "solver/granular/disc_method.hpp"
 #include "solver/granular/disc_system.hpp"
 #include "solver/granular/fast_disc_system.hpp"
@@ -87,20 +90,50 @@ void expect_edges(Findings& findings, const Setup& setup) {
   findings.in("edges")->expect("values that differ from a loop over all pairs, fast engine", fast_differs, 0.0, same);
 }
 
-/// A cell of rough discs with a driven block, run by several threads: friction turns both discs of a pair and acts on
-/// the walls, also where they belong to other stripes.
-void expect_stripes(Findings& findings, const Setup& setup) {
-  ShearCell cell = ice_cell(8e3, 5e3);
+enum class Numbering { by_rows, scattered };
+
+/// A cell of rough discs of two sizes, whose lever arms differ, with fast discs and a driven block. Scattered: the discs
+/// of the walls have the first numbers, and neighbours among the others have distant ones; two of three others are larger
+/// and press on the walls, because only sums of three forces depend on their order.
+FilledCell rough_cell(const ShearCell& cell, Numbering numbering) {
   FilledCell start = fill(cell);
-  for (std::size_t i = 0; i < cell.free_discs(); ++i) {
-    // Discs of two sizes, whose lever arms differ.
-    if (i % 3 == 0) start.shapes.radius[i] *= 0.8;
+  const std::size_t free = cell.free_discs();
+  const double larger = numbering == Numbering::by_rows ? 1.0 : 1.2;
+  for (std::size_t i = 0; i < free; ++i) {
+    start.shapes.radius[i] *= i % 3 == 0 ? 0.8 : larger;
     start.discs.vy[i] *= 60.0;
   }
+  if (numbering == Numbering::by_rows) return start;
+  constexpr std::size_t stride = 37;
+  TALUS_DEMAND(std::gcd(stride, free) == 1);
+  std::vector<std::size_t> order;
+  for (std::size_t i = free; i < start.discs.size(); ++i)
+    order.push_back(i);
+  for (std::size_t i = 0; i < free; ++i)
+    order.push_back(stride * i % free);
+  const auto renumber = [&order](auto& list) {
+    auto renumbered = list;
+    for (std::size_t i = 0; i < list.size(); ++i)
+      renumbered[i] = list[order[i]];
+    list = std::move(renumbered);
+  };
+  renumber(start.shapes.radius), renumber(start.shapes.inverse_mass), renumber(start.shapes.wall);
+  renumber(start.discs.x), renumber(start.discs.y);
+  renumber(start.discs.vx), renumber(start.discs.vy), renumber(start.discs.spin);
+  return start;
+}
+
+/// A cell run by several threads: friction turns both discs of a pair and acts on the walls, also where they belong to
+/// other stripes. With scattered numbers a wall meets discs of its own stripe and of others in turn.
+void expect_stripes(Findings& findings, const Setup& setup, Numbering numbering) {
+  const ShearCell cell = ice_cell(8e3, 5e3);
+  const FilledCell start = rough_cell(cell, numbering);
   const LinearSpringDashpot law{20305.0, 0.0208981};
   const CoulombFriction friction{0.5, 14214.0};
   const double h = cell.contact_time() / 20.0;
   const long steps = 1000;
+  const std::string which = numbering == Numbering::by_rows ? "" : ", scattered numbers";
+  const std::size_t turned = numbering == Numbering::by_rows ? 0 : start.discs.size() - cell.free_discs();
   Discs of_plain = start.discs;
   Vec2 on_block, on_base;
   DiscSystem plain{start.shapes, start.box, law, 0.3 * cell.diameter, friction};
@@ -110,14 +143,14 @@ void expect_stripes(Findings& findings, const Setup& setup) {
     on_block += h * plain.wall_force(block_wall), on_base += h * plain.wall_force(base_wall);
   }
   findings.count(plain.evaluations());
-  findings.expect_true("non-zero spin and wall impulses",
-                       on_block.y > 0.0 && on_base.y < 0.0 && std::abs(of_plain.spin[0]) > 0.0,
+  findings.expect_true("non-zero spin and wall impulses" + which,
+                       on_block.y > 0.0 && on_base.y < 0.0 && std::abs(of_plain.spin[turned]) > 0.0,
                        "otherwise neither would be compared");
   for (const std::size_t threads : {2U, 5U}) {
-    const std::string name = fmt::format("values that differ from the plain engine, {} threads", threads);
+    const std::string name = fmt::format("values that differ from the plain engine{}, {} threads", which, threads);
     if (!setup.needs(name)) continue;
     Discs of_fast = start.discs;
-    if (setup.has("one_disc_off")) of_fast.vx[5] *= 1.0 + 1e-15;
+    if (setup.has("one_disc_off")) of_fast.vx[turned + 5] *= 1.0 + 1e-15;
     Vec2 block, base;
     FastDiscSystem fast{start.shapes, start.box, law, 0.3 * cell.diameter, friction, threads};
     fast.begin(of_fast);
@@ -287,7 +320,10 @@ void run(Findings& findings, const Setup& setup) {
     expect_losses<FastDiscSystem<LinearSpringDashpot, CoulombFriction>>(findings, setup, "fast engine");
   }
   if (setup.needs("loop over all pairs")) expect_edges(findings, setup);
-  if (setup.needs("threads")) expect_stripes(findings, setup);
+  if (setup.needs("threads")) {
+    expect_stripes(findings, setup, Numbering::by_rows);
+    expect_stripes(findings, setup, Numbering::scattered);
+  }
 }
 
 }  // namespace
