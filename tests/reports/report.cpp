@@ -88,7 +88,9 @@ BOOST_AUTO_TEST_CASE(the_site_has_a_page_for_each_case_and_no_dead_link) {
   BOOST_TEST(fs::file_size(site / "index.html") < 2000000U);
   const std::string page = read_whole(site / "two_cable.html");
   BOOST_TEST(contains(page, "id=\"details-of-two_cable\""));
-  BOOST_TEST(contains(read_whole(site / "search.js"), "two_cable"));
+  // A case is found by its name and by those of its checks.
+  for (const char* name : {"two_cable", "speed after impact", "period at 170 degrees"})
+    BOOST_TEST(contains(read_whole(site / "search.js"), name), name);
 }
 
 BOOST_AUTO_TEST_CASE(links_of_the_volumes_lead_to_headings_and_pictures) {
@@ -119,6 +121,21 @@ BOOST_AUTO_TEST_CASE(links_of_the_volumes_lead_to_headings_and_pictures) {
   BOOST_TEST(between >= 3);
   BOOST_TEST(pictures == 5);
   BOOST_TEST(contains(texts["verification.md"], "**PASS.** 2 cases"));
+}
+
+BOOST_AUTO_TEST_CASE(links_between_the_volumes_lead_from_pdf_to_pdf) {
+  const Scratch scratch("links");
+  write_whole(scratch.folder / "volume.md",
+              "[a](verification-details.md#a), [b](verification.md#b), [c](other.md#c)\n\n![d](d.svg)\n");
+  const Finished made =
+      run({"pandoc",
+           {"volume.md", "-o", "volume.tex", "--lua-filter", (find_resources() / "pandoc" / "pdf.lua").string()},
+           scratch.folder,
+           {}});
+  BOOST_TEST_REQUIRE(made.status == 0, made.messages);
+  const std::string tex = read_whole(scratch.folder / "volume.tex");
+  for (const char* there : {"{verification-details.pdf}", "{verification.pdf}", "{other.md\\#c}", "{d.pdf}"})
+    BOOST_TEST(contains(tex, there), tex);
 }
 
 BOOST_AUTO_TEST_CASE(failures_stand_on_the_first_page) {

@@ -65,6 +65,7 @@ BOOST_AUTO_TEST_CASE(unknown_quantities_are_refused_by_name) {
   says("bob", "found \"bob\"; it must be a column of the history and max, min, abs_max or end");
   says("cable.bob.tensio.max", "column 'cable.bob.tensio' is not known; nearest: cable.bob.tension; known: body.bob.x");
   says("bob.x", "found \"bob.x\"; it must end in .max, .min, .abs_max or .end, e.g. bob.x.max");
+  says("body.bob.x", "found \"body.bob.x\"; it must end in .max, .min, .abs_max or .end, e.g. body.bob.x.max");
   says("bob.x.mean", "reduction 'mean' is not known; nearest: max; known: max, min, abs_max, end");
   says("balance_error.energy.max", "column 'balance_error.energy' is not known");
 }

@@ -67,6 +67,23 @@ BOOST_AUTO_TEST_CASE(the_printed_lines_give_the_restitution) {
   }
 }
 
+// JSON is in SI; text, and the lines to be pasted, in the units of the scene.
+BOOST_AUTO_TEST_CASE(json_of_a_scene_in_other_units_is_in_si) {
+  std::string text = wall_scene("stiffness = \"1e6 N/m\"\nrestitution = 0.6\n");
+  const auto calibrated = [](const std::string& file) {
+    return nlohmann::json::parse(
+        talus_ran({"calibrate", file, "--contact", "hit", "--restitution", "0.6", "--json"}).out);
+  };
+  const Folder folder;
+  const auto in_si = calibrated(folder.file("si.toml", text).string());
+  const std::string units = "units = \"SI\"";
+  text.replace(text.find(units), units.size(), "units = \"US\"");
+  const auto in_us = calibrated(folder.file("us.toml", text).string());
+  BOOST_TEST(in_us.at("units") == "SI");
+  for (const char* number : {"damping", "damping_ratio", "contact_time", "largest_overlap", "restitution"})
+    BOOST_TEST(in_us.at(number).get<double>() == in_si.at(number).get<double>(), boost::test_tools::tolerance(1e-6));
+}
+
 BOOST_AUTO_TEST_CASE(an_impact_that_a_run_refuses_is_not_calibrated) {
   const Folder folder;
   const std::string soft = "stiffness = \"200 N/m\"\nrestitution = 0.6\n";

@@ -1,5 +1,7 @@
 /// The shear cell by the built program: its output, refused input, and runs that are killed and resumed.
 #define BOOST_TEST_MODULE cell
+#include <fmt/format.h>
+
 #include <signal.h>
 #include <sys/wait.h>
 
@@ -48,6 +50,13 @@ BOOST_AUTO_TEST_CASE(a_run_leaves_its_files) {
   BOOST_TEST(summary["outcome"]["kind"] == "finished");
   BOOST_TEST(summary["results"]["top_shear"]["unit"] == "N/m^2");
   BOOST_TEST(summary["counts"]["steps"] == 16667);
+  // The printed means are followed by their standard errors.
+  for (const char* name : {"top_shear", "top_normal"}) {
+    const Json& result = summary["results"][name];
+    const std::string words = fmt::format("  {:24} {:.4g} N/m^2 +- {:.2g} ", name, result["value"].get<double>(),
+                                          result["error"].get<double>());
+    BOOST_TEST(holds(ended.out, words), words);
+  }
   const std::string history = left.at("history.csv");
   BOOST_TEST(std::count(history.begin(), history.end(), '\n') == 11);
   // Without a unit system no units are printed; the numbers are the same.
@@ -282,6 +291,8 @@ BOOST_AUTO_TEST_CASE(lammps_prints_what_a_cell_prints) {
   const Ended ended = talus_ran({"export", "lammps", cell, "--out", out});
   BOOST_TEST(ended.code == 0, ended.err);
   BOOST_TEST(holds(ended.out, "lmp -in in.discs   # 500000 steps to t = 0.1\n"), ended.out);
+  // The means of both programs exclude the first quarter.
+  BOOST_TEST(holds(talus::read_text(fs::path{out} / "in.discs"), "\"means after step 125000, "));
   if (std::system("command -v lmp > /dev/null 2>&1") != 0) return;  // Debian: apt-get install lammps
   BOOST_REQUIRE(std::system(("cd '" + out + "' && lmp -in in.discs > screen.txt 2>&1").c_str()) == 0);
   std::istringstream screen{talus::read_text(fs::path{out} / "screen.txt")};

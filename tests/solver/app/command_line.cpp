@@ -334,6 +334,15 @@ BOOST_AUTO_TEST_CASE(drawing_that_fails_says_why_and_leaves_nothing) {
   fs::permissions(broken, fs::perms::owner_all);
   const std::string path = folder.path.string() + ":" + std::getenv("PATH");
   refused({"plot", run, "--out", pictures}, path.c_str(), 4, "(exit code 3):\ntalus: no terminal\n");
+  // A run whose sheet is not drawn has the exit code of a failed output; its other files are complete.
+  const Ended undrawn =
+      ran(TALUS_EXECUTABLE, {"run", scene("fence/sample2.DAT"), "--end", "5 ms", "--sheet", "--out", sheet}, "",
+          path.c_str());
+  BOOST_TEST(undrawn.code == 4);
+  BOOST_TEST(holds(undrawn.err, "(exit code 3):\ntalus: no terminal\n"), undrawn.err);
+  BOOST_TEST(holds(undrawn.out, "outcome      finished"), undrawn.out);
+  BOOST_TEST(holds(undrawn.err, "/sheet.json: the sheet is not complete; "), undrawn.err);
+  BOOST_TEST(fs::exists(sheet + "/summary.json"));
 
   refused({"plot", run, "--out", "/proc/none"}, nullptr, 4, "talus: /proc/none/.partial-");
   for (const std::string option : {"--title", "--x-limits", "--no-grid", "--until"}) {

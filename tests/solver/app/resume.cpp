@@ -152,6 +152,9 @@ BOOST_AUTO_TEST_CASE(wrong_orders) {
        "--until: found \"4 s\"; it must be at most 3 s, where the run ends"},
       {{"run", "--resume", out, "--step", "1 ms"}, "--step: a resumed run (--resume) keeps the options of its start"},
       {{"run", "--resume", out, "--end", "9 s"}, "--end: a resumed run (--resume) keeps the options of its start"},
+      {{"run", "--resume", out, "--frames", "5"}, "--frames: a resumed run (--resume) keeps the options of its start"},
+      {{"run", "--resume", out, "--tolerance", "1e-6"},
+       "--tolerance: a resumed run (--resume) keeps the options of its start"},
       {{"run", "--resume", out, "--integrator", "rk4"},
        "--integrator: a resumed run (--resume) keeps the options of its start"}};
   for (const auto& [arguments, message] : wrong) {

@@ -1,4 +1,6 @@
 #define BOOST_TEST_MODULE run
+#include <fmt/format.h>
+
 #include <sys/resource.h>
 
 #include <algorithm>
@@ -145,6 +147,57 @@ BOOST_AUTO_TEST_CASE(the_summary_of_a_fence_says_how_sensitive_its_verdict_is) {
   BOOST_TEST(holds(deck.out, "sensitivity  not examined; --sheet repeats the run"), deck.out);
 }
 
+// The repeat changes the speed of each rock, and its verdict is that on all of them, whatever their order.
+BOOST_AUTO_TEST_CASE(the_repeat_of_a_fence_counts_every_rock) {
+  const Folder folder;
+  const std::string text = talus_ran({"new", "fence"}).out, head = "[[fence.rock]]";
+  const std::string over =
+      "[[fence.rock]]\na = \"0.4 m\"\nb = \"0.4 m\"\nmass = \"700 kg\"\nposition = [\"2 m\", \"8 m\"]\n"
+      "velocity = [\"-20 m/s\", \"0 m/s\"]\n\n";
+  const std::size_t first = text.find(head), next = text.find("\n[", first) + 1;
+  for (const std::size_t place : {first, next}) {
+    const std::string file = folder.file("two.toml", std::string{text}.insert(place, over)).string();
+    const auto summary = nlohmann::json::parse(talus_ran({"run", file, "--json"}).out);
+    const auto& repeat = summary.at("quality").at("repeat");
+    BOOST_TEST(summary.at("verdict").at("fence") == "passed_over");
+    BOOST_TEST(repeat.at("verdict") == "passed_over");
+    // Impact forces grow with the speed.
+    const double change = repeat.at("change_of_largest_cable_force").get<double>();
+    BOOST_TEST(change > 5e-4);
+    BOOST_TEST(change < 2e-3);
+  }
+}
+
+BOOST_AUTO_TEST_CASE(a_rock_that_has_not_arrived_does_not_touch) {
+  const Folder folder;
+  const std::string file = folder.file("my.toml", talus_ran({"new", "fence"}).out).string();
+  const auto rocks = [&](const char* end) {
+    return nlohmann::json::parse(talus_ran({"run", file, "--json", "--end", end}).out).at("verdict").at("rocks");
+  };
+  const auto before = rocks("1 ms"), during = rocks("50 ms");
+  BOOST_TEST(!before.at(0).at("touched").get<bool>());
+  BOOST_TEST(!before.at(0).at("still_touching").get<bool>());
+  BOOST_TEST(during.at(0).at("still_touching").get<bool>());
+}
+
+BOOST_AUTO_TEST_CASE(the_final_state_is_printed_in_the_columns_of_its_head) {
+  const std::vector<std::string> command{"run", scene("rolling_disc.toml"), "--end", "20 ms"};
+  const std::string text = talus_ran(command).out;
+  std::vector<std::string> json = command;
+  json.emplace_back("--json");
+  const auto summary = nlohmann::json::parse(talus_ran(json).out);
+  BOOST_TEST(holds(text, fmt::format("  {:<14}{:>14}{:>14}{:>14}{:>14}{:>14}{:>14}\n", "body", "x", "y", "angle", "vx",
+                                     "vy", "spin")));
+  for (const auto& body : summary.at("bodies")) {
+    const auto number = [&](const char* of, int i) { return body.at(of).at(i).get<double>(); };
+    const std::string line = fmt::format("  {:<14}{:>14.7g}{:>14.7g}{:>14.7g}{:>14.7g}{:>14.7g}{:>14.7g}\n",
+                                         body.at("name").get<std::string>(), number("position", 0),
+                                         number("position", 1), body.at("angle").get<double>(), number("velocity", 0),
+                                         number("velocity", 1), body.at("spin").get<double>());
+    BOOST_TEST(holds(text, line), line);
+  }
+}
+
 BOOST_AUTO_TEST_CASE(boxes_in_a_bin_are_followed_to_the_end) {
   const Ended ended = talus_ran({"run", std::string{TALUS_TEST_SCENES} + "/boxes_in_a_bin.toml"});
   BOOST_TEST(ended.code == 0, ended.err);
@@ -169,6 +222,13 @@ BOOST_AUTO_TEST_CASE(quality_is_examined_whatever_is_watched) {
 
 // A default history has the same number of rows whatever the end.
 BOOST_AUTO_TEST_CASE(another_end_keeps_the_rows_of_a_default_history) {
+  const auto states = [](const std::string& out) {
+    const std::string listing = talus::read_text(out + "/my.OUT");
+    long count = 0;
+    for (std::size_t at = listing.find("time = "); at != std::string::npos; at = listing.find("time = ", at + 1))
+      ++count;
+    return count;
+  };
   for (const char* kind : {"scene", "fence"}) {
     const Folder folder;
     const std::string made = talus_ran({"new", kind}).out;
@@ -177,12 +237,17 @@ BOOST_AUTO_TEST_CASE(another_end_keeps_the_rows_of_a_default_history) {
     for (std::string line; std::getline(lines, line);)
       if (!line.starts_with("interval")) text += line + '\n';
     const std::string file = folder.file("my.toml", text).string(), out = (folder.path / "out").string();
+    const std::string usual = (folder.path / "usual").string();
     const std::string end = std::string_view{kind} == "scene" ? "6 s" : "2.4 s";
     BOOST_REQUIRE(talus_ran({"run", file, "--end", end, "--out", out}).code == 0);
     const std::string history = talus::read_text(out + "/history.csv");
     const auto rows = std::count(history.begin(), history.end(), '\n');
     BOOST_TEST(rows > 900);
     BOOST_TEST(rows < 1100);
+    if (std::string_view{kind} == "scene") continue;
+    // So has the listing of a fence.
+    BOOST_REQUIRE(talus_ran({"run", file, "--out", usual}).code == 0);
+    BOOST_TEST(states(out) == states(usual));
   }
 }
 
@@ -198,6 +263,9 @@ BOOST_AUTO_TEST_CASE(another_integrator_keeps_the_tolerance_and_takes_a_step_of_
     return nlohmann::json::parse(talus_ran(more).out);
   };
   const auto kept = summary(loose, {"--integrator", "odeint_dopri5"});
+  // A tolerance of the command line replaces that of the scene.
+  BOOST_TEST(summary(loose, {"--tolerance", "1e-10"}).at("evaluations").get<long>() >
+             summary(loose, {}).at("evaluations").get<long>());
   BOOST_TEST(holds(kept.at("quality").at("step").get<std::string>(), "odeint_dopri5, tolerance 1e-05"));
   const auto own = summary(loose, {});
   const auto fixed = summary(loose, {"--integrator", "velocity_verlet"});

@@ -55,6 +55,7 @@ BOOST_AUTO_TEST_CASE(what_was_written_is_read) {
   BOOST_REQUIRE(files.size() == 3U);
   Workspace work = dynamics.workspace();
   LawForces forces;
+  double farthest = 0.0;
   for (std::size_t i = 0; i < files.size(); ++i) {
     BOOST_TEST(files[i].time == states[i].t);
     const GeometryFrame frame = read_geometry(files[i]);
@@ -62,7 +63,15 @@ BOOST_AUTO_TEST_CASE(what_was_written_is_read) {
     dynamics.update(states[i], work);
     dynamics.forces(states[i], work, forces);
     for (const GeometryLine& line : frame.lines) {
-      if (line.body >= 0) BOOST_TEST((line.body == 0 || line.points.front() == line.points.back()));
+      if (line.body >= 0) {
+        BOOST_TEST((line.body == 0 || line.points.front() == line.points.back()));
+        double along = 0.0;  // of a column: that of its joints
+        for (const Joint& joint : dynamics.cables().joints())
+          if (joint.on_body && index(joint.body) == static_cast<std::size_t>(line.body)) along = joint.along;
+        for (const Vec3& p : line.points)
+          BOOST_TEST(p.z == along);
+        farthest = std::max(farthest, std::abs(along));
+      }
       if (line.cable < 0) continue;
       const auto cable = static_cast<std::size_t>(line.cable);
       const auto& ends = dynamics.cables().ends()[cable];
@@ -72,6 +81,7 @@ BOOST_AUTO_TEST_CASE(what_was_written_is_read) {
       BOOST_TEST((in_plane(line.points.back()) == work.joints.p_WP(ends.b)));
     }
   }
+  BOOST_TEST(farthest > 10.0);  // the columns are side by side along the fence
 }
 
 BOOST_AUTO_TEST_CASE(damaged_geometry_is_named) {

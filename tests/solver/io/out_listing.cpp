@@ -6,9 +6,11 @@
 #include <filesystem>
 #include <sstream>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "solver/io/fence1993/read_deck.hpp"
+#include "solver/io/file/fortran.hpp"
 #include "solver/io/file/toml_document.hpp"
 #include "tests/solver/io/fence_run.hpp"
 
@@ -53,6 +55,26 @@ BOOST_AUTO_TEST_CASE(the_head_is_the_manuals_word_for_word) {
   const auto printed = lines_of_words(read_text(cases / "published/sample2_head.txt"));
   BOOST_TEST_REQUIRE(printed.size() > 150U);
   BOOST_TEST(ours == printed, boost::test_tools::per_element());
+}
+
+// In the manual's example the numbers of both cables, and both overlaps, are equal.
+BOOST_AUTO_TEST_CASE(numbers_of_the_two_cables_and_of_the_two_overlaps_are_in_their_lines) {
+  scenes::Fence fence = read_deck(cases / "fence/sample2.DAT");
+  fence.area_top = 1.0 / 144.0, fence.area_bottom = 2.0 / 144.0;  // listed in square inches
+  fence.limit_top = 3e5, fence.limit_bottom = 4e5;
+  fence.rock_overlap = 0.5, fence.layer_overlap = 0.25;
+  const FenceInput input = input_of(fence);
+  const auto lines = lines_of_words(OutListing{input.fence, input.made, input.made.scene.plan}.text());
+  for (const auto& [name, number] : {std::pair{"x-section area of top cable", fortran_g(1.0, 3)},
+                                     {"x-section area of bottom cable", fortran_g(2.0, 3)},
+                                     {"top cable breaking strength", fortran_g(3e5, 3)},
+                                     {"bottom cable breaking strength", fortran_g(4e5, 3)},
+                                     {"Maximum overlap (rock/fence)", fortran_e(0.5, 4)},
+                                     {"Maximum overlap (fence/fence)", fortran_e(0.25, 4)}}) {
+    const auto found = std::ranges::find_if(lines, [&](const std::string& line) { return line.starts_with(name); });
+    BOOST_TEST_REQUIRE((found != lines.end()), name);
+    BOOST_TEST(found->substr(found->find("= ") + 2) == number.substr(number.find_first_not_of(' ')), name);
+  }
 }
 
 BOOST_AUTO_TEST_CASE(states_come_every_nprint_steps_and_not_at_the_start) {

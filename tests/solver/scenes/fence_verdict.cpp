@@ -120,6 +120,43 @@ BOOST_AUTO_TEST_CASE(of_two_layers_both_must_be_passed) {
   Story story{fence};
   BOOST_TEST((story.then({-1.0, -6.0}, -20.0, true) == Verdict::undecided));
   BOOST_TEST((story.then({-4.0, -6.0}, -20.0) == Verdict::passed_under));
+  BOOST_TEST(story.summary().rocks.front().passed_time == 2.0);  // that of the second layer
+}
+
+BOOST_AUTO_TEST_CASE(each_rock_has_the_approach_of_its_own_element) {
+  Fence fence = far_rock();
+  fence.rocks.push_back(fence.rocks.front());
+  fence.rocks[1].position = {9.0, 2.0};
+  fence.rocks[1].velocity = {-40.0, 3.0}, fence.rocks[1].spin = 1.5;
+  Watched two{fence};
+  two.show(two.state, 0.0);
+  const double mass = two.mass("rock2"),
+               inertia = two.made.scene.model.bodies[index(*find_body(two.made.scene.model, "rock2"))].inertia;
+  const std::vector<RockPassage>& rocks = two.summary().rocks;
+  BOOST_TEST(rocks.at(0).approach_velocity.x == -65.0);
+  BOOST_TEST((rocks.at(1).approach_velocity == Vec2{-40.0, 3.0}));
+  BOOST_TEST(rocks.at(1).approach_spin == 1.5);
+  BOOST_TEST(rocks.at(1).approach_energy == 0.5 * (mass * (40.0 * 40.0 + 3.0 * 3.0) + inertia * 1.5 * 1.5),
+             boost::test_tools::tolerance(1e-14));
+  const std::vector<Column>& columns = two.watch.history().columns;
+  BOOST_TEST(columns.size() == 10U);
+  for (const Column& column : columns)
+    BOOST_TEST((column.dimension == (column.name == "time"                                        ? dimension::time
+                                     : column.name.ends_with(".vx")                               ? dimension::velocity
+                                     : column.name.ends_with(".x") || column.name.ends_with(".y") ? dimension::length
+                                                                                                  : dimension::force)),
+               column.name);
+}
+
+// A rock without a velocity along x is on its way to the fence, from the side where it starts.
+BOOST_AUTO_TEST_CASE(a_rock_that_falls_vertically_passes_towards_the_fence) {
+  Fence fence = far_rock();
+  fence.rocks.front().velocity = {0.0, -5.0};
+  Story right{fence};
+  BOOST_TEST((right.then({-2.0, -5.0}, -3.0) == Verdict::passed_under));
+  fence.rocks.front().position.x = -4.0;
+  Story left{fence};
+  BOOST_TEST((left.then({2.0, -5.0}, 3.0) == Verdict::passed_under));
 }
 
 BOOST_AUTO_TEST_CASE(a_rock_that_starts_behind_has_passed_nothing) {
@@ -193,4 +230,12 @@ BOOST_AUTO_TEST_CASE(motion_that_is_unlikely_to_be_meant) {
   // 104.5 ft above the ground; the lowest top joint is at 11.17 ft.
   BOOST_TEST(says(implausible_motion(story.fence, story.summary()),
                   "'rock' flies away: it rises to 104.5 ft over the ground, 9.36 times as high as the fence"));
+  // The height of a fence is that of its higher layer.
+  FenceSummary layers;
+  layers.rocks.resize(1), layers.layers.resize(2);
+  layers.rocks[0].touched = true, layers.rocks[0].highest = 30.0;
+  for (const auto& [first, second] : {std::pair{5.0, 10.0}, {10.0, 5.0}}) {
+    layers.layers[0].top.start = first, layers.layers[1].top.start = second;
+    BOOST_TEST(implausible_motion(story.fence, layers).empty());
+  }
 }

@@ -92,6 +92,16 @@ BOOST_AUTO_TEST_CASE(only_errata_of_registered_cases_are_printed) {
     BOOST_TEST(erratum.at("case") == "pivoted_cylinder");
 }
 
+BOOST_AUTO_TEST_CASE(only_findings_and_figures_of_registered_cases_are_on_the_first_page) {
+  Results results = one_case();
+  complete(results, read_catalogue(TALUS_CATALOGUE));
+  BOOST_TEST(!results.findings.empty());
+  for (const auto& finding : results.findings)
+    BOOST_TEST(finding.case_id == "pivoted_cylinder");
+  for (const auto& shown : results.highlights)
+    BOOST_TEST(shown.case_id == "pivoted_cylinder");
+}
+
 BOOST_AUTO_TEST_CASE(families_orders_and_peers_are_printed) {
   Results results = one_case();
   const auto json = written(results);
