@@ -124,7 +124,7 @@ FilledCell rough_cell(const ShearCell& cell, Numbering numbering) {
 }
 
 /// A cell run by several threads: friction turns both discs of a pair and acts on the walls, also where they belong to
-/// other stripes. With scattered numbers a wall meets discs of its own stripe and of others in turn.
+/// other stripes. With scattered numbers a wall meets discs of the same stripe and of others in turn.
 void expect_stripes(Findings& findings, const Setup& setup, Numbering numbering) {
   const ShearCell cell = ice_cell(8e3, 5e3);
   const FilledCell start = rough_cell(cell, numbering);
