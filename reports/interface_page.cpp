@@ -14,10 +14,10 @@ namespace {
 using records::InterfaceItem;
 using records::InterfaceStatus;
 
-constexpr std::array interface_kinds{std::pair{"option", "options of commands"},
-                           std::pair{"field", "fields of scenes and fences"},
-                           std::pair{"column", "columns of CSV files"}, std::pair{"member", "members of JSON files"},
-                           std::pair{"array", "arrays of states (VTK)"}};
+constexpr std::array interface_kinds{
+    std::pair{"option", "options of commands"}, std::pair{"field", "fields of scenes and fences"},
+    std::pair{"column", "columns of CSV files"}, std::pair{"member", "members of JSON files"},
+    std::pair{"array", "arrays of states (VTK)"}};
 
 std::size_t count_of(const std::vector<InterfaceItem>& items, const std::string& kind, InterfaceStatus status) {
   return static_cast<std::size_t>(std::ranges::count_if(
