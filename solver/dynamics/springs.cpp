@@ -1,5 +1,6 @@
 #include "solver/dynamics/springs.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <type_traits>
 #include <variant>
@@ -80,8 +81,10 @@ class SpringMaker {
     Spring spring = empty(0.0);
     spring.stiffness = contact.friction->stiffness;
     spring.damping = contact.friction->dashpot(retardation_time(contact.law, finite_mass(normal)));
-    add_gradient(dynamics_, work_, pair.b, gap.p_WC, across, spring.gradient);
-    add_gradient(dynamics_, work_, pair.a, gap.p_WC, -across, spring.gradient);
+    // Bodies that are apart will touch at their surfaces, not in the middle between them.
+    const Vec2 to_surface = std::max(0.0, -0.5 * gap.depth) * gap.n_AB;
+    add_gradient(dynamics_, work_, pair.b, gap.p_WC + to_surface, across, spring.gradient);
+    add_gradient(dynamics_, work_, pair.a, gap.p_WC - to_surface, -across, spring.gradient);
     spring.effective_mass = effective_mass(spring.gradient, dynamics_.inertias());
     return spring;
   }

@@ -200,8 +200,9 @@ void check(Mobility mobility, Findings& findings, const Setup& setup, Table& tab
                         fmt::format("{:.4f}", advice.modes.back().frequency)});
 }
 
-/// Checks friction between two free discs in contact: 1/m = 1/m_1 + 1/m_2 + r_1^2/I_1 + r_2^2/I_2 along the tangent.
-void check_friction(Findings& findings) {
+/// Checks friction between two free discs: 1/m = 1/m_1 + 1/m_2 + r_1^2/I_1 + r_2^2/I_2 along the tangent, also while
+/// they are apart, for the contact that they will have.
+void check_friction(double gap, Findings& findings) {
   constexpr double k_s = 180.0, c_s = 2.5;
   constexpr std::array<double, 2> masses{1.7, 0.6}, inertias{0.45, 0.08}, radii{0.7, 0.4};
   const Vec2 along{std::cos(0.9), std::sin(0.9)};
@@ -213,7 +214,7 @@ void check_friction(Findings& findings) {
               .mass = masses[i],
               .inertia = inertias[i],
               .shape = Circle{radii[i]}};
-    body.p_WB = at + (i == 0 ? 0.0 : radii[0] + radii[1]) * along;
+    body.p_WB = at + (i == 0 ? 0.0 : radii[0] + radii[1] + gap) * along;
     discs[i] = builder.add(body);
   }
   builder.add(Contact{.name = "touch",
@@ -236,6 +237,16 @@ void check_friction(Findings& findings) {
             "a sum of four quotients, from positions of about 1: some twenty roundings of 1.1e-16 if all "
             "have the same sign")
             .relative();
+    if (gap > 0.0) {
+      findings.in("springs")->expect(
+          "frequency of the friction spring between two discs 10 m apart", spring.frequency, std::sqrt(k_s * inverse),
+          Tolerance::round_off(4e-15,
+                               "positions of about 10 m, which determine the levers of 0.7 and 0.4 m: three "
+                               "roundings of 8.9e-16 over 0.4, halved by the square root")
+              .relative(),
+          "rad/s");
+      continue;
+    }
     findings.in("springs")->expect("frequency of the friction spring between two discs", spring.frequency,
                                    std::sqrt(k_s * inverse), rounding, "rad/s");
     findings.in("springs")->expect("damping ratio of the friction spring between two discs", spring.damping_ratio,
@@ -268,7 +279,8 @@ void check_bound(Mobility mobility, Findings& findings, const Setup& setup) {
 }
 
 void run(Findings& findings, const Setup& setup) {
-  check_friction(findings);
+  for (const double gap : {0.0, 10.0})
+    check_friction(gap, findings);
   Table table{.name = "masses",
               .caption = "Effective masses [kg] along each cable; slowest and fastest mode [rad/s] with both cables.",
               .columns = {"mobility", "first cable", "second cable", "slowest mode", "fastest mode"}};
