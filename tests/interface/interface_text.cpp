@@ -164,10 +164,23 @@ std::string without_quotes(const std::string& cell) {
   return cell.size() > 1 && cell.front() == '"' ? cell.substr(1, cell.size() - 2) : cell;
 }
 
+/// Position of the header, after lines that begin with #, in a CSV text.
+std::size_t header_begin(const std::string& text) {
+  std::size_t at = 0;
+  while (at < text.size() && text[at] == '#')
+    at = std::min(text.find('\n', at), text.size() - 1) + 1;
+  return at;
+}
+std::vector<std::string> header_of(const std::string& text) {
+  const std::size_t at = header_begin(text);
+  return cells_of(text.substr(at, text.find('\n', at) - at));
+}
+
 /// The CSV text with the numbers of one column changed; nothing if there are none.
 std::optional<std::string> changed_column(const std::string& text, std::size_t column) {
-  std::istringstream lines(text);
-  std::string line, result;
+  const std::size_t header = header_begin(text);
+  std::istringstream lines(text.substr(header));
+  std::string line, result = text.substr(0, header);
   bool any = false;
   for (std::size_t number = 0; std::getline(lines, line); ++number) {
     std::vector<std::string> cells = cells_of(line);
@@ -223,7 +236,7 @@ std::set<std::string> items_of(const fs::path& file, const std::string& text) {
       Json json = Json::parse(text);
       visit(json, "member " + kind + ": ", [&](const std::string& path, Json&) { items.insert(path); });
     } else if (type == ".csv") {
-      for (const std::string& cell : cells_of(text.substr(0, text.find('\n'))))
+      for (const std::string& cell : header_of(text))
         items.insert("column " + kind + ": " + without_quotes(cell));
     } else if (type == ".vtp" || type == ".vtu") {
       for (const DataArray& array : data_arrays(text))
@@ -264,7 +277,7 @@ std::optional<std::string> changed(const fs::path& file, const std::string& text
     return json_text(json);
   }
   if (type == ".csv") {
-    const std::vector<std::string> cells = cells_of(text.substr(0, text.find('\n')));
+    const std::vector<std::string> cells = header_of(text);
     for (std::size_t i = 0; i < cells.size(); ++i) {
       if ("column " + kind_of(file) + ": " + without_quotes(cells[i]) == item) return changed_column(text, i);
     }

@@ -61,6 +61,10 @@ BOOST_AUTO_TEST_CASE(columns_change_in_each_row) {
               Items{"column *.history.csv: a, b", "column *.history.csv: name", "column *.history.csv: time [s]"}));
   BOOST_TEST(changed("history.csv", csv, "column history.csv: a, b").value_or("") ==
              "time [s],\"a, b\",name\n0,1.01,x\n1,2.525,y\n");
+  const std::string notes = "# element 2, code 51\n# another\n";
+  BOOST_TEST((items_of("history.csv", notes + csv) == items_of("history.csv", csv)));
+  BOOST_TEST(changed("history.csv", notes + csv, "column history.csv: a, b").value_or("") ==
+             notes + "time [s],\"a, b\",name\n0,1.01,x\n1,2.525,y\n");
   BOOST_TEST(!changed("history.csv", csv, "column history.csv: name"));
   BOOST_TEST(!changed("history.csv", csv, "column history.csv: c"));
 }
