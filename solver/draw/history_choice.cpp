@@ -200,10 +200,14 @@ std::string menu(const SavedRun& run) {
   std::string text;
   for (const KeptHistory& history : run.histories) {
     text += fmt::format("{}\n", history.file.string());
-    for (const MenuEntry& entry : menu_entries(history)) {
+    const std::vector<MenuEntry> entries = menu_entries(history);
+    std::size_t width = 26;
+    for (const MenuEntry& entry : entries)
+      width = std::max(width, entry.quantity.size() + 1);
+    for (const MenuEntry& entry : entries) {
       const FenceCode* const code = entry.subjects.empty() ? nullptr : code_of(entry.quantity);
-      text += fmt::format("  {:>2}  {:<26}{:<11}{:<42}{}\n", code != nullptr ? fmt::format("{}", code->number) : "",
-                          entry.quantity, entry.unit.empty() ? "" : "[" + entry.unit + "]",
+      text += fmt::format("  {:>2}  {:<{}}{:<11}{:<42}{}\n", code != nullptr ? fmt::format("{}", code->number) : "",
+                          entry.quantity, width, entry.unit.empty() ? "" : "[" + entry.unit + "]",
                           code != nullptr ? lower(code->title) : "", fmt::join(entry.subjects, ", "));
     }
   }
