@@ -126,11 +126,15 @@ std::vector<std::string> matches(const std::string& text, const char* pattern) {
 /// All options of all commands, from their help.
 std::vector<std::string> all_options() {
   std::vector<std::string> options;
-  const std::string help = output_of({"--help"});
-  for (const std::string& command : matches(help.substr(help.find("Subcommands:")), "\n  ([a-z]+) ")) {
-    for (const std::string& name : matches(output_of({command, "--help"}), "\n  (?:-[a-z],)?(--[a-z-]+)"))
+  const auto add = [&](const std::string& command, const std::string& help) {
+    for (const std::string& name : matches(help, "\n  (?:-[a-z],)?(--[a-z-]+)"))
       if (name != "--help") options.push_back(fmt::format("option {} {}", command, name));
-  }
+  };
+  const std::string help = output_of({"--help"});
+  add("talus", help);
+  const std::size_t list = help.find("Subcommands:");
+  for (const std::string& command : matches(help.substr(list, help.find("\n\n", list) - list), "\n  ([a-z]+) "))
+    add(command, output_of({command, "--help"}));
   return options;
 }
 

@@ -3,8 +3,8 @@
 /// Environment: TALUS_INTERFACE_PROGRAM the real program; TALUS_INTERFACE_LOG a file to which the items of this call and
 /// its exit code are appended; TALUS_INTERFACE_ITEM the item to change, "rewrite" for none, with JSON files written again
 /// (if it is not set nothing is changed, and the items of files are recorded).
-/// Besides the items of files (interface_text.hpp) there are "option COMMAND --name", which is dropped from the command
-/// line, and "output COMMAND: member" of a JSON text on stdout.
+/// Besides the items of files (interface_text.hpp) there are "option COMMAND --name" ("option talus --version" without a
+/// command), which is dropped from the command line with its values, and "output COMMAND: member" of a JSON text on stdout.
 #include <fmt/format.h>
 
 #include <cstdio>
@@ -32,11 +32,21 @@ std::string variable(const char* name) {
   return value == nullptr ? "" : value;
 }
 
-/// Whether an option takes a value, from the command's help.
-bool takes_value(const std::string& program, const std::string& command, const std::string& option) {
+/// Number of values of an option among the arguments from `first` on, from the command's help: "--x TEXT", "--x TEXT x 2"
+/// or "--x TEXT ..." (all up to the next option).
+std::size_t values_of(const std::string& program, const std::string& command, const std::string& option,
+                      const std::vector<std::string>& arguments, std::size_t first) {
   const std::string help = reports::run({program, {command, "--help"}, {}, {}}).output;
-  const std::regex line("\n  (-[a-z],)?" + option + " +(TEXT|INT|UINT|FLOAT|NUMBER|[A-Z]+)(:| |\n|=)");
-  return std::regex_search(help, line);
+  const std::regex line("\n  (-[a-z],)?" + option +
+                        " +[A-Z]+(:[^\n]*[\\]}])?(=[^ \n]+)?( REQUIRED)?( x ([0-9]+)| \\.\\.\\.)?");
+  std::smatch found;
+  if (!std::regex_search(help, found, line)) return 0;
+  if (found[6].matched) return std::stoul(found[6].str());
+  if (!found[5].matched) return 1;
+  std::size_t end = first;
+  while (end < arguments.size() && !arguments[end].starts_with("--"))
+    ++end;
+  return end - first;
 }
 
 /// Files written by the program, before they were changed: read again by the next call in the same folder.
@@ -81,14 +91,15 @@ void keep_original(const fs::path& file, const std::string& text) {
 int main(int argc, char** argv) {
   const std::string program = variable("TALUS_INTERFACE_PROGRAM"), item = variable("TALUS_INTERFACE_ITEM");
   std::vector<std::string> arguments(argv + 1, argv + argc);
-  const std::string command = arguments.empty() ? "" : arguments.front();
+  const bool has_command = !arguments.empty() && !arguments.front().starts_with("--");
+  const std::string command = has_command ? arguments.front() : "talus";
   std::set<std::string> items;
   bool reached = false;
 
   std::vector<std::string> passed;
   for (std::size_t i = 0; i < arguments.size(); ++i) {
     const std::string name = arguments[i].substr(0, arguments[i].find('='));
-    if (i == 0 || !name.starts_with("--")) {
+    if (!name.starts_with("--")) {
       passed.push_back(arguments[i]);
       continue;
     }
@@ -99,7 +110,7 @@ int main(int argc, char** argv) {
       continue;
     }
     reached = true;
-    if (name == arguments[i] && takes_value(program, command, name)) ++i;
+    if (name == arguments[i]) i += values_of(program, command, name, arguments, i + 1);
   }
 
   std::map<fs::path, std::string> inputs;  // as they were

@@ -32,17 +32,19 @@ void TemporaryFolder::write(const std::string& name, const std::string& text) co
 
 std::string TemporaryFolder::read(const std::string& name) const { return records::read_whole(path_ / name); }
 
-ProgramEnd run_talus(const TemporaryFolder& folder, const std::vector<std::string>& arguments) {
+ProgramEnd run_talus(const TemporaryFolder& folder, const std::vector<std::string>& arguments,
+                     const Environment& environment) {
   const char* const other = std::getenv("TALUS_PROGRAM");
   const reports::Finished end = reports::run({.program = other != nullptr ? other : TALUS_PROGRAM,
                                               .arguments = arguments,
                                               .folder = folder.path(),
-                                              .environment = {}});
+                                              .environment = environment});
   return {.exit_code = end.status, .output = end.output, .messages = end.messages};
 }
 
-std::string talus_output(const TemporaryFolder& folder, const std::vector<std::string>& arguments) {
-  const ProgramEnd end = run_talus(folder, arguments);
+std::string talus_output(const TemporaryFolder& folder, const std::vector<std::string>& arguments,
+                         const Environment& environment) {
+  const ProgramEnd end = run_talus(folder, arguments, environment);
   if (end.exit_code != 0) {
     throw std::runtime_error{
         fmt::format("talus {} ended with {}: {}", fmt::join(arguments, " "), end.exit_code, end.messages)};

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <filesystem>
+#include <map>
 #include <string>
 #include <vector>
 
@@ -34,13 +35,18 @@ struct ProgramEnd {
   std::string messages{};  ///< standard error
 };
 
+/// Variables that a run of the program finds in its environment, besides those of this process or in place of them.
+using Environment = std::map<std::string, std::string>;
+
 /// Runs `talus` with these arguments in a folder: the built program, or that which the environment names in TALUS_PROGRAM
 /// (tests/interface). Throws the errors of reports::run() if it cannot be started.
-[[nodiscard]] ProgramEnd run_talus(const TemporaryFolder& folder, const std::vector<std::string>& arguments);
+[[nodiscard]] ProgramEnd run_talus(const TemporaryFolder& folder, const std::vector<std::string>& arguments,
+                                   const Environment& environment = {});
 
 /// Standard output of a run that must succeed. Throws std::runtime_error with the arguments and the messages if the
 /// exit code is not 0.
-[[nodiscard]] std::string talus_output(const TemporaryFolder& folder, const std::vector<std::string>& arguments);
+[[nodiscard]] std::string talus_output(const TemporaryFolder& folder, const std::vector<std::string>& arguments,
+                                       const Environment& environment = {});
 
 /// A state of the geometry, as written by the program for ParaView.
 struct GeometryState {
