@@ -39,7 +39,8 @@ BOOST_AUTO_TEST_CASE(the_menu_lists_what_a_run_saved) {
   const Ended ended = talus_ran({"plot", sample().string(), "--list"});
   BOOST_TEST(ended.code == 0);
   BOOST_TEST(holds(ended.out, "  48  top_tension               [lbf]      tension in top cable"));
-  BOOST_TEST(holds(ended.out, "energy.kinetic            [lbf ft]"));
+  BOOST_TEST(holds(ended.out, "      energy.kinetic                 [lbf ft]"));
+  BOOST_TEST(holds(ended.out, "      balance_error.angular_momentum [lbf ft s]"));
 }
 
 // A history is selected by its number, its title, its name of 1993, or as a column, with the same curve.
