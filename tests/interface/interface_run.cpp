@@ -154,7 +154,7 @@ std::vector<std::string> all_fields() {
   std::vector<std::string> fields, prefixes;
   std::istringstream lines(output_of({"list", "fields"}));
   for (std::string line; std::getline(lines, line);) {
-    static const std::regex field("^  (?:  |\\* )([a-z_0-9]+)( .*|)$");
+    static const std::regex field("^  (?:  |\\* )([a-z_0-9]+) .+$");
     std::smatch match;
     if (!line.empty() && line.front() != ' ' && line.front() != '*') {
       prefixes = prefixes_of(line);

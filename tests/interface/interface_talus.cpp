@@ -7,6 +7,7 @@
 /// command), which is dropped from the command line with its values, and "output COMMAND: member" of a JSON text on stdout.
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cstdio>
 #include <cstdlib>
 #include <filesystem>
@@ -113,10 +114,15 @@ int main(int argc, char** argv) {
     if (name == arguments[i]) i += values_of(program, command, name, arguments, i + 1);
   }
 
+  std::vector<std::string> named = passed;
+  if (std::ranges::find(passed, "--resume") != passed.end()) {  // the scene is found by the checkpoint
+    for (const auto& entry : fs::directory_iterator(fs::current_path()))
+      named.push_back(entry.path().filename().string());
+  }
   std::map<fs::path, std::string> inputs;  // as they were
-  for (const std::string& argument : passed) {
+  for (const std::string& argument : named) {
     const fs::path file = fs::current_path() / argument;
-    if (!argument.ends_with(".toml") || !fs::is_regular_file(file)) continue;
+    if (!argument.ends_with(".toml") || !fs::is_regular_file(file) || inputs.contains(file)) continue;
     const std::string text = records::read_whole(file);
     if (item.empty()) items.merge(items_of(file, text));
     // Only files of the case's folder are changed, not those of the source tree.

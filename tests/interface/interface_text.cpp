@@ -90,17 +90,15 @@ class TomlValues {
       value.changed = *flag ? "false" : "true";
     } else if (const std::size_t length = number_length(text.substr(1)); length > 0) {
       value.changed = text.front() + changed_number(text.substr(1, length), true) + text.substr(1 + length);
-    } else if (key != nullptr) {
-      remove(value, *key);
     } else {
-      return;  // a word in a list
+      if (key != nullptr) value.begin = offset(key->source().begin);
+      remove(value);
     }
     values_.push_back(std::move(value));
   }
 
-  /// The key goes with its value, and within braces with a comma.
-  void remove(Value& value, const toml::key& key) const {
-    value.begin = offset(key.source().begin);
+  /// Within braces and brackets a comma goes with the text.
+  void remove(Value& value) const {
     const std::size_t next = text_.find_first_not_of(' ', value.end);
     if (next != std::string::npos && text_[next] == ',') {
       value.end = next + 1;

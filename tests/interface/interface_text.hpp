@@ -22,7 +22,7 @@ inline constexpr double factor = 1.01;
 [[nodiscard]] std::set<std::string> items_of(const std::filesystem::path& file, const std::string& text);
 
 /// The text with that item changed: numbers by `factor` (whole ones by 1), flags inverted; a text of a TOML file is
-/// removed with its key, one of a JSON file gets a letter more. Empty if the file has no such item, or nothing in it
+/// removed with its key or from its list, one of a JSON file gets a letter more. Empty if the file has no such item, or nothing in it
 /// that can change (an empty list, a column of words).
 [[nodiscard]] std::optional<std::string> changed(const std::filesystem::path& file, const std::string& text,
                                                  const std::string& item);

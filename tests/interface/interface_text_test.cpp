@@ -53,6 +53,10 @@ BOOST_AUTO_TEST_CASE(texts_are_removed_with_their_keys) {
   BOOST_TEST(contains(with("field run.watch.limit"), "limit = \"2.02 %\""));
   const std::string last = changed("a.toml", "a = { b = 1, c = \"off\" }\n", "field a.c").value_or("");
   BOOST_TEST(items_of("a.toml", last) == Items{"field a.b"});
+  const std::string list = "held = [\"x\", \"y\"]\n";
+  BOOST_TEST((items_of("a.toml", list) == Items{"field held.0", "field held.1"}));
+  BOOST_TEST(contains(changed("a.toml", list, "field held.0").value_or(""), "held = [ \"y\"]"));
+  BOOST_TEST(contains(changed("a.toml", list, "field held.1").value_or(""), "held = [\"x\"]"));
 }
 
 BOOST_AUTO_TEST_CASE(columns_change_in_each_row) {
