@@ -1,0 +1,640 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <map>
+#include <numbers>
+#include <set>
+#include <string>
+#include <tuple>
+#include <utility>
+#include <vector>
+
+#include "verification/check/case.hpp"
+#include "verification/problems/program/toml_values.hpp"
+#include "verification/record/csv.hpp"
+#include "verification/record/json_node.hpp"
+#include "verification/reference/damped_oscillator.hpp"
+#include "verification/reference/restitution.hpp"
+#include "verification/study/expectations.hpp"
+#include "verification/study/program_run.hpp"
+
+namespace talus::verification::problems::scene_fields {
+namespace {
+
+using records::Json;
+using records::Node;
+using reference::EndRule;
+
+/// The numbers of a scene, as written: "box.mass", "rope.to.point[2]".
+class Written {
+ public:
+  explicit Written(const std::string& scene) {
+    const std::vector<TomlValue> values = toml_values(scene);
+    std::map<std::string, std::string> names;  // of the tables: "body[3]" is the box
+    for (const TomlValue& value : values)
+      if (value.key.ends_with(".name")) names[value.key.substr(0, value.key.size() - 5)] = value.text;
+    for (const TomlValue& value : values) {
+      const std::size_t dot = value.key.find('.');
+      const auto name = names.find(value.key.substr(0, dot));
+      const std::string key = name == names.end() ? value.key : name->second + value.key.substr(dot);
+      if (value.number) numbers_[key] = *value.number;
+      if (name != names.end() && value.key.starts_with("body")) bodies_.insert(name->second);
+    }
+  }
+  /// Zero for a field that is not written.
+  double operator()(const std::string& key) const {
+    const auto found = numbers_.find(key);
+    return found == numbers_.end() ? 0.0 : found->second;
+  }
+  const std::set<std::string>& bodies() const { return bodies_; }
+
+ private:
+  std::map<std::string, double> numbers_;
+  std::set<std::string> bodies_;
+};
+
+/// Bodies placed with overlaps, and a cable across the plane: the first row of the history follows from geometry.
+const std::string placed = R"(title = "Bodies placed with overlaps"
+units = "SI"
+gravity = ["1.5 m/s^2", "-9.81 m/s^2"]
+[[body]]
+name = "ground"
+mobility = "fixed"
+position = ["0 m", "0.02 m"]
+shape = { kind = "half_plane" }
+[[body]]
+name = "slope"
+mobility = "fixed"
+position = ["10 m", "5 m"]
+angle = "0.3 rad"
+shape = { kind = "half_plane" }
+[[body]]
+name = "hills"
+mobility = "fixed"
+position = ["20 m", "3 m"]
+angle = "0.05 rad"
+shape = { kind = "terrain", points = [["-4 m", "-1 m"], ["5 m", "2.5 m"]] }
+[[body]]
+name = "box"
+mobility = "free"
+mass = "2 kg"
+inertia = "0.7 kg m^2"
+position = ["-2 m", "0.95 m"]
+angle = "0.4 rad"
+velocity = ["0.2 m/s", "-0.9 m/s"]
+spin = "0.5 rad/s"
+shape = { kind = "rectangle", half_width = "1.2 m", half_height = "0.7 m" }
+[[body]]
+name = "egg"
+mobility = "free"
+mass = "3 kg"
+inertia = "0.9 kg m^2"
+position = ["-6 m", "0.85 m"]
+angle = "0.4 rad"
+shape = { kind = "superquadric", half_width = "1.2 m", half_height = "0.7 m", exponent = 3.5 }
+[[body]]
+name = "wheel"
+mobility = "free"
+mass = "1.5 kg"
+inertia = "0.6 kg m^2"
+position = ["-9 m", "0.3 m"]
+velocity = ["0 m/s", "-0.4 m/s"]
+shape = { kind = "circle", radius = "0.5 m" }
+[[body]]
+name = "climber"
+mobility = "particle"
+mass = "1.1 kg"
+position = ["20.5 m", "4.2 m"]
+velocity = ["0.5 m/s", "-0.7 m/s"]
+shape = { kind = "circle", radius = "0.8 m" }
+[[body]]
+name = "slider"
+mobility = "particle"
+mass = "1.2 kg"
+position = ["11 m", "5.7 m"]
+velocity = ["-0.3 m/s", "-0.6 m/s"]
+shape = { kind = "circle", radius = "0.8 m" }
+[[body]]
+name = "door"
+mobility = "pinned"
+mass = "1.3 kg"
+inertia = "0.4 kg m^2"
+position = ["5 m", "10 m"]
+pin = ["0.3 m", "-0.6 m"]
+angle = "0.2 rad"
+spin = "1.7 rad/s"
+[[body]]
+name = "tray"
+mobility = "guided_x"
+mass = "1.4 kg"
+inertia = "0.45 kg m^2"
+position = ["15 m", "12 m"]
+pin = ["0.2 m", "-0.5 m"]
+angle = "-0.3 rad"
+velocity = ["0.3 m/s", "0 m/s"]
+spin = "-1.2 rad/s"
+[[body]]
+name = "ellipse"
+mobility = "fixed"
+position = ["0 m", "5 m"]
+shape = { kind = "superquadric", half_width = "1.2 m", half_height = "0.7 m" }
+[[body]]
+name = "knob"
+mobility = "particle"
+mass = "1 kg"
+position = ["0.5 m", "5.7 m"]
+shape = { kind = "circle", radius = "0.3 m" }
+[[contact]]
+name = "box_ground"
+between = ["box", "ground"]
+law = "linear_spring_dashpot"
+stiffness = "1000 N/m"
+restitution = 0.65
+[[contact]]
+name = "egg_ground"
+between = ["egg", "ground"]
+law = "latching_spring"
+stiffness = "1100 N/m"
+unloading_stiffness = "2000 N/m"
+[[contact]]
+name = "wheel_ground"
+between = ["wheel", "ground"]
+law = "hertz"
+modulus = "1200 N/m^2"
+radius = "0.45 m"
+damping = "3 N s/m"
+method = "nodes"
+nodes = 12
+[[contact]]
+name = "climber_hills"
+between = ["climber", "hills"]
+law = "linear_spring_dashpot"
+stiffness = "1300 N/m"
+damping = "3 N s/m"
+[[contact]]
+name = "slider_slope"
+between = ["slider", "slope"]
+law = "linear_spring_dashpot"
+stiffness = "1250 N/m"
+restitution = 0.55
+restitution_rule = "eq_21"
+end_rule = "attractive"
+[[contact]]
+name = "knob_ellipse"
+between = ["knob", "ellipse"]
+law = "linear_spring_dashpot"
+stiffness = "1400 N/m"
+damping = "3 N s/m"
+method = "nodes"
+nodes = [4, 4]
+node_depth = "centroid_ray"
+[[cable]]
+name = "rope"
+law = "tension_only"
+from = { body = "door", point = ["0.1 m", "0.2 m", "0.4 m"] }
+to = { body = "tray", point = ["0.15 m", "0.25 m", "1.9 m"] }
+stiffness = "150 N/m"
+damping = "2 N s/m"
+rest_length = "8 m"
+slack = "0.3 m"
+[run]
+integrator = "velocity_verlet"
+step = "1e-6 s"
+end = "6e-6 s"
+interval = "2e-6 s"
+ledger = "on"
+watch = "off"
+)";
+
+struct Vector {
+  double x{}, y{};
+};
+Vector operator+(Vector a, Vector b) { return {a.x + b.x, a.y + b.y}; }
+Vector operator-(Vector a, Vector b) { return {a.x - b.x, a.y - b.y}; }
+double dot(Vector a, Vector b) { return a.x * b.x + a.y * b.y; }
+Vector turned(Vector a, double angle) {
+  return {std::cos(angle) * a.x - std::sin(angle) * a.y, std::sin(angle) * a.x + std::cos(angle) * a.y};
+}
+/// Velocity that a spin gives to a point at this distance.
+Vector spun(double spin, Vector arm) { return {-spin * arm.y, spin * arm.x}; }
+
+Vector vector_of(const Written& of, const std::string& key) { return {of(key + "[0]"), of(key + "[1]")}; }
+
+/// Velocity of a body's centre: a pin may leave less than all of it free.
+Vector velocity_of(const Written& of, const std::string& body) {
+  const Vector given = vector_of(of, body + ".velocity");
+  const Vector about_pin =
+      spun(of(body + ".spin"), turned({-of(body + ".pin[0]"), -of(body + ".pin[1]")}, of(body + ".angle")));
+  if (body == "door") return about_pin;
+  if (body == "tray") return {given.x, about_pin.y};
+  return given;
+}
+
+/// First row of the history, by name of column.
+std::map<std::string, double> first_row(const Written& of, const Setup& setup) {
+  std::map<std::string, double> row;
+  double kinetic = 0.0, potential = 0.0;
+  for (const std::string& body : of.bodies()) {
+    const double mass = of(body + ".mass"), angle = of(body + ".angle"), spin = of(body + ".spin");
+    if (mass == 0.0) continue;  // held
+    const Vector at = vector_of(of, body + ".position"), v = velocity_of(of, body);
+    row[body + ".x"] = at.x, row[body + ".y"] = at.y, row[body + ".vx"] = v.x, row[body + ".vy"] = v.y;
+    if (of(body + ".inertia") != 0.0) row[body + ".angle"] = angle, row[body + ".spin"] = spin;
+    kinetic += 0.5 * mass * dot(v, v) + 0.5 * of(body + ".inertia") * spin * spin;
+    potential -= mass * dot(vector_of(of, "gravity"), at);
+  }
+  row["energy.kinetic"] = kinetic, row["energy.gravity"] = potential;
+
+  const double floor = of("ground.position[1]");
+  {  // The lowest corner of the box.
+    const Vector corner = turned({-of("box.shape.half_width"), -of("box.shape.half_height")}, of("box.angle"));
+    const double overlap = floor - of("box.position[1]") - corner.y, k = of("box_ground.stiffness");
+    const double closing = -(of("box.velocity[1]") + of("box.spin") * corner.x);
+    const double mass =
+        reference::effective_mass(reference::free_mobility(of("box.mass"), of("box.inertia"), corner.x), 0.0);
+    const double xi = reference::damping_ratio(of("box_ground.restitution"), EndRule::clamped);
+    row["box_ground.overlap"] = overlap;
+    row["box_ground.force"] = k * overlap + 2.0 * xi * std::sqrt(k * mass) * closing;
+  }
+  {  // Support of a superellipse: the dual norm.
+    const double n = setup.has("ellipse_for_superellipse") ? 2.0 : of("egg.shape.exponent"), dual = n / (n - 1.0);
+    const double down = std::pow(std::pow(of("egg.shape.half_width") * std::sin(of("egg.angle")), dual) +
+                                     std::pow(of("egg.shape.half_height") * std::cos(of("egg.angle")), dual),
+                                 1.0 / dual);
+    row["egg_ground.overlap"] = down - (of("egg.position[1]") - floor);
+    row["egg_ground.force"] = of("egg_ground.stiffness") * row["egg_ground.overlap"];
+  }
+  {  // Nodes of the wheel, one of which is lowest, each with Hertz's law.
+    const double height = of("wheel.position[1]") - floor, r = of("wheel.shape.radius"),
+                 effective = of("wheel_ground.radius");
+    double force = 0.0;
+    const int nodes = static_cast<int>(of("wheel_ground.nodes"));
+    for (int i = 0; i < nodes; ++i) {
+      const double inside = r * std::cos(2.0 * std::numbers::pi * i / nodes) - height;
+      if (inside <= 0.0) continue;
+      force += 4.0 / 3.0 * of("wheel_ground.modulus") * std::sqrt(effective) * std::pow(inside, 1.5) -
+               of("wheel_ground.damping") * std::pow(inside / effective, 0.25) * of("wheel.velocity[1]");
+    }
+    row["wheel_ground.overlap"] = r - height, row["wheel_ground.force"] = force;
+  }
+  {  // A disc above the line through the two points.
+    const auto point = [&](int i) {
+      return vector_of(of, "hills.position") +
+             turned(vector_of(of, fmt::format("hills.shape.points[{}]", i)), of("hills.angle"));
+    };
+    const Vector line = point(1) - point(0);
+    const double length = std::hypot(line.x, line.y);
+    const Vector normal{-line.y / length, line.x / length};
+    const double overlap = of("climber.shape.radius") - dot(vector_of(of, "climber.position") - point(0), normal);
+    row["climber_hills.overlap"] = overlap;
+    row["climber_hills.force"] = of("climber_hills.stiffness") * overlap -
+                                 of("climber_hills.damping") * dot(vector_of(of, "climber.velocity"), normal);
+  }
+  {  // A disc on an inclined half-plane, damped by Eq. 21.
+    const Vector normal = turned({0.0, 1.0}, of("slope.angle"));
+    const double k = of("slider_slope.stiffness"),
+                 overlap = of("slider.shape.radius") -
+                           dot(vector_of(of, "slider.position") - vector_of(of, "slope.position"), normal);
+    row["slider_slope.overlap"] = overlap;
+    row["slider_slope.force"] =
+        k * overlap - reference::eq_21_damping(of("slider_slope.restitution"), k, of("slider.mass")) *
+                          dot(vector_of(of, "slider.velocity"), normal);
+  }
+  {  // The knob's lowest node lies in the ellipse, at this fraction of the ray from its centre.
+    const Vector node =
+        vector_of(of, "knob.position") - Vector{0.0, of("knob.shape.radius")} - vector_of(of, "ellipse.position");
+    const double fraction =
+        std::hypot(node.x / of("ellipse.shape.half_width"), node.y / of("ellipse.shape.half_height"));
+    row["knob_ellipse.overlap"] = std::hypot(node.x, node.y) * (1.0 / fraction - 1.0);
+    row["knob_ellipse.force"] = of("knob_ellipse.stiffness") * row["knob_ellipse.overlap"];
+  }
+  {  // A cable that is longer by its distance across the plane.
+    const auto arm = [&](const std::string& body, const std::string& end) {
+      return turned(vector_of(of, "rope." + end + ".point"), of(body + ".angle"));
+    };
+    const Vector from = arm("door", "from"), to = arm("tray", "to");
+    const Vector between = vector_of(of, "tray.position") + to - vector_of(of, "door.position") - from;
+    const double across = setup.has("cable_in_the_plane") ? 0.0 : of("rope.to.point[2]") - of("rope.from.point[2]");
+    const double length = std::hypot(between.x, between.y, across);
+    const Vector relative =
+        velocity_of(of, "tray") + spun(of("tray.spin"), to) - velocity_of(of, "door") - spun(of("door.spin"), from);
+    row["rope.elongation"] = length - of("rope.rest_length") - of("rope.slack");
+    row["rope.tension"] =
+        of("rope.stiffness") * row["rope.elongation"] + of("rope.damping") * dot(between, relative) / length;
+    row["energy.cables"] = 0.5 * of("rope.stiffness") * row["rope.elongation"] * row["rope.elongation"];
+  }
+  return row;
+}
+
+void check_placed(const TemporaryFolder& folder, Findings& findings, const Setup& setup) {
+  folder.write("placed.toml", placed);
+  (void)talus_output(folder, {"run", "placed.toml", "--out", "placed"});
+  const Written written{placed};
+  const records::Csv history = records::read_csv(folder.path() / "placed/history.csv");
+  std::map<std::string, double> exact = first_row(written, setup);
+  double worst = 0.0, compared = 0.0;
+  std::string where;
+  for (std::size_t i = 0; i < history.header().size(); ++i) {
+    const auto found = exact.find(history.header()[i].substr(0, history.header()[i].find(" [")));
+    if (found == exact.end()) continue;
+    const double before = worst;
+    keep_worst(worst, (history.number(0, i) - found->second) / std::max(1.0, std::abs(found->second)));
+    if (worst != before) where = found->first;
+    ++compared;
+  }
+  findings.expect("first row of the history: quantities compared", compared, static_cast<double>(exact.size()),
+                  Tolerance::exact("each quantity with a closed form is a column"));
+  findings.expect(
+      "first row of the history: motion, overlaps, forces and energies, largest error", worst, 0.0,
+      Tolerance::round_off(1e-13,
+                           "overlaps are differences of positions up to 20, with 1.1e-16 of them in each of "
+                           "about ten operations, times stiffnesses up to 1400 in forces above 100"));
+  findings.expect("rows of the history", static_cast<double>(history.rows()),
+                  std::round(written("run.end") / written("run.interval")) + 1.0,
+                  Tolerance::exact("one at the start and at the end of each interval"));
+  const Json summary = records::read_json(folder.path() / "placed/summary.json");
+  const bool ledger = summary.at("ledger").is_object();
+  findings.expect_true("title and balance of the summary",
+                       ledger && summary.at("title") == "Bodies placed with overlaps",
+                       "the title of the scene; a balance is requested");
+  findings.table({.name = "first_row",
+                  .caption = "Quantity of the first row with the largest error.",
+                  .columns = {"quantity", "error"},
+                  .rows = {{where, fmt::format("{:.3g}", worst)}}});
+}
+
+/// Constants of the moving scene that occur in several bodies.
+constexpr double mass = 2.0, speed = 3.0, stiffness = 200.0, yield = 20.0, end = 0.9;
+
+std::string moving_scene() {
+  const auto particle = [](const std::string& name, double x, double y, double vx, double vy, const std::string& more) {
+    return fmt::format(
+        "[[body]]\nname = \"{}\"\nmobility = \"particle\"\nmass = \"{} kg\"\nposition = [\"{} m\", \"{} m\"]\n"
+        "velocity = [\"{} m/s\", \"{} m/s\"]\n{}",
+        name, mass, x, y, vx, vy, more);
+  };
+  double y = 50.0;
+  const auto pulled = [&](const std::string& name, const std::string& more) {
+    y += 5.0;
+    return particle(name, 5.0, y, speed, 0.0, "") +
+           fmt::format(
+               "[[cable]]\nname = \"of_{0}\"\nlaw = \"elastic_plastic\"\nfrom = {{ point = [\"0 m\", \"{1} m\"] }}\n"
+               "to = {{ body = \"{0}\", point = [\"0 m\", \"0 m\"] }}\nrest_length = \"5 m\"\nstiffness = \"{2} "
+               "N/m\"\n{3}",
+               name, y, stiffness, more);
+  };
+  const std::string circle = "shape = { kind = \"circle\", radius = \"0.5 m\" }\n";
+  const std::string limit = fmt::format("yield = \"{} N\"\n", yield);
+  const auto on_ground = [](const std::string& name, const std::string& law) {
+    return fmt::format("[[contact]]\nname = \"of_{0}\"\nbetween = [\"{0}\", \"ground\"]\nstiffness = \"1000 N/m\"\n{1}",
+                       name, law);
+  };
+  const std::string pressed = circle + "force = [\"0 N\", \"-30 N\"]\n",
+                    spring = "law = \"linear_spring_dashpot\"\ndamping = \"0 N s/m\"\nshear_stiffness = \"400 N/m\"\n";
+  std::string text =
+      "units = \"SI\"\n[[body]]\nname = \"ground\"\nmobility = \"fixed\"\nposition = [\"0 m\", \"0 m\"]\n"
+      "shape = { kind = \"half_plane\" }\n";
+  text += pulled("hard", limit + "hardening = \"15 N/m\"\n") +
+          pulled("table", limit + "table = [[\"0.1 m\", \"23 N\"], [\"0.2 m\", \"24 N\"]]\n") +
+          pulled("strong", "strength = \"30 N\"\n") + pulled("torn", limit + "rupture = \"0.12 m\"\n") +
+          pulled("hung", "") +
+          "[[hanger]]\nname = \"hook\"\nbody = \"hung\"\npoint = [\"0 m\", \"0 m\"]\nstrength = \"25 N\"\n";
+  text += particle("dented", 0.0, 0.5, 0.0, -1.5, circle) +
+          on_ground("dented", "law = \"latching_spring\"\nunloading_stiffness = \"1500 N/m\"\ngrowth = \"5 1/m\"\n");
+  text += particle("stuck", 5.0, 0.47, 0.3, 0.0, pressed) +
+          on_ground("stuck", spring + "friction = 0.9\nshear_damping = \"5 N s/m\"\n");
+  text += particle("sliding", 15.0, 0.47, 8.0, 0.0, pressed) +
+          on_ground("sliding", spring + "friction = 0.35\nshear_damping = \"0 N s/m\"\n");
+  return text + fmt::format(
+                    "[run]\nintegrator = \"stormer_cowell\"\ntolerance = 1e-12\nstep = \"0.02 s\"\nend = \"{} "
+                    "s\"\nledger = \"off\"\n",
+                    end);
+}
+
+/// Yield force after plastic elongations, constant after the last.
+class YieldCurve {
+ public:
+  explicit YieldCurve(std::vector<std::pair<double, double>> points) : points_{std::move(points)} {}
+  double force(double stretch) const {
+    for (std::size_t i = 1; i < points_.size(); ++i) {
+      const auto [x0, f0] = points_[i - 1];
+      const auto [x1, f1] = points_[i];
+      if (stretch <= x1) return f0 + (f1 - f0) * (stretch - x0) / (x1 - x0);
+    }
+    return points_.back().second;
+  }
+  /// Energy of a cable yielding at this stretch: plastic work and elastic energy.
+  double energy(double stretch) const {
+    double work = std::max(0.0, stretch - points_.back().first) * points_.back().second;
+    for (std::size_t i = 1; i < points_.size(); ++i) {
+      const double from = points_[i - 1].first, to = std::min(stretch, points_[i].first);
+      if (to > from) work += 0.5 * (to - from) * (force(from) + force(to));
+    }
+    return work + 0.5 * force(stretch) * force(stretch) / stiffness;
+  }
+  /// The stretch at which a cable has stopped this kinetic energy.
+  double stretch(double kinetic) const {
+    double low = 0.0, high = kinetic / points_.front().second;
+    for (int n = 0; n < 100; ++n) {
+      const double middle = 0.5 * (low + high);
+      (energy(middle) < kinetic ? low : high) = middle;
+    }
+    return low;
+  }
+
+ private:
+  std::vector<std::pair<double, double>> points_;
+};
+
+/// Names and values of the final state with closed forms: plastic elongations of cables, positions and velocities.
+std::map<std::string, double> final_values(const Written& of, const Setup& setup) {
+  std::map<std::string, double> values;
+  const double kinetic = 0.5 * mass * speed * speed;
+  const double hardening = setup.has("no_hardening") ? 0.0 : of("of_hard.hardening");
+  values["of_hard"] = YieldCurve{{{0.0, yield}, {1.0, yield + hardening}}}.stretch(kinetic);
+  values["of_table"] = YieldCurve{{{0.0, yield},
+                                   {of("of_table.table[0][0]"), of("of_table.table[0][1]")},
+                                   {of("of_table.table[1][0]"), of("of_table.table[1][1]")}}}
+                           .stretch(kinetic);
+  const auto after = [&](double energy) { return std::sqrt(speed * speed - 2.0 * energy / mass); };
+  const auto elastic = [&](double force) { return 0.5 * force * force / stiffness; };
+  values["of_torn"] = of("of_torn.rupture");
+  values["torn.vx"] = after(yield * of("of_torn.rupture") + elastic(yield));
+  values["strong.vx"] = after(elastic(of("of_strong.strength")));
+  values["hung.vx"] = after(elastic(of("hook.strength")));
+  {  // The unloading stiffness grows with the largest force.
+    const double k = of("of_dented.stiffness"), approach = of("dented.velocity[1]");
+    const double largest = std::abs(approach) * std::sqrt(mass / k);
+    values["dented.vy"] =
+        -approach * std::sqrt(k / (of("of_dented.unloading_stiffness") + of("of_dented.growth") * k * largest));
+  }
+  const double shear = of("of_stuck.shear_stiffness"), frequency = std::sqrt(shear / mass);
+  values["stuck.x"] =
+      of("stuck.position[0]") +
+      reference::state_at(
+          {frequency, of("of_stuck.shear_damping") / (2.0 * mass * frequency), 0.0, of("stuck.velocity[0]")}, end)
+          .displacement;
+  // The disc sticks until its spring has the force of friction.
+  const double friction = -of("of_sliding.friction") * of("sliding.force[1]"), start = of("sliding.velocity[0]");
+  const double stuck = friction / shear, time = std::asin(stuck * frequency / start) / frequency;
+  const double slips = std::sqrt(start * start - shear / mass * stuck * stuck), sliding = end - time;
+  values["sliding.vx"] = slips - friction / mass * sliding;
+  values["sliding.x"] = of("sliding.position[0]") + stuck + slips * sliding - 0.5 * friction / mass * sliding * sliding;
+  return values;
+}
+
+/// Yielding and breaking parts with the output at which this is found, in the order of the summary.
+std::vector<std::tuple<double, std::string, std::string>> expected_events(const Written& of) {
+  const double frequency = std::sqrt(stiffness / mass), interval = of("run.step");
+  const auto reached = [&](double force) { return std::asin(force * frequency / (stiffness * speed)) / frequency; };
+  const auto found = [&](double time) { return interval * std::ceil(time / interval); };
+  // The torn cable elongates at constant force: v t - F t^2/(2 m) = rupture.
+  const double slower = std::sqrt(speed * speed - yield * yield / (stiffness * mass)), slowing = yield / mass;
+  const double torn =
+      reached(yield) + (slower - std::sqrt(slower * slower - 2.0 * slowing * of("of_torn.rupture"))) / slowing;
+  std::vector<std::tuple<double, std::string, std::string>> events{
+      {found(reached(of("of_strong.strength"))), "cable 'of_strong'", "breaks"},
+      {found(reached(of("hook.strength"))), "hanger 'hook'", "breaks"},
+      {found(torn), "cable 'of_torn'", "breaks"}};
+  for (const char* const name : {"hard", "table", "torn"})
+    events.emplace_back(found(reached(yield)), fmt::format("cable 'of_{}'", name), "yields");
+  std::ranges::sort(events);
+  return events;
+}
+
+void check_events(const Node& summary, const Node& state, const Written& of, Findings& findings) {
+  std::vector<std::tuple<double, std::string, std::string>> events;
+  for (const Node& event : summary.at("failures").list())
+    events.emplace_back(event.at("time").number(), event.at("part").text(), event.at("event").text());
+  std::ranges::sort(events);
+  const auto expected = expected_events(of);
+  double wrong = std::abs(static_cast<double>(events.size()) - static_cast<double>(expected.size()));
+  for (std::size_t i = 0; i < std::min(events.size(), expected.size()); ++i) {
+    const auto& [time, part, event] = events[i];
+    const auto& [exact, of_part, of_event] = expected[i];
+    wrong += std::abs(time - exact) < 1e-12 && part == of_part && event == of_event ? 0.0 : 1.0;
+  }
+  for (const Node& cable : state.at("cables").list()) {
+    const std::string name = cable.at("name").text();
+    wrong += (cable.at("mode").text() == "broken") == (name == "of_strong" || name == "of_torn") ? 0.0 : 1.0;
+  }
+  findings.expect("yielding and breaking parts, times and modes that differ", wrong, 0.0,
+                  Tolerance::exact("the next output after the closed form's time, rounded by less than 1e-12 s"));
+}
+
+void check_moving(const TemporaryFolder& folder, Findings& findings, const Setup& setup) {
+  const std::string text = moving_scene();
+  folder.write("moving.toml", text);
+  (void)talus_output(folder, {"run", "moving.toml", "--out", "moving"});
+  const Json state = records::read_json(folder.path() / "moving/final_state.json"),
+             summary = records::read_json(folder.path() / "moving/summary.json");
+  std::map<std::string, double> found;
+  for (const Node& body : Node{state, "final_state.json"}.at("bodies").list()) {
+    const std::string name = body.at("name").text();
+    for (const std::size_t i : {0u, 1u}) {
+      found[name + (i == 0 ? ".x" : ".y")] = body.at("position").list().at(i).number();
+      found[name + (i == 0 ? ".vx" : ".vy")] = body.at("velocity").list().at(i).number();
+    }
+  }
+  for (const Node& cable : Node{state, "final_state.json"}.at("cables").list())
+    found[cable.at("name").text()] = cable.at("plastic_stretch").number();
+  double worst = 0.0;
+  for (const auto& [name, value] : final_values(Written{text}, setup))
+    keep_worst(worst, found.at(name) - value);
+  findings.expect(
+      "final state: plastic elongations, positions and velocities, largest error", worst, 0.0,
+      Tolerance::truncation(1e-11, 1.0, "the error that the integrator accepts, 1e-12 of distances up to 8 m"));
+  check_events(Node{summary, "summary.json"}, Node{state, "final_state.json"}, Written{text}, findings);
+  findings.expect_true("no balance in the summary", summary.at("ledger") == "off", "none is requested");
+}
+
+/// A run that a rule of the monitor concerns, and its exit codes with the default and with another choice.
+struct Watched {
+  std::string bodies, step, end, choice;
+  int usual{}, chosen{};
+};
+
+std::vector<Watched> watched_runs() {
+  const auto disc = [](const char* name, const char* place, const char* velocity) {
+    return fmt::format(
+        "[[body]]\nname = \"{}\"\nmobility = \"particle\"\nmass = \"1 kg\"\nposition = [{}]\nvelocity = [{}]\n"
+        "shape = {{ kind = \"circle\", radius = \"0.5 m\" }}\n",
+        name, place, velocity);
+  };
+  const std::string ground =
+      "[[body]]\nname = \"ground\"\nmobility = \"fixed\"\nposition = [\"0 m\", \"0 m\"]\nshape = { kind = "
+      "\"half_plane\" }\n";
+  const auto contact = [](const char* with) {
+    return fmt::format(
+        "[[contact]]\nname = \"touch\"\nbetween = [\"disc\", \"{}\"]\nlaw = \"linear_spring_dashpot\"\n"
+        "stiffness = \"1000 N/m\"\ndamping = \"0 N s/m\"\n",
+        with);
+  };
+  const std::string impact = ground + disc("disc", R"("0 m", "0.51 m")", R"("0 m/s", "-0.4 m/s")") + contact("ground");
+  return {{ground + disc("disc", R"("0 m", "0.49 m")", R"("0 m/s", "0.001 m/s")") + contact("ground"), "0.064 s",
+           "0.32 s", "instability = \"warning\", quality = \"warning\"", 3, 0},
+          {disc("disc", R"("-2 m", "5 m")", R"("300 m/s", "0 m/s")") +
+               disc("other", R"("2 m", "5 m")", R"("0 m/s", "0 m/s")") + contact("other"),
+           "0.02 s", "0.04 s", "tunnelling = \"warning\"", 3, 0},
+          {impact, "0.02 s", "0.2 s", "accuracy = \"error\"", 7, 3},
+          {ground + disc("disc", R"("0 m", "0.4 m")", R"("0 m/s", "0 m/s")"), "0.02 s", "0.2 s",
+           "missing_contacts = \"error\"", 0, 3},
+          {impact, "0.03 s", "0.3 s", "quality = \"warning\"", 7, 0}};
+}
+
+void check_watch(const TemporaryFolder& folder, Findings& findings, const Setup& setup) {
+  double wrong = 0.0;
+  std::vector<std::vector<std::string>> rows;
+  for (const Watched& run : watched_runs()) {
+    for (const bool chosen : {false, true}) {
+      const std::string watch =
+          chosen && !setup.has("rules_left_out") ? fmt::format("watch = {{ {} }}\n", run.choice) : "";
+      folder.write(
+          "watched.toml",
+          fmt::format("units = \"SI\"\n{}[run]\nintegrator = \"velocity_verlet\"\nstep = \"{}\"\nend = \"{}\"\n{}",
+                      run.bodies, run.step, run.end, watch));
+      const int code = run_talus(folder, {"run", "watched.toml"}).exit_code, expected = chosen ? run.chosen : run.usual;
+      wrong += code == expected ? 0.0 : 1.0;
+      rows.push_back({chosen ? run.choice : "default", fmt::format("{}", expected), fmt::format("{}", code)});
+    }
+  }
+  findings.expect("runs whose rules of the monitor have another effect", wrong, 0.0,
+                  Tolerance::exact("exit codes with the default and with another choice of each rule"));
+  findings.table({.name = "rules",
+                  .caption = "Exit codes of runs with rules of the monitor.",
+                  .columns = {"rules", "expected", "found"},
+                  .rows = rows});
+}
+
+void run(Findings& findings, const Setup& setup) {
+  const auto group = findings.in("fields");
+  const TemporaryFolder folder;
+  if (setup.needs("first row")) check_placed(folder, findings, setup);
+  if (setup.needs("final state")) check_moving(folder, findings, setup);
+  if (setup.needs("rules")) check_watch(folder, findings, setup);
+}
+
+}  // namespace
+
+Case definition() {
+  return {
+      .id = "scene_fields",
+      .title = "Fields of a scene",
+      .requirements = {{"G10", {"fields"}}},
+      .main_checks = {"first row of the history: motion, overlaps, forces and energies, largest error",
+                      "final state: plastic elongations, positions and velocities, largest error",
+                      "runs whose rules of the monitor have another effect"},
+      .source = "Textbook mechanics; Mustoe & Huttelmaier 1993, Eq. 21; Schwager & Poeschel 2007 (clamped contact)",
+      .faults = {{"ellipse_for_superellipse", "the exponent 2 for the superellipse",
+                  "first row of the history: motion, overlaps, forces and energies, largest error"},
+                 {"cable_in_the_plane", "a cable without its distance across the plane",
+                  "first row of the history: motion, overlaps, forces and energies, largest error"},
+                 {"no_hardening", "a yielding cable without hardening",
+                  "final state: plastic elongations, positions and velocities, largest error"},
+                 {"rules_left_out", "runs without their rules", "runs whose rules of the monitor have another effect"}},
+      .run = run};
+}
+
+}  // namespace talus::verification::problems::scene_fields
