@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
+#include <numbers>
 #include <string>
 #include <vector>
 
@@ -18,7 +20,7 @@ namespace {
 using records::Json;
 using reference::EndRule;
 
-constexpr double struck_mass = 1.0, striker_mass = 3.0, stiffness = 1e5, bound = 1e-3;
+constexpr double struck_mass = 1.0, striker_mass = 3.0, stiffness = 1e5, bound = 1e-3, approach = 1.3;
 
 /// Mobility of the struck body, as options of the program, and the effective mass of the impact.
 struct Geometry {
@@ -50,14 +52,54 @@ Json calibrated(const TemporaryFolder& folder, double restitution, EndRule rule,
                                      name(rule),
                                      "--bound",
                                      fmt::format("{}", bound),
+                                     "--speed",
+                                     fmt::format("{} m/s", approach),
                                      "--json"};
   arguments.insert(arguments.end(), more.begin(), more.end());
   return Json::parse(talus_output(folder, arguments));
 }
 
+/// Restitution of one impact of velocity Verlet at unit speed: the force has the overlap of the step and the velocity half
+/// a step earlier. `phase`: the fraction of a step at which the surfaces meet. NaN if they do not part.
+double stepped(const reference::Impact& impact, EndRule rule, double step, double phase) {
+  double overlap = -phase * step, velocity = 1.0;
+  bool touched = false;
+  for (int n = 0; n < 10000; ++n) {
+    if (overlap > 0.0) {
+      const double force = impact.stiffness * overlap + impact.damping * velocity;
+      if (rule == EndRule::clamped && force <= 0.0) return -velocity;
+      touched = true, velocity -= step * force / impact.effective_mass;
+    } else if (touched) {
+      return -velocity;
+    }
+    overlap += step * velocity;
+  }
+  return std::numeric_limits<double>::quiet_NaN();
+}
+
+/// Step, restitution and its largest error, as the program defines them: a step of T/(2^n + 0.381966), 64 phases of touch,
+/// for the error each with a step that ends the contact at another phase, by the golden section.
+struct Stepped {
+  double fraction{};  ///< 2^n from the printed step, over the nearest power of two
+  double restitution{}, error{};
+};
+Stepped stepped_of(const reference::Impact& impact, EndRule rule, double e, double time, double step) {
+  constexpr int phases = 64;
+  const double steps = time / step - 0.381966, power = std::exp2(std::round(std::log2(steps)));
+  Stepped found{.fraction = steps / power};
+  for (int i = 0; i < phases; ++i) {
+    const double phase = (i + 0.5) / phases, part = (std::numbers::phi - 1.0) * (i + 0.5);
+    found.restitution += stepped(impact, rule, step, phase) / phases;
+    const double other = time / (power + part - std::floor(part));
+    found.error = std::max(found.error, std::abs(stepped(impact, rule, other, phase) - e));
+  }
+  return found;
+}
+
 /// Compares the numbers that the program prints with closed forms.
 void check_numbers(const TemporaryFolder& folder, Findings& findings, const Setup& setup) {
-  double damping = 0.0, mass = 0.0, time = 0.0, overlap = 0.0;
+  double damping = 0.0, mass = 0.0, time = 0.0, overlap = 0.0, powers = 0.0, simulated = 0.0, texts = 0.0;
+  std::size_t members = 0;
   const std::vector<double> restitutions = setup.coarse ? std::vector{0.6} : std::vector{0.9, 0.6, 0.2};
   for (const Geometry& geometry : geometries(setup)) {
     for (const EndRule rule : {EndRule::clamped, EndRule::attractive}) {
@@ -67,17 +109,37 @@ void check_numbers(const TemporaryFolder& folder, Findings& findings, const Setu
         const double c = setup.has("pulling_formula")
                              ? reference::eq_21_damping(e, stiffness, m)
                              : 2.0 * reference::damping_ratio(e, rule) * std::sqrt(stiffness * m);
-        const reference::ImpactEvents impact = reference::impact_events({stiffness, c, m, 1.0}, rule);
+        const reference::ImpactEvents impact = reference::impact_events({stiffness, c, m, approach}, rule);
         keep_worst(mass, printed.at("effective_mass").get<double>() / m - 1.0);
         keep_worst(damping, printed.at("damping").get<double>() / c - 1.0);
         keep_worst(time, printed.at("contact_time").get<double>() / impact.contact_time - 1.0);
         keep_worst(overlap, printed.at("largest_overlap").get<double>() / impact.largest_depth - 1.0);
+        keep_worst(damping, printed.at("damping_ratio").get<double>() / (c / (2.0 * std::sqrt(stiffness * m))) - 1.0);
+        texts += printed.at("end_rule") == name(rule) && printed.at("units") == "SI" ? 0.0 : 1.0;
+        texts += printed.at("speed") == approach ? 0.0 : 1.0;
+        const Stepped own = stepped_of({stiffness, c, m, 1.0}, rule, e, impact.contact_time,
+                                       printed.at("step").get<double>() / (setup.has("half_the_step") ? 2.0 : 1.0));
+        keep_worst(powers, own.fraction - 1.0);
+        keep_worst(simulated, printed.at("restitution").get<double>() - own.restitution);
+        keep_worst(simulated, printed.at("restitution_error").get<double>() - own.error);
+        members = printed.size();
       }
     }
   }
   const Tolerance round_off = Tolerance::round_off(
       3e-15, "closed forms of about ten operations and one root on both sides, 1.1e-16 each, printed with 17 digits");
   findings.expect("effective mass, over the exact one: largest deviation from 1", mass, 0.0, round_off);
+  findings.expect("members that are not compared", static_cast<double>(members) - 11.0, 0.0,
+                  Tolerance::exact("each number, the end rule, the units"));
+  findings.expect("end rules, units and speeds that are not those requested", texts, 0.0,
+                  Tolerance::exact("texts, and a number with 17 digits"));
+  findings.expect(
+      "steps over the exact ones: largest deviation from 1", powers, 0.0,
+      Tolerance::round_off(3e-14, "a contact time of some 100 to 2000 steps, to 3e-15 as above, less 0.38"));
+  findings.expect("restitution and its deviation over phases, by a second program: largest difference", simulated, 0.0,
+                  Tolerance::round_off(5e-12,
+                                       "the program's disc has a radius of 1000 overlaps, each rounded to 1.1e-13 of "
+                                       "itself in up to 2048 steps that add up as a random walk"));
   findings.expect("damping, over the exact one: largest deviation from 1", damping, 0.0, round_off);
   findings.expect("contact time, over the exact one: largest deviation from 1", time, 0.0, round_off);
   findings.expect("largest overlap, over the exact one: largest deviation from 1", overlap, 0.0, round_off);
@@ -182,7 +244,7 @@ void check_step(const TemporaryFolder& folder, Findings& findings, const Setup& 
 void run(Findings& findings, const Setup& setup) {
   const auto group = findings.in("calibration");
   const TemporaryFolder folder;
-  if (setup.needs("over the exact one")) check_numbers(folder, findings, setup);
+  if (setup.needs("over the exact one") || setup.needs("second program")) check_numbers(folder, findings, setup);
   if (setup.needs("error")) check_step(folder, findings, setup);
 }
 
@@ -201,6 +263,8 @@ Case definition() {
                       "damping, over the exact one: largest deviation from 1"},
                      {"arm_forgotten", "rotation of the struck body neglected",
                       "effective mass, over the exact one: largest deviation from 1"},
+                     {"half_the_step", "the members compared with those of a step half as long",
+                      "restitution and its deviation over phases, by a second program: largest difference"},
                      {"twice_the_step", "twice the advised step",
                       "restitution with the advised step: largest error over phases"}},
           .seconds = 6.0,
