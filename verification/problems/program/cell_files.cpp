@@ -3,6 +3,10 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <filesystem>
+#include <functional>
+#include <limits>
+#include <map>
 #include <numbers>
 #include <random>
 #include <sstream>
@@ -12,6 +16,7 @@
 #include <vector>
 
 #include "verification/check/case.hpp"
+#include "verification/problems/program/toml_values.hpp"
 #include "verification/record/csv.hpp"
 #include "verification/record/json_node.hpp"
 #include "verification/reference/virtual_discs.hpp"
@@ -160,7 +165,8 @@ struct State {
 /// Expected contents of the files, from the reference's motion.
 struct Expected {
   std::vector<Mean> loops;
-  Mean steady;  ///< after the start-up
+  Mean steady;                                            ///< after the start-up
+  std::vector<Mean> hundredths = std::vector<Mean>(100);  ///< of the run
   std::vector<Seen> seen;
   std::vector<double> weights;  ///< time represented by the looks in each tenth of the time after the start-up [T]
   std::vector<State> states;    ///< at the end of each LOOP and of the run
@@ -238,6 +244,7 @@ Expected expected_of(VirtualDiscs discs, const Setup& setup) {
     const double weight = since * step, time = n * step - 0.5 * weight;
     const auto of_loop = static_cast<std::size_t>((n - 1) / steps_in_loop);
     expected.loops[setup.has("samples_one_loop_late") && of_loop > 0 ? of_loop - 1 : of_loop].add(values, weight);
+    expected.hundredths[part(time, end, 100)].add(values, weight);
     if (part(time, end, 100) >= 25) expected.steady.add(values, weight);
     look += weight;
     if (++samples == samples_in_look || last) {
@@ -548,36 +555,298 @@ void check_limits(const TemporaryFolder& folder, Findings& findings, const Setup
                   Tolerance::exact("0.999 of the limit is accepted, 1.001 rejected, for two methods"));
 }
 
-void check_summary(const Node& summary, const Expected& expected, const VirtualDiscs& before, Findings& findings) {
+/// A result of the summary as a function of means.
+struct Result {
+  const char* name;
+  std::function<double(const Mean&)> of;
+  double scale{};
+  const char* unit{""};
+  bool drifts{};  ///< a mean, of which the change between halves is reported
+};
+
+std::vector<Result> results_of(const Expected& expected) {
+  const auto quotient = [](auto over, auto under) {
+    return [=](const Mean& mean) { return over(mean) / under(mean); };
+  };
+  const auto of = [](Quantity quantity) { return [=](const Mean& mean) { return mean(quantity); }; };
+  const auto ratio = [&](Quantity over, Quantity under) { return quotient(of(over), of(under)); };
+  const auto deviation = [](const Mean& mean) {
+    return std::sqrt(std::max(0.0, mean(depth_square) - mean(depth) * mean(depth)));
+  };
+  const auto binary = [](const Mean& mean) {
+    return (mean(shear) - mean(multiple_shear)) / (mean(normal) - mean(multiple_normal));
+  };
+  const auto balance = [](const Mean& mean) { return (mean(shear) + mean(kinetic)) / mean(moment); };
+  const double pressure = expected.steady(top_normal);
+  return {{"stress_ratio_top", ratio(top_shear, top_normal), 1.0},
+          {"stress_ratio_bottom", ratio(bottom_shear, bottom_normal), 1.0},
+          {"top_shear", of(top_shear), pressure, "N/m^2", true},
+          {"top_normal", of(top_normal), pressure, "N/m^2", true},
+          {"bottom_shear", of(bottom_shear), pressure, "N/m^2", true},
+          {"bottom_normal", of(bottom_normal), pressure, "N/m^2", true},
+          {"depth", of(depth), diameter, "m", true},
+          {"depth_deviation", deviation, diameter, "m"},
+          {"solid_fraction", of(solid_fraction), 1.0, "", true},
+          {"contact_time_fraction", of(touching), 1.0, "", true},
+          {"multiple_fraction", ratio(multiple, contacts), 1.0},
+          {"coordination", of(coordination), 1.0, "", true},
+          {"multiple_shear_fraction", ratio(multiple_shear, shear), 1.0},
+          {"multiple_stress_ratio", ratio(multiple_shear, multiple_normal), 1.0},
+          {"binary_stress_ratio", binary, 1.0},
+          {"kinetic_shear_fraction", ratio(kinetic, moment), 1.0},
+          {"shear_balance", balance, 1.0}};
+}
+
+/// Means over series of the blocks after the start-up, drawn as sequences of `length` neighbours (circular block
+/// bootstrap): 400 series, from the sequence of random numbers that the number of blocks starts.
+std::vector<Mean> drawn_series(const Expected& expected, std::size_t length) {
+  const std::size_t first = 25, blocks = expected.hundredths.size() - first;
+  std::mt19937_64 random{blocks};
+  std::vector<Mean> series(400);
+  for (Mean& mean : series) {
+    for (std::size_t drawn = 0; drawn < blocks;) {
+      const std::size_t start = random() % blocks;
+      for (std::size_t k = 0; k < length && drawn < blocks; ++k, ++drawn) {
+        const Mean& block = expected.hundredths[first + (start + k) % blocks];
+        mean.weight += block.weight;
+        for (std::size_t q = 0; q < count; ++q)
+          mean.sum[q] += block.sum[q];
+      }
+    }
+  }
+  return series;
+}
+
+/// Standard error of a result: scatter over the drawn series, about their mean, times 1/(1 - length/blocks).
+double error_over(const std::vector<Mean>& series, std::size_t length, const Result& result) {
+  double mean = 0.0, squares = 0.0, finite = 0.0;
+  for (const Mean& drawn : series) {
+    const double value = result.of(drawn);
+    if (std::isfinite(value)) mean += value, finite += 1.0;
+  }
+  mean /= finite;
+  for (const Mean& drawn : series) {
+    const double value = result.of(drawn);
+    if (std::isfinite(value)) squares += (value - mean) * (value - mean) / finite;
+  }
+  return std::sqrt(squares * 75.0 / (75.0 - static_cast<double>(length)));
+}
+
+/// Errors and changes between halves. The length of the blocks follows from the correlation of the series (case
+/// mean_errors); here any length up to a third of the series may be the program's.
+void check_errors(const Node& found, const Expected& expected, Findings& findings, const Setup& setup) {
+  std::vector<std::vector<Mean>> series;
+  for (std::size_t length = 1; length <= 25; ++length)
+    series.push_back(drawn_series(expected, length));
+  const auto mean_over = [&](std::size_t first, std::size_t last, const Result& result) {
+    Mean mean;
+    for (std::size_t block = first; block < last; ++block) {
+      mean.weight += expected.hundredths[block].weight;
+      for (std::size_t q = 0; q < count; ++q)
+        mean.sum[q] += expected.hundredths[block].sum[q];
+    }
+    return result.of(mean);
+  };
+  double worst = 0.0, changes = 0.0;
+  for (const Result& result : results_of(expected)) {
+    const Node node = found.at(result.name);
+    const double printed = node.has("error") ? node.at("error").number() : 0.0;
+    double nearest = std::numeric_limits<double>::infinity(), own = 0.0;
+    for (std::size_t k = 0; k < series.size(); ++k) {
+      const double error = error_over(series[k], k + 1, result) * (setup.has("error_without_factor") ? 0.9 : 1.0);
+      if (std::abs(error - printed) < nearest) nearest = std::abs(error - printed), own = error;
+    }
+    keep_worst(worst, (printed - own) / result.scale);
+    const double change = mean_over(62, 100, result) - mean_over(25, 62, result);
+    const double drift = node.has("drift") ? node.at("drift").number() : 0.0;
+    // The difference of the means over two halves has four times the variance of the whole mean.
+    keep_worst(changes, (drift * 2.0 * own - (result.drifts ? change : 0.0)) / result.scale);
+  }
+  findings.expect("summary.json: standard errors, largest difference to a bootstrap", worst, 0.0, of_paths());
+  findings.expect("summary.json: drifts, largest difference to the change between halves", changes, 0.0, of_paths());
+}
+
+/// Units of results, and meanings beside those of the printed table.
+double wrong_texts(const Node& numbers, const std::map<std::string, std::string>& units, const std::string& printed) {
+  double wrong = 0.0;
+  for (const auto& [name, number] : numbers.members()) {
+    const std::string meaning = number.at("meaning").text();
+    const std::size_t line = printed.find("\n  " + name + " "), next = printed.find('\n', line + 1);
+    const std::string row = line == std::string::npos ? "" : printed.substr(line, next - line);
+    const std::string unsteady = "; not steady";
+    wrong += row.ends_with("  " + meaning) || row.find("  " + meaning + unsteady) != std::string::npos ? 0.0 : 1.0;
+    const auto unit = units.find(name);
+    const std::string expected = unit == units.end() ? "" : unit->second;
+    wrong += (number.has("unit") ? number.at("unit").text() : "") == expected ? 0.0 : 1.0;
+  }
+  return wrong;
+}
+
+/// Numbers, texts and switches of a summary that differ from `expected`, or are missing in it.
+double wrong_members(const Node& found, const std::map<std::string, TomlValue>& expected) {
+  double wrong = std::abs(static_cast<double>(found.members().size()) - static_cast<double>(expected.size()));
+  for (const auto& [name, member] : found.members()) {
+    const auto value = expected.find(name);
+    if (value == expected.end()) {
+      wrong += 1.0;
+    } else if (member.json().is_number()) {
+      // A number written in decimals, or two of them divided.
+      const double exact = value->second.number.value_or(0.0);
+      wrong += std::abs(member.number() - exact) <= 5e-16 * std::abs(exact) ? 0.0 : 1.0;
+    } else {
+      const std::string text = member.json().is_boolean() ? (member.flag() ? "on" : "off") : member.text();
+      wrong += text == value->second.text ? 0.0 : 1.0;
+    }
+  }
+  return wrong;
+}
+
+using Members = std::map<std::string, TomlValue>;
+TomlValue number_of(double value) { return {"", value, ""}; }
+TomlValue text_of(const std::string& text) { return {"", {}, text}; }
+
+void check_parameters(const Node& summary, Findings& findings) {
+  const Members exact{{"law", text_of("latching_spring")},
+                      {"stiffness", number_of(k1)},
+                      {"unloading_stiffness", number_of(k2)},
+                      {"growth", number_of(0.0)},
+                      {"diameter", number_of(diameter)},
+                      {"mass", number_of(mass)},
+                      {"gravity", number_of(gravity)},
+                      {"block_mass", number_of(block_mass)},
+                      {"block_speed", number_of(block_speed)},
+                      {"rows", number_of(rows)},
+                      {"columns", number_of(columns)},
+                      {"wall_discs", number_of(wall_discs)},
+                      {"overburden", number_of(block_mass * gravity / area)},
+                      {"seed", number_of(0.0)},
+                      {"integrator", text_of("euler_cromer")},
+                      {"step", number_of(step)},
+                      {"every", number_of(loop)},
+                      {"end", number_of(end)},
+                      {"historical", text_of("off")},
+                      {"jump", text_of("off")},
+                      {"images", text_of("nearest")}};
+  const Members counts{{"discs", number_of(static_cast<double>(free_discs))},
+                       {"wall_discs", number_of(2.0 * wall_discs)},
+                       {"steps", number_of(steps)},
+                       {"jumped", number_of(0.0)}};
+  findings.expect("summary.json: parameters, counts and units that differ",
+                  wrong_members(summary.at("parameters"), exact) + wrong_members(summary.at("counts"), counts) +
+                      (summary.at("units").text() == "SI" ? 0.0 : 1.0),
+                  0.0, Tolerance::exact("the numbers of CNTRL.DAT, to the last bits of quotients and products"));
+}
+
+/// Cells whose files set every field, and what follows from them.
+struct WrittenCell {
+  std::string text;
+  Members derived;  ///< parameters that the scene does not give
+};
+std::vector<WrittenCell> written_cells(const Setup& setup) {
+  const std::string discs = R"(diameter = "0.001 m"
+mass = "7.2e-7 kg"
+gravity = "9.81 m/s^2"
+block_speed = "5 m/s"
+rows = 3
+columns = 4
+wall_discs = 5
+seed = 3
+stiffness = "17000 N/m"
+)";
+  const auto plan = [](const char* integrator, double time, const char* switches) {
+    return fmt::format("[run]\nintegrator = \"{}\"\nstep = \"{} s\"\nevery = \"2e-5 s\"\nend = \"1.1e-4 s\"\n{}",
+                       integrator, time, switches);
+  };
+  constexpr double block = 9e-3, load = 3500.0, wall = 5e-6;  // [kg], [Pa], area of the block [m^2]
+  const Members of_block{{"overburden", number_of(block * gravity / wall)}},
+      of_load{{"block_mass", number_of(load * wall / gravity)}};
+  const std::string head = "units = \"SI\"\n[cell]\n" + discs, heavy = fmt::format("block_mass = \"{} kg\"\n", block);
+  std::vector<WrittenCell> cells{
+      {"title = \"Latching springs\"\n" + head + heavy +
+           "law = \"latching_spring\"\nunloading_stiffness = \"31000 N/m\"\ngrowth = \"1.5 1/m\"\nfriction = 0.5\n"
+           "shear_stiffness = \"11000 N/m\"\n" +
+           plan("euler_cromer", 2e-7,
+                "jump = \"off\"\nimages = \"virtual\"\nhistorical = \"off\"\npictures = \"on\"\n"),
+       of_block},
+      {"title = \"Dashpots\"\n" + head +
+           fmt::format("overburden = \"{} N/m^2\"\nlaw = \"linear_spring_dashpot\"\ndamping = \"0.02 N s/m\"\n"
+                       "end_rule = \"attractive\"\n",
+                       load) +
+           plan("velocity_verlet", 2e-7,
+                "jump = \"on\"\nimages = \"nearest\"\nhistorical = \"off\"\npictures = \"off\"\n"),
+       of_load},
+      {"title = \"As in 1989\"\n" + head + heavy +
+           "law = \"latching_spring\"\ngrowth = \"0 1/m\"\nunloading_stiffness = \"" +
+           fmt::format("{}", 17000.0 / 0.45) + " N/m\"\n" +
+           plan("euler", 1e-7, "jump = \"off\"\nimages = \"virtual\"\nhistorical = \"on\"\npictures = \"on\"\n"),
+       of_block}};
+  if (setup.has("another_seed")) cells.front().derived["seed"] = number_of(4.0);
+  return cells;
+}
+
+void check_written(const TemporaryFolder& folder, Findings& findings, const Setup& setup) {
+  double parameters = 0.0, others = 0.0;
+  for (const WrittenCell& cell : written_cells(setup)) {
+    folder.write("written.toml", cell.text);
+    const std::string printed = talus_output(folder, {"cell", "written.toml", "--out", "written"});
+    const Json json = records::read_json(folder.path() / "written/summary.json");
+    const Node summary{json, "summary.json"};
+    Members exact = cell.derived;
+    bool pictures = false;
+    for (const TomlValue& value : toml_values(cell.text)) {
+      const std::string name = value.key.substr(value.key.find('.') + 1);
+      if (name == "pictures") pictures = value.text == "on";
+      if (name == "title") others += summary.at("title").text() == value.text ? 0.0 : 1.0;
+      if (name == value.key || name == "pictures") continue;
+      exact.emplace(name, value.number ? number_of(*value.number) : value);
+    }
+    parameters += wrong_members(summary.at("parameters"), exact);
+    others += std::filesystem::exists(folder.path() / "written/cell.pvd") == pictures ? 0.0 : 1.0;
+    others += records::read_csv(folder.path() / "written/history.csv").rows() == 6 ? 0.0 : 1.0;
+    const Node groups = summary.at("groups"), results = summary.at("results");
+    others += wrong_texts(groups, {}, printed);
+    others += wrong_texts(results,
+                          {{"top_shear", "N/m^2"},
+                           {"top_normal", "N/m^2"},
+                           {"bottom_shear", "N/m^2"},
+                           {"bottom_normal", "N/m^2"},
+                           {"depth", "m"},
+                           {"depth_deviation", "m"},
+                           {"spin", "rad/s"}},
+                          printed);
+    if (!groups.has("friction")) continue;
+    others += groups.at("friction").at("value").number() == 0.5 ? 0.0 : 1.0;
+    others += groups.at("shear_over_normal_stiffness").at("value").number() == 11000.0 / 17000.0 ? 0.0 : 1.0;
+    others += results.at("spin").at("value").number() == 0.0 ? 0.0 : 1.0;  // nothing touches yet
+    others += summary.at("energy").at("friction_work").number() == 0.0 ? 0.0 : 1.0;
+    std::filesystem::remove_all(folder.path() / "written");
+  }
+  findings.expect("parameters of cells that differ from their scenes", parameters, 0.0,
+                  Tolerance::exact("every field of a cell, with all bits or to the last bits of a quotient"));
+  findings.expect("titles, pictures, rows, units and meanings of these cells that differ", others, 0.0,
+                  Tolerance::exact("texts, files and counts"));
+}
+
+void check_summary(const Node& summary, const Expected& expected, const VirtualDiscs& before,
+                   const std::string& printed, Findings& findings, const Setup& setup) {
   const Mean& mean = expected.steady;
-  const double multiples = mean(multiple_normal), binaries = mean(normal) - multiples;
-  const std::vector<std::tuple<const char*, double, double>> results{
-      {"stress_ratio_top", mean(top_shear) / mean(top_normal), 1.0},
-      {"stress_ratio_bottom", mean(bottom_shear) / mean(bottom_normal), 1.0},
-      {"top_shear", mean(top_shear), mean(top_normal)},
-      {"top_normal", mean(top_normal), mean(top_normal)},
-      {"bottom_shear", mean(bottom_shear), mean(top_normal)},
-      {"bottom_normal", mean(bottom_normal), mean(top_normal)},
-      {"depth", mean(depth), diameter},
-      {"depth_deviation", std::sqrt(mean(depth_square) - mean(depth) * mean(depth)), diameter},
-      {"solid_fraction", mean(solid_fraction), 1.0},
-      {"contact_time_fraction", mean(touching), 1.0},
-      {"multiple_fraction", mean(multiple) / mean(contacts), 1.0},
-      {"coordination", mean(coordination), 1.0},
-      {"multiple_shear_fraction", mean(multiple_shear) / mean(shear), 1.0},
-      {"multiple_stress_ratio", mean(multiple_shear) / multiples, 1.0},
-      {"binary_stress_ratio", (mean(shear) - mean(multiple_shear)) / binaries, 1.0},
-      {"kinetic_shear_fraction", mean(kinetic) / mean(moment), 1.0},
-      {"shear_balance", (mean(shear) + mean(kinetic)) / mean(moment), 1.0},
-      {"largest_overlap", expected.largest_overlap / diameter, 1.0},
-      {"largest_solid_fraction", expected.largest_fraction, 1.0}};
-  double worst = 0.0;
+  double worst = 0.0, texts = 0.0;
   const Node found = summary.at("results");
-  for (const auto& [name, value, scale] : results)
-    keep_worst(worst, (found.at(name).at("value").number() - value) / scale);
+  std::map<std::string, std::string> units;
+  for (const Result& result : results_of(expected)) {
+    keep_worst(worst, (found.at(result.name).at("value").number() - result.of(mean)) / result.scale);
+    if (*result.unit != '\0') units[result.name] = result.unit;
+  }
+  keep_worst(worst, found.at("largest_overlap").at("value").number() - expected.largest_overlap / diameter);
+  keep_worst(worst, found.at("largest_solid_fraction").at("value").number() - expected.largest_fraction);
   findings.expect("summary.json: results", static_cast<double>(found.members().size()),
-                  static_cast<double>(results.size()), Tolerance::exact("the results compared below"));
+                  static_cast<double>(results_of(expected).size() + 2), Tolerance::exact("the results compared below"));
   findings.expect("summary.json: results, largest error", worst, 0.0, of_paths());
+  if (setup.needs("summary.json: standard errors")) check_errors(found, expected, findings, setup);
+  texts = wrong_texts(found, units, printed) + wrong_texts(summary.at("groups"), {}, printed);
+  findings.expect("summary.json: units and meanings that differ from the printed table", texts, 0.0,
+                  Tolerance::exact("the same texts"));
+  check_parameters(summary, findings);
 
   const VirtualDiscs& discs = expected.states.back().discs;
   const auto kinetic_of = [](const VirtualDiscs& of) {
@@ -603,14 +872,14 @@ void check_summary(const Node& summary, const Expected& expected, const VirtualD
                   energy.at("relative_balance_error").number() - gained / std::max(std::abs(expected.work), discs.lost),
                   0.0, of_paths());
 
-  // The dimensionless groups by their definitions; two colliding discs have the effective mass m/2.
+  // The dimensionless groups by their definitions: semi-implicit Euler preserves amplitudes; two colliding discs have the effective mass m/2.
   const double contact = 0.5 * std::numbers::pi * (std::sqrt(0.5 * mass / k1) + std::sqrt(0.5 * mass / k2));
   const double pressure = block_mass * gravity / area,
                density = mass / (0.25 * std::numbers::pi * std::pow(diameter, 3));
   double groups = 0.0;
   for (const auto& [name, value] :
-       {std::pair{"restitution", 0.7}, std::pair{"contact_steps", contact / step},
-        std::pair{"stiffness_number", k1 / (pressure * diameter)},
+       {std::pair{"restitution", 0.7}, std::pair{"stepped_restitution", 0.7},
+        std::pair{"contact_steps", contact / step}, std::pair{"stiffness_number", k1 / (pressure * diameter)},
         std::pair{"inertial_number", block_speed / mean(depth) * diameter * std::sqrt(density / pressure)},
         std::pair{"contact_shear", contact * block_speed / mean(depth)},
         std::pair{"block_over_disc", block_mass / mass},
@@ -625,7 +894,8 @@ void run(Findings& findings, const Setup& setup) {
   const VirtualDiscs before = start();
   folder.write("CNTRL.DAT", control_text(setup));
   folder.write("RESTART.DAT", restart_text(before, setup));
-  (void)talus_output(folder, {"cell", "CNTRL.DAT", "--units", "SI", "--integrator", "euler_cromer", "--out", "out"});
+  const std::string printed =
+      talus_output(folder, {"cell", "CNTRL.DAT", "--units", "SI", "--integrator", "euler_cromer", "--out", "out"});
   const Expected expected = expected_of(before, setup);
   findings.count(steps);
   check_history(folder, expected, findings);
@@ -635,7 +905,8 @@ void run(Findings& findings, const Setup& setup) {
   if (setup.needs("wrong side of their limit")) check_limits(folder, findings, setup);
   if (setup.needs("animation")) check_player(folder, expected, findings);
   const Json summary = records::read_json(folder.path() / "out/summary.json");
-  check_summary(Node{summary, "summary.json"}, expected, before, findings);
+  check_summary(Node{summary, "summary.json"}, expected, before, printed, findings, setup);
+  if (setup.needs("of cells")) check_written(folder, findings, setup);
   if (setup.coarse) return;
   const Csv profile = records::read_csv(folder.path() / "out/profile.csv");
   std::vector<double> heights, velocities;
@@ -674,6 +945,10 @@ Case definition() {
                       "history.csv: means over each LOOP, largest error"},
                      {"layers_shifted", "layers compared with those higher by a hundredth of their thickness",
                       "profile.csv: velocity, temperature and solid fraction, largest error"},
+                     {"error_without_factor", "standard errors too small by a tenth",
+                      "summary.json: standard errors, largest difference to a bootstrap"},
+                     {"another_seed", "parameters compared with those of another seed",
+                      "parameters of cells that differ from their scenes"},
                      {"limit_doubled", "steps about twice their limits",
                       "steps accepted or rejected on the wrong side of their limit"},
                      {"state_one_late", "states compared with those of the next LOOP",
