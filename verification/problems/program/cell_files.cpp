@@ -9,6 +9,7 @@
 #include <map>
 #include <numbers>
 #include <random>
+#include <set>
 #include <sstream>
 #include <string>
 #include <string_view>
@@ -396,6 +397,17 @@ void compare_state(const std::string& text, const State& state, StateErrors& wor
   }
   // The file's cells are a vertex for each disc, then the lines; the connectivity in <Lines> is that of the lines.
   const std::vector<double> ends = data_array(text.substr(text.find("<Lines>")), "connectivity");
+  const std::vector<double> line_ends = data_array(text.substr(text.find("<Lines>")), "offsets"),
+                            vertices = data_array(text.substr(text.find("<Verts>")), "connectivity"),
+                            vertex_ends = data_array(text.substr(text.find("<Verts>")), "offsets");
+  for (std::size_t i = 0; i < vertices.size(); ++i) {
+    keep_worst(worst.discs, vertices[i] - static_cast<double>(i));
+    keep_worst(worst.discs, vertex_ends.at(i) - static_cast<double>(i + 1));
+  }
+  for (const double point : ends)
+    keep_worst(worst.contacts, point - std::floor(point));
+  for (std::size_t line = 0; line < line_ends.size(); ++line)
+    keep_worst(worst.contacts, line_ends[line] - 2.0 * static_cast<double>(line + 1));
   keep_worst(worst.contacts, static_cast<double>(ends.size()) / 2.0 - static_cast<double>(discs.contacts.size()));
   std::vector<bool> found(discs.contacts.size());
   for (std::size_t line = 0; line < ends.size() / 2; ++line) {
@@ -784,11 +796,80 @@ stiffness = "17000 N/m"
   return cells;
 }
 
+/// Members of plot.json that differ from the files, the scene's title and the meanings of the summary.
+double wrong_plot(const TemporaryFolder& folder, const std::string& out, const Node& summary, double period) {
+  const Json json = records::read_json(folder.path() / out / "plot.json");
+  const Node plot{json, "plot.json"};
+  const std::string title = summary.at("title").text();
+  double wrong = 0.0;
+  const auto expect = [&](bool right) { wrong += right ? 0.0 : 1.0; };
+  expect(plot.at("schema").integer() == 1 && plot.at("units").text() == "SI" && plot.at("title").text() == title);
+  expect(plot.at("histories").texts() == std::vector<std::string>{"history.csv"});
+  if (plot.has("geometry")) {
+    const Node geometry = plot.at("geometry");
+    expect(std::filesystem::exists(folder.path() / out / geometry.at("index").text()));
+    expect(std::abs(geometry.at("period").number() / period - 1.0) < 1e-15);
+  }
+  std::set<std::string> meanings;
+  for (const auto& [name, result] : summary.at("results").members())
+    meanings.insert(result.at("meaning").text());
+  const std::set<std::string> names{"stresses",     "stress_ratio",          "depth",
+                                    "fractions",    "coordination",          "spin",
+                                    "sliding",      "velocity_profile",      "temperature_profile",
+                                    "spin_profile", "solid_fraction_profile"},
+      axes{"time",
+           "stress",
+           "S/N on the block",
+           "depth",
+           "fraction",
+           "coordination",
+           "velocity along x",
+           "height y",
+           "energy of a disc's motion about the mean",
+           "solid fraction",
+           "spin"};
+  for (const Node& figure : plot.at("figures").list()) {
+    const std::string csv = figure.at("csv").text(),
+                      when = csv == "profile.csv" ? ", mean after the start-up." : ", means over each LOOP.";
+    expect(names.contains(figure.at("name").text()));
+    expect(figure.at("caption").text() == title + ": " + figure.at("title").text() + when);
+    const std::vector<std::string> header = records::read_csv(folder.path() / out / csv).header();
+    for (const char* const axis : {"x", "y"}) {
+      const Node of = figure.at(axis);
+      expect(!of.at("log").flag() && axes.contains(of.at("label").text()));
+      const std::string unit = of.at("unit").text() == "1" ? "" : " [" + of.at("unit").text() + "]";
+      for (const Node& series : figure.at("series").list()) {
+        const std::string column = series.at(axis).text(), label = series.at("label").text();
+        std::string words = column;
+        std::ranges::replace(words, '_', ' ');
+        expect(std::ranges::count(header, column) == 1 && series.at("style").text() == "linespoints");
+        expect(unit.empty() ? column.find('[') == std::string::npos : column.ends_with(unit));
+        expect(label.empty() || label == words || meanings.contains(label) || axis == std::string{"x"});
+      }
+    }
+  }
+  return wrong;
+}
+
+/// Numbers other than zero in the columns of spin and sliding: nothing has touched yet.
+double nonzero_spins(const records::Csv& csv) {
+  double count_of = 0.0;
+  for (std::size_t column = 0; column < csv.header().size(); ++column) {
+    if (!csv.header()[column].starts_with("spin") && csv.header()[column] != "sliding_fraction") continue;
+    for (std::size_t row = 0; row < csv.rows(); ++row)
+      count_of += csv.number(row, column) == 0.0 ? 0.0 : 1.0;
+  }
+  return count_of;
+}
+
 void check_written(const TemporaryFolder& folder, Findings& findings, const Setup& setup) {
   double parameters = 0.0, others = 0.0;
   for (const WrittenCell& cell : written_cells(setup)) {
     folder.write("written.toml", cell.text);
-    const std::string printed = talus_output(folder, {"cell", "written.toml", "--out", "written"});
+    std::filesystem::remove_all(folder.path() / "written");
+    const ProgramEnd ended = run_talus(folder, {"cell", "written.toml", "--out", "written"});
+    const std::string& printed = ended.output;
+    others += ended.exit_code == 0 ? 0.0 : 1.0;
     const Json json = records::read_json(folder.path() / "written/summary.json");
     const Node summary{json, "summary.json"};
     Members exact = cell.derived;
@@ -803,6 +884,21 @@ void check_written(const TemporaryFolder& folder, Findings& findings, const Setu
     parameters += wrong_members(summary.at("parameters"), exact);
     others += std::filesystem::exists(folder.path() / "written/cell.pvd") == pictures ? 0.0 : 1.0;
     others += records::read_csv(folder.path() / "written/history.csv").rows() == 6 ? 0.0 : 1.0;
+    for (const Node& warning : summary.at("warnings").list())
+      others += ended.messages.find(warning.text() + "\n") == std::string::npos ? 1.0 : 0.0;
+    const Node outcome = summary.at("outcome");
+    others += outcome.at("kind").text() == "finished" && std::abs(outcome.at("time").number() - 1.1e-4) < 1e-15 &&
+                      summary.at("schema").integer() == 2
+                  ? 0.0
+                  : 1.0;
+    others += wrong_plot(folder, "written", summary, 0.005);
+    for (const char* const file : {"written/history.csv", "written/profile.csv"})
+      others += nonzero_spins(records::read_csv(folder.path() / file));
+    if (pictures) {
+      for (const GeometryState& state : geometry_states(folder, "written", "cell"))
+        for (const double spin : data_array(state.text, "spin"))
+          others += spin == 0.0 ? 0.0 : 1.0;
+    }
     const Node groups = summary.at("groups"), results = summary.at("results");
     others += wrong_texts(groups, {}, printed);
     others += wrong_texts(results,
@@ -819,11 +915,10 @@ void check_written(const TemporaryFolder& folder, Findings& findings, const Setu
     others += groups.at("shear_over_normal_stiffness").at("value").number() == 11000.0 / 17000.0 ? 0.0 : 1.0;
     others += results.at("spin").at("value").number() == 0.0 ? 0.0 : 1.0;  // nothing touches yet
     others += summary.at("energy").at("friction_work").number() == 0.0 ? 0.0 : 1.0;
-    std::filesystem::remove_all(folder.path() / "written");
   }
   findings.expect("parameters of cells that differ from their scenes", parameters, 0.0,
                   Tolerance::exact("every field of a cell, with all bits or to the last bits of a quotient"));
-  findings.expect("titles, pictures, rows, units and meanings of these cells that differ", others, 0.0,
+  findings.expect("titles, files, rows, figures, units and meanings of these cells that differ", others, 0.0,
                   Tolerance::exact("texts, files and counts"));
 }
 

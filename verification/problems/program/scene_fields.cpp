@@ -218,8 +218,8 @@ slack = "0.3 m"
 [run]
 integrator = "velocity_verlet"
 step = "1e-6 s"
-end = "6e-6 s"
-interval = "2e-6 s"
+end = "240e-6 s"
+interval = "60e-6 s"
 ledger = "on"
 watch = "off"
 )";
@@ -381,7 +381,7 @@ void check_placed(const TemporaryFolder& folder, Findings& findings, const Setup
   for (std::size_t i = 0; i < history.rows(); ++i)
     keep_worst(times, history.number(i, 0) - static_cast<double>(i) * written("run.interval"));
   findings.expect("times of the rows of the history, largest error", times, 0.0,
-                  Tolerance::round_off(1e-20, "a sum of six steps of 1e-6 s, each rounded by at most 4e-22 s"), "s");
+                  Tolerance::round_off(7e-18, "a sum of 240 steps of 1e-6 s, each rounded by at most 2.7e-20 s"), "s");
   findings.expect("rows of the history", static_cast<double>(history.rows()),
                   std::round(written("run.end") / written("run.interval")) + 1.0,
                   Tolerance::exact("one at the start and at the end of each interval"));
