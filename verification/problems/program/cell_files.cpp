@@ -11,6 +11,7 @@
 #include <random>
 #include <set>
 #include <sstream>
+#include <stdexcept>
 #include <string>
 #include <string_view>
 #include <tuple>
@@ -694,6 +695,14 @@ double wrong_texts(const Node& numbers, const std::map<std::string, std::string>
   return wrong;
 }
 
+/// Warnings of a summary that the program has not printed.
+double missing_warnings(const Node& summary, const ProgramEnd& ended) {
+  double missing = 0.0;
+  for (const Node& warning : summary.at("warnings").list())
+    missing += ended.messages.find(warning.text() + "\n") == std::string::npos ? 1.0 : 0.0;
+  return missing;
+}
+
 /// Numbers, texts and switches of a summary that differ from `expected`, or are missing in it.
 double wrong_members(const Node& found, const std::map<std::string, TomlValue>& expected) {
   double wrong = std::abs(static_cast<double>(found.members().size()) - static_cast<double>(expected.size()));
@@ -884,8 +893,7 @@ void check_written(const TemporaryFolder& folder, Findings& findings, const Setu
     parameters += wrong_members(summary.at("parameters"), exact);
     others += std::filesystem::exists(folder.path() / "written/cell.pvd") == pictures ? 0.0 : 1.0;
     others += records::read_csv(folder.path() / "written/history.csv").rows() == 6 ? 0.0 : 1.0;
-    for (const Node& warning : summary.at("warnings").list())
-      others += ended.messages.find(warning.text() + "\n") == std::string::npos ? 1.0 : 0.0;
+    others += missing_warnings(summary, ended);
     const Node outcome = summary.at("outcome");
     others += outcome.at("kind").text() == "finished" && std::abs(outcome.at("time").number() - 1.1e-4) < 1e-15 &&
                       summary.at("schema").integer() == 2
@@ -922,8 +930,8 @@ void check_written(const TemporaryFolder& folder, Findings& findings, const Setu
                   Tolerance::exact("texts, files and counts"));
 }
 
-void check_summary(const Node& summary, const Expected& expected, const VirtualDiscs& before,
-                   const std::string& printed, Findings& findings, const Setup& setup) {
+void check_summary(const Node& summary, const Expected& expected, const VirtualDiscs& before, const ProgramEnd& ended,
+                   Findings& findings, const Setup& setup) {
   const Mean& mean = expected.steady;
   double worst = 0.0, texts = 0.0;
   const Node found = summary.at("results");
@@ -938,8 +946,9 @@ void check_summary(const Node& summary, const Expected& expected, const VirtualD
                   static_cast<double>(results_of(expected).size() + 2), Tolerance::exact("the results compared below"));
   findings.expect("summary.json: results, largest error", worst, 0.0, of_paths());
   if (setup.needs("summary.json: standard errors")) check_errors(found, expected, findings, setup);
-  texts = wrong_texts(found, units, printed) + wrong_texts(summary.at("groups"), {}, printed);
-  findings.expect("summary.json: units and meanings that differ from the printed table", texts, 0.0,
+  texts = wrong_texts(found, units, ended.output) + wrong_texts(summary.at("groups"), {}, ended.output) +
+          missing_warnings(summary, ended);
+  findings.expect("summary.json: units, meanings and warnings that differ from those printed", texts, 0.0,
                   Tolerance::exact("the same texts"));
   check_parameters(summary, findings);
 
@@ -989,8 +998,9 @@ void run(Findings& findings, const Setup& setup) {
   const VirtualDiscs before = start();
   folder.write("CNTRL.DAT", control_text(setup));
   folder.write("RESTART.DAT", restart_text(before, setup));
-  const std::string printed =
-      talus_output(folder, {"cell", "CNTRL.DAT", "--units", "SI", "--integrator", "euler_cromer", "--out", "out"});
+  const ProgramEnd ended =
+      run_talus(folder, {"cell", "CNTRL.DAT", "--units", "SI", "--integrator", "euler_cromer", "--out", "out"});
+  if (ended.exit_code != 0) throw std::runtime_error("talus cell: " + ended.messages);
   const Expected expected = expected_of(before, setup);
   findings.count(steps);
   check_history(folder, expected, findings);
@@ -1000,7 +1010,7 @@ void run(Findings& findings, const Setup& setup) {
   if (setup.needs("wrong side of their limit")) check_limits(folder, findings, setup);
   if (setup.needs("animation")) check_player(folder, expected, findings);
   const Json summary = records::read_json(folder.path() / "out/summary.json");
-  check_summary(Node{summary, "summary.json"}, expected, before, printed, findings, setup);
+  check_summary(Node{summary, "summary.json"}, expected, before, ended, findings, setup);
   if (setup.needs("of cells")) check_written(folder, findings, setup);
   if (setup.coarse) return;
   const Csv profile = records::read_csv(folder.path() / "out/profile.csv");
