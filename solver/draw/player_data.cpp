@@ -96,13 +96,40 @@ Json frame_json(const GeometryFrame& frame, const std::vector<HangerBar>& bars) 
           {"broken", std::move(broken)}};
 }
 
-/// Every n-th row of a long history, at most 1000 rows; a screen shows no more.
+/// A long history is drawn by two points per block of rows, at most 1000, since a screen shows no more: the smallest and
+/// the largest value, in their order, so that the peak of a short contact stays. The last row is always there.
+constexpr std::size_t most_rows = 1000;
+std::size_t block_length(std::size_t rows) { return rows <= most_rows ? 0 : 1 + 2 * rows / most_rows; }
+
 Json thinned(const std::vector<double>& values) {
-  constexpr std::size_t most = 1000;
-  const std::size_t stride = 1 + values.size() / most;
   Json list = Json::array();
-  for (std::size_t i = 0; i < values.size(); i += stride)
-    list.push_back(rounded(values[i]));
+  const std::size_t block = block_length(values.size());
+  if (block == 0) {
+    for (const double value : values)
+      list.push_back(rounded(value));
+    return list;
+  }
+  for (std::size_t first = 0; first + 1 < values.size(); first += block) {
+    const auto begin = values.begin() + static_cast<std::ptrdiff_t>(first);
+    const auto end = values.begin() + static_cast<std::ptrdiff_t>(std::min(first + block, values.size() - 1));
+    const auto [smallest, largest] = std::minmax_element(begin, end);
+    list.push_back(rounded(std::min(smallest, largest) == smallest ? *smallest : *largest));
+    list.push_back(rounded(std::min(smallest, largest) == smallest ? *largest : *smallest));
+  }
+  list.push_back(rounded(values.back()));
+  return list;
+}
+
+/// Times of the points of thinned(): of a block its first and middle row.
+Json thinned_times(const std::vector<double>& times) {
+  const std::size_t block = block_length(times.size());
+  if (block == 0) return thinned(times);
+  Json list = Json::array();
+  for (std::size_t first = 0; first + 1 < times.size(); first += block) {
+    list.push_back(rounded(times[first]));
+    list.push_back(rounded(times[std::min(first + block / 2, times.size() - 2)]));
+  }
+  list.push_back(rounded(times.back()));
   return list;
 }
 
@@ -128,8 +155,10 @@ Json chart(const std::string& title, const KeptHistory& history, Belongs belongs
     series.push_back({{"name", column.name}, {"values", thinned(column.values)}});
   }
   if (series.empty()) return nullptr;
-  return {
-      {"title", title}, {"unit", unit}, {"t", thinned(history.columns.front().values)}, {"series", std::move(series)}};
+  return {{"title", title},
+          {"unit", unit},
+          {"t", thinned_times(history.columns.front().values)},
+          {"series", std::move(series)}};
 }
 
 /// The curves of a run: energies and forces of bodies, stresses and contact fractions of a cell.

@@ -411,6 +411,37 @@ BOOST_AUTO_TEST_CASE(the_player_is_one_file_that_needs_no_other) {
   BOOST_TEST(holds(late.err, "--until: found \"1 us\"; the run left fewer than two states up to then"));
 }
 
+// A bounce in one of 1001 rows is the highest point of its curve, and the last row its end.
+BOOST_AUTO_TEST_CASE(curves_of_the_player_keep_short_peaks) {
+  const Folder folder;
+  const std::string run = (folder.path / "run").string();
+  BOOST_REQUIRE(talus_ran({"run", scene("fence/table_2.toml"), "--out", run}).code == 0);
+  const talus::KeptHistory kept = talus::read_history(fs::path{run} / "history.csv");
+  BOOST_TEST_REQUIRE(kept.find("time")->values.size() > 1000U);
+  BOOST_REQUIRE(talus_ran({"animate", run}).code == 0);
+  const std::string page = talus::read_text(fs::path{run} / "plots" / "animation.html");
+  const std::string mark = "<script type=\"application/json\" id=\"data\">";
+  const std::size_t begin = page.find(mark) + mark.size();
+  const auto data = nlohmann::json::parse(page.substr(begin, page.find("</script>", begin) - begin));
+  std::size_t curves = 0;
+  for (const auto& chart : data.at("charts")) {
+    BOOST_TEST(chart.at("t").size() <= 1001U);
+    BOOST_TEST(chart.at("t").back().get<double>() == kept.find("time")->values.back(),
+               boost::test_tools::tolerance(1e-5));
+    for (const auto& series : chart.at("series")) {
+      const auto values = series.at("values").get<std::vector<double>>();
+      const std::vector<double>& all = kept.find(series.at("name").get<std::string>())->values;
+      BOOST_TEST(values.size() == chart.at("t").size());
+      const double scale = std::max(std::abs(std::ranges::max(all)), std::abs(std::ranges::min(all)));
+      BOOST_TEST(std::abs(std::ranges::max(values) - std::ranges::max(all)) < 1e-5 * scale, series.at("name"));
+      BOOST_TEST(std::abs(std::ranges::min(values) - std::ranges::min(all)) < 1e-5 * scale, series.at("name"));
+      BOOST_TEST(std::abs(values.back() - all.back()) < 1e-5 * scale, series.at("name"));
+      ++curves;
+    }
+  }
+  BOOST_TEST(curves > 4U);
+}
+
 // Without a title, or with an empty or blank one, every command uses the name of the scene's file.
 BOOST_AUTO_TEST_CASE(a_blank_title_is_replaced_by_the_name_of_the_file) {
   for (const char* name : {"two_cable.toml", "fence/table_2.toml", "cell/ice.toml"}) {
