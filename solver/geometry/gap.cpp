@@ -88,7 +88,12 @@ Gap end_gap(const Facing& found, double end) {
   const double depth =
       other_is_nearer ? -dot(other_corner - face.middle, face.n) : -dot(corner - other.middle, other.n);
   // Separate sides need not be opposite each other; then the depth of a corner below a side's line is meaningless.
-  if (found.depth < 0.0) return {std::min(found.depth, depth), found.n_AB(), other_is_nearer ? other_corner : corner};
+  if (found.depth < 0.0) {
+    const double gap = std::min(found.depth, depth);
+    const bool corner_of_a = other_is_nearer == found.face_of_b;  // the contact point is in the middle of the gap
+    const Vec2 to_middle = (corner_of_a ? -0.5 : 0.5) * gap * found.n_AB();
+    return {gap, found.n_AB(), (other_is_nearer ? other_corner : corner) + to_middle};
+  }
   if (other_is_nearer) return {depth, found.n_AB(), other_corner};
   return {depth, found.face_of_b ? other.n : -other.n, corner};
 }

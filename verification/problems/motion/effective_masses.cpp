@@ -201,8 +201,8 @@ void check(Mobility mobility, Findings& findings, const Setup& setup, Table& tab
 }
 
 /// Checks friction between two free discs: 1/m = 1/m_1 + 1/m_2 + r_1^2/I_1 + r_2^2/I_2 along the tangent, also while
-/// they are apart, for the contact that they will have.
-void check_friction(double gap, Findings& findings) {
+/// they are apart, for the contact that they will have; and the same for two squares with facing sides.
+void check_friction(bool squares, double gap, Findings& findings) {
   constexpr double k_s = 180.0, c_s = 2.5;
   constexpr std::array<double, 2> masses{1.7, 0.6}, inertias{0.45, 0.08}, radii{0.7, 0.4};
   const Vec2 along{std::cos(0.9), std::sin(0.9)};
@@ -213,7 +213,8 @@ void check_friction(double gap, Findings& findings) {
               .mobility = Mobility::free,
               .mass = masses[i],
               .inertia = inertias[i],
-              .shape = Circle{radii[i]}};
+              .shape = squares ? Shape{Rectangle{radii[i], radii[i]}} : Shape{Circle{radii[i]}}};
+    body.angle = squares ? 0.9 : 0.0;
     body.p_WB = at + (i == 0 ? 0.0 : radii[0] + radii[1] + gap) * along;
     discs[i] = builder.add(body);
   }
@@ -229,6 +230,7 @@ void check_friction(double gap, Findings& findings) {
   double inverse = 0.0;
   for (std::size_t i = 0; i < 2; ++i)
     inverse += 1.0 / masses[i] + radii[i] * radii[i] / inertias[i];
+  int end = 0;  // two squares touch at both ends of their sides
   for (const SpringAdvice& spring : advise_step(dynamics, scene.initial).springs) {
     if (spring.name != "touch friction") continue;
     const auto rounding =
@@ -239,7 +241,9 @@ void check_friction(double gap, Findings& findings) {
             .relative();
     if (gap > 0.0) {
       findings.in("springs")->expect(
-          "frequency of the friction spring between two discs 10 m apart", spring.frequency, std::sqrt(k_s * inverse),
+          squares ? fmt::format("frequency of the friction spring between two squares 10 m apart, end {}", ++end)
+                  : "frequency of the friction spring between two discs 10 m apart",
+          spring.frequency, std::sqrt(k_s * inverse),
           Tolerance::round_off(4e-15,
                                "positions of about 10 m, which determine the levers of 0.7 and 0.4 m: three "
                                "roundings of 8.9e-16 over 0.4, halved by the square root")
@@ -280,7 +284,8 @@ void check_bound(Mobility mobility, Findings& findings, const Setup& setup) {
 
 void run(Findings& findings, const Setup& setup) {
   for (const double gap : {0.0, 10.0})
-    check_friction(gap, findings);
+    check_friction(false, gap, findings);
+  check_friction(true, 10.0, findings);
   Table table{.name = "masses",
               .caption = "Effective masses [kg] along each cable; slowest and fastest mode [rad/s] with both cables.",
               .columns = {"mobility", "first cable", "second cable", "slowest mode", "fastest mode"}};
