@@ -93,7 +93,12 @@ std::vector<Drawing> drawings_of(const Results& results, const Trials& trials, c
         drawn.undrawn[key] = wrong.what();
       }
     }
-    const std::vector<PageSketch> sketches = page_sketches(record.page);
+    std::vector<PageSketch> sketches;
+    try {
+      sketches = page_sketches(record.page);
+    } catch (const RecordError& wrong) {
+      throw RecordError(fmt::format("page of case {}: {}", record.id, wrong.what()));
+    }
     for (std::size_t i = 0; i < sketches.size(); ++i)
       script += sketch_script(sketches[i].drawing, canvas, sketch_stem(record.id, i));
     if (!script.empty()) drawings.push_back({"case " + record.id, script});

@@ -266,8 +266,7 @@ void print_output(const SceneFile& file, const Dynamics& dynamics, const std::fi
   }
 }
 
-/// Adds the warning that a run prints about its step, if the step is beyond the linear limit. Returns whether it is, and
-/// the scene requires usable results.
+/// Adds the warning that a run prints about its step, if the step is beyond the linear limit. Returns whether it is.
 bool warn_of_step(const Scene& scene, const StepAdvice& advice, const std::string& file,
                   std::vector<std::string>& warnings) {
   const auto verdict = step_verdict(scene, advice);
@@ -279,7 +278,7 @@ bool warn_of_step(const Scene& scene, const StepAdvice& advice, const std::strin
                     "freedom, here are {}",
                     most_watched_coordinates, scene.initial.q.size()));
   }
-  return scene.plan.watch.quality == CheckAction::error;
+  return true;
 }
 
 int check(const std::string& file) {
@@ -318,7 +317,7 @@ int check(const std::string& file) {
     warnings.insert(warnings.end(), found.begin(), found.end());
   for (const std::string& warning : warnings)
     print_failure(fmt::format("warning: {}", warning));
-  return is_beyond ? unusable : ok;
+  return is_beyond && scene.plan.watch.quality == CheckAction::error ? unusable : ok;
 }
 
 }  // namespace

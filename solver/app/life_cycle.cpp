@@ -174,7 +174,7 @@ std::optional<int> report_ended_run(const RunOptions& options, const GivenOption
     if (kind == "diverged") outcome.at(outcome.contains("message") ? "message" : "words").get_to(failure);
     // The summary of a cell has no quality.
     if (const auto quality = json.find("quality"); quality != json.end())
-      is_usable = quality->at("usable").get<bool>() || !quality->at("enforced").get<bool>();
+      is_usable = quality->at("usable").get<bool>() || !quality->value("enforced", false);  // schema 1 has none
   } catch (const IoError&) {
     return {};  // no run ended here; the missing checkpoint is reported where it is read
   } catch (const nlohmann::json::exception&) {

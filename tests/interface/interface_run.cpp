@@ -215,7 +215,9 @@ int run(const Options& options) {
         if (trial.reached) item.status = InterfaceStatus::survived;
         continue;
       }
+      // A case that notices counts more than one that does not, and this more than a refusal, whatever the order.
       const bool refused = trial.refusals > unchanged[at].refusals;
+      if (refused && item.status == InterfaceStatus::survived) continue;
       item.status = refused ? InterfaceStatus::refused : InterfaceStatus::killed;
       item.killed_by = cases[at].id, item.check = trial.check;
       if (!refused) break;

@@ -423,6 +423,8 @@ void compare_state(const std::string& text, const State& state, StateErrors& wor
       continue;
     }
     const auto c = static_cast<std::size_t>(same - discs.contacts.begin());
+    if (found[c]) keep_worst(worst.contacts, 1.0);  // drawn twice, in place of another
+    found[c] = true;
     const double sign = same->a == disc_a ? 1.0 : -1.0, cell = force.at(all_discs + line);
     keep_worst(worst.contacts, (cell - same->force) / (k1 * diameter));
     keep_worst(worst.contacts, multiple_of.at(all_discs + line) - (state.multiple[c] ? 1.0 : 0.0));
