@@ -158,7 +158,7 @@ std::string make_latex(const Document& d) {
                         "--variable=documentclass:article",
                         "--variable=classoption:a4paper",
                         "--variable=fontsize:10pt",
-                        "--variable=geometry:top=16mm,bottom=14mm,left=18mm,right=18mm,headsep=4mm,footskip=7mm",
+                        "--variable=geometry:top=14mm,bottom=12mm,left=18mm,right=18mm,headsep=4mm,footskip=7mm",
                         "--variable=title-meta:" + d.title,
                         "--variable=author-meta:The Talus project",
                         "--variable=subject:Verification of the discrete-element code Talus",

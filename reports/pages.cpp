@@ -124,7 +124,7 @@ std::vector<ReportPage> report_pages(const Results& results, const Trials& trial
   if (!drawn.no_pictures.empty()) values.set("no_pictures", markdown::words(drawn.no_pictures));
   values.set("tools", tools);
   values.set("date", results.provenance.date);
-  for (const char* name : {"coverage", "formulas", "peers", "errata"})
+  for (const char* name : {"coverage", "errata"})
     chapter(name, values, Volume::main);
   std::size_t number = 0;
   const auto family = [&](const std::string& name) {
@@ -138,9 +138,10 @@ std::vector<ReportPage> report_pages(const Results& results, const Trials& trial
   for (const std::string& name : results.families)
     family(name);
   family("");
-  for (const char* name : {"margins", "mutants", "interface", "rounding", "traceability"})
+  for (const char* name :
+       {"formulas", "peers", "margins", "mutants", "interface", "rounding", "traceability", "references"})
     chapter(name, values, Volume::details);
-  for (const char* name : {"provenance", "references", "colophon"})
+  for (const char* name : {"provenance", "colophon"})
     chapter(name, values, Volume::main);
   return pages;
 }

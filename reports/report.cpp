@@ -70,7 +70,7 @@ std::vector<Drawing> drawings_of(const Results& results, const Trials& trials, c
   if (!highlighted.empty()) drawings.push_back({"the first page", highlighted});
   Canvas small = canvas;
   small.width = page_figure_wide;
-  small.height = 4.8;
+  small.height = 4.4;
   small.letters = {0.36, 9.5};
   for (const Record& record : results.records) {
     std::string script;
