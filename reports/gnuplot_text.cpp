@@ -25,6 +25,12 @@ std::size_t script_length(const std::string& text, std::size_t place) {
                                (text[end] == '.' && end + 1 < text.size() && letter_or_digit(text[end + 1])))) {
     ++end;
   }
+  if (end - place == sign &&
+      (static_cast<unsigned char>(text[end]) & 0x80U) != 0) {  // one sign, such as a Greek letter
+    ++end;
+    while (end < text.size() && (static_cast<unsigned char>(text[end]) & 0xC0U) == 0x80U)
+      ++end;
+  }
   const std::size_t length = end - place;
   return length > sign && length <= 5 ? length : 0;
 }

@@ -8,6 +8,7 @@
 #include <numbers>
 #include <set>
 #include <sstream>
+#include <tuple>
 
 #include "reports/gnuplot_text.hpp"
 #include "reports/pages.hpp"
@@ -19,6 +20,7 @@ namespace {
 using Points = std::vector<SketchPoint>;
 using Side = SketchLabel::Side;
 
+constexpr double text_high = 12.0;      // of a sketch: half a page [cm]
 constexpr double border_width = 0.12;   // around all elements [cm]
 constexpr double letter_width = 0.135;  // of a label [cm]
 constexpr double letter_height = 0.3;   // of a label [cm]
@@ -289,7 +291,8 @@ class Drawer {
   [[nodiscard]] static double text_width(const std::string& text) {
     double letters = 0.0;
     for (std::size_t i = 0; i < text.size(); ++i) {
-      if (std::string("$^_{}").find(text[i]) != std::string::npos) continue;
+      const bool is_continued = (static_cast<unsigned char>(text[i]) & 0xC0U) == 0x80U;  // of a UTF-8 character
+      if (is_continued || std::string("$^_{}").find(text[i]) != std::string::npos) continue;
       letters += 1.0;
       if (text[i] != '\\') continue;
       while (i + 1 < text.size() && std::isalpha(static_cast<unsigned char>(text[i + 1])) != 0)
@@ -439,6 +442,14 @@ const Grammar& rule_of(const Element& e, std::size_t line) {
       throw RecordError(fmt::format("sketch, line {}: {} has no flag '{}'; allowed: {}", line, e.keyword, flag,
                                     *rule->flags == '\0' ? "none" : rule->flags));
   }
+  for (const auto& [keyword, first, end] :
+       {std::tuple{"disc", 2U, 3U}, {"box", 2U, 4U}, {"superellipse", 2U, 5U}, {"turn", 2U, 3U}, {"axes", 2U, 3U}}) {
+    for (std::size_t i = first; e.keyword == keyword && i < end; ++i) {
+      if (!(e.numbers[i] > 0.0))
+        throw RecordError(fmt::format("sketch, line {}: number {} of {} is {}; it must be > 0", line, i + 1, e.keyword,
+                                      e.numbers[i]));
+    }
+  }
   const bool text = e.keyword == "text", axes = e.keyword == "axes";
   if (e.labels.size() > rule->labels || (text && e.labels.empty()) || (axes && e.labels.size() != 2))
     throw RecordError(fmt::format("sketch, line {}: {} has {} labels; allowed: {}", line, e.keyword, e.labels.size(),
@@ -492,6 +503,9 @@ Sketch read_sketch(const std::string& text) {
   const double wide = sketch.high.x - sketch.low.x;
   if (wide > text_wide)
     throw RecordError(fmt::format("sketch: it is {:.1f} cm wide; at most {} cm are allowed (unit)", wide, text_wide));
+  const double high = sketch.high.y - sketch.low.y;
+  if (high > text_high)
+    throw RecordError(fmt::format("sketch: it is {:.1f} cm high; at most {} cm are allowed (unit)", high, text_high));
   return sketch;
 }
 

@@ -68,7 +68,7 @@ struct Sketch {
 /// cables: dashed; of cables, springs, dashpots, lines, curves and dimensions: below (the label is to the right of the
 /// direction instead of to the left).
 /// Throws RecordError with the line's number, what was found and what is allowed; also for a sketch without elements and
-/// for one wider than a page's text.
+/// for one wider than a page's text or higher than half a page.
 [[nodiscard]] Sketch read_sketch(const std::string& text);
 
 /// Commands that draw the sketch as folder/stem.<format>, one unit as one centimetre.

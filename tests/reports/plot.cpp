@@ -55,6 +55,7 @@ BOOST_AUTO_TEST_CASE(labels_are_text) {
   BOOST_TEST(gnuplot_text("k_n^{-1/2}") == "'k_{n}^{-1/2}'");
   BOOST_TEST(gnuplot_text("it's {a}") == "'it''s \\{a\\}'");
   BOOST_TEST(gnuplot_text("$x$ for $5, or 3 $") == "'x for $5, or 3 $'");
+  BOOST_TEST(gnuplot_text("$\\omega_0$, $k_\\theta$, $x^\\alpha$") == "'ω_{0}, k_{θ}, x^{α}'");
   BOOST_TEST(gnuplot_text("$a$, $b_c$") == "'a, b_{c}'");
   BOOST_TEST(gnuplot_verbatim("$x$ a_b^2 it's") == "'$x$ a\\_b\\^2 it''s'");
   BOOST_TEST(gnuplot_verbatim("größer als", 3) == "'grö...'");

@@ -154,6 +154,9 @@ BOOST_AUTO_TEST_CASE(errors_name_line_and_what_is_allowed) {
   BOOST_TEST(error_of("text 0 0") == "sketch, line 1: text has 0 labels; allowed: 1");
   BOOST_TEST(error_of("axes 0 0 1 \"x\"") == "sketch, line 1: axes has 1 labels; allowed: 2");
   BOOST_TEST(error_of("unit 0\ndisc 0 0 1") == "sketch, line 1: unit is followed by one number > 0 alone");
+  BOOST_TEST(error_of("turn 0 0 0 0 90") == "sketch, line 1: number 3 of turn is 0; it must be > 0");
+  BOOST_TEST(error_of("superellipse 0 0 1 1 -2") == "sketch, line 1: number 5 of superellipse is -2; it must be > 0");
+  BOOST_TEST(error_of("box 0 0 1 12") == "sketch: it is 12.2 cm high; at most 12 cm are allowed (unit)");
   BOOST_TEST(error_of("# nothing\n") == "sketch: it has no element");
   BOOST_TEST(error_of("box 0 0 18 1") == "sketch: it is 18.2 cm wide; at most 17.4 cm are allowed (unit)");
 }
