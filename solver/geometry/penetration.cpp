@@ -23,6 +23,19 @@ double reach(const Superquadric& shape, Vec2 m) {
   return gauge({1.0 / shape.half_width, 1.0 / shape.half_height, q}, m);
 }
 
+/// The point of the outline farthest along m, in the shape's frame [L]: the gradient of reach().
+Vec2 farthest(const Circle& shape, Vec2 m) { return (shape.radius / norm(m)) * m; }
+Vec2 farthest(const Rectangle& shape, Vec2 m) {
+  return {std::copysign(shape.half_width, m.x), std::copysign(shape.half_height, m.y)};
+}
+Vec2 farthest(const Superquadric& shape, Vec2 m) {
+  const double power = 1.0 / (shape.exponent - 1.0), whole = reach(shape, m);
+  const auto part = [&](double half, double along) {
+    return std::copysign(half * std::pow(std::abs(half * along) / whole, power), along);
+  };
+  return {part(shape.half_width, m.x), part(shape.half_height, m.y)};
+}
+
 template <class S>
 double world_reach(const S& shape, const Pose& pose, Vec2 n) {
   return reach(shape, unrotate(pose.R_WB, n));
@@ -84,6 +97,13 @@ double below(const S& shape, const Pose& body, const Terrain& ground, const Pose
     // Outside the bounding box of the shape the depth is not positive.
     if (std::abs(p.x) >= reach(shape, {1.0, 0.0}) || std::abs(p.y) >= reach(shape, {0.0, 1.0})) continue;
     deepest = std::max(deepest, depth_below(shape, p).depth);
+  }
+  // The deepest point of the outline below a segment is the farthest one against the segment's normal.
+  for (std::size_t i = 0; i + 1 < ground.points.size(); ++i) {
+    const Vec2 along = ground.points[i + 1] - ground.points[i];
+    const Vec2 down = under.R_WB * ((1.0 / norm(along)) * Vec2{along.y, -along.x});
+    const Vec2 point = world_point(body, farthest(shape, unrotate(body.R_WB, down)));
+    deepest = std::max(deepest, depth_below(ground, unrotate(under.R_WB, point - under.p_WB)).depth);
   }
   return deepest;
 }

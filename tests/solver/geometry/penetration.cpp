@@ -64,3 +64,19 @@ BOOST_AUTO_TEST_CASE(a_peak_of_terrain_in_a_box) {
   BOOST_TEST(!(penetration(Rectangle{1.0, 0.5}, at(0.0, 0.75), peak, at(0, 0)) > 0.0));
   BOOST_TEST(!(penetration(NoShape{}, at(0, 0), peak, at(0, 0)) > 0.0));
 }
+
+// Straight terrain of one segment, whose ends are far away, is a half-plane for every outline.
+BOOST_AUTO_TEST_CASE(outlines_below_a_segment_of_terrain) {
+  const Terrain straight{{{-50.0, 0.0}, {50.0, 0.0}}};
+  std::mt19937_64 random{11};
+  std::uniform_real_distribution<double> place{-1.5, 1.5}, angle{-std::numbers::pi, std::numbers::pi};
+  for (const Shape& shape : {Shape{Circle{0.7}}, Shape{Rectangle{1.0, 0.4}}, Shape{Superquadric{1.0, 0.4, 2.0}},
+                             Shape{Superquadric{0.5, 0.9, 7.0}}}) {
+    for (int i = 0; i < 50; ++i) {
+      const Pose A = at(place(random), place(random), angle(random)), B = at(0.3, -0.2, 0.5 * angle(random));
+      const double exact = penetration(shape, A, HalfPlane{}, B);
+      BOOST_TEST(std::abs(penetration(shape, A, straight, B) - exact) < 1e-13);
+      BOOST_TEST(std::abs(penetration(straight, B, shape, A) - exact) < 1e-13);
+    }
+  }
+}
