@@ -174,15 +174,7 @@ Group watch_group(std::string id, std::string head, const MonitorRules& absent) 
                   "what the run monitor does when it finds a limit exceeded; \"off\" in place of the table: "
                   "nothing"};
   for (const MonitorRules::Choice& watched : MonitorRules::choices()) {
-    const std::string meaning =
-        watched.name == "instability"  ? "step beyond the linear limit of the springs that act"
-        : watched.name == "tunnelling" ? "bodies that may pass each other in a step, or overlap half-way"
-        : watched.name == "accuracy"   ? "contacts of few steps, large overlaps, error of the energy balance"
-        : watched.name == "missing_contacts"
-            ? "bodies that overlap and have no contact between them"
-            : "results that are NOT USABLE: an error is exit code 7 (default with rules 1993: "
-              "warning)";
-    group.fields.push_back(choice(std::string{watched.name}, meaning, absent.*watched.member));
+    group.fields.push_back(choice(std::string{watched.name}, std::string{watched.meaning}, absent.*watched.member));
   }
   return group;
 }

@@ -29,17 +29,20 @@ struct MonitorRules {
   CheckAction quality{CheckAction::error};  ///< the results of a run that has ended are NOT USABLE: an error is an exit
                                             ///< code of the program, also of `check` for a step beyond its limit
 
-  /// A kind of check, by its name in scenes.
+  /// A kind of check, by its name in scenes, and what it finds.
   struct Choice {
     std::string_view name;
+    std::string_view meaning;
     CheckAction MonitorRules::*member;
   };
   static constexpr std::array<Choice, 5> choices() {
-    return {{{"instability", &MonitorRules::instability},
-             {"tunnelling", &MonitorRules::tunnelling},
-             {"accuracy", &MonitorRules::accuracy},
-             {"missing_contacts", &MonitorRules::missing_contacts},
-             {"quality", &MonitorRules::quality}}};
+    return {
+        {{"instability", "step beyond the linear limit of the springs that act", &MonitorRules::instability},
+         {"tunnelling", "bodies that may pass each other in a step, or overlap half-way", &MonitorRules::tunnelling},
+         {"accuracy", "contacts of few steps, large overlaps, error of the energy balance", &MonitorRules::accuracy},
+         {"missing_contacts", "bodies that overlap and have no contact between them", &MonitorRules::missing_contacts},
+         {"quality", "results that are NOT USABLE: an error is exit code 7 (default with rules 1993: warning)",
+          &MonitorRules::quality}}};
   }
   /// No checks.
   static constexpr MonitorRules off() {
