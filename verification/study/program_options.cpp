@@ -4,6 +4,7 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <filesystem>
 
 namespace talus::verification::problems {
 
@@ -16,6 +17,27 @@ std::vector<std::string> with_options(std::vector<std::string> command, const Op
     command.insert(command.end(), values.begin(), values.end());
   }
   return command;
+}
+
+std::string Program::run(const std::vector<std::string>& command, const Options& options) const {
+  return talus_output(folder_, with_options(command, options, *setup_));
+}
+records::Json Program::json(const std::vector<std::string>& command, const Options& options) const {
+  return records::Json::parse(run(command, options));
+}
+ProgramEnd Program::end(const std::vector<std::string>& command, const Options& options) const {
+  return run_talus(folder_, with_options(command, options, *setup_));
+}
+bool Program::has(const std::string& name) const { return std::filesystem::exists(folder_.path() / name); }
+std::string Program::read(const std::string& name) const { return has(name) ? folder_.read(name) : "missing " + name; }
+records::Json Program::file(const std::string& name) const { return records::read_json(folder_.path() / name); }
+records::Csv Program::csv(const std::string& name) const { return records::read_csv(folder_.path() / name); }
+
+std::string squeezed(const std::string& text) {
+  std::string result;
+  for (const char letter : text)
+    if (letter != ' ' || result.empty() || result.back() != ' ') result += letter;
+  return result;
 }
 
 void Differences::expect_none(Findings& findings, const std::string& check, const std::string& why) const {

@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "verification/check/case.hpp"
+#include "verification/problems/program/study_options.hpp"
 #include "verification/record/csv.hpp"
 #include "verification/record/json_node.hpp"
 #include "verification/reference/constant_force.hpp"
@@ -26,7 +27,6 @@
 namespace talus::verification::problems::calculation_options {
 namespace {
 
-namespace fs = std::filesystem;
 using records::Json;
 using Names = std::set<std::string>;
 
@@ -164,33 +164,8 @@ double number_after(const std::string& text, const std::string& before) {
   return at == std::string::npos ? std::nan("") : std::strtod(text.c_str() + at + before.size(), nullptr);
 }
 
-/// The program in a temporary folder.
-class Program {
- public:
-  explicit Program(const Setup& setup) : setup_{&setup} {}
-
-  const Setup& setup() const { return *setup_; }
-
-  std::string run(const std::vector<std::string>& command, const Options& options) const {
-    return talus_output(folder_, with_options(command, options, *setup_));
-  }
-  ProgramEnd end(const std::vector<std::string>& command, const Options& options) const {
-    return run_talus(folder_, with_options(command, options, *setup_));
-  }
-  Json json(const std::vector<std::string>& command, const Options& options) const {
-    return Json::parse(run(command, options));
-  }
-  Json file(const std::string& name) const { return records::read_json(folder_.path() / name); }
-  bool has(const std::string& name) const { return fs::exists(folder_.path() / name); }
-  void write(const std::string& name, const std::string& text) const { folder_.write(name, text); }
-  std::string read(const std::string& name) const { return has(name) ? folder_.read(name) : "missing " + name; }
-  records::Csv csv(const std::string& name) const { return records::read_csv(folder_.path() / name); }
-  const TemporaryFolder& folder() const { return folder_; }
-
- private:
-  TemporaryFolder folder_;
-  const Setup* setup_;
-};
+/// The number with n significant digits.
+double rounded(double value, int digits) { return std::strtod(fmt::format("{:.{}g}", value, digits).c_str(), nullptr); }
 
 // --- run -----------------------------------------------------------------------------------------------------------
 
@@ -368,6 +343,34 @@ void check_advice(const Program& program, Findings& findings, Differences& diffe
   differ.compare("advise: methods of --among", tried, among);
   const std::string words = fmt::format("with {} force evaluations", best.at("evaluations").get<long>());
   differ.compare("advise: evaluations printed and in JSON", printed.find(words) != std::string::npos, true);
+  differ.compare("advise: request", advice.at("quantity") == "hung.vy.end" && advice.at("accuracy") == accuracy, true);
+  differ.compare("advise: value printed", number_after(printed, "value "),
+                 rounded(advice.at("value").get<double>(), 10));
+  differ.compare("advise: pilots printed", number_after(printed, "pilots: "),
+                 advice.at("evaluations_of_pilots").get<double>());
+  const Json& growth = advice.at("growth");
+  differ.compare(
+      "advise: growth printed",
+      printed.find(fmt::format("differences of {:.0e} in the start grow to {:.0e}", growth.at("start").get<double>(),
+                               growth.at("result").get<double>())) != std::string::npos,
+      true);
+  differ.compare("advise: units", advice.value("units", "SI"), std::string("SI"));
+  bool is_tried = false;
+  for (const Json& method : advice.at("tried")) {
+    if (!method.contains("evaluations")) {  // not run; only without --among
+      differ.compare("advise: " + method.at("integrator").get<std::string>() + " not run", true, false);
+      continue;
+    }
+    const std::string error =
+        method.contains("error") ? fmt::format("{:.1e}", method.at("error").get<double>()) : "failed";
+    const std::string row =
+        fmt::format("{} - {:.6g} {} {} {}", method.at("integrator").get<std::string>(), method.at("step").get<double>(),
+                    error, method.at("evaluations").get<long>(), method.at("verdict").get<std::string>());
+    differ.compare("advise: row " + row, squeezed(printed).find(row) != std::string::npos, true);
+    is_tried = is_tried || (method.at("step") == best.at("step") && method.value("error", -1.0) == best.at("error") &&
+                            method.at("evaluations") == best.at("evaluations"));
+  }
+  differ.compare("advise: the advised method among those tried", is_tried, true);
   differ.compare("advise: file of --out", program.has("advised.toml"), true);
   if (!program.has("advised.toml")) return;
   const Json summary = program.json({"run", "advised.toml"}, {{"--json", {}}});
@@ -459,47 +462,7 @@ void check_calibration(const Program& program, Findings& findings, Differences& 
                       "as e = exp(-const c), this over ln(1/e) of the damping; gravity is in the exact solution"));
 }
 
-// --- study, export, new, check, list -------------------------------------------------------------------------------
-
-void check_study(const Program& program, Differences& differ) {
-  const auto study = [&](const std::string& time, const std::string& seeds, const std::string& threads) {
-    const std::string folder = fmt::format("study_{}_{}_{}", time, seeds, threads);
-    (void)program.run({"study", "shear"},
-                      {{"--time", {time}}, {"--seeds", {seeds}}, {"--threads", {threads}}, {"--out", {folder}}});
-    return program.csv(folder + "/shear_study.csv");
-  };
-  const records::Csv two = study("0.01", "2", "1"), three = study("0.01", "3", "2"), longer = study("0.014", "2", "1");
-  const auto rows = [](const records::Csv& csv) {
-    std::map<std::string, std::vector<std::string>> found;  // by series, overburden, speed, stiffness and seed
-    for (std::size_t row = 0; row < csv.rows(); ++row) {
-      std::string key;
-      std::vector<std::string> values;
-      for (std::size_t i = 0; i < csv.header().size(); ++i) {
-        const std::string cell{csv.cell(row, i)};
-        if (i < 5) {
-          key += cell + " ";
-        } else {
-          values.push_back(cell);
-        }
-      }
-      found[key] = values;
-    }
-    return found;
-  };
-  const auto few = rows(two), more = rows(three), later = rows(longer);
-  differ.compare("study: rows of two seeds", few.size(), 2 * more.size() / 3);
-  const std::size_t overlap = two.column("largest_overlap [D]") - 5;
-  for (const auto& [key, values] : few) {
-    differ.compare("study: a run with other threads and seeds", more.contains(key) ? more.at(key) : Option{}.second,
-                   values);
-    if (!later.contains(key)) continue;
-    const auto& after = later.at(key);
-    differ.compare("study: a longer run has the larger overlap",
-                   std::stod(after[overlap]) >= std::stod(values[overlap]), true);
-    differ.compare("study: means of a longer run", after == values, false);
-  }
-  differ.compare("study: runs with another time", later.size(), few.size());
-}
+// --- export, new, check, list -------------------------------------------------------------------------------
 
 void check_other_commands(const Program& program, Differences& differ) {
   (void)program.run({"export", "lammps", "cell.toml"}, {{"--dashpot", {}}, {"--steps", {"77"}}, {"--out", {"lammps"}}});

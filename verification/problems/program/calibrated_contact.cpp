@@ -6,11 +6,13 @@
 #include <limits>
 #include <numbers>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "verification/check/case.hpp"
 #include "verification/record/json_node.hpp"
 #include "verification/reference/restitution.hpp"
+#include "verification/reference/stepped_latch.hpp"
 #include "verification/study/expectations.hpp"
 #include "verification/study/program_run.hpp"
 
@@ -19,6 +21,7 @@ namespace {
 
 using records::Json;
 using reference::EndRule;
+using reference::StepMap;
 
 constexpr double struck_mass = 1.0, striker_mass = 3.0, stiffness = 1e5, bound = 1e-3, approach = 1.3;
 
@@ -241,10 +244,58 @@ void check_step(const TemporaryFolder& folder, Findings& findings, const Setup& 
                   .rows = rows});
 }
 
+/// All members of the JSON output for a latching spring, beside the request and the restitution of a stepped one.
+void check_latching(const TemporaryFolder& folder, Findings& findings, const Setup& setup) {
+  constexpr double k1 = 2e4, disc = 1e-6, step_of = 1e-7, e = 0.7, speed_of = 2.0;
+  const Json found = Json::parse(talus_output(
+      folder,
+      {"calibrate", "--law", "latching_spring", "--restitution", fmt::format("{}", e), "--masses",
+       fmt::format("{} kg", disc), fmt::format("{} kg", disc), "--stiffness", fmt::format("{} N/m", k1), "--speed",
+       fmt::format("{} m/s", speed_of), "--step", fmt::format("{} s", step_of), "--integrator", "euler", "--json"}));
+  const auto number = [&](const char* name) { return found.at(name).get<double>(); };
+  const double mass = 0.5 * disc, w1 = std::sqrt(k1 / mass), z1 = w1 * step_of;
+  const double ratio = number("ratio_by_simulation"), z2 = z1 / std::sqrt(ratio);
+  const auto latch = [&](double of) {
+    return reference::SteppedLatch{of, z1, setup.has("taylor_steps") ? StepMap::taylor : StepMap::euler};
+  };
+  double worst = 0.0;
+  for (const auto& [name, exact] :
+       {std::pair{"effective_mass", mass}, std::pair{"stiffness", k1}, std::pair{"unloading_stiffness", k1 / ratio},
+        std::pair{"step", step_of}, std::pair{"loading_angle", z1},
+        std::pair{"steps_in_contact", 0.5 * std::numbers::pi * (1.0 / z1 + 1.0 / z2)},
+        std::pair{"exact_restitution", std::sqrt(ratio)}, std::pair{"speed", speed_of},
+        std::pair{"largest_overlap", speed_of / w1}})
+    keep_worst(worst, number(name) / exact - 1.0);
+  keep_worst(worst, reference::leading_restitution(latch(number("ratio_by_formula"))) / e - 1.0);
+  findings.expect("latching spring: numbers with closed forms, largest relative error", worst, 0.0,
+                  Tolerance::round_off(3e-15, "about ten operations and roots on both sides, 1.1e-16 each"));
+  double mean = 0.0;
+  keep_worst(mean, reference::mean_restitution(latch(ratio)) - e);
+  keep_worst(mean, number("restitution") - e);
+  keep_worst(mean, number("restitution_of_formula") - reference::mean_restitution(latch(number("ratio_by_formula"))));
+  findings.expect("latching spring: restitutions, largest difference from the mean over phases", mean, 0.0,
+                  Tolerance::truncation(z2 * z2 * z2 * z2 / 240.0, 1.0,
+                                        "the reference is exact to the third power of z2; the squares of its terms "
+                                        "z2^2 g/2, whose g^2 has the mean 1/30, are z2^4/240"));
+  // g = u (1 - u) has the variance 1/180 over a fraction u of a step.
+  const double a = z1 * z1, b = z2 * z2;
+  findings.expect_between(
+      "latching spring: deviation over phases over that of three independent fractions of a step",
+      number("restitution_deviation") / (e * std::sqrt((a * a + b * b + (b - a) * (b - a)) / 720.0)), 0.5,
+      std::sqrt(3.0),
+      "touch, turning point and end are at fractions of a step that depend on one phase: equal ones add up to at most "
+      "sqrt(3) times as much");
+  const bool texts = found.at("law") == "latching_spring" && found.at("integrator") == "euler" &&
+                     found.at("default_discs") == false && found.at("units") == "SI" && found.at("phases") == 200;
+  findings.expect_true("latching spring: texts, and no member more", texts && found.size() == 19,
+                       "as requested; 200 phases as the printed table says");
+}
+
 void run(Findings& findings, const Setup& setup) {
   const auto group = findings.in("calibration");
   const TemporaryFolder folder;
   if (setup.needs("over the exact one") || setup.needs("second program")) check_numbers(folder, findings, setup);
+  if (setup.needs("latching")) check_latching(folder, findings, setup);
   if (setup.needs("error")) check_step(folder, findings, setup);
 }
 
@@ -265,6 +316,8 @@ Case definition() {
                       "effective mass, over the exact one: largest deviation from 1"},
                      {"half_the_step", "the members compared with those of a step half as long",
                       "restitution and its deviation over phases, by a second program: largest difference"},
+                     {"taylor_steps", "restitution of a latching spring stepped by the Taylor map",
+                      "latching spring: restitutions, largest difference from the mean over phases"},
                      {"twice_the_step", "twice the advised step",
                       "restitution with the advised step: largest error over phases"}},
           .seconds = 6.0,
