@@ -174,6 +174,16 @@ std::vector<std::string> header_of(const std::string& text) {
   return cells_of(text.substr(at, text.find('\n', at) - at));
 }
 
+/// Item of a column. Columns of histories that are named after bodies and elements are one item each quantity.
+std::string item_of_column(const std::string& kind, const std::string& cell) {
+  static const std::set<std::string> sums{"energy", "dissipated", "balance_error"};
+  std::string name = without_quotes(cell);
+  const std::size_t dot = name.substr(0, name.find(" [")).rfind('.');
+  if (kind.ends_with("history.csv") && dot != std::string::npos && !sums.contains(name.substr(0, dot)))
+    name.replace(0, dot, "*");
+  return "column " + kind + ": " + name;
+}
+
 /// The CSV text with the numbers of one column changed; nothing if there are none.
 std::optional<std::string> changed_column(const std::string& text, std::size_t column) {
   const std::size_t header = header_begin(text);
@@ -235,7 +245,7 @@ std::set<std::string> items_of(const fs::path& file, const std::string& text) {
       visit(json, "member " + kind + ": ", [&](const std::string& path, Json&) { items.insert(path); });
     } else if (type == ".csv") {
       for (const std::string& cell : header_of(text))
-        items.insert("column " + kind + ": " + without_quotes(cell));
+        items.insert(item_of_column(kind, cell));
     } else if (type == ".vtp" || type == ".vtu") {
       for (const DataArray& array : data_arrays(text))
         items.insert("array " + kind + ": " + array.name);
@@ -276,8 +286,8 @@ std::optional<std::string> changed(const fs::path& file, const std::string& text
   }
   if (type == ".csv") {
     const std::vector<std::string> cells = header_of(text);
-    for (std::size_t i = 0; i < cells.size(); ++i) {
-      if ("column " + kind_of(file) + ": " + without_quotes(cells[i]) == item) return changed_column(text, i);
+    for (std::size_t i = cells.size(); i-- > 0;) {
+      if (item_of_column(kind_of(file), cells[i]) == item) return changed_column(text, i);
     }
     return std::nullopt;
   }

@@ -14,7 +14,8 @@ inline constexpr double factor = 1.01;
 
 /// Items of a file, from its name and text:
 ///   "field contact.stiffness"        a value of a TOML file; an element of a list as "body.position.1"
-///   "column history.csv: rock.x"     a column of a CSV file, with its unit
+///   "column profile.csv: depth [m]"  a column of a CSV file, with its unit
+///   "column history.csv: *.x [m]"    those of all bodies, contacts and cables in a history: the last one is changed
 ///   "member summary.json: steps"     a member of a JSON file; elements of lists as "bodies[].name"
 ///   "array *.vtp: velocity"          a data array of a VTK file
 /// Names of files are shortened to what follows the scene's name: "*.history.csv". Other files have none, and so does a
@@ -22,8 +23,8 @@ inline constexpr double factor = 1.01;
 [[nodiscard]] std::set<std::string> items_of(const std::filesystem::path& file, const std::string& text);
 
 /// The text with that item changed: numbers by `factor` (whole ones by 1), flags inverted; a text of a TOML file is
-/// removed with its key or from its list, one of a JSON file gets a letter more. Empty if the file has no such item, or nothing in it
-/// that can change (an empty list, a column of words).
+/// removed with its key or from its list, one of a JSON file gets a letter more. Empty if the file has no such item, or
+/// nothing in it that can change (an empty list, a column of words).
 [[nodiscard]] std::optional<std::string> changed(const std::filesystem::path& file, const std::string& text,
                                                  const std::string& item);
 

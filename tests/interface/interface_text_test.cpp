@@ -3,6 +3,8 @@
 
 #include <boost/test/unit_test.hpp>
 
+#include "tests/interface/known_gaps.hpp"
+
 using namespace talus::interface_audit;
 using Items = std::set<std::string>;
 
@@ -73,6 +75,15 @@ BOOST_AUTO_TEST_CASE(columns_change_in_each_row) {
   BOOST_TEST(!changed("history.csv", csv, "column history.csv: c"));
 }
 
+BOOST_AUTO_TEST_CASE(columns_of_bodies_are_one_item_and_the_last_one_changes) {
+  const std::string csv = "time [s],a.x [m],b.c.x [m],energy.kinetic [N m],b.y [m]\n1,1,1,1,1\n";
+  BOOST_TEST((items_of("history.csv", csv) == Items{"column history.csv: *.x [m]", "column history.csv: *.y [m]",
+                                                    "column history.csv: energy.kinetic [N m]",
+                                                    "column history.csv: time [s]"}));
+  BOOST_TEST(contains(changed("history.csv", csv, "column history.csv: *.x [m]").value_or(""), "\n1,1,1.01,1,1\n"));
+  BOOST_TEST((items_of("profile.csv", "a.x [m]\n1\n") == Items{"column profile.csv: a.x [m]"}));
+}
+
 BOOST_AUTO_TEST_CASE(members_change_in_each_element) {
   const std::string json = R"({"a": {"n": 1, "x": 2.0}, "l": [{"t": "s", "f": true}, {"t": "u", "f": null}]})";
   BOOST_TEST((items_of("summary.json", json) == Items{"member summary.json: a.n", "member summary.json: a.x",
@@ -100,4 +111,25 @@ BOOST_AUTO_TEST_CASE(arrays_of_states_change) {
   BOOST_TEST(
       contains(changed("two_7.vtp", vtp, "array *.vtp: spin").value_or(""), "Name=\"spin\">3.0300000000000002 <"));
   BOOST_TEST(contains(changed("two_7.vtp", vtp, "array *.vtp: points").value_or(""), "ascii\">1.01 2.02 <"));
+}
+
+BOOST_AUTO_TEST_CASE(gaps_are_known_with_a_reason_or_unexpected) {
+  using talus::records::InterfaceStatus;
+  const KnownGaps known = read_known_gaps(
+      "# comment\n\nsurvived: option study --threads -- the same bits\n"
+      "unused: field run.jump -- no effect here\n");
+  BOOST_TEST(known.size() == 2U);
+  BOOST_TEST(known.at("survived: option study --threads") == "the same bits");
+  const auto item = [](const char* kind, const char* name, InterfaceStatus status) {
+    return talus::records::InterfaceItem{
+        .kind = kind, .name = name, .cases = {}, .status = status, .killed_by = "", .check = ""};
+  };
+  const std::vector<talus::records::InterfaceItem> items{
+      item("option", "study --threads", InterfaceStatus::survived), item("field", "run.jump", InterfaceStatus::killed),
+      item("member", "a.json: b", InterfaceStatus::survived), item("field", "title", InterfaceStatus::refused)};
+  BOOST_TEST((unexpected_gaps(items, known) ==
+              std::vector<std::string>{"not known: survived: member a.json: b", "no longer: unused: field run.jump"}));
+  for (const char* wrong : {"survived: option a", "survived: option a -- ", "killed: option a -- reason",
+                            "unused: field b -- one\nunused: field b -- two"})
+    BOOST_CHECK_THROW(read_known_gaps(wrong), std::runtime_error);
 }

@@ -452,6 +452,12 @@ void check_calibration(const Program& program, Findings& findings, Differences& 
 
   const Json scene =
       program.json({"calibrate", "drop.toml"}, {{"--contact", {"impact"}}, {"--restitution", {"0.6"}}, {"--json", {}}});
+  const std::string by_runs =
+      program.run({"calibrate", "drop.toml"}, {{"--contact", {"impact"}}, {"--restitution", {"0.6"}}});
+  differ.compare("calibrate: contact and number of runs printed",
+                 by_runs.find(fmt::format("contact '{}' calibrated by {} runs", scene.at("contact").get<std::string>(),
+                                          scene.at("runs").get<int>())) != std::string::npos,
+                 true);
   const double damping = dropped_damping(0.6, !program.setup().has("pulling_contact"));
   constexpr double drop_step = 1e-4;
   findings.expect("talus calibrate --contact: damping of a dropped disc over the exact one, deviation from 1",

@@ -130,6 +130,21 @@ void check_rock(const Node& sheet, const Csv& history, const Csv& codes, Finding
       round_off);
 }
 
+/// Columns of elements 3 to 6 in the history by codes against those of their bodies, columns 1 to 4.
+void check_elements(const Csv& history, const Csv& codes, Findings& findings) {
+  double differing = 0.0;
+  for (int element = 3; element <= 6; ++element) {
+    const std::string of_element = fmt::format("element{}.", element), number = fmt::to_string(element - 2);
+    for (const auto& [code, quantity] :
+         {std::pair{"vx", "column" + number + ".vx"}, std::pair{"vy", "column" + number + ".vy"},
+          std::pair{"omega", "column" + number + ".spin"}, std::pair{"top_tension", "top" + number + ".tension"},
+          std::pair{"bottom_tension", "bottom" + number + ".tension"}})
+      differing += column(codes, of_element + code) == column(history, quantity) ? 0.0 : 1.0;
+  }
+  findings.expect("history of the deck: columns of four elements that differ from those of their bodies and cables",
+                  differing, 0.0, Tolerance::exact("the same numbers, written twice"));
+}
+
 void check_fence(const Node& sheet, const Csv& history, Findings& findings) {
   const std::vector<double> x = column(history, "column1.x"), tension = column(history, "top1.tension");
   double travel = 0.0;
@@ -194,6 +209,7 @@ void run(Findings& findings, const Setup& setup) {
   const Csv history = records::read_csv(folder.path() / "out/history.csv"),
             codes = records::read_csv(folder.path() / "out/fence.history.csv");
   check_rock(sheet, history, codes, findings);
+  check_elements(history, codes, findings);
   check_fence(sheet, history, findings);
   check_anchor(folder, sheet, findings, setup);
 }

@@ -147,7 +147,8 @@ end = "{} s"
 /// A run of the study against the same cell run alone. The same steps are taken, so only conversions round.
 void compare_cell(const Program& program, const Runs& runs, std::size_t row, double time, Differences& differ) {
   program.write("run_of_study.toml", cell_of(runs, row, time));
-  const Json summary = program.json({"cell", "run_of_study.toml"}, {{"--json", {}}});
+  const Json summary = program.json({"cell", "run_of_study.toml"}, {{"--json", {}}, {"--out", {"run_of_study"}}});
+  differ.compare("study: summary of the cell printed and written", summary, program.file("run_of_study/summary.json"));
   const auto result = [&](const char* name) { return summary.at("results").at(name).at("value").get<double>(); };
   const double depth = result("depth") / diameter,
                density = disc_mass / (0.25 * std::numbers::pi * std::pow(diameter, 3));
