@@ -1,6 +1,9 @@
 #pragma once
 
+#include <map>
+#include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace talus::app {
@@ -9,11 +12,12 @@ namespace talus::app {
 struct CalibrateOptions {
   std::string scene;
   std::string contact;
-  double restitution{};
+  std::optional<double> restitution;
   std::string law{"linear_spring_dashpot"};
   std::vector<std::string> masses;
-  std::string stiffness;
-  std::string end_rule{"clamped"};  ///< default as in scenes
+  std::map<std::string, std::string> parameters;  ///< of the law, by their names in scenes; empty: not given
+  std::string end_rule{"clamped"};                ///< default as in scenes
+  std::string dashpot{"tsuji"};                   ///< default as in scenes
   std::vector<std::string> pivot;
   std::vector<std::string> offset;
   std::string speed{"1 m/s"};
@@ -24,6 +28,9 @@ struct CalibrateOptions {
   bool json{false};
   std::vector<std::string> own_to_impact;  ///< given options that are not allowed with a scene
 };
+
+/// The option of a law's parameter: "--reference-overlap" for reference_overlap.
+[[nodiscard]] std::string option_name(std::string_view field);
 
 /// Effective mass at the contact point [kg], from --masses; --pivot or --offset applies to the last of them.
 /// Errors: InputError naming the option.

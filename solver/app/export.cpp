@@ -36,7 +36,7 @@ LinearSpringDashpot linear_law(const ShearCell& cell, const ExportOptions& optio
                     options.scene, std::visit([](const auto& law) { return law.name; }, cell.law), kept)};
   }
   LinearSpringDashpot law{cell.stiffness(), 0.0, EndRule::clamped};
-  if (kept < 1.0) law.set_restitution(kept, 0.5 * cell.mass);
+  if (kept < 1.0) law.set_restitution(kept, 0.5 * cell.mass, 0.0);
   return law;
 }
 

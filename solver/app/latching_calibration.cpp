@@ -44,10 +44,16 @@ constexpr double most_steps = 2e5;  ///< maximum number of steps in a simulated 
 
 void refuse_what_means_nothing(const CalibrateOptions& options) {
   for (const std::string& given : options.own_to_impact) {
-    if (given == "--end-rule" || given == "--bound")
+    if (given == "--end-rule" || given == "--bound" || given == "--dashpot")
       throw InputError{fmt::format("{}: the law 'latching_spring' has no use for it; leave it out", given)};
   }
-  if (options.masses.empty() != options.stiffness.empty()) {
+  for (const auto& [name, value] : options.parameters) {
+    if (name != "stiffness" && !value.empty())
+      throw InputError{fmt::format("{}: the law 'latching_spring' has no use for it; leave it out", option_name(name))};
+  }
+  if (!options.restitution) throw InputError{"--restitution: it is missing; give e.g. --restitution 0.7"};
+  const bool has_stiffness = !options.parameters.at("stiffness").empty();
+  if (options.masses.empty() == has_stiffness) {
     throw InputError{fmt::format("{}: it is missing; give --masses and --stiffness, or neither for discs of ice",
                                  options.masses.empty() ? "--masses" : "--stiffness")};
   }
@@ -60,19 +66,20 @@ LatchingRatio calibrated_ratio(CalibrateOptions options) {
   refuse_what_means_nothing(options);
   LatchingRatio found;
   found.default_discs = options.masses.empty();
-  if (found.default_discs) options.masses = {"7.2e-7 kg", "7.2e-7 kg"}, options.stiffness = "1.7e4 N/m";
-  found.contact = {option_quantity("--stiffness", options.stiffness, dimension::stiffness, si),
-                   effective_mass_of(options), step_of(options.step), make_disc_method(options.integrator)};
+  std::string& stiffness = options.parameters.at("stiffness");
+  if (found.default_discs) options.masses = {"7.2e-7 kg", "7.2e-7 kg"}, stiffness = "1.7e4 N/m";
+  found.contact = {option_quantity("--stiffness", stiffness, dimension::stiffness, si), effective_mass_of(options),
+                   step_of(options.step), make_disc_method(options.integrator)};
   found.speed = option_quantity("--speed", options.speed, dimension::velocity, si);
   try {
-    found.by_formula = ratio_by_formula(found.contact, options.restitution);
+    found.by_formula = ratio_by_formula(found.contact, *options.restitution);
     if (const double steps = found.contact.steps_in_contact(found.by_formula); steps > most_steps) {
       throw InputError{
           fmt::format("step: found {} s, {:.3g} steps in a contact; it must be at least {:.3g} s: more than "
                       "{:g} steps take minutes to simulate, and hardly change the restitution",
                       found.contact.step, steps, 1.01 * found.contact.step * steps / most_steps, most_steps)};
     }
-    found.by_simulation = ratio_by_simulation(found.contact, options.restitution);
+    found.by_simulation = ratio_by_simulation(found.contact, *options.restitution);
   } catch (const InputError& error) {
     throw InputError{fmt::format("--{}", error.what())};
   }
@@ -109,7 +116,7 @@ void print_text(const LatchingRatio& found, const CalibrateOptions& options) {
   const auto line = [&units](std::string_view what, double in_si, Dimension dimension) {
     fmt::print("  {:<32}{:>16.9g} {}\n", what, in_si / si_size(units, dimension), symbol(units, dimension));
   };
-  fmt::print("K1/K2 for a restitution of {} ({}, {})\n", options.restitution, options.law, options.integrator);
+  fmt::print("K1/K2 for a restitution of {} ({}, {})\n", *options.restitution, options.law, options.integrator);
   line("effective mass", found.contact.effective_mass, dimension::mass);
   line("stiffness K1", found.contact.stiffness, dimension::stiffness);
   line("step h", found.contact.step, dimension::time);

@@ -10,7 +10,7 @@
 namespace talus {
 
 /// Values that a numeric field may take.
-enum class Range { any, positive, non_negative, fraction, positive_fraction };
+enum class Range { any, positive, non_negative, fraction, positive_fraction, at_least_one };
 
 /// Text of an error message for a range: "it must be ...".
 constexpr std::string_view words(Range range) {
@@ -23,6 +23,8 @@ constexpr std::string_view words(Range range) {
       return "in [0, 1]";
     case Range::positive_fraction:
       return "in (0, 1]";
+    case Range::at_least_one:
+      return ">= 1";
     case Range::any:
       break;
   }
@@ -40,6 +42,8 @@ constexpr bool contains(Range range, double value) {
       return value >= 0.0 && value <= 1.0;
     case Range::positive_fraction:
       return value > 0.0 && value <= 1.0;
+    case Range::at_least_one:
+      return value >= 1.0 && value - value == 0.0;
     case Range::any:
       break;
   }

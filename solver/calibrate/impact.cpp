@@ -80,12 +80,18 @@ class ImpactMonitor {
   Impact impact_;
 };
 
-/// Critical damping 2 sqrt(k m_eff) of a contact in the initial state [F T/L]: the scale of the search for a damping.
-double critical_damping(const Scene& scene, ContactId contact) {
+/// A value of the dissipation parameter for the restitution e to begin a search with: the one with which the spring of
+/// the initial state has the damping ratio of the attractive rule.
+double first_dissipation(const Scene& scene, ContactId contact, double e) {
   const Dynamics dynamics{scene.model};
   const std::size_t first = dynamics.layout().contact_slots[index(contact)].mode;
   const Spring spring = springs(dynamics, scene.initial)[first];
-  return 2.0 * std::sqrt(spring.stiffness * spring.effective_mass);
+  const double wanted =
+      2.0 * std::sqrt(spring.stiffness * spring.effective_mass) * damping_ratio(e, EndRule::attractive);
+  const Scene with_one = with_dissipation(scene, contact, 1.0);
+  const double of_one =
+      std::visit([](const auto& law) { return law.tangent().damping; }, with_one.model.contacts[index(contact)].law);
+  return wanted / of_one;
 }
 
 /// The first impact of a contact, or why there is none to report.
@@ -129,7 +135,7 @@ KnownImpact known_impact(const ContactLaw& law, double effective_mass, double sp
   return std::visit(
       [&]<class L>(const L& of) -> KnownImpact {
         if constexpr (KnowsImpacts<L>)
-          return {of.contact_time(effective_mass), of.restitution(effective_mass),
+          return {of.contact_time(effective_mass, speed), of.restitution(effective_mass, speed),
                   of.largest_overlap(effective_mass, speed)};
         throw InputError{fmt::format("the law '{}' knows no impact in closed form", L::name)};
       },
@@ -143,7 +149,7 @@ Scene impact_scene(const ContactLaw& law, double effective_mass, double speed, d
   const KnownImpact known = known_impact(law, effective_mass, speed);
   const double ending = known.contact_time;
   if (!std::isfinite(ending)) {
-    throw InputError{"a contact damped beyond critical (damping ratio >= 1) never parts under the attractive end rule"};
+    throw InputError{"so strong a damping never lets the contact end under the attractive end rule"};
   }
   // Large enough that no overlap is comparable with the size of the circle.
   const double radius = 1e3 * known.largest_overlap;
@@ -178,12 +184,13 @@ constexpr double kept = 0.8;
 
 }  // namespace
 
-Scene with_damping(Scene scene, ContactId contact, double damping) {
+Scene with_dissipation(Scene scene, ContactId contact, double value) {
   Contact& changed = scene.model.contacts[index(contact)];
   std::visit(
       [&]<class L>(L& law) {
-        if constexpr (HasDamping<L>) {
-          law.damping = damping;
+        if constexpr (SetsEveryRestitution<L>) {
+          for (const auto& field : L::fields())
+            if (field.name == L::restitution_field.name) law.*field.member = value;
           if constexpr (HasDampingRatio<L>) law.damping_ratio = 0.0;
         } else {
           throw InputError{fmt::format("contact '{}': the law '{}' has no damping", changed.name, L::name)};
@@ -204,10 +211,10 @@ Impact simulate_impact(const ContactLaw& law, double effective_mass, double spee
   return simulate_impact(impact_scene(law, effective_mass, speed, step, phase, integrator), ContactId{0});
 }
 
-ImpactStep advise_impact_step(const ContactLaw& law, double effective_mass, double bound,
+ImpactStep advise_impact_step(const ContactLaw& law, double effective_mass, double speed, double bound,
                               const Integrator& integrator) {
   if (!(bound > 0.0)) throw InputError{fmt::format("error bound is {}; it must be > 0", bound)};
-  const KnownImpact known = known_impact(law, effective_mass, 1.0);
+  const KnownImpact known = known_impact(law, effective_mass, speed);
   const double time = known.contact_time, exact = known.restitution;
   for (int n = 3; n <= 18; ++n) {
     ImpactStep found{time / (std::ldexp(1.0, n) + 0.381966), 0.0, 0.0};
@@ -215,7 +222,7 @@ ImpactStep advise_impact_step(const ContactLaw& law, double effective_mass, doub
       const double phase = (i + 0.5) / pair_count;
       const double step = time / (std::ldexp(1.0, n) + golden * (i + 0.5) - std::floor(golden * (i + 0.5)));
       const Followed followed =
-          follow_impact(impact_scene(law, effective_mass, 1.0, step, phase, integrator), ContactId{0});
+          follow_impact(impact_scene(law, effective_mass, speed, step, phase, integrator), ContactId{0});
       // A step so long that the contact does not end, or the run diverges, is rejected.
       const double error =
           followed.impact ? std::abs(followed.impact->restitution - exact) : std::numeric_limits<double>::infinity();
@@ -225,7 +232,7 @@ ImpactStep advise_impact_step(const ContactLaw& law, double effective_mass, doub
     if (found.largest_error > kept * bound) continue;
     for (int i = 0; i < pair_count; ++i) {
       const double phase = (i + 0.5) / pair_count;
-      const Impact impact = simulate_impact(law, effective_mass, 1.0, found.step, phase, integrator);
+      const Impact impact = simulate_impact(law, effective_mass, speed, found.step, phase, integrator);
       found.restitution += impact.restitution / pair_count;
     }
     return found;
@@ -237,9 +244,9 @@ ImpactStep advise_impact_step(const ContactLaw& law, double effective_mass, doub
 Calibration calibrate(const Scene& scene, ContactId contact, double e, double tolerance) {
   if (!(e > 0.0 && e <= 1.0)) throw InputError{fmt::format("restitution is {}; it must be in (0, 1]", e)};
   Calibration found;
-  const auto excess = [&](double damping) {
+  const auto excess = [&](double value) {
     ++found.runs;
-    return simulate_impact(with_damping(scene, contact, damping), contact).restitution - e;
+    return simulate_impact(with_dissipation(scene, contact, value), contact).restitution - e;
   };
   const std::string& name = scene.model.contacts[index(contact)].name;
   const double undamped = excess(0.0);
@@ -252,12 +259,12 @@ Calibration calibrate(const Scene& scene, ContactId contact, double e, double to
         fmt::format("contact '{}': restitution {} is not reachable; without any damping the scene gives {:.6g}", name,
                     e, undamped + e)};
   }
-  double low = 0.0, high = critical_damping(scene, contact) * damping_ratio(e, EndRule::attractive);
+  double low = 0.0, high = first_dissipation(scene, contact, e);
   double at_low = undamped, at_high = excess(high);
   for (int doubling = 0; at_high > 0.0; ++doubling) {
     if (doubling == 20) {
       throw InputError{
-          fmt::format("contact '{}': restitution {} is not reached with a damping of {:.6g}", name, e, high)};
+          fmt::format("contact '{}': restitution {} is not reached with a damping parameter of {:.6g}", name, e, high)};
     }
     low = high, at_low = at_high;
     high *= 2.0, at_high = excess(high);
@@ -266,16 +273,16 @@ Calibration calibrate(const Scene& scene, ContactId contact, double e, double to
   // required tolerance in e, or when the bracket is as narrow as floating-point numbers allow.
   std::uintmax_t most = 100;
   double best = high, best_excess = at_high;
-  const auto watched = [&](double damping) {
-    const double now = excess(damping);
-    if (std::abs(now) < std::abs(best_excess)) best = damping, best_excess = now;
+  const auto watched = [&](double value) {
+    const double now = excess(value);
+    if (std::abs(now) < std::abs(best_excess)) best = value, best_excess = now;
     return std::abs(now) <= tolerance ? 0.0 : now;
   };
   if (at_high != 0.0) {
     boost::math::tools::toms748_solve(watched, low, high, at_low, at_high,
                                       boost::math::tools::eps_tolerance<double>(50), most);
   }
-  found.damping = best;
+  found.dissipation = best;
   found.restitution = e + best_excess;
   return found;
 }

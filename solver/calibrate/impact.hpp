@@ -6,8 +6,9 @@
 
 namespace talus {
 
-/// Returns the scene with another damping of one contact [F T/L]. Errors: InputError if its law has none.
-[[nodiscard]] Scene with_damping(Scene scene, ContactId contact, double damping);
+/// Returns the scene with another value of the parameter by which the law of one contact dissipates: `damping` [F T/L] or
+/// `hysteresis` [T/L]. Errors: InputError if its law has none.
+[[nodiscard]] Scene with_dissipation(Scene scene, ContactId contact, double value);
 
 /// Results of one simulated impact.
 struct Impact {
@@ -32,10 +33,11 @@ struct ImpactStep {
   double largest_error{};  ///< largest error of the restitution over those phases, against the closed form
 };
 
-/// Finds a step, of the form contact time/(2^n + 0.38), at which the error of e is below `bound` for all phases at
-/// which the surfaces meet and part: the largest error of 64 pairs of phases is at most 0.8 of the bound.
+/// Finds a step, of the form contact time/(2^n + 0.38), at which the error of e of impacts at this speed is below `bound`
+/// for all phases at which the surfaces meet and part: the largest error of 64 pairs of phases is at most 0.8 of the
+/// bound.
 /// Errors: InputError if bound is not > 0, or too small to be reached with 2^18 steps in a contact; for a law as above.
-[[nodiscard]] ImpactStep advise_impact_step(const ContactLaw& law, double effective_mass, double bound,
+[[nodiscard]] ImpactStep advise_impact_step(const ContactLaw& law, double effective_mass, double speed, double bound,
                                             const Integrator& integrator);
 
 /// Simulates the first impact of one contact of a scene with the scene's method and step. Restitution is the speed of
@@ -45,13 +47,13 @@ struct ImpactStep {
 
 /// Result of calibrating a contact of a scene.
 struct Calibration {
-  double damping{};      ///< c that gives the required restitution [F T/L]
+  double dissipation{};  ///< `damping` [F T/L] or `hysteresis` [T/L] that gives the required restitution
   double restitution{};  ///< simulated with that damping
   int runs{};            ///< number of simulations
 };
 
-/// Finds the damping of one contact of a scene that gives its first impact the restitution e, by simulations within a
-/// bracket: no damping, and damping doubled until the restitution is below e.
+/// Finds the damping or hysteresis of one contact of a scene that gives its first impact the restitution e, by
+/// simulations within a bracket: none, and a value doubled until the restitution is below e.
 /// Errors: InputError for e outside (0, 1], or if the undamped scene is already below e: the remaining loss has other
 /// causes.
 [[nodiscard]] Calibration calibrate(const Scene& scene, ContactId contact, double e, double tolerance = 1e-6);

@@ -47,7 +47,7 @@ void add_errors(CellErrors& found, const L& law, double effective_mass) {
   }
   if constexpr (HasDamping<L>) {
     const double infinite = std::numeric_limits<double>::infinity();
-    if (is_in_range && effective_mass > 0.0 && law.contact_time(effective_mass) == infinite) {
+    if (is_in_range && effective_mass > 0.0 && law.contact_time(effective_mass, 0.0) == infinite) {
       const double critical = 2.0 * std::sqrt(loading_stiffness(law) * effective_mass);
       object(found, "damping", law.damping,
              fmt::format("< {}: with its end rule discs that are damped more never part", critical));
@@ -65,10 +65,10 @@ double ShearCell::largest_stiffness() const {
 }
 double ShearCell::loading_frequency() const { return std::sqrt(2.0 * stiffness() / mass); }
 double ShearCell::contact_time() const {
-  return std::visit([&](const auto& of) { return of.contact_time(0.5 * mass); }, law);
+  return std::visit([&](const auto& of) { return of.contact_time(0.5 * mass, 0.0); }, law);
 }
 double ShearCell::restitution() const {
-  return std::visit([&](const auto& of) { return of.restitution(0.5 * mass); }, law);
+  return std::visit([&](const auto& of) { return of.restitution(0.5 * mass, 0.0); }, law);
 }
 const LatchingSpring* ShearCell::law_of_1989() const {
   const auto* latching = std::get_if<LatchingSpring>(&law);

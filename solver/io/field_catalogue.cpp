@@ -285,14 +285,31 @@ void add_contact_laws(std::vector<Group>& groups) {
                 .base = "contact"};
     add_fields(group, law);
     if constexpr (HasEndRule<L>) group.fields.push_back(end_rule_field());
+    if constexpr (HasHertzDashpot<L>) {
+      group.fields.push_back(choice("dashpot",
+                                    "tsuji: in proportion to overlap^(1/4), the same restitution at every speed; or "
+                                    "constant",
+                                    law.dashpot));
+    }
     if constexpr (SetsEveryRestitution<L>) {
       group.fields.push_back(restitution_field());
-      group.fields.push_back(choice("restitution_rule",
-                                    "mass that the dashpot follows from: the effective mass at each impact, or the "
-                                    "two particle masses (Eq. 21 of 1993)",
-                                    RestitutionRule::effective_mass));
-      set_either(group, L::restitution_field.name, "restitution");
-      set_with(group, "restitution_rule", "restitution");
+      if (L::restitution_field.is_required) set_either(group, L::restitution_field.name, "restitution");
+      if constexpr (HasEndRule<L>) {
+        group.fields.push_back(choice("restitution_rule",
+                                      "mass that the dashpot follows from: the effective mass at each impact, or the "
+                                      "two particle masses (Eq. 21 of 1993)",
+                                      RestitutionRule::effective_mass));
+        set_with(group, "restitution_rule", "restitution");
+      }
+      if constexpr (VariesRestitution<L>) {
+        group.fields.push_back(quantity("restitution_speed",
+                                        HasHertzDashpot<L> ? "speed of approach at which the restitution holds; needed "
+                                                             "with the dashpot constant"
+                                                           : "speed of approach at which the restitution holds",
+                                        dimension::velocity, Range::positive, ""));
+        set_with(group, "restitution_speed", "restitution");
+        if constexpr (!HasHertzDashpot<L>) require_with(group, "restitution_speed", "restitution");
+      }
     }
     groups.push_back(std::move(group));
   });

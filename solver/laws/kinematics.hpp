@@ -45,6 +45,7 @@ struct LinearBranch {
 struct RestitutionField {
   std::string_view name;     ///< among the law's fields()
   std::string_view meaning;  ///< how the restitution follows from it (text)
+  bool is_required{true};    ///< whether a scene must give it or the restitution
 };
 
 /// A point of the yield force as a function of the plastic stretch.

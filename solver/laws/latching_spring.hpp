@@ -117,18 +117,24 @@ struct LatchingSpring {
     return {mode == loading ? stiffness : mode == unloading ? unloading_stiffness_at(memory[0]) : 0.0, 0.0};
   }
 
-  /// Contact time of an impact in the limit of low speed, before K2 grows (Walton & Braun 1986): a quarter period with
-  /// K1 and one with K2.
-  double contact_time(double effective_mass) const {
+  /// A quarter period with K1 and one with K2 (Walton & Braun 1986).
+  double contact_time(double effective_mass, double speed) const {
     const double loading_frequency = std::sqrt(stiffness / effective_mass);
-    const double unloading_frequency = std::sqrt(unloading_stiffness / effective_mass);
-    return 0.5 * std::numbers::pi * (1.0 / loading_frequency + 1.0 / unloading_frequency);
+    const double back = unloading_stiffness_at(largest_overlap(effective_mass, speed));
+    return 0.5 * std::numbers::pi * (1.0 / loading_frequency + 1.0 / std::sqrt(back / effective_mass));
   }
-  double restitution(double) const { return std::sqrt(stiffness / unloading_stiffness); }
+  double restitution(double effective_mass, double speed) const {
+    return std::sqrt(stiffness / unloading_stiffness_at(largest_overlap(effective_mass, speed)));
+  }
   double largest_overlap(double effective_mass, double speed) const {
     return speed / std::sqrt(stiffness / effective_mass);
   }
-  void set_restitution(double e, double) { unloading_stiffness = stiffness / (e * e); }
+  /// K2 in the limit of small overlaps; not below K1 where the growth alone gives a smaller restitution.
+  void set_restitution(double e, double effective_mass, double speed) {
+    const double grown = growth == 0.0 ? 0.0 : growth * stiffness * largest_overlap(effective_mass, speed);
+    unloading_stiffness = std::max(stiffness / (e * e) - grown, stiffness);
+  }
+  bool restitution_varies() const { return growth > 0.0; }
 
   friend constexpr bool operator==(const LatchingSpring&, const LatchingSpring&) = default;
 

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "solver/base/fields.hpp"
+#include "solver/laws/hertz_impact.hpp"
 #include "solver/laws/kinematics.hpp"
 #include "solver/laws/unilateral_spring.hpp"
 #include "solver/state/state.hpp"
@@ -57,13 +58,15 @@ namespace talus {
 ///                                 along the normal [M]; only called if memory_count() > 0; with
 ///   tangent(m_eff)                tangent() of a contact of that effective mass
 ///   retardation_time(memory)      c/k of a spring and dashpot [T]; the default for sticking friction
-///   contact_time(m_eff)           duration of an impact of that effective mass at low speed [T]; infinite if it does
-///                                 not end; with
-///   restitution(m_eff)            the ratio of the speeds after and before the impact, and
-///   largest_overlap(m_eff, speed) the largest overlap of an impact at that speed of approach [L]
+///   contact_time(m_eff, v)        duration of an impact of that effective mass at the speed of approach v [T]; infinite if
+///                                 it does not end; with
+///   restitution(m_eff, v)         the ratio of the speeds after and before the impact, and
+///   largest_overlap(m_eff, v)     its largest overlap [L]
 ///   restitution_field             static: the parameter that sets the restitution; with
-///   set_restitution(e, m_eff)     sets that parameter, for impacts of that effective mass, e in (0, 1]
-///   set_every_restitution(e)      sets it for every effective mass; requires the two hooks above
+///   set_restitution(e, m_eff, v)  sets that parameter, for impacts of that effective mass and speed, e in (0, 1]
+///   set_every_restitution(e, v)   sets it for every effective mass; requires the two hooks above
+///   restitution_varies()          whether the restitution depends on the speed, so that v must be known to set it; by
+///                                 default it does not
 ///
 /// Optional, of contacts between discs: one of the two
 ///   is_clamped()                  the law is one-sided: without memory, and in mode 1 the force is k overlap + c rate
@@ -73,7 +76,8 @@ namespace talus {
 ///                                 the law is its own contact kernel (laws/contact_kernel.hpp)
 ///
 /// Optional parameters, which readers and writers of files recognise by name
-///   end_rule (EndRule), damping (double) [F T/L], damping_ratio (double), table (std::vector<YieldPoint>)
+///   end_rule (EndRule), dashpot (HertzDashpot), damping (double) [F T/L], damping_ratio (double),
+///   table (std::vector<YieldPoint>)
 template <class L>
 concept HasLawParts = std::equality_comparable<L> &&
     requires(const L law, Kinematics x, std::span<const double> memory, std::span<double> writable, Mode mode) {
@@ -143,18 +147,22 @@ concept HasRetardationTime = requires(const L law, std::span<const double> memor
 };
 template <class L>
 concept KnowsImpacts = requires(const L law, double effective_mass, double speed) {
-  { law.contact_time(effective_mass) } -> std::same_as<double>;
-  { law.restitution(effective_mass) } -> std::same_as<double>;
+  { law.contact_time(effective_mass, speed) } -> std::same_as<double>;
+  { law.restitution(effective_mass, speed) } -> std::same_as<double>;
   { law.largest_overlap(effective_mass, speed) } -> std::same_as<double>;
 };
 template <class L>
-concept SetsRestitution = requires(L law, double e, double effective_mass) {
+concept SetsRestitution = requires(L law, double e, double effective_mass, double speed) {
   { L::restitution_field } -> std::convertible_to<RestitutionField>;
-  { law.set_restitution(e, effective_mass) } -> std::same_as<void>;
+  { law.set_restitution(e, effective_mass, speed) } -> std::same_as<void>;
 };
 template <class L>
-concept SetsEveryRestitution = SetsRestitution<L> && requires(L law, double e) {
-  { law.set_every_restitution(e) } -> std::same_as<void>;
+concept SetsEveryRestitution = SetsRestitution<L> && requires(L law, double e, double speed) {
+  { law.set_every_restitution(e, speed) } -> std::same_as<void>;
+};
+template <class L>
+concept VariesRestitution = SetsRestitution<L> && requires(const L law) {
+  { law.restitution_varies() } -> std::same_as<bool>;
 };
 template <class L>
 concept OneSided = L::memory_size == 0 && HasLinearPart<L>&& requires(const L law) {
@@ -181,6 +189,10 @@ concept IsKernel = ContactKernel<L> && L::memory_size == (HasHysteresisLoss<L> ?
 template <class L>
 concept HasEndRule = requires(L law) {
   { law.end_rule } -> std::same_as<EndRule&>;
+};
+template <class L>
+concept HasHertzDashpot = requires(L law) {
+  { law.dashpot } -> std::same_as<HertzDashpot&>;
 };
 template <class L>
 concept HasDamping = requires(L law) {
@@ -218,12 +230,14 @@ concept HasYieldTable = requires(L law) {
   HOOK(restitution_field, SetsRestitution)            \
   HOOK(set_restitution, SetsRestitution)              \
   HOOK(set_every_restitution, SetsEveryRestitution)   \
+  HOOK(restitution_varies, VariesRestitution)         \
   HOOK(is_clamped, OneSided)                          \
   HOOK(needs_rate, IsKernel)                          \
   HOOK(force, IsKernel)                               \
   HOOK(dissipated_power, IsKernel)                    \
   HOOK(hysteresis_loss, IsKernel)                     \
   HOOK(end_rule, HasEndRule)                          \
+  HOOK(dashpot, HasHertzDashpot)                      \
   HOOK(damping, HasDamping)                           \
   HOOK(damping_ratio, HasDampingRatio)                \
   HOOK(table, HasYieldTable)
@@ -287,6 +301,13 @@ template <Law L>
 constexpr double natural_elongation([[maybe_unused]] const L& law, [[maybe_unused]] std::span<const double> memory) {
   if constexpr (HasNaturalElongation<L>) return law.natural_elongation(memory);
   return 0.0;
+}
+
+/// Whether the restitution of a law's impacts depends on their speed.
+template <Law L>
+constexpr bool restitution_varies([[maybe_unused]] const L& law) {
+  if constexpr (VariesRestitution<L>) return law.restitution_varies();
+  return false;
 }
 
 /// Stiffest branch of a law at a contact of this effective mass [M].

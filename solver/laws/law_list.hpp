@@ -8,6 +8,7 @@
 #include "solver/laws/contact_kernel.hpp"
 #include "solver/laws/elastic_plastic.hpp"
 #include "solver/laws/hertz.hpp"
+#include "solver/laws/hunt_crossley.hpp"
 #include "solver/laws/latching_spring.hpp"
 #include "solver/laws/law.hpp"
 #include "solver/laws/linear_spring_dashpot.hpp"
@@ -32,7 +33,7 @@ struct LawList {
 };
 
 /// Laws of contacts between bodies.
-using ContactLaws = LawList<LinearSpringDashpot, LatchingSpring, Hertz>;
+using ContactLaws = LawList<LinearSpringDashpot, LatchingSpring, Hertz, HuntCrossley>;
 using ContactLaw = ContactLaws::Variant;
 /// Laws of cables.
 using CableLaws = LawList<TensionOnly, ElasticPlastic>;

@@ -64,32 +64,32 @@ struct LinearSpringDashpot {
     return {stiffness, 2.0 * damping_ratio * std::sqrt(stiffness * effective_mass)};
   }
   constexpr Tangent linear_part(std::span<const double> memory, Mode mode) const {
-    return mode == UnilateralSpring::acting ? Tangent{stiffness, dashpot(memory)} : Tangent{};
+    return mode == UnilateralSpring::acting ? Tangent{stiffness, coefficient(memory)} : Tangent{};
   }
   /// Retardation time c/k of the spring and dashpot [T].
-  constexpr double retardation_time(std::span<const double> memory) const { return dashpot(memory) / stiffness; }
+  constexpr double retardation_time(std::span<const double> memory) const { return coefficient(memory) / stiffness; }
   constexpr bool is_clamped() const { return end_rule == EndRule::clamped; }
 
-  double contact_time(double effective_mass) const {
+  double contact_time(double effective_mass, double /* speed */) const {
     return talus::contact_time(tangent(effective_mass), end_rule, effective_mass);
   }
-  double restitution(double effective_mass) const {
+  double restitution(double effective_mass, double /* speed */) const {
     return talus::restitution(damping_ratio_of(tangent(effective_mass), effective_mass), end_rule);
   }
   double largest_overlap(double effective_mass, double speed) const {
     return talus::largest_overlap(tangent(effective_mass), effective_mass, speed);
   }
-  void set_restitution(double e, double effective_mass) {
+  void set_restitution(double e, double effective_mass, double /* speed */) {
     damping = talus::damping(talus::damping_ratio(e, end_rule), stiffness, effective_mass);
   }
-  void set_every_restitution(double e) { damping_ratio = talus::damping_ratio(e, end_rule); }
+  void set_every_restitution(double e, double /* speed */) { damping_ratio = talus::damping_ratio(e, end_rule); }
 
   friend constexpr bool operator==(const LinearSpringDashpot&, const LinearSpringDashpot&) = default;
 
  private:
-  constexpr double dashpot(std::span<const double> memory) const { return memory.empty() ? damping : memory[0]; }
+  constexpr double coefficient(std::span<const double> memory) const { return memory.empty() ? damping : memory[0]; }
   constexpr UnilateralSpring spring(std::span<const double> memory) const {
-    return {stiffness, dashpot(memory), end_rule};
+    return {stiffness, coefficient(memory), end_rule};
   }
 };
 

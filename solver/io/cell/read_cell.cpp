@@ -206,7 +206,7 @@ void read_law(SceneTable& table, double mass, L& law) {
     else
       table.read_field(law, field);
   }
-  if (restitution) table.placed([&] { law.set_restitution(*restitution, 0.5 * mass); });
+  if (restitution) table.placed([&] { law.set_restitution(*restitution, 0.5 * mass, 0.0); });
 }
 
 /// Reports an error; if the file gives the value in other units than the message, the value as written comes first.

@@ -7,34 +7,60 @@
 namespace talus {
 namespace {
 
+/// Reads the restitution, which replaces the parameter of the law that sets it.
+template <class L>
+void read_restitution(SceneTable& table, L& law, SceneContact& read) {
+  const std::string_view field = L::restitution_field.name;
+  auto rule = RestitutionRule::effective_mass;
+  if constexpr (HasEndRule<L>) rule = table.choice_or("restitution_rule", rule);
+  const bool both = table.has("restitution") && table.has(field);
+  const bool neither = !table.has("restitution") && !table.has(field);
+  if (both || (neither && L::restitution_field.is_required))
+    table.report(field, "give either this or restitution, one of the two");
+  if (!table.has("restitution")) {
+    const std::string why = neither ? "it needs restitution"
+                                    : fmt::format("the {} is given; leave this out or give restitution instead", field);
+    for (const std::string_view key : {"restitution_rule", "restitution_speed"})
+      table.refuse(key, why);
+    return;
+  }
+  const double e = table.number("restitution", Range::positive_fraction);
+  // A restitution that is the same at every speed may be given with one, too.
+  double speed = 0.0;
+  if (restitution_varies(law) || table.has("restitution_speed"))
+    speed = table.quantity("restitution_speed", dimension::velocity, Range::positive);
+  if (rule == RestitutionRule::eq_21) {
+    read.restitution = e, read.restitution_speed = speed;
+  } else {
+    table.placed([&] { law.set_every_restitution(e, speed); });
+  }
+}
+
+/// Whether the law's memory depends on the effective mass at which a contact begins.
+bool starts_by_mass(const ContactLaw& law) {
+  return std::visit(
+      []<class L>(const L& of) {
+        if constexpr (StartsByMass<L>) return memory_count(of) > 0;
+        return false;
+      },
+      law);
+}
+
 template <class L>
 void read_law(SceneTable& table, SceneContact& read) {
   L law;
   std::vector<std::string> keys = field_names<L>();
   keys.insert(keys.end(), {"between", "method", "nodes", "node_depth", "friction", "shear_stiffness", "shear_damping"});
   if constexpr (HasEndRule<L>) keys.push_back("end_rule");
-  if constexpr (SetsEveryRestitution<L>) keys.insert(keys.end(), {"restitution", "restitution_rule"});
+  if constexpr (HasHertzDashpot<L>) keys.push_back("dashpot");
+  if constexpr (SetsEveryRestitution<L>) keys.push_back("restitution");
+  if constexpr (SetsEveryRestitution<L> && HasEndRule<L>) keys.push_back("restitution_rule");
+  if constexpr (SetsEveryRestitution<L> && VariesRestitution<L>) keys.push_back("restitution_speed");
   table.allow(keys);
   table.read_fields(law);
   if constexpr (HasEndRule<L>) law.end_rule = table.choice_or("end_rule", law.end_rule);
-  if constexpr (SetsEveryRestitution<L>) {
-    const std::string_view field = L::restitution_field.name;
-    const auto rule = table.choice_or("restitution_rule", RestitutionRule::effective_mass);
-    if (table.has("restitution") == table.has(field)) {
-      table.report(field, "give either this or restitution, one of the two");
-    }
-    if (table.has("restitution")) {
-      const double e = table.number("restitution", Range::positive_fraction);
-      if (rule == RestitutionRule::eq_21) {
-        read.restitution = e;
-      } else {
-        table.placed([&] { law.set_every_restitution(e); });
-      }
-    } else {
-      table.refuse("restitution_rule",
-                   fmt::format("the {} is given; leave this out or give restitution instead", field));
-    }
-  }
+  if constexpr (HasHertzDashpot<L>) law.dashpot = table.choice_or("dashpot", law.dashpot);
+  if constexpr (SetsEveryRestitution<L>) read_restitution(table, law, read);
   read.contact.law = law;
 }
 
@@ -72,7 +98,7 @@ SceneContact read_contact(SceneTable table, const BodyNames& bodies) {
   if (contact.method == ContactMethod::nodes) {
     if (table.has("nodes")) table.guard([&] { contact.nodes = read_nodes(table); });
     contact.node_depth = table.choice_or("node_depth", contact.node_depth);
-    if (has_law && table.has("restitution") && !read.restitution) {
+    if (has_law && starts_by_mass(contact.law)) {
       table.report("restitution_rule", "contact by nodes has no single effective mass; it must be \"eq_21\"");
     }
   } else {

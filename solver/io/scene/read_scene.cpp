@@ -120,10 +120,10 @@ Contact between(const SceneContact& read, const Model& bodies) {
       [&]<class L>(L& law) {
         if constexpr (SetsRestitution<L> && HasEndRule<L>) {
           const EndRule rule = std::exchange(law.end_rule, EndRule::attractive);
-          law.set_restitution(*read.restitution, mass);
+          law.set_restitution(*read.restitution, mass, read.restitution_speed);
           law.end_rule = rule;
         } else if constexpr (SetsRestitution<L>) {
-          law.set_restitution(*read.restitution, mass);
+          law.set_restitution(*read.restitution, mass, read.restitution_speed);
         }
       },
       contact.law);

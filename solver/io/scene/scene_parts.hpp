@@ -36,6 +36,7 @@ struct SceneContact {
   SceneTable table;
   Contact contact;
   std::optional<double> restitution;
+  double restitution_speed{};  ///< at which it holds [L/T]; 0 if it holds at every speed
 };
 
 /// A cable as written.

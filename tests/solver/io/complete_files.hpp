@@ -113,10 +113,45 @@ node_depth = "nearest"
 modulus = "1e6 Pa"
 radius = "0.5 m"
 damping = "2 N s/m"
+dashpot = "constant"
 end_rule = "attractive"
 friction = 0.4
 shear_stiffness = "1e4 N/m"
 shear_damping = "2 N s/m"
+[[contact]] # contact hertz
+name = "knead"
+between = ["egg", "ground"]
+law = "hertz"
+modulus = "1e6 Pa"
+radius = "0.5 m"
+restitution = 0.5
+restitution_rule = "eq_21"
+restitution_speed = "2 m/s"
+dashpot = "tsuji"
+end_rule = "clamped"
+[[contact]] # contact hunt_crossley
+name = "press"
+between = ["door", "egg"]
+law = "hunt_crossley"
+method = "nodes"
+nodes = 12
+node_depth = "nearest"
+stiffness = "1e4 N/m"
+reference_overlap = "1 cm"
+exponent = 1.5
+restitution = 0.5
+restitution_speed = "2 m/s"
+friction = 0.4
+shear_stiffness = "1e4 N/m"
+shear_damping = "2 N s/m"
+[[contact]] # contact hunt_crossley
+name = "rest"
+between = ["rock", "egg"]
+law = "hunt_crossley"
+stiffness = "1e4 N/m"
+reference_overlap = "1 cm"
+exponent = 2.0
+hysteresis = "0.1 s/m"
 [[cable]] # cable tension_only
 name = "rope"
 law = "tension_only"

@@ -226,7 +226,29 @@ BOOST_AUTO_TEST_CASE(fields_of_other_contact_laws) {
       fmt::format("s.toml:22: contact 'bounce': restitution: this key is not known; nearest: friction; {}", known));
   BOOST_TEST(latching("unloading_stiffness = \"2e4 N/m\"\nend_rule = \"clamped\"") ==
              fmt::format("s.toml:22: contact 'bounce': end_rule: this key is not known; nearest: nodes; {}", known));
-  BOOST_TEST(
-      message(dashpot, "law = \"hertz\"\nmodulus = \"1e6 Pa\"\nradius = \"0.5 m\"\nend_rule = \"attractive\"\n") ==
-      "no error");
+  const auto hertz = [&](std::string_view more) {
+    return message(dashpot, fmt::format("law = \"hertz\"\nmodulus = \"1e6 Pa\"\nradius = \"0.5 m\"\n{}\n", more));
+  };
+  BOOST_TEST(hertz("damping = \"0 N s/m\"\nend_rule = \"attractive\"") == "no error");
+  BOOST_TEST(hertz("restitution = 0.5\nrestitution_rule = \"eq_21\"") == "no error");
+  BOOST_TEST(hertz("") == "no error");
+  BOOST_TEST(hertz("damping = \"1 N s/m\"\nrestitution = 0.5") ==
+             "s.toml:22: contact 'bounce': damping: give either this or restitution, one of the two");
+  BOOST_TEST(hertz("restitution_rule = \"eq_21\"") ==
+             "s.toml:22: contact 'bounce': restitution_rule: it needs restitution");
+  BOOST_TEST(hertz("restitution = 0.5\ndashpot = \"constant\"") ==
+             "s.toml:16: contact 'bounce': restitution_speed: it is missing");
+  BOOST_TEST(hertz("damping = \"1 N s/m\"\ndashpot = \"constant\"\nrestitution_speed = \"1 m/s\"") ==
+             "s.toml:24: contact 'bounce': restitution_speed: the damping is given; leave this out or give restitution "
+             "instead");
+  const auto hunt_crossley = [&](std::string_view more) {
+    return message(dashpot, fmt::format("law = \"hunt_crossley\"\nstiffness = \"1e4 N/m\"\nreference_overlap = "
+                                        "\"1 cm\"\n{}\n",
+                                        more));
+  };
+  BOOST_TEST(hunt_crossley("exponent = 1.5\nrestitution = 0.5\nrestitution_speed = \"1 m/s\"") == "no error");
+  BOOST_TEST(hunt_crossley("exponent = 0.9\nhysteresis = \"1 s/m\"") ==
+             "s.toml:22: contact 'bounce': exponent: found 0.9; it must be >= 1");
+  BOOST_TEST(hunt_crossley("exponent = 1.5\nrestitution = 0.5\nrestitution_speed = \"-1 m/s\"") ==
+             "s.toml:24: contact 'bounce': restitution_speed: found \"-1 m/s\"; it must be > 0");
 }

@@ -8,7 +8,7 @@
 namespace talus {
 
 /// The law with its parameters set to different values that satisfy its orders, with and without damping and other
-/// parameters that may be 0, and with each end rule where it has one.
+/// parameters that may be 0, and with each end rule and each dashpot where it has one.
 template <Law L>
 std::vector<L> examples() {
   std::vector<L> made;
@@ -19,7 +19,7 @@ std::vector<L> examples() {
       for (const auto& field : L::fields()) {
         if (law.*field.member != 0.0) continue;  // a limit that is not reached
         const bool is_positive = field.range == Range::positive;
-        law.*field.member = is_positive ? positive : other;
+        law.*field.member = is_positive ? positive : field.range == Range::at_least_one ? 1.5 : other;
         if (is_positive) positive *= 4.0;
       }
       if constexpr (HasOrders<L>) {
@@ -29,6 +29,10 @@ std::vector<L> examples() {
       if constexpr (HasYieldTable<L>) law.yield = 3.0;
       if constexpr (HasEndRule<L>) law.end_rule = rule;
       made.push_back(law);
+      if constexpr (HasHertzDashpot<L>) {
+        law.dashpot = HertzDashpot::constant;
+        made.push_back(law);
+      }
     }
   }
   return made;

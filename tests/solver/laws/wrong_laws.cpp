@@ -104,22 +104,28 @@ struct RetardsWithoutMemory : Plain {
   double retardation_time() const;
 };
 struct KnowsTheTimeAlone : Plain {
-  double contact_time(double) const;
+  double contact_time(double, double) const;
 };
-struct KnowsNoMass : Plain {
-  double contact_time() const;
-  double restitution(double) const;
+struct KnowsNoSpeed : Plain {
+  double contact_time(double) const;
+  double restitution(double, double) const;
   double largest_overlap(double, double) const;
 };
 struct SetsNoField : Plain {
-  void set_restitution(double, double);
+  void set_restitution(double, double, double);
 };
 struct FieldIsAName : Plain {
   static constexpr std::string_view restitution_field = "stiffness";
-  void set_restitution(double, double);
+  void set_restitution(double, double, double);
 };
 struct SetsEveryAlone : Plain {
-  void set_every_restitution(double);
+  void set_every_restitution(double, double);
+};
+struct VariesAlone : Plain {
+  bool restitution_varies() const;
+};
+struct DashpotIsANumber : Plain {
+  double dashpot;
 };
 struct ClampedWithoutSlopes : Plain {
   bool is_clamped() const;
@@ -179,9 +185,10 @@ BOOST_AUTO_TEST_CASE(a_hook_with_a_wrong_signature_makes_no_law) {
   refuse<TracksWithoutMode, TracksButNeverSaysWhen, FollowsWithoutTracking, TracksAndChangesItself, TrackIsAMode,
          CountsInInt, OrdersOfAnother, PartOfTheMemoryAlone, PieceIsATangent, PieceOfTwoNumbers, ElongationOfTheMode,
          YieldsWithoutElongation, YieldsWithoutLimit, BrokenIsAMode, BreaksByTheInstance, ReachIsAParameter,
-         StartsWithoutTangent, StartsWithoutMass, RetardsWithoutMemory, KnowsTheTimeAlone, KnowsNoMass, SetsNoField,
-         FieldIsAName, SetsEveryAlone, ClampedWithoutSlopes, KernelWithoutPower, KernelOfThePast, ForceByValue,
-         EndRuleIsANumber, DampingIsAFunction, RatioIsAFloat, TableWithoutYield, HiddenHook>();
+         StartsWithoutTangent, StartsWithoutMass, RetardsWithoutMemory, KnowsTheTimeAlone, KnowsNoSpeed, SetsNoField,
+         FieldIsAName, SetsEveryAlone, VariesAlone, DashpotIsANumber, ClampedWithoutSlopes, KernelWithoutPower,
+         KernelOfThePast, ForceByValue, EndRuleIsANumber, DampingIsAFunction, RatioIsAFloat, TableWithoutYield,
+         HiddenHook>();
 }
 
 BOOST_AUTO_TEST_CASE(a_law_without_a_part_is_none) { refuse<ActsIsUnknown, ForceIsADouble, Frictionless, int>(); }

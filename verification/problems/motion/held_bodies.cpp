@@ -265,7 +265,7 @@ void check_mirrored_impact(Findings& findings, const Setup& setup) {
   disc.name = "pair", disc.mass = each, disc.p_WB = {}, disc.multiplicity = 2;
   const BodyId pair = builder.add(disc);
   LinearSpringDashpot law{300.0, 0.0, EndRule::clamped};
-  law.set_every_restitution(setup.has("other_restitution") ? 0.999 * e : e);
+  law.set_every_restitution(setup.has("other_restitution") ? 0.999 * e : e, 1.0);
   builder.add(Contact{.name = "touch", .a = striker, .b = pair, .law = law, .multiplicity = 2});
   Scene scene{.title = "Impact on a mirrored disc", .model = builder.build()};
   scene.initial = rest_state(scene.model);
@@ -306,7 +306,7 @@ void check_slides(Findings& findings) {
     const BodyId box = builder.add(
         Body{.name = "box", .mobility = mobility, .mass = other, .shape = Rectangle{0.6, 4.0}, .angle = angle});
     LinearSpringDashpot law{300.0, 0.0, EndRule::clamped};
-    law.set_every_restitution(e);
+    law.set_every_restitution(e, 1.0);
     builder.add(Contact{.name = "touch", .a = disc, .b = box, .law = law});
     Scene scene{.title = "Impact on a slide", .model = builder.build()};
     scene.initial = rest_state(scene.model);
@@ -331,7 +331,7 @@ void check_ring(Findings& findings) {
     const BodyId struck =
         builder.add(Body{.name = "middle", .mobility = Mobility::particle, .mass = middle, .shape = Circle{3.0}});
     LinearSpringDashpot law{300.0, 0.0, EndRule::clamped};
-    law.set_every_restitution(e);
+    law.set_every_restitution(e, 1.0);
     std::vector<BodyId> ring;
     std::vector<Vec2> out;
     for (int i = 0; i < count; ++i) {

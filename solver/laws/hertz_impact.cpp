@@ -1,0 +1,114 @@
+#include "solver/laws/hertz_impact.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <boost/math/tools/toms748_solve.hpp>
+#include <boost/numeric/odeint/stepper/runge_kutta_fehlberg78.hpp>
+#include <cmath>
+#include <cstdint>
+#include <limits>
+
+#include "solver/base/error.hpp"
+#include "solver/laws/restitution.hpp"
+
+namespace talus {
+namespace {
+
+/// Root q = X^(1/4) of the overlap, its speed w = X' and the time. With the variable s, dt = 4 q^3 ds, the equations
+/// with g = sqrt(5) xi are polynomials, so that touch and end are regular points:
+///   dq/ds = w,   dw/ds = -4 q^3 (q^6 + g q^(4p) w),   dt/ds = 4 q^3
+using Point = std::array<double, 3>;
+
+class Motion {
+ public:
+  Motion(double xi, HertzDashpot dashpot) : g_{std::sqrt(5.0) * xi}, tsuji_{dashpot == HertzDashpot::tsuji} {}
+
+  void operator()(const Point& at, Point& rate, double /* s */) const {
+    const double q3 = at[0] * at[0] * at[0];
+    rate = {at[1], -4.0 * q3 * force(at), 4.0 * q3};
+  }
+  double force(const Point& at) const {
+    const double q3 = at[0] * at[0] * at[0];
+    return q3 * q3 + g_ * (tsuji_ ? at[0] : 1.0) * at[1];
+  }
+  /// Positive until the contact ends. (By Tsuji's dashpot the force is zero at touch as well: a factor q is left out.)
+  double guard(const Point& at, EndRule rule) const {
+    if (rule == EndRule::attractive || g_ == 0.0) return at[0];
+    return tsuji_ ? std::pow(at[0], 5) + g_ * at[1] : force(at);
+  }
+  /// Whether a body that moves apart creeps to X = 0 without reaching it, under the attractive rule. With r = |w|/(g X)
+  /// and b = X^(1/2)/g^2, dr/d(-ln X) = r - 1 + b/r (constant dashpot): from r < 1/2 and b < 1/100 on, r decreases.
+  bool creeps(const Point& at) const {
+    const double x = std::pow(at[0], 4);
+    return at[1] < 0.0 && -at[1] < 0.5 * g_ * x && at[0] * at[0] < 0.01 * g_ * g_;
+  }
+
+ private:
+  double g_;
+  bool tsuji_;
+};
+
+}  // namespace
+
+HertzImpact hertz_impact(double damping_ratio, HertzDashpot dashpot, EndRule rule) {
+  const double xi = damping_ratio;
+  TALUS_DEMAND(xi >= 0.0);
+  const double infinite = std::numeric_limits<double>::infinity();
+  const bool is_attractive = rule == EndRule::attractive;
+  if (dashpot == HertzDashpot::tsuji && is_attractive && xi >= 1.0) {
+    // Overdamped: the contact does not end. The largest overlap does not depend on the end rule.
+    return {0.0, infinite, hertz_impact(xi, dashpot, EndRule::clamped).largest_overlap};
+  }
+  const Motion motion{xi, dashpot};
+  boost::numeric::odeint::runge_kutta_fehlberg78<Point> method;
+  // Strong dashpots stop the body within X = 1/g, where q^3 and the speed change fast.
+  const double step = 0.02 / std::max(1.0, std::sqrt(std::sqrt(5.0 * xi)));
+  Point now{0.0, 1.0, 0.0}, next;
+  const auto moved = [&](double by) {
+    Point to;
+    method.do_step(motion, now, 0.0, to, by);
+    return to;
+  };
+  /// Fraction of a step at which `function` of the point is zero: > 0 now, <= 0 after the step.
+  const auto located = [&](const auto& function) {
+    std::uintmax_t most = 100;
+    const auto [below, above] =
+        boost::math::tools::toms748_solve([&](double by) { return function(moved(by)); }, 0.0, step, function(now),
+                                          function(next), boost::math::tools::eps_tolerance<double>(50), most);
+    return moved(0.5 * (below + above));
+  };
+  HertzImpact found;
+  for (;; now = next) {
+    next = moved(step);
+    if (now[1] > 0.0 && next[1] <= 0.0)
+      found.largest_overlap = std::pow(located([](const Point& at) { return at[1]; })[0], 4);
+    if (next[1] >= 0.0) continue;
+    const auto guard = [&](const Point& at) { return motion.guard(at, rule); };
+    if (guard(next) <= 0.0) {
+      const Point end = located(guard);
+      found.restitution = -end[1], found.contact_time = end[2];
+      break;
+    }
+    if (is_attractive && motion.creeps(next)) return {0.0, infinite, found.largest_overlap};
+  }
+  if (dashpot == HertzDashpot::tsuji) found.restitution = restitution(xi, rule);
+  return found;
+}
+
+double hertz_damping_ratio(double e, HertzDashpot dashpot, EndRule rule) {
+  if (dashpot == HertzDashpot::tsuji) return damping_ratio(e, rule);
+  constexpr double least = 1e-6;
+  if (!(e >= least && e <= 1.0)) throw InputError{fmt::format("restitution is {}; it must be in [{}, 1]", e, least)};
+  if (e == 1.0) return 0.0;
+  const auto excess = [&](double xi) { return hertz_impact(xi, dashpot, rule).restitution - e; };
+  double high = 1.0;
+  while (excess(high) > 0.0)
+    high *= 2.0;
+  std::uintmax_t most = 200;
+  const auto [below, above] = boost::math::tools::toms748_solve(excess, 0.0, high, 1.0 - e, excess(high),
+                                                                boost::math::tools::eps_tolerance<double>(48), most);
+  return 0.5 * (below + above);
+}
+
+}  // namespace talus
