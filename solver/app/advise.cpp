@@ -174,7 +174,7 @@ int advise(AdviseOptions& options) {
 }  // namespace
 
 Command add_advise(CLI::App& talus) {
-  CLI::App* app = talus.add_subcommand("advise", "Find the integrator and step that give a quantity at least cost");
+  CLI::App* app = talus.add_subcommand("advise", "Find the cheapest integrator and step that reach an accuracy");
   const auto options = std::make_shared<AdviseOptions>();
   app->add_option("SCENE", options->scene, "scene file (.toml) or deck of 1993 (.DAT)")->required();
   app->add_option("--accuracy", options->rules.accuracy, "relative error that is allowed, in [1e-10, 0.5]")->required();

@@ -36,8 +36,8 @@ std::vector<GeometryFile> chosen_files(const RunFolder& run, const AnimateOption
   files.erase(std::remove_if(files.begin(), files.end(), [until](const auto& file) { return file.time > until; }),
               files.end());
   if (files.size() < 2) {
-    throw InputError{
-        fmt::format("--until: found \"{}\"; the run left fewer than two states up to then", options.until)};
+    throw InputError{fmt::format(
+        "--until: found \"{}\"; the run has fewer than two states up to that time; give a later one", options.until)};
   }
   return files;
 }
@@ -93,7 +93,7 @@ int animate(const AnimateOptions& options, const DrawingSink& sink) {
 }  // namespace
 
 Command add_animate(CLI::App& talus, const DrawingSink& sink) {
-  CLI::App* app = talus.add_subcommand("animate", "Show a run as it moves: an HTML page that plays it, or a GIF");
+  CLI::App* app = talus.add_subcommand("animate", "Write an animation of a run: an HTML page or a GIF");
   const auto options = std::make_shared<AnimateOptions>();
   app->add_option("DIR", options->folder, "folder that `talus run --out` or `talus cell --out` wrote")->required();
   app->add_flag("--html", options->html, "one HTML page with all in it, which any browser plays; the default");

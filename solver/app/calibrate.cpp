@@ -145,9 +145,9 @@ int run_calibration(const CalibrateOptions& options) {
     return calibrate_law(options);
   }
   if (!options.masses.empty() || !options.pivot.empty() || !options.offset.empty())
-    throw InputError{"--masses, --pivot and --offset are the scene's own; leave them out"};
+    throw InputError{"--masses, --pivot and --offset are given by the scene; remove them"};
   if (!options.own_to_impact.empty()) {
-    throw InputError{fmt::format("{}: a scene has its own; leave it out", fmt::join(options.own_to_impact, ", "))};
+    throw InputError{fmt::format("{}: given by the scene; remove it", fmt::join(options.own_to_impact, ", "))};
   }
   if (!options.restitution) throw InputError{"--restitution: it is missing; give e.g. --restitution 0.7"};
   return calibrate_scene(options);

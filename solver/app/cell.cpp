@@ -86,9 +86,9 @@ CellRequest cell_request(const CellOptions& options) {
   const std::filesystem::path file = request.run.scene.parent_path() / "RESTART.DAT";
   request.restart = read_cell_restart(file, request.scene.cell);
   request.warnings.push_back(fmt::format(
-      "{}: it holds neither the block, which was set down on the discs without speed, nor what contacts remember: {} "
-      "contacts start without memory. The run continues from it, but not as an uninterrupted run would (talus cell "
-      "--resume does)",
+      "{}: it contains neither the block, which was placed on the discs at rest, nor the contact history: {} contacts "
+      "start without history. The run continues from it, but not as an uninterrupted run would (talus cell --resume "
+      "does)",
       file.string(), request.restart->forgotten));
   return request;
 }
@@ -233,7 +233,7 @@ Command add_cell(CLI::App& talus) {
   app->add_option("--seed", options->seed, "of the first velocities across the field; default the scene's, or 0")
       ->check(number_between(0, static_cast<double>(most_seed)));
   app->add_flag("--historical", options->historical,
-                "as the runs of 1989 may have been: Euler's steps; K1/K2 must be .45 and STEP 1e-7");
+                "as the runs of 1989 may have been: Euler's steps; K1/K2 must be 0.45 and STEP 1e-7");
   app->add_flag("--jump", options->jump, "pass time in which nothing can touch at once");
   app->add_flag(
       "--virtual", options->virtual_discs,

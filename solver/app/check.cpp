@@ -93,13 +93,13 @@ std::string number_or_dash(double value) { return std::isfinite(value) ? fmt::fo
 void print_springs(const Scene& scene, const StepAdvice& advice) {
   if (advice.springs.empty()) return fmt::print("no contacts and no cables\n");
   const UnitSystem& units = scene.model.units;
-  fmt::print("  {:<14}{:>12}{:>12}{:>12}{:>12}{:>10}{:>14}{:>12}\n", "law", "k", "c", "m_eff", "frequency", "xi",
-             "contact time", "steps in it");
-  fmt::print("  {:<14}{:>12}{:>12}{:>12}{:>12}{:>10}{:>14}{:>12}\n", "", symbol(units, dimension::stiffness),
+  fmt::print("  {:<14}{:>12}{:>12}{:>12}{:>12}{:>10}{:>14}{:>15}\n", "law", "k", "c", "m_eff", "frequency", "xi",
+             "contact time", "steps/contact");
+  fmt::print("  {:<14}{:>12}{:>12}{:>12}{:>12}{:>10}{:>14}{:>15}\n", "", symbol(units, dimension::stiffness),
              symbol(units, dimension::damping), symbol(units, dimension::mass),
              symbol(units, dimension::angular_velocity), "1", symbol(units, dimension::time), "1");
   for (const SpringAdvice& item : shown(advice.springs)) {
-    fmt::print("  {:<14}{:>12.5g}{:>12.5g}{:>12}{:>12.5g}{:>10.4g}{:>14}{:>12}\n", item.name, item.spring.stiffness,
+    fmt::print("  {:<14}{:>12.5g}{:>12.5g}{:>12}{:>12.5g}{:>10.4g}{:>14}{:>15}\n", item.name, item.spring.stiffness,
                item.spring.damping, number_or_dash(item.spring.effective_mass), item.frequency, item.damping_ratio,
                item.contact ? number_or_dash(item.contact_time) : "-",
                item.contact ? number_or_dash(item.contact_time / scene.plan.step) : "-");
@@ -132,13 +132,13 @@ void print_lighter_contacts(const Scene& scene, const std::vector<ContactRange>&
   if (lighter.empty()) return;
   const UnitSystem& units = scene.model.units;
   fmt::print("  The table holds for the position of the start. Bounds over all positions in which the bodies touch:\n");
-  fmt::print("  {:<14}{:>12}{:>12}{:>15}{:>14}{:>12}\n", "law", "m_eff min", "m_eff max", "frequency max",
-             "contact time", "steps in it");
-  fmt::print("  {:<14}{:>12}{:>12}{:>15}{:>14}{:>12}\n", "", symbol(units, dimension::mass),
+  fmt::print("  {:<14}{:>12}{:>12}{:>15}{:>14}{:>15}\n", "law", "m_eff min", "m_eff max", "frequency max",
+             "contact time", "steps/contact");
+  fmt::print("  {:<14}{:>12}{:>12}{:>15}{:>14}{:>15}\n", "", symbol(units, dimension::mass),
              symbol(units, dimension::mass), symbol(units, dimension::angular_velocity),
              fmt::format("min, {}", symbol(units, dimension::time)), "1");
   for (const ContactRange& range : shown(lighter)) {
-    fmt::print("  {:<14}{:>12.5g}{:>12}{:>15.5g}{:>14.5g}{:>12.5g}\n", scene.model.contacts[index(range.contact)].name,
+    fmt::print("  {:<14}{:>12.5g}{:>12}{:>15.5g}{:>14.5g}{:>15.5g}\n", scene.model.contacts[index(range.contact)].name,
                range.least_mass, number_or_dash(range.largest_mass), range.highest_frequency, range.shortest_time,
                range.shortest_time / scene.plan.step);
   }
@@ -166,7 +166,7 @@ void print_step(const Scene& scene, const StepAdvice& advice, const std::vector<
   if (!scene.integrator_reason.empty()) fmt::print("  chosen, as {}\n", scene.integrator_reason);
   if (advice.modes.empty()) return fmt::print("  no spring limits it\n");
   const std::string per_time = symbol(scene.model.units, dimension::angular_velocity);
-  fmt::print("  highest frequency of the whole, all contacts closed and all cables taut: {:.6g} {}, xi {:.4g}\n",
+  fmt::print("  highest frequency of the scene, all contacts closed and all cables taut: {:.6g} {}, xi {:.4g}\n",
              advice.highest_frequency(), per_time, advice.modes.back().damping_ratio);
   fmt::print("  step x highest frequency: {:.4g}\n", step * advice.highest_frequency());
   if (const auto limit = step_limit(advice.modes, name(scene.integrator))) {
@@ -330,7 +330,7 @@ Command add_check(CLI::App& talus) {
   app->footer(
       "Example:\n  talus check cases/pivoted_cylinder.toml\n"
       "The exit code is 7 if the step is beyond the linear limit of the method, unless the watch of\n"
-      "the scene has quality = \"warning\", as runs as of 1993 do.");
+      "the scene has quality = \"warning\", the default with rules = \"1993\".");
   return {app, [scene] { return check(*scene); }};
 }
 

@@ -20,14 +20,14 @@ namespace {
 
 void describe(CLI::App& talus) {
   talus.description(
-      "Talus: planar discrete elements beside their exact solutions.\n"
+      "Talus: a 2-D discrete element code for rockfall fences and sheared granular cells.\n"
       "Bodies, tension-only cables and contacts, described in a scene file (TOML, quantities with units).");
   talus.footer(
       "Examples:\n"
       "  talus new fence > my.toml                    a commented scene file that runs as it is\n"
       "  talus check cases/two_cable.toml             its bodies and contacts; is the step small enough?\n"
       "  talus advise cases/two_cable.toml --accuracy 1e-3 --of particle.x.max --out advised.toml\n"
-      "                                               the method and step that give this at least cost\n"
+      "                                               the cheapest integrator and step that reach this accuracy\n"
       "  talus run cases/two_cable.toml --out out     run it; summary here, histories and state in out/\n"
       "  talus plot out                               draw the histories into out/plots/\n"
       "  talus snapshot out                           draw bodies and cables at several times\n"

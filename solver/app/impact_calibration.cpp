@@ -74,10 +74,10 @@ double parameter_value(const std::string& option, const std::string& text, const
 template <class L>
 void refuse_other_options(const CalibrateOptions& options) {
   const auto refuse = [](std::string_view option) {
-    throw InputError{fmt::format("{}: the law '{}' does not use it; leave it out", option, L::name)};
+    throw InputError{fmt::format("{}: the law '{}' does not use this option; remove it", option, L::name)};
   };
   for (const std::string& given : options.own_to_impact) {
-    if (given == "--step") throw InputError{fmt::format("--step: it is found for the law '{}'; leave it out", L::name)};
+    if (given == "--step") throw InputError{fmt::format("--step: it is found for the law '{}'; remove it", L::name)};
     if (given == "--end-rule" && !HasEndRule<L>) refuse(given);
     if (given == "--dashpot" && !HasHertzDashpot<L>) refuse(given);
   }

@@ -45,11 +45,11 @@ constexpr double most_steps = 2e5;  ///< maximum number of steps in a simulated 
 void refuse_what_means_nothing(const CalibrateOptions& options) {
   for (const std::string& given : options.own_to_impact) {
     if (given == "--end-rule" || given == "--bound" || given == "--dashpot")
-      throw InputError{fmt::format("{}: the law 'latching_spring' has no use for it; leave it out", given)};
+      throw InputError{fmt::format("{}: the law 'latching_spring' does not use this option; remove it", given)};
   }
   for (const auto& [name, value] : options.parameters) {
     if (name != "stiffness" && !value.empty())
-      throw InputError{fmt::format("{}: the law 'latching_spring' has no use for it; leave it out", option_name(name))};
+      throw InputError{fmt::format("{}: the law 'latching_spring' does not use this option; remove it", option_name(name))};
   }
   if (!options.restitution) throw InputError{"--restitution: it is missing; give e.g. --restitution 0.7"};
   const bool has_stiffness = !options.parameters.at("stiffness").empty();

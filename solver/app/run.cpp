@@ -144,7 +144,7 @@ Command add_run(CLI::App& talus) {
   app->add_flag("--sheet", options->sheet,
                 "of a fence: the engineer's sheet, one page as sheet.pdf and sheet.html, its numbers in sheet.json");
   app->add_flag("--json", options->json, "print the summary as JSON");
-  app->add_flag("--all", options->all, "print all tables: extremes of every quantity, all bodies, what a step costs");
+  app->add_flag("--all", options->all, "print all tables: extremes of every quantity, all bodies, the cost per step");
   app->add_option("--end", options->end, "time at which the run ends instead of the scene's, e.g. \"5 s\"");
   app->add_option(
       "--step", options->step,
@@ -168,7 +168,7 @@ Command add_run(CLI::App& talus) {
       "SIGINT, SIGTERM and SIGHUP stop a run that has a folder after its present step; --resume continues it.\n"
       "A run that diverges keeps its history up to there; its summary says why, and the exit code is 3.\n"
       "A run whose results are NOT USABLE writes its files; the exit code is 7, or 0 if the watch of the\n"
-      "scene has quality = \"warning\", as runs as of 1993 do.");
+      "scene has quality = \"warning\", the default with rules = \"1993\".");
   return {app, [options] { return run(*options); }};
 }
 

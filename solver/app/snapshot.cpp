@@ -42,8 +42,8 @@ GeometryFile nearest(const std::vector<GeometryFile>& files, const std::string& 
   const double apart = files.size() > 1 ? (last - first) / static_cast<double>(files.size() - 1) : 0.0;
   if (time < first - apart || time > last + apart) {
     const std::string unit = run.units ? " " + run.unit(dimension::time) : "";
-    throw InputError{fmt::format("--times: found \"{}\"; the run left its geometry from {:.6g}{} to {:.6g}{}", text,
-                                 first, unit, last, unit)};
+    throw InputError{fmt::format("--times: found \"{}\"; the run has states from {:.6g}{} to {:.6g}{}", text, first,
+                                 unit, last, unit)};
   }
   return *std::min_element(files.begin(), files.end(), [time](const GeometryFile& a, const GeometryFile& b) {
     return std::abs(a.time - time) < std::abs(b.time - time);
@@ -102,8 +102,8 @@ void add_pages(std::vector<reports::Page>& pages, const Drawn& drawn, View view,
 template <class Drawn>
 DrawingRequest snapshot(const Drawn& drawn, const SnapshotOptions& options) {
   if (options.view != "side" && !drawn.has_depth) {
-    throw InputError{
-        fmt::format("--view: found \"{}\"; in {} nothing has a place along z", options.view, options.folder)};
+    throw InputError{fmt::format("--view: found \"{}\"; the run in {} is plane; this view requires a fence",
+                                 options.view, options.folder)};
   }
   const PictureOptions& picture = options.picture;
   DrawingRequest request{

@@ -57,7 +57,7 @@ int study(const StudyOptions& options) {
 }  // namespace
 
 Command add_study(CLI::App& talus) {
-  CLI::App* app = talus.add_subcommand("study", "Run a whole study and say what it shows");
+  CLI::App* app = talus.add_subcommand("study", "Run a parameter study and print its results");
   const auto options = std::make_shared<StudyOptions>();
   options->plan.threads = std::max(1U, std::thread::hardware_concurrency());
   app->add_option("NAME", options->name, "shear: the hypothesis of Lacy 1989, cells of discs under load and drive")
@@ -70,10 +70,10 @@ Command add_study(CLI::App& talus) {
       ->check(CLI::Range(1U, 1024U));
   app->add_option("--out", options->folder, "folder for shear_study.csv, every run of it");
   app->footer(
-      "The default, 110 runs of 0.8 s, takes about three minutes of processor time, shared by the threads; other times "
-      "and\n"
-      "numbers of seeds take in proportion. On a terminal a line shows how much is left.\n"
-      "Friction and density of discs of unlike sizes against the inertial number are in the report of `make verify`,\n"
+      "The default, 110 runs of 0.8 s, takes about three minutes of processor time, divided among the threads.\n"
+      "The time is proportional to --time and --seeds. On a terminal a line shows the progress and the time left.\n"
+      "Friction and density of discs of different sizes against the inertial number are in the report of `make "
+      "verify`,\n"
       "case dense_rheology.\n"
       "Example:\n  talus study shear --seeds 8 --time 2 --out study");
   return {app, [options] { return study(*options); }};

@@ -24,7 +24,7 @@ class IoError : public std::runtime_error {
 [[nodiscard]] std::string nearest_name(std::string_view found, const std::vector<std::string>& known);
 
 /// Error "integrator 'verlett' is not known; nearest: velocity_verlet; known: ...". `kind` is the noun at its start;
-/// at most the first 60 known names are listed.
+/// at most the first 60 known names are listed; without any it ends in "there is none".
 [[nodiscard]] InputError unknown_name(std::string_view kind, std::string_view found,
                                       const std::vector<std::string>& known);
 

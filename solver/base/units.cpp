@@ -156,8 +156,7 @@ class QuantityText {
     const std::size_t start = at_;
     while (at_ < text_.size() && is_letter(text_[at_]))
       ++at_;
-    if (at_ == start)
-      fail(fmt::format("'{}' cannot stand where a unit is due, {}", text_.substr(at_), example(number_)));
+    if (at_ == start) fail(fmt::format("'{}' is not a unit; write {}", text_.substr(at_), example(number_)));
     const std::string_view name = text_.substr(start, at_ - start);
     const Unit* unit = find_unit(name);
     if (unit == nullptr) fail(unknown_name("unit", name, unit_symbols()).what());

@@ -34,8 +34,8 @@ InputError out_of_range(const SteppedContact& contact, double restitution, doubl
                     restitution, method_name(contact), contact.loading_angle(), least)};
   }
   return InputError{
-      fmt::format("restitution: found {}; with {} at this step, w1 h = {:.4g}, it can be made {:.4g} to 1; a shorter "
-                  "step reaches further",
+      fmt::format("restitution: found {}; possible with {} at this step, w1 h = {:.4g}: {:.4g} to 1; a shorter step "
+                  "extends this interval",
                   restitution, method_name(contact), contact.loading_angle(), least)};
 }
 

@@ -55,7 +55,7 @@ std::vector<CellError> validation_errors(const ShearCell& cell, const CellPlan& 
   constexpr std::string_view law_of_1989 = "latching springs that do not grow stiffer, without friction";
   if (plan.images == Images::virtual_discs) {
     const std::size_t discs = cell.free_discs() + 2 * static_cast<std::size_t>(cell.wall_discs);
-    if (plan.jump) found.push_back({"jump", "found on; with virtual discs each step is taken"});
+    if (plan.jump) found.push_back({"jump", "found on; it requires images = \"nearest\", not virtual discs"});
     if (discs > CellPlan::most_virtual) {
       found.push_back({"images", fmt::format("found virtual with {} discs, of which all pairs are tried at each step; "
                                              "with more than {} it must be nearest",
@@ -66,10 +66,9 @@ std::vector<CellError> validation_errors(const ShearCell& cell, const CellPlan& 
     found.push_back({"historical", fmt::format("found on; a historical run is of {}", law_of_1989)});
   const DiscMethod method = make_disc_method(plan.integrator);
   if (!is_leapfrog(method) && cell.law_of_1989() == nullptr) {
-    found.push_back(
-        {"integrator", fmt::format("found {}; what its steps make of a restitution is known of {}; with other "
-                                   "laws it must be a leapfrog: {}",
-                                   plan.integrator, law_of_1989, fmt::join(leapfrogs(), ", "))});
+    found.push_back({"integrator", fmt::format("found {}; its error of the restitution is known only for {}; "
+                                               "with other laws it must be a leapfrog: {}",
+                                               plan.integrator, law_of_1989, fmt::join(leapfrogs(), ", "))});
     return found;
   }
   const double steps = cell.contact_time() / plan.step;
@@ -89,9 +88,10 @@ std::vector<CellError> validation_errors(const ShearCell& cell, const CellPlan& 
   const double stepped = stepped_restitution(method, cell.restitution(), cell.loading_frequency() * plan.step);
   if (!plan.historical && std::abs(stepped - cell.restitution()) > 0.05) {
     found.push_back(
-        {"step", fmt::format("found {}; with it {} makes a restitution of {:.4g} into {:.4g}. At most .05 is allowed "
-                             "but in a historical run: a smaller step, or a leapfrog",
-                             plan.step, plan.integrator, cell.restitution(), stepped)});
+        {"step",
+         fmt::format("found {}; with it {} changes a restitution of {:.4g} to {:.4g}; outside a historical run it "
+                     "may change by at most 0.05: take a smaller step, or a leapfrog",
+                     plan.step, plan.integrator, cell.restitution(), stepped)});
   }
   return found;
 }

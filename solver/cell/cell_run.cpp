@@ -315,7 +315,7 @@ void CellRun::check_numbers() {
     for (const double number : *numbers)
       sum += number * number;
   if (failure_.empty() && !std::isfinite(sum))
-    failure_ = "places or speeds of discs are beyond all numbers: those they began with, or the step is too long";
+    failure_ = "positions or speeds of discs overflow: their initial values are too large, or the step is too long";
 }
 
 Discs CellRun::discs() {

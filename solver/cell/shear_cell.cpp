@@ -50,7 +50,7 @@ void add_errors(CellErrors& found, const L& law, double effective_mass) {
     if (is_in_range && effective_mass > 0.0 && law.contact_time(effective_mass, 0.0) == infinite) {
       const double critical = 2.0 * std::sqrt(loading_stiffness(law) * effective_mass);
       object(found, "damping", law.damping,
-             fmt::format("< {}: with its end rule discs that are damped more never part", critical));
+             fmt::format("< {}: with this end rule overdamped contacts never separate", critical));
     }
   }
 }

@@ -9,9 +9,9 @@ namespace talus::app {
 
 std::vector<GeometryFile> state_files(const RunFolder& run) {
   if (run.files.geometry.empty()) {
-    throw InputError{
-        fmt::format("{}: the run left no states; GRAPH = 1 in CNTRL.DAT or pictures = \"on\" in [run] leaves them",
-                    run.folder.string())};
+    throw InputError{fmt::format(
+        "{}: the run wrote no states; set GRAPH = 1 in CNTRL.DAT or pictures = \"on\" in [run] to write them",
+        run.folder.string())};
   }
   return read_geometry_index(run.folder / run.files.geometry);
 }

@@ -89,7 +89,8 @@ InputError not_kept(const SavedRun& run, const std::string& word, const FenceCod
   const std::vector<std::string> kept = kept_quantities(run);
   if (code == nullptr) return InputError{fmt::format("{}: {}", folder, unknown_name("history", word, kept).what())};
   return InputError{fmt::format(
-      "{}: history {} ({}, {}) was not kept; nearest: {}; kept: {}; a fence keeps those that its deck names (variab)",
+      "{}: history {} ({}, {}) was not recorded; nearest: {}; recorded: {}; a fence records those that its deck names "
+      "(variab)",
       folder, code->number, code->title, code->name, nearest_name(code->name, kept), fmt::join(kept, ", "))};
 }
 
@@ -129,10 +130,10 @@ std::vector<const SavedColumn*> of_elements(const SavedRun& run, const Found& fo
     for (const SavedColumn* column : found.second)
       if (!column->subject().empty()) known.push_back(shown_subject(column->subject()));
     if (known.empty()) {
-      throw InputError{fmt::format("{}: history '{}' is of the whole, and of no element: found --element {}",
+      throw InputError{fmt::format("{}: history '{}' belongs to the scene; found --element {}; remove it",
                                    found.first->file.string(), query.history, element)};
     }
-    throw InputError{fmt::format("{}: history '{}' was kept of no element '{}'; nearest: {}; kept of: {}",
+    throw InputError{fmt::format("{}: history '{}' was not recorded for element '{}'; nearest: {}; recorded for: {}",
                                  found.first->file.string(), query.history, element, nearest_name(element, known),
                                  fmt::join(known, ", "))};
   }

@@ -63,8 +63,9 @@ std::vector<CurvePanel> panels_of(const HistoryPlotOptions& options) {
           const double until = option_time("--until", options.until, run.run, false);
           cut(curve, selected_curves(run, {history, options.elements, "time"}).front().x.values, until);
           if (curve.x.values.size() < 2) {
-            throw InputError{fmt::format("--until: found \"{}\"; {} has fewer than two records up to then",
-                                         options.until, options.folders[i])};
+            throw InputError{
+                fmt::format("--until: found \"{}\"; {} has fewer than two records up to that time; give a later one",
+                            options.until, options.folders[i])};
           }
         }
         const std::string key = options.apart ? history : curve.y.unit;

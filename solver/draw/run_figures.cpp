@@ -64,7 +64,8 @@ std::vector<records::Figure> figures_of(const fs::path& file) {
   } catch (const records::FileError& error) {
     throw IoError{error.what()};
   } catch (const records::RecordError& error) {
-    throw InputError{fmt::format("{}; it is not what `talus run --out` or `talus cell --out` leaves", error.what())};
+    throw InputError{
+        fmt::format("{}; it is not a file written by `talus run --out` or `talus cell --out`", error.what())};
   }
 }
 

@@ -26,9 +26,9 @@ void demand(bool holds, const char* field, double found, const char* allowed) {
 void check(const PackingPlan& plan) {
   demand(plan.discs > 0, "discs", static_cast<double>(plan.discs), "> 0");
   demand(plan.diameter > 0.0, "diameter", plan.diameter, "> 0");
-  demand(plan.spread >= 0.0 && plan.spread <= 0.9, "spread", plan.spread, "in [0, .9]");
+  demand(plan.spread >= 0.0 && plan.spread <= 0.9, "spread", plan.spread, "in [0, 0.9]");
   demand(plan.mass > 0.0, "mass", plan.mass, "> 0");
-  demand(plan.solid_fraction > 0.0 && plan.solid_fraction <= 0.9, "solid_fraction", plan.solid_fraction, "in (0, .9]");
+  demand(plan.solid_fraction > 0.0 && plan.solid_fraction <= 0.9, "solid_fraction", plan.solid_fraction, "in (0, 0.9]");
   demand(plan.aspect > 0.0, "aspect", plan.aspect, "> 0");
 }
 

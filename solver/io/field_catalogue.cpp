@@ -492,7 +492,7 @@ void add_fence_elements(std::vector<Group>& groups) {
 Group changed_column() {
   Group group{.id = "fence changed_column",
               .head = "[[fence.changed_column]]",
-              .about = "a column unlike the others, in every layer and on both sides"};
+              .about = "a column of different size, in every layer and on both sides"};
   add_counts<scenes::ChangedColumn>(group);
   add_fields<scenes::ChangedColumn>(group);
   for (const auto& field : scenes::ChangedColumn::fields())

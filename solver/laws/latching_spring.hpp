@@ -40,14 +40,14 @@ struct LatchingSpring {
     return {{{"stiffness", dimension::stiffness, &LatchingSpring::stiffness, Range::positive,
               "stiffness K1 while the contact is pressed further than before"},
              {"unloading_stiffness", dimension::stiffness, &LatchingSpring::unloading_stiffness, Range::positive,
-              "stiffness K2 on the way back, not below K1"},
+              "unloading stiffness K2, at least K1"},
              {"growth", dimension::number / dimension::length, &LatchingSpring::growth, Range::non_negative,
               "growth of K2 for each unit of the largest force"}}};
   }
 
   static constexpr std::array<FieldOrder<LatchingSpring>, 1> orders() {
     return {{{&LatchingSpring::unloading_stiffness, &LatchingSpring::stiffness,
-              "a contact gives back no more than it took"}}};
+              "a contact with K2 < K1 would create energy"}}};
   }
 
   static constexpr bool acts(Mode mode) { return mode == loading || mode == unloading; }

@@ -19,8 +19,8 @@ FenceMaker::FenceMaker(const Fence& fence) : fence_{fence}, builder_{fence.units
 FenceScene FenceMaker::make() {
   if (fence_.options.hanger_strength > 0.0 && even() && !full()) {
     throw InputError{
-        "fence: hanger_strength: the half model of an even count of columns leaves out the segment between the central "
-        "ones, by which the cable goes on when their hangers break; symmetry must be \"full\""};
+        "fence: hanger_strength: the half model of an even count of columns omits the segment between the central "
+        "ones, through which the cable continues when their hangers break; symmetry must be \"full\""};
   }
   add_ground();
   add_rocks();

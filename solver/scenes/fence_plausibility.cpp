@@ -26,9 +26,10 @@ std::vector<std::string> implausible_geometry(const Fence& fence, const FenceSce
   for (const ChangedColumn& changed : fence.changed_columns)
     widest = std::max(widest, changed.a);
   if (fence.columns > 1 && fence.spacing < 2.0 * fence.column.a) {
-    found.push_back(fmt::format("spacing: columns of a width of {} stand {} apart, so that neighbours overlap by {}",
-                                length(fence, 2.0 * fence.column.a), length(fence, fence.spacing),
-                                length(fence, 2.0 * fence.column.a - fence.spacing)));
+    found.push_back(
+        fmt::format("spacing: columns of a width of {} have a spacing of {}, so that neighbours overlap by {}",
+                    length(fence, 2.0 * fence.column.a), length(fence, fence.spacing),
+                    length(fence, 2.0 * fence.column.a - fence.spacing)));
   } else if (fence.columns > 1 && fence.spacing < widest + fence.column.a) {
     found.push_back(fmt::format("changed_column: a column of a width of {} overlaps its neighbours, {} apart",
                                 length(fence, 2.0 * widest), length(fence, fence.spacing)));

@@ -135,7 +135,7 @@ Model FenceMaker::hung(Model model) {
       model.bodies[bodies[static_cast<std::size_t>(i)]].p_WB.y += fraction * step[i];
   }
   if (!(forces(model).cwiseAbs().maxCoeff() < 1e-6 * column_weight()))
-    throw InputError{"fence: the stretched cables leave the columns no place at which they hang in balance"};
+    throw InputError{"fence: no static equilibrium with the stretched cables; they must be less stretched"};
   for (FenceMember& member : made_.members) {
     if (member.layer > 0 && member.body) member.position = model.bodies[index(*member.body)].p_WB;
   }

@@ -105,8 +105,9 @@ CellRestart read_cell_restart(std::string_view text, std::string_view name, cons
     }
   }
   if (const int more = input.next_line(); more != 0) {
-    throw InputError{fmt::format("{}:{}: found a record more; it must hold the {} free discs of the cell, one a record",
-                                 name, more, cell.free_discs())};
+    throw InputError{
+        fmt::format("{}:{}: found an additional record; it must contain the {} free discs of the cell, one per record",
+                    name, more, cell.free_discs())};
   }
   for (std::size_t j = first_block_disc(cell); j < discs.size(); ++j)
     discs.x[j] = in_field(discs.x[j] + cell.block_speed * discs.t, cell.width());

@@ -61,8 +61,7 @@ std::string pair_style(const LammpsScene& scene, LammpsRun::Style style) {
   const LinearSpringDashpot& law = scene.law;
   if (style == LammpsRun::Style::gran_hooke) {
     if (law.damping != 0.0)
-      throw InputError{
-          fmt::format("damping: found {:g}; the style gran/hooke takes none of a contact, only 0", law.damping)};
+      throw InputError{fmt::format("damping: found {:g}; the style gran/hooke supports only 0", law.damping)};
     if (!scene.friction) return fmt::format("pair_style gran/hooke {:.17g} 0 0 0 0 0\npair_coeff * *\n", law.stiffness);
     return fmt::format("pair_style gran/hooke/history {:.17g} {:.17g} 0 0 {:.17g} 0\npair_coeff * *\n", law.stiffness,
                        scene.friction->stiffness, scene.friction->coefficient);

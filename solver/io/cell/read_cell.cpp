@@ -51,10 +51,10 @@ std::vector<CellError> historical_errors(const CellScene& scene) {
   const double ratio = law->stiffness / law->unloading_stiffness;
   if (scene.plan.integrator != Euler::name) {
     found.push_back(
-        {"integrator", fmt::format("found {}; a historical run is Euler's: {}", scene.plan.integrator, Euler::name)});
+        {"integrator", fmt::format("found {}; a historical run requires {}", scene.plan.integrator, Euler::name)});
   }
   if (std::abs(ratio - 0.45) > 1e-9) {
-    found.push_back({"unloading_stiffness", fmt::format("found {}; a historical run has K1/K2 = .45: it must be {}",
+    found.push_back({"unloading_stiffness", fmt::format("found {}; a historical run has K1/K2 = 0.45: it must be {}",
                                                         law->unloading_stiffness, law->stiffness / 0.45)});
   }
   if (std::abs(scene.plan.step - 1e-7) > 1e-16)
@@ -184,8 +184,8 @@ CellScene read_control(std::string_view text, std::string_view name, const CellC
 bool has_first(SceneTable& table, std::string_view first, std::string_view second) {
   if (table.has(first) == table.has(second)) {
     const bool both = table.has(first);
-    table.report(both ? second : first, both ? fmt::format("found beside {}; only one of them may stand", first)
-                                             : fmt::format("it is missing; it, or else {}, must stand", second));
+    table.report(both ? second : first, both ? fmt::format("found beside {}; give one of the two", first)
+                                             : fmt::format("it is missing; give {1} or {0}", second));
   }
   return table.has(first);
 }
@@ -260,7 +260,7 @@ void read_cell_table(SceneTable& table, ShearCell& cell) {
     cell.block_mass = table.quantity("block_mass", dimension::mass, Range::positive);
   } else if (table.has("overburden")) {
     const double pressure = table.quantity("overburden", dimension::pressure, Range::positive);
-    if (cell.gravity == 0.0) table.report("overburden", "found with gravity = 0; without it a mass presses nothing");
+    if (cell.gravity == 0.0) table.report("overburden", "found with gravity = 0; it requires gravity > 0");
     cell.block_mass = pressure * cell.wall_discs * cell.diameter * cell.diameter / cell.gravity;
   }
   if (table.has("seed")) {

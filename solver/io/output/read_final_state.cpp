@@ -29,7 +29,7 @@ std::vector<scenes::StretchedCable> read_stretched_cables(const std::filesystem:
       for (const Json& part : state.at(fmt::format("{}s", kind))) {
         const std::string name = part.at("name");
         if (part.at("mode") == "broken") {
-          throw InputError{fmt::format("{} '{}': found it broken; a fence is mended before the next rock", kind, name)};
+          throw InputError{fmt::format("{} '{}': found it broken; broken parts cannot be carried over", kind, name)};
         }
         if (const double stretch = part.at("plastic_stretch"); stretch > 0.0) stretched.push_back({name, stretch});
       }

@@ -78,8 +78,8 @@ RunFolder read_run_folder(const std::filesystem::path& folder) {
       throw InputError{fmt::format("{}: period: found {}; it must be > 0", file.string(), *run.files.period)};
     }
   } catch (const nlohmann::json::exception& error) {
-    throw InputError{fmt::format("{}: it is not what `talus run --out` or `talus cell --out` leaves: {}", file.string(),
-                                 error.what())};
+    throw InputError{fmt::format("{}: it is not a file written by `talus run --out` or `talus cell --out`: {}",
+                                 file.string(), error.what())};
   }
   return run;
 }

@@ -67,14 +67,14 @@ void read_law(SceneTable& table, SceneContact& read) {
 /// Numbers of boundary nodes of the two bodies, from one number for both or one for each.
 std::array<int, 2> read_nodes(SceneTable& table) {
   const std::vector<int> counts = table.wholes_or_one("nodes");
-  if (counts.size() > 2) table.fail("nodes", fmt::format("found {} numbers; give one, or one a body", counts.size()));
+  if (counts.size() > 2) table.fail("nodes", fmt::format("found {} numbers; give one, or one per body", counts.size()));
   return {counts.front(), counts.back()};
 }
 
 /// Reads the dashpot of sticking friction. Without `shear_damping`, a law with a retardation time c/k has the same
 /// retardation time tangentially as along the normal, like a viscoelastic solid; other laws have no tangential dashpot.
 void read_shear_damping(SceneTable& table, Contact& contact) {
-  if (!contact.friction) return table.refuse("shear_damping", "without friction it has no use; leave it out");
+  if (!contact.friction) return table.refuse("shear_damping", "it requires friction; give friction, or remove it");
   contact.friction->follows_normal =
       !table.has("shear_damping") && std::visit([]<class L>(const L&) { return HasRetardationTime<L>; }, contact.law);
   contact.friction->damping = table.quantity_or("shear_damping", dimension::damping, 0.0, Range::non_negative);
@@ -114,7 +114,7 @@ SceneContact read_contact(SceneTable table, const BodyNames& bodies) {
 
 std::optional<CoulombFriction> read_friction(SceneTable& table, double normal_stiffness) {
   if (!table.has("friction")) {
-    table.refuse("shear_stiffness", "without friction it has no use; leave it out or give friction");
+    table.refuse("shear_stiffness", "it requires friction; give friction, or remove it");
     return {};
   }
   return CoulombFriction{table.number("friction", Range::non_negative),

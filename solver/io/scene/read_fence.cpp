@@ -41,7 +41,7 @@ enum class ElementPart { ground, rock, column };
 void read_outline(SceneTable& table, FenceElement& element) {
   const auto names = Names<scenes::ElementOutline>::list;
   if (table.has("shape")) {
-    table.refuse("power", "found beside shape; leave one of them out");
+    table.refuse("power", "found beside shape; give one of the two");
     // A wrong shape with an exponent is most likely a misspelt superquadric.
     if (table.has("exponent")) element.outline = scenes::ElementOutline::superquadric;
     table.guard([&] {
@@ -49,7 +49,7 @@ void read_outline(SceneTable& table, FenceElement& element) {
       element.outline = static_cast<scenes::ElementOutline>(std::ranges::find(names, shape) - names.begin());
     });
   } else if (table.has("exponent")) {
-    table.refuse("power", "found beside exponent (n = 2/power); leave one of them out");
+    table.refuse("power", "found beside exponent (n = 2/power); give one of the two");
     element.outline = scenes::ElementOutline::superquadric;
   }
   if (element.outline != scenes::ElementOutline::superquadric)
@@ -69,7 +69,7 @@ void take_rectangle(FenceElement& element) {
 /// Reads the density, or computes it from the mass of the solid.
 void read_density(SceneTable& table, FenceElement& element, ElementPart part) {
   if (table.has("mass")) {
-    table.refuse("density", "found beside mass; leave one of them out");
+    table.refuse("density", "found beside mass; give one of the two");
     const double mass = table.quantity("mass", dimension::mass, Range::positive);
     element.density = 1.0;
     element.density = mass / mass_properties(element).mass;
@@ -154,7 +154,7 @@ std::optional<double> read_steps(SceneTable& table, Fence& fence) {
   std::optional<double> duration;
   fence.steps = fence.print_every = fence.history_every = 1;
   if (table.has("duration")) {
-    table.refuse("steps", "found beside duration; leave one of them out");
+    table.refuse("steps", "found beside duration; give one of the two");
     duration = table.quantity("duration", dimension::time, Range::positive);
   } else if (table.has("steps")) {
     table.read_count(fence, count_field("steps"));

@@ -178,7 +178,7 @@ BOOST_AUTO_TEST_CASE(undefined_means_are_null) {
   BOOST_TEST(talus_ran({"plot", out}).code == 0);
   const Ended element = talus_ran({"plot", out, "--history", "depth", "--element", "3"});
   BOOST_TEST(element.code == 2);
-  BOOST_TEST(holds(element.err, "history 'depth' is of the whole, and of no element"), element.err);
+  BOOST_TEST(holds(element.err, "history 'depth' belongs to the scene; found --element 3; remove it"), element.err);
 }
 
 BOOST_AUTO_TEST_CASE(cells_are_run_by_talus_cell) {
@@ -228,7 +228,8 @@ BOOST_AUTO_TEST_CASE(options_that_mean_nothing_are_refused) {
            {{"cell", file, "--seed", "9007199254740993"},
             "--seed: found 9007199254740993; it must be a number between 0"},
            {{"cell", file, "--seed", "-1"}, "--seed: found -1; it must be a number between 0 and 9007199254740991"},
-           {{"cell", file, "--virtual", "--jump"}, "--jump: found on; with virtual discs each step is taken"},
+           {{"cell", file, "--virtual", "--jump"},
+            "--jump: found on; it requires images = \"nearest\", not virtual discs"},
            {{"study", "shear", "--time", "nan"}, "--time: found nan; it must be a number between 0.01 and 1000"},
            {{"cell", many}, "NHT: found 100000; it must be at most 100 of 100000 columns"}}) {
     const Ended ended = talus_ran(words);

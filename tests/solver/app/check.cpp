@@ -332,7 +332,7 @@ BOOST_AUTO_TEST_CASE(unlikely_fences) {
   const std::string file = folder.file("f.toml", text).string();
   const Ended checked = talus_ran({"check", file}), ran = talus_ran({"run", file});
   BOOST_TEST(checked.code == 0);
-  BOOST_TEST(holds(checked.err, "warning: spacing: columns of a width of 0.8 m stand 0.6 m apart"));
+  BOOST_TEST(holds(checked.err, "warning: spacing: columns of a width of 0.8 m have a spacing of 0.6 m"));
   BOOST_TEST(holds(checked.err, "warning: ground: it reaches 0.3 m into the columns"));
   const auto of_check = lines_of(checked.err), of_run = lines_of(ran.err);
   BOOST_TEST(std::ranges::includes(of_run, of_check), checked.err << "against\n" << ran.err);

@@ -70,10 +70,10 @@ BOOST_AUTO_TEST_CASE(wrong_command_lines) {
       {{"calibrate", "--law", "latching_spring", "--restitution", "0.5", "--step", "1e-7", "--masses", "1 kg"},
        "talus: --stiffness: it is missing; give --masses and --stiffness, or neither for discs of ice\n"},
       {{"calibrate", "--law", "latching_spring", "--restitution", "0.5", "--step", "1e-7", "--end-rule", "clamped"},
-       "talus: --end-rule: the law 'latching_spring' has no use for it; leave it out\n"},
+       "talus: --end-rule: the law 'latching_spring' does not use this option; remove it\n"},
       {{"calibrate", "--law", "latching_spring", "--restitution", "0.1", "--step", "1e-6", "--integrator", "euler"},
-       "talus: --restitution: found 0.1; with euler at this step, w1 h = 0.2173, it can be made 0.5503 to 1; a shorter "
-       "step reaches further\n"},
+       "talus: --restitution: found 0.1; possible with euler at this step, w1 h = 0.2173: 0.5503 to 1; a shorter step "
+       "extends this interval\n"},
       {{"calibrate", "--law", "latching_spring", "--restitution", "0.5", "--step", "1e-7", "--integrator", "rk4"},
        fmt::format("talus: integrator of discs 'rk4' is not known; nearest: euler; known: {}\n",
                    fmt::join(talus::disc_method_names(), ", "))},
@@ -81,7 +81,7 @@ BOOST_AUTO_TEST_CASE(wrong_command_lines) {
        "talus: --step: it is found for the law 'linear_spring_dashpot'; leave it out\n"},
       {{"calibrate", scene("two_cable.toml"), "--contact", "impact", "--restitution", "0.5", "--law",
         "latching_spring"},
-       "talus: --law: a scene has its own; leave it out\n"},
+       "talus: --law: given by the scene; remove it\n"},
       {{"new"}, "talus: KIND is required\nhelp: talus new --help\n"},
       {{"new", "fens"}, "talus: kind of scene 'fens' is not known; nearest: fence; known: fence, scene, cell\n"},
       {{"new", "cell", "--units", "si"}, "talus: unit system 'si' is not known; nearest: SI; known: SI, US\n"},

@@ -145,12 +145,13 @@ BOOST_AUTO_TEST_CASE(cells_that_cannot_be_drawn) {
   const std::string bare = (folder.path / "bare").string(), run = sample().string();
   BOOST_REQUIRE(talus_ran({"cell", file, "--out", bare}).code == 0);
   const std::vector<std::pair<std::vector<std::string>, std::string>> wrong{
-      {{"snapshot", bare}, "bare: the run left no states; GRAPH = 1 in CNTRL.DAT or pictures = \"on\" in [run]"},
-      {{"animate", bare}, "bare: the run left no states; "},
-      {{"snapshot", run, "--view", "along"}, "--view: found \"along\"; in " + run + " nothing has a place along z"},
+      {{"snapshot", bare}, "bare: the run wrote no states; set GRAPH = 1 in CNTRL.DAT or pictures = \"on\" in [run]"},
+      {{"animate", bare}, "bare: the run wrote no states; "},
+      {{"snapshot", run, "--view", "along"},
+       "--view: found \"along\"; the run in " + run + " is plane; this view requires a fence"},
       {{"snapshot", run, "--times", "2 ms"},
        "--times: found \"2 ms\"; it must be a bare number: the run named no units"},
-      {{"snapshot", run, "--times", "1"}, "--times: found \"1\"; the run left its geometry from 0.0025"},
+      {{"snapshot", run, "--times", "1"}, "--times: found \"1\"; the run has states from 0.0025"},
       {{"animate", run, "--until", "-1"}, "--until: found \"-1\"; it must be > 0"},
       {{"snapshot", run, "--colour", "spin"}, "--colour: spin not in {speed,force}"},
       {{"plot", run, "--history", "top_sheer"}, "history 'top_sheer' is not known; nearest: top_shear; known: "}};

@@ -188,10 +188,11 @@ BOOST_AUTO_TEST_CASE(histories_that_cannot_be_drawn) {
       {{"--history", "top_tensoin"},
        ": history 'top_tensoin' is not known; nearest: top_tension; known: vx, vy, omega, kinetic_translation, "},
       {{"--history", "46"},
-       ": history 46 (TOP CABLE LENGTH, top_length) was not kept; nearest: top_tension; kept: vx, vy, "},
+       ": history 46 (TOP CABLE LENGTH, top_length) was not recorded; nearest: top_tension; recorded: vx, vy, "},
       {{"--history", "29"}, "talus: --history: 29 (NORMAL CONTACT STIFFNESS) has no history: a contact's stiffness "},
       {{"--history", "48", "--element", "2"},
-       "fence.history.csv: history '48' was kept of no element '2'; nearest: element 3; kept of: element 3, element "
+       "fence.history.csv: history '48' was not recorded for element '2'; nearest: element 3; recorded for: element 3, "
+       "element "
        "4, "},
       {{"--history", "48", "--x", "tmie"},
        "fence.history.csv: abscissa 'tmie' is not known; nearest: time; known: time, "},
@@ -350,13 +351,13 @@ BOOST_AUTO_TEST_CASE(snapshots_that_cannot_be_drawn) {
   BOOST_REQUIRE(talus_ran({"run", scene("pendulum.toml"), "--out", planar, "--frames", "4"}).code == 0);
   const std::string run = sample().string();
   const std::vector<std::pair<std::vector<std::string>, std::string>> wrong{
-      {{run, "--times", "1 s"}, "--times: found \"1 s\"; the run left its geometry from 0 s to 0.0"},
+      {{run, "--times", "1 s"}, "--times: found \"1 s\"; the run has states from 0 s to 0.0"},
       {{run, "--times", "3"}, "--times: found \"3\"; the unit is missing"},
       {{run, "--times", "0 s", "--count", "3"}, "--times excludes --count"},
       {{run, "--window", "1", "0", "-1", "2"},
        "--window: found 1 0 -1 2; it must be x-min y-min x-max y-max, with min < max"},
       {{run, "--view", "top"}, "--view: top not in {side,along,both}"},
-      {{planar, "--view", "along"}, "planar nothing has a place along z"},
+      {{planar, "--view", "along"}, "planar is plane; this view requires a fence"},
       {{planar, "--colour", "force"},
        "--colour: found \"force\"; " + planar + " holds bodies and cables, and only discs are coloured so"}};
   for (const auto& [options, message] : wrong) {
@@ -370,7 +371,8 @@ BOOST_AUTO_TEST_CASE(snapshots_that_cannot_be_drawn) {
   std::ofstream{folder.path / "planar/plot.json"} << "{\"title\": \"older\"}";
   const Ended older = talus_ran({"snapshot", planar});
   BOOST_TEST(older.code == 2);
-  BOOST_TEST(holds(older.err, "planar/plot.json: it is not what `talus run --out` or `talus cell --out` leaves: "));
+  BOOST_TEST(
+      holds(older.err, "planar/plot.json: it is not a file written by `talus run --out` or `talus cell --out`: "));
 }
 
 BOOST_AUTO_TEST_CASE(a_gif_has_a_picture_for_each_state) {
@@ -408,7 +410,8 @@ BOOST_AUTO_TEST_CASE(the_player_is_one_file_that_needs_no_other) {
              boost::test_tools::tolerance(1e-5));
   const Ended late = talus_ran({"animate", sample().string(), "--until", "1 us"});
   BOOST_TEST(late.code == 2);
-  BOOST_TEST(holds(late.err, "--until: found \"1 us\"; the run left fewer than two states up to then"));
+  BOOST_TEST(
+      holds(late.err, "--until: found \"1 us\"; the run has fewer than two states up to that time; give a later one"));
 }
 
 // A bounce in one of 1001 rows is the highest point of its curve, and the last row its end.

@@ -101,6 +101,7 @@ BOOST_AUTO_TEST_CASE(sizes_and_symbols) {
   BOOST_CHECK_EXCEPTION(static_cast<void>(unit_system("USA")), InputError, [](const InputError& error) {
     return std::string{error.what()} == "unit system 'USA' is not known; nearest: US; known: SI, US";
   });
+  BOOST_TEST(std::string{unknown_name("contact", "hit", {}).what()} == "contact 'hit' is not known; there is none");
 }
 
 BOOST_AUTO_TEST_CASE(messages_say_what_was_found_and_what_is_allowed) {
@@ -121,10 +122,8 @@ BOOST_AUTO_TEST_CASE(messages_say_what_was_found_and_what_is_allowed) {
   BOOST_TEST(message("1 m^1.5", dimension::length, si) ==
              "found \"1 m^1.5\"; a power must be a whole number between -9 and 9");
   BOOST_TEST(message("1 m/", dimension::length, si) == "found \"1 m/\"; a unit must follow '/'");
-  BOOST_TEST(message("1 m)", dimension::length, si) ==
-             "found \"1 m)\"; ')' cannot stand where a unit is due, e.g. \"1 m\"");
-  BOOST_TEST(message("1 2 m", dimension::length, si) ==
-             "found \"1 2 m\"; '2 m' cannot stand where a unit is due, e.g. \"1 m\"");
+  BOOST_TEST(message("1 m)", dimension::length, si) == "found \"1 m)\"; ')' is not a unit; write e.g. \"1 m\"");
+  BOOST_TEST(message("1 2 m", dimension::length, si) == "found \"1 2 m\"; '2 m' is not a unit; write e.g. \"1 m\"");
   BOOST_TEST(starts_with(message("3 sluug", dimension::mass, us),
                          "found \"3 sluug\"; unit 'sluug' is not known; nearest: slug; known: kg, g, t, "));
   BOOST_TEST(message("1 kg^3", dimension::mass, si) ==

@@ -80,8 +80,9 @@ BOOST_AUTO_TEST_CASE(wrong_restarts) {
   BOOST_TEST(message("-5 0\n") == "RESTART.DAT:1: elapsed time: found -5; it must be >= 0");
   BOOST_TEST(message("0 0\n1e200 1 0 0\n") ==
              "RESTART.DAT:2: disc 1: x: found 1e+200; it must be within 1e+06 widths of the field");
-  BOOST_TEST(message(text + "\n 1 2 3 4\n") ==
-             "RESTART.DAT:15: found a record more; it must hold the 12 free discs of the cell, one a record");
+  BOOST_TEST(
+      message(text + "\n 1 2 3 4\n") ==
+      "RESTART.DAT:15: found an additional record; it must contain the 12 free discs of the cell, one per record");
   BOOST_TEST(message(text + "\n \r\n").empty());
   // Two discs at one position; one in the base. An overlap of less than a tenth of a diameter is a contact.
   const auto placed = [&](std::size_t disc, double x, double y) {

@@ -187,9 +187,9 @@ BOOST_AUTO_TEST_CASE(what_no_run_left_is_named) {
     static_cast<void>(folder.file("plot.json", text));
     return error_message([&] { static_cast<void>(read_run_folder(folder.path)); });
   };
-  BOOST_TEST(holds(wrong("{"), "plot.json: it is not what `talus run --out` or `talus cell --out` leaves: "));
-  BOOST_TEST(
-      holds(wrong("{\"title\": 3}"), "plot.json: it is not what `talus run --out` or `talus cell --out` leaves: "));
+  BOOST_TEST(holds(wrong("{"), "plot.json: it is not a file written by `talus run --out` or `talus cell --out`: "));
+  BOOST_TEST(holds(wrong("{\"title\": 3}"),
+                   "plot.json: it is not a file written by `talus run --out` or `talus cell --out`: "));
   BOOST_TEST(holds(wrong(R"({"title": "t", "units": "SI", "histories": [], "geometry": {"index": "g", "cables": [],
                             "bodies": [{"name": "b", "number": 1, "kind": "tree"}]}})"),
                    "plot.json: body kind 'tree' is not known"));

@@ -205,7 +205,7 @@ BOOST_AUTO_TEST_CASE(geometry_that_is_unlikely_to_be_meant) {
   Fence close = modern_sample2();
   close.spacing = 2.0;
   BOOST_TEST(says(found(close),
-                  "spacing: columns of a width of 2.5 ft stand 2 ft apart, so that neighbours overlap by "
+                  "spacing: columns of a width of 2.5 ft have a spacing of 2 ft, so that neighbours overlap by "
                   "0.5 ft"));
   Fence deep = modern_sample2();
   deep.ground.position.y = -4.25;  // its surface is at -3.75, the columns reach down to -4
