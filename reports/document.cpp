@@ -192,7 +192,7 @@ void make_pdf(const Document& d) {
   const auto pass = [&](const Command& command) {
     const Finished finished = run(command);
     if (finished.status != 0) {
-      throw OutputError(fmt::format("pdflatex failed on {}.tex (exit code {}):\n{}", d.stem, finished.status,
+      throw OutputError(fmt::format("pdflatex failed on {}.tex (exit status {}):\n{}", d.stem, finished.status,
                                     error_in_log(finished.output)));
     }
     return finished.output;

@@ -1,4 +1,5 @@
-/// Errors in making a report, by cause. Exit codes of talus_report: 2 for RecordError, 4 for FileError and OutputError.
+/// Errors in making a report, by cause. Exit statuses of talus_report: 2 for RecordError, 4 for FileError and
+/// OutputError.
 #pragma once
 
 #include <stdexcept>

@@ -54,7 +54,7 @@ void print_errors(const std::string& words) {
   std::fputs(words.c_str(), stderr);  // if stderr cannot be written, only the message is lost
 }
 
-/// Prints the files and the parts that could not be made; returns the exit code.
+/// Prints the files and the parts that could not be made; returns the exit status.
 int print(const talus::reports::Made& made) {
   print_errors(made.warnings);
   for (const auto& file : made.files)

@@ -151,7 +151,7 @@ Finished run_or_throw(const Command& command, const std::string& purpose) {
     std::string& words = finished.messages.empty() ? finished.output : finished.messages;
     words.erase(words.find_last_not_of('\n') + 1);
     throw OutputError(
-        fmt::format("{} failed on {} (exit code {}):\n{}", command.program, purpose, finished.status, words));
+        fmt::format("{} failed on {} (exit status {}):\n{}", command.program, purpose, finished.status, words));
   }
   return finished;
 }

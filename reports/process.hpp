@@ -19,7 +19,7 @@ struct Command {
 
 /// Result of a program.
 struct Finished {
-  int status{};            ///< exit code, or 128 + signal
+  int status{};            ///< exit status, or 128 + signal
   std::string output{};    ///< standard output
   std::string messages{};  ///< standard error
 };
@@ -31,7 +31,7 @@ struct Finished {
 /// Throws OutputError, as run() would, unless a program with that name is in PATH.
 void demand_program(const std::string& name);
 
-/// As run(), but throws OutputError with the tool's name and messages if its exit code is not 0. `purpose` completes
+/// As run(), but throws OutputError with the tool's name and messages if its exit status is not 0. `purpose` completes
 /// "gnuplot failed on ...".
 Finished run_or_throw(const Command& command, const std::string& purpose);
 

@@ -226,7 +226,7 @@ Command add_cell(CLI::App& talus) {
   app->add_option(
       "--resume", options->resume,
       "folder of an interrupted run: resume it as if it had never stopped; of a run that has ended it says so "
-      "and returns its exit code");
+      "and returns its exit status");
   app->add_option("--integrator", options->integrator,
                   fmt::format("{}; default {}", fmt::join(disc_method_names(), ", "), CellPlan{}.integrator));
   app->add_option("--units", options->units, "unit system of CNTRL.DAT, which names none: SI or US");

@@ -329,7 +329,7 @@ Command add_check(CLI::App& talus) {
   app->add_option("SCENE", *scene, "scene file (.toml), deck of 1993 or CNTRL.DAT of 1989 (.DAT)")->required();
   app->footer(
       "Example:\n  talus check cases/pivoted_cylinder.toml\n"
-      "The exit code is 7 if the step is beyond the linear limit of the method, unless the watch of\n"
+      "The exit status is 7 if the step is beyond the linear limit of the method, unless the watch of\n"
       "the scene has quality = \"warning\", the default with rules = \"1993\".");
   return {app, [scene] { return check(*scene); }};
 }

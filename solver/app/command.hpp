@@ -14,7 +14,7 @@ class Validator;
 
 namespace talus::app {
 
-/// One subcommand: its options are bound to `app`; `work` executes it and returns the exit code.
+/// One subcommand: its options are bound to `app`; `work` executes it and returns the exit status.
 struct Command {
   CLI::App* app{nullptr};
   std::function<int()> work;
@@ -46,7 +46,7 @@ void print_failure(std::string_view words);
 /// and `/ . _ - + , : = @ %`.
 [[nodiscard]] std::string shell_word(const std::string& word);
 
-/// The whole program: parses the command line, executes the command, converts errors to messages and exit codes.
+/// The whole program: parses the command line, executes the command, converts errors to messages and exit statuses.
 [[nodiscard]] int run_command_line(int count, const char* const* arguments);
 
 }  // namespace talus::app

@@ -45,9 +45,9 @@ struct RunRequest {
   bool resumes() const { return !from.empty(); }
 };
 
-/// The exit code (`ok`, `diverged` or `unusable`) of the run in the folder of --resume if that run has ended, else nothing; prints
-/// that there is nothing to resume, or with --json the run's summary. Errors: InputError if one of `others` is given,
-/// the options that require an interrupted run.
+/// The exit status (`ok`, `diverged` or `unusable`) of the run in the folder of --resume if that run has ended, else
+/// nothing; prints that there is nothing to resume, or with --json the run's summary. Errors: InputError if one of
+/// `others` is given, the options that require an interrupted run.
 [[nodiscard]] std::optional<int> report_ended_run(const RunOptions& options, const GivenOptions& others);
 
 /// The run requested by the options, its scene file read but not parsed. `kept`: options that a resumed run keeps from
@@ -82,7 +82,7 @@ class ResumableRun {
   /// Evaluates the run after its last step and completes the outcome; returns early when `interrupted` is true. Returns
   /// whether the run can be resumed.
   virtual bool finish(Outcome& outcome, const Condition& interrupted) = 0;
-  /// Whether the ended run may count as done; if not, the exit code is `unusable`.
+  /// Whether the ended run may count as done; if not, the exit status is `unusable`.
   virtual bool is_usable() const { return true; }
   /// Warnings so far, beginning with those known at the start.
   virtual std::vector<std::string> warnings() const = 0;
@@ -100,7 +100,7 @@ class ResumableRun {
   virtual std::string summary_text() = 0;
 };
 
-/// Executes the run that `make` returns, from its start or checkpoint to its end, and returns the exit code. A folder
+/// Executes the run that `make` returns, from its start or checkpoint to its end, and returns the exit status. A folder
 /// is locked and the files of an earlier run in it are removed before `make` is called. SIGINT, SIGTERM and SIGHUP
 /// interrupt a run that has a folder after its present step. Errors: InputError for a checkpoint that does not fit the
 /// run; IoError.

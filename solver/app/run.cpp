@@ -140,7 +140,7 @@ Command add_run(CLI::App& talus) {
   app->add_option("--resume", options->resume,
                   "folder of an interrupted run: resume it, to its end or to --until, as if it had never stopped; the "
                   "files go to --out, or else the same folder; of a run that has ended it says so and returns its exit "
-                  "code");
+                  "status");
   app->add_flag("--sheet", options->sheet,
                 "of a fence: the engineer's sheet, one page as sheet.pdf and sheet.html, its numbers in sheet.json");
   app->add_flag("--json", options->json, "print the summary as JSON");
@@ -166,8 +166,8 @@ Command add_run(CLI::App& talus) {
       "  talus run cases/fence/sample2.DAT --until \"10 ms\" --out out && talus run --resume out\n"
       "  talus run cases/fence/table_2.toml --sheet --out out\n"
       "SIGINT, SIGTERM and SIGHUP stop a run that has a folder after its present step; --resume continues it.\n"
-      "A run that diverges keeps its history up to there; its summary says why, and the exit code is 3.\n"
-      "A run whose results are NOT USABLE writes its files; the exit code is 7, or 0 if the watch of the\n"
+      "A run that diverges keeps its history up to there; its summary says why, and the exit status is 3.\n"
+      "A run whose results are NOT USABLE writes its files; the exit status is 7, or 0 if the watch of the\n"
       "scene has quality = \"warning\", the default with rules = \"1993\".");
   return {app, [options] { return run(*options); }};
 }

@@ -8,13 +8,13 @@
 namespace talus {
 
 /// Error in the user's input. The message states what was found and what is allowed; the caller that knows the location
-/// (file, line, field) prepends it. Caught once, in main: exit code 2.
+/// (file, line, field) prepends it. Caught once, in main: exit status 2.
 class InputError : public std::runtime_error {
  public:
   using std::runtime_error::runtime_error;
 };
 
-/// Failure to read or write a file; the message names the file and the system's reason. Exit code 4.
+/// Failure to read or write a file; the message names the file and the system's reason. Exit status 4.
 class IoError : public std::runtime_error {
  public:
   using std::runtime_error::runtime_error;

@@ -2,7 +2,7 @@
 
 namespace talus::app {
 
-/// Exit codes of the commands. 1 and 6 are those of talus_verify.
+/// Exit statuses of the commands. 1 and 6 are those of talus_verify.
 enum ExitCode : int {
   ok = 0,
   bad_input = 2,

@@ -11,7 +11,7 @@ namespace talus {
 enum class CheckAction {
   off,      ///< no check
   warning,  ///< prints a warning and continues
-  error,    ///< ends the run as diverged; of a check after the end, an exit code of the program
+  error,    ///< ends the run as diverged; of a check after the end, an exit status of the program
 };
 template <>
 struct Names<CheckAction> {
@@ -41,7 +41,7 @@ struct MonitorRules {
          {"tunnelling", "bodies that may pass each other in a step, or overlap half-way", &MonitorRules::tunnelling},
          {"accuracy", "contacts of few steps, large overlaps, error of the energy balance", &MonitorRules::accuracy},
          {"missing_contacts", "bodies that overlap and have no contact between them", &MonitorRules::missing_contacts},
-         {"quality", "results that are NOT USABLE: an error is exit code 7 (default with rules 1993: warning)",
+         {"quality", "results that are NOT USABLE: an error is exit status 7 (default with rules 1993: warning)",
           &MonitorRules::quality}}};
   }
   /// No checks.

@@ -38,7 +38,7 @@ namespace fs = std::filesystem;
 constexpr long batch = 2000;
 /// Address space of a child; the address sanitizer reserves far more, and is limited elsewhere (mutate_inputs.cpp).
 [[maybe_unused]] constexpr rlim_t most_memory = rlim_t{3} << 30U;
-/// Exit code of a child that found a flaw.
+/// Exit status of a child that found a flaw.
 constexpr int flawed = 77;
 
 /// Data that a child writes and its parent reads.
@@ -142,7 +142,7 @@ std::string text_of(const fs::path& errors) {
 std::string how_it_ended(int status, const fs::path& errors, long seconds) {
   const std::string text = text_of(errors);
   if (WIFEXITED(status))
-    return WEXITSTATUS(status) == flawed ? text : fmt::format("exit code {}: {}", WEXITSTATUS(status), text);
+    return WEXITSTATUS(status) == flawed ? text : fmt::format("exit status {}: {}", WEXITSTATUS(status), text);
   const int signal = WTERMSIG(status);
   if (signal == SIGPROF) return fmt::format("took more than {} s", seconds);
   return fmt::format("{}: {}", ::strsignal(signal), text);

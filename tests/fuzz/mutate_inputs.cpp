@@ -126,7 +126,7 @@ int run(const std::vector<Reader>& readers, const Options& options, const fs::pa
 void describe(CLI::App& app, Options& options) {
   app.description(
       "Lets the readers of Talus read mutated files, in child processes.\n"
-      "Exit codes: 0 no finding, 1 findings, 2 wrong usage, 4 a file or process failed.");
+      "Exit statuses: 0 no finding, 1 findings, 2 wrong usage, 4 a file or process failed.");
   app.add_option("--inputs", options.plan.inputs, "inputs of a reader; a quarter of them for one that runs models")
       ->check(CLI::Range(1L, 1'000'000'000L));
   app.add_option("--seed", options.plan.seed, "the same inputs for the same seed");

@@ -1,5 +1,5 @@
-/// talus_interface_run: changes each item of the program's interface that a case uses (options, fields of scenes, columns
-/// and members of its files), one at a time, and runs the cases that use it.
+/// talus_interface_run: changes each item of the program's interface that a case uses (options, fields of scenes,
+/// columns and members of its files), one at a time, and runs the cases that use it.
 #include <fmt/format.h>
 #include <sys/resource.h>
 #include <sys/wait.h>
@@ -48,7 +48,7 @@ struct Trial {
   enum class End { green, red, error } end{};
   std::string check;           ///< the first failed check, or the error
   std::set<std::string> seen;  ///< items of the program's calls
-  int refusals{};              ///< calls that ended with exit code 2
+  int refusals{};              ///< calls that ended with exit status 2
   bool reached{};              ///< something was changed
   double seconds{};
 };

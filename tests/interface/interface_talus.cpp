@@ -1,10 +1,11 @@
 /// interface_talus: takes the place of the program `talus` in the cases, with one item of its interface changed.
 ///
-/// Environment: TALUS_INTERFACE_PROGRAM the real program; TALUS_INTERFACE_LOG a file to which the items of this call and
-/// its exit code are appended; TALUS_INTERFACE_ITEM the item to change, "rewrite" for none, with JSON files written again
-/// (if it is not set nothing is changed, and the items of files are recorded).
-/// Besides the items of files (interface_text.hpp) there are "option COMMAND --name" ("option talus --version" without a
-/// command), which is dropped from the command line with its values, and "output COMMAND: member" of a JSON text on stdout.
+/// Environment: TALUS_INTERFACE_PROGRAM the real program; TALUS_INTERFACE_LOG a file to which the items of this call
+/// and its exit status are appended; TALUS_INTERFACE_ITEM the item to change, "rewrite" for none, with JSON files
+/// written again (if it is not set nothing is changed, and the items of files are recorded).
+/// Besides the items of files (interface_text.hpp) there are "option COMMAND --name" ("option talus --version" without
+/// a command), which is dropped from the command line with its values, and "output COMMAND: member" of a JSON text on
+/// stdout.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -33,8 +34,8 @@ std::string variable(const char* name) {
   return value == nullptr ? "" : value;
 }
 
-/// Number of values of an option among the arguments from `first` on, from the command's help: "--x TEXT", "--x TEXT x 2"
-/// or "--x TEXT ..." (all up to the next option).
+/// Number of values of an option among the arguments from `first` on, from the command's help: "--x TEXT",
+/// "--x TEXT x 2" or "--x TEXT ..." (all up to the next option).
 std::size_t values_of(const std::string& program, const std::string& command, const std::string& option,
                       const std::vector<std::string>& arguments, std::size_t first) {
   const std::string help = reports::run({program, {command, "--help"}, {}, {}}).output;

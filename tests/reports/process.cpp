@@ -63,7 +63,7 @@ BOOST_AUTO_TEST_CASE(a_missing_or_failing_tool_is_named) {
   BOOST_TEST(words({"true", {}, "/no/folder", {}}) ==
              "true: cannot be started in /no/folder: No such file or directory");
   BOOST_TEST(words({"true", {}, "/etc/passwd", {}}) == "true: cannot be started in /etc/passwd: Not a directory");
-  BOOST_TEST(words({"sh", {"-c", "echo why >&2; exit 1"}, {}, {}}) == "sh failed on page 3 (exit code 1):\nwhy");
-  BOOST_TEST(words({"sh", {"-c", "kill -9 $$"}, {}, {}}) == "sh failed on page 3 (exit code 137):\n");
+  BOOST_TEST(words({"sh", {"-c", "echo why >&2; exit 1"}, {}, {}}) == "sh failed on page 3 (exit status 1):\nwhy");
+  BOOST_TEST(words({"sh", {"-c", "kill -9 $$"}, {}, {}}) == "sh failed on page 3 (exit status 137):\n");
   BOOST_TEST(words({"true", {}, {}, {}}) == "nothing");
 }

@@ -38,13 +38,13 @@ struct ProgramEnd {
 /// Variables that a run of the program finds in its environment, besides those of this process or in place of them.
 using Environment = std::map<std::string, std::string>;
 
-/// Runs `talus` with these arguments in a folder: the built program, or that which the environment names in TALUS_PROGRAM
-/// (tests/interface). Throws the errors of reports::run() if it cannot be started.
+/// Runs `talus` with these arguments in a folder: the built program, or that which the environment names in
+/// TALUS_PROGRAM (tests/interface). Throws the errors of reports::run() if it cannot be started.
 [[nodiscard]] ProgramEnd run_talus(const TemporaryFolder& folder, const std::vector<std::string>& arguments,
                                    const Environment& environment = {});
 
 /// Standard output of a run that must succeed. Throws std::runtime_error with the arguments and the messages if the
-/// exit code is not 0.
+/// exit status is not 0.
 [[nodiscard]] std::string talus_output(const TemporaryFolder& folder, const std::vector<std::string>& arguments,
                                        const Environment& environment = {});
 

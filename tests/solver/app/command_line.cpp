@@ -15,7 +15,7 @@
 #include "solver/io/file/toml_document.hpp"
 #include "tests/solver/app/program.hpp"
 
-// The built program from end to end: exit codes, messages, files.
+// The built program from end to end: exit statuses, messages, files.
 
 BOOST_AUTO_TEST_CASE(help_and_version) {
   for (const std::string command : {"run", "check", "advise", "calibrate", "cell", "convert", "plot", "snapshot",
@@ -300,7 +300,7 @@ BOOST_AUTO_TEST_CASE(calibration_of_a_scene) {
     BOOST_TEST(found.at(key).get<double>() > 0.0);
 }
 
-// The program's exit code and message, and unchanged targets.
+// The program's exit status and message, and unchanged targets.
 BOOST_AUTO_TEST_CASE(drawing_that_fails_says_why_and_leaves_nothing) {
   const Folder folder;
   const std::string run = (folder.path / "run").string(), pictures = (folder.path / "pictures").string();
@@ -333,13 +333,13 @@ BOOST_AUTO_TEST_CASE(drawing_that_fails_says_why_and_leaves_nothing) {
   std::ofstream{broken} << "#!/bin/sh\necho half > \"$(dirname \"$1\")/energies.svg\"\necho no terminal >&2\nexit 3\n";
   fs::permissions(broken, fs::perms::owner_all);
   const std::string path = folder.path.string() + ":" + std::getenv("PATH");
-  refused({"plot", run, "--out", pictures}, path.c_str(), 4, "(exit code 3):\ntalus: no terminal\n");
-  // A run whose sheet is not drawn has the exit code of a failed output; its other files are complete.
+  refused({"plot", run, "--out", pictures}, path.c_str(), 4, "(exit status 3):\ntalus: no terminal\n");
+  // A run whose sheet is not drawn has the exit status of a failed output; its other files are complete.
   const Ended undrawn =
       ran(TALUS_EXECUTABLE, {"run", scene("fence/sample2.DAT"), "--end", "5 ms", "--sheet", "--out", sheet}, "",
           path.c_str());
   BOOST_TEST(undrawn.code == 4);
-  BOOST_TEST(holds(undrawn.err, "(exit code 3):\ntalus: no terminal\n"), undrawn.err);
+  BOOST_TEST(holds(undrawn.err, "(exit status 3):\ntalus: no terminal\n"), undrawn.err);
   BOOST_TEST(holds(undrawn.out, "outcome      finished"), undrawn.out);
   BOOST_TEST(holds(undrawn.err, "/sheet.json: the sheet is not complete; "), undrawn.err);
   BOOST_TEST(fs::exists(sheet + "/summary.json"));

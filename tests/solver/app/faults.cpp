@@ -170,7 +170,7 @@ BOOST_AUTO_TEST_CASE(a_reader_that_has_gone_costs_no_file) {
   const Folder folder;
   const Undisturbed run{fence_run()};
   const fs::path out = folder.path / "out";
-  // A pipe without a reader, a closed stdout, a full one, all streams closed; with the exit code and the message.
+  // A pipe without a reader, a closed stdout, a full one, all streams closed; with the exit status and the message.
   const std::string start = "\"$TALUS\" \"$@\" ";
   for (const auto& [script, code, words] :
        {std::tuple{start + "2>/dev/null | head -c 0; exit ${PIPESTATUS[0]}", 128 + SIGPIPE, ""},

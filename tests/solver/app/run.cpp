@@ -465,7 +465,7 @@ BOOST_AUTO_TEST_CASE(a_summary_begins_with_the_verdict) {
                    "  last contact none: nothing touched; closest was bounce with a gap of 0.5 m\n"));
 }
 
-// Unusable results have an exit code, also from --resume; the files are written. The scene may accept
+// Unusable results have an exit status, also from --resume; the files are written. The scene may accept
 // them.
 BOOST_AUTO_TEST_CASE(unusable_results_have_an_exit_code) {
   const Folder folder;

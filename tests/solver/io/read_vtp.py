@@ -1,4 +1,4 @@
-"""Opens the geometry of a run as ParaView does. Arguments: talus, a deck. Exit 77 (skipped) without python3-vtk9."""
+"""Opens the geometry of a run as ParaView does. Arguments: talus, a deck. Exit status 77 (skipped): no python3-vtk9."""
 import os
 import subprocess
 import sys

@@ -341,7 +341,7 @@ void check_repair(const TemporaryFolder& folder, Findings& findings) {
   if (end.output.find(" " + step + "; ") == std::string::npos) expected["step"] = "as printed";
   ComparedDocument("summary.json of a step too long", summary["quality"], expected)
       .expect(findings, 1e-15, "the same numbers divided");
-  findings.expect("summary.json of a step too long: exit code", end.exit_code, 7,
+  findings.expect("summary.json of a step too long: exit status", end.exit_code, 7,
                   Tolerance::exact("the results are not usable"));
 }
 

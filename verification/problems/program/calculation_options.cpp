@@ -100,8 +100,8 @@ end = "0.2 s"
                      -gravity, drop_mass, drop_radius, drop.place, drop_stiffness);
 }
 
-/// Restitution of the dropped disc with this damping: speed where the force ends (clamped), or where the disc leaves the
-/// ground, over that at touch. The contact is an oscillator about the overlap m g/k at rest.
+/// Restitution of the dropped disc with this damping: speed where the force ends (clamped), or where the disc leaves
+/// the ground, over that at touch. The contact is an oscillator about the overlap m g/k at rest.
 double dropped_restitution(double damping, bool clamped) {
   const double frequency = std::sqrt(drop_stiffness / drop_mass), rest = drop_mass * gravity / drop_stiffness;
   const double speed = std::sqrt(2.0 * gravity * (drop.place - drop_radius));
@@ -380,7 +380,7 @@ void check_advice(const Program& program, Findings& findings, Differences& diffe
                   summary.at("bodies").at(0).at("velocity").at(1).get<double>() / hung_state(end).velocity - 1.0, 0.0,
                   Tolerance::truncation(accuracy, 1.0, "the required accuracy"));
   const ProgramEnd refused = program.end({"advise", "plain.toml"}, few);
-  differ.compare("advise: exit code with 100 evaluations", refused.exit_code, 5);
+  differ.compare("advise: exit status with 100 evaluations", refused.exit_code, 5);
   differ.compare("advise: file with 100 evaluations", program.has("few.toml"), false);
 
   const Options loose{
@@ -482,7 +482,7 @@ void check_other_commands(const Program& program, Differences& differ) {
     }
   }
   const ProgramEnd version = program.end({}, {{"--version", {}}});
-  differ.compare("version: exit code", version.exit_code, 0);
+  differ.compare("version: exit status", version.exit_code, 0);
   differ.compare("version: text", version.output.starts_with("talus ") && version.output.size() < 20, true);
   for (const std::string command : {"run", "check", "advise", "calibrate", "cell", "convert", "export", "plot",
                                     "snapshot", "animate", "study", "list", "new"}) {
@@ -518,7 +518,7 @@ void run(Findings& findings, const Setup& setup) {
     program.write("cell.toml", cell_text("", ""));
     check_other_commands(program, others);
   }
-  others.expect_none(findings, of_others, "files, texts and exit codes");
+  others.expect_none(findings, of_others, "files, texts and exit statuses");
 }
 
 }  // namespace

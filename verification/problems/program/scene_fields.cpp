@@ -365,7 +365,7 @@ void check_placed(const TemporaryFolder& folder, Findings& findings, const Setup
                   .rows = {{where, fmt::format("{:.3g}", worst)}}});
 }
 
-/// A run that a rule of the monitor concerns, and its exit codes with the default and with another choice.
+/// A run that a rule of the monitor concerns, and its exit statuses with the default and with another choice.
 struct Watched {
   std::string bodies, step, end, choice;
   int usual{}, chosen{};
@@ -416,9 +416,9 @@ void check_watch(const TemporaryFolder& folder, Findings& findings, const Setup&
     }
   }
   findings.expect("runs whose rules of the monitor have another effect", wrong, 0.0,
-                  Tolerance::exact("exit codes with the default and with another choice of each rule"));
+                  Tolerance::exact("exit statuses with the default and with another choice of each rule"));
   findings.table({.name = "rules",
-                  .caption = "Exit codes of runs with rules of the monitor.",
+                  .caption = "Exit statuses of runs with rules of the monitor.",
                   .columns = {"rules", "expected", "found"},
                   .rows = rows});
 }

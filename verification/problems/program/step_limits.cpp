@@ -23,7 +23,7 @@ using reference::Scheme;
 /// Speed of the disturbance [m/s]: the relative change of overlaps is 1e-6.
 constexpr double speed = 1e-6;
 constexpr int steps = 400;
-constexpr int diverged = 3;  ///< exit code of a run that failed numerically
+constexpr int diverged = 3;  ///< exit status of a run that failed numerically
 
 struct Mode {
   double frequency{};      ///< [rad/s]
@@ -296,7 +296,7 @@ void run(Findings& findings, const Setup& setup) {
   findings.expect("wrong verdicts of `talus check` at 0.999 and 1.001 of the limit", wrong_checks, 0.0,
                   Tolerance::exact("both sides of each limit"));
   findings.expect("runs terminated at 0.999 of the limit, or not terminated at 1.001", wrong_runs, 0.0,
-                  Tolerance::exact("exit code 3 of `talus run`, or another"));
+                  Tolerance::exact("exit status 3 of `talus run`, or another"));
   findings.expect_between(
       "growth in 400 steps at 0.99 of the limit: maximum", stable, 0.0, 12.3,
       "a leapfrog mode grows to at most 1/sqrt(1 - 0.99^2) = 7.1 times its disturbance; three orthogonal modes of "
