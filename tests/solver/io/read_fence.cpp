@@ -1,4 +1,4 @@
-#define BOOST_TEST_MODULE toml_fence
+#define BOOST_TEST_MODULE read_fence
 #include "solver/io/scene/read_fence.hpp"
 
 #include <boost/test/unit_test.hpp>

@@ -1,4 +1,4 @@
-#define BOOST_TEST_MODULE cell_file
+#define BOOST_TEST_MODULE read_cell
 #include "solver/io/cell/read_cell.hpp"
 
 #include <fmt/format.h>

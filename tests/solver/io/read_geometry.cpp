@@ -1,4 +1,4 @@
-#define BOOST_TEST_MODULE geometry_series
+#define BOOST_TEST_MODULE read_geometry
 #include "solver/io/output/read_geometry.hpp"
 
 #include <unistd.h>

@@ -1,4 +1,4 @@
-#define BOOST_TEST_MODULE vtp_series
+#define BOOST_TEST_MODULE write_geometry
 #include "solver/io/output/write_geometry.hpp"
 
 #include <unistd.h>

@@ -1,4 +1,4 @@
-#define BOOST_TEST_MODULE toml_scene
+#define BOOST_TEST_MODULE read_scene
 #include <boost/test/unit_test.hpp>
 #include <cmath>
 #include <numbers>

@@ -1,4 +1,4 @@
-#define BOOST_TEST_MODULE dat_deck
+#define BOOST_TEST_MODULE read_deck
 #include "solver/io/fence1993/read_deck.hpp"
 
 #include <boost/test/unit_test.hpp>
