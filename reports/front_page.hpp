@@ -14,8 +14,8 @@ namespace talus::reports {
 /// Requirements without a check in this run or with one that failed, and what the report is not about.
 [[nodiscard]] std::string not_verified(const Results& results);
 
-/// The highlights in rows of two, as the pictures figures/<highlight_stem()>.svg; highlights of cases that did not run are
-/// omitted.
+/// The highlights in rows of two, as the pictures figures/<highlight_stem()>.svg; highlights of cases that did not run
+/// are omitted.
 [[nodiscard]] std::string highlights(const Results& results);
 
 /// The figure of a highlight; null if its case was not selected or broke off. Throws RecordError when the case has no

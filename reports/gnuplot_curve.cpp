@@ -88,8 +88,8 @@ std::string line_command(const Curve& curve, const std::string& block, std::size
 /// Number of corners, enough to be invisible: a circle of 1/100 of the picture width has 18, of 1/10 has 40.
 int corners(double radius, double width) { return std::clamp(16 + static_cast<int>(500.0 * radius / width), 16, 48); }
 
-/// Circles one after the other, each closed, as polygons: gnuplot draws circles with so fine a polygon that 3000 discs make
-/// an SVG of 11 MB.
+/// Circles one after the other, each closed, as polygons: gnuplot draws circles with so fine a polygon that 3000 discs
+/// make an SVG of 11 MB.
 std::string circle_rows(const std::vector<Point>& circles, double width) {
   std::string text;
   for (const Point& circle : circles) {

@@ -62,10 +62,10 @@ struct ReportPage {
   std::string details{};  ///< Markdown for the volume of details; may be empty
 };
 
-/// All pages in the order of the report, the first page first; pictures are linked as figures/<stem>.svg. `templates` is
-/// the folder of the Mustache templates; `references` is the list of references as Markdown, empty if there are none;
-/// `tools` is a line naming the tools' versions. Throws OutputError when a template is missing or wrong, RecordError when
-/// a finding or highlight names what its case does not have.
+/// All pages in the order of the report, the first page first; pictures are linked as figures/<stem>.svg. `templates`
+/// is the folder of the Mustache templates; `references` is the list of references as Markdown, empty if there are
+/// none; `tools` is a line naming the tools' versions. Throws OutputError when a template is missing or wrong,
+/// RecordError when a finding or highlight names what its case does not have.
 [[nodiscard]] std::vector<ReportPage> report_pages(const Results& results, const Trials& trials, const Drawn& drawn,
                                                    const std::filesystem::path& templates,
                                                    const std::string& references, const std::string& tools);

@@ -29,10 +29,11 @@ struct Made {
 };
 
 /// Makes the volumes report/verification and report/verification-details, each as .md and .pdf, the site
-/// report/html/index.html with a page for each case, report/figures/ and report/data/ (the points of the figures), from verify/results.json and the CSV files in
-/// verify/<id>/. All appear together at the end, or none. What needs a tool that is missing or fails is left out, and an
-/// earlier one removed: pictures without gnuplot (text and tables then say so), HTML and PDF without pandoc, PDF
-/// without pdflatex. Throws RecordError when a record is wrong, OutputError when a folder is, FileError.
+/// report/html/index.html with a page for each case, report/figures/ and report/data/ (the points of the figures), from
+/// verify/results.json and the CSV files in verify/<id>/. All appear together at the end, or none. What needs a tool
+/// that is missing or fails is left out, and an earlier one removed: pictures without gnuplot (text and tables then say
+/// so), HTML and PDF without pandoc, PDF without pdflatex. Throws RecordError when a record is wrong, OutputError when
+/// a folder is, FileError.
 ///
 /// A figure that cannot be drawn is an error, except in an interrupted case (error, timeout, missing): then the page
 /// gives the reason.
@@ -53,9 +54,9 @@ Made make_plots(const std::filesystem::path& run, const std::filesystem::path& t
 /// without pdflatex only the HTML is made. Throws as make_report() does.
 Made make_sheet(const std::filesystem::path& run, const ToolPaths& tools);
 
-/// Draws the sketches of pages of cases (see sketch.hpp) as target/NAME-sketch-1.<format> ... from each NAME.md, for the
-/// authors of pages. Throws RecordError with the file's name as page_sketches() does, and when a file has no sketch,
-/// OutputError if gnuplot fails, FileError.
+/// Draws the sketches of pages of cases (see sketch.hpp) as target/NAME-sketch-1.<format> ... from each NAME.md, for
+/// the authors of pages. Throws RecordError with the file's name as page_sketches() does, and when a file has no
+/// sketch, OutputError if gnuplot fails, FileError.
 Made make_sketches(const std::vector<std::filesystem::path>& files, const std::filesystem::path& target,
                    const std::set<std::string>& formats, const ToolPaths& tools);
 

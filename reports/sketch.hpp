@@ -1,5 +1,5 @@
-/// Sketches of problems in one style: bodies, supports, cables, arrows and dimensions, one element per line, in a page's
-/// Markdown as a code block that begins with ```sketch and an alternative text.
+/// Sketches of problems in one style: bodies, supports, cables, arrows and dimensions, one element per line, in a
+/// page's Markdown as a code block that begins with ```sketch and an alternative text.
 #pragma once
 
 #include <cstddef>
@@ -67,8 +67,8 @@ struct Sketch {
 /// Flags of bodies: held (a fixed body), ghost (another position of a body: dashed, not filled); of lines, curves and
 /// cables: dashed; of cables, springs, dashpots, lines, curves and dimensions: below (the label is to the right of the
 /// direction instead of to the left).
-/// Throws RecordError with the line's number, what was found and what is allowed; also for a sketch without elements and
-/// for one wider than a page's text or higher than half a page.
+/// Throws RecordError with the line's number, what was found and what is allowed; also for a sketch without elements
+/// and for one wider than a page's text or higher than half a page.
 [[nodiscard]] Sketch read_sketch(const std::string& text);
 
 /// Commands that draw the sketch as folder/stem.<format>, one unit as one centimetre.

@@ -96,8 +96,8 @@ Json frame_json(const GeometryFrame& frame, const std::vector<HangerBar>& bars) 
           {"broken", std::move(broken)}};
 }
 
-/// A long history is drawn by two points per block of rows, at most 1000, since a screen shows no more: the smallest and
-/// the largest value, in their order, so that the peak of a short contact stays. The last row is always there.
+/// A long history is drawn by two points per block of rows, at most 1000, since a screen shows no more: the smallest
+/// and the largest value, in their order, so that the peak of a short contact stays. The last row is always there.
 constexpr std::size_t most_rows = 1000;
 std::size_t block_length(std::size_t rows) { return rows <= most_rows ? 0 : 1 + 2 * rows / most_rows; }
 

@@ -93,7 +93,7 @@ struct Stretch {
 struct Sweep {
   std::vector<std::size_t> order;  ///< indices of the swept bodies, sorted by their smallest x
   std::vector<Stretch> stretches;  ///< one for each swept body
-  std::vector<std::size_t> close;  ///< the list of close pairs: their skins were within reach of each other
+  std::vector<std::size_t> close;  ///< pairs closer than reach plus skin
   Places places;                   ///< positions of the bodies when the list was made
 };
 

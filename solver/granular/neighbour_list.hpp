@@ -81,7 +81,7 @@ class NeighbourList {
   /// Index of the pair of two discs, first < second; size() if it is not listed.
   std::size_t find(std::size_t first, std::size_t second) const;
 
-  /// Of an image: its shift [L], and its additional velocity [L/T].
+  /// Shift of an image [L], and its additional velocity [L/T].
   struct Shift {
     double x{}, y{}, vx{};
   };

@@ -51,8 +51,8 @@ class LaggedCentralDifferenceOf {
   template <Evaluable<StateType> System>
   requires VectorState<StateType>
   void step(System& system, StateType& state, Scalar h) {
-    // After the swap the state has the velocities of the preceding step; those of this step are the old ones of the
-    // next.
+    // After the swap the state has the velocities of the preceding step; `old_velocity_` then holds those of this
+    // step.
     std::swap(state.v, old_velocity_);
     system.evaluate(state, rates_);
     advance(state.v, old_velocity_, h, rates_.v, std::min(rates_.moving, state.v.size()));

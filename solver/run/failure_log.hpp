@@ -33,7 +33,7 @@ class FailureLog {
   const std::vector<Failure>& failures() const { return failures_; }
 
  private:
-  /// A mode of a part that the log waits for.
+  /// A mode change to be recorded.
   struct Watch {
     Slot slot{};
     Mode mode{};

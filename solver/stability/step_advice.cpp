@@ -39,8 +39,8 @@ std::vector<SpringLabel> spring_labels(const Dynamics& dynamics) {
   return labels;
 }
 
-/// Duration of an impact on this spring [T]; for a cable half its period. Infinite for a spring that no motion stretches (a cable that runs straight across its
-/// bodies' path): it has no frequency.
+/// Duration of an impact on this spring [T]; for a cable half its period. Infinite for a spring that no motion
+/// stretches (a cable that runs straight across its bodies' path): it has no frequency.
 double duration(const SpringLabel& label, const Spring& spring) {
   if (!std::isfinite(spring.effective_mass)) return std::numeric_limits<double>::infinity();
   if (label.law) return contact_time(*label.law, spring.effective_mass);

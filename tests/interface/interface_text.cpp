@@ -39,7 +39,7 @@ std::string kind_of(const fs::path& file) {
   return whole.contains(name) || dot == std::string::npos ? name : "*" + name.substr(dot);
 }
 
-// --- TOML: the text is changed in place, so that lines and comments stay as they are -----------------------------------
+// --- TOML: the text is changed in place, so that lines and comments stay as they are ---------------------------------
 
 /// A value of a TOML text: its item, its bytes, those of its key with it, and what it becomes.
 struct Value {
@@ -113,7 +113,7 @@ class TomlValues {
   std::vector<Value> values_;
 };
 
-// --- JSON --------------------------------------------------------------------------------------------------------------
+// --- JSON ------------------------------------------------------------------------------------------------------------
 
 /// Calls `leaf(path, value)` for each number, flag and text.
 void visit(Json& json, const std::string& path, auto&& leaf) {
@@ -142,7 +142,7 @@ void change(Json& json) {
 
 std::string json_text(const Json& json) { return json.dump(1) + "\n"; }
 
-// --- CSV and VTK ---------------------------------------------------------------------------------------------------------
+// --- CSV and VTK -----------------------------------------------------------------------------------------------------
 
 std::vector<std::string> cells_of(const std::string& line) {
   std::vector<std::string> cells{""};

@@ -29,8 +29,8 @@ struct Erratum {
   std::string proved_by;  ///< Id of the case that proves it.
 };
 
-/// A result in one sentence, for the report's summary. `<<NAME>>` in it is replaced by what the case's check of that name
-/// measures, so that no number is written twice.
+/// A result in one sentence, for the report's summary. `<<NAME>>` in it is replaced by what the case's check of that
+/// name measures, so that no number is written twice.
 struct CatalogueFinding {
   std::string case_id;
   std::string text;
@@ -46,11 +46,11 @@ struct CatalogueHighlight {
 /// What the cases must show, what other codes check, the errors of the 1993 report, the main findings, and the
 /// works that are cited.
 struct Catalogue {
-  std::vector<Requirement> requirements;       ///< The 1993 report's equations, problems, the solver's closed lists.
-  std::vector<std::string> families;           ///< Of cases, in the order of the report; also groups of problems.
-  std::vector<PeerCheck> peers;                ///< In the order of the report, the checks of a suite together.
-  std::vector<Erratum> errata;                 ///< As they were found.
-  std::vector<CatalogueFinding> findings;      ///< In the order of the report.
+  std::vector<Requirement> requirements;   ///< The 1993 report's equations, problems, the solver's closed lists.
+  std::vector<std::string> families;       ///< Families of cases, in the order of the report; also groups of problems.
+  std::vector<PeerCheck> peers;            ///< In the order of the report, the checks of a suite together.
+  std::vector<Erratum> errata;             ///< As they were found.
+  std::vector<CatalogueFinding> findings;  ///< In the order of the report.
   std::vector<CatalogueHighlight> highlights;  ///< Likewise.
   Bibliography bibliography;
 
@@ -61,10 +61,10 @@ struct Catalogue {
   [[nodiscard]] std::string family_of(const std::string& named, const std::vector<std::string>& requirements) const;
 };
 
-/// Reads requirements.toml, peers.toml, errata.toml, findings.toml and references.bib of a folder, whose comments explain them, and
-/// adds the requirements of the solver's lists. Ids and keys are unique, and every reference to a work or a requirement
-/// leads to one; cases are not known here. Errors: IoError if a file cannot be read; InputError with file, line, key,
-/// what was found and what is allowed.
+/// Reads requirements.toml, peers.toml, errata.toml, findings.toml and references.bib of a folder, whose comments
+/// explain them, and adds the requirements of the solver's lists. Ids and keys are unique, and every reference to a
+/// work or a requirement leads to one; cases are not known here. Errors: IoError if a file cannot be read; InputError
+/// with file, line, key, what was found and what is allowed.
 [[nodiscard]] Catalogue read_catalogue(const std::filesystem::path& folder);
 
 }  // namespace talus::verification

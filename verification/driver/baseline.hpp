@@ -114,13 +114,13 @@ struct Totals {
     std::size_t worse = 0;     ///< For any reason.
   };
   Items cases, checks, controls;
-  std::size_t identical = 0, round_off = 0, changed = 0;        ///< Measured values of the compared checks.
-  std::size_t margins_grown = 0, margins_shrunk = 0;            ///< error/bound of the compared checks.
-  std::size_t bounds_widened = 0, bounds_tightened = 0;         ///< Bounds of the compared checks.
-  std::size_t references_changed = 0;                           ///< Of the compared checks, not bit-identical.
+  std::size_t identical = 0, round_off = 0, changed = 0;  ///< Measured values of the compared checks.
+  std::size_t margins_grown = 0, margins_shrunk = 0;      ///< error/bound of the compared checks.
+  std::size_t bounds_widened = 0, bounds_tightened = 0;   ///< Bounds of the compared checks.
+  std::size_t references_changed = 0;  ///< References of the compared checks that are not bit-identical.
   std::size_t evaluations_grown = 0, evaluations_shrunk = 0;    ///< Cases.
-  std::uint64_t evaluations_before = 0, evaluations_after = 0;  ///< Of the compared cases.
-  double seconds_before = 0.0, seconds_after = 0.0;             ///< Of the compared cases [s].
+  std::uint64_t evaluations_before = 0, evaluations_after = 0;  ///< Evaluations of the compared cases.
+  double seconds_before = 0.0, seconds_after = 0.0;             ///< Duration of the compared cases [s].
 
   [[nodiscard]] std::size_t worse() const { return cases.worse + checks.worse + controls.worse; }
 };

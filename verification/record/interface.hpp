@@ -8,8 +8,8 @@
 
 #include "verification/record/names.hpp"
 
-/// interface.json: changes of single options, fields, columns and members of the program's interface, and the cases that
-/// detected them.
+/// interface.json: changes of single options, fields, columns and members of the program's interface, and the cases
+/// that detected them.
 namespace talus::records {
 
 enum class InterfaceStatus {

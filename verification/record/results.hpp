@@ -101,8 +101,8 @@ struct Results {
   std::vector<std::string> families;  ///< Families of cases, in the order of the report.
   std::vector<Erratum> errata;
   std::vector<Peer> peers;
-  std::vector<Finding> findings{};      ///< Of registered cases.
-  std::vector<Highlight> highlights{};  ///< Of registered cases.
+  std::vector<Finding> findings{};      ///< Findings of registered cases.
+  std::vector<Highlight> highlights{};  ///< Figures of the first page, from registered cases.
   std::string bibliography;             ///< The works that are cited, in BibTeX; may be empty.
 };
 

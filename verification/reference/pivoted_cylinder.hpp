@@ -97,7 +97,7 @@ struct PivotedSoftImpact {
   double largest_depth{};  ///< Largest overlap [L].
   double peak_force{};     ///< [F].
   double peak_rate{};      ///< Largest theta' [rad/T].
-  double largest_angle{};  ///< Of the motion after contact, from its energy [rad]; NaN: turns over.
+  double largest_angle{};  ///< Largest angle after contact, from the energy [rad]; NaN: turns over.
   double turning_time{};   ///< From touch to theta' = 0 [T]; NaN when it turns over or is struck again before.
   bool struck_again{};     ///< Rock and face (taken as unbounded) touch again before the turning point.
   std::vector<PivotedState> samples;  ///< At the requested times.

@@ -112,8 +112,8 @@ BOOST_AUTO_TEST_CASE(panels_and_abscissas) {
   BOOST_TEST(path.panel(0).x.unit == "ft");
 }
 
-// Two layers of the half fence have 26 segments; 14 columns and a rock have 30 coordinates. Of more than 8 curves,
-// those with the largest range are drawn.
+// Two layers of the half fence have 26 segments; 14 columns and a rock have 30 coordinates. If there are more
+// than 8 curves, the 8 with the largest range are drawn.
 BOOST_AUTO_TEST_CASE(a_panel_has_eight_curves_unless_more_are_requested) {
   const auto labels = [](const talus::records::Figure& figure) {
     std::vector<std::string> found;

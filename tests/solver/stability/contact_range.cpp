@@ -60,8 +60,8 @@ BOOST_AUTO_TEST_CASE(largest_levers_of_outlines) {
   BOOST_TEST(largest_lever(Rectangle{0.5, 0.2}, {}) == 0.5);
   // About the middle of a short side: the far corners.
   BOOST_TEST(largest_lever(Rectangle{0.5, 0.2}, {-0.5, 0.0}) == 1.0);
-  // From (0, 4) the corner (1, 1) of a square is at (1, -3): the normal (3, 1)/sqrt(10) across this line is between those
-  // of the sides at the corner.
+  // From (0, 4) the corner (1, 1) of a square is at (1, -3): the normal (3, 1)/sqrt(10) across this line is between
+  // those of the sides at the corner.
   BOOST_TEST(largest_lever(Rectangle{1.0, 1.0}, {0.0, 4.0}) == 5.0);
   BOOST_TEST(largest_lever(Rectangle{1.0, 1.0}, {0.0, 1.2}) == 2.2);
   // An ellipse: |a - b|, where tan t = sqrt(a/b).

@@ -92,9 +92,9 @@ void expect_edges(Findings& findings, const Setup& setup) {
 
 enum class Numbering { by_rows, scattered };
 
-/// A cell of rough discs of two sizes, whose lever arms differ, with fast discs and a driven block. Scattered: the discs
-/// of the walls have the first numbers, and neighbours among the others have distant ones; two of three others are larger
-/// and press on the walls, because only sums of three forces depend on their order.
+/// A cell of rough discs of two sizes, whose lever arms differ, with fast discs and a driven block. Scattered: the
+/// discs of the walls have the first numbers, and neighbours among the others have distant ones; two of three others
+/// are larger and press on the walls, because only sums of three forces depend on their order.
 FilledCell rough_cell(const ShearCell& cell, Numbering numbering) {
   FilledCell start = fill(cell);
   const std::size_t free = cell.free_discs();

@@ -258,8 +258,8 @@ void check_friction(bool squares, double gap, Findings& findings) {
   }
 }
 
-/// Checks the smallest effective mass of a contact over all positions, between the body and a disc that cannot turn. The
-/// bound of a guided body holds for all its angles and is not reached at this one.
+/// Checks the smallest effective mass of a contact over all positions, between the body and a disc that cannot turn.
+/// The bound of a guided body holds for all its angles and is not reached at this one.
 void check_bound(Mobility mobility, Findings& findings, const Setup& setup) {
   constexpr double disc_mass = 0.6;
   ModelBuilder builder;

@@ -62,8 +62,8 @@ Json calibrated(const TemporaryFolder& folder, double restitution, EndRule rule,
   return Json::parse(talus_output(folder, arguments));
 }
 
-/// Restitution of one impact of velocity Verlet at unit speed: the force has the overlap of the step and the velocity half
-/// a step earlier. `phase`: the fraction of a step at which the surfaces meet. NaN if they do not part.
+/// Restitution of one impact of velocity Verlet at unit speed: the force has the overlap of the step and the velocity
+/// half a step earlier. `phase`: the fraction of a step at which the surfaces meet. NaN if they do not part.
 double stepped(const reference::Impact& impact, EndRule rule, double step, double phase) {
   double overlap = -phase * step, velocity = 1.0;
   bool touched = false;
@@ -80,8 +80,8 @@ double stepped(const reference::Impact& impact, EndRule rule, double step, doubl
   return std::numeric_limits<double>::quiet_NaN();
 }
 
-/// Step, restitution and its largest error, as the program defines them: a step of T/(2^n + 0.381966), 64 phases of touch,
-/// for the error each with a step that ends the contact at another phase, by the golden section.
+/// Step, restitution and its largest error, as the program defines them: a step of T/(2^n + 0.381966), 64 phases of
+/// touch, for the error each with a step that ends the contact at another phase, by the golden section.
 struct Stepped {
   double fraction{};  ///< 2^n from the printed step, over the nearest power of two
   double restitution{}, error{};
