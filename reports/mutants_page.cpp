@@ -84,7 +84,8 @@ Figure tolerance_figure(const Mutants& mutants) {
   figure.name = "tolerance";
   figure.title = "Score against tolerance";
   figure.caption =
-      "Share of the mutants that would still be killed if the bound of every check were 2, 5 or 10 times as large; by "
+      "Fraction of the mutants that would still be killed if the bound of every check were 2, 5 or 10 times as large; "
+      "by "
       "all cases, and by those of one family alone. Checks that have no size (same bits, a refused scene) and cases "
       "that break off kill at any tolerance.";
   figure.x = {.label = "bounds multiplied by", .unit = "1", .log = false, .min = 0.0, .max = 10.5};

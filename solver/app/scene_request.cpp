@@ -90,7 +90,7 @@ SceneRequest scene_request(const SceneOptions& options) {
   Scene& scene = request.file.scene;
   if (!request.run.resumes()) {
     if (options.sheet && (!request.file.fence || options.folder.empty()))
-      throw InputError{"--sheet: it goes with a fence (a deck or a scene with [fence]) and with --out"};
+      throw InputError{"--sheet: it requires a fence (a deck or a scene with [fence]) and --out"};
     apply(options, request.file);
   } else {
     const Checkpoint& saved = request.run.saved;

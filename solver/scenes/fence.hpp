@@ -190,7 +190,7 @@ struct FenceOptions {
   FenceEnd end{FenceEnd::steps};
   Sleep sleep{Sleep::exact};  ///< of columns that have not been moved; `on` gives up the smallest digits of the listing
   /// Checks that end a run or print a warning. The contacts of a fence are those of its model: columns do not touch
-  /// each other. A run as of 1993 is to repeat the errors of its step.
+  /// each other. A run with the rules of 1993 must reproduce the errors of its step.
   MonitorRules watch{.missing_contacts = CheckAction::off, .quality = CheckAction::warning};
   std::string integrator{"lagged_central_difference"};
   double tolerance{};  ///< error tolerance of the integrator's step control; 0: none (1993)

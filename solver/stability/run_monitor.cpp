@@ -171,8 +171,9 @@ void RunMonitor::check_pairs(const Snapshot& snapshot) {
   const auto overlap = dynamics_->contacts().deepest_overlap(work);
   take_overlap(Watched::overlap, overlap.ratio, seen, overlap.contact, [](bool through) {
     return fmt::format(
-        "{}; it needs a stiffer contact (overlaps go with 1/sqrt(k)), a slower impact, or bodies farther apart at the "
-        "start",
+        "{}; it needs a stiffer contact (overlaps are proportional to 1/sqrt(k)), a slower impact, or bodies farther "
+        "apart "
+        "at the start",
         through ? "the bodies may slip through each other" : "its shapes are no longer the scene's");
   });
 }

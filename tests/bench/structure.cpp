@@ -100,7 +100,7 @@ void print_structure_savings() {
   }
   pairs.add("sleep by default, 1,001 columns: 101, as tight", long_fence(1001, 1, Sleep::on, Sag::as_tight),
             long_fence(101, 1, Sleep::on, Sag::as_tight));
-  pairs.add("sleep by default, 1,001 columns: 101, with its share of sag", long_fence(1001, 1, Sleep::on),
+  pairs.add("sleep by default, 1,001 columns: 101, with sag in proportion", long_fence(1001, 1, Sleep::on),
             long_fence(101, 1, Sleep::on));
   // One evaluation of the initial state, with the rock just off the fence.
   scenes::Fence apart = long_fence(13, 2, Sleep::off);

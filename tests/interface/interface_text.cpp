@@ -97,7 +97,7 @@ class TomlValues {
     values_.push_back(std::move(value));
   }
 
-  /// Within braces and brackets a comma goes with the text.
+  /// Within braces and brackets a comma belongs to the text.
   void remove(Value& value) const {
     const std::size_t next = text_.find_first_not_of(' ', value.end);
     if (next != std::string::npos && text_[next] == ',') {

@@ -528,7 +528,7 @@ int main(int argc, char** argv) {
   app.add_option("--jobs", options.jobs, "Cases at once (default: the processors of this machine)");
   app.add_option("--build-seconds", options.build_seconds, "What building took, for the report");
   app.add_option("--least-score", options.least_score,
-                 "Fail if a smaller share of the generated mutants that count is killed")
+                 "Fail if a smaller fraction of the generated mutants that count is killed")
       ->check(CLI::Range(0.0, 1.0))
       ->capture_default_str();
   app.add_option("--longest", options.longest, "Only cases that take at most this processor time without a mutant [s]")

@@ -47,7 +47,7 @@ CornerLoop round_corner(const Model& model, int steps, double moments) {
     const std::array place{CornerLoop::corner.x + CornerLoop::radius * std::cos(round),
                            CornerLoop::corner.y + CornerLoop::radius * std::sin(round), 0.2 + 0.4 * std::sin(round)};
     std::copy(place.begin(), place.end(), state.q.begin());
-    potential.stand(state);
+    potential.evaluate(state);
     forces = potential.forces(state);
     forces[2] *= moments;
     for (std::size_t k = 0; k < 3 && i > 0; ++k)

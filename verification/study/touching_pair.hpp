@@ -25,7 +25,7 @@ class Potential {
   explicit Potential(const Model& model) : dynamics_{model}, work_{dynamics_.workspace()} {}
 
   /// Evaluates the state and updates its modes; the functions below refer to this state.
-  void stand(State& state) {
+  void evaluate(State& state) {
     dynamics_.update(state, work_);
     dynamics_.update_modes(state, work_);
   }

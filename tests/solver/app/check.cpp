@@ -206,8 +206,8 @@ BOOST_AUTO_TEST_CASE(a_run_warns_of_overlaps_at_its_start) {
   BOOST_TEST(holds(talus::read_text(out + "/summary.json"), "overlaps by 0.05 m at the start, 10 %"));
 }
 
-// A step beyond its limit is an error of the check, as the results of the run are not usable; a run as of 1993 is to
-// repeat the errors of its step.
+// A step beyond its limit is an error of the check, as the results of the run are not usable; a run with the rules
+// of 1993 must reproduce the errors of its step.
 BOOST_AUTO_TEST_CASE(a_step_beyond_its_limit_has_an_exit_code) {
   const Folder folder;
   const std::string run = "integrator = \"velocity_verlet\"\nend = \"0.2 s\"\n";

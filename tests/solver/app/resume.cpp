@@ -82,10 +82,9 @@ BOOST_AUTO_TEST_CASE(a_sheet_sums_up_the_whole_run) {
 BOOST_AUTO_TEST_CASE(sheets_that_cannot_be) {
   const Folder folder;
   const std::string out = (folder.path / "out").string();
-  const std::string goes_with =
-      "talus: --sheet: it goes with a fence (a deck or a scene with [fence]) and with --out\n";
-  BOOST_TEST(talus_ran({"run", scene("two_cable.toml"), "--sheet", "--out", out}).err == goes_with);
-  BOOST_TEST(talus_ran({"run", scene("fence/sample2.DAT"), "--sheet"}).err == goes_with);
+  const std::string requirement = "talus: --sheet: it requires a fence (a deck or a scene with [fence]) and --out\n";
+  BOOST_TEST(talus_ran({"run", scene("two_cable.toml"), "--sheet", "--out", out}).err == requirement);
+  BOOST_TEST(talus_ran({"run", scene("fence/sample2.DAT"), "--sheet"}).err == requirement);
   BOOST_TEST(!fs::exists(out));
   runs({"run", scene("fence/sample2.DAT"), "--until", "1 ms", "--out", out});
   BOOST_TEST(talus_ran({"run", "--resume", out, "--sheet"}).err ==

@@ -206,5 +206,5 @@ BOOST_AUTO_TEST_CASE(wrong_hangers_are_refused) {
                     .a = {std::nullopt, {1.0, 0.0, 0.0}},
                     .b = {body, {0.0, 0.5, 0.0}},
                     .law = ElasticPlastic{.stiffness = 2.0}});
-  BOOST_CHECK_THROW(builder.add(Hanger{"unlike", body, {0.0, 0.5, 0.0}, 1.0}), InputError);
+  BOOST_CHECK_THROW(builder.add(Hanger{"mixed", body, {0.0, 0.5, 0.0}, 1.0}), InputError);
 }

@@ -173,11 +173,11 @@ void check_bits(Findings& findings, const Setup& setup) {
   for (const char* name : {"central_difference", "rk4", "odeint_dopri5"})
     expect("yard", fmt::format("level yard in a mirror, {}", name),
            compare(yard, mirror, make_integrator(name), 0.8, setup, findings), mirrored, name);
-  const Scene crowd = crowded_yard();
-  Scene reversed = with_bodies_reversed(crowd);
+  const Scene uneven = crowded_yard();
+  Scene reversed = with_bodies_reversed(uneven);
   reversed.initial = run_to(reversed, VelocityVerlet{}, 1.5, findings);
   expect("yard", "yard with its bodies in the opposite order",
-         {run_to(crowd, VelocityVerlet{}, 1.5, findings), with_bodies_reversed(reversed).initial},
+         {run_to(uneven, VelocityVerlet{}, 1.5, findings), with_bodies_reversed(reversed).initial},
          "forces are summed over contacts, in the order of the contacts");
 }
 

@@ -77,7 +77,7 @@ Mismatch mismatch(const Model& model, double reach, const Setup& setup) {
     State state = rest_state(model);
     for (std::size_t k = 0; k < state.q.size(); ++k)
       state.q[k] = k % 3 == 2 ? any(random) : place(random);
-    potential.stand(state);
+    potential.evaluate(state);
     const std::vector<double> forces = potential.forces(state);
     double largest = 0.0;
     for (std::size_t k = 0; k < forces.size(); ++k)
@@ -90,7 +90,7 @@ Mismatch mismatch(const Model& model, double reach, const Setup& setup) {
       const auto energy_at = [&](double offset) {
         other.q[k] = state.q[k] + offset;
         other.mode = state.mode;
-        potential.stand(other);
+        potential.evaluate(other);
         smooth = smooth && other.mode == state.mode;
         return potential.energy(other);
       };

@@ -55,7 +55,7 @@ constexpr std::array failures{
             "turned history: largest error of a friction force stored in world axes, over the force"},
     Failure{"creep", check_creep, "friction", "slope_too_steep", "a slope 1 % steeper than the angle of friction",
             "creep: displacement of a block held by spring and slider, over the stretch of its spring"},
-    Failure{"latch reload", check_latch_reload, "latching_spring", "remembers", "a history that is retained",
+    Failure{"latch reload", check_latch_reload, "latching_spring", "retained", "a history that is retained",
             "latch reload: work of a reload before the surfaces separate, history lost at its start"},
     Failure{"order of sums", check_order_of_sums, "frame_invariance", "same_order", "the same order twice",
             "order of sums: acceleration by eight contacts, reversed minus listed order, over rounding"}};

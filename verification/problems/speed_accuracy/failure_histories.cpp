@@ -175,7 +175,7 @@ FailureFound check_latch_reload(Findings& findings, const Setup& setup) {
   constexpr double soft = 64.0, stiff = 256.0, most = 0.5, slack = 0.25;
   const double had_back = 0.5 * soft * most * soft * most / stiff;
   const char* why = "all overlaps, forces and their products are short sums of powers of two";
-  const double forgotten = reload(slack, !setup.has("remembers")), kept = reload(slack, false),
+  const double forgotten = reload(slack, !setup.has("retained")), kept = reload(slack, false),
                parted = reload(-0.0625, false);
   findings.expect("latch reload: work of a reload before the surfaces separate, history lost at its start", forgotten,
                   0.5 * soft * (most * most - slack * slack) - had_back, Tolerance::exact(why), "J");
