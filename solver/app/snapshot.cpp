@@ -102,7 +102,7 @@ void add_pages(std::vector<reports::Page>& pages, const Drawn& drawn, View view,
 template <class Drawn>
 DrawingRequest snapshot(const Drawn& drawn, const SnapshotOptions& options) {
   if (options.view != "side" && !drawn.has_depth) {
-    throw InputError{fmt::format("--view: found \"{}\"; the run in {} is plane; this view requires a fence",
+    throw InputError{fmt::format("--view: found \"{}\"; the run in '{}' is plane; this view requires a fence",
                                  options.view, options.folder)};
   }
   const PictureOptions& picture = options.picture;

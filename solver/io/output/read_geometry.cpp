@@ -82,7 +82,7 @@ std::vector<GeometryFile> read_geometry_index(const std::filesystem::path& file)
     }
     files.push_back({value, file.parent_path() / set.attribute("file").value()});
   }
-  if (files.empty()) index.report("Collection: it names no file: the run left no geometry");
+  if (files.empty()) index.report("Collection: it names no file: the run wrote no geometry");
   return files;
 }
 

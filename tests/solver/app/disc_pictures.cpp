@@ -148,7 +148,7 @@ BOOST_AUTO_TEST_CASE(cells_that_cannot_be_drawn) {
       {{"snapshot", bare}, "bare: the run wrote no states; set GRAPH = 1 in CNTRL.DAT or pictures = \"on\" in [run]"},
       {{"animate", bare}, "bare: the run wrote no states; "},
       {{"snapshot", run, "--view", "along"},
-       "--view: found \"along\"; the run in " + run + " is plane; this view requires a fence"},
+       "--view: found \"along\"; the run in '" + run + "' is plane; this view requires a fence"},
       {{"snapshot", run, "--times", "2 ms"},
        "--times: found \"2 ms\"; it must be a bare number: the run named no units"},
       {{"snapshot", run, "--times", "1"}, "--times: found \"1\"; the run has states from 0.0025"},

@@ -357,7 +357,7 @@ BOOST_AUTO_TEST_CASE(snapshots_that_cannot_be_drawn) {
       {{run, "--window", "1", "0", "-1", "2"},
        "--window: found 1 0 -1 2; it must be x-min y-min x-max y-max, with min < max"},
       {{run, "--view", "top"}, "--view: top not in {side,along,both}"},
-      {{planar, "--view", "along"}, "planar is plane; this view requires a fence"},
+      {{planar, "--view", "along"}, "planar' is plane; this view requires a fence"},
       {{planar, "--colour", "force"},
        "--colour: found \"force\"; " + planar + " holds bodies and cables, and only discs are coloured so"}};
   for (const auto& [options, message] : wrong) {

@@ -92,7 +92,7 @@ BOOST_AUTO_TEST_CASE(damaged_geometry_is_named) {
   BOOST_TEST(holds(index("<VTKFile>\n<Coll"), "x.pvd:2: not XML: "));
   BOOST_TEST(holds(index("<VTKFile/>"), "x.pvd: VTKFile/Collection: it is missing; "));
   BOOST_TEST(holds(index("<VTKFile><Collection/></VTKFile>"),
-                   "x.pvd: Collection: it names no file: the run left no geometry"));
+                   "x.pvd: Collection: it names no file: the run wrote no geometry"));
   BOOST_TEST(holds(index("<VTKFile><Collection><DataSet timestep=\"now\"/></Collection></VTKFile>"),
                    "x.pvd: timestep: found \"now\"; it must be a number"));
   const auto piece = [&](const std::string& text) {
