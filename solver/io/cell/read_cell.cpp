@@ -185,7 +185,7 @@ bool has_first(SceneTable& table, std::string_view first, std::string_view secon
   if (table.has(first) == table.has(second)) {
     const bool both = table.has(first);
     table.report(both ? second : first, both ? fmt::format("found beside {}; give one of the two", first)
-                                             : fmt::format("it is missing; give {1} or {0}", second));
+                                             : fmt::format("it is missing; give {} or {}", second, first));
   }
   return table.has(first);
 }
