@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <limits>
 
 namespace talus::verification::problems {
 
@@ -42,8 +43,9 @@ std::string squeezed(const std::string& text) {
 
 void Differences::expect_none(Findings& findings, const std::string& check, const std::string& why) const {
   const std::string found = differing_.empty() ? "" : fmt::format(". Differing: {}", fmt::join(differing_, ", "));
-  findings.expect(check, static_cast<double>(differing_.size()), 0.0,
-                  Tolerance::exact(fmt::format("{} comparisons: {}{}", compared_, why, found)));
+  const double count =
+      compared_ > 0 ? static_cast<double>(differing_.size()) : std::numeric_limits<double>::quiet_NaN();
+  findings.expect(check, count, 0.0, Tolerance::exact(fmt::format("{} comparisons: {}{}", compared_, why, found)));
 }
 
 }  // namespace talus::verification::problems

@@ -58,7 +58,8 @@ class Differences {
     if (!(found == expected)) differing_.push_back(name);
   }
 
-  /// Checks that there are none; a red check names them.
+  /// Checks that there are none; a red check names them. The check fails if nothing was compared: the loop that was to
+  /// compare found no items.
   void expect_none(Findings& findings, const std::string& check, const std::string& why) const;
 
  private:

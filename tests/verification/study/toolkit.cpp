@@ -10,6 +10,7 @@
 #include "verification/study/expectations.hpp"
 #include "verification/study/phases.hpp"
 #include "verification/study/predicted_errors.hpp"
+#include "verification/study/program_options.hpp"
 #include "verification/study/recorded_run.hpp"
 #include "verification/study/scene_run.hpp"
 
@@ -148,4 +149,25 @@ BOOST_AUTO_TEST_CASE(a_ledger_and_a_recorded_run_balance_the_energy) {
   BOOST_TEST(std::abs(accounts.energy_balance_error) < 1e-4);
   const Quantity speed = quantity_named(scene.model, "disc.vy.end");
   BOOST_TEST(run.value(speed) == run.end().state.v[1]);
+}
+
+BOOST_AUTO_TEST_CASE(options_are_given_but_for_the_one_that_a_fault_leaves_out) {
+  const Options options{{"--grid", {}}, {"--x-limits", {"0", "1"}}};
+  using Words = std::vector<std::string>;
+  BOOST_TEST((with_options({"plot"}, options, {}) == Words{"plot", "--grid", "--x-limits", "0", "1"}));
+  BOOST_TEST((with_options({"plot"}, options, {.fault = "without_x_limits"}) == Words{"plot", "--grid"}));
+}
+
+BOOST_AUTO_TEST_CASE(differences_are_named_and_none_need_a_comparison) {
+  Findings findings;
+  problems::Differences one, equal;
+  const problems::Differences none;
+  one.compare("grid", 1, 1), one.compare("title", std::string{"a"}, std::string{"b"}), equal.compare("grid", 1, 1);
+  one.expect_none(findings, "one", "why"), equal.expect_none(findings, "equal", "why");
+  none.expect_none(findings, "none", "why");
+  BOOST_TEST(!findings.find("one")->pass);
+  BOOST_TEST(findings.find("one")->measured == 1.0);
+  BOOST_TEST(findings.find("one")->why == "2 comparisons: why. Differing: title");
+  BOOST_TEST(findings.find("equal")->pass);
+  BOOST_TEST(!findings.find("none")->pass);
 }
