@@ -12,8 +12,12 @@ using namespace talus::records;
 
 namespace {
 
-InterfaceItem item(const char* kind, const char* name, InterfaceStatus status) {
-  return {.kind = kind, .name = name, .cases = {"run_files"}, .status = status, .killed_by = "", .check = ""};
+/// An item that two cases use, unless none does; the second detects its change, if one does.
+InterfaceItem item(const char* kind, const std::string& name, InterfaceStatus status) {
+  InterfaceItem made{.kind = kind, .name = name, .status = status};
+  if (status != InterfaceStatus::unused) made.cases = {"run_files", "two_rocks"};
+  if (status == InterfaceStatus::killed) made.killed_by = "two_rocks", made.check = "largest error of " + name;
+  return made;
 }
 
 const std::vector<InterfaceItem> items{item("option", "run --out", InterfaceStatus::killed),
@@ -56,6 +60,8 @@ BOOST_AUTO_TEST_CASE(what_is_written_is_read) {
     BOOST_TEST(read[i].name == items[i].name);
     BOOST_TEST(read[i].cases == items[i].cases);
     BOOST_TEST((read[i].status == items[i].status));
+    BOOST_TEST(read[i].killed_by == items[i].killed_by);
+    BOOST_TEST(read[i].check == items[i].check);
   }
   write_whole(file, "{\"schema\": \"talus interface 0\", \"items\": []}");
   BOOST_CHECK_THROW(read_interface(file), RecordError);
