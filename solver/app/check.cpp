@@ -312,12 +312,14 @@ int check(const std::string& file) {
   }
   print_cost(scene, dynamics);
   print_output(read, dynamics, path, warnings);
-  for (const auto& found :
-       {start_warnings(read, dynamics), missing_contact_warnings(scene, dynamics), geometry_warnings(read)})
+  const std::vector<std::string> missing = missing_contact_warnings(scene, dynamics);
+  for (const auto& found : {start_warnings(read, dynamics), missing, geometry_warnings(read)})
     warnings.insert(warnings.end(), found.begin(), found.end());
   for (const std::string& warning : warnings)
     print_failure(fmt::format("warning: {}", warning));
-  return is_beyond && scene.plan.watch.quality == CheckAction::error ? unusable : ok;
+  const MonitorRules& rules = scene.plan.watch;
+  const bool ends_at_start = !missing.empty() && rules.missing_contacts == CheckAction::error;
+  return ends_at_start || (is_beyond && rules.quality == CheckAction::error) ? unusable : ok;
 }
 
 }  // namespace
@@ -330,7 +332,8 @@ Command add_check(CLI::App& talus) {
   app->footer(
       "Example:\n  talus check cases/pivoted_cylinder.toml\n"
       "The exit status is 7 if the step is beyond the linear limit of the method, unless the watch of\n"
-      "the scene has quality = \"warning\", the default with rules = \"1993\".");
+      "the scene has quality = \"warning\", the default with rules = \"1993\"; and if bodies without a contact\n"
+      "between them overlap at the start and its missing_contacts = \"error\" would end the run.");
   return {app, [scene] { return check(*scene); }};
 }
 

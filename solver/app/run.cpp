@@ -73,7 +73,7 @@ class RequestedScene final : public ResumableRun {
   std::vector<std::string> warnings() const override {
     std::vector<std::string> all;
     if (beyond_at_start_) all.push_back(step_warning(run_.watch().step_ratio(), repair_command(*options_)));
-    const auto& found = record_.warnings.empty() ? run_.start_warnings() : record_.warnings;
+    const std::vector<std::string> found = record_.warnings.empty() ? run_.start_warnings() : record_.warnings;
     all.insert(all.end(), found.begin(), found.end());
     return all;
   }

@@ -38,7 +38,7 @@ SceneRun::SceneRun(const SceneFile& file, const std::filesystem::path& folder, c
       recorder_{dynamics_, run_state_.state, file.scene.plan.ledger},
       failures_{dynamics_},
       watch_{file.scene, dynamics_, run_state_.state},
-      start_warnings_{app::start_warnings(file, dynamics_)},
+      overlap_warnings_{app::start_warnings(file, dynamics_)},
       sheet_{sheet},
       parts_{dynamics_, file.scene.plan.ledger} {
   if (!folder.empty()) outputs_ = outputs_of({file, dynamics_, folder, scene.stem().string(), frames, sheet}, scene);
@@ -48,6 +48,12 @@ SceneRun::SceneRun(const SceneFile& file, const std::filesystem::path& folder, c
 State SceneRun::begun(State state) {
   system_.begin(state);
   return state;
+}
+
+std::vector<std::string> SceneRun::start_warnings() const {
+  std::vector<std::string> all = overlap_warnings_;
+  all.insert(all.end(), watch_.start_warnings().begin(), watch_.start_warnings().end());
+  return all;
 }
 
 void SceneRun::serialize(Archive& archive) {
@@ -175,7 +181,7 @@ RunRecord SceneRun::record(Outcome outcome) const {
   const auto warn = [&](const std::vector<std::string>& found) {
     record.warnings.insert(record.warnings.end(), found.begin(), found.end());
   };
-  warn(start_warnings_);
+  warn(overlap_warnings_);
   warn(watch_.warnings());
   if (fence_) {
     record.fence = fence_->summary();

@@ -37,7 +37,7 @@ class SceneRun {
   /// The monitor of the run, with its results so far.
   const RunMonitor& watch() const { return watch_; }
   /// Warnings about a start that is probably not intended; the first warnings of the record.
-  const std::vector<std::string>& start_warnings() const { return start_warnings_; }
+  [[nodiscard]] std::vector<std::string> start_warnings() const;
 
   const RunState& run_state() const { return run_state_; }
   const Dynamics& dynamics() const { return dynamics_; }
@@ -65,7 +65,7 @@ class SceneRun {
   Recorder recorder_;
   FailureLog failures_;
   RunMonitor watch_;
-  std::vector<std::string> start_warnings_;
+  std::vector<std::string> overlap_warnings_;  ///< about overlaps of contacts at the start
   RunOutputs outputs_;
   std::optional<scenes::FenceMonitor> fence_;  ///< only for a fence
   bool sheet_{};

@@ -9,7 +9,8 @@ enum ExitCode : int {
   diverged = 3,
   io_failed = 4,
   refused = 5,
-  unusable = 7,  ///< the run ended, but its results are not usable; of `check`: its step is beyond the linear limit
+  unusable = 7,  ///< the run ended, but its results are not usable; of `check`: its step is beyond the linear limit,
+                 ///< or its run monitor would end the run at the start
 };
 
 }  // namespace talus::app

@@ -59,6 +59,13 @@ RunMonitor::RunMonitor(const Scene& scene, const Dynamics& dynamics, const State
     missing_contacts_.emplace(dynamics);
     if (!missing_contacts_->is_checked()) missing_contacts_.reset();
   }
+  if (missing_contacts_) {
+    // Before the first step, so that a long run does not hide them until its end.
+    Workspace work = dynamics.workspace();
+    dynamics.update_all(start, work);
+    check_missing_contacts(start.t, work);
+    start_warnings_ = warnings_;
+  }
   const long steps = step_count(scene.plan);
   every_ = std::max(1L, steps / regular_checks);
   apart_ = std::max(1L, steps / frequency_checks);
@@ -108,7 +115,8 @@ void RunMonitor::check(const Snapshot& snapshot, long step, const std::optional<
     check_pairs(snapshot);
     if (step % 8 == 0) check_unseen_overlaps(snapshot);
   }
-  if (missing_contacts_ && reported_pairs_ < most_reported_pairs) check_missing_contacts(snapshot);
+  if (missing_contacts_ && reported_pairs_ < most_reported_pairs)
+    check_missing_contacts(snapshot.state().t, snapshot.geometry());
   if ((turn || balance) && scene_->plan.ledger && rules.accuracy != CheckAction::off) check_balance(snapshot, balance);
 }
 
@@ -220,11 +228,11 @@ void RunMonitor::take_overlap(Watched which, double ratio, const State& seen, Co
   });
 }
 
-void RunMonitor::check_missing_contacts(const Snapshot& snapshot) {
-  for (const UndeclaredOverlap& overlap : missing_contacts_->new_overlaps(snapshot.geometry())) {
+void RunMonitor::check_missing_contacts(double time, const Workspace& geometry) {
+  for (const UndeclaredOverlap& overlap : missing_contacts_->new_overlaps(geometry)) {
     if (reported_pairs_++ == most_reported_pairs) return;
     const std::string said =
-        fmt::format("at t = {:.6g} {}{}", snapshot.state().t, overlap_text(overlap, dynamics_->model()),
+        fmt::format("at t = {:.6g} {}{}", time, overlap_text(overlap, dynamics_->model()),
                     reported_pairs_ == most_reported_pairs ? "; further pairs are not reported" : "");
     if (scene_->plan.watch.missing_contacts == CheckAction::error) {
       violation_ = said;

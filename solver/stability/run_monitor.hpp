@@ -31,8 +31,8 @@ inline constexpr double largest_balance_error = 0.01;
 /// - passing and overlap are checked after every step in which something touches, else after every eighth (passing only
 ///   for fixed steps: methods that locate events limit their steps themselves); unseen after every eighth;
 /// - contact is checked when one closes, for methods of fixed step and scenes of up to as many coordinates;
-/// - bodies without a contact between them are checked for overlaps after every step; each of the first five pairs is
-///   reported once;
+/// - bodies without a contact between them are checked for overlaps at the start, by the constructor, and after every
+///   step; each of the first five pairs is reported once;
 /// - the energy balance is checked after every step for which it is given, else 64 times, with the ledger on. If it is
 ///   to warn, the whole run is judged at its end: early errors are small relative to later energies.
 class RunMonitor {
@@ -76,8 +76,10 @@ class RunMonitor {
 
   /// Why the run must end; empty while it may continue.
   const std::string& violation() const { return violation_; }
-  /// Findings that do not end the run, once for each quantity and limit.
+  /// Findings that do not end the run, once for each quantity and limit; those of the start come first.
   std::vector<std::string> warnings() const;
+  /// Those that were known before the first step.
+  const std::vector<std::string>& start_warnings() const { return start_warnings_; }
   const Extreme& extreme(Watched which) const { return extremes_[static_cast<std::size_t>(which)]; }
 
   /// Serializes what is carried from one step to the next.
@@ -93,7 +95,8 @@ class RunMonitor {
   template <class Words>
   void take_overlap(Watched which, double ratio, const State& seen, ContactId contact, const Words& words);
   void check_contact_steps(const State& seen);
-  void check_missing_contacts(const Snapshot& snapshot);
+  /// `geometry` has the poses of a state at `time`.
+  void check_missing_contacts(double time, const Workspace& geometry);
   void check_balance(const Snapshot& snapshot, const std::optional<Balance>& balance);
   std::string drift_words() const;
   /// Updates the extreme of a quantity; if a limit is exceeded for the first time, reports a violation with the text of
@@ -123,7 +126,7 @@ class RunMonitor {
   std::string step_ratio_;
   bool step_is_beyond_{};
   std::string violation_;
-  std::vector<std::string> warnings_;
+  std::vector<std::string> warnings_, start_warnings_;
 };
 
 /// Summary of the monitored quantities, one line each.

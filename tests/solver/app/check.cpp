@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <boost/test/unit_test.hpp>
 #include <cmath>
+#include <filesystem>
 #include <set>
 #include <sstream>
 
@@ -305,14 +306,34 @@ BOOST_AUTO_TEST_CASE(bodies_without_a_contact) {
   const std::string inside = folder.file("inside.toml", two(0.9, 0.0, "")).string();
   const std::string said = "talus: warning: at the start bodies 'disc' and 'post' overlap by 20 %" + words;
   BOOST_TEST(holds(talus_ran({"check", inside}).err, said));
-  BOOST_TEST(
-      holds(talus_ran({"run", inside}).err, "talus: warning: at t = 0 bodies 'disc' and 'post' overlap by 20 %"));
+  const Ended ran = talus_ran({"run", inside});
+  BOOST_TEST(holds(ran.err, "talus: warning: at t = 0 bodies 'disc' and 'post' overlap by 20 %"));
+  BOOST_TEST(std::ranges::count(ran.err, '\n') == 1);
+  // The warning is known before the run: it is printed although the run then fails, as it cannot write its history.
+  const std::filesystem::path out = folder.path / "out";
+  std::filesystem::create_directories(out / "history.csv" / "in_the_way");
+  const Ended failed = talus_ran({"run", inside, "--out", out.string()});
+  BOOST_TEST(failed.code == 4);
+  BOOST_TEST(holds(failed.err, "talus: warning: at t = 0 bodies 'disc' and 'post' overlap by 20 %"));
   const std::string off = folder.file("off.toml", two(0.9, 0.0, "watch = { missing_contacts = \"off\" }\n")).string();
   BOOST_TEST(talus_ran({"check", off}).err == "");
   BOOST_TEST(talus_ran({"run", off}).err == "");
   const std::string error =
       folder.file("error.toml", two(3.0, 10.0, "watch = { missing_contacts = \"error\" }\n")).string();
   BOOST_TEST(talus_ran({"run", error}).code == 3);
+  BOOST_TEST(talus_ran({"check", error}).code == 0);
+  // At the start: the check has the exit code of results that are not usable, whatever the rule of the quality.
+  for (const std::string quality : {"error", "warning"}) {
+    const std::string at_once =
+        folder
+            .file("at_once.toml",
+                  two(0.9, 0.0, "watch = { missing_contacts = \"error\", quality = \"" + quality + "\" }\n"))
+            .string();
+    const Ended refused = talus_ran({"check", at_once});
+    BOOST_TEST(refused.code == 7);
+    BOOST_TEST(holds(refused.err, said));
+    BOOST_TEST(talus_ran({"run", at_once}).code == 3);
+  }
 }
 
 // Valid cases cause no warnings except about steps; for an implausible fence both commands print the same warnings.

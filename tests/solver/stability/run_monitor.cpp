@@ -259,3 +259,26 @@ BOOST_AUTO_TEST_CASE(an_extreme_of_a_contact_that_is_not_there_is_refused) {
     }
   }
 }
+
+// Overlaps of the start are known before the first step, and not reported again.
+BOOST_AUTO_TEST_CASE(bodies_that_overlap_at_the_start_are_reported_by_the_constructor) {
+  Scene scene = impact(0.251);
+  scene.integrator = make_integrator("velocity_verlet");
+  scene.plan = {1e-3, 1.0, 1.0, true};
+  scene.model.contacts.clear();
+  for (const bool overlaps : {false, true}) {
+    if (overlaps) scene.model.bodies[0].p_WB = scene.model.bodies[1].p_WB;
+    scene.initial = rest_state(scene.model);
+    for (const CheckAction action : {CheckAction::warning, CheckAction::error}) {
+      scene.plan.watch.missing_contacts = action;
+      const Dynamics dynamics{scene.model};
+      RunMonitor watch{scene, dynamics, scene.initial};
+      const bool warns = overlaps && action == CheckAction::warning;
+      BOOST_TEST(watch.start_warnings().size() == (warns ? 1U : 0U));
+      BOOST_TEST(watch.violation().empty() == (!overlaps || action == CheckAction::warning));
+      watch.check(Snapshot{dynamics, scene.initial}, 0);
+      BOOST_TEST(watch.warnings() == watch.start_warnings());
+      if (warns) BOOST_TEST(says(watch.warnings()[0], "no [[contact]] is declared between them"));
+    }
+  }
+}

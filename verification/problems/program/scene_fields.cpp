@@ -365,10 +365,14 @@ void check_placed(const TemporaryFolder& folder, Findings& findings, const Setup
                   .rows = {{where, fmt::format("{:.3g}", worst)}}});
 }
 
+/// Exit statuses of `talus run` and `talus check`.
+struct Codes {
+  int run{}, check{};
+};
 /// A run that a rule of the monitor concerns, and its exit statuses with the default and with another choice.
 struct Watched {
   std::string bodies, step, end, choice;
-  int usual{}, chosen{};
+  Codes usual, chosen;
 };
 
 std::vector<Watched> watched_runs() {
@@ -388,15 +392,27 @@ std::vector<Watched> watched_runs() {
         with);
   };
   const std::string impact = ground + disc("disc", R"("0 m", "0.51 m")", R"("0 m/s", "-0.4 m/s")") + contact("ground");
-  return {{ground + disc("disc", R"("0 m", "0.49 m")", R"("0 m/s", "0.001 m/s")") + contact("ground"), "0.064 s",
-           "0.32 s", "instability = \"warning\", quality = \"warning\"", 3, 0},
+  return {{ground + disc("disc", R"("0 m", "0.49 m")", R"("0 m/s", "0.001 m/s")") + contact("ground"),
+           "0.064 s",
+           "0.32 s",
+           "instability = \"warning\", quality = \"warning\"",
+           {3, 7},
+           {0, 0}},
           {disc("disc", R"("-2 m", "5 m")", R"("300 m/s", "0 m/s")") +
                disc("other", R"("2 m", "5 m")", R"("0 m/s", "0 m/s")") + contact("other"),
-           "0.02 s", "0.04 s", "tunnelling = \"warning\"", 3, 0},
-          {impact, "0.02 s", "0.2 s", "accuracy = \"error\"", 7, 3},
-          {ground + disc("disc", R"("0 m", "0.4 m")", R"("0 m/s", "0 m/s")"), "0.02 s", "0.2 s",
-           "missing_contacts = \"error\"", 0, 3},
-          {impact, "0.03 s", "0.3 s", "quality = \"warning\"", 7, 0}};
+           "0.02 s",
+           "0.04 s",
+           "tunnelling = \"warning\"",
+           {3, 0},
+           {0, 0}},
+          {impact, "0.02 s", "0.2 s", "accuracy = \"error\"", {7, 0}, {3, 0}},
+          {ground + disc("disc", R"("0 m", "0.4 m")", R"("0 m/s", "0 m/s")"),
+           "0.02 s",
+           "0.2 s",
+           "missing_contacts = \"error\"",
+           {0, 0},
+           {3, 7}},
+          {impact, "0.03 s", "0.3 s", "quality = \"warning\"", {7, 0}, {0, 0}}};
 }
 
 void check_watch(const TemporaryFolder& folder, Findings& findings, const Setup& setup) {
@@ -410,16 +426,22 @@ void check_watch(const TemporaryFolder& folder, Findings& findings, const Setup&
           "watched.toml",
           fmt::format("units = \"SI\"\n{}[run]\nintegrator = \"velocity_verlet\"\nstep = \"{}\"\nend = \"{}\"\n{}",
                       run.bodies, run.step, run.end, watch));
-      const int code = run_talus(folder, {"run", "watched.toml"}).exit_code, expected = chosen ? run.chosen : run.usual;
-      wrong += code == expected ? 0.0 : 1.0;
-      rows.push_back({chosen ? run.choice : "default", fmt::format("{}", expected), fmt::format("{}", code)});
+      const auto [of_run, of_check] = chosen ? run.chosen : run.usual;
+      for (const auto& [command, expected] : {std::pair{"run", of_run}, std::pair{"check", of_check}}) {
+        const int code = run_talus(folder, {command, "watched.toml"}).exit_code;
+        wrong += code == expected ? 0.0 : 1.0;
+        rows.push_back(
+            {chosen ? run.choice : "default", command, fmt::format("{}", expected), fmt::format("{}", code)});
+      }
     }
   }
-  findings.expect("runs whose rules of the monitor have another effect", wrong, 0.0,
-                  Tolerance::exact("exit statuses with the default and with another choice of each rule"));
+  findings.expect(
+      "runs whose rules of the monitor have another effect", wrong, 0.0,
+      Tolerance::exact("exit statuses of `talus run` and `talus check` with the default and with another choice "
+                       "of each rule"));
   findings.table({.name = "rules",
-                  .caption = "Exit statuses of runs with rules of the monitor.",
-                  .columns = {"rules", "expected", "found"},
+                  .caption = "Exit statuses of runs, and of their checks, with rules of the monitor.",
+                  .columns = {"rules", "command", "expected", "found"},
                   .rows = rows});
 }
 
