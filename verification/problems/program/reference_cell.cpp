@@ -9,6 +9,13 @@
 
 namespace talus::verification::problems::cell_files {
 
+Tolerance of_paths() {
+  return Tolerance::round_off(
+      1e-10,
+      "positions are rounded to 1e-16 in each of 2010 steps, and neighbouring trajectories diverge tenfold in about "
+      "ten contacts of a disc, to 7e-12 here; one step or contact more or less causes more than 1e-4");
+}
+
 double wrapped(double x) { return x - width * std::floor(x / width + 0.5); }
 
 VirtualDiscs start() {

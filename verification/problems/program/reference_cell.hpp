@@ -30,6 +30,9 @@ inline constexpr double start_up = 0.25 * end;
 inline constexpr double elapsed = 0.0123;
 inline constexpr long cycles = 41000;
 
+/// Bound of the difference between the program's motion and that of the second program.
+[[nodiscard]] Tolerance of_paths();
+
 /// The position nearest to the middle of the cell among those of a disc and its images [L].
 [[nodiscard]] double wrapped(double x);
 
