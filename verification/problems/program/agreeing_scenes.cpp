@@ -182,6 +182,7 @@ interval = "0.5 ms"
           .steps = 600,
           .steps_a_state = 60,
           .degrees_of_freedom = 9,
+          .law_instances = 3 + 1 + 2,
           .bodies =
               {{.name = "ground", .kind = "ground", .moves = false, .shape = Shape::plane},
                {.name = "low", .mass = 2.0, .inertia = 0.25, .shape = Shape::circle, .a = low_radius},
@@ -262,6 +263,9 @@ Facts fence() {
       }
     }
   }
+  // The faces of two columns touch by two springs, others by one; each spring has friction, and each column may sleep.
+  const auto columns = static_cast<int>(facts.hangers.size()), cables = static_cast<int>(facts.cables.size());
+  facts.law_instances = 2 * (7 + 2) + cables + columns + columns;
   facts.contacts = {"rock1-column1",      "rock1-back_column1", "rock1-ground", "rock2-column1",
                     "rock2-back_column1", "rock2-ground",       "rock1-rock2",  "column1-back_column1"};
   return facts;

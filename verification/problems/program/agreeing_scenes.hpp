@@ -56,8 +56,10 @@ struct Facts {
   std::string file, title, text, integrator, integrator_step{};
   const Units* units{};
   double gravity{}, step{};  ///< a step of zero: from a rule of fences
+  double step_factor{1.0};   ///< multiplies the step of that rule
   int steps{}, steps_a_state{};
   int degrees_of_freedom{};
+  int law_instances{};  ///< laws with a mode: springs of contacts, their friction, cables, hangers, columns that sleep
   std::vector<Part> bodies{};
   std::vector<Cable> cables{};
   std::vector<std::string> contacts{};
@@ -71,7 +73,7 @@ void replace(std::string& text, const std::string& old, const std::string& with)
 /// Three discs on the ground with contacts of three laws, and two cables, in SI. Numbers of the laws:
 inline constexpr double low_radius = 0.5, high_radius = 0.4, side_radius = 0.3;
 inline constexpr double low_stiffness = 2000.0, low_damping = 8.0, loading = 3000.0, unloading = 5000.0,
-                        modulus = 60000.0, hertz_radius = 0.2;
+                        modulus = 60000.0, hertz_radius = 0.2, yard_friction = 0.4;
 
 [[nodiscard]] Facts yard();
 
@@ -79,7 +81,8 @@ inline constexpr double low_stiffness = 2000.0, low_damping = 8.0, loading = 300
 inline constexpr double fence_span = 30.0, sag = 3.0, spacing = 2.5, layer_spacing = 2.6, y_top = 6.67, y_bottom = -4.0,
                         slack = 0.02, young = 20e6, area_top = 1.076, area_bottom = 0.25, limit_top = 20000.0,
                         limit_bottom = 3000.0, strength_top = 21000.0, hanger_strength = 15000.0, hardening = 0.02,
-                        ground_top = -4.5;
+                        ground_top = -4.5, restitution = 0.4, fence_friction = 0.3, layer_overlap = 0.5,
+                        rock_overlap = 0.6;
 inline constexpr int columns_of_half = 3;
 
 struct Rock {

@@ -13,8 +13,8 @@ using records::Json;
 
 void WorstDifference::compare(const std::string& item, double found, double exact, double scale) {
   const double error = found == exact ? 0.0 : (found - exact) / scale;
-  if (std::isnan(worst_) || std::abs(error) <= std::abs(worst_)) return;
-  worst_ = error, item_ = item;
+  if (compared_ && (std::isnan(worst_) || std::abs(error) <= std::abs(worst_))) return;
+  compared_ = true, worst_ = error, item_ = item;
 }
 
 void WorstDifference::expect(Findings& findings, std::string name, double bound, const std::string& why) const {
@@ -24,12 +24,13 @@ void WorstDifference::expect(Findings& findings, std::string name, double bound,
 }
 
 void Disagreements::check(const std::string& item, bool agrees) {
+  ++compared_;
   if (agrees) return;
   if (count_++ == 0) first_ = item;
 }
 
 void Disagreements::expect(Findings& findings, std::string name, const std::string& why) const {
-  findings.expect(std::move(name), count_, 0.0,
+  findings.expect(std::move(name), compared_ > 0 ? count_ : std::numeric_limits<double>::quiet_NaN(), 0.0,
                   Tolerance::exact(count_ == 0 ? why : fmt::format("{}. The first is {}", why, first_)));
 }
 
@@ -66,9 +67,13 @@ void ComparedDocument::compare(const std::string& path, const Json& found, const
   }
 }
 
-void ComparedDocument::expect(Findings& findings, double bound, const std::string& why) const {
+void ComparedDocument::expect_members(Findings& findings) const {
   members_.expect(findings, name_ + ": members that are missing, unknown or differ",
                   "each member has an expected value, so that a new one fails this check");
+}
+
+void ComparedDocument::expect(Findings& findings, double bound, const std::string& why) const {
+  expect_members(findings);
   numbers_.expect(findings, name_ + ": numbers, largest error", bound, why);
 }
 

@@ -50,8 +50,9 @@ struct Run {
 /// Runs the scene with its files in a folder of its name. The cables' stiffness and rest length, where the scene gives
 /// them by Young's modulus, follow from the distance of their ends at the start, and the step of 1993 from the
 /// stiffness of the first cable: a hundredth of the period of a column between two of them. Throws std::runtime_error
-/// with the program's messages if it fails.
-[[nodiscard]] Run run_of(const TemporaryFolder& folder, Facts facts, const std::vector<std::string>& more);
+/// with the program's messages if its exit code is another.
+[[nodiscard]] Run run_of(const TemporaryFolder& folder, Facts facts, const std::vector<std::string>& more,
+                         int exit_code = 0);
 
 /// The text if the program printed it on a line after `before`; else a text that differs.
 [[nodiscard]] Json as_printed(const std::string& text, const std::string& before, const std::string& lines);
@@ -71,6 +72,12 @@ struct Run {
                            std::size_t row);
 /// Largest kinetic energy, or change of another energy, over the rows.
 [[nodiscard]] double energy_scale(const Run& run);
+
+/// Largest error of the energy balance over the rows, relative to energy_scale().
+[[nodiscard]] double relative_balance_error(const Run& run);
+/// The last contact of `quality`: any of those that act in the last row with a contact, at its time; or at the end of
+/// that contact, in the row after it. null without a contact.
+[[nodiscard]] Json last_contact_of(const Run& run);
 
 /// Momentum, angular momentum about the origin, kinetic energy and weight, from the bodies' motion.
 struct Sums {
