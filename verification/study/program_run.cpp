@@ -15,7 +15,8 @@
 namespace talus::verification::problems {
 
 TemporaryFolder::TemporaryFolder() {
-  std::string name = (std::filesystem::temp_directory_path() / "talus_case_XXXXXX").string();
+  // Absolute: the program runs in it, with other names of files in it as its arguments.
+  std::string name = (std::filesystem::absolute(std::filesystem::temp_directory_path()) / "talus_case_XXXXXX").string();
   if (!::mkdtemp(name.data()))
     throw std::filesystem::filesystem_error{"temporary folder", name, std::error_code{errno, std::generic_category()}};
   path_ = name;

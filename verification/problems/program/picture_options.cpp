@@ -13,6 +13,8 @@
 #include <vector>
 
 #include "verification/check/case.hpp"
+#include "verification/problems/program/coloured_discs.hpp"
+#include "verification/problems/program/picture_script.hpp"
 #include "verification/record/csv.hpp"
 #include "verification/record/json_node.hpp"
 #include "verification/reference/constant_force.hpp"
@@ -75,6 +77,9 @@ interval = "{} s"
                             near_z, rope_y, far_z, step, steps * step, step);
 }
 
+/// A cell of 20 discs between walls of six.
+constexpr int free_discs_of_cell = 20;
+constexpr double cell_width = 6e-3;
 const std::string cell_text = R"(title = "Sheared discs"
 units = "SI"
 [cell]
@@ -90,126 +95,10 @@ wall_discs = 6
 block_speed = "5 m/s"
 [run]
 step = "2 us"
-every = "5 ms"
+every = "1 ms"
 end = "20 ms"
 pictures = "on"
 )";
-
-/// Takes the place of gnuplot: writes its script as each picture, after the dates of PDF and PostScript files, which
-/// the program replaces.
-const std::string recorder = R"(#!/bin/sh
-sed -n "s/^set output '\(.*\)'$/\1/p" "$1" | while read -r file; do
-  { echo '%%CreationDate: Thu Jan  1 00:00:00 1970'; echo '/CreationDate (D:19700101000000)'; cat "$1"; } > "$file"
-done
-)";
-
-// --- scripts -------------------------------------------------------------------------------------------------------
-
-using Point = std::array<double, 2>;
-
-struct Curve {
-  std::string label{};
-  std::vector<std::vector<Point>> lines{};  ///< separated by empty rows
-};
-
-struct Panel {
-  std::string title{}, x_label{}, y_label{};
-  std::vector<double> x_range{}, y_range{}, x_tics{}, y_tics{};
-  bool grid = true;
-  double left{};  ///< margin
-  std::vector<Curve> curves{};
-  std::map<std::string, Point> marks{};
-};
-
-struct Picture {
-  std::set<std::string> texts{};  ///< title and label of the colour scale
-  std::vector<Panel> panels{};
-};
-
-/// Text between the first `before` and the next `after`; empty if there is none.
-std::string between(const std::string& text, const std::string& before, const std::string& after) {
-  const std::size_t from = text.find(before);
-  if (from == std::string::npos) return {};
-  const std::size_t begin = from + before.size(), end = text.find(after, begin);
-  return end == std::string::npos ? "" : text.substr(begin, end - begin);
-}
-
-/// The numbers in a text, whatever separates them.
-std::vector<double> numbers(std::string text) {
-  for (char& letter : text)
-    if (letter == ',' || letter == ':' || letter == '[' || letter == ']') letter = ' ';
-  std::istringstream words{text};
-  return {std::istream_iterator<double>{words}, {}};
-}
-
-Curve read_curve(std::istream& lines) {
-  Curve curve;
-  bool begins = true;
-  for (std::string line; std::getline(lines, line) && line != "END";) {
-    const std::vector<double> row = numbers(line);
-    if (row.size() < 2) {
-      begins = true;
-      continue;
-    }
-    if (begins) curve.lines.emplace_back();
-    begins = false;
-    curve.lines.back().push_back({row[0], row[1]});
-  }
-  return curve;
-}
-
-/// Labels of the curves of a plot command, in order: "... title 'LABEL', ... notitle".
-void label(std::vector<Curve>& curves, const std::string& command) {
-  std::size_t at = 0;
-  for (Curve& curve : curves) {
-    at = command.find("title", at);
-    if (at == std::string::npos) return;
-    const std::string rest = command.substr(at);
-    if (rest.starts_with("title '")) curve.label = between(rest, "'", "'");
-    at += 5;
-  }
-}
-
-/// Reads a script, or the part of it that draws one format or one frame.
-Picture read_picture(const std::string& script) {
-  Picture picture;
-  Panel panel;
-  std::istringstream lines{script};
-  for (std::string line; std::getline(lines, line);) {
-    const auto setting = [&](const std::string& name) { return line.starts_with("set " + name + " "); };
-    const std::string quoted = between(line, "'", "'"), value = line.substr(line.find(' ', 4) + 1);
-    if (line.starts_with("load ")) panel = {};
-    if (line.starts_with("$")) panel.curves.push_back(read_curve(lines));
-    if (setting("title")) panel.title = quoted;
-    if (setting("xlabel")) panel.x_label = quoted;
-    if (setting("ylabel")) panel.y_label = quoted;
-    if (setting("xrange")) panel.x_range = numbers(value);
-    if (setting("yrange")) panel.y_range = numbers(value);
-    if (setting("xtics")) panel.x_tics = numbers(value);
-    if (setting("ytics")) panel.y_tics = numbers(value);
-    if (line == "unset grid") panel.grid = false;
-    if (setting("lmargin")) panel.left = std::stod(line.substr(line.rfind(' ')));
-    if (setting("label")) {
-      const std::vector<double> place = numbers(between(line, " at ", " center"));
-      if (place.size() == 2) panel.marks[quoted] = {place[0], place[1]};
-      if (line.find(" at screen ") != std::string::npos) picture.texts.insert(quoted);
-    }
-    if (line.starts_with("plot $")) {
-      label(panel.curves, line);
-      picture.panels.push_back(panel);
-    }
-  }
-  return picture;
-}
-
-/// The parts of a film's or page's script between "set multiplot" and "unset multiplot".
-std::vector<std::string> pages(const std::string& script) {
-  std::vector<std::string> found;
-  for (std::size_t at = script.find("\nset multiplot"); at != std::string::npos;
-       at = script.find("\nset multiplot", at + 1))
-    found.push_back(script.substr(at, script.find("unset multiplot", at) - at));
-  return found;
-}
 
 /// Names of the files of a folder.
 std::set<std::string> files_of(const fs::path& folder) {
@@ -226,11 +115,9 @@ std::set<std::string> files_of(const fs::path& folder) {
 class Pictures {
  public:
   explicit Pictures(const Setup& setup) : setup_{&setup} {
-    fs::create_directory(folder_.path() / "tools");
-    folder_.write("tools/gnuplot", recorder);
-    fs::permissions(folder_.path() / "tools/gnuplot", fs::perms::owner_all);
+    // In the build tree, where programs can be executed; the folder of temporary files may be mounted without that.
     const char* const path = std::getenv("PATH");
-    environment_["PATH"] = fmt::format("{}:{}", (folder_.path() / "tools").string(), path != nullptr ? path : "");
+    environment_["PATH"] = fmt::format("{}:{}", TALUS_RECORDER, path != nullptr ? path : "");
     folder_.write("scene.toml", scene_text());
     (void)talus_output(folder_, {"run", "scene.toml", "--out", "out", "--frames", fmt::format("{}", steps)});
   }
@@ -238,12 +125,11 @@ class Pictures {
   std::string run(const std::vector<std::string>& command, const Options& options) const {
     return talus_output(folder_, with_options(command, options, *setup_), environment_);
   }
-  /// The first page of a picture.
-  Picture picture(const std::string& file) const {
-    if (!fs::exists(folder_.path() / file)) return {};
-    const std::string script = folder_.read(file);
-    const std::vector<std::string> found = pages(script);
-    return read_picture(found.empty() ? script : found.front());
+  /// A picture of a figure or of one page.
+  Picture picture(const std::string& file) const { return read_picture(text(file)); }
+  /// The recorded commands; empty without this file.
+  std::string text(const std::string& file) const {
+    return fs::exists(folder_.path() / file) ? folder_.read(file) : "";
   }
   std::set<std::string> files(const std::string& folder) const { return files_of(folder_.path() / folder); }
   const TemporaryFolder& folder() const { return folder_; }
@@ -282,6 +168,25 @@ double curve_error(const Panel& panel, std::size_t curve, const std::string& x, 
   return worst;
 }
 
+/// The pictures of one stem: each drawn by the terminal of its format, all with the same content, and dated 1970.
+void check_formats(const Pictures& program, const std::string& stem, const std::vector<std::string>& formats,
+                   Differences& differ) {
+  const std::map<std::string, std::string> terminals{
+      {"pdf", "pdfcairo"}, {"png", "pngcairo"}, {"ps", "epscairo"}, {"svg", "svg"}};
+  const std::string content = drawn_content(program.text(stem + "." + formats.front()));
+  differ.compare("formats: a plot", content.find("\nplot ") != std::string::npos, true);
+  for (const std::string& format : formats) {
+    const std::string text = program.text(stem + "." + format);
+    differ.compare("formats: terminal of " + format, read_picture(text).terminal, terminals.at(format));
+    differ.compare("formats: content of " + format, drawn_content(text), content);
+    if (format == "pdf")
+      differ.compare("formats: date of pdf", between(text, "/CreationDate (D:", ")"), std::string{"19700101000000"});
+    if (format == "ps")
+      differ.compare("formats: date of ps", between(text, "%%CreationDate: ", "\n"),
+                     std::string{"Thu Jan  1 00:00:00 1970"});
+  }
+}
+
 /// `talus plot` with every option at once.
 double check_chosen_histories(const Pictures& program, Differences& differ) {
   (void)program.run({"plot", "out"}, {{"--history", {"x,y,vx"}},
@@ -301,6 +206,7 @@ double check_chosen_histories(const Pictures& program, Differences& differ) {
                                       {"--name", {"mine"}},
                                       {"--title", {"Mine"}}});
   differ.compare("plot: files", program.files("pictures"), Names{"mine.ps", "mine.svg"});
+  check_formats(program, "pictures/mine", {"svg", "ps"}, differ);
   const Picture picture = program.picture("pictures/mine.svg");
   differ.compare("plot: title", picture.texts, Names{"Mine"});
   differ.compare("plot: panels", picture.panels.size(), 3UL);
@@ -330,6 +236,7 @@ double check_default_histories(const Pictures& program, Differences& differ) {
   (void)program.run({"plot", "out"}, {{"--history", {"y"}}});
   differ.compare("plot: files without options", program.files("out/plots"),
                  Names{"history_y.pdf", "history_y.png", "history_y.svg"});
+  check_formats(program, "out/plots/history_y", {"pdf", "png", "svg"}, differ);
   (void)program.run({"plot", "out"}, {{"--history", {"y"}}, {"--all", {}}, {"--name", {"every"}}});
   // Range of y over the states: the largest is that of disc 1 or 10, whose way up or down is longest.
   std::vector<std::pair<double, int>> ranges;
@@ -468,6 +375,7 @@ double check_snapshots(const Pictures& program, Differences& differ) {
     const std::string name = fmt::format("each_side_0{}", i);
     for (const char* format : {"pdf", "png", "svg"})
       expected.insert(fmt::format("{}.{}", name, format));
+    check_formats(program, "out/plots/" + name, {"pdf", "png", "svg"}, differ);
     const Picture picture = program.picture(fmt::format("out/plots/{}.svg", name));
     differ.compare("snapshot: a panel on each page", picture.panels.size(), 1UL);
     if (picture.panels.size() != 1) return std::nan("");
@@ -525,18 +433,45 @@ double check_animations(const Pictures& program, Differences& differ) {
   return worst;
 }
 
-/// Discs of a cell are coloured by their speed, or by the forces on them.
-void check_colours(const Pictures& program, Differences& differ) {
+/// Discs of a cell are coloured by their speed, or by the forces on them. Returns the largest error of a value as read
+/// from its colour, over the largest value.
+double check_colours(const Pictures& program, Differences& differ, const Setup& setup) {
   program.folder().write("cell.toml", cell_text);
   (void)talus_output(program.folder(), {"cell", "cell.toml", "--out", "flow"});
-  const std::string speed = "speed of a disc [m/s]", force = "sum of the contact forces on a disc [N]";
-  const auto scale = [&](const std::string& file) { return program.picture(file).texts; };
   (void)program.run({"snapshot", "flow"}, {{"--format", {"svg"}}, {"--name", {"plain"}}});
   (void)program.run({"snapshot", "flow"}, {{"--colour", {"force"}}, {"--format", {"svg"}}});
-  (void)program.run({"animate", "flow"}, {{"--colour", {"force"}}, {"--gif", {}}});
-  differ.compare("snapshot: colours", scale("flow/plots/plain_side.svg").contains(speed), true);
-  differ.compare("snapshot: colours by force", scale("flow/plots/snapshot_side.svg").contains(force), true);
-  differ.compare("animate: colours by force", scale("flow/plots/animation.gif").contains(force), true);
+  (void)program.run({"animate", "flow"}, {{"--colour", {"force"}}, {"--gif", {}}, {"--html", {}}});
+  const std::vector<GeometryState> files = geometry_states(program.folder(), "flow", "cell");
+  const std::vector<DiscState> speeds = disc_states(files, DiscValue::speed),
+                               forces = disc_states(
+                                   files, setup.has("speeds_as_forces") ? DiscValue::speed : DiscValue::force);
+  double worst = 0.0;
+  int discs = 0;
+  const auto compare = [&](const Picture& picture, const std::string& label, const std::vector<DiscState>& states) {
+    differ.compare("colours: label of the scale", picture.texts.contains(label), true);
+    const ColourErrors errors = colour_errors(picture, states, cell_width);
+    differ.compare("colours: end of the scale, to the digits of its numbers", std::abs(errors.largest) < 1e-4, true);
+    keep_worst(worst, errors.value), discs += errors.discs;
+  };
+  const std::string speed = "speed of a disc [m/s]", force = "sum of the contact forces on a disc [N]";
+  const Picture plain = program.picture("flow/plots/plain_side.svg");
+  const Picture by_force = program.picture("flow/plots/snapshot_side.svg");
+  compare(plain, speed, shown_states(plain, speeds)), compare(by_force, force, shown_states(by_force, forces));
+  const std::string film = program.text("flow/plots/animation.gif"), page = program.text("flow/plots/animation.html");
+  const std::vector<std::string> frames = pages(film);
+  differ.compare("animate: frames of a cell", frames.size(), files.size());
+  differ.compare("animate: hundredths of a second of a frame without --seconds, which are 6",
+                 between(film, " delay ", " "),
+                 fmt::format("{}", std::lround(600.0 / static_cast<double>(files.size()))));
+  differ.compare("animate: colours of the page",
+                 Json::parse(between(page, "id=\"data\">", "</script>")).at("discs").at("colour").get<std::string>(),
+                 std::string{"force"});
+  for (const std::string& frame : frames)
+    compare(read_picture(frame), force, forces);
+  // At least all free discs of each panel; images at the borders are drawn, too.
+  const std::size_t drawn = plain.panels.size() + by_force.panels.size() + frames.size();
+  differ.compare("colours: all discs of each picture", discs >= free_discs_of_cell * static_cast<int>(drawn), true);
+  return worst;
 }
 
 void run(Findings& findings, const Setup& setup) {
@@ -548,7 +483,7 @@ void run(Findings& findings, const Setup& setup) {
   check_list(program, plots);
   double drawn = check_snapshots(program, states);
   keep_worst(drawn, check_animations(program, films));
-  check_colours(program, states);
+  const double colours = check_colours(program, states, setup);
   findings.expect("talus plot: points of curves, over the larger of 1 and the exact value, largest error", curves, 0.0,
                   Tolerance::round_off(1e-15,
                                        "nine digits are written, and no exact value has more: the roundings of the "
@@ -559,8 +494,14 @@ void run(Findings& findings, const Setup& setup) {
       "talus snapshot and animate: outlines, cables and numbers of discs, largest error", drawn, 0.0,
       Tolerance::model(7.1e-5, "coordinates of six digits, up to 15 m: half a unit of the last one in x and in y"),
       "m");
-  states.expect_none(findings, "talus snapshot: files, times, windows and texts that differ from the options",
-                     "two pages of two states in two views, three pages of one state, colours of discs");
+  findings.expect(
+      "talus snapshot and animate: values of discs as read from their colours, over the largest, largest error",
+      colours, 0.0,
+      Tolerance::model(1.0 / 96.0 + 1e-5, "half a step of a scale of 48 steps; places on the screen have six digits"));
+  states.expect_none(
+      findings, "talus snapshot: files, times, windows and texts that differ from the options",
+      "two pages of two states in two views, three pages of one state in three formats, labels and ends of "
+      "colour scales");
   films.expect_none(findings, "talus animate: files, frames, windows and texts that differ from the options",
                     "a GIF and a page with the states up to --until");
 }
@@ -584,7 +525,10 @@ Case definition() {
                      {"without_all", "eight curves in place of all", plots},
                      {"without_divisions", "divisions not given", plots},
                      {"without_times", "times of the states not given", states},
-                     {"without_window", "window not given", films}},
+                     {"without_window", "window not given", films},
+                     {"speeds_as_forces", "colours by force compared with speeds",
+                      "talus snapshot and animate: values of discs as read from their colours, over the largest, "
+                      "largest error"}},
           .run = run};
 }
 
