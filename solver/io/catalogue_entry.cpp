@@ -4,6 +4,7 @@
 #include <limits>
 
 #include "solver/base/error.hpp"
+#include "solver/base/units.hpp"
 
 namespace talus::catalogue {
 

@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "solver/base/error.hpp"
+#include "solver/base/units.hpp"
 #include "solver/io/catalogue_entry.hpp"
 #include "solver/io/fence1993/fence_names.hpp"
 #include "solver/io/fence1993/fence_rules.hpp"
