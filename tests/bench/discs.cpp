@@ -211,7 +211,8 @@ void print_gases(const LammpsProgram& lammps, bool quick, const std::string& sel
 /// Friction dissipates energy, so each round restarts.
 void print_rough_gases(const LammpsProgram& lammps, bool quick) {
   fmt::print(
-      "\nThe same discs with friction .5 (k_s = .7 k) and spin; LAMMPS with its history of stretch, spheres that turn "
+      "\nThe same discs with friction 0.5 (k_s = 0.7 k) and spin; LAMMPS with its history of stretch, spheres that "
+      "turn "
       "as "
       "discs.\nEach round begins with the same state, which cools.\n\n{:>9} {:>5} {:>8} {:>8} {:>8} {:>8} {:>8}\n",
       "discs", "phi", "LAMMPS", "plain", "fast", "LAMMPS/f", "plain/f");

@@ -92,7 +92,7 @@ void print_event_costs() {
   for (const int columns : {13, 101})
     rows.push_back({fmt::format("{} columns that move", columns), swinging(columns), 1e-9, 0.05, true});
   for (const double tolerance : {3e-5, 1e-9}) {
-    rows.push_back({fmt::format("Table 2 to .2 s, tolerance {:g}", tolerance),
+    rows.push_back({fmt::format("Table 2 to 0.2 s, tolerance {:g}", tolerance),
                     scenes::fence_scene(long_fence(13, 1, Sleep::off)).scene, tolerance, 0.2, false});
   }
   std::vector<std::unique_ptr<Dynamics>> dynamics;

@@ -76,7 +76,7 @@ class Pairs {
       tasks.push_back({pair.what + "/less", pair.less});
     }
     const std::vector<Timing> timings = time_tasks(tasks, repetitions);
-    fmt::print("\nWhat is left out: microseconds a step of .05 s (median of {} interleaved runs)\n", repetitions);
+    fmt::print("\nWhat is left out: microseconds a step of 0.05 s (median of {} interleaved runs)\n", repetitions);
     fmt::print("{:64} {:>9} {:>9} {:>7}\n", "", "with", "without", "ratio");
     const double per_step = 1e6 / static_cast<double>(steps);
     for (std::size_t i = 0; i < pairs_.size(); ++i) {

@@ -219,10 +219,10 @@ BOOST_AUTO_TEST_CASE(common_formulas_are_gathered_from_the_cases) {
   Results all = results();
   BOOST_TEST(common_formulas(all) == "None so far.\n");
   all.records[0].tables = {{"speeds", "Not this one.", {"a"}, {{"1"}}},
-                           {"common_formula_e", "**Restitution.**", {"where", "exact"}, {{"$e$ = .5", "0.550"}}}};
+                           {"common_formula_e", "**Restitution.**", {"where", "exact"}, {{"$e$ = 0.5", "0.550"}}}};
   const std::string text = common_formulas(all);
   BOOST_TEST(contains(text, "**Restitution.** Case [bounce]"), text);
-  BOOST_TEST(contains(text, "| $e$ = .5 | 0.550 |"), text);
+  BOOST_TEST(contains(text, "| $e$ = 0.5 | 0.550 |"), text);
   BOOST_TEST(!contains(text, "Not this one"));
 }
 

@@ -51,7 +51,7 @@ std::vector<PrintedRow> printed_rows() {
 }
 
 std::string name_of(const PrintedRow& row) {
-  return fmt::format("T{} {} {:+.1f} {}", row.table, row.bottom_cable ? "slack .5" : "no bottom", row.height,
+  return fmt::format("T{} {} {:+.1f} {}", row.table, row.bottom_cable ? "slack 0.5" : "no bottom", row.height,
                      row.plastic ? "plastic" : "elastic");
 }
 

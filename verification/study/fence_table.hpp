@@ -30,7 +30,7 @@ struct PrintedRow {
 /// All rows, from cases/published/fence_tables_2_3.csv. Throws std::runtime_error with the line if one is malformed.
 [[nodiscard]] std::vector<PrintedRow> printed_rows();
 
-/// Short unique name such as "T2 slack .5 -1.5 plastic".
+/// Short unique name such as "T2 slack 0.5 -1.5 plastic".
 [[nodiscard]] std::string name_of(const PrintedRow& row);
 
 /// Reads the deck cases/fence/NAME.

@@ -82,13 +82,13 @@ struct MethodRange {
 inline constexpr std::array<MethodRange, 11> method_ranges{{{"central_difference", 64, 65536, -2.7e-5},
                                                             {"velocity_verlet", 64, 65536, 5.3e-5},
                                                             {"euler_cromer", 128, 131072, 1.00e-3},
-                                                            {"euler", 128, 131072, .00536},
-                                                            {"taylor", 128, 131072, .00221},
-                                                            {"rk4", 32, 1024, -.0099},
-                                                            {"blanes_moan4", 64, 256, -.00476},
-                                                            {"odeint_dopri5", 64, 256, .059},
-                                                            {"odeint_cash_karp54", 32, 256, -.0032},
-                                                            {"odeint_fehlberg78", 11, 32, -.128},
-                                                            {"odeint_abm8", 91, 182, .505}}};
+                                                            {"euler", 128, 131072, 0.00536},
+                                                            {"taylor", 128, 131072, 0.00221},
+                                                            {"rk4", 32, 1024, -0.0099},
+                                                            {"blanes_moan4", 64, 256, -0.00476},
+                                                            {"odeint_dopri5", 64, 256, 0.059},
+                                                            {"odeint_cash_karp54", 32, 256, -0.0032},
+                                                            {"odeint_fehlberg78", 11, 32, -0.128},
+                                                            {"odeint_abm8", 91, 182, 0.505}}};
 
 }  // namespace talus::verification::problems

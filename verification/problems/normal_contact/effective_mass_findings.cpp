@@ -21,14 +21,14 @@ namespace {
 ///       | |  <- disc from -x at height `height`   +-- x,  origin at the bar's centre of mass
 ///       +-+
 struct StruckBar {
-  bool pinned{false};     ///< at the middle of its top; free otherwise
-  double height{};        ///< of the disc's line of flight above the bar's centre [L]
-  double mass{3.0};       ///< of the bar [M]
-  double half_width{.5};  ///< a [L]
-  double half_height{4};  ///< b [L]
-  double disc_mass{2.0};  ///< [M]
-  double speed{1.0};      ///< of the disc [L/T]
-  double gap{};           ///< between disc and bar at t = 0 [L]
+  bool pinned{false};      ///< at the middle of its top; free otherwise
+  double height{};         ///< of the disc's line of flight above the bar's centre [L]
+  double mass{3.0};        ///< of the bar [M]
+  double half_width{0.5};  ///< a [L]
+  double half_height{4};   ///< b [L]
+  double disc_mass{2.0};   ///< [M]
+  double speed{1.0};       ///< of the disc [L/T]
+  double gap{};            ///< between disc and bar at t = 0 [L]
   LinearSpringDashpot law{};
 };
 

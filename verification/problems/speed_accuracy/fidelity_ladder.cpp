@@ -321,7 +321,7 @@ Case definition() {
                       "particle on cables to the neighbours: largest tension against its energy",
                       "half fence against the full one at 0.2 s, largest distance",
                       "fence: largest tension of a top cable, between those of the two particles",
-                      "speed at .2 s: digits gained by 7 columns that move in place of 5",
+                      "speed at 0.2 s: digits gained by 7 columns that move in place of 5",
                       "12 nodes: speed error over that of one resultant", "order of the peak force in the node spacing",
                       "order of the speed in the node spacing"},
       .source = "Mustoe & Huttelmaier 1993, Table 2",

@@ -230,11 +230,11 @@ void check_rungs(Findings& findings, const Setup& setup) {
     const auto exit_miss = [&](std::size_t l) { return miss(rungs[first_moving + l].at[0].exit, full.exit); };
     return std::log10(exit_miss(beside) / exit_miss(beside + 1));
   };
-  findings.expect_between("speed at .2 s: digits gained by 7 columns that move in place of 5", digits_gained(2), 1.7,
+  findings.expect_between("speed at 0.2 s: digits gained by 7 columns that move in place of 5", digits_gained(2), 1.7,
                           6.0,
                           "the response of the held columns comes back when the rock has almost left; six more digits "
                           "would mean that it never came back before");
-  findings.expect_between("speed at .2 s: digits gained by 9 columns that move in place of 7", digits_gained(3), 1.7,
+  findings.expect_between("speed at 0.2 s: digits gained by 9 columns that move in place of 7", digits_gained(3), 1.7,
                           6.0, "as for the previous check, two segments later");
   findings.table(rung_table(levels, rungs, setup.tier == Tier::full ? run_times(levels) : std::vector<double>{}));
   findings.table(answers(levels, rungs));
