@@ -127,6 +127,20 @@ std::string figures(const Record& record, std::size_t chapter, const Drawn& draw
   return text;
 }
 
+/// What the volume of details has of the case: "38 checks, 2 controls, 1 table". Without what it has none of.
+std::string inventory(const Record& record) {
+  std::string text;
+  const auto add = [&](std::size_t count, const char* one) {
+    if (count == 0) return;
+    text += fmt::format("{}{} {}{}", text.empty() ? "" : ", ", count, one, count == 1 ? "" : "s");
+  };
+  add(record.checks.size(), "check");
+  add(record.controls.size(), "control");
+  add(record.tables.size(), "table");
+  add(record.figures.empty() ? 0 : record.figures.size() - 1, "further figure");
+  return text;
+}
+
 std::string tables(const Record& record, std::size_t chapter) {
   std::string text;
   for (std::size_t i = 0; i < record.tables.size(); ++i) {
@@ -170,9 +184,8 @@ std::string case_page(const Record& record, std::size_t chapter, const Drawn& dr
   values.set("main_checks", record.checks.empty() ? "No check ran.\n" : main_check_table(record));
   const bool panels = !record.figures.empty() && !record.figures.front().panels.empty();
   values.set("figure", figures(record, chapter, drawn, 0, 1, panels ? Place::over_caption : Place::beside_caption));
-  values.set("rest", fmt::format("All {} checks and {} controls, {} tables, {} further figures: [details](details:{}).",
-                                 record.checks.size(), record.controls.size(), record.tables.size(),
-                                 record.figures.empty() ? 0 : record.figures.size() - 1, record.id));
+  const std::string rest = inventory(record);
+  values.set("rest", rest.empty() ? "" : fmt::format("[Details](details:{}): {}.", record.id, rest));
   values.set("has_message", !record.message.empty());
   return filled(templates / "case.mustache", values);
 }

@@ -250,8 +250,8 @@ std::string outputs(const Results& results, const Counter& counter) {
 std::string coverage(const Results& results, const records::Mutants* mutants) {
   const Counter counter{mutants};
   std::string text =
-      "Each number counts checks of this run that a case claims for a requirement, or for both of two; what no check "
-      "touches says **none**. The lists of laws, modes, rules, integrators and shapes are the solver's own.";
+      "Each number counts checks of this run that a case claims for a requirement, or for both of two; requirements "
+      "without a check show **none**. The lists of laws, modes, rules, integrators and shapes are the solver's own.";
   if (mutants != nullptr) {
     text += fmt::format(
         " In parentheses: how many of {} [mutants](page:mutants) at least one of these checks noticed. A **0** is "

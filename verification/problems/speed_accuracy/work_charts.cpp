@@ -37,6 +37,11 @@ std::string stem_of(const std::string& words) {
   return stem;
 }
 
+std::string capitalised(std::string title) {
+  title.front() = static_cast<char>(std::toupper(static_cast<unsigned char>(title.front())));
+  return title;
+}
+
 constexpr double top = 1.0;  ///< upper end of the charts: larger errors are failures
 
 /// All curves of one chart, in the order of the data.
@@ -86,7 +91,7 @@ std::vector<records::Slope> slopes_in(const Chart& chart) {
 
 Figure figure_of(const std::string& title, const Chart& chart) {
   Figure figure{.name = stem_of(title),
-                .title = title,
+                .title = capitalised(title),
                 .caption =
                     "Relative error against force evaluations. Vertical line: $\\omega h = 2$, the limit of the "
                     "leapfrog methods; crosses at the top: points at which a run failed or had an error above 100 %, "

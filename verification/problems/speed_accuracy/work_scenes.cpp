@@ -20,7 +20,7 @@ constexpr int impact_phases = static_cast<int>(fewest_phases);
 
 WorkScene of_motion(const ExactMotion& motion, double frequency) {
   WorkScene made{.name = motion.name,
-                 .quantities = {"place and velocity"},
+                 .quantities = {"position and velocity"},
                  .scenes = {motion.scene},
                  .duration = motion.duration,
                  .spans = compared_times,
