@@ -77,6 +77,10 @@ std::string perturbed_references(const Results& results) {
              "");
 }
 
+std::string machine(const Provenance& p) {
+  return p.cores == 0 ? p.cpu : fmt::format("{}, {} core{}", p.cpu, p.cores, p.cores == 1 ? "" : "s");
+}
+
 std::string provenance(const Results& results) {
   const Provenance& p = results.provenance;
   std::string libraries;
@@ -86,8 +90,7 @@ std::string provenance(const Results& results) {
                   {"revision", cell(p.revision) + (p.dirty ? " (**with uncommitted changes**)" : "")},
                   {"compiler", cell(p.compiler + (p.build_type.empty() ? "" : ", " + p.build_type))},
                   {"flags", p.flags.empty() ? "" : markdown::code(p.flags)},
-                  {"machine", cell(p.cpu + (p.cores > 0 ? fmt::format(", {} cores", p.cores) : "") +
-                                   (p.os.empty() ? "" : ", " + p.os))},
+                  {"machine", cell(machine(p) + (p.os.empty() ? "" : ", " + p.os))},
                   {"libraries", cell(libraries)}};
   return markdown::table({{"what"}, {"value"}}, rows, "");
 }

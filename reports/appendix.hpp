@@ -14,6 +14,9 @@ namespace talus::reports {
 /// either direction, or in one.
 [[nodiscard]] std::string perturbed_references(const Results& results);
 
+/// Processor and number of cores of the run, as plain text.
+[[nodiscard]] std::string machine(const records::Provenance& provenance);
+
 /// Revision, compiler, machine and libraries of the run.
 [[nodiscard]] std::string provenance(const Results& results);
 

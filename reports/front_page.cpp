@@ -40,6 +40,38 @@ std::set<std::string> verified_ids(const Results& results) {
   return ids;
 }
 
+/// The members of an id: "pair.rectangle.terrain" -> {"pair", "rectangle", "terrain"}.
+std::vector<std::string> members_of(const std::string& id) {
+  std::vector<std::string> members{""};
+  for (const char letter : id) {
+    if (letter == '.') {
+      members.emplace_back();
+    } else {
+      members.back() += letter == '_' ? ' ' : letter;
+    }
+  }
+  return members;
+}
+
+/// A shape in a sentence: "a half plane"; terrain is no single thing.
+std::string with_article(const std::string& shape) { return (shape == "terrain" ? "" : "a ") + shape; }
+
+/// What is required, as a phrase: "a rectangle in contact with terrain", "rotation of an attenuator (Eq. 4)".
+std::string phrase_of(const Requirement& requirement) {
+  const std::vector<std::string> members = members_of(requirement.id);
+  if (requirement.group == "pair" && members.size() == 3)
+    return fmt::format("{} in contact with {}", with_article(members[1]), with_article(members[2]));
+  if (requirement.group == "regime" && members.size() == 3)
+    return fmt::format("mode {} of the law {}", members[2], members[1]);
+  if (members.size() == 2 && requirement.id.find(". ") == std::string::npos) {
+    std::string kind = members[0] == "law" ? requirement.text : members[0];
+    if (kind == "method") kind = "contact method";
+    if (kind == "mechanism") kind = "energy loss by";
+    return kind + " " + members[1];
+  }
+  return fmt::format("{} ({})", requirement.text, requirement.id);
+}
+
 /// "<<NAME>>" replaced by what the check of that name measured.
 std::string with_values(const std::string& text, const Record& record) {
   std::string result;
@@ -93,7 +125,7 @@ std::string not_verified(const Results& results) {
   constexpr std::size_t named = 12;
   for (const Requirement& requirement : results.requirements) {
     if (ids.count(requirement.id) > 0) continue;
-    if (++count <= named) open += (open.empty() ? "" : "; ") + markdown::words(requirement.id);
+    if (++count <= named) open += (open.empty() ? "" : "; ") + markdown::words(phrase_of(requirement));
   }
   if (count > named) open += fmt::format("; {} more", count - named);
   return (open.empty()

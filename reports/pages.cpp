@@ -20,11 +20,23 @@ namespace talus::reports {
 namespace {
 
 namespace mustache = kainjow::mustache;
-/// Date, tier and revision of the run in one line; the appendix has all details.
+/// Date, tier, revision and machine of the run in one line; the appendix has all details.
 std::string run_in_words(const Results& results) {
   const Provenance& p = results.provenance;
-  return fmt::format("Run of {}, tier {}, revision {}{}.", p.date, name_of(results.tier), p.revision.substr(0, 10),
-                     p.dirty ? " with uncommitted changes" : "");
+  return fmt::format("Run of {}, tier {}, revision {}{}{}.", p.date, name_of(results.tier), p.revision.substr(0, 10),
+                     p.dirty ? " with uncommitted changes" : "", p.cpu.empty() ? "" : ", on " + machine(p));
+}
+
+/// Registered cases that were not to run, by name; the first twelve of many.
+std::string unselected(const Results& results) {
+  std::string names;
+  std::size_t count = 0;
+  constexpr std::size_t named = 12;
+  for (const std::string& id : results.registered) {
+    if (std::find(results.selected.begin(), results.selected.end(), id) != results.selected.end()) continue;
+    if (++count <= named) names += (names.empty() ? "" : ", ") + id;
+  }
+  return count <= named ? names : names + fmt::format(" and {} more", count - named);
 }
 
 /// The values of the first page.
@@ -37,16 +49,12 @@ mustache::data front(const Results& results, const Drawn& drawn) {
                                    "{} failed.",
                                    c.cases, c.passed, c.failed, c.checks, c.checks_failed, c.slack, c.exempt,
                                    c.controls, c.controls_failed));
-  std::string left_out;
-  std::size_t count = 0;
-  constexpr std::size_t named = 12;
-  for (const std::string& id : results.registered) {
-    if (std::find(results.selected.begin(), results.selected.end(), id) != results.selected.end()) continue;
-    if (++count <= named) left_out += (left_out.empty() ? "" : ", ") + id;
-  }
-  if (count > named) left_out += fmt::format(" and {} more", count - named);
-  values.set("is_partial", !left_out.empty());
+  const std::string left_out = unselected(results);
+  // Without --only all cases of the tier are selected.
+  values.set("is_partial", !left_out.empty() && !results.only.empty());
   values.set("left_out", left_out);
+  values.set("has_full_only", !left_out.empty() && results.only.empty());
+  values.set("full_only", left_out);
   const std::string failed = failures(results);
   values.set("has_failures", !failed.empty());
   values.set("failures", failed);
