@@ -7,6 +7,7 @@
 #include <thread>
 
 #include "reports/error.hpp"
+#include "reports/numbers.hpp"
 #include "reports/report.hpp"
 
 namespace {
@@ -20,6 +21,7 @@ struct Options {
   std::vector<std::string> site;
   std::vector<std::string> sketches;
   std::string title;
+  bool check{};
   std::vector<std::string> formats{"svg", "pdf", "png"};
   unsigned jobs{std::max(1U, std::thread::hardware_concurrency())};
 };
@@ -29,11 +31,13 @@ void describe(CLI::App& app, Options& options) {
       "Writes verification.pdf, verification-details.pdf, both as .md, and html/index.html from the records of a "
       "verification run,\n"
       "or the pictures of one run (--plot), a site from Markdown (--site), or the sketches of pages (--sketches). Exit "
-      "codes: 0 written, 2 wrong usage or "
+      "codes: 0 written, 1 a number of the report is not in the records (--check), 2 wrong usage or "
       "record, 4 a file or tool failed\n"
       "or a tool is missing; what can be made without it is there.");
   app.add_option("verify", options.verify, "folder with results.json and the cases' folders (build/verify)");
   app.add_option("report", options.report, "folder to write the report to (build/report)");
+  app.add_flag("--check", options.check,
+               "do not write the report, but check the one in REPORT: each of its numbers must be in VERIFY");
   app.add_option("--plot", options.plot, "a run's folder: draw the figures of its plot.json");
   app.add_option("--to", options.to, "folder for the pictures, sketches or site; of --plot default its plots/");
   app.add_option("--sheet", options.sheet, "a fence run's folder: make sheet.pdf and sheet.html from its sheet.json");
@@ -64,8 +68,21 @@ int print(const talus::reports::Made& made) {
   return 4;
 }
 
+/// Prints the numbers of the report that are not in the records; returns the exit code.
+int check(const Options& options, const talus::reports::ToolPaths& tools) {
+  const std::vector<std::string> wrong =
+      talus::reports::unfounded_numbers(options.verify, options.report, tools.resources / "templates");
+  if (wrong.empty()) return 0;
+  std::string words = "talus_report: numbers of the report that are not in the records:\n";
+  for (const std::string& number : wrong)
+    words += fmt::format("  {}\n", number);
+  print_errors(words);
+  return 1;
+}
+
 int work(const Options& options) {
   const talus::reports::ToolPaths tools{talus::reports::find_resources(), options.jobs};
+  if (options.check) return check(options, tools);
   const std::set<std::string> formats(options.formats.begin(), options.formats.end());
   if (!options.plot.empty()) {
     const std::filesystem::path run = options.plot;
@@ -99,6 +116,7 @@ int main(int argc, char** argv) {
           "give either two folders, VERIFY and REPORT, or --plot DIR, --sheet DIR, --site FILES --to DIR, or "
           "--sketches FILES --to DIR");
     }
+    if (options.check && options.report.empty()) throw CLI::ValidationError("--check requires VERIFY and REPORT");
     if (!(options.site.empty() && options.sketches.empty()) && options.to.empty())
       throw CLI::ValidationError("--site and --sketches require --to (the folder that receives what is made)");
   } catch (const CLI::ParseError& wrong) {

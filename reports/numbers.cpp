@@ -1,0 +1,155 @@
+#include "reports/numbers.hpp"
+
+#include <algorithm>
+#include <cctype>
+#include <cmath>
+#include <cstdlib>
+#include <map>
+#include <nlohmann/json.hpp>
+#include <regex>
+
+#include "verification/record/whole_file.hpp"
+
+namespace talus::reports {
+namespace fs = std::filesystem;
+namespace {
+
+using nlohmann::json;
+using records::read_whole;
+
+/// Integers up to this number figures, tables, rows and references.
+constexpr double most_ordinal = 250;
+
+/// A number as written: its value and the weight of its last digit.
+struct Written {
+  std::string text;
+  double value{}, last_digit{};
+};
+
+/// Numbers in a text; digits of names such as rk4, `fence_1993` or 2D are not numbers.
+std::vector<Written> numbers_in(const std::string& text) {
+  static const std::regex number(R"((\d+)(\.(\d+))?([eE]([-+]?\d+))?)");
+  const auto part_of_name = [](char c) { return std::isalpha(static_cast<unsigned char>(c)) != 0 || c == '_'; };
+  std::vector<Written> found;
+  for (std::sregex_iterator it(text.begin(), text.end(), number), end; it != end; ++it) {
+    const auto at = static_cast<std::size_t>(it->position());
+    const std::size_t after = at + static_cast<std::size_t>(it->length());
+    if ((at > 0 && part_of_name(text[at - 1])) || (after < text.size() && part_of_name(text[after]))) continue;
+    const int exponent = (*it)[5].matched ? std::stoi((*it)[5].str()) : 0;
+    found.push_back({it->str(), std::strtod(it->str().c_str(), nullptr),
+                     std::pow(10.0, exponent - static_cast<int>((*it)[3].length()))});
+  }
+  return found;
+}
+
+/// All numbers of a JSON value, those in its strings as well, and the sizes of its lists.
+void collect(const json& value, std::set<double>& numbers) {
+  if (value.is_number()) numbers.insert(std::abs(value.get<double>()));
+  if (value.is_string()) {
+    for (const Written& written : numbers_in(value.get<std::string>()))
+      numbers.insert(written.value);
+  }
+  if (!value.is_structured()) return;
+  numbers.insert(static_cast<double>(value.size()));
+  for (const json& part : value)
+    collect(part, numbers);
+}
+
+/// What the report sums over the cases of a family, and over checks of a kind; and error over bound of the controls.
+void collect_sums(const json& results, std::set<double>& numbers) {
+  std::map<std::string, double> seconds, checks, of_kind, robust;
+  for (const json& record : results.at("cases")) {
+    const std::string family = record.at("family");
+    seconds[family] += record.at("seconds").get<double>();
+    checks[family] += static_cast<double>(record.at("checks").size());
+    for (const json& check : record.at("checks")) {
+      if (!check.at("pass").get<bool>()) continue;
+      const bool either = check.at("margin").is_number() && check.at("margin").get<double>() < 0.5;
+      for (const std::string& kind : {check.at("kind").get<std::string>(), std::string("all")}) {
+        of_kind[kind] += 1;
+        robust[kind] += either ? 1 : 0;
+      }
+    }
+    for (const json& control : record.at("controls")) {
+      const json &error = control.at("error"), &bound = control.at("bound");
+      if (error.is_number() && bound.is_number()) numbers.insert(error.get<double>() / bound.get<double>());
+    }
+  }
+  for (const auto& sums : {seconds, checks, of_kind, robust}) {
+    for (const auto& [name, sum] : sums)
+      numbers.insert(sum);
+  }
+  for (const auto& [kind, count] : of_kind)
+    numbers.insert(count - robust[kind]);
+}
+
+/// The Markdown text as a reader sees it: without targets of links and attributes, and without the numbers of figures
+/// and tables and the versions of the tools.
+std::string visible(const std::string& markdown) {
+  std::string text = std::regex_replace(markdown, std::regex(R"(\]\([^)]*\))"), "]");
+  text = std::regex_replace(text, std::regex(R"(\{[^{}\n]*width=[^{}\n]*\})"), "");
+  text = std::regex_replace(text, std::regex(R"(\\([^A-Za-z0-9]))"), "$1");
+  text = std::regex_replace(text, std::regex(R"((Figure|Table) \d+\.\d+)"), "$1");
+  return std::regex_replace(text, std::regex(R"(Tools: [^\n]*)"), "");
+}
+
+/// The counts and percentages of the chapter on the interface.
+void collect_counts(const json& interface, std::set<double>& numbers) {
+  std::map<std::string, std::map<std::string, double>> counts;
+  for (const json& item : interface.at("items")) {
+    for (const std::string& kind : {item.at("kind").get<std::string>(), std::string("all")})
+      counts[kind][item.at("status").get<std::string>()] += 1.0;
+  }
+  for (auto& [kind, by_status] : counts) {
+    for (const auto& [status, count] : by_status)
+      numbers.insert(count);
+    numbers.insert(100.0 * by_status["killed"] / (by_status["killed"] + by_status["survived"]));
+  }
+}
+
+}  // namespace
+
+std::size_t count_of_numbers(const std::string& markdown) { return numbers_in(visible(markdown)).size(); }
+
+std::set<double> numbers_of_records(const fs::path& verify, const fs::path& templates) {
+  std::set<double> numbers{1.5};  // by which the details perturb references
+  const json results = json::parse(read_whole(verify / "results.json"));
+  collect(results, numbers);
+  collect_sums(results, numbers);
+  if (fs::exists(verify / "mutants.json")) collect(json::parse(read_whole(verify / "mutants.json")), numbers);
+  if (fs::exists(verify / "interface.json")) {
+    const json interface = json::parse(read_whole(verify / "interface.json"));
+    collect(interface, numbers);
+    collect_counts(interface, numbers);
+  }
+  for (const char* mode : {"upward", "downward", "toward_zero"}) {
+    const fs::path file = verify / "rounding" / mode / "results.json";
+    if (fs::exists(file)) collect(json::parse(read_whole(file)), numbers);
+  }
+  for (const auto& entry : fs::directory_iterator(templates / "chapters"))
+    collect(read_whole(entry.path()), numbers);
+  return numbers;
+}
+
+std::vector<std::string> unfounded_numbers(const std::string& markdown, const std::set<double>& known) {
+  std::vector<std::string> wrong;
+  for (const Written& written : numbers_in(visible(markdown))) {
+    if (written.value == std::floor(written.value) && written.value <= most_ordinal) continue;
+    const double half = 0.5 * written.last_digit * (1.0 + 1e-6);
+    const auto next = known.lower_bound(written.value - half);
+    if (next == known.end() || *next > written.value + half) wrong.push_back(written.text);
+  }
+  return wrong;
+}
+
+std::vector<std::string> unfounded_numbers(const fs::path& verify, const fs::path& report, const fs::path& templates) {
+  const std::set<double> known = numbers_of_records(verify, templates);
+  std::vector<std::string> wrong;
+  for (const char* name : {"verification.md", "verification-details.md"}) {
+    for (const std::string& number : unfounded_numbers(read_whole(report / name), known))
+      wrong.push_back(name + (": " + number));
+  }
+  return wrong;
+}
+
+}  // namespace talus::reports
