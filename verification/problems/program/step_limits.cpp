@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 #include <numbers>
+#include <sstream>
 #include <stdexcept>
 #include <string>
 #include <vector>
@@ -218,6 +219,32 @@ Verdict verdict(const TemporaryFolder& folder, const std::string& text) {
           ended.messages.find("may grow without bound") != std::string::npos};
 }
 
+/// Names of the methods with steps of fixed length, as `talus list integrators` prints them.
+std::vector<std::string> fixed_step_methods(const TemporaryFolder& folder) {
+  std::vector<std::string> names;
+  std::istringstream lines(talus_output(folder, {"list", "integrators"}));
+  for (std::string line; std::getline(lines, line);) {
+    std::istringstream words(line);
+    std::string name;
+    if (words >> name && line.find("fixed step") != std::string::npos) names.push_back(name);
+  }
+  return names;
+}
+
+/// Number of methods for which `check` prints a limit that is not compared here: a new method must be added.
+double uncompared(const TemporaryFolder& folder, const Vibrating& scene, const std::vector<Method>& methods,
+                  bool forgotten) {
+  double count = 0.0;
+  for (const std::string& name : fixed_step_methods(folder)) {
+    const bool compared =
+        std::any_of(methods.begin(), methods.end(), [&](const Method& method) { return method.name == name; });
+    if (compared && !(forgotten && name == "taylor")) continue;
+    const Verdict printed = verdict(folder, scene_text(scene, {.name = name, .scheme = {}}, 1e-4, true));
+    count += std::isnan(printed.limit) ? 0.0 : 1.0;
+  }
+  return count;
+}
+
 void draw_growth(const TemporaryFolder& folder, const std::vector<Vibrating>& scenes, const Method& method,
                  Findings& findings) {
   std::vector<Series> curves;
@@ -284,6 +311,9 @@ void run(Findings& findings, const Setup& setup) {
                             fmt::format("{:.3g}", inside), fmt::format("{:.3g}", outside)});
     }
   }
+  findings.expect("methods for which `talus check` prints a limit that is not compared",
+                  uncompared(folder, scenes.back(), methods, setup.has("method_forgotten")), 0.0,
+                  Tolerance::exact("count over the list of the program"));
   if (!setup.coarse)
     findings.expect(
         "limits compared", limits, 36.0,
@@ -312,22 +342,24 @@ void run(Findings& findings, const Setup& setup) {
 }  // namespace
 
 Case definition() {
-  return {.id = "step_limits",
-          .title = "Step limits reported by `talus check`",
-          .requirements = {{"G2", {"limits"}}},
-          .main_checks = {"wrong verdicts of `talus check` at 0.999 and 1.001 of the limit",
-                          "growth in 400 steps at 1.01 of the limit: minimum, in powers of ten"},
-          .source = "Linear stability of the methods, as in case `stability_maps`",
-          .faults = {{"slowest_mode_alone", "only the slowest of the three modes",
-                      "wrong verdicts of `talus check` at 0.999 and 1.001 of the limit"},
-                     {"secant_stiffness", "secant instead of tangent stiffness of the Hertzian contact",
-                      "wrong verdicts of `talus check` at 0.999 and 1.001 of the limit"},
-                     {"light_mass_alone", "the lighter mass instead of the effective mass",
-                      "runs terminated at 0.999 of the limit, or not terminated at 1.001"},
-                     {"no_friction_spring", "friction spring omitted",
-                      "growth in 400 steps at 0.99 of the limit: maximum"}},
-          .seconds = 4.0,
-          .run = run};
+  return {
+      .id = "step_limits",
+      .title = "Step limits reported by `talus check`",
+      .requirements = {{"G2", {"limits"}}},
+      .main_checks = {"wrong verdicts of `talus check` at 0.999 and 1.001 of the limit",
+                      "growth in 400 steps at 1.01 of the limit: minimum, in powers of ten"},
+      .source = "Linear stability of the methods, as in case `stability_maps`",
+      .faults = {{"slowest_mode_alone", "only the slowest of the three modes",
+                  "wrong verdicts of `talus check` at 0.999 and 1.001 of the limit"},
+                 {"secant_stiffness", "secant instead of tangent stiffness of the Hertzian contact",
+                  "wrong verdicts of `talus check` at 0.999 and 1.001 of the limit"},
+                 {"light_mass_alone", "the lighter mass instead of the effective mass",
+                  "runs terminated at 0.999 of the limit, or not terminated at 1.001"},
+                 {"no_friction_spring", "friction spring omitted", "growth in 400 steps at 0.99 of the limit: maximum"},
+                 {"method_forgotten", "a method of the program omitted from the comparison",
+                  "methods for which `talus check` prints a limit that is not compared"}},
+      .seconds = 4.0,
+      .run = run};
 }
 
 }  // namespace talus::verification::problems::step_limits
