@@ -73,9 +73,9 @@ std::string line_commands(const Plot& plot) {
   return text;
 }
 
-std::string axis_commands(char name, const Axis& axis, const Extent& extent) {
+std::string axis_commands(char name, const Axis& axis, const Extent& extent, std::size_t most) {
   const std::string unit = axis.unit.empty() || axis.unit == "1" || axis.unit == "-" ? "" : " [" + axis.unit + "]";
-  std::string text = fmt::format("set {}label {}\n", name, gnuplot_text(axis.label + unit));
+  std::string text = fmt::format("set {}label {}\n", name, gnuplot_lines(axis.label + unit, most));
   text += fmt::format("set {}range [{:.12g}:{:.12g}]\n", name, extent.low, extent.high);
   if (axis.log) {
     text += fmt::format("set logscale {}\n", name) + log_tics(name, extent);
@@ -109,8 +109,8 @@ std::size_t longest_label(const Plot& plot) {
 
 /// Number of key columns that fit side by side below the plot, from the longest label.
 std::size_t key_columns(const Plot& plot, const Canvas& canvas) {
-  const auto letters = static_cast<std::size_t>(3.2 * canvas.width / canvas.letters.paper);
-  return std::clamp<std::size_t>(letters / (longest_label(plot) + 7), 1, 4);
+  constexpr std::size_t sample = 6;  // letters, of the line and the space beside it
+  return std::clamp<std::size_t>(letters_along(canvas.width, canvas.letters) / (longest_label(plot) + sample), 1, 4);
 }
 
 }  // namespace
@@ -165,7 +165,13 @@ std::string drawn_in_each_format(const Canvas& canvas, const std::string& stem, 
   return text;
 }
 
-Panel panel_of(const Plot& plot, const std::string& prefix, const ColourScale& scale, const Canvas& canvas) {
+std::size_t letters_along(double length, const Letters& letters) {
+  constexpr double letter_wide = 0.288;  // [cm] per unit of the scale, measured in PDF: DejaVu Sans, lower case
+  return static_cast<std::size_t>(length / (letter_wide * letters.paper));
+}
+
+Panel panel_of(const Plot& plot, const std::string& prefix, const ColourScale& scale, const Canvas& canvas,
+               std::size_t most) {
   Panel panel;
   for (std::size_t i = 0; i < plot.curves.size(); ++i) {
     const Curve& curve = plot.curves[i];
@@ -177,7 +183,8 @@ Panel panel_of(const Plot& plot, const std::string& prefix, const ColourScale& s
     if (!has_look(curve.style) && curve.style != Style::heat && !curve.label.empty()) ++panel.in_key;
     if (curve.style == Style::outlines) panel.settings += "set size ratio -1\n";
   }
-  panel.settings += axis_commands('x', plot.figure.x, plot.x) + axis_commands('y', plot.figure.y, plot.y);
+  panel.settings +=
+      axis_commands('x', plot.figure.x, plot.x, std::string::npos) + axis_commands('y', plot.figure.y, plot.y, most);
   if (!plot.figure.grid) panel.settings += "unset grid\n";
   panel.settings += slope_commands(plot, panel.curves) + line_commands(plot) + mark_commands(plot);
   const std::size_t columns = key_columns(plot, canvas);
@@ -186,7 +193,9 @@ Panel panel_of(const Plot& plot, const std::string& prefix, const ColourScale& s
 }
 
 std::string figure_script(const Plot& plot, const Canvas& canvas, const std::string& stem) {
-  const Panel panel = panel_of(plot, "curve", {}, canvas);
+  const double line_high = 0.62 * canvas.letters.paper;  // [cm], of the margins below and above the axes
+  const std::size_t most = letters_along(canvas.height - 5.9 * line_high, canvas.letters);
+  const Panel panel = panel_of(plot, "curve", {}, canvas, most);
   const std::string text = fmt::format("load {}\n", gnuplot_quoted(canvas.preamble.string())) + panel.settings;
   const auto rows = static_cast<double>(panel.key_rows);
   // gnuplot counts each letter as wide as a digit, an eighth too wide, and omits columns that seem too wide.

@@ -45,10 +45,13 @@ struct Panel {
   std::size_t key_rows{};  ///< rows of the key if it may be as wide as a picture
 };
 
+/// Number of letters in a line of that length [cm], on average.
+[[nodiscard]] std::size_t letters_along(double length, const Letters& letters);
+
 /// The parts of a plot's script; the names of its data blocks begin with `prefix`, and `scale` maps its values to
-/// colours. The key may be as wide as the canvas.
+/// colours. The key may be as wide as the canvas. A title of the y axis of more than `most` letters has several lines.
 [[nodiscard]] Panel panel_of(const Plot& plot, const std::string& prefix, const ColourScale& scale,
-                             const Canvas& canvas);
+                             const Canvas& canvas, std::size_t most);
 
 /// Commands that draw the plot as folder/stem.<format>.
 [[nodiscard]] std::string figure_script(const Plot& plot, const Canvas& canvas, const std::string& stem);

@@ -158,4 +158,20 @@ std::string gnuplot_text(const std::string& words) {
   return result + "'";
 }
 
+std::string gnuplot_lines(const std::string& text_in_record, std::size_t most) {
+  const std::string words = without_formula_marks(text_in_record);  // a line may end within a formula
+  std::string text, line;
+  for (std::size_t at = 0; at < words.size();) {
+    const std::size_t space = std::min(words.find(' ', at), words.size());
+    const std::string word = words.substr(at, space - at);
+    if (!line.empty() && line.size() + 1 + word.size() > most) {
+      text += gnuplot_text(line) + ".\"\\n\".";
+      line.clear();
+    }
+    line += (line.empty() ? "" : " ") + word;
+    at = space + 1;
+  }
+  return text + gnuplot_text(line);
+}
+
 }  // namespace talus::reports

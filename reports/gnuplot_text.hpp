@@ -12,6 +12,9 @@ namespace talus::reports {
 /// signs are those signs (`\omega`, `\le`); any other mark is printed literally.
 [[nodiscard]] std::string gnuplot_text(const std::string& words);
 
+/// The same in lines of at most `most` characters, broken at spaces; a longer word has a line of its length.
+[[nodiscard]] std::string gnuplot_lines(const std::string& words, std::size_t most);
+
 /// Literal text for gnuplot's enhanced text, in single quotes: a title or name given by the user. Text longer than
 /// `most` characters is cut and ends in three dots.
 [[nodiscard]] std::string gnuplot_verbatim(const std::string& text, std::size_t most = std::string::npos);

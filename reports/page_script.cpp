@@ -19,6 +19,7 @@ constexpr std::size_t characters_wide = 95;
 // All lengths in centimetres.
 constexpr double line_high = 0.44;
 constexpr double tallest_panel = 11.0;
+constexpr double panels_left = 1.55, panels_right = 0.35;  // space beside all panels
 
 /// Font size of panels; smaller than in a separate figure.
 constexpr Letters panel_letters{0.385, 10.4};
@@ -67,17 +68,25 @@ std::pair<double, double> panel_size(const Plot& plot, const PagePlot& page, dou
   return {width, width * shape};
 }
 
+std::size_t columns_of(const PagePlot& page) {
+  return std::min(static_cast<std::size_t>(page.page.columns), page.panels.size());
+}
+
+double gap_of(bool shared) { return shared ? 0.35 : panels_left + 0.15; }
+
+/// Width of a column of panels.
+double room_of(const PagePlot& page) {
+  const auto per_row = static_cast<double>(columns_of(page));
+  return (centimetres_wide - panels_left - panels_right - gap_of(axes_shared(page.panels)) * (per_row - 1.0)) / per_row;
+}
+
 Layout layout_of(const PagePlot& page, const std::vector<Panel>& panels, double legend) {
   Layout layout{axes_shared(page.panels), 0.0, legend, {}};
-  const auto columns = std::min(static_cast<std::size_t>(page.page.columns), page.panels.size());
-  const double left = 1.55;
-  const double right = 0.35;
-  const double gap = layout.shared ? 0.35 : left + 0.15;
+  const std::size_t columns = columns_of(page);
+  const double gap = gap_of(layout.shared), room = room_of(page);
   const bool titled = std::any_of(page.panels.begin(), page.panels.end(),
                                   [](const Plot& panel) { return !panel.figure.title.empty(); });
   const double above = titled ? 0.62 : 0.2;
-  const auto per_row = static_cast<double>(columns);
-  const double room = (centimetres_wide - left - right - gap * (per_row - 1.0)) / per_row;
   // Measured from the upper edge downwards; inverted at the end, when the height is known.
   double y = page.page.title.empty() ? 0.0 : 0.85;
   for (std::size_t first = 0; first < panels.size(); first += columns) {
@@ -86,7 +95,7 @@ Layout layout_of(const PagePlot& page, const std::vector<Panel>& panels, double 
     std::size_t key_rows = 0;
     for (std::size_t i = first; i < end; ++i) {
       const auto [width, height] = panel_size(page.panels[i], page, room);
-      const double x = left + static_cast<double>(i - first) * (room + gap) + 0.5 * (room - width);
+      const double x = panels_left + static_cast<double>(i - first) * (room + gap) + 0.5 * (room - width);
       layout.frames.push_back({x, x + width, y + above + height, y + above});
       tallest = std::max(tallest, height);
       key_rows = std::max(key_rows, columns == 1 ? panels[i].key_rows : panels[i].in_key);
@@ -212,9 +221,10 @@ std::pair<std::string, double> page_commands(const PagePlot& page, const Canvas&
   const double legend = page.page.scale ? 1.5 : entries.empty() ? 0.0 : 0.8;
   std::vector<Panel> panels;
   for (const Plot& plot : page.panels)
-    panels.push_back(panel_of(plot, fmt::format("panel{}_", panels.size() + 1), colours_of(page), canvas));
+    panels.push_back(panel_of(plot, fmt::format("panel{}_", panels.size() + 1), colours_of(page), canvas,
+                              letters_along(panel_size(plot, page, room_of(page)).second, panel_letters)));
   const Layout layout = layout_of(page, panels, legend);
-  const auto columns = std::min(static_cast<std::size_t>(page.page.columns), panels.size());
+  const std::size_t columns = columns_of(page);
   const std::string clean = fmt::format("load {}\n", gnuplot_quoted(canvas.preamble.string()));
   std::string text = "set multiplot\n";
   for (std::size_t i = 0; i < panels.size(); ++i) {

@@ -71,7 +71,7 @@ std::vector<Drawing> drawings_of(const Results& results, const Trials& trials, c
   Canvas small = canvas;
   small.width = page_figure_wide;
   small.height = 4.4;
-  small.letters = {0.36, 9.5};
+  small.letters = {0.42, 10.5};
   for (const Record& record : results.records) {
     std::string script;
     for (const Figure& figure : record.figures) {

@@ -62,7 +62,7 @@ function Header(header)
   if chapters == 2 then  -- the contents share its page
     return { latex_block('\\clearpage\\setcounter{tocdepth}{' .. depth .. '}\\begingroup\\small\\tableofcontents\\endgroup\\bigskip'), header }
   end
-  return { latex_block('\\clearpage'), header }
+  return { latex_block('\\TalusChapter'), header }
 end
 
 -- A long word may break after a comma or a semicolon; names and numbers stay whole.

@@ -119,6 +119,27 @@ BOOST_AUTO_TEST_CASE(a_script_draws_points_slopes_and_lines) {
   }
 }
 
+// The title of a y axis has as many lines as the height of its axis requires; none is cut off.
+BOOST_AUTO_TEST_CASE(long_titles_of_y_axes_are_broken) {
+  BOOST_TEST(gnuplot_lines("error against rigid impact [ft/s, rad]", 29) ==
+             R"('error against rigid impact'."\n".'[ft/s, rad]')");
+  BOOST_TEST(gnuplot_lines("k_n of a contact", 16) == "'k_{n} of a contact'");
+  BOOST_TEST(gnuplot_lines("incompressible", 5) == "'incompressible'");
+  const Scratch scratch("plot");
+  write_csv(scratch, "series,h [s],e\na,0.1,1e-2\na,0.001,1e-6\n");
+  Figure figure = figure_of(true);
+  figure.y.label = "plastic elongation of the segment beside the column that was hit";
+  const Canvas canvas{"/p/preamble.gp", "/out", {"pdf"}};
+  const std::string script = figure_script(plot_of(figure, scratch.folder), canvas, "stem");
+  const std::size_t most = letters_along(canvas.height - 1.8, canvas.letters);
+  const std::size_t from = script.find("set ylabel "), to = script.find('\n', from);
+  std::size_t lines = 0;
+  for (std::size_t at = script.find('\'', from); at < to;
+       at = script.find('\'', script.find('\'', at + 1) + 1), ++lines)
+    BOOST_TEST(script.find('\'', at + 1) - at - 1 <= most);
+  BOOST_TEST(lines == 2U);
+}
+
 BOOST_AUTO_TEST_CASE(narrow_log_axes_have_numbers) {
   const std::string narrow = log_tics('y', {2.0, 6.0});
   BOOST_TEST(names(narrow, "'2' 2e0, '3' 3e0, '5' 5e0"));

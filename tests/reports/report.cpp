@@ -1,12 +1,15 @@
 #define BOOST_TEST_MODULE reports_report
 #include "reports/report.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <array>
 #include <boost/test/unit_test.hpp>
 #include <cmath>
 #include <fstream>
 #include <map>
+#include <nlohmann/json.hpp>
 #include <regex>
 #include <set>
 #include <sstream>
@@ -136,6 +139,51 @@ BOOST_AUTO_TEST_CASE(links_between_the_volumes_lead_from_pdf_to_pdf) {
   const std::string tex = read_whole(scratch.folder / "volume.tex");
   for (const char* there : {"{verification-details.pdf}", "{verification.pdf}", "{other.md\\#c}", "{d.pdf}"})
     BOOST_TEST(contains(tex, there), tex);
+}
+
+// A chapter of a few lines more than a page is set smaller; one of many more is not.
+BOOST_AUTO_TEST_CASE(a_chapter_ends_on_its_page_where_it_can) {
+  const Scratch scratch("chapters");
+  std::string text = "# Front\n\n| a |\n|:--|\n| 1 |\n\n# Contents\n\n";
+  for (const int lines : {20, 62, 90})
+    for (int i = 0; i < lines; ++i)
+      text += i == 0 ? fmt::format("# Chapter of {} lines\n\n", lines) : fmt::format("Line {}.\n\n", i);
+  write_whole(scratch.folder / "book.md", text + "# Last\n");
+  const Document book{scratch.folder, "book", "Book", find_resources() / "pandoc", 0};
+  make_latex(book);
+  make_pdf(book);
+  const std::string measured = read_whole(scratch.folder / "book.aux");
+  BOOST_TEST(!contains(measured, "\\TalusTight{1}"));
+  BOOST_TEST(contains(measured, "\\TalusTight{2}"));
+  BOOST_TEST(!contains(measured, "\\TalusTight{3}"));
+  // Front, contents, 20 lines, 62 lines, 90 lines on two pages, last.
+  BOOST_TEST(contains(read_whole(scratch.folder / "book.log"), "Output written on book.pdf (7 pages"));
+  BOOST_TEST(contains(read_whole(scratch.folder / "book.toc"), "Chapter of 90 lines}{5}"));
+}
+
+BOOST_AUTO_TEST_CASE(the_first_page_names_the_machine_and_what_did_not_run) {
+  const Scratch scratch("first_page");
+  fs::copy(data / "pass", scratch.folder / "verify", fs::copy_options::recursive);
+  const fs::path file = scratch.folder / "verify" / "results.json";
+  nlohmann::json results = nlohmann::json::parse(read_whole(file));
+  const auto first_page = [&] {
+    write_whole(file, results.dump(1));
+    const Finished made = program({(scratch.folder / "verify").string(), (scratch.folder / "report").string()});
+    BOOST_TEST_REQUIRE(made.status == 0, made.messages);
+    const std::string text = read_whole(scratch.folder / "report" / "verification.md");
+    return text.substr(0, text.find("\n# Coverage"));
+  };
+  results["provenance"]["cpu"] = "Some Processor";
+  results["provenance"]["cores"] = 4;
+  results["registered"].push_back("long_study");
+  const std::string of_tier = first_page();
+  BOOST_TEST(contains(of_tier, ", on Some Processor, 4 cores."), of_tier);
+  BOOST_TEST(contains(of_tier, "**Only in the full tier** (`make verify-full`): long\\_study."), of_tier);
+  BOOST_TEST(!contains(of_tier, "Only a selection ran"));
+  results["only"] = results["selected"];
+  const std::string selected = first_page();
+  BOOST_TEST(contains(selected, "**Only a selection ran.** Registered but not requested: long\\_study."), selected);
+  BOOST_TEST(!contains(selected, "full tier"));
 }
 
 BOOST_AUTO_TEST_CASE(failures_stand_on_the_first_page) {

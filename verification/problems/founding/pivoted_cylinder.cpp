@@ -362,7 +362,7 @@ void check_approach(const Approach& a, Findings& findings) {
                               "(points) and the soft reference (lines). The difference changes sign where a curve has "
                               "an interior minimum.",
                    .x = {.label = "1/sqrt(k_n)", .unit = "sqrt(ft/lbf)", .log = true},
-                   .y = {.label = "difference from the rigid impact", .unit = "ft/s, rad", .log = true},
+                   .y = {.label = "error against rigid impact", .unit = "ft/s, rad", .log = true},
                    .series = {{"v1 [ft/s], solver", a.column.steps(), a.column.errors(), Style::points},
                               a.soft_column,
                               {"V1 [ft/s], solver", a.rock.steps(), a.rock.errors(), Style::points},

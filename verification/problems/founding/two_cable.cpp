@@ -351,7 +351,7 @@ Figure rigid_limit(const Convergence& distance, const Convergence& time, const s
               "Difference of turning distance and travel time from the rigid impact, against the contact compliance: "
               "the solver (points) and the soft reference (lines), attractive end rule.",
           .x = {.label = "contact compliance 1/k_n", .unit = "m/N", .log = true},
-          .y = {.label = "difference from the rigid impact", .unit = "m, s", .log = true},
+          .y = {.label = "error against rigid impact", .unit = "m, s", .log = true},
           .series = {{"distance [m], solver", distance.steps(), distance.errors(), Style::points},
                      {"distance [m], soft reference", distance.steps(), soft_distance, Style::lines},
                      {"time [s], solver", time.steps(), time.errors(), Style::points},

@@ -35,7 +35,7 @@ void check_damped(EndRule rule, const std::vector<double>& steps, Figure& figure
   const Bounce b = bounce(0.5, rule, setup);
   for (const Integrator& integrator :
        {Integrator{VelocityVerlet{}}, Integrator{CentralDifference{}}, Integrator{RungeKutta4{}}}) {
-    const std::string label = fmt::format("e = 0.5, {}, {}", word_for(rule), talus::name(integrator));
+    const std::string label = fmt::format("{}, {}", word_for(rule), talus::name(integrator));
     const Convergence found = restitution_errors(b, integrator, steps, findings);
     const auto claim = findings.in(fmt::format("integrator.{}", talus::name(integrator))),
                group = findings.in(word_for(rule));
@@ -100,14 +100,16 @@ void check_undamped(const std::vector<double>& steps, Figure& figure, Findings& 
 /// Checks the error of e against the step for a disc on a plane: order one with a dashpot and two without one, for
 /// every method. The figure also shows the predicted errors. Planted fault: `commensurate_step`.
 void check_restitution_orders(Findings& findings, const Setup& setup) {
-  Figure figure{.name = "error_of_e",
-                .title = "Error of the restitution against the step",
-                .caption =
-                    "Root mean square over 64 phases, each with a different step. Points: the solver. Lines: the error "
-                    "predicted from lag and jumps (damped); nothing is fitted. With a dashpot every method is of first "
-                    "order, without a dashpot of second.",
-                .x = {.label = "step / contact time", .log = true},
-                .y = {.label = "relative error of e", .log = true}};
+  Figure figure{
+      .name = "error_of_e",
+      .title = "Error of the restitution against the step",
+      .caption =
+          "Root mean square over 64 phases, each with a different step; e = 0.5 unless the key names another. "
+          "Points: the solver. Lines: the error predicted from lag and jumps (damped); nothing is fitted. With a "
+          "dashpot every method is of first "
+          "order, without a dashpot of second.",
+      .x = {.label = "step / contact time", .log = true},
+      .y = {.label = "relative error of e", .log = true}};
   const auto steps = doublings(16.0, setup.coarse ? 3 : 6);
   for (const EndRule rule : {EndRule::attractive, EndRule::clamped})
     check_damped(rule, steps, figure, findings, setup);
