@@ -3,6 +3,7 @@
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
+#include <cmath>
 #include <filesystem>
 #include <memory>
 #include <nlohmann/json.hpp>
@@ -75,6 +76,9 @@ struct SceneCalibration {
   std::optional<EndRule> end_rule;
   std::string parameter;  ///< by which the law dissipates: damping or hysteresis
   Dimension dimension;    ///< of the parameter
+
+  /// Steps of the scene from the last one before the contact to the first one after it.
+  long contact_steps(const Scene& scene) const { return std::lround(impact.contact_time / scene.plan.step); }
 };
 
 void print_json(const SceneCalibration& result, const Scene& scene, const std::string& contact) {
@@ -83,6 +87,7 @@ void print_json(const SceneCalibration& result, const Scene& scene, const std::s
                               {result.parameter, result.found.dissipation * si_size(units, result.dimension)},
                               {"damping_ratio", result.damping_ratio},
                               {"contact_time", result.impact.contact_time},
+                              {"contact_steps", result.contact_steps(scene)},
                               {"largest_overlap", result.impact.largest_overlap * si_size(units, dimension::length)},
                               {"step", scene.plan.step},
                               {"restitution", result.found.restitution},
@@ -102,9 +107,13 @@ void print_text(const SceneCalibration& result, const Scene& scene, const std::s
   line(result.parameter == "damping" ? "damping c" : result.parameter, result.found.dissipation, result.dimension);
   line("damping ratio xi", result.damping_ratio, dimension::number);
   line("restitution", result.found.restitution, dimension::number);
-  line("contact time", result.impact.contact_time, dimension::time);
+  const std::string time = symbol(units, dimension::time);
+  fmt::print("  {:<18}{:>16.9g} {}: {} steps, from the last one before the contact to the first one after it\n",
+             "contact time", result.impact.contact_time, time, result.contact_steps(scene));
   line("largest overlap", result.impact.largest_overlap, dimension::length);
-  line("step", scene.plan.step, dimension::time);
+  const std::string_view chosen = ": times at which the method gives states; it chooses shorter steps itself";
+  fmt::print("  {:<18}{:>16.9g} {}, of the scene{}\n", "step", scene.plan.step, time,
+             chooses_steps(scene.integrator) ? chosen : "");
   fmt::print("in the scene:\n  {} = \"{:.17g} {}\"\n", result.parameter, result.found.dissipation,
              symbol(units, result.dimension));
   if (result.end_rule) fmt::print("  end_rule = \"{}\"\n", name_of(*result.end_rule));

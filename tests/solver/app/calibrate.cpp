@@ -87,6 +87,30 @@ BOOST_AUTO_TEST_CASE(json_of_a_scene_in_other_units_is_in_si) {
   BOOST_TEST(std::abs(apart) < 1.001 * in_si.at("step").get<double>());
 }
 
+// With e = 0.9 the clamped contact takes 2 acos(xi)/sqrt(k/m) = 2.173 ms, 108.7 steps; it is counted in steps of the
+// scene, not in its outputs.
+BOOST_AUTO_TEST_CASE(contact_time_of_a_scene_is_in_seconds_and_in_its_steps) {
+  const Folder folder;
+  const auto calibrated = [&](const std::string& run, std::vector<std::string> more) {
+    const std::string scene = wall_scene("stiffness = \"4e6 N/m\"\nrestitution = 0.9\n") + run;
+    std::vector<std::string> arguments{"calibrate", folder.file("wall.toml", scene).string()};
+    arguments.insert(arguments.end(), {"--contact", "hit", "--restitution", "0.9"});
+    arguments.insert(arguments.end(), more.begin(), more.end());
+    return talus_ran(arguments).out;
+  };
+  const std::string ten_steps = "step = \"20 us\"\ninterval = \"200 us\"\nintegrator = \"velocity_verlet\"\n";
+  const auto json = nlohmann::json::parse(calibrated(ten_steps, {"--json"}));
+  const long steps = json.at("contact_steps").get<long>();
+  BOOST_TEST((steps == 109 || steps == 110), steps);
+  BOOST_TEST(json.at("contact_time").get<double>() == 2e-5 * static_cast<double>(steps),
+             boost::test_tools::tolerance(1e-9));
+  const std::string text = calibrated(ten_steps, {});
+  BOOST_TEST(holds(text, fmt::format(" s: {} steps, from the last one before the contact to the first", steps)), text);
+  BOOST_TEST(holds(text, "2e-05 s, of the scene\n"), text);
+  const std::string chosen = calibrated("step = \"20 us\"\nintegrator = \"odeint_dopri5\"\ntolerance = 1e-9\n", {});
+  BOOST_TEST(holds(chosen, "2e-05 s, of the scene: times at which the method gives states"), chosen);
+}
+
 BOOST_AUTO_TEST_CASE(an_impact_that_a_run_refuses_is_not_calibrated) {
   const Folder folder;
   const std::string soft = "stiffness = \"200 N/m\"\nrestitution = 0.6\n";

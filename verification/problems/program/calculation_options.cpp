@@ -100,9 +100,15 @@ end = "0.2 s"
                      -gravity, drop_mass, drop_radius, drop.place, drop_stiffness);
 }
 
-/// Restitution of the dropped disc with this damping: speed where the force ends (clamped), or where the disc leaves
-/// the ground, over that at touch. The contact is an oscillator about the overlap m g/k at rest.
-double dropped_restitution(double damping, bool clamped) {
+/// Impact of the dropped disc.
+struct DroppedImpact {
+  double contact_time{};  ///< [s]
+  double restitution{};
+};
+
+/// The impact with this damping, until the force ends (clamped), or until the disc leaves the ground. The contact is an
+/// oscillator about the overlap m g/k at rest.
+DroppedImpact dropped_impact(double damping, bool clamped) {
   const double frequency = std::sqrt(drop_stiffness / drop_mass), rest = drop_mass * gravity / drop_stiffness;
   const double speed = std::sqrt(2.0 * gravity * (drop.place - drop_radius));
   const auto at = [&](double t) {
@@ -120,7 +126,7 @@ double dropped_restitution(double damping, bool clamped) {
     const double t = 0.5 * (before + after);
     (pushes(t) ? before : after) = t;
   }
-  return -at(before).velocity / speed;
+  return {before, -at(before).velocity / speed};
 }
 
 /// The damping that gives the dropped disc this restitution, by bisection.
@@ -128,7 +134,7 @@ double dropped_damping(double restitution, bool clamped) {
   double low = 0.0, high = 200.0;
   for (int n = 0; n < 60; ++n) {
     const double c = 0.5 * (low + high);
-    (dropped_restitution(c, clamped) > restitution ? low : high) = c;
+    (dropped_impact(c, clamped).restitution > restitution ? low : high) = c;
   }
   return low;
 }
@@ -450,14 +456,10 @@ void check_calibration(const Program& program, Findings& findings, Differences& 
                             "the reference is exact to the third power of z = w2 h = 0.0324; the squares of its terms "
                             "z^2 g/2, whose g^2 has the mean 1/30, are z^4/240"));
 
-  const Json scene =
-      program.json({"calibrate", "drop.toml"}, {{"--contact", {"impact"}}, {"--restitution", {"0.6"}}, {"--json", {}}});
-  const std::string by_runs =
-      program.run({"calibrate", "drop.toml"}, {{"--contact", {"impact"}}, {"--restitution", {"0.6"}}});
-  differ.compare("calibrate: contact and number of runs printed",
-                 by_runs.find(fmt::format("contact '{}' calibrated by {} runs", scene.at("contact").get<std::string>(),
-                                          scene.at("runs").get<int>())) != std::string::npos,
-                 true);
+  const Options of_contact{{"--contact", {"impact"}}, {"--restitution", {"0.6"}}};
+  Options contact_in_json = of_contact;
+  contact_in_json.push_back({"--json", {}});
+  const Json scene = program.json({"calibrate", "drop.toml"}, contact_in_json);
   const double damping = dropped_damping(0.6, !program.setup().has("pulling_contact"));
   constexpr double drop_step = 1e-4;
   findings.expect("talus calibrate --contact: damping of a dropped disc over the exact one, deviation from 1",
@@ -466,6 +468,23 @@ void check_calibration(const Program& program, Findings& findings, Differences& 
                       damping * drop_step / (2.0 * drop_mass) / -std::log(0.6), 1.0,
                       "the first kick with c v is up to half a step early or late: c h/(2 m) of the speed, and "
                       "as e = exp(-const c), this over ln(1/e) of the damping; gravity is in the exact solution"));
+  const long contact_steps = scene.at("contact_steps").get<long>();
+  const double excess = static_cast<double>(contact_steps) -
+                        dropped_impact(damping, !program.setup().has("pulling_contact")).contact_time / drop_step;
+  findings.expect_between("talus calibrate --contact: steps of the contact, more than the exact time over the step",
+                          excess, 0.0, 2.0,
+                          "counted from the last step before the contact to the first one after it: up to a step more "
+                          "at each end");
+  differ.compare("calibrate: time of the contact over its steps",
+                 fmt::format("{:.12g}", scene.at("contact_time").get<double>() / static_cast<double>(contact_steps)),
+                 fmt::format("{:.12g}", drop_step));
+  const std::string contact_text = program.run({"calibrate", "drop.toml"}, of_contact);
+  differ.compare("calibrate: contact and number of runs printed",
+                 contact_text.find(fmt::format("contact '{}' calibrated by {} runs", scene.at("contact").get<std::string>(),
+                                               scene.at("runs").get<int>())) != std::string::npos,
+                 true);
+  differ.compare("calibrate: steps of the contact printed",
+                 contact_text.find(fmt::format(" s: {} steps, ", contact_steps)) != std::string::npos, true);
 }
 
 // --- export, new, check, list -------------------------------------------------------------------------------
