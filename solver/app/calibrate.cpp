@@ -170,22 +170,6 @@ std::string option_name(std::string_view field) {
   return name;
 }
 
-double effective_mass_of(const CalibrateOptions& options) {
-  std::vector<ContactSide> sides;
-  for (const std::string& mass : options.masses)
-    sides.push_back({option_quantity("--masses", mass, dimension::mass, si), {}, 0.0, false});
-  const bool pinned = !options.pivot.empty();
-  const std::vector<std::string>& turning = pinned ? options.pivot : options.offset;
-  if (!turning.empty()) {
-    const std::string option = pinned ? "--pivot" : "--offset";
-    sides.back().inertia = option_quantity(option, turning[0], dimension::inertia, si);
-    sides.back().arm = option_quantity(option, turning[1], dimension::length, si);
-    sides.back().pinned = pinned;
-  }
-  // A single body hits a fixed one: its effective mass is twice that against its own mirror image.
-  return sides.size() == 1 ? 2.0 * effective_mass(sides[0], sides[0]) : effective_mass(sides[0], sides[1]);
-}
-
 Command add_calibrate(CLI::App& talus) {
   CLI::App* app = talus.add_subcommand("calibrate", "Find the damping, or K1/K2, that gives a contact its restitution");
   const auto options = std::make_shared<CalibrateOptions>();
@@ -196,7 +180,8 @@ Command add_calibrate(CLI::App& talus) {
       "--law", options->law,
       "linear_spring_dashpot (default), hertz or hunt_crossley; or latching_spring: K1/K2 of two discs that "
       "are stepped by --step");
-  app->add_option("--masses", options->masses, "mass of one body (against a wall) or of two")->expected(1, 2);
+  app->add_option("--masses", options->masses, "masses of body 1 and body 2; a single mass is that of body 2, and body 1 is fixed")
+      ->expected(1, 2);
   const auto parameter = [&](const char* field, const char* meaning) {
     app->add_option(option_name(field), options->parameters[field], meaning);
   };
@@ -212,11 +197,12 @@ Command add_calibrate(CLI::App& talus) {
   app->add_option("--end-rule", options->end_rule,
                   "clamped (default, as in scenes: never pulls) or attractive (Eq. 21 of 1993)");
   CLI::Option* pivot = app->add_option("--pivot", options->pivot,
-                                       "the last body turns about a pin: its inertia about the "
-                                       "pin, and the arm from pin to the contact's normal")
+                                       "body 2 turns about a fixed pin: its inertia about the pin, and the arm, the "
+                                       "distance of the pin from the line of impact; its mass has no effect")
                            ->expected(2);
   app->add_option("--offset", options->offset,
-                  "the last body is free and hit off centre: its inertia about the centre, and the arm of the normal")
+                  "body 2 is free and hit off centre: its inertia about the centre of mass, and the arm, the distance "
+                  "of this centre from the line of impact")
       ->expected(2)
       ->excludes(pivot);
   app->add_option("--speed", options->speed,

@@ -32,8 +32,4 @@ struct CalibrateOptions {
 /// The option of a law's parameter: "--reference-overlap" for reference_overlap.
 [[nodiscard]] std::string option_name(std::string_view field);
 
-/// Effective mass at the contact point [kg], from --masses; --pivot or --offset applies to the last of them.
-/// Errors: InputError naming the option.
-[[nodiscard]] double effective_mass_of(const CalibrateOptions& options);
-
 }  // namespace talus::app

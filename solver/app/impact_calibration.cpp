@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "solver/app/command.hpp"
+#include "solver/app/impact_bodies.hpp"
 #include "solver/base/error.hpp"
 #include "solver/base/progress.hpp"
 #include "solver/calibrate/impact.hpp"
@@ -216,6 +217,7 @@ void print_text(const ImpactCalibration& found, const CalibrateOptions& options)
   } else {
     fmt::print("restitution with this {} ({}{})\n", dissipation.name, options.law, choices);
   }
+  fmt::print("{}", bodies_text(options, units));
   line("effective mass", found.effective_mass, dimension::mass);
   line(dissipation.name == "damping" ? "damping c" : dissipation.name, dissipation.value, dissipation.dimension);
   if (const auto xi = damping_ratio_of(found)) line("damping ratio xi", *xi, dimension::number);

@@ -7,6 +7,7 @@
 #include <nlohmann/json.hpp>
 
 #include "solver/app/command.hpp"
+#include "solver/app/impact_bodies.hpp"
 #include "solver/base/error.hpp"
 #include "solver/base/progress.hpp"
 #include "solver/calibrate/latching_calibration.hpp"
@@ -20,7 +21,6 @@ constexpr int phases = 200;
 /// Result of a calibration; all values in SI units.
 struct LatchingRatio {
   SteppedContact contact;
-  bool default_discs{};
   double speed{};
   double by_formula{}, by_simulation{};
   SimulatedRestitution simulated;          ///< with the ratio by simulation
@@ -58,18 +58,14 @@ void refuse_what_means_nothing(const CalibrateOptions& options) {
                                  options.masses.empty() ? "--masses" : "--stiffness")};
   }
   if (options.masses.empty() && !(options.pivot.empty() && options.offset.empty()))
-    throw InputError{"--masses: it is missing; --pivot and --offset change the last of them"};
+    throw InputError{"--masses: it is missing; --pivot and --offset describe body 2, whose mass is the last of them"};
 }
 
-LatchingRatio calibrated_ratio(CalibrateOptions options) {
+LatchingRatio calibrated_ratio(const CalibrateOptions& options) {
   const ElapsedTime elapsed{"calibrating"};
-  refuse_what_means_nothing(options);
   LatchingRatio found;
-  found.default_discs = options.masses.empty();
-  std::string& stiffness = options.parameters.at("stiffness");
-  if (found.default_discs) options.masses = {"7.2e-7 kg", "7.2e-7 kg"}, stiffness = "1.7e4 N/m";
-  found.contact = {option_quantity("--stiffness", stiffness, dimension::stiffness, si), effective_mass_of(options),
-                   step_of(options.step), make_disc_method(options.integrator)};
+  found.contact = {option_quantity("--stiffness", options.parameters.at("stiffness"), dimension::stiffness, si),
+                   effective_mass_of(options), step_of(options.step), make_disc_method(options.integrator)};
   found.speed = option_quantity("--speed", options.speed, dimension::velocity, si);
   try {
     found.by_formula = ratio_by_formula(found.contact, *options.restitution);
@@ -88,10 +84,10 @@ LatchingRatio calibrated_ratio(CalibrateOptions options) {
   return found;
 }
 
-void print_json(const LatchingRatio& found, const CalibrateOptions& options) {
+void print_json(const LatchingRatio& found, const CalibrateOptions& options, bool default_discs) {
   const nlohmann::ordered_json json{{"law", options.law},
                                     {"integrator", options.integrator},
-                                    {"default_discs", found.default_discs},
+                                    {"default_discs", default_discs},
                                     {"effective_mass", found.contact.effective_mass},
                                     {"stiffness", found.contact.stiffness},
                                     {"unloading_stiffness", found.contact.stiffness / found.by_simulation},
@@ -111,12 +107,13 @@ void print_json(const LatchingRatio& found, const CalibrateOptions& options) {
   fmt::print("{}\n", json.dump(2));
 }
 
-void print_text(const LatchingRatio& found, const CalibrateOptions& options) {
+void print_text(const LatchingRatio& found, const CalibrateOptions& options, bool default_discs) {
   const UnitSystem units = unit_system(options.units);
   const auto line = [&units](std::string_view what, double in_si, Dimension dimension) {
     fmt::print("  {:<32}{:>16.9g} {}\n", what, in_si / si_size(units, dimension), symbol(units, dimension));
   };
   fmt::print("K1/K2 for a restitution of {} ({}, {})\n", *options.restitution, options.law, options.integrator);
+  fmt::print("{}", bodies_text(options, units));
   line("effective mass", found.contact.effective_mass, dimension::mass);
   line("stiffness K1", found.contact.stiffness, dimension::stiffness);
   line("step h", found.contact.step, dimension::time);
@@ -132,19 +129,22 @@ void print_text(const LatchingRatio& found, const CalibrateOptions& options) {
   line("speed of approach", found.speed, dimension::velocity);
   line("largest overlap at that speed", found.largest_overlap(), dimension::length);
   fmt::print("  simulated: mean over {} phases of the step at which two discs touch\n", phases);
-  if (found.default_discs)
+  if (default_discs)
     fmt::print("  discs of ice, 1 mm wide, are Talus's own choice; --masses and --stiffness take others\n");
 }
 
 }  // namespace
 
-int calibrate_latching(const CalibrateOptions& options) {
+int calibrate_latching(CalibrateOptions options) {
   static_cast<void>(unit_system(options.units));
+  refuse_what_means_nothing(options);
+  const bool default_discs = options.masses.empty();
+  if (default_discs) options.masses = {"7.2e-7 kg", "7.2e-7 kg"}, options.parameters["stiffness"] = "1.7e4 N/m";
   const LatchingRatio found = calibrated_ratio(options);
   if (options.json) {
-    print_json(found, options);
+    print_json(found, options, default_discs);
   } else {
-    print_text(found, options);
+    print_text(found, options, default_discs);
   }
   return ok;
 }

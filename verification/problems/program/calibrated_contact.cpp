@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstdlib>
 #include <limits>
 #include <numbers>
 #include <string>
@@ -25,10 +26,12 @@ using reference::StepMap;
 
 constexpr double struck_mass = 1.0, striker_mass = 3.0, stiffness = 1e5, bound = 1e-3, approach = 1.3;
 
-/// Mobility of the struck body, as options of the program, and the effective mass of the impact.
+/// Role of the struck body, as options of the program, and the effective mass of the impact.
 struct Geometry {
   std::vector<std::string> options;
   double effective_mass{};
+  std::string role;    ///< printed for body 2
+  double role_mass{};  ///< effective mass of body 2 alone
 };
 
 std::vector<Geometry> geometries(const Setup& setup) {
@@ -36,11 +39,15 @@ std::vector<Geometry> geometries(const Setup& setup) {
   const double turning = setup.has("arm_forgotten") ? 0.0 : arm * arm / inertia;
   const std::string one = fmt::format("{} kg", striker_mass), other = fmt::format("{} kg", struck_mass);
   const std::string about = fmt::format("{} kg m^2", inertia), beside = fmt::format("{} m", arm);
-  return {
-      {{"--masses", one}, striker_mass},
-      {{"--masses", one, other}, 1.0 / (1.0 / striker_mass + 1.0 / struck_mass)},
-      {{"--masses", one, other, "--offset", about, beside}, 1.0 / (1.0 / striker_mass + 1.0 / struck_mass + turning)},
-      {{"--masses", one, other, "--pivot", about, beside}, 1.0 / (1.0 / striker_mass + turning)}};
+  const double off_centre = 1.0 / (1.0 / struck_mass + turning), on_pin = 1.0 / turning;
+  const auto both = [](double mass) { return 1.0 / (1.0 / striker_mass + 1.0 / mass); };
+  return {{{"--masses", one}, striker_mass, "body 2, free, hit centrally", striker_mass},
+          {{"--masses", one, other}, both(struck_mass), "body 2, free, hit centrally", struck_mass},
+          {{"--masses", one, other, "--offset", about, beside},
+           both(off_centre),
+           "body 2, free, hit off centre",
+           off_centre},
+          {{"--masses", one, other, "--pivot", about, beside}, both(on_pin), "body 2, on a fixed pin", on_pin}};
 }
 
 std::string name(EndRule rule) { return rule == EndRule::clamped ? "clamped" : "attractive"; }
@@ -99,6 +106,29 @@ Stepped stepped_of(const reference::Impact& impact, EndRule rule, double e, doub
   return found;
 }
 
+/// Worst deviation from 1 of the effective masses that the program prints for each body over the exact ones; NaN if a role
+/// is not printed.
+double worst_printed_role(const TemporaryFolder& folder, const std::vector<Geometry>& geometries) {
+  double worst = 0.0;
+  for (const Geometry& geometry : geometries) {
+    std::vector<std::string> arguments{"calibrate", "--restitution", "0.6", "--stiffness",
+                                       fmt::format("{} N/m", stiffness)};
+    arguments.insert(arguments.end(), geometry.options.begin(), geometry.options.end());
+    const std::string text = talus_output(folder, arguments);
+    const auto printed = [&text](const std::string& role) {
+      const std::size_t at = text.find("  " + role + " ");
+      return at == std::string::npos ? std::numeric_limits<double>::quiet_NaN()
+                                     : std::strtod(text.c_str() + at + 2 + role.size(), nullptr);
+    };
+    keep_worst(worst, printed(geometry.role) / geometry.role_mass - 1.0);
+    if (geometry.options.size() > 2)
+      keep_worst(worst, printed("body 1, free, hit centrally") / striker_mass - 1.0);
+    else if (text.find("  body 1, fixed\n") == std::string::npos)
+      worst = std::numeric_limits<double>::quiet_NaN();
+  }
+  return worst;
+}
+
 /// Compares the numbers that the program prints with closed forms.
 void check_numbers(const TemporaryFolder& folder, Findings& findings, const Setup& setup) {
   double damping = 0.0, mass = 0.0, time = 0.0, overlap = 0.0, powers = 0.0, simulated = 0.0, texts = 0.0;
@@ -133,6 +163,10 @@ void check_numbers(const TemporaryFolder& folder, Findings& findings, const Setu
   const Tolerance round_off = Tolerance::round_off(
       3e-15, "closed forms of about ten operations and one root on both sides, 1.1e-16 each, printed with 17 digits");
   findings.expect("effective mass, over the exact one: largest deviation from 1", mass, 0.0, round_off);
+  findings.expect(
+      "printed effective masses of the bodies in their roles, over the exact ones: largest deviation from 1",
+      worst_printed_role(folder, geometries(setup)), 0.0,
+      Tolerance::model(5.1e-9, "nine digits are printed: half a unit of the last one, and round-off"));
   findings.expect("members that are not compared", static_cast<double>(members) - 14.0, 0.0,
                   Tolerance::exact("each number, the law, the end rule, the units"));
   findings.expect("end rules, units and speeds that are not those requested", texts, 0.0,
