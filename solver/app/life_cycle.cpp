@@ -23,6 +23,8 @@ namespace fs = std::filesystem;
 
 /// Completes the request from the checkpoint of the interrupted run.
 void resume(RunRequest& request, const RunOptions& options, const GivenOptions& kept) {
+  demand_folder_with(request.from, checkpoint_name,
+                     fmt::format("that of an interrupted run, which `talus {} --out` writes", request.command));
   const fs::path file = request.from / checkpoint_name;
   request.saved = read_checkpoint(file, TALUS_VERSION);
   const std::string_view command = request.saved.memory.contains("choices.integrator") ? "cell" : "run";

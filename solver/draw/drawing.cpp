@@ -13,6 +13,7 @@
 #include "reports/error.hpp"
 #include "reports/report.hpp"
 #include "solver/base/error.hpp"
+#include "solver/io/file/atomic_file.hpp"
 #include "solver/io/file/quantity_text.hpp"
 
 namespace talus::app {
@@ -86,6 +87,7 @@ void draw(DrawingRequest request) {
   for (const std::string& note : request.notes)
     fmt::print("{}\n", note);
   std::fflush(stdout);  // the notes are visible while the pictures are drawn
+  demand_writable_folder(request.target);
   const reports::Made made = with_own_errors([&] {
     return reports::make_pictures(std::move(request.pictures), request.target,
                                   {request.formats.begin(), request.formats.end()}, workplace());

@@ -10,6 +10,7 @@
 #include "solver/base/error.hpp"
 #include "solver/draw/curve_choice.hpp"
 #include "solver/draw/history_choice.hpp"
+#include "solver/io/output/run_folder.hpp"
 #include "verification/record/error.hpp"
 #include "verification/record/figure_points.hpp"
 #include "verification/record/plots.hpp"
@@ -72,6 +73,7 @@ std::vector<records::Figure> figures_of(const fs::path& file) {
 }  // namespace
 
 DrawingRequest run_drawing(const RunFigureOptions& options) {
+  demand_run_folder(options.folder);
   std::vector<records::Figure> figures = figures_of(options.folder / "plot.json");
   if (!options.elements.empty()) keep_elements(figures, read_saved_run(options.folder.string()), options.elements);
   try {

@@ -21,7 +21,15 @@ void sync_folder(const std::filesystem::path& folder);
 /// Removes the files of a folder whose names satisfy `of`. Files that cannot be removed remain.
 void remove_files(const std::filesystem::path& folder, const std::function<bool(std::string_view)>& of);
 
-/// Creates a folder and its parent folders. Errors: IoError with the system's reason.
+/// Checks that files can be written into a folder, or that it can be created with its parent folders; creates nothing.
+/// Errors: IoError that gives the folder, what was found in its place or above it, and what it must be.
+void demand_writable_folder(const std::filesystem::path& folder);
+
+/// Creates a folder and its parent folders. Errors: as demand_writable_folder().
 void make_folder(const std::filesystem::path& folder);
+
+/// Checks that a folder contains a file. `meaning`: such a folder, for the message. Errors: IoError
+/// "out: found a folder without plot.json; it must be `meaning`", or what else was found.
+void demand_folder_with(const std::filesystem::path& folder, std::string_view file, std::string_view meaning);
 
 }  // namespace talus

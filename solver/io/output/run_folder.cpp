@@ -57,7 +57,12 @@ nlohmann::ordered_json run_folder_json(const std::string& title, const std::opti
   return json;
 }
 
+void demand_run_folder(const std::filesystem::path& folder) {
+  demand_folder_with(folder, "plot.json", "a folder that `talus run --out` or `talus cell --out` wrote");
+}
+
 RunFolder read_run_folder(const std::filesystem::path& folder) {
+  demand_run_folder(folder);
   const std::filesystem::path file = folder / "plot.json";
   const std::string text = read_json_text(file);
   RunFolder run{folder, {}, si, {}};
@@ -115,11 +120,12 @@ constexpr std::string_view geometry_ending = "_geometry";
 /// folders of geometry, which a killed run leaves without a record.
 std::set<std::string> stems_of(const std::filesystem::path& folder) {
   std::set<std::string> stems;
-  try {
-    stems.insert(std::filesystem::path{read_run_folder(folder).files.geometry}.stem().string());
-  } catch (const std::exception&) {  // no record
-  }
   std::error_code none;
+  try {
+    if (std::filesystem::exists(folder / "plot.json", none))
+      stems.insert(std::filesystem::path{read_run_folder(folder).files.geometry}.stem().string());
+  } catch (const std::exception&) {  // the record of another program
+  }
   using Entries = std::filesystem::directory_iterator;
   for (const std::filesystem::directory_entry& entry : Entries{folder, none}) {
     const std::string name = entry.path().filename().string();

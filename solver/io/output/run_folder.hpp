@@ -47,6 +47,9 @@ struct RunFolder {
 [[nodiscard]] nlohmann::ordered_json run_folder_json(const std::string& title, const std::optional<UnitSystem>& units,
                                                      const RunFiles& files);
 
+/// Checks that a folder contains the files of a run. Errors: IoError that says what was found in its place.
+void demand_run_folder(const std::filesystem::path& folder);
+
 /// Reads FOLDER/plot.json. Errors: IoError if it cannot be read; InputError if it is not one that `talus run` or
 /// `talus cell` writes.
 [[nodiscard]] RunFolder read_run_folder(const std::filesystem::path& folder);

@@ -184,9 +184,49 @@ BOOST_AUTO_TEST_CASE(files_that_cannot_be_read_or_written) {
   BOOST_TEST(missing.err == "talus: nowhere.toml: No such file or directory\n");
   const Ended unwritable = talus_ran({"run", scene("pendulum.toml"), "--out", "/dev/full/out"});
   BOOST_TEST(unwritable.code == 4);
-  BOOST_TEST(unwritable.err == "talus: /dev/full/out: Not a directory\n");
+  BOOST_TEST(unwritable.err ==
+             "talus: /dev/full/out: found the file '/dev/full' above it; only a folder can contain a folder\n");
   BOOST_TEST(talus_ran({"run", scene("pendulum.toml")}, "/dev/full").code == 4);
-  BOOST_TEST(talus_ran({"plot", "/nowhere"}).code == 4);
+}
+
+// A message gives the folder, what was found and what is allowed.
+BOOST_AUTO_TEST_CASE(folders_that_are_not_there_or_hold_no_run) {
+  const Folder folder;
+  const std::string none = folder.path / "none", file = folder.file("file", ""), empty = folder.path / "empty";
+  fs::create_directory(empty);
+  const auto refused = [](const std::vector<std::string>& arguments, const std::string& words) {
+    const Ended ended = talus_ran(arguments);
+    BOOST_TEST(ended.code == 4);
+    BOOST_TEST(ended.err == "talus: " + words + "\n");
+  };
+  const std::string of_run = "; it must be a folder that `talus run --out` or `talus cell --out` wrote";
+  for (const std::string command : {"plot", "snapshot", "animate"}) {
+    refused({command, none}, none + ": found no folder of this name" + of_run);
+    refused({command, file}, file + ": found a file" + of_run);
+    refused({command, empty}, empty + ": found a folder without plot.json" + of_run);
+  }
+  for (const std::string command : {"run", "cell"}) {
+    const std::string interrupted =
+        "; it must be that of an interrupted run, which `talus " + command + " --out` writes";
+    refused({command, "--resume", none}, none + ": found no folder of this name" + interrupted);
+    refused({command, "--resume", file}, file + ": found a file" + interrupted);
+    refused({command, "--resume", empty}, empty + ": found a folder without checkpoint.json" + interrupted);
+  }
+  const std::string run = folder.path / "run";
+  BOOST_TEST(talus_ran({"run", scene("pendulum.toml"), "--frames", "1", "--out", run}).code == 0);
+  for (const std::vector<std::string>& command : {std::vector<std::string>{"run", scene("pendulum.toml")},
+                                                  {"cell", scene("cell/rough.toml")},
+                                                  {"study", "shear"},
+                                                  {"export", "lammps", scene("cell/rough.toml")},
+                                                  {"plot", run},
+                                                  {"snapshot", run},
+                                                  {"animate", run}}) {
+    std::vector<std::string> into = command;
+    into.insert(into.end(), {"--out", file});
+    refused(into, file + ": found a file; it must be a folder, or a new one");
+    into.back() += "/out";
+    refused(into, into.back() + ": found the file '" + file + "' above it; only a folder can contain a folder");
+  }
 }
 
 BOOST_AUTO_TEST_CASE(titles_and_names_in_other_encodings) {
@@ -375,7 +415,7 @@ BOOST_AUTO_TEST_CASE(drawing_that_fails_says_why_and_leaves_nothing) {
   BOOST_TEST(holds(undrawn.err, "/sheet.json: the sheet is not complete; "), undrawn.err);
   BOOST_TEST(fs::exists(sheet + "/summary.json"));
 
-  refused({"plot", run, "--out", "/proc/none"}, nullptr, 4, "talus: /proc/none/.partial-");
+  refused({"plot", run, "--out", "/proc/none"}, nullptr, 4, "talus: /proc/none");
   for (const std::string option : {"--title", "--x-limits", "--no-grid", "--until"}) {
     std::vector<std::string> command{"plot", run, "--out", pictures, option};
     const std::size_t values = option == "--no-grid" ? 0 : option == "--x-limits" ? 2 : 1;

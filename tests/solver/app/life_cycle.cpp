@@ -152,7 +152,7 @@ BOOST_AUTO_TEST_CASE(what_does_not_fit_the_interrupted_run_is_refused) {
               checkpoint + ": found a run of `talus " + kind.command + "`; resume it by `talus " + kind.command +
                   " --resume " + out + "`\n");
       const std::string none = folder.path / "none";
-      refused({kind.command, "--resume", none}, 4, none + "/checkpoint.json: No such file or directory\n");
+      refused({kind.command, "--resume", none}, 4, none + ": found no folder of this name; it must be ");
       refused({kind.command}, 2, "SCENE is required, or --resume DIR\nhelp: talus " + kind.command + " --help\n");
       {
         const talus::FolderLock lock{out};
@@ -186,7 +186,7 @@ BOOST_AUTO_TEST_CASE(a_folder_that_cannot_be_made_or_written) {
     BOOST_TEST_CONTEXT(kind.command) {
       const Folder folder;
       const std::string file = kind.put(folder);
-      refused(arguments(kind, file, "/dev/null/out"), 4, "/dev/null/out: Not a directory\n");
+      refused(arguments(kind, file, "/dev/null/out"), 4, "/dev/null/out: found the file '/dev/null' above it; ");
       const std::string out = folder.path / "out";
       fs::create_directories(fs::path{out} / "summary.json/in_the_way");
       refused(arguments(kind, file, out), 4, out + "/summary.json: Is a directory\n");

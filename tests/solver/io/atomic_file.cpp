@@ -49,4 +49,10 @@ BOOST_AUTO_TEST_CASE(folders_are_made) {
   BOOST_TEST(fs::is_directory(folder.path / "a" / "b"));
   write_whole(folder.path / "file", "");
   BOOST_CHECK_THROW(make_folder(folder.path / "file" / "b"), IoError);
+  BOOST_CHECK_THROW(make_folder(folder.path / "file"), IoError);
+  demand_writable_folder(folder.path / "c" / "d");
+  BOOST_TEST(!fs::exists(folder.path / "c"));
+  const std::string meaning = "a folder that `talus run --out` or `talus cell --out` wrote";
+  demand_folder_with(folder.path, "file", meaning);
+  BOOST_CHECK_THROW(demand_folder_with(folder.path / "a", "plot.json", meaning), IoError);
 }

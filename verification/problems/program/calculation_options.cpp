@@ -511,6 +511,14 @@ void check_other_commands(const Program& program, Differences& differ) {
     differ.compare("unknown option of " + command, run_talus(program.folder(), {command, "--nothing"}).exit_code, 2);
   }
   differ.compare("unknown command", run_talus(program.folder(), {"nothing"}).exit_code, 2);
+  for (const std::string command : {"plot", "snapshot", "animate"}) {
+    const ProgramEnd nowhere = run_talus(program.folder(), {command, "nowhere"});
+    differ.compare("folder that is missing: " + command,
+                   nowhere.exit_code == 4 && nowhere.messages.find("talus: nowhere: found no folder") == 0, true);
+  }
+  const ProgramEnd in_the_way = run_talus(program.folder(), {"run", "plain.toml", "--out", "plain.toml"});
+  differ.compare("folder that is a file",
+                 in_the_way.exit_code == 4 && in_the_way.messages.find("talus: plain.toml: found a file; ") == 0, true);
   differ.compare("missing file", run_talus(program.folder(), {"run", "nothing.toml"}).exit_code, 4);
   std::string parts;
   for (const std::string topic : {"integrators", "laws", "shapes", "units"})
