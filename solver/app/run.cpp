@@ -149,7 +149,7 @@ Command add_run(CLI::App& talus) {
   app->add_option(
       "--step", options->step,
       "step instead of the scene's, e.g. \"10 us\"; \"auto\": 1/20 of the method's linear limit, 1/200 of the "
-      "shortest contact at most");
+      "shortest contact at most; the history has at most one row a step");
   app->add_option(
       "--integrator", options->integrator,
       "integrator instead of the scene's (talus list integrators); one of fixed step takes --step auto in place of the "

@@ -58,10 +58,11 @@ void apply(const SceneOptions& options, SceneFile& file) {
   }
   if (options.step == automatic_step_name || (needs_step && options.step.empty())) {
     scene.plan.step = automatic_step(scene);
-    scene.plan.interval = std::max(scene.plan.interval, scene.plan.step);
   } else if (!options.step.empty()) {
     scene.plan.step = option_quantity("--step", options.step, dimension::time, units);
   }
+  // The history has at most one row a step.
+  if (!file.fence) scene.plan.interval = std::max(scene.plan.interval, scene.plan.step);
 }
 
 /// Whether the interrupted run of a checkpoint was started with --sheet.

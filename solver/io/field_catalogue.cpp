@@ -219,8 +219,8 @@ Group run() {
                 .range = "> 0"},
                "for a method of fixed step"),
       required(quantity("end", "time at which the run ends", dimension::time, Range::positive, "")),
-      quantity("interval", "time between rows of the history", dimension::time, Range::positive,
-               "a thousandth of the end"),
+      quantity("interval", "time between rows of the history, at least the step; it limits a step that is \"auto\"",
+               dimension::time, Range::positive, "a thousandth of the end, at least the step"),
       on_or_off("ledger", "energy and momentum balance of every step", "on"),
       table("watch", "what the run monitor does when it finds a limit exceeded", Form::table_or_off)};
   return group;

@@ -61,6 +61,9 @@ Parts read_parts(SceneTable& file) {
   table.fail("step", fmt::format("it is missing; {} has a fixed step: give it, or \"auto\"", name(method)));
 }
 
+/// Relative difference of two times that are meant to be equal, but have different units.
+constexpr double round_off = 1e-12;
+
 SceneRun read_run(SceneTable table) {
   SceneRun run{std::move(table)};
   run.table.allow({"integrator", "tolerance", "step", "end", "interval", "ledger", "watch"});
@@ -78,6 +81,11 @@ SceneRun read_run(SceneTable table) {
   if (!run.automatic_step && run.table.has("step"))
     run.step = run.table.quantity("step", dimension::time, Range::positive);
   if (run.table.has("interval")) run.interval = run.table.quantity("interval", dimension::time, Range::positive);
+  if (run.step && run.interval && *run.interval < (1.0 - round_off) * *run.step)
+    run.table.report(
+        "interval", fmt::format("found \"{}\"; it must be at least the step, \"{}\": the history has at most one row a "
+                                "step",
+                                run.table.written("interval"), run.table.written("step")));
   if (run.table.has("ledger")) run.table.guard([&] { run.ledger = run.table.choice("ledger", {"on", "off"}) == "on"; });
   if (run.table.has("watch")) run.table.guard([&] { run.watch = read_watch(run.table, "watch"); });
   // A named method is known without the model; an automatic one is chosen for the model in set_run().
@@ -179,6 +187,8 @@ void set_run(const SceneRun& run, Scene& scene) {
   } else {
     fail_without_step(table, scene.integrator);
   }
+  // A step that is chosen here is at most the required time between rows.
+  if (run.interval && !run.step) scene.plan.step = std::min(scene.plan.step, *run.interval);
   scene.plan.interval = run.interval.value_or(std::max(run.end / usual_rows, scene.plan.step));
   table.placed([&] { check_step_count(scene.plan); });
 }

@@ -71,6 +71,12 @@ void take_out(std::string& text, std::string_view key) {
   }
 }
 
+/// Whether [run] has a key.
+bool has(std::string_view text, std::string_view key) {
+  const toml::table document = toml::parse(text);
+  return run_of(document).contains(key);
+}
+
 void put(std::string& text, std::string_view key, const std::string& value) {
   const toml::table document = toml::parse(text);
   const toml::table& run = run_of(document);
@@ -93,8 +99,11 @@ std::string changed_text(const Scene& wanted, std::string text, std::string_view
   try {
     const double tolerance = talus::tolerance(wanted.integrator);
     put(text, "integrator", fmt::format("\"{}\"", talus::name(wanted.integrator)));
-    put(text, "step",
-        fmt::format("\"{} s\"", decimal(wanted.plan.step, "s", dimension::time, wanted.model.units).text));
+    const std::string step =
+        fmt::format("\"{} s\"", decimal(wanted.plan.step, "s", dimension::time, wanted.model.units).text);
+    put(text, "step", step);
+    // with_method() raises an interval that is shorter than the new step.
+    if (wanted.plan.interval == wanted.plan.step && has(text, "interval")) put(text, "interval", step);
     if (tolerance == 0.0) {
       take_out(text, "tolerance");
     } else {

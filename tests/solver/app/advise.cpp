@@ -67,6 +67,22 @@ BOOST_AUTO_TEST_CASE(comments_and_order_of_a_scene_stay) {
   BOOST_TEST(holds(changed, " s\"\nend = \"10 s\"\n# talus advise: rod.spin.end to 0.001: velocity_verlet, step "));
 }
 
+// A history has at most one row a step, and a scene with more is refused.
+BOOST_AUTO_TEST_CASE(an_interval_shorter_than_the_advised_step_becomes_the_step) {
+  const Folder folder;
+  const std::string out = (folder.path / "advised.toml").string(), text = talus::read_text(scene("pendulum.toml"));
+  const std::string file =
+      folder
+          .file("often.toml", text.substr(0, text.find("[run]")) +
+                                  "[run]\nintegrator = \"velocity_verlet\"\nstep = \"1 us\"\nend = \"1 s\"\n"
+                                  "interval = \"2 us\"\n")
+          .string();
+  BOOST_TEST(advised(file, "1e-3", "rod.spin.end", out, {"--among", "velocity_verlet"}).code == 0);
+  const talus::Scene after = talus::read_scene(fs::path{out});
+  BOOST_TEST(after.plan.step > 1e-5);
+  BOOST_TEST(after.plan.interval == after.plan.step);
+}
+
 BOOST_AUTO_TEST_CASE(a_deck_is_advised_as_a_scene_with_the_same_end) {
   const Folder folder;
   const std::string out = (folder.path / "advised.toml").string();

@@ -251,6 +251,27 @@ BOOST_AUTO_TEST_CASE(another_end_keeps_the_rows_of_a_default_history) {
   }
 }
 
+// The history has a row each interval, whatever step is chosen; a longer step than the interval has one row a step.
+BOOST_AUTO_TEST_CASE(a_chosen_step_is_at_most_the_interval) {
+  const Folder folder;
+  const auto rows = [&](const std::string& fields, const std::vector<std::string>& options) {
+    const std::string text = talus::read_text(scene("rolling_disc.toml"));
+    const std::string file = folder
+                                 .file("short.toml", text.substr(0, text.find("[run]")) +
+                                                         "[run]\nend = \"1 ms\"\ninterval = \"1 us\"\n" + fields)
+                                 .string();
+    std::vector<std::string> arguments{"run", file, "--out", folder.path / "out"};
+    arguments.insert(arguments.end(), options.begin(), options.end());
+    const Ended ended = talus_ran(arguments);
+    BOOST_TEST(ended.code != 2, ended.err);
+    const std::string history = talus::read_text(folder.path / "out/history.csv");
+    return std::count(history.begin(), history.end(), '\n') - 2;  // without the header and the start
+  };
+  BOOST_TEST(rows("", {}) == 1000);
+  BOOST_TEST(rows("integrator = \"velocity_verlet\"\nstep = \"auto\"\n", {}) == 1000);
+  BOOST_TEST(rows("integrator = \"velocity_verlet\"\nstep = \"1 us\"\n", {"--step", "10 us"}) == 100);
+}
+
 // A scene without integrator and step has located events; its output interval is not used as the step of a method with
 // fixed step.
 BOOST_AUTO_TEST_CASE(another_integrator_keeps_the_tolerance_and_takes_a_step_of_its_own) {

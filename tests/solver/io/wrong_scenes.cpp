@@ -99,6 +99,12 @@ BOOST_AUTO_TEST_CASE(quantities) {
   BOOST_TEST(message("\"1 ms\"", "\"0 s\"") == "s.toml:30: run: step: found \"0 s\"; it must be > 0");
   BOOST_TEST(message("\"1 ms\"", "\"1e-15 s\"") ==
              "s.toml:28: run: the end is 1e+15 steps away; it must be at most 1e12");
+  BOOST_TEST(
+      message("\"1 ms\"", "\"1 ms\"\ninterval = \"10 us\"") ==
+      "s.toml:31: run: interval: found \"10 us\"; it must be at least the step, \"1 ms\": the history has at most "
+      "one row a step");
+  BOOST_TEST(message("\"1 ms\"", "\"1 ms\"\ninterval = \"0.001 s\"") == "no error");
+  BOOST_TEST(message("\"1 ms\"", "\"auto\"\ninterval = \"1e-9 s\"") == "no error");
 }
 
 BOOST_AUTO_TEST_CASE(names_and_keys) {

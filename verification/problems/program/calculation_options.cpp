@@ -511,6 +511,18 @@ void check_other_commands(const Program& program, Differences& differ) {
     differ.compare("unknown option of " + command, run_talus(program.folder(), {command, "--nothing"}).exit_code, 2);
   }
   differ.compare("unknown command", run_talus(program.folder(), {"nothing"}).exit_code, 2);
+  program.write("often.toml", hung_text("integrator = \"velocity_verlet\"\nstep = \"0.2 s\"\nend = \"1 s\"\n"));
+  for (const std::string command : {"run", "check"}) {
+    const ProgramEnd often = run_talus(program.folder(), {command, "often.toml"});
+    differ.compare("interval shorter than the step: " + command,
+                   often.exit_code == 2 && often.messages.find("interval: found \"0.1 s\"; ") != std::string::npos,
+                   true);
+  }
+  program.write("chosen.toml",
+                "units = \"SI\"\n[[body]]\nname = \"free\"\nmobility = \"particle\"\nmass = \"2 kg\"\n"
+                "position = [\"0 m\", \"0 m\"]\n[run]\nend = \"1 s\"\ninterval = \"0.5 ms\"\n");
+  const Json chosen = Json::parse(talus_output(program.folder(), {"run", "chosen.toml", "--json"}));
+  differ.compare("step chosen for a thousandth of the end or the interval", chosen.at("step").get<double>(), 5e-4);
   for (const std::string command : {"plot", "snapshot", "animate"}) {
     const ProgramEnd nowhere = run_talus(program.folder(), {command, "nowhere"});
     differ.compare("folder that is missing: " + command,
