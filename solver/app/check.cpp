@@ -53,10 +53,8 @@ void print_rest(std::size_t count) {
 /// Prints the pairs of bodies that pass through each other: their number and the first three.
 void print_missing_contacts(const MissingContacts& missing, const Scene& scene) {
   if (missing.size() == 0) return;
-  if (!missing.is_checked()) {
-    return fmt::print("pairs of bodies without a contact: more than {}, whose overlaps are not checked\n",
-                      MissingContacts::most_pairs);
-  }
+  if (missing.is_too_large())
+    return fmt::print("pairs of bodies without a contact: more than {}\n", MissingContacts::most_pairs);
   constexpr std::size_t most_named = 3;
   std::vector<std::string> names;
   for (const Candidate& pair : std::span{missing.pairs()}.first(std::min(missing.size(), most_named))) {

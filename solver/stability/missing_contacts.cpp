@@ -117,10 +117,19 @@ std::string overlap_text(const UndeclaredOverlap& overlap, const Model& model) {
       model.bodies[index(overlap.a)].name, model.bodies[index(overlap.b)].name, 100.0 * overlap.ratio);
 }
 
+std::string unchecked_pairs_warning() {
+  return fmt::format(
+      "more than {} pairs of bodies have no contact between them: their overlaps are not checked, at the start and "
+      "during the run",
+      MissingContacts::most_pairs);
+}
+
 std::string missing_contact_warning(const Dynamics& dynamics, const State& state) {
+  MissingContacts missing{dynamics};
+  if (missing.is_too_large()) return unchecked_pairs_warning();
   Workspace work = dynamics.workspace();
   dynamics.update_all(state, work);
-  const std::vector<UndeclaredOverlap> found = MissingContacts{dynamics}.new_overlaps(work);
+  const std::vector<UndeclaredOverlap> found = missing.new_overlaps(work);
   if (found.empty()) return "";
   const std::string others = found.size() == 1   ? ""
                              : found.size() == 2 ? "; so does 1 more pair"

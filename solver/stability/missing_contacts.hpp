@@ -28,7 +28,9 @@ class MissingContacts {
   /// Number of pairs without a contact; `most_pairs` + 1 if there are more.
   std::size_t size() const { return size_; }
   /// True if the pairs are checked.
-  bool is_checked() const { return size_ > 0 && size_ <= most_pairs; }
+  bool is_checked() const { return size_ > 0 && !is_too_large(); }
+  /// True if there are more pairs than are checked.
+  bool is_too_large() const { return size_ > most_pairs; }
   /// The pairs, in the order of the bodies; empty if they are not checked.
   const std::vector<Candidate>& pairs() const { return search_.pairs(); }
 
@@ -53,8 +55,11 @@ class MissingContacts {
 /// between them: they pass through each other without a force".
 [[nodiscard]] std::string overlap_text(const UndeclaredOverlap& overlap, const Model& model);
 
+/// Warning that the overlaps of pairs without a contact are not checked, because there are more than most_pairs.
+[[nodiscard]] std::string unchecked_pairs_warning();
+
 /// Warning about bodies that overlap in the first state of a scene without a contact between them, with the largest of
-/// these overlaps; empty if there are none.
+/// these overlaps, or that there are too many pairs to check; empty if there are none.
 [[nodiscard]] std::string missing_contact_warning(const Dynamics& dynamics, const State& state);
 
 }  // namespace talus

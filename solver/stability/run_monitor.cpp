@@ -57,6 +57,7 @@ RunMonitor::RunMonitor(const Scene& scene, const Dynamics& dynamics, const State
   }
   if (scene.plan.watch.missing_contacts != CheckAction::off) {
     missing_contacts_.emplace(dynamics);
+    if (missing_contacts_->is_too_large()) warnings_.push_back(unchecked_pairs_warning());
     if (!missing_contacts_->is_checked()) missing_contacts_.reset();
   }
   if (missing_contacts_) {

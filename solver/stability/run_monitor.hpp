@@ -32,7 +32,8 @@ inline constexpr double largest_balance_error = 0.01;
 ///   for fixed steps: methods that locate events limit their steps themselves); unseen after every eighth;
 /// - contact is checked when one closes, for methods of fixed step and scenes of up to as many coordinates;
 /// - bodies without a contact between them are checked for overlaps at the start, by the constructor, and after every
-///   step; each of the first five pairs is reported once;
+///   step; each of the first five pairs is reported once; more pairs than MissingContacts::most_pairs are not checked,
+///   which is a warning;
 /// - the energy balance is checked after every step for which it is given, else 64 times, with the ledger on. If it is
 ///   to warn, the whole run is judged at its end: early errors are small relative to later energies.
 class RunMonitor {

@@ -336,6 +336,29 @@ BOOST_AUTO_TEST_CASE(bodies_without_a_contact) {
   }
 }
 
+// 634 discs have 634 x 633/2 = 200661 pairs, more than are checked; 633 have 200028, and 632 have 199396.
+BOOST_AUTO_TEST_CASE(pairs_that_are_too_many_to_check_are_reported_once) {
+  const auto discs = [](int count) {
+    std::string text = "units = \"SI\"\n";
+    for (int i = 0; i < count; ++i)
+      text += fmt::format(
+          "[[body]]\nname = \"disc{}\"\nmobility = \"particle\"\nmass = \"1 kg\"\n"
+          "shape = {{ kind = \"circle\", radius = \"1 m\" }}\nposition = [\"{} m\", \"0 m\"]\n",
+          i, 3 * i);
+    return text + "[run]\nend = \"1 ms\"\nstep = \"0.5 ms\"\nintegrator = \"velocity_verlet\"\n";
+  };
+  const Folder folder;
+  const std::string many = folder.file("many.toml", discs(634)).string(),
+                    few = folder.file("few.toml", discs(632)).string();
+  const std::string warning = "talus: warning: more than 200000 pairs of bodies have no contact between them: their ";
+  for (const std::string command : {"check", "run"}) {
+    const std::string err = talus_ran({command, many}).err;
+    BOOST_TEST(holds(err, warning), err);
+    BOOST_TEST(err.find(warning) == err.rfind(warning), err);
+    BOOST_TEST(!holds(talus_ran({command, few}).err, "pairs of bodies"));
+  }
+}
+
 // Valid cases cause no warnings except about steps; for an implausible fence both commands print the same warnings.
 BOOST_AUTO_TEST_CASE(unlikely_fences) {
   const Folder folder;

@@ -511,6 +511,19 @@ void check_other_commands(const Program& program, Differences& differ) {
     differ.compare("unknown option of " + command, run_talus(program.folder(), {command, "--nothing"}).exit_code, 2);
   }
   differ.compare("unknown command", run_talus(program.folder(), {"nothing"}).exit_code, 2);
+  std::string discs = "units = \"SI\"\n";
+  for (int i = 0; i < 634; ++i)
+    discs += fmt::format(
+        "[[body]]\nname = \"disc{}\"\nmobility = \"particle\"\nmass = \"1 kg\"\n"
+        "shape = {{ kind = \"circle\", radius = \"1 m\" }}\nposition = [\"{} m\", \"0 m\"]\n",
+        i, 3 * i);
+  program.write("discs.toml", discs + "[run]\nintegrator = \"euler_cromer\"\nstep = \"1 ms\"\nend = \"1 ms\"\n");
+  for (const std::string command : {"run", "check"})
+    differ.compare(
+        "200661 pairs without a contact, more than are checked: " + command,
+        run_talus(program.folder(), {command, "discs.toml"})
+                .messages.find("more than 200000 pairs of bodies have no contact between them") != std::string::npos,
+        true);
   program.write("often.toml", hung_text("integrator = \"velocity_verlet\"\nstep = \"0.2 s\"\nend = \"1 s\"\n"));
   for (const std::string command : {"run", "check"}) {
     const ProgramEnd often = run_talus(program.folder(), {command, "often.toml"});
