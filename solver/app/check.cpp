@@ -105,9 +105,16 @@ void print_springs(const Scene& scene, const StepAdvice& advice) {
   print_rest(advice.springs.size());
 }
 
+/// Step over the linear limit of the scene's method for a contact with its smallest effective mass alone; zero if no
+/// limit is known.
+double step_over_limit(const Scene& scene, const ContactRange& range) {
+  const auto limit = step_limit({{range.highest_frequency, range.damping_ratio}}, name(scene.integrator));
+  return limit && !chooses_steps(scene.integrator) ? scene.plan.step / limit->step : 0.0;
+}
+
 /// Contacts whose effective mass can differ by more than 1 % from that in the position of the start, on the side of
-/// shorter contacts.
-std::vector<ContactRange> lighter_contacts(const Dynamics& dynamics, const StepAdvice& advice) {
+/// shorter contacts: first the one whose step is farthest beyond its limit, then the shortest contacts.
+std::vector<ContactRange> lighter_contacts(const Scene& scene, const Dynamics& dynamics, const StepAdvice& advice) {
   std::vector<ContactRange> lighter;
   std::size_t instance = 0;
   for (const ContactRange& range : contact_ranges(dynamics)) {
@@ -116,20 +123,19 @@ std::vector<ContactRange> lighter_contacts(const Dynamics& dynamics, const StepA
       least = std::min(least, advice.springs[instance++].spring.effective_mass);
     if (range.least_mass < 0.99 * least) lighter.push_back(range);
   }
+  std::ranges::stable_sort(lighter, {}, &ContactRange::shortest_time);
+  const auto worst =
+      std::ranges::max_element(lighter, {}, [&](const ContactRange& range) { return step_over_limit(scene, range); });
+  if (worst != lighter.end()) std::rotate(lighter.begin(), worst, worst + 1);
   return lighter;
-}
-
-/// Step over the linear limit of the scene's method for a contact with its smallest effective mass alone; zero if no
-/// limit is known.
-double step_over_limit(const Scene& scene, const ContactRange& range) {
-  const auto limit = step_limit({{range.highest_frequency, range.damping_ratio}}, name(scene.integrator));
-  return limit && !chooses_steps(scene.integrator) ? scene.plan.step / limit->step : 0.0;
 }
 
 void print_lighter_contacts(const Scene& scene, const std::vector<ContactRange>& lighter) {
   if (lighter.empty()) return;
   const UnitSystem& units = scene.model.units;
-  fmt::print("  The table holds for the position of the start. Bounds over all positions in which the bodies touch:\n");
+  fmt::print(
+      "  The table holds for the position of the start. Bounds over all positions in which the bodies touch, the worst "
+      "first:\n");
   fmt::print("  {:<14}{:>12}{:>12}{:>15}{:>14}{:>15}\n", "law", "m_eff min", "m_eff max", "frequency max",
              "contact time", "steps/contact");
   fmt::print("  {:<14}{:>12}{:>12}{:>15}{:>14}{:>15}\n", "", symbol(units, dimension::mass),
@@ -143,18 +149,17 @@ void print_lighter_contacts(const Scene& scene, const std::vector<ContactRange>&
   print_rest(lighter.size());
 }
 
-/// Warning about a step that is within its linear limit at the start, but not for a contact with its smallest effective
-/// mass.
+/// Adds the warning about a step that is within its linear limit at the start, but not for a contact with its smallest
+/// effective mass: the first of `lighter`.
 void warn_of_lighter_contacts(const Scene& scene, const std::vector<ContactRange>& lighter,
                               std::vector<std::string>& warnings) {
-  const auto worst =
-      std::ranges::max_element(lighter, {}, [&](const ContactRange& range) { return step_over_limit(scene, range); });
-  if (worst == lighter.end() || !(step_over_limit(scene, *worst) > 1.0)) return;
+  if (lighter.empty() || !(step_over_limit(scene, lighter.front()) > 1.0)) return;
+  const ContactRange& worst = lighter.front();
   warnings.push_back(fmt::format(
       "contact '{}' can act with an effective mass of {:.4g} {}, less than at the start: the step is then {:.3g} times "
       "the linear limit of {}",
-      scene.model.contacts[index(worst->contact)].name, worst->least_mass, symbol(scene.model.units, dimension::mass),
-      step_over_limit(scene, *worst), name(scene.integrator)));
+      scene.model.contacts[index(worst.contact)].name, worst.least_mass, symbol(scene.model.units, dimension::mass),
+      step_over_limit(scene, worst), name(scene.integrator)));
 }
 
 void print_step(const Scene& scene, const StepAdvice& advice, const std::vector<ContactRange>& lighter) {
@@ -299,7 +304,7 @@ int check(const std::string& file) {
       return advise_step(dynamics, scene.initial);
     }();
     print_springs(scene, advice);
-    const std::vector<ContactRange> lighter = lighter_contacts(dynamics, advice);
+    const std::vector<ContactRange> lighter = lighter_contacts(scene, dynamics, advice);
     print_lighter_contacts(scene, lighter);
     print_step(scene, advice, lighter);
     is_beyond = warn_of_step(scene, advice, file, warnings);

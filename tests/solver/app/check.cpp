@@ -336,6 +336,34 @@ BOOST_AUTO_TEST_CASE(bodies_without_a_contact) {
   }
 }
 
+// Of 102 contacts, a hundred rows are printed: the first is that of the lightest one, the last beam of the scene.
+BOOST_AUTO_TEST_CASE(the_worst_of_many_lighter_contacts_is_listed_first) {
+  std::string text = "units = \"SI\"\n";
+  for (int i = 1; i <= 102; ++i) {
+    text += fmt::format(
+        "[[body]]\nname = \"ball{0}\"\nmobility = \"particle\"\nmass = \"2 kg\"\n"
+        "shape = {{ kind = \"circle\", radius = \"0.1 m\" }}\nposition = [\"{2} m\", \"1 m\"]\n"
+        "[[body]]\nname = \"beam{0}\"\nmobility = \"pinned\"\nmass = \"3 kg\"\ninertia = \"{1} kg m^2\"\n"
+        "pin = [\"0 m\", \"0 m\"]\nposition = [\"{2} m\", \"0 m\"]\n"
+        "shape = {{ kind = \"rectangle\", half_width = \"1 m\", half_height = \"0.1 m\" }}\n"
+        "[[contact]]\nname = \"hit{0}\"\nbetween = [\"ball{0}\", \"beam{0}\"]\nlaw = \"linear_spring_dashpot\"\n"
+        "stiffness = \"1e4 N/m\"\ndamping = \"0 N s/m\"\n",
+        i, i == 102 ? 0.5 : 1.0, 4 * i);
+  }
+  const Folder folder;
+  // At the end of the beam 1/(1/2 + 1/0.5) = 0.4 kg; the step limit of velocity Verlet is 2 sqrt(m/k) = 12.6 ms.
+  const std::string run = "[run]\nintegrator = \"velocity_verlet\"\nend = \"50 ms\"\nstep = \"13 ms\"\n";
+  const Ended checked = talus_ran({"check", folder.file("beams.toml", text + run).string()});
+  const std::size_t bounds =
+      checked.out.find("Bounds over all positions in which the bodies touch, the worst first:\n");
+  BOOST_REQUIRE(bounds != std::string::npos);
+  const std::size_t worst = checked.out.find("\n  hit102 ", bounds), next = checked.out.find("\n  hit1 ", bounds);
+  BOOST_TEST(worst < next);
+  BOOST_TEST(next < std::string::npos);
+  BOOST_TEST(holds(checked.err, "contact 'hit102' can act with an effective mass of 0.4 kg, less than at the start"),
+             checked.err);
+}
+
 // 634 discs have 634 x 633/2 = 200661 pairs, more than are checked; 633 have 200028, and 632 have 199396.
 BOOST_AUTO_TEST_CASE(pairs_that_are_too_many_to_check_are_reported_once) {
   const auto discs = [](int count) {

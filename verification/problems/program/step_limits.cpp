@@ -245,6 +245,44 @@ double uncompared(const TemporaryFolder& folder, const Vibrating& scene, const s
   return count;
 }
 
+/// Balls over pinned beams, of which the last pair has the stiffest contact; more contacts than `check` prints rows.
+constexpr int beams = 102;
+constexpr double ball_mass = 2.0, beam_inertia = 0.5, beam_half_width = 0.4, beam_stiffness = 4e4;
+std::string beams_text() {
+  std::string text = "units = \"SI\"\n";
+  for (int i = 1; i <= beams; ++i) {
+    const std::string ball = fmt::format("ball{}", i), beam = fmt::format("beam{}", i);
+    text += disc(ball, ball_mass, 2.0 * i, 1.0, 0.0, 0.0);
+    text += fmt::format(
+        "[[body]]\nname = \"{}\"\nmobility = \"pinned\"\nmass = \"3 kg\"\ninertia = \"{} kg m^2\"\n"
+        "pin = [\"0 m\", \"0 m\"]\nposition = [\"{} m\", \"0 m\"]\n"
+        "shape = {{ kind = \"rectangle\", half_width = \"{} m\", half_height = \"0.2 m\" }}\n",
+        beam, beam_inertia, 2 * i, beam_half_width);
+    text += contact(ball, beam,
+                    fmt::format("law = \"linear_spring_dashpot\"\nstiffness = \"{} N/m\"\ndamping = \"0 N s/m\"",
+                                i == beams ? beam_stiffness : 0.25 * beam_stiffness));
+  }
+  return text + "[run]\nintegrator = \"velocity_verlet\"\nstep = \"1 ms\"\nend = \"2 ms\"\n";
+}
+
+/// Highest frequency in the first row of the table of bounds that `check` prints for the beams [rad/s]; NaN if this row
+/// is not that of the last beam.
+double first_bound(const TemporaryFolder& folder) {
+  folder.write("beams.toml", beams_text());
+  std::istringstream lines{talus_output(folder, {"check", "beams.toml"})};
+  std::string line;
+  while (std::getline(lines, line) && line.find("Bounds over all positions") == std::string::npos) {
+  }
+  // Two lines of headings, then the first row: name, smallest and largest effective mass, frequency.
+  for (int i = 0; i < 3; ++i)
+    std::getline(lines, line);
+  std::istringstream row{line};
+  std::string name, least, most;
+  double frequency = std::numeric_limits<double>::quiet_NaN();
+  row >> name >> least >> most >> frequency;
+  return name == fmt::format("ball{0}-beam{0}", beams) ? frequency : std::numeric_limits<double>::quiet_NaN();
+}
+
 void draw_growth(const TemporaryFolder& folder, const std::vector<Vibrating>& scenes, const Method& method,
                  Findings& findings) {
   std::vector<Series> curves;
@@ -335,6 +373,11 @@ void run(Findings& findings, const Setup& setup) {
       "growth in 400 steps at 1.01 of the limit: minimum, in powers of ten", std::log10(unstable), 2.0, 9.0,
       "linear motion would grow without bound; bodies that lose contact or slip end the growth, measured at no less "
       "than 1.2e3 times the disturbance. Below the limit the growth stays under 12.3");
+  const double lever = setup.has("lever_of_the_start") ? 0.0 : beam_half_width;
+  findings.expect(
+      "highest frequency of the first of 102 contacts in the table of bounds, over that of the worst: deviation from 1",
+      first_bound(folder) / std::sqrt(beam_stiffness * (1.0 / ball_mass + lever * lever / beam_inertia)) - 1.0, 0.0,
+      Tolerance::model(5.1e-5, "five digits are printed: half a unit of the last one, and round-off"));
   findings.table(std::move(table));
   if (!setup.coarse) draw_growth(folder, scenes, methods.front(), findings);
 }
@@ -355,6 +398,9 @@ Case definition() {
                   "wrong verdicts of `talus check` at 0.999 and 1.001 of the limit"},
                  {"light_mass_alone", "the lighter mass instead of the effective mass",
                   "runs terminated at 0.999 of the limit, or not terminated at 1.001"},
+                 {"lever_of_the_start", "the stiffest contact with the effective mass at the start",
+                  "highest frequency of the first of 102 contacts in the table of bounds, over that of the worst: "
+                  "deviation from 1"},
                  {"no_friction_spring", "friction spring omitted", "growth in 400 steps at 0.99 of the limit: maximum"},
                  {"method_forgotten", "a method of the program omitted from the comparison",
                   "methods for which `talus check` prints a limit that is not compared"}},
