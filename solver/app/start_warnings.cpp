@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include "solver/scenes/fence_plausibility.hpp"
+#include "solver/stability/inertia_bound.hpp"
 #include "solver/stability/missing_contacts.hpp"
 #include "solver/stability/start_overlaps.hpp"
 
@@ -13,9 +14,10 @@ std::string step_warning(std::string_view verdict, std::string_view command) {
 }
 
 std::vector<std::string> start_warnings(const SceneFile& file, const Dynamics& dynamics) {
-  const std::string overlaps = overlap_warning(start_overlaps(dynamics, file.scene.initial), file.scene.model);
-  if (overlaps.empty()) return {};
-  return {overlaps};
+  std::vector<std::string> warnings{overlap_warning(start_overlaps(dynamics, file.scene.initial), file.scene.model),
+                                    inertia_warning(file.scene.model)};
+  std::erase(warnings, "");
+  return warnings;
 }
 
 std::vector<std::string> missing_contact_warnings(const Scene& scene, const Dynamics& dynamics) {

@@ -13,7 +13,8 @@ namespace talus::app {
 /// the same run by a method with step control.
 [[nodiscard]] std::string step_warning(std::string_view verdict, std::string_view command);
 
-/// Warnings about overlaps of contacts at a scene's start, which are probably not intended.
+/// Warnings about overlaps of contacts at a scene's start, and about moments of inertia that no mass within the outline
+/// has, which are probably not intended.
 [[nodiscard]] std::vector<std::string> start_warnings(const SceneFile& file, const Dynamics& dynamics);
 
 /// Warning about bodies that overlap at a scene's start without a contact between them; none if its watch switches this

@@ -336,6 +336,22 @@ BOOST_AUTO_TEST_CASE(bodies_without_a_contact) {
   }
 }
 
+// A disc of 1 kg and radius 0.5 m has at most 0.25 kg m^2: both commands warn, and neither refuses it.
+BOOST_AUTO_TEST_CASE(an_impossible_moment_of_inertia_is_a_warning) {
+  const Folder folder;
+  std::string text = disc(1.0, "integrator = \"velocity_verlet\"\nstep = \"1 ms\"\nend = \"10 ms\"\n");
+  text.replace(text.find("0.125 kg"), 8, "0.3 kg");
+  const std::string file = folder.file("disc.toml", text).string();
+  for (const char* command : {"check", "run"}) {
+    const Ended ended = talus_ran({command, file});
+    BOOST_TEST(ended.code == 0);
+    BOOST_TEST(
+        ended.err ==
+        "talus: warning: body 'disc': its moment of inertia, 0.3 kg m^2, is more than m R^2 = 0.25 kg m^2, that of "
+        "its mass, 1 kg, at the largest distance of its outline from the centre of mass, 0.5 m\n");
+  }
+}
+
 // Of 102 contacts, a hundred rows are printed: the first is that of the lightest one, the last beam of the scene.
 BOOST_AUTO_TEST_CASE(the_worst_of_many_lighter_contacts_is_listed_first) {
   std::string text = "units = \"SI\"\n";

@@ -524,6 +524,20 @@ void check_other_commands(const Program& program, Differences& differ) {
         run_talus(program.folder(), {command, "discs.toml"})
                 .messages.find("more than 200000 pairs of bodies have no contact between them") != std::string::npos,
         true);
+  for (const auto& [inertia, warns] : {std::pair{"0.5", false}, {"0.51", true}}) {
+    program.write(
+        "hoop.toml",
+        fmt::format("units = \"SI\"\n[[body]]\nname = \"hoop\"\nmobility = \"free\"\nmass = \"2 kg\"\n"
+                    "inertia = \"{} kg m^2\"\nshape = {{ kind = \"circle\", radius = \"0.5 m\" }}\n"
+                    "position = [\"0 m\", \"0 m\"]\n[run]\nintegrator = \"rk4\"\nstep = \"1 ms\"\nend = \"1 ms\"\n",
+                    inertia));
+    for (const std::string command : {"run", "check"})
+      differ.compare(
+          fmt::format("warning about a moment of inertia of {} kg m^2: {}", inertia, command),
+          run_talus(program.folder(), {command, "hoop.toml"}).messages.find("more than m R^2 = 0.5 kg m^2") !=
+              std::string::npos,
+          warns);
+  }
   program.write("often.toml", hung_text("integrator = \"velocity_verlet\"\nstep = \"0.2 s\"\nend = \"1 s\"\n"));
   for (const std::string command : {"run", "check"}) {
     const ProgramEnd often = run_talus(program.folder(), {command, "often.toml"});
