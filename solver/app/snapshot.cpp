@@ -34,8 +34,20 @@ struct SnapshotOptions {
   PictureOptions picture;
 };
 
-/// The file of the state nearest to the time `text`.
-GeometryFile nearest(const std::vector<GeometryFile>& files, const std::string& text, const RunFolder& run) {
+/// The states to be drawn, and notes that give their times.
+struct ChosenStates {
+  std::vector<GeometryFile> files;
+  std::vector<std::string> notes;
+};
+
+std::string time_text(double time, const RunFolder& run) {
+  return fmt::format("t = {:.6g}{}", time, run.units ? " " + run.unit(dimension::time) : "");
+}
+
+/// Adds the state nearest to the time `text`, with a note that says if it is at another time: states are stored at the
+/// end of a step, every n steps.
+void add_nearest(ChosenStates& chosen, const std::vector<GeometryFile>& files, const std::string& text,
+                 const RunFolder& run) {
   const double time = option_time("--times", text, run, false);
   const double first = files.front().time;
   const double last = files.back().time;
@@ -45,20 +57,31 @@ GeometryFile nearest(const std::vector<GeometryFile>& files, const std::string& 
     throw InputError{fmt::format("--times: found \"{}\"; the run has states from {:.6g}{} to {:.6g}{}", text, first,
                                  unit, last, unit)};
   }
-  return *std::min_element(files.begin(), files.end(), [time](const GeometryFile& a, const GeometryFile& b) {
-    return std::abs(a.time - time) < std::abs(b.time - time);
-  });
+  const GeometryFile& state =
+      *std::min_element(files.begin(), files.end(), [time](const GeometryFile& a, const GeometryFile& b) {
+        return std::abs(a.time - time) < std::abs(b.time - time);
+      });
+  chosen.files.push_back(state);
+  // A time that is given as it is printed, with six digits, is the same.
+  constexpr double six_digits = 5.1e-6;
+  const bool differs = std::abs(state.time - time) > six_digits * std::max(std::abs(time), apart);
+  chosen.notes.push_back(fmt::format("state drawn at {}{}", time_text(state.time, run),
+                                     differs ? fmt::format(", the nearest one to \"{}\"", text) : ""));
 }
 
-std::vector<GeometryFile> chosen_files(const std::vector<GeometryFile>& files, const SnapshotOptions& options,
-                                       const RunFolder& run) {
-  std::vector<GeometryFile> chosen;
+ChosenStates chosen_states(const std::vector<GeometryFile>& files, const SnapshotOptions& options,
+                           const RunFolder& run) {
+  ChosenStates chosen;
   for (const std::string& time : options.times)
-    chosen.push_back(nearest(files, time, run));
-  if (!chosen.empty()) return chosen;
+    add_nearest(chosen, files, time, run);
+  if (!chosen.files.empty()) return chosen;
   const auto count = std::min(static_cast<std::size_t>(options.count), files.size());
   for (std::size_t i = 0; i < count; ++i)
-    chosen.push_back(files[count == 1 ? files.size() - 1 : i * (files.size() - 1) / (count - 1)]);
+    chosen.files.push_back(files[count == 1 ? files.size() - 1 : i * (files.size() - 1) / (count - 1)]);
+  const std::string last = time_text(chosen.files.back().time, run);
+  chosen.notes.push_back(count == 1 ? fmt::format("state drawn at {}", last)
+                                    : fmt::format("{} states drawn from {} to {}", count,
+                                                  time_text(chosen.files.front().time, run), last));
   return chosen;
 }
 
@@ -100,7 +123,7 @@ void add_pages(std::vector<reports::Page>& pages, const Drawn& drawn, View view,
 
 /// The pages of the chosen states. `drawn`: DrawnGeometry or DrawnDiscs.
 template <class Drawn>
-DrawingRequest snapshot(const Drawn& drawn, const SnapshotOptions& options) {
+DrawingRequest snapshot(const Drawn& drawn, const SnapshotOptions& options, std::vector<std::string> notes) {
   if (options.view != "side" && !drawn.has_depth) {
     throw InputError{fmt::format("--view: found \"{}\"; the run in '{}' is plane; this view requires a fence",
                                  options.view, options.folder)};
@@ -109,7 +132,8 @@ DrawingRequest snapshot(const Drawn& drawn, const SnapshotOptions& options) {
   DrawingRequest request{
       .pictures = {},
       .target = picture.folder.empty() ? fs::path{options.folder} / "plots" : fs::path{picture.folder},
-      .formats = picture.formats};
+      .formats = picture.formats,
+      .notes = std::move(notes)};
   std::vector<reports::Page>& pages = request.pictures.pages;
   if (options.view != "along") add_pages(pages, drawn, View::side, options);
   if (options.view != "side") add_pages(pages, drawn, View::along, options);
@@ -122,8 +146,9 @@ int snapshot(const SnapshotOptions& options, const DrawingSink& sink) {
                                  fmt::join(options.window, " "))};
   }
   const RunFolder run = read_run_folder(options.folder);
-  const DrawnStates states = read_states(run, chosen_files(state_files(run), options, run), options.picture.colour);
-  sink(std::visit([&](const auto& drawn) { return snapshot(drawn, options); }, states));
+  const ChosenStates chosen = chosen_states(state_files(run), options, run);
+  const DrawnStates states = read_states(run, chosen.files, options.picture.colour);
+  sink(std::visit([&](const auto& drawn) { return snapshot(drawn, options, chosen.notes); }, states));
   return ok;
 }
 
@@ -133,7 +158,8 @@ Command add_snapshot(CLI::App& talus, const DrawingSink& sink) {
   CLI::App* app = talus.add_subcommand("snapshot", "Draw bodies and cables, or discs, of a run at chosen times");
   const auto options = std::make_shared<SnapshotOptions>();
   app->add_option("DIR", options->folder, "folder that `talus run --out` or `talus cell --out` wrote")->required();
-  const auto times = app->add_option("--times", options->times, "times, e.g. \"0 s,50 ms\"; the nearest state is drawn")
+  const auto times = app->add_option("--times", options->times,
+                                     "times, e.g. \"0 s,50 ms\"; the nearest state is drawn, and its time printed")
                          ->delimiter(',');
   app->add_option("--count", options->count, "number of states, evenly over the run; default 9")
       ->check(CLI::Range(1, 60))

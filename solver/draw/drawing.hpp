@@ -41,7 +41,7 @@ struct DrawingRequest {
   reports::Pictures pictures;
   std::filesystem::path target;      ///< folder that receives the pictures
   std::vector<std::string> formats;  ///< of figures and pages
-  std::vector<std::string> notes{};  ///< printed before drawing: curves that are omitted
+  std::vector<std::string> notes{};  ///< printed before drawing: curves that are omitted, times of states
 };
 
 /// Receiver of the commands' requests: draw(), or a test.

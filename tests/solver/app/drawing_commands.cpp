@@ -339,11 +339,19 @@ BOOST_AUTO_TEST_CASE(the_dialogue_of_gplot_as_options) {
   BOOST_TEST(requested.page().scale.value().unit == "lbf");
   const talus::records::Figure& panel = requested.panel(1);
   BOOST_TEST(panel.title == "t = 0.02482 s");  // 300 steps of 82.7374 us: the state nearest to 26 ms
+  BOOST_TEST((requested.request.notes ==
+              std::vector<std::string>{"state drawn at t = 0 s",
+                                       "state drawn at t = 0.0248212 s, the nearest one to \"26 ms\""}));
   BOOST_TEST(panel.y.max.value() == 9.69);
   BOOST_TEST(!panel.grid);
   BOOST_TEST(panel.marks.at(0).words == "2");
   const Requested single{{"snapshot", sample().string(), "--count", "3", "--single"}};
   BOOST_TEST(single.pages().size() == 3U);
+  BOOST_TEST((single.request.notes == std::vector<std::string>{"3 states drawn from t = 0 s to t = 0.0500561 s"}));
+  const Requested exact{{"snapshot", sample().string(), "--times", "24.8212 ms"}};
+  BOOST_TEST((exact.request.notes == std::vector<std::string>{"state drawn at t = 0.0248212 s"}));
+  const Requested last{{"snapshot", sample().string(), "--count", "1"}};
+  BOOST_TEST((last.request.notes == std::vector<std::string>{"state drawn at t = 0.0500561 s"}));
   BOOST_TEST(single.pages().at(2).name == "snapshot_side_03");
 }
 

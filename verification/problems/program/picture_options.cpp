@@ -329,17 +329,20 @@ void check_state(const Panel& panel, int n, bool numbered, double& worst, Differ
 }
 
 double check_snapshots(const Pictures& program, Differences& differ) {
-  (void)program.run({"snapshot", "out"}, {{"--times", {"0.1 s,0.5 s"}},
-                                          {"--view", {"both"}},
-                                          {"--window", {"-1", "-5", "11", "5"}},
-                                          {"--numbers", {}},
-                                          {"--divisions", {"3", "2"}},
-                                          {"--no-grid", {}},
-                                          {"--columns", {"2"}},
-                                          {"--format", {"svg"}},
-                                          {"--out", {"states"}},
-                                          {"--name", {"mine"}},
-                                          {"--title", {"Mine"}}});
+  const std::string printed = program.run({"snapshot", "out"}, {{"--times", {"0.1 s,0.51 s"}},
+                                                                {"--view", {"both"}},
+                                                                {"--window", {"-1", "-5", "11", "5"}},
+                                                                {"--numbers", {}},
+                                                                {"--divisions", {"3", "2"}},
+                                                                {"--no-grid", {}},
+                                                                {"--columns", {"2"}},
+                                                                {"--format", {"svg"}},
+                                                                {"--out", {"states"}},
+                                                                {"--name", {"mine"}},
+                                                                {"--title", {"Mine"}}});
+  differ.compare(
+      "snapshot: printed times",
+      printed.starts_with("state drawn at t = 0.1 s\nstate drawn at t = 0.5 s, the nearest one to \"0.51 s\"\n"), true);
   differ.compare("snapshot: files", program.files("states"), Names{"mine_side.svg", "mine_along.svg"});
   double worst = 0.0;
   const std::vector<int> shown{2, 10};
