@@ -275,7 +275,7 @@ int run(const std::vector<Case>& cases, const Catalogue& catalogue, const Option
   fs::remove(out / "results.json");
   fs::remove(out / "junit.xml");
   remove_comparison(out);
-  Terminal terminal(selection.size());
+  Terminal terminal(selection.size(), options.rounding);
   const unsigned jobs = options.jobs == 0 ? std::max(1u, results.provenance.cores) : options.jobs;
   auto reserve = std::make_unique_for_overwrite<char[]>(reserve_size);
   const RunPlan plan{.out = out,

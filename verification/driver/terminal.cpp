@@ -26,24 +26,39 @@ std::string with_unit(double value, const std::string& unit) {
   return unit == "1" || unit.empty() ? fmt::format("{:.6g}", value) : fmt::format("{:.6g} {}", value, unit);
 }
 
-/// The check with the largest error/bound; NaN counts as the largest.
+/// Measure of how bad a check is: a failed one is worse than a passed one with the same ratio, where rounding makes both
+/// 1. NaN counts as the largest.
+std::pair<bool, double> badness(const Check& check) {
+  return {!check.pass, std::isnan(check.margin) ? HUGE_VAL : check.margin};
+}
+
+/// The check with the largest error/bound.
 const Check* worst(const std::vector<Check>& checks) {
-  // A failed check is worse than a passed one with the same ratio, where rounding makes both 1.
-  const auto badness = [](const Check& check) {
-    return std::pair{!check.pass, std::isnan(check.margin) ? HUGE_VAL : check.margin};
-  };
   const auto found = std::max_element(checks.begin(), checks.end(),
                                       [&](const Check& a, const Check& b) { return badness(a) < badness(b); });
   return found == checks.end() ? nullptr : &*found;
 }
 
+/// The failed check with the largest error/bound and its record; null pointers if none failed.
+std::pair<const Record*, const Check*> worst_failed(const std::vector<Record>& records) {
+  std::pair<const Record*, const Check*> farthest{};
+  for (const Record& record : records) {
+    const Check* const check = worst(record.checks);
+    if (check == nullptr || check->pass) continue;
+    if (farthest.second == nullptr || badness(*check) > badness(*farthest.second)) farthest = {&record, check};
+  }
+  return farthest;
+}
+
 }  // namespace
 
 std::string sentence(const std::string& id, const Check& check) {
+  const std::string bound =
+      check.relative ? fmt::format("{:.6g} of the reference", check.bound) : with_unit(check.bound, check.unit);
   std::string words =
-      fmt::format("{}.{}: {}, reference {}, error/bound {}", id, check.name,
+      fmt::format("{}.{}: measured {}, reference {}, bound {}, error/bound {}", id, check.name,
                   check.text_measured.empty() ? with_unit(check.measured, check.unit) : check.text_measured,
-                  with_unit(check.reference, check.unit), records::margin_text(check.margin, check.pass, 3));
+                  with_unit(check.reference, check.unit), bound, records::margin_text(check.margin, check.pass, 3));
   if (!check.message.empty()) words += "; " + check.message;
   return words + " (" + check.why + ")";
 }
@@ -53,10 +68,13 @@ std::string sentence(const std::string& id, const Control& control) {
                      control.message.empty() ? "it was not run" : control.message);
 }
 
-Terminal::Terminal(std::size_t total)
+Terminal::Terminal(std::size_t total, std::string rounding)
     : total_(total),
+      rounding_(std::move(rounding)),
       colour_(::isatty(STDOUT_FILENO) != 0 && !is_set("NO_COLOR")),
       progress_(::isatty(STDERR_FILENO) != 0) {}
+
+std::string Terminal::rounding_text() const { return rounding_ == "nearest" ? "" : "; rounding " + rounding_; }
 
 std::string Terminal::painted(const std::string& text, const char* colour) const {
   return colour_ ? colour + text + plain : text;
@@ -76,7 +94,7 @@ void Terminal::report(const Record& record, const std::vector<std::string>& runn
              record.controls.size(), reused ? "as before" : fmt::format("{:.2f} s", record.seconds), margin);
   if (!pass) fmt::print("         {}: {}\n", record.id, record.message);
   for (const auto& check : record.checks) {
-    if (!check.pass) fmt::print("         {}\n", sentence(record.id, check));
+    if (!check.pass) fmt::print("         {}{}\n", sentence(record.id, check), rounding_text());
   }
   for (const auto& control : record.controls) {
     if (!control.pass() && record.status == Status::fail) fmt::print("         {}\n", sentence(record.id, control));
@@ -106,10 +124,12 @@ void Terminal::summarise(const Results& results, const std::string& results_file
   const std::size_t unselected = results.registered.size() - results.selected.size();
   fmt::print(
       "{}: {} of {} cases passed; {} checks, {} failed, {} slack ({} exact or round-off, exempt from it); {} controls, "
-      "{} not red{}\n",
+      "{} not red{}{}\n",
       painted(pass ? "PASS" : "FAIL", pass ? green : red), counts.passed, counts.cases, counts.checks,
       counts.checks_failed, counts.slack, counts.exempt, counts.controls, counts.controls_failed,
-      unselected == 0 ? "" : fmt::format("; {} registered but not selected", unselected));
+      unselected == 0 ? "" : fmt::format("; {} registered but not selected", unselected), pass ? "" : rounding_text());
+  if (const auto [record, check] = worst_failed(results.records); check != nullptr && counts.checks_failed > 1)
+    fmt::print("worst failed check: {}\n", sentence(record->id, *check));
   if (results.selected.empty()) fmt::print("nothing was run: that is a failure\n");
   fmt::print("results: {}\n", results_file);
   std::fflush(stdout);

@@ -62,6 +62,24 @@ struct Run {
   }
 };
 
+/// What `work` writes to a standard stream (STDOUT_FILENO or STDERR_FILENO).
+template <class Work>
+std::string printed(int stream, Work&& work) {
+  std::fflush(nullptr);
+  const int saved = ::dup(stream);
+  std::FILE* const file = std::tmpfile();
+  ::dup2(::fileno(file), stream);
+  work();
+  std::fflush(nullptr);
+  ::dup2(saved, stream), ::close(saved);
+  std::string text;
+  std::rewind(file);
+  for (int c = std::fgetc(file); c != EOF; c = std::fgetc(file))
+    text += static_cast<char>(c);
+  std::fclose(file);
+  return text;
+}
+
 /// Checks one misbehaving case: exit status 1, its status, and text of its message; the sound case beside it still
 /// passes.
 void demand_failure(const Case& bad, const std::string& status, const std::string& words) {
@@ -95,6 +113,23 @@ BOOST_AUTO_TEST_CASE(a_failed_check_fails) {
   demand_failure(synthetic("wrong", [](Findings& f,
                                        const Setup&) { f.expect("value", 3.0, 1.0, Tolerance::model(0.1, "chosen")); }),
                  "fail", "1 of 1 checks failed");
+}
+
+BOOST_AUTO_TEST_CASE(the_lines_of_a_failure_give_bound_and_rounding) {
+  const Case wrong = synthetic("wrong", [](Findings& f, const Setup&) {
+    f.expect("near", 1.3, 1.0, Tolerance::model(0.25, "chosen"));
+    f.expect("far", 3.0, 1.0, Tolerance::model(0.25, "chosen"), "m");
+  });
+  const std::string text = printed(STDOUT_FILENO, [&] {
+    BOOST_TEST(Run({wrong}, {"--rounding", "upward"}).status == 1);
+  });
+  const std::string far = "wrong.far: measured 3 m, reference 1 m, bound 0.25 m, error/bound 8 (chosen)";
+  BOOST_TEST(text.find("         " + far + "; rounding upward\n") != std::string::npos, text);
+  BOOST_TEST(
+      text.find("wrong.near: measured 1.3, reference 1, bound 0.25, error/bound 1.2 (chosen); rounding upward\n") !=
+          std::string::npos,
+      text);
+  BOOST_TEST(text.find("; rounding upward\nworst failed check: " + far + "\nresults: ") != std::string::npos, text);
 }
 
 BOOST_AUTO_TEST_CASE(a_nan_fails) {

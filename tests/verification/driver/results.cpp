@@ -127,7 +127,11 @@ BOOST_AUTO_TEST_CASE(the_bibliography_is_recorded_as_it_is_in_the_file) {
 BOOST_AUTO_TEST_CASE(the_line_of_a_failed_check_shows_an_error_above_its_bound) {
   const Check check = compare("value", 1.0 + 1.0004 * 0.25, 1.0, Tolerance::model(0.25, "chosen"), "m");
   BOOST_TEST(!check.pass);
-  BOOST_TEST(sentence("a", check).find("error/bound 1.001 (chosen)") != std::string::npos, sentence("a", check));
+  BOOST_TEST(sentence("a", check) ==
+             "a.value: measured 1.2501 m, reference 1 m, bound 0.25 m, error/bound 1.001 (chosen)");
+  const Check relative = compare("value", 3.0, 2.0, Tolerance::truncation(0.25, 1.0, "chosen").relative(), "m");
+  BOOST_TEST(sentence("a", relative) ==
+             "a.value: measured 3 m, reference 2 m, bound 0.25 of the reference, error/bound 2 (chosen)");
 }
 
 BOOST_AUTO_TEST_CASE(xml_is_escaped) {
