@@ -112,6 +112,10 @@ class RequestedCell final : public ResumableRun {
     archive.scope("files", [&] { files_->serialize(archive); });
     if (archive.is_loading()) first_ = run_.steps();
   }
+  std::string time_text(double time) const override {
+    const std::optional<UnitSystem>& units = request_->scene.units;
+    return fmt::format("{:.10g}{}", time, units ? " " + symbol(*units, dimension::time) : "");
+  }
   void describe(Checkpoint& checkpoint) const override {
     checkpoint.integrator = run_.plan().integrator;
     checkpoint.step = run_.plan().step, checkpoint.end = run_.plan().end;

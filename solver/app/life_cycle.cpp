@@ -251,8 +251,9 @@ int live(const RunRequest& request, const std::function<std::unique_ptr<Resumabl
   print_result(request, *run, resumable);
   printed = print_warnings(*run, printed);
   if (!undrawn.empty()) print_failure(undrawn);
+  const std::string time = run->time_text(outcome.time);
   if (!outcome) {
-    print_failure(fmt::format("the run diverged at t = {:.10g}; its summary gives the reason", outcome.time));
+    print_failure(fmt::format("the run diverged at t = {}; its summary gives the reason", time));
     return diverged;
   }
   if (signal() == 0) return !undrawn.empty() ? io_failed : resumable || run->is_usable() ? ok : unusable;
@@ -261,8 +262,8 @@ int live(const RunRequest& request, const std::function<std::unique_ptr<Resumabl
     // The signal may have interrupted the repeat of a fence's run; the summary then reports it.
     print_failure(fmt::format("{} came when the run had finished", name));
   } else {
-    print_failure(fmt::format("{}: the run was interrupted at t = {:.10g} and saved in {}; resume it by {}", name,
-                              outcome.time, (request.folder / checkpoint_name).string(), resume_command(request)));
+    print_failure(fmt::format("{}: the run was interrupted at t = {} and saved in {}; resume it by {}", name, time,
+                              (request.folder / checkpoint_name).string(), resume_command(request)));
   }
   return 128 + signal();
 }

@@ -72,6 +72,8 @@ class ResumableRun {
   virtual void serialize(Archive& archive) = 0;
   /// Copies the files that the restored run needs from the folder of the interrupted run. Errors: IoError.
   virtual void bring_files(const std::filesystem::path& /*from*/) {}
+  /// A time as text with its unit, which a run may lack: "0.25 s".
+  virtual std::string time_text(double time) const = 0;
   /// Sets integrator, tolerance, step, end and steps done.
   virtual void describe(Checkpoint& checkpoint) const = 0;
   /// Whether a checkpoint is written before the first step, because the run may overwrite the file that it starts from.

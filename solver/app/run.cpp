@@ -43,6 +43,9 @@ class RequestedScene final : public ResumableRun {
     if (archive.is_loading()) beyond_at_start_ = run_.watch().step_is_beyond();
   }
   void bring_files(const std::filesystem::path& from) override { run_.bring_files(from); }
+  std::string time_text(double time) const override {
+    return fmt::format("{:.10g} {}", time, symbol(scene().model.units, dimension::time));
+  }
   void describe(Checkpoint& checkpoint) const override {
     checkpoint.integrator = name(scene().integrator);
     checkpoint.tolerance = tolerance(scene().integrator);

@@ -29,9 +29,10 @@ std::size_t first_not_finite(const State& state, std::size_t count) {
 
 Outcome diverged(const RigidBodySystem& system, const State& state, std::size_t coordinate, double h) {
   const Dynamics& dynamics = system.dynamics();
+  const std::string time = symbol(dynamics.model().units, dimension::time);
   const std::string which = name(dynamics.model(), dynamics.layout().coordinates[coordinate]);
   return {Outcome::Kind::diverged, state.t,
-          fmt::format("diverged at t = {:.6g}: '{}' is not finite (step {:.6g})", state.t, which, h)};
+          fmt::format("diverged at t = {:.6g} {}: '{}' is not finite (step {:.6g} {})", state.t, time, which, h, time)};
 }
 
 /// Makes a snapshot follow a run during the lifetime of this object.

@@ -75,6 +75,7 @@ BOOST_AUTO_TEST_CASE(an_interrupted_run_is_resumed_to_the_same_files) {
         const std::string out = folder.path / std::to_string(signal);
         const std::string resume = "talus " + kind.command + " --resume " + out;
         const std::string printed = interrupted(kind, file, folder, out, signal);
+        const std::string unit = kind.command == "run" ? " s" : "";  // CNTRL.DAT has no units
         BOOST_TEST(holds(printed, "\nresume: " + resume + "\n"), printed);
         BOOST_TEST(holds(printed, "files: " + out + ": summary.json, "), printed);
         BOOST_TEST(holds(printed, ", checkpoint.json\n"), printed);
@@ -84,7 +85,8 @@ BOOST_AUTO_TEST_CASE(an_interrupted_run_is_resumed_to_the_same_files) {
                                                            : "SIGHUP") +
                                       ": the run was interrupted at t = "),
                    printed);
-        BOOST_TEST(holds(printed, " and saved in " + out + "/checkpoint.json; resume it by " + resume + "\n"), printed);
+        BOOST_TEST(holds(printed, unit + " and saved in " + out + "/checkpoint.json; resume it by " + resume + "\n"),
+                   printed);
         const Json summary = Json::parse(talus::read_text(out + "/summary.json"));
         BOOST_TEST(summary.at("outcome").at("kind") == "stopped");
         BOOST_TEST(!summary.contains("resume"));

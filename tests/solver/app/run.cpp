@@ -317,7 +317,7 @@ BOOST_AUTO_TEST_CASE(a_diverged_run_is_recorded) {
   BOOST_TEST(watched.code == 3);
   BOOST_TEST(watched.err.rfind("talus: warning: h omega = ", 0) == 0U);
   // The reason is in the summary, once; a message after it names the time.
-  BOOST_TEST(holds(watched.err, "\ntalus: the run diverged at t = 0; its summary gives the reason\n"));
+  BOOST_TEST(holds(watched.err, "\ntalus: the run diverged at t = 0 s; its summary gives the reason\n"));
   const std::string reason = "at t = 0 h omega = ";
   BOOST_TEST(holds(watched.out, "\n  quality      NOT USABLE: " + reason));
   BOOST_TEST(holds(watched.out, "\n  outcome      diverged at t = 0 s\n"));

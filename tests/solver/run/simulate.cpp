@@ -160,7 +160,7 @@ BOOST_AUTO_TEST_CASE(a_run_that_grows_without_bound_is_a_result_with_time_and_re
   BOOST_TEST((done.outcome.kind == Outcome::Kind::diverged));
   BOOST_TEST(done.outcome.time > 1.0);
   BOOST_TEST(done.outcome.time < 20.0);
-  BOOST_TEST(done.outcome.words.find("'bead.x' is not finite (step 0.05)") != std::string::npos);
+  BOOST_TEST(done.outcome.words.find("'bead.x' is not finite (step 0.05 s)") != std::string::npos);
 }
 
 BOOST_AUTO_TEST_CASE(step_count_reaches_the_end_and_forgives_round_off) {
