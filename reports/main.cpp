@@ -9,6 +9,7 @@
 #include "reports/error.hpp"
 #include "reports/numbers.hpp"
 #include "reports/report.hpp"
+#include "solver/command_line/usage_error.hpp"
 
 namespace {
 
@@ -104,9 +105,10 @@ int work(const Options& options) {
 }  // namespace
 
 int main(int argc, char** argv) {
-  CLI::App app;
+  CLI::App app{"", "talus_report"};
   Options options;
   describe(app, options);
+  talus::refuse_empty_values(app);
   try {
     app.parse(argc, argv);
     const int jobs = (!options.verify.empty() && !options.report.empty()) + !options.plot.empty() +
@@ -120,7 +122,7 @@ int main(int argc, char** argv) {
     if (!(options.site.empty() && options.sketches.empty()) && options.to.empty())
       throw CLI::ValidationError("--site and --sketches require --to (the folder that receives what is made)");
   } catch (const CLI::ParseError& wrong) {
-    return app.exit(wrong) == 0 ? 0 : 2;
+    return talus::print_usage_error(app, wrong) ? 2 : 0;
   }
   try {
     return work(options);

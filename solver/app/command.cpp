@@ -1,7 +1,6 @@
 #include "solver/app/command.hpp"
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 #include <unistd.h>
 #include <cstdlib>
 
@@ -13,6 +12,7 @@
 #include <vector>
 
 #include "solver/base/error.hpp"
+#include "solver/command_line/usage_error.hpp"
 #include "solver/io/file/utf8.hpp"
 
 namespace talus::app {
@@ -40,55 +40,6 @@ void describe(CLI::App& talus) {
       "or the run would end at its start, 128 + n stopped by signal n and saved to be resumed.");
   talus.set_version_flag("--version", std::string{"talus "} + TALUS_VERSION, "Print the version and exit");
   talus.require_subcommand(1);
-}
-
-/// The deepest subcommand that was recognised.
-const CLI::App& active(const CLI::App& talus) {
-  const auto parsed = talus.get_subcommands();
-  return parsed.empty() ? talus : *parsed.front();
-}
-
-std::string full_name(const CLI::App& app) {
-  return app.get_parent() == nullptr ? std::string{"talus"} : "talus " + app.get_name();
-}
-
-std::vector<std::string> option_names(const CLI::App& app) {
-  std::vector<std::string> names;
-  for (const CLI::Option* option : app.get_options()) {
-    for (const std::string& name : option->get_lnames())
-      names.push_back("--" + name);
-  }
-  return names;
-}
-
-std::vector<std::string> subcommand_names(const CLI::App& app) {
-  std::vector<std::string> names;
-  for (const CLI::App* command : app.get_subcommands([](const CLI::App*) { return true; }))
-    names.push_back(command->get_name());
-  return names;
-}
-
-/// Error message for a command line that CLI11 rejected, with unknown names reported as elsewhere in Talus.
-std::string words(const CLI::App& talus, const CLI::ParseError& error) {
-  const CLI::App& app = active(talus);
-  const std::vector<std::string> unexpected = talus.remaining(true);
-  if (unexpected.empty() && &app == &talus && dynamic_cast<const CLI::RequiredError*>(&error) != nullptr) {
-    return fmt::format("a command is missing; known: {}", fmt::join(subcommand_names(talus), ", "));
-  }
-  if (unexpected.empty()) return error.what();
-  const std::string& first = unexpected.front();
-  if (first.front() == '-') return unknown_name("option", first, option_names(app)).what();
-  if (&app == &talus) return unknown_name("command", first, subcommand_names(talus)).what();
-  return fmt::format("'{}' is one argument too many", first);
-}
-
-/// Rejects empty option values, for example from an unset shell variable: no option has a meaning for them.
-void refuse_empty_values(CLI::App& app) {
-  for (CLI::Option* option : app.get_options())
-    if (option->get_items_expected_max() > 0)
-      option->check([](const std::string& value) {
-        return value.empty() ? std::string{"found \"\"; a value must follow"} : std::string{};
-      });
 }
 
 int report(ExitCode code, std::string_view words) {
@@ -135,7 +86,7 @@ int parse_and_work(int count, const char* const* arguments) {
   } catch (const CLI::Success& help) {
     return talus.exit(help);
   } catch (const CLI::ParseError& error) {
-    return report(bad_input, fmt::format("{}\nhelp: {} --help", words(talus, error), full_name(active(talus))));
+    return report(bad_input, usage_error(talus, error));
   }
   return work(commands);
 }

@@ -299,6 +299,12 @@ BOOST_AUTO_TEST_CASE(missing_tools_and_wrong_usage_have_their_exit_codes) {
   BOOST_TEST(program({"--format", "gif", "--plot", "x"}).status == 2);
   BOOST_TEST(program({(data / "none").string(), scratch.folder.string()}).status == 4);
   BOOST_TEST(program({"--help"}).status == 0);
+  const Finished unknown = program({"--sketch", "x"});
+  BOOST_TEST(unknown.status == 2);
+  BOOST_TEST(
+      contains(unknown.messages, "talus_report: option '--sketch' is not known; nearest: --sketches; known: --help, "),
+      unknown.messages);
+  BOOST_TEST(unknown.messages.ends_with("\nhelp: talus_report --help\n"), unknown.messages);
 }
 
 // A PATH with all tools but one: outputs that do not need it are made, and an earlier report's files of a kind that

@@ -16,6 +16,7 @@
 #include <utility>
 
 #include "solver/base/error.hpp"
+#include "solver/command_line/usage_error.hpp"
 #include "verification/catalogue/catalogue.hpp"
 #include "verification/driver/baseline_gate.hpp"
 #include "verification/driver/case_error.hpp"
@@ -117,36 +118,15 @@ void declare(CLI::App& app, Options& options) {
       "check fails as well).");
 }
 
-/// Number of single-letter edits between two words (Levenshtein), computed row by row.
-std::size_t distance(const std::string& a, const std::string& b) {
-  std::vector<std::size_t> row(b.size() + 1);
-  for (std::size_t j = 0; j <= b.size(); ++j)
-    row[j] = j;
-  for (std::size_t i = 1; i <= a.size(); ++i) {
-    std::size_t diagonal = row[0];
-    row[0] = i;
-    for (std::size_t j = 1; j <= b.size(); ++j) {
-      const std::size_t above = row[j];
-      row[j] = std::min({above + 1, row[j - 1] + 1, diagonal + (a[i - 1] == b[j - 1] ? 0 : 1)});
-      diagonal = above;
-    }
-  }
-  return row.back();
+std::vector<std::string> ids_of(const std::vector<Case>& cases) {
+  std::vector<std::string> ids;
+  for (const auto& c : cases)
+    ids.push_back(c.id);
+  return ids;
 }
 
-std::invalid_argument unknown_id(const std::string& id, const std::vector<Case>& cases) {
-  std::string known;
-  std::string nearest;
-  for (const auto& c : cases) {
-    known += (known.empty() ? "" : ", ") + c.id;
-    if (nearest.empty() || distance(id, c.id) < distance(id, nearest)) nearest = c.id;
-  }
-  return std::invalid_argument(fmt::format("--only: case '{}' is not known; nearest: {}; known: {}", id,
-                                           nearest.empty() ? "none" : nearest, known.empty() ? "none" : known));
-}
-
-/// The cases to run, in the order of the list. Errors: std::invalid_argument for an unknown id or one that needs the
-/// full tier.
+/// The cases to run, in the order of the list. Errors: InputError for an unknown id, std::invalid_argument for one that
+/// needs the full tier.
 std::vector<Case> chosen(const std::vector<Case>& cases, const std::vector<std::string>& only, Tier tier) {
   std::vector<Case> selection;
   for (const auto& c : cases) {
@@ -157,7 +137,7 @@ std::vector<Case> chosen(const std::vector<Case>& cases, const std::vector<std::
   }
   for (const auto& id : only) {
     if (std::none_of(cases.begin(), cases.end(), [&](const Case& c) { return c.id == id; }))
-      throw unknown_id(id, cases);
+      throw unknown_name("--only: case", id, ids_of(cases));
   }
   return selection;
 }
@@ -227,13 +207,6 @@ void write_results_within_memory(Results& results, const Catalogue& catalogue, c
   for (Record& record : results.records)
     shorten(record);
   write_results(results, catalogue, out);
-}
-
-std::vector<std::string> ids_of(const std::vector<Case>& cases) {
-  std::vector<std::string> ids;
-  for (const auto& c : cases)
-    ids.push_back(c.id);
-  return ids;
 }
 
 /// The exit status of results that are compared with a baseline. The status of the results themselves has priority.
@@ -314,13 +287,14 @@ int compare_files(const Catalogue& catalogue, const Options& options) {
 
 int verify(const std::vector<Case>& cases, const fs::path& catalogue_folder, int argc, const char* const* argv,
            std::vector<fs::path> read) {
-  CLI::App app{"talus_verify: run the verification cases and record what they find"};
+  CLI::App app{"talus_verify: run the verification cases and record what they find", "talus_verify"};
   Options options;
   declare(app, options);
+  refuse_empty_values(app);
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& fault) {
-    return app.exit(fault) == 0 ? exit_pass : exit_usage;
+    return print_usage_error(app, fault) ? exit_usage : exit_pass;
   }
   try {
     if (options.list) {

@@ -115,6 +115,19 @@ BOOST_AUTO_TEST_CASE(a_failed_check_fails) {
                  "fail", "1 of 1 checks failed");
 }
 
+BOOST_AUTO_TEST_CASE(wrong_options_are_reported_like_other_names) {
+  const std::string help = "\nhelp: talus_verify --help\n";
+  const auto message = [](const std::vector<std::string>& options) {
+    return printed(STDERR_FILENO, [&] { BOOST_TEST(Run({synthetic("sound", sound)}, options).status == 2); });
+  };
+  const std::string unknown = message({"--cases", "sound"});
+  BOOST_TEST(unknown.starts_with("talus_verify: option '--cases' is not known; nearest: "), unknown);
+  BOOST_TEST(unknown.ends_with(help), unknown);
+  BOOST_TEST(message({"sound", "--cases"}) == "talus_verify: 'sound' is one argument too many" + help);
+  BOOST_TEST(message({"--only", "soud"}) ==
+             "talus_verify: --only: case 'soud' is not known; nearest: sound; known: sound\n");
+}
+
 BOOST_AUTO_TEST_CASE(the_lines_of_a_failure_give_bound_and_rounding) {
   const Case wrong = synthetic("wrong", [](Findings& f, const Setup&) {
     f.expect("near", 1.3, 1.0, Tolerance::model(0.25, "chosen"));

@@ -1,0 +1,76 @@
+#include "solver/command_line/usage_error.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <CLI/CLI.hpp>
+#include <cstdio>
+#include <vector>
+
+#include "solver/base/error.hpp"
+
+namespace talus {
+namespace {
+
+std::string full_name(const CLI::App& program, const CLI::App& command) {
+  return &program == &command ? program.get_name() : program.get_name() + " " + command.get_name();
+}
+
+std::vector<std::string> option_names(const CLI::App& app) {
+  std::vector<std::string> names;
+  for (const CLI::Option* option : app.get_options()) {
+    for (const std::string& name : option->get_lnames())
+      names.push_back("--" + name);
+  }
+  return names;
+}
+
+std::vector<std::string> subcommand_names(const CLI::App& app) {
+  std::vector<std::string> names;
+  for (const CLI::App* command : app.get_subcommands([](const CLI::App*) { return true; }))
+    names.push_back(command->get_name());
+  return names;
+}
+
+std::string message(const CLI::App& program, const CLI::ParseError& error) {
+  const CLI::App& app = active_command(program);
+  const std::vector<std::string> commands = subcommand_names(app), unexpected = program.remaining(true);
+  if (unexpected.empty() && !commands.empty() && dynamic_cast<const CLI::RequiredError*>(&error) != nullptr)
+    return fmt::format("a command is missing; known: {}", fmt::join(commands, ", "));
+  if (unexpected.empty()) return error.what();
+  const std::string& first = unexpected.front();
+  if (first.front() == '-') return unknown_name("option", first, option_names(app)).what();
+  if (!commands.empty()) return unknown_name("command", first, commands).what();
+  return fmt::format("'{}' is one argument too many", first);
+}
+
+}  // namespace
+
+void refuse_empty_values(CLI::App& app) {
+  for (CLI::Option* option : app.get_options())
+    if (option->get_items_expected_max() > 0)
+      option->check([](const std::string& value) {
+        return value.empty() ? std::string{"found \"\"; a value must follow"} : std::string{};
+      });
+}
+
+const CLI::App& active_command(const CLI::App& program) {
+  const auto parsed = program.get_subcommands();
+  return parsed.empty() ? program : *parsed.front();
+}
+
+std::string usage_error(const CLI::App& program, const CLI::ParseError& error) {
+  return fmt::format("{}\nhelp: {} --help", message(program, error), full_name(program, active_command(program)));
+}
+
+bool print_usage_error(const CLI::App& program, const CLI::ParseError& error) {
+  if (dynamic_cast<const CLI::Success*>(&error) != nullptr) {
+    static_cast<void>(program.exit(error));
+    return false;
+  }
+  std::fflush(stdout);
+  std::fputs(fmt::format("{}: {}\n", program.get_name(), usage_error(program, error)).c_str(), stderr);
+  return true;
+}
+
+}  // namespace talus
