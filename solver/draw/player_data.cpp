@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdlib>
 #include <initializer_list>
 #include <nlohmann/json.hpp>
 #include <string_view>
@@ -15,8 +16,9 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-/// Rounds to six digits: finer than a screen resolves, and the file is a tenth of the size.
-double rounded(double value) { return std::stod(fmt::format("{:.6g}", value)); }
+/// Rounds to six digits: finer than a screen resolves, and the file is a tenth of the size. Not by std::stod, which throws
+/// for subnormal numbers.
+double rounded(double value) { return std::strtod(fmt::format("{:.6g}", value).c_str(), nullptr); }
 
 /// Position of a body (mean of its outline's points) and its angle (direction from there to the first point).
 struct Place {
@@ -133,6 +135,26 @@ Json thinned_times(const std::vector<double>& times) {
   return list;
 }
 
+/// Rows of a history nearest to the times of the frames, both in order.
+std::vector<std::size_t> rows_at(const std::vector<double>& times, const std::vector<double>& frames) {
+  std::vector<std::size_t> rows;
+  std::size_t row = 0;
+  for (const double t : frames) {
+    while (row + 1 < times.size() && std::abs(times[row + 1] - t) <= std::abs(times[row] - t))
+      ++row;
+    rows.push_back(row);
+  }
+  return rows;
+}
+
+/// Values of some rows.
+Json picked(const std::vector<double>& values, const std::vector<std::size_t>& rows) {
+  Json list = Json::array();
+  for (const std::size_t row : rows)
+    list.push_back(rounded(values[row]));
+  return list;
+}
+
 double reach(const SavedColumn& column) {
   double largest = 0.0;
   for (const double value : column.values)
@@ -140,9 +162,12 @@ double reach(const SavedColumn& column) {
   return largest;
 }
 
-/// A chart of the columns selected by `belongs`, without columns that are zero up to rounding; null if none remain.
+/// A chart of the columns selected by `belongs`, without columns that are zero up to rounding; null if none remain. The
+/// curve of a series has its `values`; the cursor shows those `at` the frames, of the given rows: the smallest and largest
+/// values of thinned() are not those of one time.
 template <class Belongs>
-Json chart(const std::string& title, const KeptHistory& history, Belongs belongs) {
+Json chart(const std::string& title, const KeptHistory& history, const std::vector<std::size_t>& rows,
+           Belongs belongs) {
   constexpr double rounding = 1e-12;
   double largest = 0.0;
   for (const SavedColumn& column : history.columns)
@@ -152,7 +177,7 @@ Json chart(const std::string& title, const KeptHistory& history, Belongs belongs
   for (const SavedColumn& column : history.columns) {
     if (!belongs(column) || reach(column) <= rounding * largest) continue;
     unit = column.unit;
-    series.push_back({{"name", column.name}, {"values", thinned(column.values)}});
+    series.push_back({{"name", column.name}, {"values", thinned(column.values)}, {"at", picked(column.values, rows)}});
   }
   if (series.empty()) return nullptr;
   return {{"title", title},
@@ -162,7 +187,8 @@ Json chart(const std::string& title, const KeptHistory& history, Belongs belongs
 }
 
 /// The curves of a run: energies and forces of bodies, stresses and contact fractions of a cell.
-Json charts(const KeptHistory& history) {
+Json charts(const KeptHistory& history, const std::vector<double>& frames) {
+  const std::vector<std::size_t> rows = rows_at(history.columns.front().values, frames);
   const auto of = [](std::initializer_list<std::string_view> names) {
     return [names = std::vector<std::string_view>{names}](const SavedColumn& column) {
       return std::find(names.begin(), names.end(), column.name) != names.end();
@@ -171,14 +197,15 @@ Json charts(const KeptHistory& history) {
   Json made = Json::array();
   for (Json each :
        {chart(
-            "Energies", history,
+            "Energies", history, rows,
             [](const SavedColumn& column) { return column.subject() == "energy" || column.subject() == "dissipated"; }),
-        chart("Cable tensions", history, [](const SavedColumn& column) { return column.quantity() == "tension"; }),
-        chart("Contact forces", history, [](const SavedColumn& column) { return column.quantity() == "force"; }),
-        chart("Stresses on the walls", history, of({"top_shear", "top_normal", "bottom_shear", "bottom_normal"})),
-        chart("Stress ratio and fractions", history,
+        chart("Cable tensions", history, rows,
+              [](const SavedColumn& column) { return column.quantity() == "tension"; }),
+        chart("Contact forces", history, rows, [](const SavedColumn& column) { return column.quantity() == "force"; }),
+        chart("Stresses on the walls", history, rows, of({"top_shear", "top_normal", "bottom_shear", "bottom_normal"})),
+        chart("Stress ratio and fractions", history, rows,
               of({"stress_ratio", "solid_fraction", "touching", "multiple_fraction"})),
-        chart("Depth of the field", history, of({"depth"}))}) {
+        chart("Depth of the field", history, rows, of({"depth"}))}) {
     if (!each.is_null()) made.push_back(std::move(each));
   }
   return made;
@@ -188,9 +215,13 @@ Json window_json(const Window& window) {
   return {rounded(window.left), rounded(window.bottom), rounded(window.right), rounded(window.top)};
 }
 
-/// Page data common to all runs.
-Json page_json(const SavedRun& histories, const Window& side) {
+/// Page data common to all runs. `states`: the frames, with their times.
+template <class Frames>
+Json page_json(const SavedRun& histories, const Window& side, const Frames& states) {
   const RunFolder& run = histories.run;
+  std::vector<double> times;
+  for (const auto& state : states)
+    times.push_back(state.time);
   return {{"title", run.title},
           {"units",
            {{"time", run.unit(dimension::time)},
@@ -198,7 +229,7 @@ Json page_json(const SavedRun& histories, const Window& side) {
             {"velocity", run.unit(dimension::velocity)},
             {"force", run.unit(dimension::force)}}},
           {"side", window_json(side)},
-          {"charts", charts(histories.histories.back())}};  // history.csv, which every run writes
+          {"charts", charts(histories.histories.back(), times)}};  // history.csv, which every run writes
 }
 
 /// A frame of discs as JSON: positions as integer multiples of `quantum`, speeds and forces in thousandths of the
@@ -236,7 +267,7 @@ std::string player_json(const DrawnGeometry& geometry, const SavedRun& histories
   Json frames = Json::array();
   for (const GeometryFrame& frame : geometry.frames)
     frames.push_back(frame_json(frame, bars));
-  Json page = page_json(histories, side);
+  Json page = page_json(histories, side, geometry.frames);
   page["along"] = geometry.has_depth ? window_json(along) : Json(nullptr);
   page["mirrored"] = geometry.run.files.mirrored;
   page["largest_tension"] = rounded(geometry.largest_tension);
@@ -258,7 +289,7 @@ std::string player_json(const DrawnDiscs& drawn, const SavedRun& histories, cons
   Json frames = Json::array();
   for (const DiscFrame& frame : drawn.frames)
     frames.push_back(disc_frame_json(frame, quantum, speed, drawn.largest_force));
-  Json page = page_json(histories, side);
+  Json page = page_json(histories, side, drawn.frames);
   page["discs"] = {
       {"period", rounded(*drawn.run.files.period)},
       {"quantum", quantum},

@@ -9,6 +9,7 @@
 #include <map>
 #include <nlohmann/json.hpp>
 #include <pugixml.hpp>
+#include <sstream>
 
 #include "solver/base/error.hpp"
 #include "solver/io/output/read_history.hpp"
@@ -452,6 +453,44 @@ BOOST_AUTO_TEST_CASE(curves_of_the_player_keep_short_peaks) {
     }
   }
   BOOST_TEST(curves > 4U);
+
+  // The cursor shows the value of each state, not an extreme of a stretch of rows.
+  const std::vector<double>& times = kept.find("time")->values;
+  const auto& frames = data.at("frames");
+  const auto& first = data.at("charts").at(0).at("series").at(0);
+  const std::vector<double>& all = kept.find(first.at("name").get<std::string>())->values;
+  BOOST_TEST(first.at("at").size() == frames.size());
+  for (std::size_t n = 0; n < frames.size(); ++n) {
+    const double t = frames.at(n).at("t").get<double>();
+    const auto row = std::ranges::min_element(times, {}, [t](double each) { return std::abs(each - t); });
+    BOOST_TEST(first.at("at").at(n).get<double>() == all[static_cast<std::size_t>(row - times.begin())],
+               boost::test_tools::tolerance(5.1e-6));
+  }
+}
+
+// Six digits of a subnormal number, which std::stod does not read.
+BOOST_AUTO_TEST_CASE(the_player_accepts_numbers_of_any_size) {
+  const Folder folder;
+  const std::string run = (folder.path / "run").string();
+  BOOST_REQUIRE(talus_ran({"run", scene("pendulum.toml"), "--end", "0.1 s", "--frames", "2", "--out", run}).code == 0);
+  const std::string file = run + "/history.csv";
+  std::istringstream lines{talus::read_text(file)};
+  std::string text, line, heading;
+  for (int row = 0; std::getline(lines, line); ++row) {
+    if (row == 0) heading = line;
+    if (row == 2) {
+      const std::string before = heading.substr(0, heading.find("energy.kinetic"));
+      std::size_t from = 0;
+      for (auto column = std::count(before.begin(), before.end(), ','); column > 0; --column)
+        from = line.find(',', from) + 1;
+      line.replace(from, line.find(',', from) - from, "4.25e-310");
+    }
+    text += line + '\n';
+  }
+  std::ofstream{file} << text;
+  const Ended ended = talus_ran({"animate", run});
+  BOOST_TEST(ended.code == 0, ended.err);
+  BOOST_TEST(holds(talus::read_text(run + "/plots/animation.html"), "4.25e-310"));
 }
 
 // Without a title, or with an empty or blank one, every command uses the name of the scene's file.

@@ -423,11 +423,24 @@ double check_animations(const Pictures& program, Differences& differ) {
   differ.compare("animate: title of the page", between(page, "<title>", "</title>"), std::string{"Mine"});
   const Json data = Json::parse(between(page, "id=\"data\">", "</script>"));
   differ.compare("animate: window of the page", data.at("side").get<Numbers>(), window);
+  const records::Csv history = records::read_csv(program.folder().path() / "out/history.csv");
   differ.compare("animate: states of the page", data.at("frames").size(), count);
   for (std::size_t n = 0; n < std::min(count, data.at("frames").size()); ++n) {
     const Json& frame = data.at("frames")[n];
     const double t = static_cast<double>(n) * step;
     keep_worst(worst, frame.at("t").get<double>() - t);
+    // The history has a row each step.
+    for (const Json& chart : data.at("charts")) {
+      for (const Json& series : chart.at("series")) {
+        const std::string head = series.at("name").get<std::string>() + " [";
+        const auto column =
+            std::ranges::find_if(history.header(), [&](const std::string& name) { return name.starts_with(head); });
+        if (column == history.header().end()) return std::nan("");
+        const double value = history.number(n, static_cast<std::size_t>(column - history.header().begin()));
+        differ.compare("animate: values at the cursor",
+                       std::abs(series.at("at").at(n).get<double>() - value) <= 5.1e-6 * std::abs(value), true);
+      }
+    }
     for (int i = 1; i <= discs; ++i) {
       const Json& body = frame.at("bodies").at(static_cast<std::size_t>(i) - 1);
       keep_worst(worst, std::hypot(body[0].get<double>() - exact("x", i, t), body[1].get<double>() - exact("y", i, t)));
