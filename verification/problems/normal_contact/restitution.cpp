@@ -40,7 +40,7 @@ void check_damped(EndRule rule, const std::vector<double>& steps, Figure& figure
     const auto claim = findings.in(fmt::format("integrator.{}", talus::name(integrator))),
                group = findings.in(word_for(rule));
     findings.in("order_of_e")
-        ->expect_order("order of the error of e, " + label.substr(9), found, 0.93, 1.07,
+        ->expect_order("order of the error of e, " + label, found, 0.93, 1.07,
                        "the dashpot's force jumps at touch, which the steps resolve to half a step; the next "
                        "power, w h = 0.2 of the first at 16 steps, tilts the fit by up to 0.05, uneven phases of the "
                        "end (6 % of an rms) by 0.02");
