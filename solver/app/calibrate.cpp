@@ -180,7 +180,8 @@ Command add_calibrate(CLI::App& talus) {
       "--law", options->law,
       "linear_spring_dashpot (default), hertz or hunt_crossley; or latching_spring: K1/K2 of two discs that "
       "are stepped by --step");
-  app->add_option("--masses", options->masses, "masses of body 1 and body 2; a single mass is that of body 2, and body 1 is fixed")
+  app->add_option("--masses", options->masses,
+                  "masses of body 1 and body 2; a single mass is that of body 2, and body 1 is fixed")
       ->expected(1, 2);
   const auto parameter = [&](const char* field, const char* meaning) {
     app->add_option(option_name(field), options->parameters[field], meaning);

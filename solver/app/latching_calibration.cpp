@@ -49,7 +49,8 @@ void refuse_what_means_nothing(const CalibrateOptions& options) {
   }
   for (const auto& [name, value] : options.parameters) {
     if (name != "stiffness" && !value.empty())
-      throw InputError{fmt::format("{}: the law 'latching_spring' does not use this option; remove it", option_name(name))};
+      throw InputError{
+          fmt::format("{}: the law 'latching_spring' does not use this option; remove it", option_name(name))};
   }
   if (!options.restitution) throw InputError{"--restitution: it is missing; give e.g. --restitution 0.7"};
   const bool has_stiffness = !options.parameters.at("stiffness").empty();

@@ -479,10 +479,11 @@ void check_calibration(const Program& program, Findings& findings, Differences& 
                  fmt::format("{:.12g}", scene.at("contact_time").get<double>() / static_cast<double>(contact_steps)),
                  fmt::format("{:.12g}", drop_step));
   const std::string contact_text = program.run({"calibrate", "drop.toml"}, of_contact);
-  differ.compare("calibrate: contact and number of runs printed",
-                 contact_text.find(fmt::format("contact '{}' calibrated by {} runs", scene.at("contact").get<std::string>(),
-                                               scene.at("runs").get<int>())) != std::string::npos,
-                 true);
+  differ.compare(
+      "calibrate: contact and number of runs printed",
+      contact_text.find(fmt::format("contact '{}' calibrated by {} runs", scene.at("contact").get<std::string>(),
+                                    scene.at("runs").get<int>())) != std::string::npos,
+      true);
   differ.compare("calibrate: steps of the contact printed",
                  contact_text.find(fmt::format(" s: {} steps, ", contact_steps)) != std::string::npos, true);
 }
