@@ -198,8 +198,8 @@ BOOST_AUTO_TEST_CASE(a_restart_of_1989_warns_of_what_it_forgot) {
   folder.file("CNTRL.DAT", std::string{"1"}.append(control, 1));
   const Ended ended = talus_ran({"cell", file, "--json"});
   BOOST_TEST_REQUIRE(ended.code == 0, ended.err);
-  BOOST_TEST(holds(ended.err, "holds neither the block"));
-  BOOST_TEST(holds(ended.err, "contacts start without memory"));
+  BOOST_TEST(holds(ended.err, "contains neither the block"));
+  BOOST_TEST(holds(ended.err, "contacts start without history"));
   const Json summary = Json::parse(ended.out);
   BOOST_TEST(summary["warnings"].size() == 1U);
   // An interrupted and resumed run ends with the same files, including its warning, time and cycles.

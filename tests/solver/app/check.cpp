@@ -260,8 +260,9 @@ end = "1 s"
   const Ended fine = talus_ran({"check", beam("10 us")});
   BOOST_TEST(fine.err == "");
   BOOST_TEST(holds(fine.out, "\n  landing              2e+06           0           2        1000 "), fine.out);
-  BOOST_TEST(holds(fine.out, "\n  landing            0.66667           2         1732.1     0.0018138      181.38\n"),
-             fine.out);
+  BOOST_TEST(
+      holds(fine.out, "\n  landing            0.66667           2         1732.1     0.0018138         181.38\n"),
+      fine.out);
   BOOST_TEST(holds(fine.out, "\n  shortest contact: 0.0018138 s, 181.4 steps"), fine.out);
   // 1.5 ms is below 2/1000 s, and above 2/1732 s.
   const Ended coarse = talus_ran({"check", beam("1.5 ms")});

@@ -117,7 +117,7 @@ BOOST_AUTO_TEST_CASE(cell) {
              {"stiffness = \"1.7e4 N/m\"", "", ": cell: stiffness: it is missing"},
              {"diameter = \"1 mm\"", "diameter = 1", ": cell: diameter: found 1; the unit is missing"},
              {"rows = 8", "rows = 0", ": cell: rows: found 0"},
-             {"block_mass = \"9e-3 kg\"", "", ": cell: block_mass: it is missing; it, or else overburden"},
+             {"block_mass = \"9e-3 kg\"", "", ": cell: block_mass: it is missing; give overburden or block_mass"},
              {"friction = 0.5", "friction = -0.5", ": cell: friction: found -0.5"},
              {"seed = 3", "seed = -3", ": cell: seed: found -3"},
              {"integrator = \"central_difference\"", "integrator = \"rk4\"", ": run: integrator: found \"rk4\""},
