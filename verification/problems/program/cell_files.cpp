@@ -405,6 +405,7 @@ Case definition() {
                       "steps accepted or rejected on the wrong side of their limit"},
                      {"state_one_late", "states compared with those of the next LOOP",
                       "cell.pvd: ends, forces and kinds of contacts, largest error"}},
+          .seconds = 4.0,
           .run = run};
 }
 
