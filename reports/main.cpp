@@ -69,7 +69,7 @@ int print(const talus::reports::Made& made) {
   return 4;
 }
 
-/// Prints the numbers of the report that are not in the records; returns the exit code.
+/// Prints the numbers of the report that are not in the records; returns the exit status.
 int check(const Options& options, const talus::reports::ToolPaths& tools) {
   const std::vector<std::string> wrong =
       talus::reports::unfounded_numbers(options.verify, options.report, tools.resources / "templates");

@@ -323,7 +323,7 @@ BOOST_AUTO_TEST_CASE(bodies_without_a_contact) {
       folder.file("error.toml", two(3.0, 10.0, "watch = { missing_contacts = \"error\" }\n")).string();
   BOOST_TEST(talus_ran({"run", error}).code == 3);
   BOOST_TEST(talus_ran({"check", error}).code == 0);
-  // At the start: the check has the exit code of results that are not usable, whatever the rule of the quality.
+  // At the start: the check has the exit status of results that are not usable, whatever the rule of the quality.
   for (const std::string quality : {"error", "warning"}) {
     const std::string at_once =
         folder

@@ -327,7 +327,7 @@ void check_limits(const TemporaryFolder& folder, Findings& findings, const Setup
   }
   findings.expect(
       "steps accepted or rejected on the wrong side of their limit", wrong, 0.0,
-      Tolerance::exact("exit code 0 for 0.999 of the limit, and 2, wrong input, for 1.001, for two methods"));
+      Tolerance::exact("exit status 0 for 0.999 of the limit, and 2, wrong input, for 1.001, for two methods"));
 }
 
 void run(Findings& findings, const Setup& setup) {

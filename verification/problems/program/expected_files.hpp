@@ -50,7 +50,7 @@ struct Run {
 /// Runs the scene with its files in a folder of its name. The cables' stiffness and rest length, where the scene gives
 /// them by Young's modulus, follow from the distance of their ends at the start, and the step of 1993 from the
 /// stiffness of the first cable: a hundredth of the period of a column between two of them. Throws std::runtime_error
-/// with the program's messages if its exit code is another.
+/// with the program's messages if its exit status is another.
 [[nodiscard]] Run run_of(const TemporaryFolder& folder, Facts facts, const std::vector<std::string>& more,
                          int exit_code = 0);
 
