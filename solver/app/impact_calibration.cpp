@@ -116,26 +116,30 @@ L law_of(const CalibrateOptions& options, double effective_mass, double speed) {
   return law;
 }
 
-ImpactCalibration calibrated(const CalibrateOptions& options) {
-  const ElapsedTime elapsed{"calibrating"};
-  if (options.masses.empty())
-    throw InputError{"--masses: it is missing; give one or two, e.g. --masses \"2 kg\" \"1 kg\""};
-  ImpactCalibration found;
-  found.effective_mass = effective_mass_of(options);
-  found.speed = option_quantity("--speed", options.speed, dimension::velocity, si);
+/// Calls visit(L{}) for the law L of --law. Errors: InputError if it is not known, or has no dashpot.
+template <class Visit>
+void visit_law(const std::string& name, Visit&& visit) {
   bool is_known = false;
-  std::vector<std::string> known;
-  ContactLaws::for_each([&]<class L>(const L&) {
-    known.emplace_back(L::name);
+  ContactLaws::for_each([&]<class L>(const L& law) {
     if constexpr (SetsEveryRestitution<L>) {
-      if (L::name != options.law) return;
-      const L law = law_of<L>(options, found.effective_mass, found.speed);
-      found.law = law;
-      found.restitution = options.restitution.value_or(law.restitution(found.effective_mass, found.speed));
-      is_known = true;
+      if (L::name == name) is_known = true, visit(law);
     }
   });
-  if (!is_known) throw unknown_name("--law: law", options.law, known);
+  if (!is_known) throw unknown_name("--law: law", name, ContactLaws::names());
+}
+
+ImpactCalibration calibrated(const CalibrateOptions& options) {
+  const ElapsedTime elapsed{"calibrating"};
+  ImpactCalibration found;
+  visit_law(options.law, [&]<class L>(const L&) {
+    if (options.masses.empty())
+      throw InputError{"--masses: it is missing; give one or two, e.g. --masses \"2 kg\" \"1 kg\""};
+    found.effective_mass = effective_mass_of(options);
+    found.speed = option_quantity("--speed", options.speed, dimension::velocity, si);
+    const L law = law_of<L>(options, found.effective_mass, found.speed);
+    found.law = law;
+    found.restitution = options.restitution.value_or(law.restitution(found.effective_mass, found.speed));
+  });
   found.step = advise_impact_step(found.law, found.effective_mass, found.speed, options.bound,
                                   make_integrator(options.integrator));
   return found;

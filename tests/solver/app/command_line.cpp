@@ -56,7 +56,7 @@ BOOST_AUTO_TEST_CASE(wrong_command_lines) {
        "talus: --contact: contact 'impct' is not known; nearest: impact; known: impact\n"},
       {{"calibrate", "--law", "latching_sprong", "--restitution", "0.5"},
        "talus: --law: law 'latching_sprong' is not known; nearest: latching_spring; known: linear_spring_dashpot, "
-       "latching_spring\n"},
+       "latching_spring, hertz, hunt_crossley\n"},
       {{"calibrate", "--law", "latching_spring", "--restitution", "0.5"},
        "talus: --step: it is missing; give e.g. --step \"1e-7 s\"\n"},
       {{"calibrate", "--law", "latching_spring", "--restitution", "0.5", "--step", "0"},
@@ -78,7 +78,7 @@ BOOST_AUTO_TEST_CASE(wrong_command_lines) {
        fmt::format("talus: integrator of discs 'rk4' is not known; nearest: euler; known: {}\n",
                    fmt::join(talus::disc_method_names(), ", "))},
       {{"calibrate", "--restitution", "0.5", "--masses", "1 kg", "--stiffness", "1 N/m", "--step", "1e-7"},
-       "talus: --step: it is found for the law 'linear_spring_dashpot'; leave it out\n"},
+       "talus: --step: it is found for the law 'linear_spring_dashpot'; remove it\n"},
       {{"calibrate", scene("two_cable.toml"), "--contact", "impact", "--restitution", "0.5", "--law",
         "latching_spring"},
        "talus: --law: given by the scene; remove it\n"},

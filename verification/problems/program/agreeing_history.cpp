@@ -242,8 +242,8 @@ void check_fence_forces(const Run& run, const std::vector<FenceSpring>& springs,
   findings.expect("history.csv: damping ratios of the contacts of the fence at their touch, largest relative error",
                   ratio, 0.0,
                   Tolerance::truncation(ratio_bound, 1.0,
-                                        "by the effective mass at the touch, between two rows: the dashpot goes with "
-                                        "its root, which changes by half as much from row to row"));
+                                        "by the effective mass at the touch, between two rows: the dashpot is "
+                                        "proportional to its root, which changes by half as much from row to row"));
 }
 
 /// Plastic work of a cable up to each row, the integral of its yield force up to the largest elongation so far or that
