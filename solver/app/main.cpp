@@ -4,8 +4,11 @@
 #include <unistd.h>
 
 #include <csignal>
+#include <cstdlib>
+#include <exception>
 
 #include "solver/app/command.hpp"
+#include "solver/base/exit_code.hpp"
 
 namespace {
 
@@ -15,6 +18,20 @@ void occupy_closed_streams() {
   for (const int stream : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO})
     if (::fcntl(stream, F_GETFD) < 0) ::open("/dev/null", stream == STDIN_FILENO ? O_WRONLY : O_RDONLY);
 }
+
+/// Called where not even an exception can be allocated, because the reserve of the C++ library did not fit either.
+[[noreturn]] void end_without_memory() {
+  constexpr std::size_t reserve = 1 << 17;
+  if (std::current_exception() == nullptr && std::malloc(reserve) == nullptr) {
+    constexpr char message[] = "talus: out of memory\n";
+    [[maybe_unused]] const ssize_t written = ::write(STDERR_FILENO, message, sizeof message - 1);
+    std::_Exit(talus::app::io_failed);
+  }
+  std::abort();
+}
+
+/// Before all other initialisation, which takes memory.
+[[gnu::constructor(101)]] void prepare_for_little_memory() { std::set_terminate(end_without_memory); }
 
 }  // namespace
 

@@ -444,7 +444,8 @@ BOOST_AUTO_TEST_CASE(too_little_memory_is_an_error_with_its_exit_code) {
   const Undisturbed run{fence_run()};
   int short_of_memory = 0;
   bool enough = false;
-  for (long kilobytes = 12000; !enough; kilobytes += 1000) {
+  // In small steps at first: there is a limit at which not even an exception can be allocated.
+  for (long kilobytes = 12000; !enough; kilobytes += short_of_memory < 10 ? 25 : 1000) {
     const Ended ended = shell(fmt::format("ulimit -v {}; exec \"$TALUS\" \"$@\"", kilobytes), run.into(out));
     BOOST_TEST_CONTEXT(kilobytes << " kB: " << ended.err) {
       BOOST_TEST_REQUIRE(kilobytes < 1000000);
