@@ -21,7 +21,7 @@ namespace {
 using Throw = void (*)(void*, std::type_info*, void (*)(void*));
 const auto next_throw = reinterpret_cast<Throw>(::dlsym(RTLD_NEXT, "__cxa_throw"));
 
-/// Without memory of its own: some tests limit it.
+/// Takes no memory: some tests limit it.
 void note(std::string_view kind, const char* what) {
   const char* const folder = std::getenv("TALUS_MESSAGES");
   if (folder == nullptr) return;
