@@ -107,6 +107,42 @@ void collect_counts(const json& interface, std::set<double>& numbers) {
   }
 }
 
+/// Killed percentages of the chapter on mutants: of all, of each folder, file and operation, with and without cases that
+/// compare with recorded results, and with those not tried to the end; and the limits of the interval.
+void collect_scores(const json& mutants, std::set<double>& numbers) {
+  std::set<std::string> recorded;
+  for (const json& one : mutants.at("cases"))
+    if (one.value("recorded", false)) recorded.insert(one.at("id"));
+  struct Counts {
+    double killed{}, independent{}, counted{}, pending{};
+  };
+  std::map<std::string, Counts> counts;
+  for (const json& mutant : mutants.at("mutants")) {
+    const std::string status = mutant.at("status"), file = mutant.at("file"), operation = mutant.at("operation");
+    if (status == "equivalent" || operation == "bug") continue;
+    bool independent = false;
+    for (const json& trial : mutant.at("trials"))
+      independent = independent || (trial.at("end") != "pass" && !recorded.contains(trial.at("case")));
+    for (const std::string& group :
+         {std::string("all"), file, file.substr(0, file.rfind('/')), "operation " + operation}) {
+      Counts& of = counts[group];
+      of.pending += status == "pending" ? 1.0 : 0.0, of.counted += status == "pending" ? 0.0 : 1.0;
+      if (status == "killed") of.killed += 1.0, of.independent += independent ? 1.0 : 0.0;
+    }
+  }
+  for (const auto& [group, of] : counts) {
+    for (const double killed : {of.killed, of.independent})
+      numbers.insert({100.0 * killed / of.counted, 100.0 * killed / (of.counted + of.pending)});
+  }
+  // Wilson 1927, 95 %.
+  constexpr double z = 1.959963984540054;
+  const Counts& all = counts["all"];
+  const double fraction = all.killed / all.counted, per_count = z * z / all.counted;
+  const double middle = (fraction + 0.5 * per_count) / (1.0 + per_count);
+  const double half = z / (1.0 + per_count) * std::sqrt((fraction * (1.0 - fraction) + 0.25 * per_count) / all.counted);
+  numbers.insert({100.0 * (middle - half), 100.0 * (middle + half)});
+}
+
 }  // namespace
 
 std::size_t count_of_numbers(const std::string& markdown) { return numbers_in(visible(markdown)).size(); }
@@ -116,7 +152,11 @@ std::set<double> numbers_of_records(const fs::path& verify, const fs::path& temp
   const json results = json::parse(read_whole(verify / "results.json"));
   collect(results, numbers);
   collect_sums(results, numbers);
-  if (fs::exists(verify / "mutants.json")) collect(json::parse(read_whole(verify / "mutants.json")), numbers);
+  if (fs::exists(verify / "mutants.json")) {
+    const json mutants = json::parse(read_whole(verify / "mutants.json"));
+    collect(mutants, numbers);
+    collect_scores(mutants, numbers);
+  }
   if (fs::exists(verify / "interface.json")) {
     const json interface = json::parse(read_whole(verify / "interface.json"));
     collect(interface, numbers);
