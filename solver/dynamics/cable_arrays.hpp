@@ -71,7 +71,7 @@ template <class L>
   std::copy_n(&state.mode[first.mode], span.count, &lines.mode[span.cable]);
   std::copy_n(state.z.data() + first.memory, L::memory_size * span.count, &lines.memory[span.cable]);
   for_each_of(array, span, [&](const L& law, Slot slot, std::size_t c) {
-    lines.set(c, law.linear_piece(memory(law, state, slot), state.mode[slot.mode]));
+    lines.set(c, law.linear_branch(memory(law, state, slot), state.mode[slot.mode]));
   });
 }
 

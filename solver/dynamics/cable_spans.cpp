@@ -44,7 +44,7 @@ template <bool recorded, class Joints>
   }
 }
 
-/// Tension of a cable of a fence [F]: k (e - p) on the linear branch of its mode, which linear_piece() of its law
+/// Tension of a cable of a fence [F]: k (e - p) on the linear branch of its mode, which linear_branch() of its law
 /// gives: UnilateralSpring, also of TensionOnly, where it acts; ElasticPlastic where it loads or unloads. A slack cable
 /// has k = 0. (The tension of a cable off its linear branch is computed by CableForces::sum_pulls(), which calls the
 /// law itself.)

@@ -68,15 +68,15 @@ constexpr double skin_ratio = 0.05;
 constexpr std::size_t most_swept = 4000;
 
 /// Range along x: the box, widened by the skin and slightly more.
-Stretch stretch(const Bounds& bounds, const Pose& pose, double skin) {
+XRange x_range(const Bounds& bounds, const Pose& pose, double skin) {
   const double reach = skin + half_size(bounds, pose.R_WB).x * (1.0 + 1e-12) + 1e-12 * std::abs(pose.p_WB.x);
   return {pose.p_WB.x - reach, pose.p_WB.x + reach};
 }
 
 /// Insertion sort, because the order is almost right already. Among equal ones the first in the model comes first.
-void sort(std::vector<std::size_t>& order, const std::vector<Stretch>& stretches) {
+void sort(std::vector<std::size_t>& order, const std::vector<XRange>& ranges) {
   const auto before = [&](std::size_t a, std::size_t b) {
-    return stretches[a].low < stretches[b].low || (stretches[a].low == stretches[b].low && a < b);
+    return ranges[a].low < ranges[b].low || (ranges[a].low == ranges[b].low && a < b);
   };
   for (std::size_t i = 1; i < order.size(); ++i) {
     const std::size_t moved = order[i];
@@ -153,7 +153,7 @@ void ContactSearch::list_close(const Poses& poses, Sweep& sweep) const {
     sweep.close.reserve(pairs_.size());
     sweep.order.resize(swept_.size());
     std::iota(sweep.order.begin(), sweep.order.end(), std::size_t{0});
-    sweep.stretches.resize(swept_.size());
+    sweep.ranges.resize(swept_.size());
   }
   sweep.places.x = poses.x, sweep.places.y = poses.y;
   sweep.places.cosine = poses.cosine, sweep.places.sine = poses.sine;
@@ -168,13 +168,13 @@ void ContactSearch::list_close(const Poses& poses, Sweep& sweep) const {
     look(p);
   for (std::size_t i = 0; i < swept_.size(); ++i) {
     const auto& [body, bounds, reach] = swept_[i];
-    sweep.stretches[i] = stretch(bounds, poses[index(body)], skin_limits_.displacement[index(body)] + reach);
+    sweep.ranges[i] = x_range(bounds, poses[index(body)], skin_limits_.displacement[index(body)] + reach);
   }
-  sort(sweep.order, sweep.stretches);
+  sort(sweep.order, sweep.ranges);
   for (std::size_t i = 0; i < sweep.order.size(); ++i) {
-    const double high = sweep.stretches[sweep.order[i]].high;
+    const double high = sweep.ranges[sweep.order[i]].high;
     const std::size_t* const pairs = &swept_pairs_[sweep.order[i] * swept_.size()];
-    for (std::size_t j = i + 1; j < sweep.order.size() && !(sweep.stretches[sweep.order[j]].low > high); ++j) {
+    for (std::size_t j = i + 1; j < sweep.order.size() && !(sweep.ranges[sweep.order[j]].low > high); ++j) {
       const std::size_t p = pairs[sweep.order[j]];
       if (p != pairs_.size()) look(p);
     }

@@ -84,7 +84,7 @@ struct Candidate {
 }
 
 /// Range of a swept body along x [L].
-struct Stretch {
+struct XRange {
   double low{};
   double high{};
 };
@@ -92,7 +92,7 @@ struct Stretch {
 /// Scratch memory of the contact search, which the caller owns from one evaluation to the next.
 struct Sweep {
   std::vector<std::size_t> order;  ///< indices of the swept bodies, sorted by their smallest x
-  std::vector<Stretch> stretches;  ///< one for each swept body
+  std::vector<XRange> ranges;      ///< one for each swept body
   std::vector<std::size_t> close;  ///< pairs closer than reach plus skin
   Places places;                   ///< positions of the bodies when the list was made
 };

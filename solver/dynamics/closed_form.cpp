@@ -6,7 +6,7 @@
 #include <variant>
 
 #include "solver/dynamics/dynamics.hpp"
-#include "solver/integrate/affine_piece.hpp"
+#include "solver/integrate/linear_segment.hpp"
 
 namespace talus {
 namespace {
@@ -54,7 +54,7 @@ std::optional<std::string> obstacle_to_closed_form(const Model& model) {
   return std::nullopt;
 }
 
-void Dynamics::affine_piece(const State& state, const Workspace& work, AffinePiece& out) const {
+void Dynamics::linear_segment(const State& state, const Workspace& work, LinearSegment& out) const {
   out.terms.clear();
   for (const ContactForces::LinearContact& contact : contacts_.linear_contacts(state, work)) {
     // F = k n.(d_A - d_B) + c n.(v_A - v_B) pushes B along n and A against it.

@@ -9,7 +9,7 @@
 #include "solver/dynamics/contact_forces.hpp"
 #include "solver/dynamics/energies.hpp"
 #include "solver/dynamics/workspace.hpp"
-#include "solver/integrate/affine_piece.hpp"
+#include "solver/integrate/linear_segment.hpp"
 #include "solver/model/layout.hpp"
 #include "solver/model/model.hpp"
 #include "solver/state/state.hpp"
@@ -118,10 +118,10 @@ class Dynamics {
   [[nodiscard]] std::vector<double> lengths() const;
   /// After update(): linearization of the springs and dashpots that act, with respect to the coordinates. The
   /// directions of forces are treated as constant; cables that continue through broken hangers are omitted.
-  void linearization(const State& state, const Workspace& work, AffinePiece& out) const;
+  void linearization(const State& state, const Workspace& work, LinearSegment& out) const;
   /// After update(): linear equations of motion in the modes of the state, for a model without
   /// obstacle_to_closed_form().
-  void affine_piece(const State& state, const Workspace& work, AffinePiece& out) const;
+  void linear_segment(const State& state, const Workspace& work, LinearSegment& out) const;
   /// After update(): number of coordinates up to the last of an awake body; all behind belong to sleeping bodies. The
   /// number of all coordinates if the sleepers have changed since.
   [[nodiscard]] std::size_t moving(const State& state, const Workspace& work) const;

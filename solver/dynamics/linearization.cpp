@@ -25,7 +25,7 @@ class Line {
   }
 
   /// Adds the terms of a force [F] along this line that grows with the deformation of `along` and its rate.
-  void respond(const Line& along, double stiffness, double damping, AffinePiece& out) const {
+  void respond(const Line& along, double stiffness, double damping, LinearSegment& out) const {
     for (std::size_t i = 0; i < count_; ++i) {
       for (std::size_t j = 0; j < along.count_; ++j) {
         const double each = parts_[i].response * along.parts_[j].gradient;
@@ -34,12 +34,12 @@ class Line {
     }
   }
   /// Adds a force along this line that depends on a stretch in the memory.
-  void pull(std::size_t memory, double stiffness, AffinePiece& out) const {
+  void pull(std::size_t memory, double stiffness, LinearSegment& out) const {
     for (std::size_t i = 0; i < count_; ++i)
       out.pulls.push_back({parts_[i].coordinate, memory, parts_[i].response * stiffness});
   }
   /// Adds a memory whose rate is the rate of the deformation.
-  void follow(std::size_t memory, AffinePiece& out) const {
+  void follow(std::size_t memory, LinearSegment& out) const {
     for (std::size_t j = 0; j < count_; ++j)
       out.memory.push_back({memory, parts_[j].coordinate, parts_[j].gradient});
   }
@@ -58,7 +58,7 @@ class Line {
 
 }  // namespace
 
-void Dynamics::linearization(const State& state, const Workspace& work, AffinePiece& out) const {
+void Dynamics::linearization(const State& state, const Workspace& work, LinearSegment& out) const {
   out.terms.clear();
   out.memory.clear();
   out.pulls.clear();

@@ -60,7 +60,7 @@ void RigidBodySystem::guards_of(const State& state, std::span<const std::size_t>
   dynamics_->guards_of(state, modes, work_, out);
 }
 
-void RigidBodySystem::linearization(const State& state, AffinePiece& out) {
+void RigidBodySystem::linearization(const State& state, LinearSegment& out) {
   dynamics_->update(state, work_);
   dynamics_->linearization(state, work_, out);
 }

@@ -44,9 +44,9 @@ class RigidBodySystem {
   bool follows(const State& state) const { return dynamics_->follows(state); }
   std::vector<double> lengths() const { return dynamics_->lengths(); }
   /// Linear equations of motion of the state whose derivative() was evaluated last.
-  void affine_piece(const State& state, AffinePiece& out) const { dynamics_->affine_piece(state, work_, out); }
+  void linear_segment(const State& state, LinearSegment& out) const { dynamics_->linear_segment(state, work_, out); }
   /// See Dynamics::linearization(); at any state.
-  void linearization(const State& state, AffinePiece& out);
+  void linearization(const State& state, LinearSegment& out);
   bool keeps_accounts() const { return ledger_; }
   bool moves_memory() const { return dynamics_->follows_motion(); }
   void wake_all(State& state) const { dynamics_->wake_all(state); }

@@ -64,7 +64,7 @@ class ContactLanes {
     }
     if constexpr (turns) {
       Pack friction, arm_a = 0.5 * radii, arm_b = arm_a, spin_a, spin_b;
-      if (w_.unlike_radius != 0) {
+      if (w_.per_disc_radius != 0) {
         collect(arm_a, [&](std::size_t l) { return w_.radius[disc(w_, first_[pairs[l]])]; });
         collect(arm_b, [&](std::size_t l) { return w_.radius[disc(w_, second_[pairs[l]])]; });
       }
@@ -74,7 +74,7 @@ class ContactLanes {
       const Pack slip = v_x * -n_y + v_y * n_x - spin_a * arm_a - spin_b * arm_b;
       Pack pressed = overlap;  // overlap since the surfaces met
       if constexpr (ActsAtDistance<L>) pressed = overlap > Pack{} ? overlap : Pack{};
-      rub(slip * pressed / rate, rate, force, at, from, friction);
+      apply_friction(slip * pressed / rate, rate, force, at, from, friction);
       keep_normal(overlaps, force, at);
       store_places(force * n_x + friction * n_y, force * n_y - friction * n_x, out.force);
       store(friction, out.friction), store(arm_a, out.arm_a), store(arm_b, out.arm_b);
@@ -110,19 +110,19 @@ class ContactLanes {
   }
 
   /// Limits the stretch of the friction springs (return mapping). slipped: slip of each contact since it began [L].
-  [[gnu::always_inline]] void rub(const Pack& slipped, const Pack& rate, const Pack& force, std::size_t at,
-                                  const std::uint32_t* from, Pack& friction) {
+  [[gnu::always_inline]] void apply_friction(const Pack& slipped, const Pack& rate, const Pack& force, std::size_t at,
+                                             const std::uint32_t* from, Pack& friction) {
     SweptContacts& contacts = *w_.contacts;
-    Pack stretch, normal, begun, slid;
+    Pack stretch, normal, begun, friction_work;
     collect(stretch, contacts.before.stretch.data(), from), collect(normal, contacts.before.normal.data(), from);
     friction_.initial_stretch(slipped, force, begun);
     const Sizes pushes = force > Pack{}, begins = pushes & (rate > Pack{}) & ~(normal > Pack{});
     stretch = begins ? begun : stretch;
     const Pack before = stretch;
     friction_.returned_force(force, stretch, friction);
-    if (contacts.kinds.slid) {
-      friction_.dissipated(before, force, stretch, slid);
-      store(slid, &contacts.slid[at]);
+    if (contacts.kinds.friction_work) {
+      friction_.dissipated(before, force, stretch, friction_work);
+      store(friction_work, &contacts.friction_work[at]);
     }
     keep_where(stretch, pushes), keep_where(friction, pushes);
     store(stretch, &contacts.now.stretch[at]);

@@ -62,8 +62,8 @@ template <class Number>
 }  // namespace
 
 void part(const StepBlock& sweep, std::size_t listed, double largest, double stretch) {
-  if (largest > 0.0 || (stretch != 0.0 && sweep.contacts->kinds.slid))
-    sweep.parted->push_back({static_cast<std::uint32_t>(listed), largest, stretch});
+  if (largest > 0.0 || (stretch != 0.0 && sweep.contacts->kinds.friction_work))
+    sweep.ended->push_back({static_cast<std::uint32_t>(listed), largest, stretch});
 }
 
 std::span<const std::uint32_t> find_touching(const StepBlock& sweep, std::size_t from, std::size_t to) {

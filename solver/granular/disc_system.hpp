@@ -84,7 +84,7 @@ class DiscSystem {
       discs.x[i] += h * v.x;
       discs.y[i] += h * v.y;
     }
-    discs.slid += h * list_.box().sliding();
+    discs.shear_displacement += h * list_.box().sliding();
     list_.use(list_.approach(h, fastest));
     if (!list_.holds(discs)) rebuild(discs);
   }
@@ -294,7 +294,7 @@ class DiscSystem {
     ++evaluations_;
     std::fill(wall_forces_.begin(), wall_forces_.end(), Vec2{});
     std::array<NeighbourList::Shift, NeighbourList::images> shifts;
-    list_.shifts(discs.slid, shifts);
+    list_.shifts(discs.shear_displacement, shifts);
     double& released = discs.work[static_cast<std::size_t>(L::release)];
     double& lost = discs.work[static_cast<std::size_t>(L::dissipation)];
     double power = 0.0;
@@ -320,7 +320,7 @@ class DiscSystem {
         }
         const LawForce force = mode == 0 ? LawForce{} : law_(touch.x, memory, mode);
         Push push{.force = force.total() * touch.n};
-        if constexpr (turns) rub(discs, v, {i, j, pair}, touch, force.total(), push);
+        if constexpr (turns) apply_friction(discs, v, {i, j, pair}, touch, force.total(), push);
         if (mode == 0) continue;
         if (shapes_.wall[i] != DiscShapes::free) wall_forces_[shapes_.wall[i]] -= push.force;
         if (shapes_.wall[j] != DiscShapes::free) wall_forces_[shapes_.wall[j]] += push.force;
@@ -335,7 +335,8 @@ class DiscSystem {
     std::size_t a, b, pair;
   };
   /// Limits the stretch of the friction spring (return mapping) and adds its force to the push.
-  void rub(Discs& discs, const Velocities& v, PairOfDiscs of, const Touch& touch, double normal, Push& push) {
+  void apply_friction(Discs& discs, const Velocities& v, PairOfDiscs of, const Touch& touch, double normal,
+                      Push& push) {
     Mode& mode = contacts_.friction_mode[of.pair];
     double& stretch = contacts_.stretch[of.pair];
     push.arm_a = arm(of.a, touch), push.arm_b = arm(of.b, touch);

@@ -49,7 +49,7 @@ struct Discs {
   using Rates = DiscRates;
 
   double t{};                                  ///< time [T]
-  double slid{};                               ///< boundary shear displacement of the box above over this one [L]
+  double shear_displacement{};                 ///< boundary shear displacement of the box above over this one [L]
   std::vector<double> x, y;                    ///< centres [L]; may lie outside a periodic box, in an image of it
   std::vector<double> vx, vy;                  ///< [L/T]
   std::vector<double> spin;                    ///< counter-clockwise > 0 [1/T]; empty if discs do not turn
@@ -81,14 +81,14 @@ void kick_velocities(Discs& discs, const DiscRates& rates, double h);
 [[nodiscard]] inline Discs drifted(Discs discs, double sliding, double h) {
   for (std::size_t i = 0; i < discs.size(); ++i)
     discs.x[i] += h * discs.vx[i], discs.y[i] += h * discs.vy[i];
-  discs.slid += h * sliding;
+  discs.shear_displacement += h * sliding;
   return discs;
 }
 
 /// Serializes a state or rates; when loading, their arrays must already have the right sizes.
 inline void serialize(Archive& archive, Discs& discs) {
   archive.number("t", discs.t);
-  archive.number("boundary_shear_displacement", discs.slid);
+  archive.number("boundary_shear_displacement", discs.shear_displacement);
   archive.numbers("x", discs.x), archive.numbers("y", discs.y);
   archive.numbers("vx", discs.vx), archive.numbers("vy", discs.vy);
   archive.numbers("spin", discs.spin);

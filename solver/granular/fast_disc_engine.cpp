@@ -46,7 +46,7 @@ FastDiscEngine::FastDiscEngine(const Traits& traits, DiscShapes shapes, Periodic
     ++moved_.back().end;
   }
   for (Stripe& stripe : stripes_)
-    stripe.wall_pushes.resize(wall_forces_.size());
+    stripe.wall_forces.resize(wall_forces_.size());
 }
 
 void FastDiscEngine::begin(Discs& discs) {
@@ -157,7 +157,7 @@ void FastDiscEngine::kick_walls(double kick) {
   for (std::size_t wall = 1; wall < wall_forces_.size(); ++wall) {
     Vec2 force;
     for (const Stripe& stripe : stripes_) {
-      for (const Vec2 push : stripe.wall_pushes[wall])
+      for (const Vec2 push : stripe.wall_forces[wall])
         force += push;
     }
     wall_forces_[wall] = force;
@@ -185,30 +185,30 @@ double FastDiscEngine::drift_walls(double drift) {
 /// Accumulates the energy dissipated by contacts at this evaluation, in the order of pairs.
 void FastDiscEngine::accumulate_ledger() {
   power_ = 0.0;
-  parted_.clear();
+  ended_.clear();
   for (Stripe& stripe : stripes_) {
-    parted_.insert(parted_.end(), stripe.parted.begin(), stripe.parted.end());
-    stripe.parted.clear();
+    ended_.insert(ended_.end(), stripe.ended.begin(), stripe.ended.end());
+    stripe.ended.clear();
   }
   const SweptContacts::Kinds kinds = stripes_.front().own.contacts.kinds;
-  if (parted_.empty() && !kinds.reported()) return;
-  std::sort(parted_.begin(), parted_.end(), [](const auto& a, const auto& b) { return a.pair < b.pair; });
+  if (ended_.empty() && !kinds.reported()) return;
+  std::sort(ended_.begin(), ended_.end(), [](const auto& a, const auto& b) { return a.pair < b.pair; });
   double& released = work_[static_cast<std::size_t>(traits_.release)];
-  double& slid = work_[static_cast<std::size_t>(Mechanism::friction)];
-  auto parted = parted_.begin();
-  const auto record_parted = [&](std::size_t before) {
-    for (; parted != parted_.end() && parted->pair < before; ++parted) {
-      lost_ += hysteresis_loss(parted->largest);
-      if (kinds.slid) slid += friction_energy(parted->stretch);
+  double& friction_work = work_[static_cast<std::size_t>(Mechanism::friction)];
+  auto ended = ended_.begin();
+  const auto record_ended = [&](std::size_t before) {
+    for (; ended != ended_.end() && ended->pair < before; ++ended) {
+      lost_ += hysteresis_loss(ended->largest);
+      if (kinds.friction_work) friction_work += friction_energy(ended->stretch);
     }
   };
   if (kinds.reported()) {
     for_each_touching([&](const SweptContacts& of, std::size_t t, std::size_t pair) {
-      if (kinds.slid) record_parted(pair), slid += of.slid[t];
+      if (kinds.friction_work) record_ended(pair), friction_work += of.friction_work[t];
       if (kinds.power) power_ += of.power[t], released += of.released[t];
     });
   }
-  record_parted(list_.size());
+  record_ended(list_.size());
 }
 
 void FastDiscEngine::copy_before(Stripe& stripe) {
@@ -221,7 +221,7 @@ void FastDiscEngine::copy_before(Stripe& stripe) {
 void FastDiscEngine::find_outgoing(Stripe& stripe) {
   place_ghosts(stripe, places_.data(), &NeighbourList::Shift::x);
   if (sees_rates()) place_ghosts(stripe, before_.data(), &NeighbourList::Shift::vx);
-  for (std::vector<Vec2>& pushes : stripe.wall_pushes)
+  for (std::vector<Vec2>& pushes : stripe.wall_forces)
     pushes.clear();
   if (stripes_.size() == 1) return;
   StepBlock of = work(stripe, true, 0.0);
@@ -249,22 +249,22 @@ StepBlock FastDiscEngine::work(Stripe& stripe, bool kicks, double drift) {
           .impulse_per_force = impulse_per_force_.data(),
           .radius = shapes_.radius.data(),
           .per_mass = per_mass_.data(),
-          .unlike_mass = equal_masses_ ? std::size_t{0} : ~std::size_t{0},
-          .unlike_radius = equal_radii_ > 0.0 ? std::size_t{0} : ~std::size_t{0},
+          .per_disc_mass = equal_masses_ ? std::size_t{0} : ~std::size_t{0},
+          .per_disc_radius = equal_radii_ > 0.0 ? std::size_t{0} : ~std::size_t{0},
           .equal_radii = equal_radii_,
           .wall = shapes_.wall.data(),
           .first_wall = 2 * first_wall_,
           .pairs = &pairs(stripe.own),
           .contacts = &stripe.own.contacts,
-          .parted = &stripe.parted,
-          .wall_pushes = stripe.wall_pushes.data(),
+          .ended = &stripe.ended,
+          .wall_forces = stripe.wall_forces.data(),
           .outgoing = &stripe.pushes};
 }
 
 /// Updates the lists after all discs have moved.
 void FastDiscEngine::end_drift(Discs& discs, double h) {
-  slid_ += h * list_.box().sliding();
-  if (list_.box().sliding() != 0.0) list_.shifts(slid_, shifts_);
+  shear_displacement_ += h * list_.box().sliding();
+  if (list_.box().sliding() != 0.0) list_.shifts(shear_displacement_, shifts_);
   list_.use(approach_);
   used_ += approach_;
   if (list_.may_end()) {
@@ -282,8 +282,8 @@ void FastDiscEngine::load(const Discs& discs) {
     }
   });
   if (traits_.turns) std::copy(discs.spin.begin(), discs.spin.end(), spins_.begin());
-  slid_ = discs.slid, work_ = discs.work;
-  list_.shifts(slid_, shifts_);
+  shear_displacement_ = discs.shear_displacement, work_ = discs.work;
+  list_.shifts(shear_displacement_, shifts_);
 }
 
 void FastDiscEngine::store(Discs& discs) {
@@ -294,7 +294,7 @@ void FastDiscEngine::store(Discs& discs) {
     }
   });
   if (traits_.turns) std::copy(spins_.begin(), spins_.end(), discs.spin.begin());
-  discs.slid = slid_, discs.work = work_;
+  discs.shear_displacement = shear_displacement_, discs.work = work_;
 }
 
 /// Computes the positions of a stripe's ghosts, or their velocities before the kick.

@@ -72,7 +72,7 @@ class FastDiscEngine {
   void keep_work() {
     kinds_.power = !traits_.has_history && traits_.needs_rate;
     kinds_.normal = traits_.turns || kinds_.power;
-    kinds_.slid = traits_.turns;
+    kinds_.friction_work = traits_.turns;
   }
 
   /// Initializes before the first step; contacts that exist already start without history.
@@ -148,8 +148,8 @@ class FastDiscEngine {
     std::size_t first_ghost{}, end_of_ghosts{};
     Swept own, outgoing;                         ///< pairs with both discs in the stripe; with only the first
     PairForces pushes;                           ///< forces of the outgoing pairs
-    std::vector<PartedPair> parted;              ///< contacts ended since accumulate_ledger()
-    std::vector<std::vector<Vec2>> wall_pushes;  ///< by wall number, [0] is no wall: forces of its contacts [F]
+    std::vector<EndedContact> ended;             ///< contacts ended since accumulate_ledger()
+    std::vector<std::vector<Vec2>> wall_forces;  ///< by wall number, [0] is no wall: forces of its contacts [F]
     double fastest{};                            ///< largest squared speed relative to the mean flow [L^2/T^2]
   };
   /// A contact carried over from one list to the next.
@@ -218,7 +218,7 @@ class FastDiscEngine {
   std::vector<std::uint32_t> ghost_disc_;
   std::vector<std::uint8_t> ghost_image_;
   std::array<NeighbourList::Shift, NeighbourList::images> shifts_{};
-  double slid_{};  ///< Discs::slid
+  double shear_displacement_{};  ///< Discs::shear_displacement
   SweptContacts::Kinds kinds_;
   std::array<double, mechanism_count> work_{};  ///< Discs::work
   double power_{};                              ///< of dashpots at the last evaluation [F L/T]
@@ -232,7 +232,7 @@ class FastDiscEngine {
   double approach_{};            ///< bound of the approach of any pair in the last step [L]
 
   double lost_{};  ///< loss of contacts that have ended [F L]
-  std::vector<PartedPair> parted_;
+  std::vector<EndedContact> ended_;
   std::vector<Vec2> wall_forces_;  ///< by wall number; [0] is no wall
   long builds_{}, prunings_{}, evaluations_{};
 };
@@ -268,7 +268,7 @@ void FastDiscEngine::advance(Discs& discs, double h, long steps, After&& after) 
 template <class Visit>
 void FastDiscEngine::for_each_touching_pair(const Discs& discs, Visit&& visit) const {
   std::array<NeighbourList::Shift, NeighbourList::images> shifts;
-  list_.shifts(discs.slid, shifts);
+  list_.shifts(discs.shear_displacement, shifts);
   for_each_touching([&](const SweptContacts& contacts, std::size_t t, std::size_t pair) {
     visit(std::size_t{disc(pairs_.first[pair])}, std::size_t{disc(pairs_.second[pair])}, shifts[list_.image(pair)],
           contacts.memory(contacts.now, t));

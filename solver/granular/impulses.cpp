@@ -15,7 +15,7 @@ class ImpulseScatter {
       : w_{w},
         velocities_{w.velocities},
         per_force_{w.impulse_per_force},
-        unlike_mass_{w.unlike_mass},
+        per_disc_mass_{w.per_disc_mass},
         first_wall_{w.first_wall} {}
 
   /// Applies a force to the disc at index `at`, and the torque of the k-th friction and lever arm.
@@ -23,26 +23,26 @@ class ImpulseScatter {
                                    std::size_t k) const {
     Place v, per_force;
     std::memcpy(&v, velocities_ + at, sizeof v);
-    std::memcpy(&per_force, per_force_ + (at & unlike_mass_), sizeof per_force);
+    std::memcpy(&per_force, per_force_ + (at & per_disc_mass_), sizeof per_force);
     v += per_force * force;
     std::memcpy(velocities_ + at, &v, sizeof v);
     if constexpr (turns)
-      w_.spins[at / 2] += per_force[0] * friction[k] * arm[k] * w_.per_mass[at / 2 & w_.unlike_radius];
+      w_.spins[at / 2] += per_force[0] * friction[k] * arm[k] * w_.per_mass[at / 2 & w_.per_disc_radius];
   }
   /// Records the force on b, and its reaction on a, for the walls that the discs belong to.
   [[gnu::always_inline]] void give_walls(std::size_t a, std::size_t b, Place force) const {
     // The second disc of a pair has the larger index.
     if (b < first_wall_) return;
     const std::uint32_t of_a = w_.wall[a / 2], of_b = w_.wall[b / 2];
-    if (of_a != DiscShapes::free) w_.wall_pushes[of_a].push_back({-force[0], -force[1]});
-    if (of_b != DiscShapes::free) w_.wall_pushes[of_b].push_back({force[0], force[1]});
+    if (of_a != DiscShapes::free) w_.wall_forces[of_a].push_back({-force[0], -force[1]});
+    if (of_b != DiscShapes::free) w_.wall_forces[of_b].push_back({force[0], force[1]});
   }
 
  private:
   const StepBlock& w_;
   double* const velocities_;
   const double* const per_force_;
-  const std::size_t unlike_mass_, first_wall_;
+  const std::size_t per_disc_mass_, first_wall_;
 };
 
 [[gnu::always_inline]] inline Place force_of(const double* forces, std::size_t k) {

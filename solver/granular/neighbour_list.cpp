@@ -146,7 +146,7 @@ class Cells {
 
 void wrap(const PeriodicBox& box, Discs& discs) {
   if (!box.repeats_x() && !box.repeats_y()) return;
-  const double offset = box.offset(discs.slid), sliding = box.sliding();
+  const double offset = box.offset(discs.shear_displacement), sliding = box.sliding();
   for (std::size_t i = 0; i < discs.size(); ++i) {
     const PeriodicBox::Image image = box.nearest({discs.x[i], discs.y[i]}, offset);
     if (image.right == 0.0 && image.up == 0.0) continue;
@@ -169,8 +169,8 @@ void NeighbourList::check_periods() const {
 
 void NeighbourList::build(const DiscShapes& shapes, const Discs& discs, ThreadPool* pool) {
   used_ = 0.0;
-  slid_ = discs.slid;
-  offset_ = box_.offset(discs.slid);
+  shear_displacement_ = discs.shear_displacement;
+  offset_ = box_.offset(discs.shear_displacement);
   x_ = discs.x, y_ = discs.y;
   find_flow(discs);
   find_pairs(shapes, discs, pool);
@@ -270,7 +270,7 @@ void NeighbourList::find_pairs(const DiscShapes& shapes, const Discs& discs, Thr
 
 void NeighbourList::serialize(Archive& archive, const DiscShapes& shapes) {
   archive.number("used", used_);
-  archive.number("boundary_shear_displacement", slid_);
+  archive.number("boundary_shear_displacement", shear_displacement_);
   archive.number("offset", offset_);
   if (archive.is_loading()) x_.resize(shapes.size()), y_.resize(shapes.size());
   archive.numbers("x", x_), archive.numbers("y", y_);
@@ -288,8 +288,8 @@ std::size_t NeighbourList::find(std::size_t first, std::size_t second) const {
   return found != to && *found == second ? static_cast<std::size_t>(found - second_.begin()) : size();
 }
 
-void NeighbourList::shifts(double slid, std::span<Shift, images> out) const {
-  const double offset = offset_ + (slid - slid_);
+void NeighbourList::shifts(double shear_displacement, std::span<Shift, images> out) const {
+  const double offset = offset_ + (shear_displacement - shear_displacement_);
   for (int up = -1; up <= 1; ++up) {
     for (int right = -1; right <= 1; ++right) {
       const PeriodicBox::Image image{static_cast<double>(right), static_cast<double>(up)};

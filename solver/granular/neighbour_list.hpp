@@ -86,15 +86,15 @@ class NeighbourList {
     double x{}, y{}, vx{};
   };
   static constexpr std::size_t images = 9;
-  /// Shifts of all images, by their codes; slid: Discs::slid at present.
-  void shifts(double slid, std::span<Shift, images> out) const;
+  /// Shifts of all images, by their codes; shear_displacement: Discs::shear_displacement at present.
+  void shifts(double shear_displacement, std::span<Shift, images> out) const;
 
   /// Calls visit(first, second, pair, d, shift) for the pairs at the present positions: d from the first disc to the
   /// image of the second [L], shift that of the image.
   template <class Visit>
   void for_each_pair(const Discs& discs, Visit&& visit) const {
     std::array<Shift, images> by_image;
-    shifts(discs.slid, by_image);
+    shifts(discs.shear_displacement, by_image);
     for (std::size_t a = 0; a < this->discs(); ++a) {
       for (std::size_t pair = begin(a); pair < end(a); ++pair) {
         const std::size_t b = second(pair);
@@ -124,8 +124,8 @@ class NeighbourList {
   double margin_;  ///< largest gap of listed pairs: law_reach + skin [L]
   double reach_{};
   double used_{};
-  double slid_{};    ///< Discs::slid when the list was built [L]
-  double offset_{};  ///< of the boxes above and below then [L]; later offsets continue it without jumps
+  double shear_displacement_{};  ///< Discs::shear_displacement when the list was built [L]
+  double offset_{};              ///< of the boxes above and below then [L]; later offsets continue it without jumps
   Flow flow_;
 };
 

@@ -20,8 +20,10 @@ struct PeriodicBox {
   bool repeats_y() const { return height < unbounded; }
   /// Velocity of the box above over this one [L/T].
   double sliding() const { return repeats_y() ? shear_rate * height : 0.0; }
-  /// The boundary shear displacement `slid`, reduced by whole widths to within half a width [L].
-  double offset(double slid) const { return repeats_x() ? slid - width * std::round(slid / width) : slid; }
+  /// The boundary shear displacement `shear_displacement`, reduced by whole widths to within half a width [L].
+  double offset(double shear_displacement) const {
+    return repeats_x() ? shear_displacement - width * std::round(shear_displacement / width) : shear_displacement;
+  }
 
   /// An image of a point: number of boxes to the right and up.
   struct Image {

@@ -65,7 +65,7 @@ TALUS_CLONES void stretch_contacts(const StepBlock& w) {
     collect(v_y, [&](std::size_t l) { return w.velocities[b[l] + 1] - w.velocities[a[l] + 1]; });
     collect(spin_a, [&](std::size_t l) { return w.spins[a[l] / 2]; });
     collect(spin_b, [&](std::size_t l) { return w.spins[b[l] / 2]; });
-    if (w.unlike_radius != 0) {
+    if (w.per_disc_radius != 0) {
       collect(arm_a, [&](std::size_t l) { return w.radius[a[l] / 2]; });
       collect(arm_b, [&](std::size_t l) { return w.radius[b[l] / 2]; });
       radii = arm_a + arm_b;

@@ -41,18 +41,19 @@ struct StepBlock {
   const std::uint8_t* ghost_image{};        ///< its image code
   const NeighbourList::Shift* shifts{};     ///< by image code
 
-  const double* impulse_per_force{};           ///< of discs, each twice: duration of the kick over mass [T/M]
-  const double *radius{}, *per_mass{};         ///< of discs: [L], 1/(inertia) over 1/mass [1/L^2]
-  std::size_t unlike_mass{}, unlike_radius{};  ///< index masks: all bits set, or 0 if all discs have the first value
-  double equal_radii{};                        ///< sum of two radii, if all are equal [L]
-  const std::uint32_t* wall{};                 ///< wall number of each disc
-  std::size_t first_wall{};                    ///< index in `places` before which no disc belongs to a wall
+  const double* impulse_per_force{};    ///< of discs, each twice: duration of the kick over mass [T/M]
+  const double *radius{}, *per_mass{};  ///< of discs: [L], 1/(inertia) over 1/mass [1/L^2]
+  std::size_t per_disc_mass{},
+      per_disc_radius{};        ///< index masks: all bits set, or 0 if all discs have the first value
+  double equal_radii{};         ///< sum of two radii, if all are equal [L]
+  const std::uint32_t* wall{};  ///< wall number of each disc
+  std::size_t first_wall{};     ///< index in `places` before which no disc belongs to a wall
 
   const SweptPairs* pairs{};
-  SweptContacts* contacts{};          ///< contacts of these pairs
-  std::vector<PartedPair>* parted{};  ///< contacts that have ended are appended
-  std::vector<Vec2>* wall_pushes{};   ///< by wall: forces of its contacts are appended [F]
-  const PairForces* outgoing{};       ///< forces of pairs with only the first disc in this block
+  SweptContacts* contacts{};           ///< contacts of these pairs
+  std::vector<EndedContact>* ended{};  ///< contacts that have ended are appended
+  std::vector<Vec2>* wall_forces{};    ///< by wall: forces of its contacts are appended [F]
+  const PairForces* outgoing{};        ///< forces of pairs with only the first disc in this block
 };
 
 }  // namespace talus

@@ -65,7 +65,7 @@ void SweptContacts::grow(std::size_t size) {
     if (kinds.normal) found->normal.resize(size);
   }
   if (kinds.power) power.resize(size), released.resize(size);
-  if (kinds.slid) slid.resize(size);
+  if (kinds.friction_work) friction_work.resize(size);
 }
 
 void SweptContacts::begin() {

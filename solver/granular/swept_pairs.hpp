@@ -37,7 +37,7 @@ struct ContactMemory {
 };
 
 /// A contact that has ended, of a history-dependent law or with friction.
-struct PartedPair {
+struct EndedContact {
   std::uint32_t pair{};         ///< index in the whole list
   double largest{}, stretch{};  ///< [L]
 };
@@ -50,10 +50,10 @@ struct SweptContacts {
   /// Kinds of memory that are stored, and of energy that is reported by each evaluation.
   struct Kinds {
     bool largest{}, stretch{}, normal{};
-    bool power{}, slid{};
+    bool power{}, friction_work{};
 
     bool remembered() const { return largest || stretch || normal; }
-    bool reported() const { return power || slid; }
+    bool reported() const { return power || friction_work; }
     friend bool operator==(const Kinds&, const Kinds&) = default;
   };
   /// Contacts found by a sweep; arrays are filled only for kinds that are stored, and have room for one more pack.
@@ -67,8 +67,8 @@ struct SweptContacts {
   Kinds kinds;
   Found now, before;  ///< of the present or last sweep; of the one before it
   std::vector<double> power,
-      released;              ///< of laws without memory (contact_kernel.hpp) [F L/T, F L]
-  std::vector<double> slid;  ///< dissipated by friction [F L]
+      released;                       ///< of laws without memory (contact_kernel.hpp) [F L/T, F L]
+  std::vector<double> friction_work;  ///< dissipated by friction [F L]
 
   std::size_t passed{};  ///< number of contacts in `before` that a sweep has passed
   /// For each contact of the present block its index in `before`; before.count, where the initial memory is stored, if

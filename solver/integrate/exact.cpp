@@ -25,7 +25,7 @@ constexpr std::array<std::array<double, 2>, 4> gauss{{{0.18343464249564980493947
 void LinearMotion::begin(HybridSystem& system, const State& start, double interval) {
   system.derivative(start, found_);
   piece_.terms.clear();
-  (void)system.affine_piece(start, piece_);  // advance() fails if there is none
+  (void)system.linear_segment(start, piece_);  // advance() fails if there is none
   q0_ = start.q, v0_ = start.v, a0_ = found_.v;
   const double fastest = fastest_rate(piece_, std::vector<double>(a0_.size(), 1.0));
   step_ = fastest > 0.0 ? 1.0 / fastest : interval;
@@ -53,7 +53,7 @@ void LinearMotion::sum_series(const State& begin, double h, State& out) const {
   terms_.assign(count * n, 0.0);
   const auto power = [this, n](std::size_t k) { return &terms_[k * n]; };
   std::copy(a0_.begin(), a0_.end(), power(2));
-  for (const AffinePiece::Term& term : piece_.terms) {
+  for (const LinearSegment::Term& term : piece_.terms) {
     const std::size_t j = term.column;
     power(2)[term.row] -= term.stiffness * (begin.q[j] - q0_[j]) + term.damping * (begin.v[j] - v0_[j]);
   }
@@ -61,7 +61,7 @@ void LinearMotion::sum_series(const State& begin, double h, State& out) const {
     power(1)[i] = h * begin.v[i], power(2)[i] *= 0.5 * h * h;
   for (std::size_t k = 1; k + 2 < count; ++k) {
     const double first = static_cast<double>(k) + 1.0, second = first + 1.0;
-    for (const AffinePiece::Term& term : piece_.terms) {
+    for (const LinearSegment::Term& term : piece_.terms) {
       const double stiff = h * h / (first * second) * term.stiffness, damped = h / second * term.damping;
       power(k + 2)[term.row] -= stiff * power(k)[term.column] + damped * power(k + 1)[term.column];
     }
@@ -104,7 +104,7 @@ void LinearMotion::serialize(Archive& archive, const State& like) {
   archive.number("step", step_);
   archive.number("step_fraction", fraction_);
   std::vector<double> numbers;
-  for (const AffinePiece::Term& term : piece_.terms)
+  for (const LinearSegment::Term& term : piece_.terms)
     numbers.insert(numbers.end(),
                    {static_cast<double>(term.row), static_cast<double>(term.column), term.stiffness, term.damping});
   archive.list("terms", numbers);

@@ -37,7 +37,7 @@ class LinearMotion {
  private:
   void sum_series(const State& begin, double h, State& out) const;
 
-  AffinePiece piece_;
+  LinearSegment piece_;
   std::vector<double> q0_, v0_, a0_;  ///< at the beginning of the segment
   double step_{};                     ///< step of the segment: at most one radian of its fastest motion [T]
   double fraction_{1.0};              ///< fraction of step_ for the next step

@@ -6,9 +6,9 @@
 #include <span>
 #include <vector>
 
-#include "solver/integrate/affine_piece.hpp"
 #include "solver/integrate/concepts.hpp"
 #include "solver/integrate/guard_bounds.hpp"
+#include "solver/integrate/linear_segment.hpp"
 #include "solver/state/state.hpp"
 
 namespace talus {
@@ -17,7 +17,7 @@ TALUS_NAMED_MEMBER(NamesGuards, guards);
 TALUS_NAMED_MEMBER(NamesGuardsOf, guards_of);
 TALUS_NAMED_MEMBER(NamesFollows, follows);
 TALUS_NAMED_MEMBER(NamesLengths, lengths);
-TALUS_NAMED_MEMBER(NamesAffinePiece, affine_piece);
+TALUS_NAMED_MEMBER(NamesAffinePiece, linear_segment);
 TALUS_NAMED_MEMBER(NamesLinearization, linearization);
 TALUS_NAMED_MEMBER(NamesKeepsAccounts, keeps_accounts);
 TALUS_NAMED_MEMBER(NamesMovesMemory, moves_memory);
@@ -38,11 +38,11 @@ concept NamesNoGuards = !NamesGuards<S> && !NamesGuardsOf<S> && !NamesFollows<S>
 
 // Signatures of the other optional members, checked where they are present.
 template <class S>
-concept AffinePieceFits = !NamesAffinePiece<S> || requires(S & system, const State& state, AffinePiece& out) {
-  system.affine_piece(state, out);
+concept AffinePieceFits = !NamesAffinePiece<S> || requires(S & system, const State& state, LinearSegment& out) {
+  system.linear_segment(state, out);
 };
 template <class S>
-concept LinearizationFits = !NamesLinearization<S> || requires(S & system, const State& state, AffinePiece& out) {
+concept LinearizationFits = !NamesLinearization<S> || requires(S & system, const State& state, LinearSegment& out) {
   system.linearization(state, out);
 };
 template <class S>
@@ -76,7 +76,7 @@ concept WakeAllFits = !NamesWakeAll<S> || requires(S & system, State& state) {
 ///                           default 1
 ///
 /// Independent of each other:
-///   affine_piece(state, out)  the linear motion that the state is in; default: there is none
+///   linear_segment(state, out)  the linear motion that the state is in; default: there is none
 ///   linearization(state, out)
 ///                           approximate change of accelerations and memory rates about a state: the springs and
 ///                           dashpots that act, without the change of their directions
@@ -101,9 +101,9 @@ class HybridSystem {
   virtual bool follows(const State& state) = 0;
   virtual std::vector<double> lengths(const State& state) = 0;
   /// Returns false if the system has no linear motion.
-  virtual bool affine_piece(const State& state, AffinePiece& out) = 0;
+  virtual bool linear_segment(const State& state, LinearSegment& out) = 0;
   /// Returns false if the system has no linearization.
-  virtual bool linearization(const State& state, AffinePiece& out) = 0;
+  virtual bool linearization(const State& state, LinearSegment& out) = 0;
   virtual bool has_affine_pieces() const = 0;
   virtual bool keeps_accounts() const = 0;
   virtual bool moves_memory() const = 0;
@@ -141,11 +141,11 @@ class HybridSystemOf final : public HybridSystem {
     if constexpr (Guarded<System>) return system_.lengths();
     return std::vector<double>(state.q.size(), 1.0);
   }
-  bool affine_piece(const State& state, AffinePiece& out) override {
-    if constexpr (NamesAffinePiece<System>) system_.affine_piece(state, out);
+  bool linear_segment(const State& state, LinearSegment& out) override {
+    if constexpr (NamesAffinePiece<System>) system_.linear_segment(state, out);
     return NamesAffinePiece<System>;
   }
-  bool linearization(const State& state, AffinePiece& out) override {
+  bool linearization(const State& state, LinearSegment& out) override {
     if constexpr (NamesLinearization<System>) system_.linearization(state, out);
     return NamesLinearization<System>;
   }

@@ -87,14 +87,14 @@ bool ImplicitStep::solve_stage(HybridSystem& system, const State& begin, double 
     change_.resize(rates.v.size());
     for (std::size_t i = 0; i < change_.size(); ++i)
       change_[i] = found_.v[i] - rates.v[i];
-    for (const AffinePiece::MemoryPull& term : piece_.pulls)
+    for (const LinearSegment::MemoryPull& term : piece_.pulls)
       change_[term.row] -= b * term.pull * (found_.z[term.column] - rates.z[term.column]);
     residual_ = change_;
     solver_.solve(change_);
     rates.z = found_.z, rates.work = found_.work, rates.impulse = found_.impulse;
     for (std::size_t i = 0; i < change_.size(); ++i)
       rates.v[i] += change_[i];
-    for (const AffinePiece::MemoryTerm& term : piece_.memory)
+    for (const LinearSegment::MemoryTerm& term : piece_.memory)
       rates.z[term.row] += term.slope * b * change_[term.column];
     // The remaining residual is the change of the springs' and dashpots' accelerations.
     for (std::size_t i = 0; i < change_.size(); ++i)
@@ -128,7 +128,7 @@ double ImplicitStep::error(double h, const ErrorScales& scales) {
   missed(at_.v.size(), missed_v_, [this](std::size_t j) { return rates_[j].v.data(); });
   missed(at_.q.size(), missed_q_, [this](std::size_t j) { return velocities_[j].data(); });
   residual_.assign(at_.v.size(), 0.0);
-  for (const AffinePiece::Term& term : piece_.terms)
+  for (const LinearSegment::Term& term : piece_.terms)
     residual_[term.row] += term.stiffness * missed_q_[term.column] + term.damping * missed_v_[term.column];
   return std::max({relative(largest(missed_v_, scales.lengths), scales.speed),
                    relative(largest(missed_q_, scales.lengths), scales.displacement),

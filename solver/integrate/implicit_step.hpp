@@ -6,8 +6,8 @@
 #include <vector>
 
 #include "solver/base/archive.hpp"
-#include "solver/integrate/affine_piece.hpp"
 #include "solver/integrate/hybrid_system.hpp"
+#include "solver/integrate/linear_segment.hpp"
 
 namespace talus {
 
@@ -52,7 +52,7 @@ class ImplicitStep {
   void place_stage(const State& begin, double h, std::size_t stage);
   double error(double h, const ErrorScales& scales);
 
-  AffinePiece piece_;
+  LinearSegment piece_;
   AffineSolver solver_;
   Rates begin_rates_, end_rates_;  ///< at both ends of the last step
   State end_;                      ///< state at its end, before truncation by an event and before the update of modes

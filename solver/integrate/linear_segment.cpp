@@ -1,4 +1,4 @@
-#include "solver/integrate/affine_piece.hpp"
+#include "solver/integrate/linear_segment.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -7,9 +7,9 @@
 
 namespace talus {
 
-double fastest_rate(const AffinePiece& piece, std::span<const double> lengths) {
+double fastest_rate(const LinearSegment& piece, std::span<const double> lengths) {
   std::vector<double> stiffness(lengths.size()), damping(lengths.size());
-  for (const AffinePiece::Term& term : piece.terms) {
+  for (const LinearSegment::Term& term : piece.terms) {
     const double size = lengths[term.row] / lengths[term.column];
     stiffness[term.row] += std::abs(term.stiffness) * size;
     damping[term.row] += std::abs(term.damping) * size;
@@ -20,7 +20,7 @@ double fastest_rate(const AffinePiece& piece, std::span<const double> lengths) {
   return fastest;
 }
 
-bool AffineSolver::group(const AffinePiece& piece, std::size_t coordinates) {
+bool AffineSolver::group(const LinearSegment& piece, std::size_t coordinates) {
   constexpr std::size_t none = static_cast<std::size_t>(-1);
   std::vector<std::size_t> root(coordinates);
   std::iota(root.begin(), root.end(), std::size_t{0});
@@ -30,7 +30,7 @@ bool AffineSolver::group(const AffinePiece& piece, std::size_t coordinates) {
     return i;
   };
   std::vector<char> coupled(coordinates);
-  for (const AffinePiece::Term& term : piece.terms) {
+  for (const LinearSegment::Term& term : piece.terms) {
     coupled[term.row] = coupled[term.column] = 1;
     const std::size_t a = find(term.row), b = find(term.column);
     root[std::max(a, b)] = std::min(a, b);
@@ -49,7 +49,7 @@ bool AffineSolver::group(const AffinePiece& piece, std::size_t coordinates) {
                      [](const Group& group) { return group.coordinates.size() <= largest_group; });
 }
 
-bool AffineSolver::factorise(const AffinePiece& piece, double b) {
+bool AffineSolver::factorise(const LinearSegment& piece, double b) {
   for (Group& group : groups_) {
     const std::size_t n = group.coordinates.size();
     group.lu.assign(n * n, 0.0);
@@ -57,7 +57,7 @@ bool AffineSolver::factorise(const AffinePiece& piece, double b) {
     for (std::size_t i = 0; i < n; ++i)
       group.lu[i * n + i] = 1.0;
   }
-  for (const AffinePiece::Term& term : piece.terms) {
+  for (const LinearSegment::Term& term : piece.terms) {
     const Place row = places_[term.row];
     Group& group = groups_[row.group];
     group.lu[row.index * group.coordinates.size() + places_[term.column].index] +=

@@ -14,7 +14,7 @@ namespace talus {
 /// Terms of the same row and column add up. No terms: free flight. Memory that follows the motion, such as the stretch
 /// of friction, also acts through the stiffness, as if it were no memory; the solver's z - z0 is only the part that
 /// this misses.
-struct AffinePiece {
+struct LinearSegment {
   struct Term {
     std::size_t row{};     ///< index of the acceleration
     std::size_t column{};  ///< index of the coordinate and its velocity
@@ -38,7 +38,7 @@ struct AffinePiece {
 
 /// Upper bound of the oscillation and decay rates of a linear motion [1/T], from its largest row sums. `lengths`: the
 /// distance by which one unit of each coordinate moves its body [L].
-[[nodiscard]] double fastest_rate(const AffinePiece& piece, std::span<const double> lengths);
+[[nodiscard]] double fastest_rate(const LinearSegment& piece, std::span<const double> lengths);
 
 /// Solves (I + b C + b^2 K) x = r for the stiffness K and damping C of a linear motion. Coordinates are divided into
 /// groups that are coupled by terms; each group has a dense LU factorisation with partial pivoting. Equal input gives
@@ -49,9 +49,9 @@ class AffineSolver {
   static constexpr std::size_t largest_group = 150;
 
   /// Finds the groups of coupled coordinates. Returns false if one is too large.
-  [[nodiscard]] bool group(const AffinePiece& piece, std::size_t coordinates);
+  [[nodiscard]] bool group(const LinearSegment& piece, std::size_t coordinates);
   /// Factorises for b [T]; group() must have been called for the same piece. Returns false if a group is singular.
-  [[nodiscard]] bool factorise(const AffinePiece& piece, double b);
+  [[nodiscard]] bool factorise(const LinearSegment& piece, double b);
   /// Solves in place: x is r on entry and the solution on return.
   void solve(std::vector<double>& x) const;
 

@@ -109,7 +109,7 @@ void PolynomialMotion::begin(HybridSystem& system, const State& start, double in
 /// would never be small: the memory of friction is first integrated with zero velocity. The springs respond by at least
 /// a/w^2 in displacement and a/w in speed, with w the fastest rate of the springs that act.
 void PolynomialMotion::start_scales(HybridSystem& system, const State& start) {
-  AffinePiece piece;
+  LinearSegment piece;
   if (!system.linearization(start, piece)) return;
   const double rate = fastest_rate(piece, lengths_);
   if (rate == 0.0) return;

@@ -111,7 +111,7 @@ struct ElasticPlastic {
 
   constexpr Tangent tangent() const { return {stiffness, 0.0}; }
 
-  constexpr LinearBranch linear_piece(std::span<const double> memory, Mode mode) const {
+  constexpr LinearBranch linear_branch(std::span<const double> memory, Mode mode) const {
     constexpr double infinity = std::numeric_limits<double>::infinity();
     if (mode == slack) return {.natural = memory[0], .low = -infinity, .high = memory[0]};
     // The range ends 1e-12 (relative) before the limit, so that rounding cannot extend it beyond the guard's zero.

@@ -41,7 +41,7 @@ namespace talus {
 ///   memory_follows(mode)          static: whether there is such memory in the mode
 ///   linear_part(memory, mode)     slopes [F/L, F T/L] in a mode; only if in every mode the force is linear in
 ///                                 deformation and rate
-///   linear_piece(memory, mode)    linear branch of the law in a mode, if the force does not depend on the rate; only
+///   linear_branch(memory, mode)    linear branch of the law in a mode, if the force does not depend on the rate; only
 ///                                 laws with at most one double of memory. Chains of cables are then evaluated without
 ///                                 calling the law
 ///
@@ -117,7 +117,7 @@ concept HasLinearPart = requires(const L law, std::span<const double> memory, Mo
 };
 template <class L>
 concept HasLinearBranch = L::memory_size <= 1 && requires(const L law, std::span<const double> memory, Mode mode) {
-  { law.linear_piece(memory, mode) } -> std::same_as<LinearBranch>;
+  { law.linear_branch(memory, mode) } -> std::same_as<LinearBranch>;
 };
 template <class L>
 concept HasNaturalElongation = requires(const L law, std::span<const double> memory) {
@@ -216,7 +216,7 @@ concept HasYieldTable = requires(L law) {
   HOOK(track, Tracks)                                 \
   HOOK(memory_follows, Tracks)                        \
   HOOK(linear_part, HasLinearPart)                    \
-  HOOK(linear_piece, HasLinearBranch)                  \
+  HOOK(linear_branch, HasLinearBranch)                  \
   HOOK(natural_elongation, HasNaturalElongation)      \
   HOOK(yields, Yields)                                \
   HOOK(largest_yield, Yields)                         \

@@ -36,7 +36,9 @@ struct TensionOnly {
   constexpr double guard(Kinematics x, std::span<const double>, Mode mode) const { return spring().guard(x, mode); }
   constexpr Reset reset(Kinematics x, std::span<double>, Mode mode) const { return spring().reset(x, mode); }
   constexpr Tangent tangent() const { return {stiffness, damping}; }
-  constexpr LinearBranch linear_piece(std::span<const double>, Mode mode) const { return spring().linear_piece(mode); }
+  constexpr LinearBranch linear_branch(std::span<const double>, Mode mode) const {
+    return spring().linear_branch(mode);
+  }
 
   friend constexpr bool operator==(const TensionOnly&, const TensionOnly&) = default;
 

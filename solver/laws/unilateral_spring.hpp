@@ -59,7 +59,7 @@ struct UnilateralSpring {
   }
 
   /// Linear branch of the law: in `open`, and in `acting` without a dashpot.
-  constexpr LinearBranch linear_piece(Mode mode) const {
+  constexpr LinearBranch linear_branch(Mode mode) const {
     constexpr double infinity = std::numeric_limits<double>::infinity();
     if (mode == open) return {.low = -infinity, .high = 0.0};
     if (mode == acting && damping == 0.0) return {.stiffness = stiffness, .low = 0.0, .high = infinity};

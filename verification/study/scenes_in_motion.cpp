@@ -1,4 +1,4 @@
-#include "verification/study/lively_scenes.hpp"
+#include "verification/study/scenes_in_motion.hpp"
 
 #include <algorithm>
 #include <numbers>
@@ -58,7 +58,7 @@ void add_bob(ModelBuilder& builder, BodyId roller, BodyId plate) {
 
 }  // namespace
 
-Scene crowded_yard() {
+Scene mixed_pile() {
   ModelBuilder builder{si};
   builder.gravity({0.3, -9.7});
   const BodyId field =

@@ -9,7 +9,7 @@ namespace talus::verification::problems {
 /// Bodies of every shape thrown at each other over uneven ground and against a wall, with nodal and resultant contacts
 /// and friction; a pinned bar, a carriage on rails and a bob on cables that yield, harden and break; a hanger that
 /// breaks. All of it happens within two seconds.
-[[nodiscard]] Scene crowded_yard();
+[[nodiscard]] Scene mixed_pile();
 
 /// The fence of Table 2 of 1993 with friction, cables that yield and hangers that break, hit by a spinning rock.
 [[nodiscard]] scenes::Fence rough_fence();

@@ -60,11 +60,11 @@ concept StepwiseOutput = requires(T& output, const Snapshot& snapshot, const Ste
   output(snapshot, info);
 };
 template <class T>
-concept LastingOutput = requires(T& output, Archive& archive) {
+concept SerializableOutput = requires(T& output, Archive& archive) {
   output.serialize(archive);
 };
 template <class T>
-concept BroughtOutput = requires(T& output, const std::filesystem::path& from) {
+concept ResumableOutput = requires(T& output, const std::filesystem::path& from) {
   output.bring_files(from);
 };
 template <class T>
@@ -74,6 +74,6 @@ concept PartialOutput = requires(const T& output) {
 
 /// An output that observes steps must also serialize its state, otherwise it would be lost at a checkpoint.
 template <class T>
-concept CompleteOutput = RunOutput<T> &&(!StepwiseOutput<T> || LastingOutput<T>);
+concept CompleteOutput = RunOutput<T> &&(!StepwiseOutput<T> || SerializableOutput<T>);
 
 }  // namespace talus::app

@@ -34,13 +34,13 @@ class OutputList {
   /// Saves or restores the outputs' state between two steps; outputs of a resumed run continue from it.
   void serialize(Archive& archive) {
     for_each(*this, [&]<class T>(T& output) {
-      if constexpr (LastingOutput<T>) archive.scope(T::name, [&] { output.serialize(archive); });
+      if constexpr (SerializableOutput<T>) archive.scope(T::name, [&] { output.serialize(archive); });
     });
   }
   /// Copies the files written so far from the folder of the interrupted run; called after restoring. Errors: IoError.
   void bring_files(const std::filesystem::path& from) {
     for_each(*this, [&]<class T>(T& output) {
-      if constexpr (BroughtOutput<T>) output.bring_files(from);
+      if constexpr (ResumableOutput<T>) output.bring_files(from);
     });
   }
   /// Names of the files, in the order of the kinds.

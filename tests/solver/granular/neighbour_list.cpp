@@ -39,8 +39,8 @@ double gap(const Packing& p, const PeriodicBox& box, std::size_t i, std::size_t 
   for (int up = -2; up <= 2; ++up) {
     for (int right = -3; right <= 3; ++right) {
       if ((up != 0 && !box.repeats_y()) || (right != 0 && !box.repeats_x())) continue;
-      const double dx =
-          p.discs.x[j] - p.discs.x[i] + (right == 0 ? 0.0 : right * box.width) + (up == 0 ? 0.0 : up * p.discs.slid);
+      const double dx = p.discs.x[j] - p.discs.x[i] + (right == 0 ? 0.0 : right * box.width) +
+                        (up == 0 ? 0.0 : up * p.discs.shear_displacement);
       const double dy = p.discs.y[j] - p.discs.y[i] + (up == 0 ? 0.0 : up * box.height);
       least = std::min(least, std::hypot(dx, dy));
     }
@@ -61,13 +61,13 @@ BOOST_AUTO_TEST_CASE(all_pairs_within_the_skin_and_no_others_are_listed_in_order
   for (const PeriodicBox& box : boxes) {
     for (const double t : {0.0, 0.3, 1.1, 1.9}) {
       Packing p = scattered(120, std::min(box.width, 30.0), std::min(box.height, 25.0), 3);
-      p.discs.slid = box.sliding() * t;
+      p.discs.shear_displacement = box.sliding() * t;
       if (box.shear_rate * box.height * t > 1.5 * box.width) continue;  // beyond the images that gap() tries
       NeighbourList list{box, 0.3};
       list.build(p.shapes, p.discs);
       std::size_t pair = 0;
       std::array<NeighbourList::Shift, NeighbourList::images> shifts;
-      list.shifts(p.discs.slid, shifts);
+      list.shifts(p.discs.shear_displacement, shifts);
       for (std::size_t i = 0; i < p.discs.size(); ++i) {
         for (std::size_t j = i + 1; j < p.discs.size(); ++j) {
           const double apart = gap(p, box, i, j);
@@ -165,7 +165,7 @@ BOOST_AUTO_TEST_CASE(the_list_lasts_until_discs_have_gone_half_its_skin) {
 BOOST_AUTO_TEST_CASE(what_leaves_the_box_comes_back_into_it) {
   const PeriodicBox box{.width = 20.0, .height = 12.0, .shear_rate = 0.5};
   Discs discs;
-  discs.slid = 9.0;  // boundary shear displacement: the box above is shifted to the right
+  discs.shear_displacement = 9.0;  // boundary shear displacement: the box above is shifted to the right
   discs.add(10.5, 0.0, 1.0, 2.0);
   discs.add(0.0, 6.5, 1.0, 2.0);
   discs.add(-9.0, -6.5, 1.0, 2.0);

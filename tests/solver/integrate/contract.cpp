@@ -67,7 +67,7 @@ struct AccountsByNumber : Duffing {
   int keeps_accounts() const;
 };
 struct PieceByValue : Duffing {
-  AffinePiece affine_piece(const State&) const;
+  LinearSegment linear_segment(const State&) const;
 };
 struct DriftsInPlace : Duffing {
   void drifted(State&, double) const;

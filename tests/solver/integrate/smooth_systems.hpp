@@ -3,7 +3,7 @@
 #include <cmath>
 
 #include "solver/integrate/advance.hpp"
-#include "solver/integrate/affine_piece.hpp"
+#include "solver/integrate/linear_segment.hpp"
 #include "solver/state/state.hpp"
 
 /// Systems with one coordinate and smooth motion, for tests of methods.
@@ -44,7 +44,7 @@ struct Oscillator : Duffing {
     kick_velocities(state, rates, h);
   }
   void evaluate(State& state, Rates& out) { derivative(state, out); }
-  void affine_piece(const State&, AffinePiece& out) const { out.terms = {{0, 0, 4.0, 0.3}}; }
+  void linear_segment(const State&, LinearSegment& out) const { out.terms = {{0, 0, 4.0, 0.3}}; }
   bool keeps_accounts() const { return true; }
 };
 

@@ -326,7 +326,7 @@ BOOST_AUTO_TEST_CASE(a_straight_line_is_the_law_as_long_as_it_lasts) {
       for (Mode mode = 0; mode < L::modes.size(); ++mode) {
         for (const double kept : {0.0, 0.3, 1.7}) {
           const std::vector<double> memory(L::memory_size, kept);
-          const LinearBranch piece = law.linear_piece(memory, mode);
+          const LinearBranch piece = law.linear_branch(memory, mode);
           lines += piece.low < piece.high;
           for (int i = -400; i <= 400; ++i) {
             for (const double end : {0.0, piece.low, piece.high}) {

@@ -67,11 +67,11 @@ struct PartOfTheMemoryAlone : Plain {
   Tangent linear_part(Memory) const;
 };
 struct PieceIsATangent : Plain {
-  Tangent linear_piece(Memory, Mode) const;
+  Tangent linear_branch(Memory, Mode) const;
 };
 struct PieceOfTwoNumbers : Plain {
   static constexpr std::size_t memory_size = 2;
-  LinearBranch linear_piece(Memory, Mode) const;
+  LinearBranch linear_branch(Memory, Mode) const;
 };
 struct ElongationOfTheMode : Plain {
   double natural_elongation(Memory, Mode) const;

@@ -278,7 +278,7 @@ void expect_flight(Findings& findings, const std::string& engine) {
       keep_worst(worst, end.x[i] - (start.x[i] + steps * h * start.vx[i]));
       keep_worst(worst, end.y[i] - (start.y[i] + steps * h * start.vy[i]));
     }
-    keep_worst(worst, end.slid - steps * h * box.sliding());
+    keep_worst(worst, end.shear_displacement - steps * h * box.sliding());
   }
   findings.in("flight")->expect("positions in free flight, largest error of all methods, " + engine, worst, 0.0,
                                 Tolerance::round_off(1e-14, "eleven additions to coordinates of up to 3"));

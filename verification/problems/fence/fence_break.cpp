@@ -143,7 +143,7 @@ Flight free_flight(const Setup& setup) {
   return {velocity(b) - velocity(a), to - from, fence.gravity};
 }
 
-void tell(Findings& findings, const WeakFenceRun& run) {
+void report(Findings& findings, const WeakFenceRun& run) {
   Table table{.name = "breaks",
               .caption = "Parts that yielded or broke, in order of time.",
               .columns = {"time [s]", "part", "event"}};
@@ -227,7 +227,7 @@ void run(Findings& findings, const Setup& setup) {
   findings.expect_true("break of a hanger in the run of the table and the figure of energies", !shown.failures.empty(),
                        "otherwise they would not show a break");
   if (setup.coarse) return;
-  tell(findings, shown);
+  report(findings, shown);
 }
 
 }  // namespace

@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "solver/base/error.hpp"
-#include "solver/integrate/affine_piece.hpp"
+#include "solver/integrate/linear_segment.hpp"
 #include "solver/scenes/fence_scene.hpp"
 #include "solver/scenes/fence_summary.hpp"
 #include "verification/check/case.hpp"
@@ -248,7 +248,7 @@ void check_linearization(Findings& findings) {
     Workspace work = dynamics.workspace();
     State state = rest_state(model);
     dynamics.update(state, work), dynamics.update_modes(state, work);
-    AffinePiece piece;
+    LinearSegment piece;
     dynamics.linearization(state, work, piece);
     for (std::size_t i = 0; i < model.bodies.size(); ++i) {
       const Body& body = model.bodies[i];
@@ -264,7 +264,7 @@ void check_linearization(Findings& findings) {
           if (end.body && index(*end.body) == i) exact += both * stiffness(cable) * sine * sine / body.mass;
       }
       const std::size_t y = dynamics.layout().first[i] + 1;
-      for (const AffinePiece::Term& term : piece.terms)
+      for (const LinearSegment::Term& term : piece.terms)
         if (term.row == y && term.column == y) found += term.stiffness;
       keep_worst(worst, found / exact - 1.0);
     }

@@ -422,7 +422,7 @@ void check_cables(Findings& findings, const std::vector<RowRun>& rows) {
 }
 
 /// Adds the findings as notes.
-void tell(Findings& findings, const std::vector<RowRun>& rows) {
+void report(Findings& findings, const std::vector<RowRun>& rows) {
   double any = 0.0;
   int count = 0;
   for (const RowRun& row : rows) {
@@ -455,7 +455,7 @@ void run(Findings& findings, const Setup& setup) {
     static constexpr std::array names{"joint_force", "top_cable_force", "bottom_cable_force", "exit_velocity"};
     findings.table(row_table(rows, fence_quantities()[q], names[q]));
   }
-  tell(findings, rows);
+  report(findings, rows);
   check_choices(findings, rows, setup);
   draw_tables(findings, rows);
   for (const PrintedRow& row : printed_rows()) {

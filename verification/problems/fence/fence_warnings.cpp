@@ -70,11 +70,11 @@ void check_warnings(Findings& findings) {
   scenes::Fence tight = sound;
   tight.layers = 2, tight.spacing = 2.0, tight.layer_spacing = 1.75;
   const std::vector<std::string> said = scenes::implausible_geometry(tight, scenes::fence_scene(tight));
-  findings.expect_true(
-      "overlaps of neighbours and of layers given in the warnings",
-      said.size() == 2 && said[0].ends_with("overlap by 0.5 ft") && said[1].ends_with("overlap by 0.75 ft") &&
-          said[0].find("2.5 ft") != std::string::npos && said[1].find("2.5 ft") != std::string::npos,
-      "columns 2.5 ft wide at distances of 2 ft and 1.75 ft");
+  findings.expect_true("overlaps of neighbours and of layers given in the warnings",
+                       said.size() == 2 && said[0].ends_with("overlap by 0.5 ft") &&
+                           said[1].ends_with("overlap by 0.75 ft") && said[0].find("2.5 ft") != std::string::npos &&
+                           said[1].find("2.5 ft") != std::string::npos,
+                       "columns 2.5 ft wide at distances of 2 ft and 1.75 ft");
   findings.expect("number of warning limits with a missing, wrong or additional warning", wrong, 0.0,
                   Tolerance::exact("a count of eight limits; tested a ten-thousandth to either side"));
 }

@@ -74,7 +74,7 @@ Ended ended(Scene scene, double tolerance, Findings& findings) {
 /// A system with an empty linearization, so that all steps are explicit.
 struct ExplicitSystem : RigidBodySystem {
   using RigidBodySystem::RigidBodySystem;
-  void linearization(const State&, AffinePiece&) {}
+  void linearization(const State&, LinearSegment&) {}
 };
 
 /// Number of evaluations of a scene with explicit steps alone, at most 20,000.

@@ -13,9 +13,9 @@
 #include "solver/run/simulate.hpp"
 #include "solver/scenes/bouncing_disc.hpp"
 #include "verification/check/case.hpp"
-#include "verification/study/lively_scenes.hpp"
 #include "verification/study/moved_scene.hpp"
 #include "verification/study/scaled_scene.hpp"
+#include "verification/study/scenes_in_motion.hpp"
 #include "verification/study/usage.hpp"
 
 namespace talus::verification::problems::restart {
@@ -161,7 +161,7 @@ void run(Findings& findings, const Setup& setup) {
           "Force evaluations of the uninterrupted run and of the resumed one, and the largest change of a coordinate "
           "at the end when the method restarts from the state alone, as from a printed listing.",
       .columns = {"scene", "method", "uninterrupted", "resumed", "restarted"}};
-  const Scene yard = crowded_yard();
+  const Scene yard = mixed_pile();
   const double step = 1e-3;
   const long steps = std::lround(0.8 / step);
 

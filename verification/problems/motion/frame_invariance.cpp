@@ -10,9 +10,9 @@
 #include "solver/model/model_builder.hpp"
 #include "verification/check/case.hpp"
 #include "verification/study/expectations.hpp"
-#include "verification/study/lively_scenes.hpp"
 #include "verification/study/moved_scene.hpp"
 #include "verification/study/scene_run.hpp"
+#include "verification/study/scenes_in_motion.hpp"
 
 namespace talus::verification::problems::frame_invariance {
 namespace {
@@ -36,7 +36,7 @@ Scene seen_scene(const Scene& scene, const Viewpoint& view, const Setup& setup) 
 /// The yard without contacts by nodes, and on a half-plane instead of terrain. A mirror changes the order of nodes; a
 /// segment of terrain is measured from its first point, which becomes its last point in a mirror.
 Scene level_yard() {
-  Scene scene = crowded_yard();
+  Scene scene = mixed_pile();
   Body& field = scene.model.bodies[index(*find_body(scene.model, "field"))];
   field.shape = HalfPlane{};
   field.p_WB = {0.0, 0.31};
@@ -173,7 +173,7 @@ void check_bits(Findings& findings, const Setup& setup) {
   for (const char* name : {"central_difference", "rk4", "odeint_dopri5"})
     expect("yard", fmt::format("level yard in a mirror, {}", name),
            compare(yard, mirror, make_integrator(name), 0.8, setup, findings), mirrored, name);
-  const Scene uneven = crowded_yard();
+  const Scene uneven = mixed_pile();
   Scene reversed = with_bodies_reversed(uneven);
   reversed.initial = run_to(reversed, VelocityVerlet{}, 1.5, findings);
   expect("yard", "yard with its bodies in the opposite order",
@@ -262,7 +262,7 @@ void run(Findings& findings, const Setup& setup) {
   group.look("turned by 0.7 rad", {.turn = rotation(0.7), .angle = 0.7});
   group.look("turned by 90 degrees", {.turn = quarter_turn, .angle = 0.5 * std::numbers::pi});
   group.swap_contacts();
-  RoundedViews yard{findings, setup, "yard", crowded_yard(), 0.5};
+  RoundedViews yard{findings, setup, "yard", mixed_pile(), 0.5};
   yard.look("shifted", {.shift = {37.1, -11.9}});
   yard.look("turned by 90 degrees", {.turn = quarter_turn, .angle = 0.5 * std::numbers::pi});
   yard.look("in a mirror", {.mirrored = true});

@@ -6,9 +6,9 @@
 
 #include "solver/model/model_builder.hpp"
 #include "verification/check/case.hpp"
-#include "verification/study/lively_scenes.hpp"
 #include "verification/study/scaled_scene.hpp"
 #include "verification/study/scene_run.hpp"
+#include "verification/study/scenes_in_motion.hpp"
 
 namespace talus::verification::problems::unit_scaling {
 namespace {
@@ -215,7 +215,7 @@ void check_falls(Findings& findings, const Setup& setup) {
 }
 
 void run(Findings& findings, const Setup& setup) {
-  const Scene yard = crowded_yard();
+  const Scene yard = mixed_pile();
   const Units verlet{findings, setup, "yard", yard, VelocityVerlet{}, {1e-3, setup.coarse ? 1.0 : 1.5}};
   verlet.check("all units", all_units);
   check_decks(findings, setup);

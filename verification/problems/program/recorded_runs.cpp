@@ -27,8 +27,8 @@
 #include "solver/scenes/two_cable.hpp"
 #include "solver/stability/run_monitor.hpp"
 #include "verification/study/fingerprint.hpp"
-#include "verification/study/lively_scenes.hpp"
 #include "verification/study/scene_run.hpp"
+#include "verification/study/scenes_in_motion.hpp"
 #include "verification/study/varied_scenes.hpp"
 
 namespace talus::verification::problems {
@@ -60,15 +60,15 @@ int differs_restored(const ArchiveItems& items, Object& object, More&... more) {
 /// The springs and dashpots that act in a state, and the longest step there.
 ArchiveItems linear_parts(const Dynamics& dynamics, const State& state) {
   const Snapshot seen{dynamics, state};
-  AffinePiece piece;
+  LinearSegment piece;
   dynamics.linearization(state, seen.geometry(), piece);
   std::vector<double> terms;
-  for (const AffinePiece::Term& term : piece.terms)
+  for (const LinearSegment::Term& term : piece.terms)
     terms.insert(terms.end(),
                  {static_cast<double>(term.row), static_cast<double>(term.column), term.stiffness, term.damping});
-  for (const AffinePiece::MemoryTerm& term : piece.memory)
+  for (const LinearSegment::MemoryTerm& term : piece.memory)
     terms.insert(terms.end(), {static_cast<double>(term.row), static_cast<double>(term.column), term.slope});
-  for (const AffinePiece::MemoryPull& term : piece.pulls)
+  for (const LinearSegment::MemoryPull& term : piece.pulls)
     terms.insert(terms.end(), {static_cast<double>(term.row), static_cast<double>(term.column), term.pull});
   return {{"terms", terms},
           {"lengths", dynamics.lengths()},
@@ -160,7 +160,7 @@ void run_methods(Findings& findings, const Setup& setup, const Take& take) {
     Scene scene;
     double step, end;
   };
-  Scene yard = crowded_yard();
+  Scene yard = mixed_pile();
   if (setup.has("gravity_one_ulp")) yard.model.gravity.y = std::nextafter(yard.model.gravity.y, 0.0);
   const LinearSpringDashpot law{1e5, 300.0, EndRule::clamped};
   const scenes::FenceScene fence = scenes::fence_scene(rough_fence());

@@ -12,9 +12,9 @@
 #include "solver/state/state.hpp"
 #include "verification/check/case.hpp"
 #include "verification/study/fence_table.hpp"
-#include "verification/study/lively_scenes.hpp"
 #include "verification/study/moved_scene.hpp"
 #include "verification/study/scene_run.hpp"
+#include "verification/study/scenes_in_motion.hpp"
 
 namespace talus::verification::problems::sleeping_and_culling {
 namespace {
@@ -175,7 +175,7 @@ Scene thrown_discs() {
 /// Checks that runs end bit-identical to runs in which every gap of every pair is computed at each evaluation. Fault
 /// `pair_forgotten`.
 void check_contacts(Findings& findings, const Setup& setup, Table& table) {
-  check_pairs(findings, setup, table, "yard", crowded_yard(), 1.0 / 4096.0, 3000);
+  check_pairs(findings, setup, table, "yard", mixed_pile(), 1.0 / 4096.0, 3000);
   if (setup.coarse) return;
   check_pairs(findings, setup, table, "16 discs", thrown_discs(), 1.0 / 2048.0, 3000);
   scenes::Fence fence = published_fence("table_2.DAT");
