@@ -37,11 +37,18 @@ class Motion {
     if (rule == EndRule::attractive || g_ == 0.0) return at[0];
     return tsuji_ ? std::pow(at[0], 5) + g_ * at[1] : force(at);
   }
-  /// Whether a body that moves apart creeps to X = 0 without reaching it, under the attractive rule. With r = |w|/(g X)
-  /// and b = X^(1/2)/g^2, dr/d(-ln X) = r - 1 + b/r (constant dashpot): from r < 1/2 and b < 1/100 on, r decreases.
+  /// Whether a body that moves apart creeps to X = 0 without reaching it, under the attractive rule and with the constant
+  /// dashpot. With r = |w|/(g X) and b = X^(1/2)/g^2, dr/d(-ln X) = r - 1 + b/r: from r < 1/2 and b < 1/100 on, r
+  /// decreases.
   bool creeps(const Point& at) const {
     const double x = std::pow(at[0], 4);
-    return at[1] < 0.0 && -at[1] < 0.5 * g_ * x && at[0] * at[0] < 0.01 * g_ * g_;
+    return !tsuji_ && at[1] < 0.0 && -at[1] < 0.5 * g_ * x && at[0] * at[0] < 0.01 * g_ * g_;
+  }
+  /// Largest rate of the motion in s: of the spring, of the dashpot, and of q near q = 0, where the dashpot balances the
+  /// inertia at q^5 = |w| (tsuji) and q^4 = |w| (constant).
+  double rate(const Point& at) const {
+    const double q3 = at[0] * at[0] * at[0], speed = std::abs(at[1]);
+    return std::max({4.0 * q3 * at[0], 4.0 * q3 * g_ * (tsuji_ ? at[0] : 1.0), std::pow(speed, tsuji_ ? 0.8 : 0.75)});
   }
 
  private:
@@ -56,15 +63,14 @@ HertzImpact hertz_impact(double damping_ratio, HertzDashpot dashpot, EndRule rul
   TALUS_DEMAND(xi >= 0.0);
   const double infinite = std::numeric_limits<double>::infinity();
   const bool is_attractive = rule == EndRule::attractive;
-  if (dashpot == HertzDashpot::tsuji && is_attractive && xi >= 1.0) {
-    // Overdamped: the contact does not end. The largest overlap does not depend on the end rule.
+  if (dashpot == HertzDashpot::tsuji && restitution(xi, rule) < 1e-150) {
+    // Overdamped, or q^9 would underflow at the end. The largest overlap does not depend on the end rule.
     return {0.0, infinite, hertz_impact(xi, dashpot, EndRule::clamped).largest_overlap};
   }
   const Motion motion{xi, dashpot};
   boost::numeric::odeint::runge_kutta_fehlberg78<Point> method;
-  // Strong dashpots stop the body within X = 1/g, where q^3 and the speed change fast.
-  const double step = 0.02 / std::max(1.0, std::sqrt(std::sqrt(5.0 * xi)));
   Point now{0.0, 1.0, 0.0}, next;
+  double step{};
   const auto moved = [&](double by) {
     Point to;
     method.do_step(motion, now, 0.0, to, by);
@@ -80,6 +86,7 @@ HertzImpact hertz_impact(double damping_ratio, HertzDashpot dashpot, EndRule rul
   };
   HertzImpact found;
   for (;; now = next) {
+    step = 0.02 / motion.rate(now);
     next = moved(step);
     if (now[1] > 0.0 && next[1] <= 0.0)
       found.largest_overlap = std::pow(located([](const Point& at) { return at[1]; })[0], 4);

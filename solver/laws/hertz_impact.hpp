@@ -27,7 +27,7 @@ struct Names<HertzDashpot> {
 /// dashpot with the same restitution (see Hertz).
 struct HertzImpact {
   double restitution{};
-  double contact_time{};     ///< in units of L/v; infinite if the contact does not end
+  double contact_time{};     ///< in units of L/v; infinite if the contact does not end, or beyond 1e30 (e < 1e-150)
   double largest_overlap{};  ///< in units of L
 };
 /// The impact with damping ratio xi >= 0, to a relative error of about 1e-12.

@@ -123,13 +123,15 @@ void check_closed_forms(Findings& findings) {
   };
   const double length = impact_length(hertz_factor, 1.5, speed);
   for (const EndRule rule : rules) {
-    for (const double xi : {0.0, 0.05, 0.3, 0.8}) {
+    // 0.95 with the attractive rule: e = 7.1e-5, after 25 L/v.
+    for (const double xi : {0.0, 0.05, 0.3, 0.8, 0.95}) {
       Hertz law = hertz(HertzDashpot::tsuji, rule);
       law.damping = xi * std::sqrt(20.0 / 3.0 * modulus * radius * mass);
       const auto exact = reference::hertz_events({hertz_factor, xi, mass, speed}, same(rule));
       compare(law, exact.restitution, exact.contact_time, exact.largest_depth);
     }
-    for (const double g : {0.0, 0.02, 0.3, 0.9}) {
+    // 1.1 with the attractive rule: shortly before the contact does not end any more.
+    for (const double g : {0.0, 0.02, 0.3, 0.9, 1.1}) {
       Hertz law = hertz(HertzDashpot::constant, rule);
       law.damping = g * mass * speed / length;
       const auto exact = reference::constant_dashpot_events(g, same(rule));
@@ -151,6 +153,17 @@ void check_closed_forms(Findings& findings) {
   findings.expect("restitution in closed form, largest relative difference", e, 0.0, bound);
   findings.expect("contact time in closed form, largest relative difference", time, 0.0, bound);
   findings.expect("largest overlap in closed form, largest relative difference", depth, 0.0, bound);
+
+  Hertz overdamped = hertz(HertzDashpot::tsuji, EndRule::attractive);
+  overdamped.damping = std::sqrt(20.0 / 3.0 * modulus * radius * mass);
+  Hertz creeping = hertz(HertzDashpot::constant, EndRule::attractive);
+  creeping.damping = 1.13 * mass * speed / length;
+  const auto lasts = [](const Hertz& law) {
+    return std::isinf(law.contact_time(mass, speed)) && law.restitution(mass, speed) == 0.0;
+  };
+  findings.expect_true("attractive contacts that do not end have an infinite contact time and no restitution",
+                       lasts(overdamped) && lasts(creeping),
+                       "damping ratio 1 (tsuji) and g = 1.13 (constant), beyond the last that end");
 }
 
 // --- formulas in use ------------------------------------------------------------------------------------------------
