@@ -41,6 +41,11 @@ std::string squeezed(const std::string& text) {
   return result;
 }
 
+double number_after(const std::string& text, const std::string& before) {
+  const std::size_t at = text.find(before);
+  return at == std::string::npos ? std::nan("") : std::strtod(text.c_str() + at + before.size(), nullptr);
+}
+
 void Differences::expect_none(Findings& findings, const std::string& check, const std::string& why) const {
   const std::string found = differing_.empty() ? "" : fmt::format(". Differing: {}", fmt::join(differing_, ", "));
   const double count =

@@ -49,6 +49,9 @@ class Program {
 /// The text with single blanks in place of several.
 [[nodiscard]] std::string squeezed(const std::string& text);
 
+/// The first number after a text; NaN if the text does not occur.
+[[nodiscard]] double number_after(const std::string& text, const std::string& before);
+
 /// Counts texts, numbers and files that differ from those expected, and keeps their names.
 class Differences {
  public:
