@@ -59,11 +59,10 @@ std::optional<EndRule> end_rule_of(const ContactLaw& contact_law) {
 std::pair<std::string, Dimension> dissipation_of(const ContactLaw& contact_law) {
   return std::visit(
       []<class L>(const L&) -> std::pair<std::string, Dimension> {
-        if constexpr (SetsEveryRestitution<L>) {
-          for (const auto& field : L::fields())
-            if (field.name == L::restitution_field.name) return {std::string{field.name}, field.dimension};
-        }
-        return {};
+        if constexpr (!SetsEveryRestitution<L>)
+          return {};
+        else
+          return {std::string{restitution_parameter<L>().name}, restitution_parameter<L>().dimension};
       },
       contact_law);
 }

@@ -26,7 +26,8 @@ struct ImpactCalibration {
   ContactLaw law;
   double effective_mass{};
   double speed{};
-  double restitution{};  ///< in closed form
+  double restitution{};  ///< requested, or in closed form
+  KnownImpact known;
   ImpactStep step;
 };
 
@@ -138,7 +139,8 @@ ImpactCalibration calibrated(const CalibrateOptions& options) {
     found.speed = option_quantity("--speed", options.speed, dimension::velocity, si);
     const L law = law_of<L>(options, found.effective_mass, found.speed);
     found.law = law;
-    found.restitution = options.restitution.value_or(law.restitution(found.effective_mass, found.speed));
+    found.known = known_impact(law, found.effective_mass, found.speed);
+    found.restitution = options.restitution.value_or(found.known.restitution);
   });
   found.step = advise_impact_step(found.law, found.effective_mass, found.speed, options.bound,
                                   make_integrator(options.integrator));
@@ -153,18 +155,6 @@ std::optional<double> damping_ratio_of(const ImpactCalibration& found) {
           law.set_every_restitution(found.restitution, found.speed);
           return law.damping_ratio;
         }
-        return {};
-      },
-      found.law);
-}
-
-/// Contact time [s] and largest overlap [m] in closed form.
-std::pair<double, double> time_and_overlap(const ImpactCalibration& found) {
-  return std::visit(
-      [&]<class L>(const L& law) -> std::pair<double, double> {
-        if constexpr (KnowsImpacts<L>)
-          return {law.contact_time(found.effective_mass, found.speed),
-                  law.largest_overlap(found.effective_mass, found.speed)};
         return {};
       },
       found.law);
@@ -187,7 +177,6 @@ bool varies(const ContactLaw& law) {
 }
 
 void print_json(const ImpactCalibration& found, const CalibrateOptions& options) {
-  const auto [time, overlap] = time_and_overlap(found);
   nlohmann::ordered_json json{{"law", options.law}};
   for (const Parameter& parameter : parameters_of(found.law))
     json[parameter.name] = parameter.value;
@@ -195,9 +184,9 @@ void print_json(const ImpactCalibration& found, const CalibrateOptions& options)
     json[name] = value;
   if (const auto xi = damping_ratio_of(found)) json["damping_ratio"] = *xi;
   json["effective_mass"] = found.effective_mass;
-  json["contact_time"] = time;
+  json["contact_time"] = found.known.contact_time;
   json["speed"] = found.speed;
-  json["largest_overlap"] = overlap;
+  json["largest_overlap"] = found.known.largest_overlap;
   json["exact_restitution"] = found.restitution;
   json["step"] = found.step.step;
   json["restitution"] = found.step.restitution;
@@ -225,11 +214,10 @@ void print_text(const ImpactCalibration& found, const CalibrateOptions& options)
   line("effective mass", found.effective_mass, dimension::mass);
   line(dissipation.name == "damping" ? "damping c" : dissipation.name, dissipation.value, dissipation.dimension);
   if (const auto xi = damping_ratio_of(found)) line("damping ratio xi", *xi, dimension::number);
-  const auto [time, overlap] = time_and_overlap(found);
   line("restitution, exact", found.restitution, dimension::number);
-  line("contact time", time, dimension::time);
+  line("contact time", found.known.contact_time, dimension::time);
   line("speed of approach", found.speed, dimension::velocity);
-  line("largest overlap at that speed", overlap, dimension::length);
+  line("largest overlap at that speed", found.known.largest_overlap, dimension::length);
   line("step", found.step.step, dimension::time);
   line("restitution simulated with it", found.step.restitution, dimension::number);
   fmt::print("  simulated with {}; its error over all phases of the step is at most {:.3g}, required {:.3g}\n",

@@ -125,23 +125,6 @@ Followed follow_impact(const Scene& scene, ContactId contact) {
   return {watch.impact(), {}};
 }
 
-/// Closed-form properties of an impact under a law. Errors: InputError for a law without them.
-struct KnownImpact {
-  double contact_time{};  ///< [T]
-  double restitution{};
-  double largest_overlap{};  ///< [L]
-};
-KnownImpact known_impact(const ContactLaw& law, double effective_mass, double speed) {
-  return std::visit(
-      [&]<class L>(const L& of) -> KnownImpact {
-        if constexpr (KnowsImpacts<L>)
-          return {of.contact_time(effective_mass, speed), of.restitution(effective_mass, speed),
-                  of.largest_overlap(effective_mass, speed)};
-        throw InputError{fmt::format("the law '{}' knows no impact in closed form", L::name)};
-      },
-      law);
-}
-
 /// Scene of a particle of the effective mass that approaches a fixed plane. Errors: InputError if the contact never
 /// ends.
 Scene impact_scene(const ContactLaw& law, double effective_mass, double speed, double step, double phase,
@@ -184,13 +167,23 @@ constexpr double kept = 0.8;
 
 }  // namespace
 
+KnownImpact known_impact(const ContactLaw& law, double effective_mass, double speed) {
+  return std::visit(
+      [&]<class L>(const L& of) -> KnownImpact {
+        if constexpr (KnowsImpacts<L>)
+          return {of.contact_time(effective_mass, speed), of.restitution(effective_mass, speed),
+                  of.largest_overlap(effective_mass, speed)};
+        throw InputError{fmt::format("the law '{}' has no impact in closed form", L::name)};
+      },
+      law);
+}
+
 Scene with_dissipation(Scene scene, ContactId contact, double value) {
   Contact& changed = scene.model.contacts[index(contact)];
   std::visit(
       [&]<class L>(L& law) {
         if constexpr (SetsEveryRestitution<L>) {
-          for (const auto& field : L::fields())
-            if (field.name == L::restitution_field.name) law.*field.member = value;
+          law.*restitution_parameter<L>().member = value;
           if constexpr (HasDampingRatio<L>) law.damping_ratio = 0.0;
         } else {
           throw InputError{fmt::format("contact '{}': the law '{}' has no damping", changed.name, L::name)};

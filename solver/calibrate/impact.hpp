@@ -10,6 +10,16 @@ namespace talus {
 /// `hysteresis` [T/L]. Errors: InputError if its law has none.
 [[nodiscard]] Scene with_dissipation(Scene scene, ContactId contact, double value);
 
+/// Properties of an impact in closed form.
+struct KnownImpact {
+  double contact_time{};  ///< [T]; infinite if the contact does not end
+  double restitution{};
+  double largest_overlap{};  ///< [L]
+};
+/// The impact of a particle of the effective mass on a fixed plane. Errors: InputError for a law without closed-form
+/// impacts (laws/law.hpp).
+[[nodiscard]] KnownImpact known_impact(const ContactLaw& law, double effective_mass, double speed);
+
 /// Results of one simulated impact.
 struct Impact {
   double restitution{};      ///< speed of separation over speed of approach along the normal

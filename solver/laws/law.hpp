@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <concepts>
 #include <cstddef>
 #include <span>
@@ -156,6 +157,12 @@ concept SetsRestitution = requires(L law, double e, double effective_mass, doubl
   { L::restitution_field } -> std::convertible_to<RestitutionField>;
   { law.set_restitution(e, effective_mass, speed) } -> std::same_as<void>;
 };
+/// The parameter that sets the restitution, with its unit and range.
+template <SetsRestitution L>
+constexpr Field<L> restitution_parameter() {
+  const auto fields = L::fields();
+  return *std::ranges::find(fields, L::restitution_field.name, &Field<L>::name);
+}
 template <class L>
 concept SetsEveryRestitution = SetsRestitution<L> && requires(L law, double e, double speed) {
   { law.set_every_restitution(e, speed) } -> std::same_as<void>;
