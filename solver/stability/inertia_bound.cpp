@@ -59,8 +59,7 @@ std::string inertia_warning(const Model& model) {
                                           : fmt::format("; so is that of {} more bodies", count - 1);
   return fmt::format(
       "body '{}': its moment of inertia, {:.4g} {}, is more than m R^2 = {:.4g} {}, that of its mass, {:.4g} {}, at "
-      "the "
-      "largest distance of its outline from the centre of mass, {:.4g} {}{}",
+      "the largest distance of its outline from the centre of mass, {:.4g} {}{}",
       worst->name, worst->inertia, unit, inertia_bound(*worst), unit, worst->mass, symbol(model.units, dimension::mass),
       largest_distance(worst->shape), symbol(model.units, dimension::length), others);
 }

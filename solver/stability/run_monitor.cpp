@@ -181,8 +181,7 @@ void RunMonitor::check_pairs(const Snapshot& snapshot) {
   take_overlap(Watched::overlap, overlap.ratio, seen, overlap.contact, [](bool through) {
     return fmt::format(
         "{}; it needs a stiffer contact (overlaps are proportional to 1/sqrt(k)), a slower impact, or bodies farther "
-        "apart "
-        "at the start",
+        "apart at the start",
         through ? "the bodies may slip through each other" : "its shapes are no longer the scene's");
   });
 }
