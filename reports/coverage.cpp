@@ -114,11 +114,13 @@ Checks common(const Requirement& a, const Requirement& b) {
   return both;
 }
 
-/// Table of contact laws against end rules and methods.
+/// Table of contact laws against end rules, methods and friction laws.
 std::string contact_laws(const Results& results, const Counter& counter) {
   std::vector<const Requirement*> across = group(results, "end_rule");
-  for (const Requirement* method : group(results, "method"))
-    across.push_back(method);
+  for (const char* const other : {"method", "shear_law"}) {
+    for (const Requirement* each : group(results, other))
+      across.push_back(each);
+  }
   std::vector<markdown::Column> columns{{"law of contacts"}};
   for (const Requirement* rule : across)
     columns.push_back({spaced(last_part(*rule)), true});

@@ -64,7 +64,7 @@ std::string phrase_of(const Requirement& requirement) {
   if (requirement.group == "regime" && members.size() == 3)
     return fmt::format("mode {} of the law {}", members[2], members[1]);
   if (members.size() == 2 && requirement.id.find(". ") == std::string::npos) {
-    std::string kind = members[0] == "law" ? requirement.text : members[0];
+    std::string kind = members[0] == "law" || members[0] == "shear_law" ? requirement.text : members[0];
     if (kind == "method") kind = "contact method";
     if (kind == "mechanism") kind = "energy loss by";
     return kind + " " + members[1];

@@ -25,10 +25,10 @@ struct ContactGroup {
   std::size_t last{};   ///< one past its last instance
   double symmetry_weight_a{
       1.0};  ///< force on A for each unit of the law's force: above 1 where a contact that represents several
-  double symmetry_weight_b{1.0};              ///< acts on a body that represents only itself; the same for B
-  double multiplicity{1.0};                   ///< number of identical contacts that this one represents
-  std::optional<CoulombFriction> friction{};  ///< none: no tangential force is computed
-  Slot first_friction{};                      ///< friction slot of its instance `first`; those of the others follow
+  double symmetry_weight_b{1.0};          ///< acts on a body that represents only itself; the same for B
+  double multiplicity{1.0};               ///< number of identical contacts that this one represents
+  std::optional<FrictionLaw> friction{};  ///< none: no tangential force is computed
+  Slot first_friction{};                  ///< friction slot of its instance `first`; those of the others follow
 };
 
 /// All contact instances of one law, in one array for each kind of geometry, with the slots of their modes and memory.
@@ -109,7 +109,8 @@ class ContactCompiler {
     array.groups.back().last = array.laws.size();
     pairs_[next_.mode] = {id_a, id_b};
     next_ = {next_.mode + 1, next_.memory + memory_count(law_)};
-    next_friction_ = {next_friction_.mode + 1, next_friction_.memory + 1};
+    next_friction_ = {next_friction_.mode + 1,
+                      next_friction_.memory + (contact_->friction ? memory_count(*contact_->friction) : 0)};
   }
 
   ContactGroup group(BodyId a, BodyId b, std::size_t first) const {

@@ -52,24 +52,25 @@ void for_each_near(const Laws& laws, const Workspace& work, Visit&& visit) {
 /// Slot of the friction of an instance of the group.
 Slot friction_slot(const ContactGroup& group, std::size_t instance) {
   const std::size_t place = instance - group.first;
-  return {group.first_friction.mode + place, group.first_friction.memory + place};
+  return {group.first_friction.mode + place,
+          group.first_friction.memory + place * talus::memory_count(*group.friction)};
 }
 
-/// c_s of a contact with friction and this normal law [F T/L].
+/// c_s of a contact with this friction and normal law [F T/L].
 template <class L>
-double friction_dashpot(const ContactGroup& group, const L& law, std::span<const double> memory) {
+double friction_dashpot(const CoulombFriction& friction, const L& law, std::span<const double> memory) {
   double time = 0.0;
   if constexpr (HasRetardationTime<L>) time = law.retardation_time(memory);
-  return group.friction->dashpot(time);
+  return friction.dashpot(time);
 }
 
 /// One instance of friction.
 struct Slider {
   const ContactGroup& group;
-  const CoulombFriction& law;
+  CoulombFriction law;  ///< of the group's friction at the present overlap
   Slot slot;
   std::size_t instance{};  ///< of the contact, in Workspace::gaps
-  bool is_pressed{};       ///< its normal law acts
+  bool is_pressed{};       ///< its normal law acts, on a spring with a stiffness
   double dashpot{};        ///< c_s [F T/L]
 };
 
@@ -87,8 +88,9 @@ void for_each_slider(const Laws& laws, bool rough, const State& state, const Wor
         const Mode mode = state.mode[normal.mode];
         if (mode == 0 && state.mode[slot.mode] == CoulombFriction::open) continue;
         const L& law = array.laws[i];
-        const double dashpot = friction_dashpot(group, law, memory(law, state, normal));
-        visit(Slider{group, *group.friction, slot, normal.mode, mode != 0, dashpot});
+        const CoulombFriction friction = at(*group.friction, work.gaps[normal.mode].depth);
+        const double dashpot = friction_dashpot(friction, law, memory(law, state, normal));
+        visit(Slider{group, friction, slot, normal.mode, mode != 0 && friction.stiffness > 0.0, dashpot});
       }
     }
   });
@@ -112,7 +114,15 @@ double slip_rate(const Workspace& work, const Slider& slider) {
 
 /// Stretch that would add as much force as the dashpot of a contact that sticks or is about to stick [L].
 double viscous_stretch(const Workspace& work, const Slider& slider) {
-  return slider.dashpot == 0.0 ? 0.0 : slider.dashpot / slider.law.stiffness * slip_rate(work, slider);
+  if (slider.dashpot == 0.0 || !slider.is_pressed) return 0.0;
+  return slider.dashpot / slider.law.stiffness * slip_rate(work, slider);
+}
+
+/// Energy stored at the last update of the modes [F L].
+double stored_before(const State& before, const Slider& slider) {
+  CoulombFriction law = slider.law;
+  if (talus::memory_count(*slider.group.friction) > 1) law.stiffness = before.z[slider.slot.memory + 1];
+  return law.stored_energy(before.z[slider.slot.memory]);
 }
 
 /// Initialises the spring of a contact that has just begun to push: its bodies have been approaching since they
@@ -120,7 +130,8 @@ double viscous_stretch(const Workspace& work, const Slider& slider) {
 void start_spring(State& state, const Workspace& work, const Slider& slider) {
   const double rate = work.rates[slider.instance];
   if (!(rate > 0.0)) return;
-  const double slip = slip_rate(work, slider) * std::max(work.gaps[slider.instance].depth, 0.0) / rate;
+  const double onset = std::visit([]<class L>(const L&) { return L::onset; }, *slider.group.friction);
+  const double slip = onset * slip_rate(work, slider) * std::max(work.gaps[slider.instance].depth, 0.0) / rate;
   state.z[slider.slot.memory] = slider.law.initial_stretch(slip, normal_force(work, slider));
 }
 
@@ -305,10 +316,10 @@ void ContactForces::push(const State& state, Workspace& work) const {
       settled.dissipated = slider.law.stored_energy(stretch) - slider.law.stored_energy(settled.stretch);
     // The step has integrated the work of the force as a power: the energy that the spring gave back was not lost.
     if (before && CoulombFriction::slips(before->mode[slider.slot.mode])) {
-      settled.dissipated =
-          slider.law.stored_energy(before->z[slider.slot.memory]) - slider.law.stored_energy(settled.stretch);
+      settled.dissipated = stored_before(*before, slider) - slider.law.stored_energy(settled.stretch);
     }
     stretch = settled.stretch;
+    if (talus::memory_count(*slider.group.friction) > 1) state.z[slider.slot.memory + 1] = slider.law.stiffness;
     state.mode[slider.slot.mode] = settled.mode;
     state.work[static_cast<std::size_t>(Mechanism::friction)] += slider.group.multiplicity * settled.dissipated;
   });
@@ -317,7 +328,26 @@ void ContactForces::push(const State& state, Workspace& work) const {
 void ContactForces::memory_rates(const State& state, Workspace& work, Rates& out) const {
   push(state, work);
   for_each_slider(laws_, rough_, state, work, [&](const Slider& slider) {
-    if (state.mode[slider.slot.mode] != CoulombFriction::open) out.z[slider.slot.memory] = slip_rate(work, slider);
+    if (state.mode[slider.slot.mode] == CoulombFriction::open) return;
+    // Within a step that slips, the stretch leaves the limit, to which the force keeps.
+    const double stretch = slider.law.initial_stretch(state.z[slider.slot.memory], normal_force(work, slider));
+    out.z[slider.slot.memory] = std::visit(
+        [&](const auto& law) {
+          return law.stretch_rate(stretch, slip_rate(work, slider), kinematics(work, slider.instance));
+        },
+        *slider.group.friction);
+  });
+}
+
+void ContactForces::drift_memory(State& state, const Workspace& work, double h) const {
+  for_each_slider(laws_, rough_, state, work, [&](const Slider& slider) {
+    if (state.mode[slider.slot.mode] == CoulombFriction::open) return;
+    double& stretch = state.z[slider.slot.memory];
+    stretch = std::visit(
+        [&](const auto& law) {
+          return law.stretch_after(stretch, slip_rate(work, slider), kinematics(work, slider.instance), h);
+        },
+        *slider.group.friction);
   });
 }
 
@@ -361,6 +391,12 @@ void ContactForces::list_woken(const Workspace& work, std::vector<BodyId>& woken
     if (out && (viscous != 0.0 || slips)) {
       const double lost = slips ? force : force - slider.law.stiffness * stretch;
       const double power = lost * slip_rate(work, slider);
+      out->work[static_cast<std::size_t>(Mechanism::friction)] += slider.group.multiplicity * power;
+    }
+    if (out && !slips && state.mode[slider.slot.mode] != CoulombFriction::open) {
+      const double power =
+          std::visit([&](const auto& law) { return law.area_power(stretch, kinematics(work, slider.instance)); },
+                     *slider.group.friction);
       out->work[static_cast<std::size_t>(Mechanism::friction)] += slider.group.multiplicity * power;
     }
   });
@@ -511,10 +547,13 @@ void ContactForces::for_each_acting(const State& state, const Workspace& work,
         const Tangent slopes = local_slopes(law, kinematics(work, slot.mode), remembered, mode);
         ActingContact contact{
             group.a, group.b, gap.n_AB, gap.p_WC, slopes, group.symmetry_weight_a, group.symmetry_weight_b, {}};
-        const Slot friction = friction_slot(group, i);
-        if (group.friction && state.mode[friction.mode] != CoulombFriction::open) {
-          contact.friction = {state.mode[friction.mode], friction.memory, group.friction->stiffness,
-                              friction_dashpot(group, law, remembered), group.friction->coefficient};
+        if (group.friction) {
+          const Slot friction = friction_slot(group, i);
+          const CoulombFriction spring = at(*group.friction, gap.depth);
+          if (state.mode[friction.mode] != CoulombFriction::open) {
+            contact.friction = {state.mode[friction.mode], friction.memory, spring.stiffness,
+                                friction_dashpot(spring, law, remembered), spring.coefficient};
+          }
         }
         visit(contact);
       }

@@ -115,6 +115,7 @@ class ContactForces {
                        const std::function<void(const ActingContact&)>& visit) const;
   /// Computes the rates of the memory that follows the motion: the slip rate where two bodies touch and friction acts.
   void memory_rates(const State& state, Workspace& work, Rates& out) const;
+  void drift_memory(State& state, const Workspace& work, double h) const;
   double stored_energy(const State& state, const Workspace& work) const;
   /// Normal force of each instance [F], > 0 pushing apart.
   void forces(const State& state, Workspace& work, std::span<double> out) const;

@@ -82,6 +82,8 @@ class Dynamics {
   bool follows_motion() const { return follows_motion_; }
   /// Writes the rates of this memory alone to out.z; `out` must have been constructed from a state.
   void memory_rates(const State& state, Workspace& work, Rates& out) const;
+  /// Advances this memory by the time h of constant velocities, from the geometry in the middle of this time.
+  void drift_memory(State& state, Workspace& work, double h) const { contacts_.drift_memory(state, work, h); }
   /// Initialises the modes of the first state of a run: as update_modes(), except that the friction springs of
   /// overlapping bodies keep the stretch given in the state, instead of one estimated from the slip since the bodies
   /// touched.

@@ -13,12 +13,10 @@ RigidBodySystem::RigidBodySystem(const Dynamics& dynamics, bool ledger)
 void RigidBodySystem::drift(State& state, double h) {
   const std::size_t moving = dynamics_->moving(state, work_);
   if (!dynamics_->follows_motion()) return drift_coordinates(state, h, moving);
-  // Midpoint rule for the memory: second order and time-reversible.
+  // The memory follows from the geometry at the midpoint: second order and, if it only adds the slip, time-reversible.
   drift_coordinates(state, 0.5 * h, moving);
   dynamics_->update(state, work_);
-  dynamics_->memory_rates(state, work_, rates_);
-  for (std::size_t i = 0; i < state.z.size(); ++i)
-    state.z[i] += h * rates_.z[i];
+  dynamics_->drift_memory(state, work_, h);
   drift_coordinates(state, 0.5 * h, moving);
 }
 

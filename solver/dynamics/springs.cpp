@@ -79,8 +79,9 @@ class SpringMaker {
     const InstancePair pair = dynamics_.contacts().pairs()[i];
     const Vec2 across{-gap.n_AB.y, gap.n_AB.x};
     Spring spring = empty(0.0);
-    spring.stiffness = contact.friction->stiffness;
-    spring.damping = contact.friction->dashpot(retardation_time(contact.law, finite_mass(normal)));
+    const CoulombFriction friction = std::visit([](const auto& law) { return law.stiffest(); }, *contact.friction);
+    spring.stiffness = friction.stiffness;
+    spring.damping = friction.dashpot(retardation_time(contact.law, finite_mass(normal)));
     // Bodies that are apart will touch at their surfaces, not in the middle between them.
     const Vec2 to_surface = std::max(0.0, -0.5 * gap.depth) * gap.n_AB;
     add_gradient(dynamics_, work_, pair.b, gap.p_WC + to_surface, across, spring.gradient);

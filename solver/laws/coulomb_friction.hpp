@@ -6,6 +6,7 @@
 #include <string_view>
 
 #include "solver/base/fields.hpp"
+#include "solver/laws/kinematics.hpp"
 #include "solver/state/mode.hpp"
 
 namespace talus {
@@ -28,6 +29,9 @@ namespace talus {
 /// before its spring is at the limit; the stretch then jumps to the limit, and the friction energy is reduced by the
 /// increase of the spring's energy.
 struct CoulombFriction {
+  static constexpr std::string_view name = "linear";
+  static constexpr std::size_t memory_size = 1;  ///< stretch [L]
+  static constexpr double onset = 1.0;           ///< stretch at the first evaluation over the slip since touch
   static constexpr std::array<std::string_view, 4> modes{"open", "sticking", "slipping_forward", "slipping_backward"};
   enum : Mode { open, sticking, slipping_forward, slipping_backward };
 
@@ -40,14 +44,38 @@ struct CoulombFriction {
   /// Whether c_s/k_s equals the current retardation time c/k of the contact's normal law.
   bool follows_normal{};
 
+  static constexpr std::array<Field<CoulombFriction>, 3> fields() {
+    return {{{"friction", dimension::number, &CoulombFriction::coefficient, Range::non_negative,
+              "coefficient of Coulomb friction"},
+             {"shear_stiffness", dimension::stiffness, &CoulombFriction::stiffness, Range::positive,
+              "tangential stiffness k_s of friction that sticks"},
+             {"shear_damping", dimension::damping, &CoulombFriction::damping, Range::non_negative,
+              "tangential dashpot of friction that sticks"}}};
+  }
+
+  // The interface of a friction law, see IsFrictionLaw.
+  constexpr CoulombFriction at(double) const { return *this; }
+  constexpr CoulombFriction stiffest() const { return *this; }
+  constexpr double stretch_rate(double, double slip_rate, Kinematics) const { return slip_rate; }
+  constexpr double stretch_after(double stretch, double slip_rate, Kinematics, double h) const {
+    return stretch + h * slip_rate;
+  }
+  constexpr double area_power(double, Kinematics) const { return 0.0; }
+
+  /// mu N/k_s of a normal force [L]; 0 where there is no stiffness.
+  constexpr double stretch_limit(double normal) const {
+    return stiffness > 0.0 ? coefficient * std::max(normal, 0.0) / stiffness : 0.0;
+  }
+
   /// Dashpot coefficient c_s [F T/L] of a contact whose normal law has this retardation time [T].
   constexpr double dashpot(double retardation_time) const {
     return follows_normal ? stiffness * retardation_time : damping;
   }
 
-  /// Stretch at the first evaluation of a contact [L], from the slip since the touch [L] and the normal force [F].
+  /// Stretch at the first evaluation of a contact [L], from the slip since the touch [L] and the normal force [F]: the
+  /// slip within the limit.
   constexpr double initial_stretch(double slip, double normal) const {
-    const double limit = coefficient * std::max(normal, 0.0) / stiffness;
+    const double limit = stretch_limit(normal);
     return std::clamp(slip, -limit, limit);
   }
 
@@ -111,7 +139,8 @@ struct CoulombFriction {
   /// Positive while the mode lasts; `slip_rate` [L/T] is ds/dt while sticking, `viscous` as in return_mapping().
   constexpr double guard(double stretch, double slip_rate, double normal, Mode mode, double viscous = 0.0) const {
     if (mode == open) return -normal;
-    if (mode == sticking) return coefficient * normal / stiffness - std::abs(stretch + viscous);
+    if (mode == sticking)
+      return (stiffness > 0.0 ? coefficient * normal / stiffness : 0.0) - std::abs(stretch + viscous);
     return mode == slipping_forward ? slip_rate : -slip_rate;
   }
 

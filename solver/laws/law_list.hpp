@@ -6,12 +6,14 @@
 #include <vector>
 
 #include "solver/laws/contact_kernel.hpp"
+#include "solver/laws/coulomb_friction.hpp"
 #include "solver/laws/elastic_plastic.hpp"
 #include "solver/laws/hertz.hpp"
 #include "solver/laws/hunt_crossley.hpp"
 #include "solver/laws/latching_spring.hpp"
 #include "solver/laws/law.hpp"
 #include "solver/laws/linear_spring_dashpot.hpp"
+#include "solver/laws/mindlin.hpp"
 #include "solver/laws/tension_only.hpp"
 
 namespace talus {
@@ -38,6 +40,48 @@ using ContactLaw = ContactLaws::Variant;
 /// Laws of cables.
 using CableLaws = LawList<TensionOnly, ElasticPlastic>;
 using CableLaw = CableLaws::Variant;
+/// Laws of friction of contacts between bodies. Each gives, at an overlap, a spring, dashpot and slider in series
+/// (CoulombFriction), and the motion of the stretch of this spring, which is the first double of the law's memory; the
+/// second, if there is one, is the stiffness at the last update of the modes [F/L].
+///
+///   name, memory_size, fields()    as of other laws
+///   onset                          stretch at the first evaluation of a contact over the slip since touch
+///   at(overlap)                    spring, dashpot and slider at an overlap [L]
+///   stiffest()                     the same for step limits
+///   stretch_rate(s, u, x)          ds/dt [L/T] at the slip rate u, for the overlap and its rate x
+///   stretch_after(s, u, x, h)      stretch [L] after a time h of constant speeds; x: at the middle of this time
+///   area_power(s, x)               power that a changing stiffness dissipates [F L/T]
+template <class L>
+concept IsFrictionLaw = std::equality_comparable<L> && requires(const L law, double x, Kinematics of_normal) {
+  { L::name } -> std::convertible_to<std::string_view>;
+  { L::memory_size } -> std::convertible_to<std::size_t>;
+  { L::onset } -> std::convertible_to<double>;
+  L::fields();
+  { law.at(x) } -> std::same_as<CoulombFriction>;
+  { law.stiffest() } -> std::same_as<CoulombFriction>;
+  { law.stretch_rate(x, x, of_normal) } -> std::same_as<double>;
+  { law.stretch_after(x, x, of_normal, x) } -> std::same_as<double>;
+  { law.area_power(x, of_normal) } -> std::same_as<double>;
+};
+template <IsFrictionLaw... Laws>
+struct FrictionLawList {
+  using Variant = std::variant<Laws...>;
+  static std::vector<std::string> names() { return {std::string{Laws::name}...}; }
+  template <class Visit>
+  static void for_each(Visit&& visit) {
+    (visit(Laws{}), ...);
+  }
+};
+using FrictionLaws = FrictionLawList<CoulombFriction, Mindlin>;
+using FrictionLaw = FrictionLaws::Variant;
+/// Number of doubles of a friction law's memory.
+inline std::size_t memory_count(const FrictionLaw& law) {
+  return std::visit([]<class L>(const L&) { return L::memory_size; }, law);
+}
+/// Spring, dashpot and slider at an overlap [L].
+inline CoulombFriction at(const FrictionLaw& law, double overlap) {
+  return std::visit([overlap](const auto& of) { return of.at(overlap); }, law);
+}
 /// Laws of contacts between discs; a shear cell needs the duration and the restitution of their impacts.
 template <class L>
 concept IsDiscLaw = HasContactKernel<L> && KnowsImpacts<L> && SetsRestitution<L>;

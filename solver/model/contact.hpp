@@ -6,7 +6,6 @@
 
 #include "solver/base/ids.hpp"
 #include "solver/geometry/node_depth.hpp"
-#include "solver/laws/coulomb_friction.hpp"
 #include "solver/laws/law_list.hpp"
 
 namespace talus {
@@ -31,8 +30,8 @@ struct Contact {
   ContactLaw law{};
   ContactMethod method{ContactMethod::resultant};
   std::array<int, 2> nodes{12, 12};  ///< number of boundary nodes of a circle or superquadric a or b, with `nodes`
-  NodeDepth node_depth{NodeDepth::nearest};   ///< depth rule for nodes in a superquadric, with `nodes`
-  std::optional<CoulombFriction> friction{};  ///< none: a frictionless contact, without memory for friction
+  NodeDepth node_depth{NodeDepth::nearest};  ///< depth rule for nodes in a superquadric, with `nodes`
+  std::optional<FrictionLaw> friction{};     ///< none: a frictionless contact, without memory for friction
   int multiplicity{1};  ///< number of identical contacts that this one represents, by symmetry of the scene
 };
 

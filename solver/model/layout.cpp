@@ -103,7 +103,7 @@ Layout::Layout(const Model& model) {
     friction_slots.push_back({mode_count, memory_count});
     if (!model.contacts[c].friction) continue;
     mode_count += contact_instances[c];
-    memory_count += contact_instances[c];
+    memory_count += contact_instances[c] * talus::memory_count(*model.contacts[c].friction);
   }
   first_hanger = mode_count;
   mode_count += model.hangers.size();

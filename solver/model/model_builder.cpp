@@ -235,11 +235,8 @@ ContactId ModelBuilder::add(Contact contact) {
         if (reach(law) > 0.0) check_reach(contact, L::name, a.shape, b.shape);
       },
       contact.law);
-  if (contact.friction) {
-    check_number("contact", contact.name, "friction", Range::non_negative, contact.friction->coefficient);
-    check_number("contact", contact.name, "shear_stiffness", Range::positive, contact.friction->stiffness);
-    check_number("contact", contact.name, "shear_damping", Range::non_negative, contact.friction->damping);
-  }
+  if (contact.friction)
+    std::visit([&](const auto& law) { check_fields("contact", contact.name, law); }, *contact.friction);
   contact_names_.insert(contact.name);
   model_.contacts.push_back(std::move(contact));
   return static_cast<ContactId>(model_.contacts.size() - 1);

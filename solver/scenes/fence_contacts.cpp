@@ -36,8 +36,9 @@ Contact FenceMaker::contact(std::string name, BodyId a, BodyId b, FenceContactLa
   }
   made.law = spring;
   if (fence_.friction > 0.0) {
-    made.friction = CoulombFriction{fence_.friction, options.shear_ratio * law.stiffness};
-    made.friction->follows_normal = at_impact;
+    CoulombFriction friction{fence_.friction, options.shear_ratio * law.stiffness};
+    friction.follows_normal = at_impact;
+    made.friction = friction;
   }
   if (fence_.options.contact != FenceContact::resultant) made.method = ContactMethod::nodes;
   return made;

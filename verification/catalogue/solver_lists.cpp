@@ -59,6 +59,7 @@ std::vector<Requirement> requirements_of_solver() {
   std::vector<Requirement> all;
   append(all, "law", ContactLaws::names(), "contact law");
   append(all, "law", CableLaws::names(), "cable law");
+  append(all, "shear_law", FrictionLaws::names(), "friction law");
   append(all, "end_rule", names_of<EndRule>(), "how a contact with a dashpot ends");
   append(all, "method", names_of<ContactMethod>(), "how the overlap of two outlines becomes forces");
   append(all, "mechanism", {mechanism_names.begin(), mechanism_names.end()}, "how energy leaves bodies and springs");

@@ -44,7 +44,7 @@ std::string only_of_kind(const Usage& usage, std::string_view kind) {
 /// Requirements verified by checks of the runs' numbers: the members that were the only one of their kind in use.
 std::vector<std::string> shown_by_runs(const Usage& usage) {
   std::vector<std::string> ids;
-  for (const char* kind : {"law", "end_rule", "method", "integrator", "shape", "pair"}) {
+  for (const char* kind : {"law", "shear_law", "end_rule", "method", "integrator", "shape", "pair"}) {
     const std::string only = only_of_kind(usage, kind);
     if (!only.empty()) ids.push_back(only);
     if (only.empty() || std::string_view{kind} != "pair") continue;

@@ -11,8 +11,8 @@ namespace talus::verification {
 namespace {
 
 /// The groups of requirements from the solver's lists (catalogue/solver_lists.cpp).
-constexpr std::array<std::string_view, 8> kinds{"law",        "end_rule", "method", "mechanism",
-                                                "integrator", "shape",    "pair",   "regime"};
+constexpr std::array<std::string_view, 9> kinds{"law",        "shear_law", "end_rule", "method", "mechanism",
+                                                "integrator", "shape",     "pair",     "regime"};
 
 std::mutex mutex;
 UsageRecording* recording = nullptr;

@@ -79,7 +79,7 @@ std::vector<double> numbers(const Model& model) {
   }
   for (const Contact& contact : model.contacts) {
     add_fields(contact.law);
-    if (contact.friction) add(contact.friction->coefficient, contact.friction->stiffness);
+    if (contact.friction) add_fields(*contact.friction);
   }
   for (const Hanger& hanger : model.hangers)
     add(hanger.p.x, hanger.p.y, hanger.p.z, hanger.strength);
@@ -119,7 +119,7 @@ Model scaled(Model model, const UnitScale& scale) {
   }
   for (Contact& contact : model.contacts) {
     scaler.fields(contact.law);
-    if (contact.friction) scaler(contact.friction->stiffness, dimension::stiffness);
+    if (contact.friction) scaler.fields(*contact.friction);
   }
   for (Hanger& hanger : model.hangers) {
     scaler(hanger.p, dimension::length);

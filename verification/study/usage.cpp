@@ -19,6 +19,8 @@ void record_use(const Model& model) {
     std::visit([](const auto& law) { record_use(law); }, cable.law);
   for (const Contact& contact : model.contacts) {
     std::visit([](const auto& law) { record_use(law); }, contact.law);
+    if (contact.friction)
+      std::visit([]<class L>(const L&) { record_use("shear_law." + std::string{L::name}); }, *contact.friction);
     record_use("method." + std::string{name_of(contact.method)});
     record_pair(model.bodies[static_cast<std::size_t>(contact.a)].shape,
                 model.bodies[static_cast<std::size_t>(contact.b)].shape);

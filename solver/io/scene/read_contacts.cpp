@@ -50,7 +50,8 @@ template <class L>
 void read_law(SceneTable& table, SceneContact& read) {
   L law;
   std::vector<std::string> keys = field_names<L>();
-  keys.insert(keys.end(), {"between", "method", "nodes", "node_depth", "friction", "shear_stiffness", "shear_damping"});
+  keys.insert(keys.end(), {"between", "method", "nodes", "node_depth", "friction", "shear_law", "shear_stiffness",
+                           "shear_modulus", "shear_damping"});
   if constexpr (HasEndRule<L>) keys.push_back("end_rule");
   if constexpr (HasHertzDashpot<L>) keys.push_back("dashpot");
   if constexpr (SetsEveryRestitution<L>) keys.push_back("restitution");
@@ -71,13 +72,37 @@ std::array<int, 2> read_nodes(SceneTable& table) {
   return {counts.front(), counts.back()};
 }
 
-/// Reads the dashpot of sticking friction. Without `shear_damping`, a law with a retardation time c/k has the same
+/// Reads friction with a constant stiffness. Without `shear_damping`, a law with a retardation time c/k has the same
 /// retardation time tangentially as along the normal, like a viscoelastic solid; other laws have no tangential dashpot.
-void read_shear_damping(SceneTable& table, Contact& contact) {
-  if (!contact.friction) return table.refuse("shear_damping", "it requires friction; give friction, or remove it");
-  contact.friction->follows_normal =
-      !table.has("shear_damping") && std::visit([]<class L>(const L&) { return HasRetardationTime<L>; }, contact.law);
-  contact.friction->damping = table.quantity_or("shear_damping", dimension::damping, 0.0, Range::non_negative);
+CoulombFriction read_linear_friction(SceneTable& table, const ContactLaw& law) {
+  table.refuse("shear_modulus", "it belongs to shear_law = \"mindlin\"; give this law, or remove it");
+  CoulombFriction friction =
+      *read_friction(table, std::visit([](const auto& l) { return l.tangent().stiffness; }, law));
+  friction.follows_normal =
+      !table.has("shear_damping") && std::visit([]<class L>(const L&) { return HasRetardationTime<L>; }, law);
+  friction.damping = table.quantity_or("shear_damping", dimension::damping, 0.0, Range::non_negative);
+  return friction;
+}
+
+/// Reads friction whose stiffness follows from the contact radius, that is from Hertz's law.
+Mindlin read_mindlin(SceneTable& table, const ContactLaw& law) {
+  table.refuse("shear_stiffness", "it belongs to shear_law = \"linear\"; give shear_modulus instead");
+  if (!std::holds_alternative<Hertz>(law))
+    table.fail("shear_law", "mindlin requires the contact radius of law = \"hertz\"");
+  Mindlin friction;
+  table.read_fields(friction);
+  return friction;
+}
+
+std::optional<FrictionLaw> read_friction_law(SceneTable& table, const ContactLaw& law) {
+  if (!table.has("friction")) {
+    for (const std::string_view key : {"shear_law", "shear_stiffness", "shear_modulus", "shear_damping"})
+      table.refuse(key, "it requires friction; give friction, or remove it");
+    return {};
+  }
+  const std::string name = table.has("shear_law") ? table.choice("shear_law", FrictionLaws::names()) : "linear";
+  if (name == Mindlin::name) return read_mindlin(table, law);
+  return read_linear_friction(table, law);
 }
 
 SceneContact read_contact(SceneTable table, const BodyNames& bodies) {
@@ -105,8 +130,7 @@ SceneContact read_contact(SceneTable table, const BodyNames& bodies) {
     for (const std::string_view key : {"nodes", "node_depth"})
       table.refuse(key, "contact by resultant has no nodes; leave it out");
   }
-  contact.friction = read_friction(table, std::visit([](const auto& l) { return l.tangent().stiffness; }, contact.law));
-  read_shear_damping(table, contact);
+  contact.friction = read_friction_law(table, contact.law);
   return read;
 }
 

@@ -116,7 +116,8 @@ damping = "2 N s/m"
 dashpot = "constant"
 end_rule = "attractive"
 friction = 0.4
-shear_stiffness = "1e4 N/m"
+shear_law = "mindlin"
+shear_modulus = "2e6 Pa"
 shear_damping = "2 N s/m"
 [[contact]] # contact hertz
 name = "knead"

@@ -262,7 +262,7 @@ void check_two_rocks(Findings& findings, const Setup& setup) {
     keep_worst(stiff, law(name + "-column1").stiffness / k - 1.0);
     keep_worst(stiff, law(name + "-ground").stiffness / spring(2.0, rock.mass, overlap) - 1.0);
     keep_worst(damped, law(name + "-column1").damping / (2.0 * low * std::sqrt(k * felt)) - 1.0);
-    keep_worst(shear, contact(name + "-column1").friction->stiffness / (0.4 * k) - 1.0);
+    keep_worst(shear, std::get<CoulombFriction>(*contact(name + "-column1").friction).stiffness / (0.4 * k) - 1.0);
   }
   const Solid one = ball(stated.rocks[0].a, stated.rocks[0].density), other = ball(0.7, stated.rocks[1].density);
   keep_worst(

@@ -28,10 +28,10 @@ constexpr double nudge = 1e-3;  ///< [m/s]; stretches the springs to 15 % of the
 
 Scene scene_of(const char* file, const Setup& setup) {
   Scene scene = read_scene(std::filesystem::path{TALUS_CASES} / file);
-  Contact& contact = scene.model.contacts[0];
-  if (setup.has("no_shear_dashpot")) contact.friction->follows_normal = false;
+  auto& friction = std::get<CoulombFriction>(*scene.model.contacts[0].friction);
+  if (setup.has("no_shear_dashpot")) friction.follows_normal = false;
   if (setup.has("inertia_too_large")) scene.model.bodies[1].inertia *= 1.0 + 1e-5;
-  if (setup.has("friction_too_large")) contact.friction->coefficient *= 1.0 + 1e-6;
+  if (setup.has("friction_too_large")) friction.coefficient *= 1.0 + 1e-6;
   return scene;
 }
 
@@ -306,7 +306,7 @@ void draw_speeds(Findings& findings, const Setup& setup) {
     return series;
   };
   const Series damped = curve("with a tangential dashpot");
-  scene.model.contacts[0].friction->follows_normal = false;
+  std::get<CoulombFriction>(*scene.model.contacts[0].friction).follows_normal = false;
   const Series undamped = curve("without a tangential dashpot");
   findings.figure({.name = "rest",
                    .title = "Speed of the block when it stops",

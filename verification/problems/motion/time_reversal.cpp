@@ -47,8 +47,11 @@ Scene disc_on_friction_spring() {
   const BodyId disc =
       builder.add(Body{.name = "disc", .mass = 1.0, .inertia = 0.125, .shape = Circle{0.5}, .p_WB = {0.0, 0.5 - 1e-3}});
   const BodyId plane = builder.add(Body{.name = "plane", .mobility = Mobility::fixed, .shape = HalfPlane{}});
-  builder.add(
-      Contact{.name = "touch", .a = disc, .b = plane, .law = LinearSpringDashpot{1e4, 0.0}, .friction = {{50.0, 3e3}}});
+  builder.add(Contact{.name = "touch",
+                      .a = disc,
+                      .b = plane,
+                      .law = LinearSpringDashpot{1e4, 0.0},
+                      .friction = CoulombFriction{50.0, 3e3}});
   Scene scene{.title = "Disc on its friction", .model = builder.build()};
   scene.initial = rest_state(scene.model);
   set_velocity(scene.model, scene.initial, disc, {0.02, 0.004}, -0.05);

@@ -31,7 +31,8 @@ UnitRun run_in_units(const Scene& scene, const Integrator& method, UnitPlan plan
   if (setup.has("gravity_overlooked")) given.gravity = scene.model.gravity;
   if (setup.has("strength_overlooked") && !given.hangers.empty())
     given.hangers[0].strength = scene.model.hangers[0].strength;
-  if (setup.has("slip_stiffness_overlooked")) given.contacts[0].friction->stiffness *= scale.length / scale.mass;
+  if (setup.has("slip_stiffness_overlooked"))
+    std::get<CoulombFriction>(*given.contacts[0].friction).stiffness *= scale.length / scale.mass;
   Scene other{.model = given, .initial = scaled(scene.model, scene.initial, scale)};
   RunLedger ledger{given, first_state(other)};
   const double end = plan.end * scale.time;

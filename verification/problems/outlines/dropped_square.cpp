@@ -40,7 +40,7 @@ Scene fall(double angle, Target target, ContactMethod method, double aside, cons
                       .b = below,
                       .law = LinearSpringDashpot{stiffness, 0.0, EndRule::clamped},
                       .method = method,
-                      .friction = {{0.2, 0.5 * stiffness}}});
+                      .friction = CoulombFriction{0.2, 0.5 * stiffness}});
   Scene scene{.title = "A square falls", .model = builder.build()};
   scene.initial = rest_state(scene.model);
   set_velocity(scene.model, scene.initial, square, {0.0, -speed}, setup.has("a_little_spin") ? 1e-13 : 0.0);

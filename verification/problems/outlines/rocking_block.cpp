@@ -33,7 +33,7 @@ Scene block_scene(const reference::RockingBlock& block, double tilt, double stif
                       .b = plane,
                       .law = LinearSpringDashpot{stiffness, setup.has("no_dashpot") ? 0.0 : dashpot, EndRule::clamped},
                       .method = ContactMethod::nodes,
-                      .friction = {{setup.has("smooth_ground") ? 0.1 : 1e3, stiffness}}});
+                      .friction = CoulombFriction{setup.has("smooth_ground") ? 0.1 : 1e3, stiffness}});
   Scene scene{.title = "Rocking block", .model = builder.build()};
   scene.initial = rest_state(scene.model);
   return scene;

@@ -31,7 +31,7 @@ Scene rocking_scene(double amplitude, double stiffness, const Setup& setup) {
                       .a = body,
                       .b = plane,
                       .law = LinearSpringDashpot{stiffness, 0.0, EndRule::clamped},
-                      .friction = {{setup.has("smooth_plane") ? 0.0 : 1e3, shear_ratio * stiffness}}});
+                      .friction = CoulombFriction{setup.has("smooth_plane") ? 0.0 : 1e3, shear_ratio * stiffness}});
   Scene scene{.title = "Rocking ellipse", .model = builder.build()};
   scene.initial = rest_state(scene.model);
   const double frequency = small_rocking_frequency(ellipse);

@@ -1,0 +1,108 @@
+/// The contract of all friction laws: spring, rate and motion of the stretch, and energy agree with each other.
+#define BOOST_TEST_MODULE friction_laws
+#include <boost/test/unit_test.hpp>
+#include <cmath>
+#include <string>
+
+#include "solver/laws/law_list.hpp"
+
+using namespace talus;
+
+namespace {
+
+CoulombFriction example(CoulombFriction) { return {0.5, 8.0, 0.25}; }
+Mindlin example(Mindlin) { return {0.5, 3.0, 2.0, 0.25}; }
+
+/// Calls test(law) with an example of each friction law.
+template <class Test>
+void for_each_example(Test&& test) {
+  FrictionLaws::for_each([&](const auto& law) {
+    BOOST_TEST_CONTEXT(std::string{law.name}) { test(example(law)); }
+  });
+}
+
+/// Stretch after a time h of constant speeds, by many midpoint steps of its rate.
+template <class L>
+double integrated(const L& law, double stretch, double slip_rate, Kinematics middle, double h) {
+  constexpr int steps = 4000;
+  const double step = h / steps, rate = middle.deformation_rate;
+  for (int i = 0; i < steps; ++i) {
+    const double overlap = middle.deformation - 0.5 * h * rate + i * step * rate;
+    const double half = stretch + 0.5 * step * law.stretch_rate(stretch, slip_rate, {overlap, rate});
+    stretch += step * law.stretch_rate(half, slip_rate, {overlap + 0.5 * step * rate, rate});
+  }
+  return stretch;
+}
+
+}  // namespace
+
+BOOST_AUTO_TEST_CASE(motion_of_the_stretch_is_the_integral_of_its_rate) {
+  for_each_example([](const auto& law) {
+    for (const double rate : {0.3, -0.3, 0.0}) {
+      for (const double h : {0.25, -0.25}) {
+        const Kinematics x{0.2, rate};
+        BOOST_TEST(law.stretch_after(0.07, -0.4, x, h) == integrated(law, 0.07, -0.4, x, h),
+                   boost::test_tools::tolerance(1e-6));
+      }
+    }
+  });
+}
+
+BOOST_AUTO_TEST_CASE(onset_is_the_stretch_of_constant_speeds_from_the_touch) {
+  for_each_example([](const auto& law) {
+    // Overlap 0.3 t, slip 0.4 t, after t = 0.5.
+    const double stretch = law.stretch_after(0.0, 0.4, {0.5 * 0.3 * 0.5, 0.3}, 0.5);
+    BOOST_TEST(stretch == law.onset * 0.4 * 0.5, boost::test_tools::tolerance(1e-14));
+  });
+}
+
+BOOST_AUTO_TEST_CASE(work_is_stored_or_dissipated_by_the_changing_stiffness) {
+  constexpr double slip_rate = 0.4, stretch = 0.07, step = 1e-6, overlap = 0.2;
+  for_each_example([&](const auto& law) {
+    for (const double rate : {0.3, -0.3}) {
+      const auto energy_after = [&](double h) {
+        const Kinematics middle{overlap + 0.5 * h * rate, rate};
+        return law.at(overlap + h * rate).stored_energy(law.stretch_after(stretch, slip_rate, middle, h));
+      };
+      const double change = (energy_after(step) - energy_after(-step)) / (2.0 * step);
+      const double lost = law.area_power(stretch, {overlap, rate});
+      BOOST_TEST(lost >= 0.0);
+      BOOST_TEST(change == law.at(overlap).stiffness * stretch * slip_rate - lost, boost::test_tools::tolerance(1e-7));
+    }
+  });
+}
+
+BOOST_AUTO_TEST_CASE(nothing_is_stored_or_lost_by_an_unstretched_spring) {
+  for_each_example([](const auto& law) {
+    BOOST_TEST(law.area_power(0.0, {0.2, 0.3}) == 0.0);
+    BOOST_TEST(law.stretch_rate(0.0, 0.4, {0.2, 0.3}) == 0.4);
+  });
+}
+
+BOOST_AUTO_TEST_CASE(apart_there_is_no_rate_but_the_slip_and_no_loss) {
+  for_each_example([](const auto& law) {
+    for (const double overlap : {0.0, -0.1}) {
+      BOOST_TEST(law.stretch_rate(0.07, 0.4, {overlap, 0.3}) == 0.4);
+      BOOST_TEST(law.area_power(0.07, {overlap, 0.3}) == 0.0);
+      BOOST_TEST(std::isfinite(law.stretch_after(0.07, 0.4, {overlap, 0.3}, 0.1)));
+      BOOST_TEST(std::isfinite(law.at(overlap)(0.07, 1.0)));
+      BOOST_TEST(law.at(overlap).guard(0.0, 0.4, 0.0, CoulombFriction::sticking) == 0.0);
+    }
+  });
+}
+
+BOOST_AUTO_TEST_CASE(stiffest_branch_has_the_stiffness_of_the_largest_overlap) {
+  for_each_example([](const auto& law) {
+    BOOST_TEST(law.stiffest().coefficient == law.coefficient);
+    BOOST_TEST(law.stiffest().stiffness >= law.at(0.19).stiffness);
+    BOOST_TEST(law.stiffest().damping >= law.at(0.19).damping);
+    BOOST_TEST(law.at(0.19).damping > 0.0);
+  });
+}
+
+BOOST_AUTO_TEST_CASE(stiffness_of_mindlin_is_that_of_the_contact_radius) {
+  const Mindlin law = example(Mindlin{});
+  BOOST_TEST(law.at(0.125).stiffness == 8.0 * 3.0 * 0.5);  // a = sqrt(2 * 0.125)
+  BOOST_TEST(law.at(0.125).damping == 0.125);              // (0.125/2)^(1/4) = 1/2
+  BOOST_TEST(law.stiffest().stiffness == law.at(0.2).stiffness);
+}
