@@ -1,0 +1,393 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <filesystem>
+#include <functional>
+#include <numbers>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "solver/integrate/integrator_list.hpp"
+#include "solver/model/model_builder.hpp"
+#include "verification/check/case.hpp"
+#include "verification/record/csv.hpp"
+#include "verification/reference/mindlin_impact.hpp"
+#include "verification/reference/oblique_impact.hpp"
+#include "verification/reference/restitution.hpp"
+#include "verification/study/curves.hpp"
+#include "verification/study/expectations.hpp"
+#include "verification/study/scene_run.hpp"
+
+namespace talus::verification::problems::measured_rebound {
+namespace {
+
+// Aluminium oxide spheres on soda-lime glass.
+constexpr double radius = 2.5e-3, density = 4000.0, speed = 3.9, restitution = 0.98, measured_friction = 0.092;
+constexpr double young[] = {380e9, 70e9}, poisson[] = {0.23, 0.25};
+constexpr double mobility = 3.5;  ///< 1 + m r^2/I of a sphere
+const double mass = density * 4.0 / 3.0 * std::numbers::pi * radius * radius * radius;
+const double modulus = 1.0 / ((1.0 - poisson[0] * poisson[0]) / young[0] + (1.0 - poisson[1] * poisson[1]) / young[1]);
+double shear_modulus_of(int i) { return young[i] / (2.0 * (1.0 + poisson[i])); }
+const double shear_modulus =
+    1.0 / ((2.0 - poisson[0]) / shear_modulus_of(0) + (2.0 - poisson[1]) / shear_modulus_of(1));
+
+double radians(double degrees) { return degrees * std::numbers::pi / 180.0; }
+
+// --- measurements ---------------------------------------------------------------------------------------------------
+
+struct Point {
+  double angle{};  ///< of the impact, from the normal [degrees]
+  double value{};
+};
+
+struct Measured {
+  std::vector<Point> restitution;  ///< tangential speed after over before
+  std::vector<Point> rebound;      ///< angle of the rebound from the normal [degrees]
+  std::vector<Point> other_code;   ///< tangential restitution computed by MFiX-DEM
+};
+
+records::Csv published(const char* file) {
+  return records::read_csv(std::filesystem::path{TALUS_CASES} / "published" / file);
+}
+
+Measured read_measured(const Setup& setup) {
+  Measured found;
+  const records::Csv csv = published("kharaz_2001.csv");
+  const std::size_t angle = csv.column("angle_deg"), value = csv.column("value"), quantity = csv.column("quantity");
+  for (std::size_t row = 0; row < csv.rows(); ++row) {
+    auto& points = csv.cell(row, quantity) == "e_t" ? found.restitution : found.rebound;
+    points.push_back({csv.number(row, angle), csv.number(row, value)});
+  }
+  if (setup.has("row_lost")) found.rebound.pop_back();
+  const records::Csv other = published("mfix_dem05.csv");
+  for (std::size_t row = 0; row < other.rows(); ++row)
+    found.other_code.push_back({other.number(row, other.column("angle_deg")), other.number(row, other.column("e_t"))});
+  return found;
+}
+
+/// Linear interpolation in points of increasing angle.
+double at(const std::vector<Point>& points, double angle) {
+  std::size_t i = 1;
+  while (i + 1 < points.size() && points[i].angle < angle)
+    ++i;
+  const Point &a = points[i - 1], &b = points[i];
+  return a.value + (angle - a.angle) / (b.angle - a.angle) * (b.value - a.value);
+}
+
+/// The two measured quantities of one impact give its normal restitution: e_n = e_t tan(angle)/tan(rebound).
+struct Agreement {
+  double normal_restitution{}, deviation{};  ///< mean and standard deviation
+  double scatter{};                          ///< of e_t: root mean square
+  std::vector<Point> restitution;            ///< e_t from the angles of rebound, with the mean
+};
+
+Agreement agreement(const Measured& measured) {
+  Agreement found;
+  std::vector<double> each;
+  for (const Point& point : measured.rebound) {
+    // At the first angle, 0.016 degrees, the slip rate is below what can be measured.
+    if (point.angle < measured.restitution.front().angle) continue;
+    each.push_back(at(measured.restitution, point.angle) * std::tan(radians(point.angle)) /
+                   std::tan(radians(point.value)));
+    found.normal_restitution += each.back();
+  }
+  const auto count = static_cast<double>(each.size());
+  found.normal_restitution /= count;
+  for (const double e : each)
+    found.deviation += (e - found.normal_restitution) * (e - found.normal_restitution) / (count - 1.0);
+  found.deviation = std::sqrt(found.deviation);
+  for (const Point& point : measured.rebound) {
+    if (point.angle < measured.restitution.front().angle) continue;
+    const double e = found.normal_restitution * std::tan(radians(point.value)) / std::tan(radians(point.angle));
+    found.restitution.push_back({point.angle, e});
+    found.scatter += std::pow(e - at(measured.restitution, point.angle), 2) / count;
+  }
+  found.scatter = std::sqrt(found.scatter);
+  return found;
+}
+
+// --- models ---------------------------------------------------------------------------------------------------------
+
+/// A model of the contact: friction, and k_s/k_n of linear springs or k_s/(K sqrt d) of Hertz and Mindlin.
+struct ContactModel {
+  std::string name;
+  bool hertz{};
+  double ratio{};
+  double friction{measured_friction};
+};
+
+const double mindlin_ratio = 4.0 * shear_modulus / modulus;
+
+std::array<ContactModel, 3> models() {
+  return {{{"linear, k_s/k_n = 2/7", false, 2.0 / 7.0},
+           {"linear, k_s/k_n of Mindlin", false, mindlin_ratio},
+           {"hertz and mindlin", true, 1.5 * mindlin_ratio}}};
+}
+
+/// Damping ratio of the clamped end rule for the normal restitution, by bisection of the reference.
+double damping_ratio() {
+  double low = 0.0, high = 0.5;
+  for (int i = 0; i < 60; ++i) {
+    const double middle = 0.5 * (low + high);
+    (reference::restitution(middle, reference::EndRule::clamped) > restitution ? low : high) = middle;
+  }
+  return low;
+}
+
+/// Tangential restitution of the centre by the references, without the overlap's effect on the arm of friction.
+double exact(const ContactModel& model, double angle) {
+  static const double xi = damping_ratio();
+  const double before = std::tan(radians(angle));
+  const double lost =
+      model.hertz
+          ? reference::rebound(
+                reference::MindlinImpact{model.ratio, model.friction, mobility, std::sqrt(5.0) * xi, before})
+                .speed_lost
+          : reference::rebound(
+                reference::ObliqueImpact{{1.0, 2.0 * xi, 1.0, 1.0}, model.ratio, model.friction, mobility, before},
+                reference::EndRule::clamped)
+                .speed_lost;
+  return 1.0 - lost / before;
+}
+
+/// The impact by the solver.
+struct Rebound {
+  double restitution{};  ///< tangential speed of the centre after over before
+  double angle{};        ///< from the normal [degrees]
+  double spin{};         ///< [rad/s]
+};
+
+Rebound rebound(const ContactModel& model, double angle, const Setup& setup, Findings& findings) {
+  const double v = speed * std::sin(radians(angle)), w = speed * std::cos(radians(angle));
+  const double friction = setup.has("friction_of_another_pair") ? 1.5 * model.friction : model.friction;
+  Hertz hertz;
+  hertz.modulus = modulus, hertz.radius = radius;
+  hertz.set_every_restitution(restitution, w);
+  const double time = hertz.contact_time(mass, w);
+  Contact contact{.name = "impact"};
+  if (model.hertz) {
+    contact.law = hertz;
+    contact.friction = Mindlin{friction, model.ratio * modulus / 6.0, radius, 0.0};
+  } else {
+    LinearSpringDashpot spring{mass * std::pow(std::numbers::pi / time, 2), 0.0, EndRule::clamped};
+    spring.set_every_restitution(restitution, w);
+    contact.law = spring;
+    contact.friction = CoulombFriction{friction, model.ratio * spring.stiffness};
+  }
+  const double inertia = (setup.has("disc_for_sphere") ? 0.5 : 0.4) * mass * radius * radius;
+  ModelBuilder builder;
+  contact.b = builder.add(Body{.name = "plate", .mobility = Mobility::fixed, .shape = HalfPlane{}});
+  contact.a = builder.add(Body{.name = "sphere",
+                               .mobility = Mobility::free,
+                               .mass = mass,
+                               .inertia = inertia,
+                               .shape = Circle{radius},
+                               .p_WB = {0.0, radius}});
+  builder.add(contact);
+  Scene scene;
+  scene.model = builder.build();
+  scene.initial = rest_state(scene.model);
+  set_velocity(scene.model, scene.initial, contact.a, {v, -w}, 0.0);
+  const RunPlan plan{time / 500.0, 1.2 * time, time, false, MonitorRules::off()};
+  const State end = run_scene(scene, make_integrator("velocity_verlet"), plan, findings).state;
+  return {end.v[0] / v, std::atan2(end.v[0], end.v[1]) * 180.0 / std::numbers::pi, std::abs(end.v[2])};
+}
+
+// --- the models beside the measurements -----------------------------------------------------------------------------
+
+double root_mean_square(const std::vector<Point>& points, const std::function<double(double)>& model) {
+  double sum = 0.0;
+  for (const Point& point : points)
+    sum += std::pow(model(point.angle) - point.value, 2);
+  return std::sqrt(sum / static_cast<double>(points.size()));
+}
+
+Series series(std::string name, const std::vector<Point>& points) {
+  Series made{std::move(name), {}, {}, Style::points};
+  for (const Point& point : points)
+    made.add(point.angle, point.value);
+  return made;
+}
+
+const char* const arm_why =
+    "half the largest overlap over the radius, 0.35 %, shortens the arm of friction in the solver, not in the "
+    "reference; 500 steps in the contact err by 1e-5";
+
+void check_models(Findings& findings, const Setup& setup, const Measured& measured, const Agreement& agreed) {
+  Figure figure{.name = "restitution",
+                .title = "Tangential restitution of alumina spheres on glass",
+                .caption =
+                    "Tangential speed after over before the impact, against the angle from the normal: measured by "
+                    "Kharaz et al. 2001 (and from their angles of rebound), by the solver, and by another code.",
+                .x = {.label = "angle of impact", .unit = "degrees"},
+                .y = {.label = "tangential restitution"}};
+  Table distances{
+      .name = "distances",
+      .caption =
+          fmt::format("Root mean square distance from the measured tangential restitution (scatter of the data "
+                      "{:.3f}) and from the measured angle of rebound, and the angle up to which a measured value "
+                      "differs from the model by more than three times the scatter.",
+                      agreed.scatter),
+      .columns = {"model", "distance of e_t", "distance of the angle [degrees]", "excluded up to [degrees]"}};
+  Table spins{.name = "spins",
+              .caption =
+                  "Spin after the impact [rad/s]; predictions for the third measured quantity, which this case "
+                  "does not use.",
+              .columns = {"angle [degrees]"}};
+  const std::array angles{6.143, 10.991, 21.251, 31.157, 39.143, 50.348, 60.328};
+  for (const double angle : angles)
+    spins.rows.push_back({fmt::format("{}", angle)});
+  figure.series.push_back(series("Kharaz et al. 2001", measured.restitution));
+  figure.series.push_back(series("from angles of rebound", agreed.restitution));
+  double differ = 0.0, momentum = 0.0;
+  for (const ContactModel& model : models()) {
+    Series line{model.name, {}, {}, Style::lines};
+    for (const double angle : multiples(1.0, 1, 62)) {
+      if (setup.coarse && std::fmod(angle, 10.0) != 0.0) continue;
+      const Rebound found = rebound(model, angle, setup, findings);
+      line.add(angle, found.restitution);
+      keep_worst(differ, found.restitution - exact(model, angle));
+      const double given = (1.0 - found.restitution) * speed * std::sin(radians(angle)) * (mobility - 1.0) / radius;
+      keep_worst(momentum, found.spin / given - 1.0);
+    }
+    figure.series.push_back(line);
+    if (setup.coarse) continue;
+    const auto of_solver = [&](double angle) { return rebound(model, angle, setup, findings).restitution; };
+    const auto angle_of_solver = [&](double angle) { return rebound(model, angle, setup, findings).angle; };
+    const double distance = root_mean_square(measured.restitution, of_solver);
+    double excluded = 0.0;
+    for (const Point& point : measured.restitution) {
+      if (std::abs(of_solver(point.angle) - point.value) > 3.0 * agreed.scatter) excluded = point.angle;
+    }
+    distances.rows.push_back({model.name, fmt::format("{:.3f}", distance),
+                              fmt::format("{:.2f}", root_mean_square(measured.rebound, angle_of_solver)),
+                              excluded > 0.0 ? fmt::format("{:.1f}", excluded) : "-"});
+    findings.in("distances")
+        ->expect("distance from the measured restitution, " + model.name, distance,
+                 root_mean_square(measured.restitution, [&](double angle) { return exact(model, angle); }),
+                 Tolerance::model(0.002, arm_why));
+    spins.columns.push_back(model.name);
+    for (std::size_t i = 0; i < angles.size(); ++i)
+      spins.rows[i].push_back(fmt::format("{:.1f}", rebound(model, angles[i], setup, findings).spin));
+  }
+  figure.series.push_back(series("MFiX-DEM (another code)", measured.other_code));
+  findings.in("restitution")
+      ->expect("tangential restitution, largest difference of solver and reference", differ, 0.0,
+               Tolerance::model(0.004, arm_why));
+  findings.in("restitution")
+      ->expect("spin over that of the friction impulse, largest deviation from 1", momentum, 0.0,
+               Tolerance::model(0.008, "half the overlap over the radius, of impulses of both signs"));
+  if (setup.coarse) return;
+  findings.figure(figure);
+  findings.table(distances);
+  findings.table(spins);
+}
+
+void check_data(Findings& findings, const Measured& measured, const Agreement& agreed) {
+  findings.in("data")->expect("number of measured values",
+                              static_cast<double>(measured.restitution.size() + measured.rebound.size()), 17.0,
+                              Tolerance::exact("rows of the file"));
+  findings.note(fmt::format(
+      "The two measured quantities together give a normal restitution of {:.3f} with a standard deviation of {:.3f}, "
+      "where {:g} is assumed here and by other codes; with it, they scatter by {:.3f} in $e_t$.",
+      agreed.normal_restitution, agreed.deviation, restitution, agreed.scatter));
+}
+
+// --- fit, then predict ----------------------------------------------------------------------------------------------
+
+/// Friction and ratio of stiffness that fit the points best, by a pattern search with the references.
+ContactModel fitted(ContactModel model, const std::vector<Point>& points) {
+  const auto distance = [&points](const ContactModel& of) {
+    return root_mean_square(points, [&](double angle) { return exact(of, angle); });
+  };
+  double best = distance(model);
+  for (double size = 0.2; size > 1e-3;) {
+    bool better = false;
+    for (const auto& [friction, ratio] : {std::pair{1.0, 0.0}, {-1.0, 0.0}, {0.0, 1.0}, {0.0, -1.0}}) {
+      ContactModel other = model;
+      other.friction *= 1.0 + 0.5 * size * friction, other.ratio *= 1.0 + size * ratio;
+      const double found = distance(other);
+      if (!(found < best)) continue;
+      best = found, model = other, better = true;
+      break;
+    }
+    if (!better) size *= 0.5;
+  }
+  return model;
+}
+
+void check_prediction(Findings& findings, const Setup& setup, const Measured& measured, const Agreement& agreed) {
+  std::vector<Point> all = measured.restitution;
+  all.insert(all.end(), agreed.restitution.begin(), agreed.restitution.end());
+  std::sort(all.begin(), all.end(), [](const Point& a, const Point& b) { return a.angle < b.angle; });
+  std::array<std::vector<Point>, 2> halves;
+  for (std::size_t i = 0; i < all.size(); ++i)
+    halves[i / 2 % 2].push_back(all[i]);
+  Table table{.name = "prediction",
+              .caption =
+                  "Friction and ratio of stiffness fitted to half of the angles, and the prediction of the "
+                  "other half: 95 % interval from the residuals of the fit (Student's t, 6 degrees of "
+                  "freedom), without the uncertainty of the parameters.",
+              .columns = {"model", "friction", "k_s/k_n, or k_s/(K sqrt d)", "residual of the fit", "interval",
+                          "distance of the predictions", "predictions outside"}};
+  double differ = 0.0;
+  for (const ContactModel& model : models()) {
+    if (model.ratio == 2.0 / 7.0) continue;  // the fit changes the ratio
+    const ContactModel fit = fitted(model, halves[0]);
+    ContactModel used = fit;
+    if (setup.has("fit_of_the_ratio_lost")) used.ratio = 0.5 * model.ratio;
+    const auto of_solver = [&](double angle) { return rebound(used, angle, setup, findings).restitution; };
+    const auto of_reference = [&](double angle) { return exact(fit, angle); };
+    const double residual = root_mean_square(halves[0], of_reference);
+    const double interval = 2.447 * residual * std::sqrt(8.0 / 6.0);
+    int outside = 0;
+    for (const Point& point : halves[1]) {
+      const double predicted = of_solver(point.angle);
+      keep_worst(differ, predicted - of_reference(point.angle));
+      outside += std::abs(predicted - point.value) > interval ? 1 : 0;
+    }
+    table.rows.push_back({model.name, fmt::format("{:.4f}", fit.friction), fmt::format("{:.3f}", fit.ratio),
+                          fmt::format("{:.4f}", residual), fmt::format("+-{:.3f}", interval),
+                          fmt::format("{:.4f}", root_mean_square(halves[1], of_solver)),
+                          fmt::format("{} of {}", outside, halves[1].size())});
+  }
+  findings.in("prediction")
+      ->expect("predicted restitution with the fitted parameters, solver less reference", differ, 0.0,
+               Tolerance::model(0.004, arm_why));
+  if (!setup.coarse) findings.table(table);
+}
+
+void run(Findings& findings, const Setup& setup) {
+  const Measured measured = read_measured(setup);
+  const Agreement agreed = agreement(measured);
+  check_data(findings, measured, agreed);
+  if (setup.needs("tangential") || setup.needs("spin") || setup.needs("distance"))
+    check_models(findings, setup, measured, agreed);
+  if (setup.needs("predicted")) check_prediction(findings, setup, measured, agreed);
+}
+
+}  // namespace
+
+Case definition() {
+  const std::string differ = "tangential restitution, largest difference of solver and reference",
+                    spin = "spin over that of the friction impulse, largest deviation from 1",
+                    predicted = "predicted restitution with the fitted parameters, solver less reference";
+  return {.id = "measured_rebound",
+          .title = "Measured rebounds of spheres from a plate",
+          .requirements = {{"V1", {"distances", "restitution", "prediction", "data"}},
+                           {"shear_law.mindlin", {"restitution", "prediction"}},
+                           {"shear_law.linear", {"restitution", "prediction"}}},
+          .main_checks = {differ, "distance from the measured restitution, hertz and mindlin", predicted},
+          .source = "Kharaz, Gorham & Salman 2001",
+          .faults = {{"friction_of_another_pair", "1.5 times the coefficient of friction", differ},
+                     {"disc_for_sphere", "the inertia of a disc", spin},
+                     {"fit_of_the_ratio_lost", "predictions with half the ratio of stiffness", predicted},
+                     {"row_lost", "a row of the measurements is lost", "number of measured values"}},
+          .seconds = 3.0,
+          .run = run};
+}
+
+}  // namespace talus::verification::problems::measured_rebound
