@@ -23,6 +23,7 @@ std::size_t CableForces::joint(const CableEnd& end) {
   const Joint wanted{end.body.has_value(), end.body.value_or(BodyId{}), in_plane(end.p), end.p.z};
   const auto found = std::find(joints_.begin(), joints_.end(), wanted);
   if (found != joints_.end()) return static_cast<std::size_t>(found - joints_.begin());
+  if (!wanted.on_body) anchors_.push_back(joints_.size());
   joints_.push_back(wanted);
   constants_.body_x.push_back(wanted.p.x), constants_.body_y.push_back(wanted.p.y);
   return joints_.size() - 1;
@@ -124,9 +125,8 @@ void CableForces::find_row(CableSpan& span, const std::vector<std::size_t>& ends
 }
 
 void CableForces::place_anchors(Workspace& work) const {
-  for (std::size_t j = 0; j < joints_.size(); ++j) {
-    if (!joints_[j].on_body) work.joints.place(j, joints_[j].p, {});
-  }
+  for (const std::size_t j : anchors_)
+    work.joints.place(j, joints_[j].p, {});
 }
 
 void CableForces::update(const State& state, Workspace& work) const {
@@ -203,8 +203,7 @@ void CableForces::load(const State& state, Workspace& work, Rates* out) const {
   if (!out) return;
   // Anchors react to the cable forces: an impulse from outside. Anchors of sleeping cables keep the force of their last
   // evaluation.
-  for (std::size_t j = 0; j < joints_.size(); ++j) {
-    if (joints_[j].on_body) continue;
+  for (const std::size_t j : anchors_) {
     out->impulse[0] -= work.joints.force_x[j];
     out->impulse[1] -= work.joints.force_y[j];
     out->impulse[2] -= cross(work.joints.p_WP(j), work.joints.force(j));

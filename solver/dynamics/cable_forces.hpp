@@ -116,6 +116,7 @@ class CableForces {
 
   CableLaws::Tuple<CableArray> laws_;
   std::vector<Joint> joints_;
+  std::vector<std::size_t> anchors_;  ///< the joints that are on no body
   std::vector<Ends> ends_;
   CableConstants constants_;
   std::vector<CablePlace> places_;

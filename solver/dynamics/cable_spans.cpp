@@ -61,7 +61,7 @@ template <bool recorded>
 
 /// Evaluates a row in one pass, in registers from the poses to the forces: if results were written and read again
 /// between stages, each stage would wait for the one before. `recorded`: stores the results for joints and cables, too.
-/// Otherwise whole packs of forces are stored at the joints: the rows that follow replace those of their own joints.
+/// Otherwise whole packs of forces are stored at the joints: each later row replaces those at its joints.
 template <bool recorded>
 [[gnu::always_inline]] inline bool pull(const CableSpan& span, const CableConstants& constants,
                                         const CableLinearization& lines, const Poses& poses, JointPoints& joints,
