@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <cstring>
 #include <limits>
+#include <type_traits>
 
 #include "solver/base/pack.hpp"
 
@@ -39,19 +40,32 @@ TALUS_CLONES bool all_finite(const double* x, const double* y, std::size_t count
   return (static_cast<std::int64_t>(rest) & ~sign) == 0 && !any_bit(found & ~sign);
 }
 
-TALUS_CLONES void take_extremes(const double* x, double time, std::size_t count, double* least, double* least_time,
-                                double* largest, double* largest_time) {
-  const Pack now = Pack{} + time;
+TALUS_CLONES void take_extremes(const double* x, const double* times, std::size_t rows, std::size_t count,
+                                double* least, double* least_time, double* largest, double* largest_time) {
   // A value visited twice, in a last pack that overlaps the one before it, changes no extreme the second time.
-  for_packs(count, [&](std::size_t i, auto left) {
-    Pack value, low, low_time, high, high_time;
-    load(value, x + i, left);
+  const auto take = [&](std::size_t i, auto left, auto number_of_rows) __attribute__((always_inline)) {
+    Pack low, low_time, high, high_time;
     load(low, least + i, left), load(low_time, least_time + i, left);
     load(high, largest + i, left), load(high_time, largest_time + i, left);
-    store(value < low ? value : low, least + i, left), store(value < low ? now : low_time, least_time + i, left);
-    store(value > high ? value : high, largest + i, left),
-        store(value > high ? now : high_time, largest_time + i, left);
-  });
+    const double* next = x + i;
+    for (std::size_t row = 0; row < number_of_rows; ++row, next += count) {
+      const Pack now{times[row], times[row], times[row], times[row]};
+      Pack value;
+      load(value, next, left);
+      low_time = value < low ? now : low_time, low = value < low ? value : low;
+      high_time = value > high ? now : high_time, high = value > high ? value : high;
+    }
+    store(low, least + i, left), store(low_time, least_time + i, left);
+    store(high, largest + i, left), store(high_time, largest_time + i, left);
+  };
+  if (rows == block_rows) {
+    using Block = std::integral_constant<std::size_t, block_rows>;
+    for_packs(
+        count, [&](std::size_t i, auto left) __attribute__((always_inline)) { take(i, left, Block{}); });
+  } else {
+    for_packs(
+        count, [&](std::size_t i, auto left) __attribute__((always_inline)) { take(i, left, rows); });
+  }
 }
 
 }  // namespace talus

@@ -11,8 +11,11 @@ void add_scaled(double* out, const double* x, double h, const double* rate, std:
 /// Whether all numbers of x and y are finite.
 [[nodiscard]] bool all_finite(const double* x, const double* y, std::size_t count);
 
-/// Updates the minima and maxima so far, and their times, with the values x at `time`; NaN changes neither.
-void take_extremes(const double* x, double time, std::size_t count, double* least, double* least_time, double* largest,
-                   double* largest_time);
+/// Number of rows for which the loop of take_extremes() is unrolled.
+inline constexpr std::size_t block_rows = 8;
+/// Updates the minima and maxima so far of `count` numbers, and their first times, with `rows` values of each, row by
+/// row in x at these times; NaN changes neither.
+void take_extremes(const double* x, const double* times, std::size_t rows, std::size_t count, double* least,
+                   double* least_time, double* largest, double* largest_time);
 
 }  // namespace talus

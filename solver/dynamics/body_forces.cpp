@@ -58,6 +58,7 @@ BodyForces::BodyForces(const Model& model, const Layout& layout) : gravity_{mode
     constants_.inverse_inertia.push_back(body.inverse_inertia);
     constants_.load_x.push_back(body.load.x), constants_.load_y.push_back(body.load.y);
     constants_.moment.push_back(body.moment);
+    constants_.multiplicity.push_back(body.multiplicity);
   }
 }
 
@@ -137,8 +138,8 @@ void BodyForces::rates(Workspace& work, Rates& out, bool ledger) const {
     accelerate_bodies(span, constants_, work.wrenches, &out.v[free_[span.place].first]);
   }
   if (ledger) {
-    for (const Compiled& body : free_)
-      accumulate(out, body.multiplicity, work.poses[body.body].p_WB, body.load, body.moment);
+    for (const BodySpan& span : free_runs_)
+      add_impulses(span, constants_, work.poses, out.impulse);
   } else if (only_free_) {
     return;
   }
@@ -212,48 +213,35 @@ void BodyForces::guided_rates(const Compiled& body, const Workspace& work, Rates
 }
 
 void BodyForces::weigh(const Compiled& body, std::size_t angle) {
-  weighed_.push_back({.body = body.body,
-                      .angle = angle,
-                      .kinetic = 0.5 * body.multiplicity * body.mass,
-                      .turning = 0.5 * body.multiplicity * body.inertia,
-                      .weight = body.multiplicity * body.mass,
-                      .multiplicity = body.multiplicity,
-                      .mass = body.mass,
-                      .inertia = body.inertia,
-                      .force = body.force,
-                      .moment = body.moment,
-                      .p_WB = body.p_WB,
-                      .orientation = body.angle});
+  append(weighed_, {weights_.mass.size(), body.body, 1});
+  weights_.kinetic.push_back(0.5 * body.multiplicity * body.mass);
+  weights_.turning.push_back(0.5 * body.multiplicity * body.inertia);
+  weights_.weight.push_back(body.multiplicity * body.mass);
+  weights_.multiplicity.push_back(body.multiplicity);
+  weights_.mass.push_back(body.mass), weights_.inertia.push_back(body.inertia);
+  weights_.force_x.push_back(body.force.x), weights_.force_y.push_back(body.force.y);
+  weights_.moment.push_back(angle == none ? 0.0 : body.moment);
+  weights_.place_x.push_back(body.p_WB.x), weights_.place_y.push_back(body.p_WB.y);
+  weights_.angle.push_back(body.angle);
+  weights_.angle_coordinate.push_back(angle == none ? 0 : angle);
+  any_applied_ = any_applied_ || body.force != Vec2{} || body.moment != 0.0;
 }
 
 Energies BodyForces::energies(const State& state, const Workspace& work) const {
   const Poses& poses = work.poses;
-  // Sums in registers: members of the result would be written and read again for each body.
-  double kinetic = 0.0, gravity = 0.0, applied = 0.0;
-  for (const Weighed& body : weighed_) {
-    const std::size_t i = body.body;
-    const Vec2 p{poses.x[i], poses.y[i]}, v{poses.vx[i], poses.vy[i]};
-    const double w = poses.w[i];
-    const double turned = body.angle == none ? 0.0 : state.q[body.angle] - body.orientation;
-    kinetic += body.kinetic * dot(v, v);
-    if (body.inertia > 0.0) kinetic += body.turning * w * w;
-    gravity -= body.weight * dot(gravity_, p);
-    applied -= body.multiplicity * (dot(body.force, p - body.p_WB) + body.moment * turned);
+  Energies sum;
+  for (const BodySpan& span : weighed_) {
+    add_energies(span, weights_, gravity_, poses, sum);
+    if (any_applied_) add_applied(span, weights_, state.q.data(), poses, sum.applied);
   }
-  return {.kinetic = kinetic, .gravity = gravity, .applied = applied};
+  return sum;
 }
 
 Momenta BodyForces::momenta(const Workspace& work) const {
-  const Poses& poses = work.poses;
-  Vec2 linear;
-  double angular = 0.0;
-  for (const Weighed& body : weighed_) {
-    const std::size_t i = body.body;
-    const Vec2 p{poses.x[i], poses.y[i]}, v{poses.vx[i], poses.vy[i]};
-    linear += body.weight * v;
-    angular += body.multiplicity * (body.mass * cross(p, v) + body.inertia * poses.w[i]);
-  }
-  return {linear, angular};
+  Momenta sum;
+  for (const BodySpan& span : weighed_)
+    add_momenta(span, weights_, work.poses, sum);
+  return sum;
 }
 
 }  // namespace talus

@@ -53,20 +53,6 @@ class BodyForces {
     bool along_x{};            ///< a sliding or guided body: whether its guide is along x, else y
   };
 
-  /// Data of one body for energies and momenta, contiguous for all bodies.
-  struct Weighed {
-    std::size_t body{};
-    std::size_t angle{};  ///< its angle coordinate; `none` for a body that does not turn
-    double kinetic{};     ///< multiplicity * m/2
-    double turning{};     ///< multiplicity * I/2
-    double weight{};      ///< multiplicity * m
-    double multiplicity{};
-    double mass{}, inertia{};
-    Vec2 force;            ///< applied [F]
-    double moment{};       ///< applied [F L]
-    Vec2 p_WB;             ///< reference position [L]
-    double orientation{};  ///< reference [rad]
-  };
   static constexpr std::size_t none = ~std::size_t{0};
   void weigh(const Compiled& body, std::size_t angle);
 
@@ -89,8 +75,10 @@ class BodyForces {
   std::vector<Compiled> sliding_;
   std::vector<Compiled> guided_;
   std::vector<Compiled> fixed_;
-  std::vector<Weighed> weighed_;  ///< all bodies that move, by mobility
-  bool only_free_{};              ///< all bodies that move are free
+  BodyWeights weights_;            ///< of all bodies that move, by mobility
+  std::vector<BodySpan> weighed_;  ///< the same bodies
+  bool any_applied_{};             ///< one of them has an applied force or moment
+  bool only_free_{};               ///< all bodies that move are free
 };
 
 }  // namespace talus

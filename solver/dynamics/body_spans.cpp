@@ -99,6 +99,48 @@ template <class Visit>
   visit(threes + 3 * i, span.body + i, all);
 }
 
+/// Depth of point i of A in the box around an outline of B.
+[[gnu::always_inline]] inline auto depth_in_box(const double* x, const double* y, const Placement& A_in_B,
+                                                const Superquadric& outline) {
+  return [=](std::size_t i) __attribute__((always_inline)) {
+    return box_depth(outline, A_in_B.p + A_in_B.R * Vec2{x[i], y[i]});
+  };
+}
+/// Depth of ball i of A in the half-plane y < 0 of B.
+[[gnu::always_inline]] inline auto depth_in_plane(const double* x, const double* y, const double* radius,
+                                                  const Placement& A_in_B) {
+  return [=](std::size_t i) __attribute__((always_inline)) {
+    return radius[i] - (A_in_B.p + A_in_B.R * Vec2{x[i], y[i]}).y;
+  };
+}
+
+template <class DepthOf>
+[[gnu::always_inline]] inline void write_depths(std::size_t count, double* depths, DepthOf&& depth_of) {
+  for (std::size_t i = 0; i < count; i += pack_size) {
+    Lanes depth;
+    for_lanes([&](std::size_t l) { depth[l] = depth_of(i + l); });
+    Pack pack;
+    depth.get(pack);
+    store(pack, depths + i);
+  }
+}
+
+template <class DepthOf>
+[[gnu::always_inline]] inline double largest_depth(std::size_t count, DepthOf&& depth_of) {
+  constexpr double none = -std::numeric_limits<double>::infinity();
+  Lanes largest{{none, none, none, none}};
+  for (std::size_t i = 0; i < count; i += pack_size) {
+    Lanes depth;
+    for_lanes([&](std::size_t l) { depth[l] = depth_of(i + l); });
+    Sizes is;
+    between(is, 0, static_cast<std::ptrdiff_t>(count - i));
+    Pack pack = Pack{} + none, depths;
+    depth.get(depths), choose(pack, is, depths), depth.set(pack);
+    for_lanes([&](std::size_t l) { largest[l] = std::max(largest[l], depth[l]); });
+  }
+  return std::max(std::max(largest[0], largest[1]), std::max(largest[2], largest[3]));
+}
+
 }  // namespace
 
 TALUS_CLONES void place_bodies(const BodySpan& span, const double* q, Poses& poses) {
@@ -158,32 +200,104 @@ TALUS_CLONES void accelerate_bodies(const BodySpan& span, const BodyConstants& c
     accelerate_pack(span.place + i, span.body + i, constants, wrenches, a + 3 * i);
 }
 
+TALUS_CLONES void add_impulses(const BodySpan& span, const BodyConstants& constants, const Poses& poses,
+                               Impulse<double>& sum) {
+  auto [force_x, force_y, moment] = sum;
+  for (std::size_t i = 0; i < span.count; i += pack_size) {
+    const std::size_t place = span.place + i, body = span.body + i, left = span.count - i;
+    Pack multiplicity, load_x, load_y, applied, x, y;
+    load(multiplicity, constants.multiplicity.at(place));
+    load(load_x, constants.load_x.at(place)), load(load_y, constants.load_y.at(place));
+    load(applied, constants.moment.at(place)), load(x, poses.x.at(body)), load(y, poses.y.at(body));
+    add_lanes(force_x, multiplicity * load_x, left);
+    add_lanes(force_y, multiplicity * load_y, left);
+    add_lanes(moment, multiplicity * ((x * load_y - y * load_x) + applied), left);
+  }
+  sum = {force_x, force_y, moment};
+}
+
+TALUS_CLONES void add_energies(const BodySpan& span, const BodyWeights& weights, Vec2 gravity, const Poses& poses,
+                               Energies& sum) {
+  // Sums in registers: members of the result would be written and read again for each body.
+  double kinetic = sum.kinetic, potential = sum.gravity;
+  for (std::size_t i = 0; i < span.count; i += pack_size) {
+    const std::size_t place = span.place + i, body = span.body + i, left = span.count - i;
+    Pack x, y, vx, vy, w, weight, half_mass, half_inertia;
+    load(x, poses.x.at(body)), load(y, poses.y.at(body));
+    load(vx, poses.vx.at(body)), load(vy, poses.vy.at(body)), load(w, poses.w.at(body));
+    load(weight, weights.weight.at(place));
+    load(half_mass, weights.kinetic.at(place)), load(half_inertia, weights.turning.at(place));
+    Lanes moving, turning;
+    moving.set(half_mass * (vx * vx + vy * vy)), turning.set(half_inertia * w * w);
+    for (std::size_t lane = 0; lane < std::min(left, pack_size); ++lane)
+      kinetic += moving[lane], kinetic += turning[lane];
+    add_lanes(potential, -(weight * (gravity.x * x + gravity.y * y)), left);
+  }
+  sum.kinetic = kinetic, sum.gravity = potential;
+}
+
+TALUS_CLONES void add_applied(const BodySpan& span, const BodyWeights& weights, const double* q, const Poses& poses,
+                              double& sum) {
+  double potential = sum;
+  for (std::size_t i = 0; i < span.count; i += pack_size) {
+    const std::size_t place = span.place + i, body = span.body + i, left = span.count - i;
+    Lanes angles{};
+    for (std::size_t lane = 0; lane < std::min(left, pack_size); ++lane)
+      angles[lane] = q[weights.angle_coordinate[place + lane]];
+    Pack x, y, angle, x0, y0, angle0, force_x, force_y, moment, multiplicity;
+    load(x, poses.x.at(body)), load(y, poses.y.at(body)), angles.get(angle);
+    load(x0, weights.place_x.at(place)), load(y0, weights.place_y.at(place)), load(angle0, weights.angle.at(place));
+    load(force_x, weights.force_x.at(place)), load(force_y, weights.force_y.at(place));
+    load(moment, weights.moment.at(place)), load(multiplicity, weights.multiplicity.at(place));
+    const Pack along = force_x * (x - x0) + force_y * (y - y0);
+    add_lanes(potential, -(multiplicity * (along + moment * (angle - angle0))), left);
+  }
+  sum = potential;
+}
+
+TALUS_CLONES void add_momenta(const BodySpan& span, const BodyWeights& weights, const Poses& poses, Momenta& sum) {
+  double linear_x = sum.linear.x, linear_y = sum.linear.y, angular = sum.angular;
+  for (std::size_t i = 0; i < span.count; i += pack_size) {
+    const std::size_t place = span.place + i, body = span.body + i, left = span.count - i;
+    Pack x, y, vx, vy, w, weight, multiplicity, mass, inertia;
+    load(x, poses.x.at(body)), load(y, poses.y.at(body));
+    load(vx, poses.vx.at(body)), load(vy, poses.vy.at(body)), load(w, poses.w.at(body));
+    load(weight, weights.weight.at(place)), load(multiplicity, weights.multiplicity.at(place));
+    load(mass, weights.mass.at(place)), load(inertia, weights.inertia.at(place));
+    add_lanes(linear_x, weight * vx, left);
+    add_lanes(linear_y, weight * vy, left);
+    add_lanes(angular, multiplicity * (mass * (x * vy - y * vx) + inertia * w), left);
+  }
+  sum = {{linear_x, linear_y}, angular};
+}
+
 TALUS_CLONES void box_depths(const Row& x, const Row& y, std::size_t first, std::size_t count, const Placement& A_in_B,
                              const Superquadric& outline, double* depths) {
-  const Rotation R = A_in_B.R;
-  const Vec2 p = A_in_B.p;
-  for (std::size_t i = 0; i < count; i += pack_size) {
-    const double *const x_A = x.at(first + i), *const y_A = y.at(first + i);
-    Lanes depth;
-    for_lanes([&](std::size_t l) { depth[l] = box_depth(outline, p + R * Vec2{x_A[l], y_A[l]}); });
-    Pack pack;
-    depth.get(pack);
-    store(pack, depths + i);
-  }
+  write_depths(count, depths, depth_in_box(x.at(first), y.at(first), A_in_B, outline));
 }
 
 TALUS_CLONES void plane_depths(const Row& x, const Row& y, const Row& radius, std::size_t first, std::size_t count,
                                const Placement& A_in_B, double* depths) {
-  const Rotation R = A_in_B.R;
-  const Vec2 p = A_in_B.p;
-  for (std::size_t i = 0; i < count; i += pack_size) {
-    const double *const x_A = x.at(first + i), *const y_A = y.at(first + i), *const r = radius.at(first + i);
-    Lanes depth;
-    for_lanes([&](std::size_t l) { depth[l] = r[l] - (p + R * Vec2{x_A[l], y_A[l]}).y; });
-    Pack pack;
-    depth.get(pack);
-    store(pack, depths + i);
-  }
+  write_depths(count, depths, depth_in_plane(x.at(first), y.at(first), radius.at(first), A_in_B));
+}
+
+TALUS_CLONES double largest_box_depth(const Row& x, const Row& y, std::size_t first, std::size_t count,
+                                      const Placement& A_in_B, const Superquadric& outline) {
+  return largest_depth(count, depth_in_box(x.at(first), y.at(first), A_in_B, outline));
+}
+
+TALUS_CLONES double largest_plane_depth(const Row& x, const Row& y, const Row& radius, std::size_t first,
+                                        std::size_t count, const Placement& A_in_B) {
+  return largest_depth(count, depth_in_plane(x.at(first), y.at(first), radius.at(first), A_in_B));
+}
+
+TALUS_CLONES double largest_circle_depth(const Row& x, const Row& y, const Row& radius, std::size_t first,
+                                         std::size_t count, const Placement& A_in_B, const Circle& circle) {
+  const double *const x_A = x.at(first), *const y_A = y.at(first), *const r = radius.at(first);
+  return largest_depth(
+      count, [=](std::size_t i) __attribute__((always_inline)) {
+        return r[i] + (circle.radius - norm(A_in_B.p + A_in_B.R * Vec2{x_A[i], y_A[i]}));
+      });
 }
 
 }  // namespace talus

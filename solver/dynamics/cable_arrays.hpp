@@ -20,7 +20,6 @@ struct CableArray {
   std::vector<std::size_t> cable;  ///< index of each in Workspace::paths
   std::vector<L> laws;
   std::vector<Slot> slots;
-  std::vector<CableSpan> spans;  ///< cables that are consecutive in the model
 };
 
 /// Position of the law of one cable: in the list of laws, and in its array.
@@ -45,11 +44,11 @@ void for_each_cable(const Laws& laws, Visit&& visit) {
   });
 }
 
-/// Calls visit(array, span) for each span of cables in the active set.
-template <class Laws, class ActiveSet, class Visit>
-void for_each_span(const Laws& laws, ActiveSet& active, Visit&& visit) {
+/// Calls visit(array, span) for each span of a list of spans for each law.
+template <class Laws, class Spans, class Visit>
+void for_each_span(const Laws& laws, Spans& spans, Visit&& visit) {
   for_each_array(laws, [&](const auto& array, std::size_t law) {
-    for (auto& span : active.cables[law])
+    for (auto& span : spans[law])
       visit(array, span);
   });
 }

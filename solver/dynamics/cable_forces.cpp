@@ -23,6 +23,7 @@ std::size_t CableForces::joint(const CableEnd& end) {
   const Joint wanted{end.body.has_value(), end.body.value_or(BodyId{}), in_plane(end.p), end.p.z};
   const auto found = std::find(joints_.begin(), joints_.end(), wanted);
   if (found != joints_.end()) return static_cast<std::size_t>(found - joints_.begin());
+  if (!wanted.on_body) anchors_.push_back(joints_.size());
   joints_.push_back(wanted);
   constants_.body_x.push_back(wanted.p.x), constants_.body_y.push_back(wanted.p.y);
   return joints_.size() - 1;
@@ -38,15 +39,11 @@ CableForces::CableForces(const Model& model, const Layout& layout) {
     constants_.symmetry_weight_b.push_back(cable.multiplicity / multiplicity_of(model, joints_[b]));
     constants_.across_squared.push_back(across * across);
     constants_.rest_length.push_back(cable.rest_length);
-    multiplicities_.push_back(cable.multiplicity);
+    constants_.multiplicity.push_back(cable.multiplicity);
     std::visit(
         [&](const auto& law) {
           auto& array = std::get<CableArray<std::decay_t<decltype(law)>>>(laws_);
           places_.push_back({cable.law.index(), array.laws.size()});
-          if (!array.cable.empty() && array.cable.back() + 1 == c)
-            ++array.spans.back().count;
-          else
-            array.spans.push_back({.place = array.laws.size(), .cable = c, .count = 1});
           array.cable.push_back(c);
           array.laws.push_back(law);
           array.slots.push_back(layout.cable_slots[c]);
@@ -92,6 +89,18 @@ void CableForces::list_awake(ActiveSet& active, const HangerTopology& topology) 
       last = span.a;
     }
   }
+  active.lines.resize(active.cables.size());
+  for (std::size_t law = 0; law < active.cables.size(); ++law) {
+    std::vector<CableSpan>& lines = active.lines[law];
+    lines.clear();
+    for (const CableSpan& span : active.cables[law]) {
+      if (!span.row) continue;
+      if (!lines.empty() && lines.back().cable + lines.back().count == span.cable)
+        lines.back().count += span.count;
+      else
+        lines.push_back(span);
+    }
+  }
   active.joints.clear();
   for (std::size_t j = 0; j < joints_.size(); ++j) {
     if (listed[j] > 0) append(active.joints, {j, index(joints_[j].body), 1, joints_[j].on_body, in_row[j] != 0});
@@ -116,9 +125,8 @@ void CableForces::find_row(CableSpan& span, const std::vector<std::size_t>& ends
 }
 
 void CableForces::place_anchors(Workspace& work) const {
-  for (std::size_t j = 0; j < joints_.size(); ++j) {
-    if (!joints_[j].on_body) work.joints.place(j, joints_[j].p, {});
-  }
+  for (const std::size_t j : anchors_)
+    work.joints.place(j, joints_[j].p, {});
 }
 
 void CableForces::update(const State& state, Workspace& work) const {
@@ -127,9 +135,9 @@ void CableForces::update(const State& state, Workspace& work) const {
   }
   clear(work.pulls, work.active.reached_bodies);
   work.active.on_linear_branch = work.active.rows_only;
-  for_each_span(laws_, work.active, [&]<class L>(const CableArray<L>& array, CableSpan& span) {
+  keep_lines(state, work);
+  for_each_span(laws_, work.active.cables, [&](const auto&, CableSpan& span) {
     if (!span.row) return evaluate_paths(span, work);
-    if constexpr (HasLinearBranch<L>) keep_lines(array, span, state, work.lines);
     span.on_linear_branch =
         evaluate_chain(span, constants_, work.lines, work.poses, work.joints, work.paths, work.pulls);
     work.active.on_linear_branch = work.active.on_linear_branch && span.on_linear_branch;
@@ -137,7 +145,7 @@ void CableForces::update(const State& state, Workspace& work) const {
   if (work.topology.chains.empty()) return;
   // Cables that continue through broken hangers have other paths: then no span is on its linear branch.
   work.active.on_linear_branch = false;
-  for_each_span(laws_, work.active, [](const auto&, CableSpan& span) { span.on_linear_branch = false; });
+  for_each_span(laws_, work.active.cables, [](const auto&, CableSpan& span) { span.on_linear_branch = false; });
   for (Chain& chain : work.topology.chains)
     straighten(chain, state, work);
 }
@@ -146,20 +154,20 @@ bool CableForces::pull_rows(const State& state, Workspace& work) const {
   ActiveSet& active = work.active;
   if (!active.rows_only || active.any_asleep || !hanger_joints_.empty()) return false;
   clear(work.wrenches, active.reached_bodies);
-  // All cables are awake: check the spans of the arrays, which are fewer than the spans of the active set.
-  for_each_array(laws_, [&]<class L>(const CableArray<L>& array, std::size_t) {
-    if constexpr (HasLinearBranch<L>) {
-      for (const CableSpan& span : array.spans)
-        keep_lines(array, span, state, work.lines);
-    }
-  });
+  keep_lines(state, work);
   bool on_linear_branch = true;
-  for_each_span(laws_, active, [&](const auto&, CableSpan& span) {
+  for_each_span(laws_, active.cables, [&](const auto&, CableSpan& span) {
     on_linear_branch =
         chain_wrenches(span, constants_, work.lines, work.poses, work.joints, work.wrenches) && on_linear_branch;
     span.on_linear_branch = true;
   });
   return active.on_linear_branch = on_linear_branch;
+}
+
+void CableForces::keep_lines(const State& state, Workspace& work) const {
+  for_each_span(laws_, work.active.lines, [&]<class L>(const CableArray<L>& array, const CableSpan& span) {
+    if constexpr (HasLinearBranch<L>) talus::keep_lines(array, span, state, work.lines);
+  });
 }
 
 void CableForces::evaluate_paths(const CableSpan& span, Workspace& work) const {
@@ -172,20 +180,18 @@ void CableForces::evaluate_paths(const CableSpan& span, Workspace& work) const {
 }
 
 void CableForces::update_modes(State& state, const Workspace& work) const {
-  for_each_span(laws_, work.active, [&](const auto& array, const CableSpan& span) {
+  for_each_span(laws_, work.active.cables, [&](const auto& array, const CableSpan& span) {
     if (span.on_linear_branch) return;
     for_each_of(array, span, [&](const auto& law, Slot slot, std::size_t c) {
-      update_mode(law, slot, kinematics(work, c), state, multiplicities_[c]);
+      update_mode(law, slot, kinematics(work, c), state, constants_.multiplicity[c]);
     });
   });
 }
 
 void CableForces::load(const State& state, Workspace& work, Rates* out) const {
   if (work.pulled) {
-    TALUS_ASSERT(!out);  // the energy balance requires the joints, which were not updated
-    return;
-  }
-  if (work.active.on_linear_branch) {
+    // The forces are in the wrenches already.
+  } else if (work.active.on_linear_branch) {
     copy(work.pulls, work.active.reached_bodies, work.wrenches);
   } else {
     sum_pulls(state, work, out);
@@ -197,8 +203,7 @@ void CableForces::load(const State& state, Workspace& work, Rates* out) const {
   if (!out) return;
   // Anchors react to the cable forces: an impulse from outside. Anchors of sleeping cables keep the force of their last
   // evaluation.
-  for (std::size_t j = 0; j < joints_.size(); ++j) {
-    if (joints_[j].on_body) continue;
+  for (const std::size_t j : anchors_) {
     out->impulse[0] -= work.joints.force_x[j];
     out->impulse[1] -= work.joints.force_y[j];
     out->impulse[2] -= cross(work.joints.p_WP(j), work.joints.force(j));
@@ -209,19 +214,19 @@ void CableForces::load(const State& state, Workspace& work, Rates* out) const {
 /// branch.
 void CableForces::sum_pulls(const State& state, Workspace& work, Rates* out) const {
   JointPoints& joints = work.joints;
-  for_each_span(laws_, work.active, [&](const auto&, const CableSpan& span) {
+  for_each_span(laws_, work.active.cables, [&](const auto&, const CableSpan& span) {
     if (span.on_linear_branch) return;
     joints.clear_forces(span.a, span.row ? span.count + 1 : 1);
     if (!span.row) joints.clear_forces(span.b, span.count);
   });
-  for_each_span(laws_, work.active, [&]<class L>(const CableArray<L>& array, const CableSpan& span) {
+  for_each_span(laws_, work.active.cables, [&]<class L>(const CableArray<L>& array, const CableSpan& span) {
     if (span.on_linear_branch) return;
     for_each_of(array, span, [&](const L& law, Slot slot, std::size_t c) {
       const LawForce force = law(kinematics(work, c), memory(law, state, slot), state.mode[slot.mode]);
       work.paths.tension[c] = force.total();
       if (out)
         out->work[static_cast<std::size_t>(L::dissipation)] +=
-            multiplicities_[c] * force.dissipative * work.paths.length_rate[c];
+            constants_.multiplicity[c] * force.dissipative * work.paths.length_rate[c];
     });
     sum_pulls(span, work);
   });
@@ -279,7 +284,7 @@ bool CableForces::none_ends(const Workspace& work, double horizon) const {
 
 bool CableForces::guards(const State& state, const Workspace& work, double horizon, std::span<double> out) const {
   bool any = !hanger_joints_.empty();
-  for_each_span(laws_, work.active, [&]<class L>(const CableArray<L>& array, const CableSpan& span) {
+  for_each_span(laws_, work.active.cables, [&]<class L>(const CableArray<L>& array, const CableSpan& span) {
     if (span.on_linear_branch &&
         remains_linear(span.cable, span.count, constants_.rest_length, work.lines, work.paths, horizon))
       return;
@@ -312,8 +317,15 @@ void CableForces::for_each_taut(const State& state, const Workspace& work,
 
 double CableForces::stored_energy(const State& state, const Workspace& work) const {
   double sum = 0.0;
+  if (work.active.on_linear_branch && work.active.complete) {
+    for_each_span(laws_, work.active.lines, [&](const auto&, const CableSpan& span) {
+      sum = add_line_energies(sum, span, constants_, work.lines, work.paths);
+    });
+    return sum;
+  }
   for_each_cable(laws_, [&]<class L>(const L& law, Slot slot, std::size_t c) {
-    sum += multiplicities_[c] * law.stored_energy(kinematics(work, c), memory(law, state, slot), state.mode[slot.mode]);
+    sum += constants_.multiplicity[c] *
+           law.stored_energy(kinematics(work, c), memory(law, state, slot), state.mode[slot.mode]);
   });
   return sum;
 }

@@ -46,8 +46,8 @@ class CableForces {
   /// Lists the joints and cables to compute: all, or those with an end on a body that does not sleep, and those that
   /// continue through broken hangers.
   void list_awake(ActiveSet& active, const HangerTopology& topology) const;
-  /// For rates alone, after the poses: writes the cable forces on bodies to their wrenches, without computing paths and
-  /// independent of velocities. False if the forces require paths.
+  /// For rates alone, after the poses: writes the cable forces on bodies to their wrenches and those at joints, without
+  /// computing paths and independent of velocities. False if the forces require paths.
   bool pull_rows(const State& state, Workspace& work) const;
   /// Computes joints and paths and, for rows on their linear branches, the forces.
   void update(const State& state, Workspace& work) const;
@@ -100,6 +100,8 @@ class CableForces {
 
   std::size_t joint(const CableEnd& end);
   void find_row(CableSpan& span, const std::vector<std::size_t>& ends_at) const;
+  /// Computes the linear branches of rows whose modes or memories have changed.
+  void keep_lines(const State& state, Workspace& work) const;
   void evaluate_paths(const CableSpan& span, Workspace& work) const;
   void sum_pulls(const State& state, Workspace& work, Rates* out) const;
   void sum_pulls(const CableSpan& span, Workspace& work) const;
@@ -114,9 +116,9 @@ class CableForces {
 
   CableLaws::Tuple<CableArray> laws_;
   std::vector<Joint> joints_;
+  std::vector<std::size_t> anchors_;  ///< the joints that are on no body
   std::vector<Ends> ends_;
   CableConstants constants_;
-  std::vector<double> multiplicities_;
   std::vector<CablePlace> places_;
   std::vector<HangerJoint> hanger_joints_;
   std::size_t first_hanger_{};    ///< mode slot of the first hanger

@@ -14,9 +14,10 @@ struct PackOfJoints {
 };
 
 /// Computes the joints of a row from its joint `first` on; joints that are on no body remain unchanged.
-template <bool recorded, class Joints>
+template <bool recorded>
 [[gnu::always_inline]] inline void place_joints(PackOfJoints& at, const CableSpan& span, std::size_t first,
-                                                const CableConstants& constants, const Poses& poses, Joints& joints) {
+                                                const CableConstants& constants, const Poses& poses,
+                                                JointPoints& joints) {
   const auto from = static_cast<std::ptrdiff_t>(span.from), to = static_cast<std::ptrdiff_t>(span.to);
   const auto begin = static_cast<std::ptrdiff_t>(first);
   Sizes& on_body = at.on_body;
@@ -60,9 +61,10 @@ template <bool recorded, class Joints>
 
 /// Evaluates a row in one pass, in registers from the poses to the forces: if results were written and read again
 /// between stages, each stage would wait for the one before. `recorded`: stores the results for joints and cables, too.
-template <bool recorded, class Joints>
+/// Otherwise whole packs of forces are stored at the joints: each later row replaces those at its joints.
+template <bool recorded>
 [[gnu::always_inline]] inline bool pull(const CableSpan& span, const CableConstants& constants,
-                                        const CableLinearization& lines, const Poses& poses, Joints& joints,
+                                        const CableLinearization& lines, const Poses& poses, JointPoints& joints,
                                         Paths* paths, Wrenches& pulls) {
   const auto count = static_cast<std::ptrdiff_t>(span.count);
   Sizes left{};
@@ -124,6 +126,8 @@ template <bool recorded, class Joints>
     if constexpr (recorded) {
       between(is, 0, count + 1 - block);
       put(joints.force_x.at(joint), is, joint_x), put(joints.force_y.at(joint), is, joint_y);
+    } else {
+      store(joint_x, joints.force_x.at(joint)), store(joint_y, joints.force_y.at(joint));
     }
     const std::ptrdiff_t body = span.body + block;
     Pack sum_x, sum_y, sum;
@@ -174,9 +178,23 @@ TALUS_CLONES bool evaluate_chain(const CableSpan& span, const CableConstants& co
 }
 
 TALUS_CLONES bool chain_wrenches(const CableSpan& span, const CableConstants& constants,
-                                 const CableLinearization& lines, const Poses& poses, const JointPoints& joints,
+                                 const CableLinearization& lines, const Poses& poses, JointPoints& joints,
                                  Wrenches& pulls) {
   return pull<false>(span, constants, lines, poses, joints, nullptr, pulls);
+}
+
+TALUS_CLONES double add_line_energies(double sum, const CableSpan& span, const CableConstants& constants,
+                                      const CableLinearization& lines, const Paths& paths) {
+  for (std::size_t i = 0; i < span.count; i += pack_size) {
+    const std::size_t cable = span.cable + i;
+    Pack length, rest, natural, stiffness, multiplicity;
+    load(length, paths.length.at(cable)), load(rest, constants.rest_length.at(cable));
+    load(natural, lines.natural.at(cable)), load(stiffness, lines.stiffness.at(cable));
+    load(multiplicity, constants.multiplicity.at(cable));
+    const Pack elastic = (length - rest) - natural;
+    add_lanes(sum, multiplicity * (0.5 * stiffness * elastic * elastic), span.count - i);
+  }
+  return sum;
 }
 
 TALUS_CLONES bool remains_linear(std::size_t first, std::size_t count, const Row& rest_length,

@@ -43,7 +43,7 @@ struct ContactArrays {
     std::vector<ShapeA> shapes_a;
     std::vector<ShapeB> shapes_b;
     Row node_x, node_y;  ///< centres of the shapes A, if their depths are computed side by side [L]
-    Row radius;          ///< radii of the shapes A, over a half-plane [L]
+    Row radius;          ///< radii of the shapes A, over a half-plane or a circle [L]
     std::vector<L> laws;
     std::vector<Slot> slots;
   };
@@ -100,10 +100,11 @@ class ContactCompiler {
       array.groups.push_back(group(id_a, id_b, array.laws.size()));
     array.shapes_a.push_back(a);
     array.shapes_b.push_back(b);
-    constexpr bool over_plane = std::is_same_v<ShapeA, Ball> && std::is_same_v<ShapeB, HalfPlane>;
-    if constexpr (BoxedRule<ShapeB> || over_plane)
+    constexpr bool by_radius =
+        std::is_same_v<ShapeA, Ball> && (std::is_same_v<ShapeB, HalfPlane> || std::is_same_v<ShapeB, Circle>);
+    if constexpr (BoxedRule<ShapeB> || by_radius)
       array.node_x.push_back(a.center_A.x), array.node_y.push_back(a.center_A.y);
-    if constexpr (over_plane) array.radius.push_back(a.radius);
+    if constexpr (by_radius) array.radius.push_back(a.radius);
     array.laws.push_back(law_);
     array.slots.push_back(next_);
     array.groups.back().last = array.laws.size();

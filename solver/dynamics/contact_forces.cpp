@@ -229,7 +229,7 @@ void ContactForces::largest_depths(const Workspace& work, std::span<double> out)
   for_each_array(laws_, [&](const auto& array) {
     for (const ContactGroup& group : array.groups) {
       double& largest = out[group.candidate];
-      if (!work.near[group.candidate]) largest = std::max(largest, FarDepths{array, group, work}.largest());
+      if (!work.near[group.candidate]) largest = std::max(largest, largest_far_depth(array, group, work));
     }
   });
 }

@@ -132,7 +132,7 @@ void Dynamics::update(const State& state, Workspace& work, Need need) const {
 }
 
 void Dynamics::evaluate(State& state, Workspace& work, Rates& out, bool ledger) const {
-  update(state, work, ledger ? Need::everything : Need::rates);
+  update(state, work, Need::rates);
   update_modes(state, work);
   rates(state, work, out, ledger);
 }

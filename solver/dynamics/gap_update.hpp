@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <array>
 #include <cstddef>
-#include <limits>
 #include <type_traits>
 
 #include "solver/dynamics/contact_arrays.hpp"
@@ -100,69 +99,33 @@ class GapUpdate {
   Workspace& work_;
 };
 
-/// Depths of a group out of the reach of its law, none of which acts, without computing gaps.
+/// Largest depth of a group out of the reach of its law, none of which acts, without computing gaps [L].
 template <class Array>
-class FarDepths {
- public:
-  FarDepths(const Array& array, const ContactGroup& group, const Workspace& work)
-      : array_{array},
-        group_{group},
-        A_{work.poses[index(group.a)]},
-        B_{work.poses[index(group.b)]},
-        A_in_B_{placement(A_, B_)} {}
-
-  /// The largest of them [L].
-  double largest() const {
-    if constexpr (BoxedRule<ShapeB> || over_plane) {
-      return largest_of_nodes();
-    } else if constexpr (std::is_same_v<ShapeB, Circle>) {
-      return depth(nearest_to_centre());
-    } else {
-      double largest = depth(group_.first);
-      for (std::size_t i = group_.first + 1; i < group_.last; ++i)
-        largest = std::max(largest, depth(i));
-      return largest;
-    }
-  }
-
- private:
+[[nodiscard]] double largest_far_depth(const Array& array, const ContactGroup& group, const Workspace& work) {
   using ShapeB = typename Array::ShapeB;
-  static constexpr bool are_balls = std::is_same_v<typename Array::ShapeA, Ball>;
-  static constexpr bool over_plane = are_balls && std::is_same_v<ShapeB, HalfPlane>;
-
-  double depth(std::size_t i) const {
-    if constexpr (are_balls)
-      return ball_depth(array_.shapes_a[i], A_in_B_, array_.shapes_b[i]).depth;
-    else
-      return gap(array_.shapes_a[i], A_, array_.shapes_b[i], B_).depth;
-  }
-  /// For balls of one radius over a circle: the deepest is the nearest to its centre, and rounded roots keep the order.
-  std::size_t nearest_to_centre() const {
-    double least = std::numeric_limits<double>::infinity();
-    std::size_t nearest = group_.first;
-    for (std::size_t i = group_.first; i < group_.last; ++i) {
-      const Vec2 p = A_in_B_.p + A_in_B_.R * array_.shapes_a[i].center_A;
-      const double square = dot(p, p);
-      if (square < least) least = square, nearest = i;
-    }
-    return nearest;
-  }
-  /// No node is in the box around an outline, because a side of it separates them: the depths are those in the box.
-  double largest_of_nodes() const {
-    double largest = -std::numeric_limits<double>::infinity();
-    for (std::size_t first = group_.first; first < group_.last; first += node_block) {
-      const std::size_t count = std::min(node_block, group_.last - first);
-      const NodeDepths depths{array_, first, count, A_in_B_};
-      for (std::size_t i = 0; i < count; ++i)
-        largest = std::max(largest, depths[i]);
-    }
+  constexpr bool are_balls = std::is_same_v<typename Array::ShapeA, Ball>;
+  const Pose A = work.poses[index(group.a)], B = work.poses[index(group.b)];
+  const std::size_t first = group.first, count = group.last - first;
+  if constexpr (BoxedRule<ShapeB>) {
+    // No node is in the box around an outline, because a side of it separates them: the depths are those in the box.
+    return largest_box_depth(array.node_x, array.node_y, first, count, placement(A, B), array.shapes_b[first].outline);
+  } else if constexpr (are_balls && std::is_same_v<ShapeB, HalfPlane>) {
+    return largest_plane_depth(array.node_x, array.node_y, array.radius, first, count, placement(A, B));
+  } else if constexpr (are_balls && std::is_same_v<ShapeB, Circle>) {
+    return largest_circle_depth(array.node_x, array.node_y, array.radius, first, count, placement(A, B),
+                                array.shapes_b[first]);
+  } else {
+    const auto depth = [&](std::size_t i) {
+      if constexpr (are_balls)
+        return ball_depth(array.shapes_a[i], placement(A, B), array.shapes_b[i]).depth;
+      else
+        return gap(array.shapes_a[i], A, array.shapes_b[i], B).depth;
+    };
+    double largest = depth(first);
+    for (std::size_t i = first + 1; i < group.last; ++i)
+      largest = std::max(largest, depth(i));
     return largest;
   }
-
-  const Array& array_;
-  const ContactGroup& group_;
-  Pose A_, B_;
-  Placement A_in_B_;
-};
+}
 
 }  // namespace talus

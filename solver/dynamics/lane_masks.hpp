@@ -58,6 +58,19 @@ struct alignas(sizeof(Pack)) Lanes {
   [[gnu::always_inline]] void set(const Pack& pack) { store(pack, number.data()); }
 };
 
+/// Adds the lanes to a sum one by one, of which `left` remain: the same bits as without packs.
+[[gnu::always_inline]] inline void add_lanes(double& sum, const Pack& pack, std::size_t left) {
+  Lanes terms;
+  terms.set(pack);
+  if (left >= pack_size) {
+    for (std::size_t lane = 0; lane < pack_size; ++lane)
+      sum += terms[lane];
+  } else {
+    for (std::size_t lane = 0; lane < left; ++lane)
+      sum += terms[lane];
+  }
+}
+
 /// Selects the lanes for which ask(lane) is true.
 template <class Ask>
 [[gnu::always_inline]] inline void ask_lanes(Sizes& is, Ask&& ask) {

@@ -3,8 +3,10 @@
 /// follow.
 #pragma once
 
+#include "solver/dynamics/energies.hpp"
 #include "solver/dynamics/lanes.hpp"
 #include "solver/geometry/node_depth.hpp"
+#include "solver/state/state.hpp"
 
 namespace talus {
 
@@ -32,10 +34,35 @@ struct BodyConstants {
   Row inverse_mass, inverse_inertia;
   Row load_x, load_y;  ///< weight and applied force [F]
   Row moment;          ///< applied moment [F L]
+  Row multiplicity;    ///< number of identical bodies that each represents
 };
 
 /// Computes the accelerations of a span of free bodies, three for each body.
 void accelerate_bodies(const BodySpan& span, const BodyConstants& constants, const Wrenches& wrenches, double* a);
+
+/// Adds the weights, applied forces and applied moments of a span of free bodies to the rates of the impulse, body by
+/// body.
+void add_impulses(const BodySpan& span, const BodyConstants& constants, const Poses& poses, Impulse<double>& sum);
+
+/// Constants of all bodies that move, one number for each.
+struct BodyWeights {
+  Row kinetic;       ///< multiplicity * m/2
+  Row turning;       ///< multiplicity * I/2, about the centre of mass
+  Row weight;        ///< multiplicity * m
+  Row multiplicity;  ///< number of identical bodies that each represents
+  Row mass, inertia;
+  Row force_x, force_y;                       ///< applied [F]
+  Row moment;                                 ///< applied [F L]; zero for a body that does not turn
+  Row place_x, place_y, angle;                ///< reference position [L] and orientation [rad]
+  std::vector<std::size_t> angle_coordinate;  ///< of a body that does not turn: any
+};
+
+/// Adds the kinetic energies of a span of bodies, and the potentials of their weights, body by body.
+void add_energies(const BodySpan& span, const BodyWeights& weights, Vec2 gravity, const Poses& poses, Energies& sum);
+/// Adds the potentials of the applied forces and moments of a span of bodies with coordinates q, body by body.
+void add_applied(const BodySpan& span, const BodyWeights& weights, const double* q, const Poses& poses, double& sum);
+/// Adds the momenta of a span of bodies, body by body.
+void add_momenta(const BodySpan& span, const BodyWeights& weights, const Poses& poses, Momenta& sum);
 
 /// Sets the wrenches of the first `count` bodies, and some behind them, to zero, or copies them.
 void clear(Wrenches& wrenches, std::size_t count);
@@ -46,6 +73,7 @@ struct CableConstants {
   Row body_x, body_y;  ///< position of a joint in body coordinates [L]
   Row across_squared;  ///< squared distance of the ends of a cable along the fence [L^2]
   Row rest_length;     ///< [L]
+  Row multiplicity;    ///< number of identical cables that each represents
   Row symmetry_weight_a,
       symmetry_weight_b;  ///< force on the body at an end of a cable for each unit of tension: above 1 where
                           ///< a cable that represents several ends at a body that represents only itself
@@ -56,9 +84,14 @@ struct CableConstants {
 /// their linear branches.
 bool evaluate_chain(const CableSpan& span, const CableConstants& constants, const CableLinearization& lines,
                     const Poses& poses, JointPoints& joints, Paths& paths, Wrenches& pulls);
-/// Computes the forces of a row on the bodies alone. Reads only those joints that are on no body.
+/// Computes the forces of a row on the bodies and at its joints alone: row by row, in the order of the joints. Reads the
+/// positions only of those joints that are on no body.
 bool chain_wrenches(const CableSpan& span, const CableConstants& constants, const CableLinearization& lines,
-                    const Poses& poses, const JointPoints& joints, Wrenches& pulls);
+                    const Poses& poses, JointPoints& joints, Wrenches& pulls);
+
+/// `sum` plus the energies stored in a span of cables on their linear branches, cable by cable [F L].
+[[nodiscard]] double add_line_energies(double sum, const CableSpan& span, const CableConstants& constants,
+                                       const CableLinearization& lines, const Paths& paths);
 
 /// True if the `count` cables from `first` on, which are on their linear branches (see evaluate_chain()), remain there
 /// for the time `horizon` [T] at their present rates.
@@ -73,6 +106,14 @@ void box_depths(const Row& x, const Row& y, std::size_t first, std::size_t count
 /// As box_depths(), for balls of these radii in the half-plane y < 0 of B.
 void plane_depths(const Row& x, const Row& y, const Row& radius, std::size_t first, std::size_t count,
                   const Placement& A_in_B, double* depths);
+
+/// The largest of these depths [L], and that of balls in a circle around the origin of B.
+[[nodiscard]] double largest_box_depth(const Row& x, const Row& y, std::size_t first, std::size_t count,
+                                       const Placement& A_in_B, const Superquadric& outline);
+[[nodiscard]] double largest_plane_depth(const Row& x, const Row& y, const Row& radius, std::size_t first,
+                                         std::size_t count, const Placement& A_in_B);
+[[nodiscard]] double largest_circle_depth(const Row& x, const Row& y, const Row& radius, std::size_t first,
+                                          std::size_t count, const Placement& A_in_B, const Circle& circle);
 
 /// Adds the forces at joints to the wrenches of the span of bodies that they are on.
 void load_bodies(const JointSpan& span, const JointPoints& joints, Wrenches& wrenches);

@@ -22,6 +22,7 @@ struct ActiveSet {
   std::vector<BodySpan> bodies;  ///< the awake free bodies
   std::vector<JointSpan> joints;               ///< joints to compute
   std::vector<std::vector<CableSpan>> cables;  ///< for each law, cables to compute
+  std::vector<std::vector<CableSpan>> lines;   ///< for each law, those in rows, consecutive rows in one span
   bool rows_only{};                            ///< all these cables are in rows, in the order of their joints
   bool on_linear_branch{};           ///< in the last evaluation all these cables were on their linear branches, and
                                      ///< Workspace::pulls are their forces
@@ -59,15 +60,16 @@ enum class Evaluated : unsigned char {
   loads,     ///< the wrenches of the bodies
 };
 
-/// Results required of an evaluation. If only the rates are required, joints and paths of rows of cables may remain out
-/// of date and, as long as no pair is near, the velocities of free bodies, too.
+/// Results required of an evaluation. If only the rates are required, with or without the ledger, joints (except for
+/// their forces) and paths of rows of cables may remain out of date and, as long as no pair is near, the velocities of
+/// free bodies, too.
 enum class Need { everything, rates };
 
 /// Scratch memory of force evaluations. The caller owns it, so that Dynamics stays pure and a step of a scene with
 /// neither broken hangers nor many bodies does not allocate.
 struct Workspace {
   Evaluated evaluated{Evaluated::nothing};
-  bool pulled{};                        ///< for rates alone: the cable forces are already in the wrenches; see Need
+  bool pulled{};                        ///< the cable forces are already in the wrenches; see Need::rates
   Poses poses;                          ///< one for each body
   Wrenches wrenches;                    ///< one for each body
   Wrenches pulls;                       ///< forces of rows of cables alone

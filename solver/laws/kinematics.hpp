@@ -32,6 +32,8 @@ struct Tangent {
 ///
 ///   F = stiffness (deformation - natural), no dissipation,   and the mode lasts while low < deformation < high
 ///
+/// The stored energy is stiffness/2 (deformation - natural)^2, multiplied from left to right: a row of cables gets the
+/// bits of the law.
 /// The mode may last beyond this range; there the law's guard decides. The default range is empty: the mode has no such
 /// linear branch.
 struct LinearBranch {

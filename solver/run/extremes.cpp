@@ -1,6 +1,6 @@
 #include "solver/run/extremes.hpp"
 
-#include "solver/base/rows.hpp"
+#include <algorithm>
 
 namespace talus {
 
@@ -10,11 +10,30 @@ void Extremes::add(double time, std::span<const double> values) {
     least_time_.assign(values.size(), time), largest_time_ = least_time_;
     return;
   }
-  take_extremes(values.data(), time, values.size(), least_.data(), least_time_.data(), largest_.data(),
+  rows_.resize(block_rows * size());
+  std::copy(values.begin(), values.end(), rows_.begin() + static_cast<std::ptrdiff_t>(pending_ * size()));
+  row_times_[pending_++] = time;
+  if (pending_ == block_rows) compare();
+}
+
+void Extremes::compare() {
+  take_extremes(rows_.data(), row_times_.data(), pending_, size(), least_.data(), least_time_.data(), largest_.data(),
                 largest_time_.data());
+  pending_ = 0;
+}
+
+Extreme Extremes::operator[](std::size_t i) const {
+  Extreme found{least_[i], least_time_[i], largest_[i], largest_time_[i]};
+  for (std::size_t row = 0; row < pending_; ++row) {
+    const double value = rows_[row * size() + i];
+    if (value < found.least) found.least = value, found.least_time = row_times_[row];
+    if (value > found.largest) found.largest = value, found.largest_time = row_times_[row];
+  }
+  return found;
 }
 
 void Extremes::serialize(Archive& archive, std::size_t count) {
+  compare();
   std::vector<double> numbers;
   for (std::size_t i = 0; i < size(); ++i)
     numbers.insert(numbers.end(), {least_[i], least_time_[i], largest_[i], largest_time_[i]});

@@ -1,10 +1,12 @@
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <span>
 #include <vector>
 
 #include "solver/base/archive.hpp"
+#include "solver/base/rows.hpp"
 
 namespace talus {
 
@@ -16,19 +18,25 @@ struct Extreme {
   double largest_time{};
 };
 
-/// The extremes of many quantities, stored as one array for each number.
+/// The extremes of many quantities, stored as one array for each number. Values are compared in blocks of several
+/// times, so that extremes are loaded and stored once for each block.
 class Extremes {
  public:
   /// Adds the values at one time; their number must not change. Later NaN values are ignored.
   void add(double time, std::span<const double> values);
 
   std::size_t size() const { return least_.size(); }
-  Extreme operator[](std::size_t i) const { return {least_[i], least_time_[i], largest_[i], largest_time_[i]}; }
+  Extreme operator[](std::size_t i) const;
 
   /// Serializes the extremes of `count` quantities.
   void serialize(Archive& archive, std::size_t count);
 
  private:
+  void compare();
+
+  std::vector<double> rows_;  ///< values that have not been compared yet, time by time
+  std::array<double, block_rows> row_times_{};
+  std::size_t pending_{};  ///< number of these rows
   std::vector<double> least_, least_time_, largest_, largest_time_;
 };
 

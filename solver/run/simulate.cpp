@@ -78,7 +78,7 @@ Outcome run(RigidBodySystem& system, Method& method, RunState& run_state, const 
     method.start(system, state, plan.step);
   }
   const Following following{seen, [&](State& copy) {
-                              copy = state;
+                              copy_numbers(state, copy);
                               synchronize(method, system, copy, plan.step);
                             }};
   while (run_state.step < steps) {

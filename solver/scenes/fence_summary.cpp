@@ -364,7 +364,7 @@ void FenceMonitor::watch_columns(const State& state) {
     if (travel > column.travel) column.travel = travel, column.travel_time = state.t;
     summary_.travel = std::max(summary_.travel, travel);
   }
-  if (summary_.travel > before) summary_.at_travel = state;
+  if (summary_.travel > before) copy_numbers(state, summary_.at_travel);
 }
 
 void FenceMonitor::watch_cables(const State& state) {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <limits>
@@ -52,6 +53,18 @@ struct StateOf {
 
   friend bool operator==(const StateOf&, const StateOf&) = default;
 };
+
+/// to = from, for two states of one scene, whose arrays have the same sizes: without the checks and calls of a vector's
+/// assignment.
+template <class Scalar>
+void copy_numbers(const StateOf<Scalar>& from, StateOf<Scalar>& to) {
+  to.t = from.t;
+  std::copy(from.q.begin(), from.q.end(), to.q.begin());
+  std::copy(from.v.begin(), from.v.end(), to.v.begin());
+  std::copy(from.z.begin(), from.z.end(), to.z.begin());
+  std::copy(from.mode.begin(), from.mode.end(), to.mode.begin());
+  to.work = from.work, to.impulse = from.impulse;
+}
 
 /// Rates of change of a state in its present modes; dq/dt is v itself.
 template <class Scalar>

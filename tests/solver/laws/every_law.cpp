@@ -337,7 +337,10 @@ BOOST_AUTO_TEST_CASE(a_straight_line_is_the_law_as_long_as_it_lasts) {
               for (const double rate : {-2.0, 0.0, 2.0}) {
                 const Kinematics x{deformation, rate};
                 const LawForce full = law(x, memory, mode);
-                if (full.total() != force || full.dissipative != 0.0 || !(law.guard(x, memory, mode) > 0.0))
+                const double elastic = deformation - piece.natural;
+                const double energy = 0.5 * piece.stiffness * elastic * elastic;
+                if (full.total() != force || full.dissipative != 0.0 || !(law.guard(x, memory, mode) > 0.0) ||
+                    law.stored_energy(x, memory, mode) != energy)
                   BOOST_ERROR(L::name << ", mode " << mode << ": not on its line at " << deformation);
               }
             }
