@@ -64,8 +64,9 @@ HertzImpact hertz_impact(double damping_ratio, HertzDashpot dashpot, EndRule rul
   const double infinite = std::numeric_limits<double>::infinity();
   const bool is_attractive = rule == EndRule::attractive;
   if (dashpot == HertzDashpot::tsuji && restitution(xi, rule) < 1e-150) {
-    // Overdamped, or q^9 would underflow at the end. The largest overlap does not depend on the end rule.
-    return {0.0, infinite, hertz_impact(xi, dashpot, EndRule::clamped).largest_overlap};
+    // Overdamped, or q^9 would underflow at the end. The largest overlap is that of the linear spring in y, with
+    // y^2 = 4/5 X^(5/2): y = exp(-xi acos(xi)/sqrt(1 - xi^2)), whose square is the restitution of the clamped rule.
+    return {0.0, infinite, std::pow(1.25 * restitution(xi, EndRule::clamped), 0.4)};
   }
   const Motion motion{xi, dashpot};
   boost::numeric::odeint::runge_kutta_fehlberg78<Point> method;

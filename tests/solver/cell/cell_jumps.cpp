@@ -16,6 +16,11 @@ ShearCell sparse(ShearCell cell) {
   if (auto* latching = std::get_if<LatchingSpring>(&cell.law))
     latching->stiffness *= 100.0, latching->unloading_stiffness *= 100.0;
   if (auto* linear = std::get_if<LinearSpringDashpot>(&cell.law)) linear->stiffness *= 100.0, linear->damping *= 10.0;
+  // A tenth of the contact time and overlap d: K d^(5/2) is the energy of an impact.
+  const double nonlinear = std::pow(10.0, 2.5);
+  if (auto* hertz = std::get_if<Hertz>(&cell.law))
+    hertz->modulus *= nonlinear, hertz->damping *= hertz->dashpot == HertzDashpot::tsuji ? std::sqrt(nonlinear) : 10.0;
+  if (auto* hunt_crossley = std::get_if<HuntCrossley>(&cell.law)) hunt_crossley->stiffness *= nonlinear;
   if (cell.friction) cell.friction->stiffness *= 100.0;
   return cell;
 }
