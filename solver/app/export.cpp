@@ -36,7 +36,7 @@ std::variant<LinearSpringDashpot, Hertz> exported_law(const ShearCell& cell, con
   if (const auto* linear = std::get_if<LinearSpringDashpot>(&cell.law)) return *linear;
   if (const auto* hertz = std::get_if<Hertz>(&cell.law)) {
     if (hertz->dashpot == HertzDashpot::constant || hertz->damping == 0.0) return *hertz;
-    throw not_in_lammps(cell, options, "its dashpot is tsuji; LAMMPS has that with dashpot = \"constant\"");
+    throw not_in_lammps(cell, options, "the dashpot is tsuji; it must be constant");
   }
   if (!cell.is_linear())
     throw not_in_lammps(cell, options, "it must be linear_spring_dashpot, hertz or latching_spring");

@@ -35,7 +35,8 @@ class Motion {
   /// Positive until the contact ends. (By Tsuji's dashpot the force is zero at touch as well: a factor q is left out.)
   double guard(const Point& at, EndRule rule) const {
     if (rule == EndRule::attractive || g_ == 0.0) return at[0];
-    return tsuji_ ? std::pow(at[0], 5) + g_ * at[1] : force(at);
+    // With a constant dashpot the force is zero at an overlap that may be too small to be seen between two steps.
+    return tsuji_ ? std::pow(at[0], 5) + g_ * at[1] : std::min(at[0], force(at));
   }
   /// Whether a body that moves apart creeps to X = 0 without reaching it, under the attractive rule and with the constant
   /// dashpot. With r = |w|/(g X) and b = X^(1/2)/g^2, dr/d(-ln X) = r - 1 + b/r: from r < 1/2 and b < 1/100 on, r

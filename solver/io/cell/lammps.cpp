@@ -62,7 +62,7 @@ std::string walls(const LammpsScene& scene) {
 /// Pair style gran/hooke.
 std::string old_pair_style(const LammpsScene& scene) {
   const auto* const law = std::get_if<LinearSpringDashpot>(&scene.law);
-  if (law == nullptr) throw InputError{"law: found hertz; the style gran/hooke supports only linear_spring_dashpot"};
+  if (law == nullptr) throw InputError{"law: found hertz; for the style gran/hooke it must be linear_spring_dashpot"};
   if (law->damping != 0.0)
     throw InputError{fmt::format("damping: found {:g}; the style gran/hooke supports only 0", law->damping)};
   if (!scene.friction) return fmt::format("pair_style gran/hooke {:.17g} 0 0 0 0 0\npair_coeff * *\n", law->stiffness);

@@ -270,20 +270,23 @@ std::optional<double> read_cell_table(SceneTable& table, ShearCell& cell) {
 /// Sets what follows from several fields, each of which is valid: the parameter of the law that sets the restitution of
 /// two discs, and the default of the shear stiffness. Reports the errors of a cell without impacts by which to set them.
 void complete(const SceneTable& table, std::optional<double> restitution, ShearCell& cell) {
-  if (!cell.is_linear()) {
+  const auto has_impacts = [&] {
+    if (cell.is_linear()) return true;
     ShearCell smooth = cell;
     smooth.friction.reset();
     const std::vector<CellError> found = validation_errors(smooth);
     for (const CellError& error : found)
       object(table, error);
-    if (!found.empty()) return;
-  }
+    return found.empty();
+  };
+  if (!has_impacts()) return;
   if (restitution) {
     std::visit(
         [&](auto& law) {
           table.placed([&] { law.set_restitution(*restitution, 0.5 * cell.mass, cell.nominal_speed()); });
         },
         cell.law);
+    if (!has_impacts()) return;
   }
   if (cell.friction && cell.friction->stiffness == 0.0) cell.friction->stiffness = cell.stiffness();
 }

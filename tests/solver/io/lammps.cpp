@@ -200,5 +200,5 @@ BOOST_AUTO_TEST_CASE(what_lammps_does_not_have_is_refused) {
   refused(constant, 0.1, LammpsRun::Style::granular,
           "law: found hertz with discs of different size; for LAMMPS they must be equal");
   refused(constant, 0.0, LammpsRun::Style::gran_hooke,
-          "law: found hertz; the style gran/hooke supports only linear_spring_dashpot");
+          "law: found hertz; for the style gran/hooke it must be linear_spring_dashpot");
 }
