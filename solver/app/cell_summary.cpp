@@ -26,9 +26,12 @@ std::string line(const CellScene& scene, const CellNumber& number) {
   return fmt::format("  {:24} {:28} {}{}\n", number.name, value, number.meaning, drift);
 }
 
-std::string law_words(const ShearCell& cell) {
-  const std::string_view law = std::visit([](const auto& of) { return of.name; }, cell.law);
-  return cell.friction ? fmt::format("{}, friction {}", law, cell.friction->coefficient) : std::string{law};
+std::string law_words(const CellScene& scene, const ShearCell& cell) {
+  std::string words{std::visit([](const auto& of) { return of.name; }, cell.law)};
+  if (cell.friction) words += fmt::format(", friction {}", cell.friction->coefficient);
+  if (!cell.is_linear())
+    words += fmt::format("; impacts are stated at {}", with_unit(scene, cell.nominal_speed(), dimension::velocity));
+  return words;
 }
 
 }  // namespace
@@ -44,7 +47,7 @@ std::string cell_summary(const CellScene& scene, CellRun& run, const CellOutcome
                              outcome.words.empty() ? "" : ": " + outcome.words));
   add("integrator",
       fmt::format("{}, step {}", scene.plan.integrator, with_unit(scene, scene.plan.step, dimension::time)));
-  add("law", law_words(run.cell()));
+  add("law", law_words(scene, run.cell()));
   add("steps", run.jumped() == 0 ? fmt::format("{}", run.steps())
                                  : fmt::format("{}, of which {} passed at once", run.steps(), run.jumped()));
   add("discs", fmt::format("{} free, {} in each wall; seed {}", run.cell().free_discs(), run.cell().wall_discs,
@@ -86,7 +89,7 @@ std::string cell_check(const CellScene& scene) {
   add("discs", fmt::format("{} free in {} rows, {} in each wall; seed {}", cell.free_discs(), cell.rows,
                            cell.wall_discs, cell.seed));
   add("overburden", with_unit(scene, cell.overburden(), dimension::pressure));
-  add("law", law_words(cell));
+  add("law", law_words(scene, cell));
   add("contact time", with_unit(scene, cell.contact_time(), dimension::time));
   add("step", fmt::format("{} with {}", with_unit(scene, scene.plan.step, dimension::time), scene.plan.integrator));
   add("expected cost", fmt::format("{} steps and force evaluations to {}; {} outputs", run.last_step(),

@@ -23,17 +23,28 @@ struct ExportOptions {
   bool dashpot{false};
 };
 
-/// The cell's law in the form available in LAMMPS. Errors: InputError for a law that LAMMPS does not have, unless
-/// --dashpot replaces it.
-LinearSpringDashpot linear_law(const ShearCell& cell, const ExportOptions& options) {
+/// Error about a law that LAMMPS does not have.
+InputError not_in_lammps(const ShearCell& cell, const ExportOptions& options, const std::string& remedy) {
+  return InputError{fmt::format("{}: found law = {} (a restitution of {:.4g}), which LAMMPS does not have; {}",
+                                options.scene, std::visit([](const auto& law) { return law.name; }, cell.law),
+                                cell.restitution(), remedy)};
+}
+
+/// The cell's law in the form available in LAMMPS. Errors: InputError for a law that LAMMPS does not have, unless it
+/// latches and --dashpot replaces it.
+std::variant<LinearSpringDashpot, Hertz> exported_law(const ShearCell& cell, const ExportOptions& options) {
   if (const auto* linear = std::get_if<LinearSpringDashpot>(&cell.law)) return *linear;
+  if (const auto* hertz = std::get_if<Hertz>(&cell.law)) {
+    if (hertz->dashpot == HertzDashpot::constant || hertz->damping == 0.0) return *hertz;
+    throw not_in_lammps(cell, options, "the dashpot is tsuji; it must be constant");
+  }
+  if (!cell.is_linear())
+    throw not_in_lammps(cell, options, "it must be linear_spring_dashpot, hertz or latching_spring");
   const double kept = cell.restitution();
-  const bool is_linear = std::visit([]<class L>(const L&) { return HasLinearPart<L>; }, cell.law);
-  if ((kept < 1.0 || !is_linear) && !options.dashpot) {
-    throw InputError{
-        fmt::format("{}: found law = {} (a restitution of {:.4g}), which LAMMPS does not have; --dashpot gives springs "
-                    "of its stiffness while it is pressed with a dashpot of the same restitution",
-                    options.scene, std::visit([](const auto& law) { return law.name; }, cell.law), kept)};
+  if (kept < 1.0 && !options.dashpot) {
+    throw not_in_lammps(cell, options,
+                        "--dashpot gives springs of its stiffness while it is pressed with a dashpot of the same "
+                        "restitution");
   }
   LinearSpringDashpot law{cell.stiffness(), 0.0, EndRule::clamped};
   if (kept < 1.0) law.set_restitution(kept, 0.5 * cell.mass, 0.0);
@@ -62,7 +73,7 @@ int export_scene(const ExportOptions& options) {
   const FilledCell filled = fill(scene.cell);
   const LammpsRun run = lammps_run(scene, options);
   export_lammps(options.folder,
-                {filled.shapes, filled.discs, filled.box, linear_law(scene.cell, options), scene.cell.friction}, run);
+                {filled.shapes, filled.discs, filled.box, exported_law(scene.cell, options), scene.cell.friction}, run);
   fmt::print("files: {0}: discs.data, in.discs\nrun: cd {0} && lmp -in in.discs   # {1} steps to t = {2:g}\n",
              options.folder, run.steps, static_cast<double>(run.steps) * run.step);
   if (run.means)

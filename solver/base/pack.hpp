@@ -1,6 +1,8 @@
 #pragma once
 
+#include <array>
 #include <bit>
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <cstring>
@@ -40,6 +42,24 @@ inline constexpr std::size_t pack_size = 4;
   } else {
     std::memcpy(row, &pack, left * sizeof(double));
   }
+}
+
+/// Square root of a number, or of each lane of a pack: correctly rounded, so that both have the same bits.
+[[gnu::always_inline]] inline void square_root(double& x) { x = std::sqrt(x); }
+[[gnu::always_inline]] inline void square_root(Pack& x) {
+  std::array<double, pack_size> numbers;
+  std::memcpy(numbers.data(), &x, sizeof x);
+  for (double& number : numbers)
+    number = std::sqrt(number);
+  std::memcpy(&x, numbers.data(), sizeof x);
+}
+
+/// Power of a number, or of each lane of a pack, by the library's function of one number: its last bits depend on the
+/// library, but not on whether a number is in a pack.
+[[gnu::always_inline]] inline void raise_to_power(double& x, double exponent) { x = std::pow(x, exponent); }
+[[gnu::always_inline]] inline void raise_to_power(Pack& x, double exponent) {
+  for (std::size_t l = 0; l < pack_size; ++l)
+    x[l] = std::pow(x[l], exponent);
 }
 
 /// Calls visit(first, left) for packs that start at `first` until the whole row is visited; `left` is pack_size, or

@@ -11,7 +11,7 @@ namespace talus {
 namespace {
 
 constexpr double most_outputs = 1e5, most_steps = 1e15;
-/// Largest w2 h on unloading. In a triangular array of discs the stiffest motion is sqrt(3) times as fast as that of a
+/// Largest w2 h on unloading, or at the nominal overlap of a law that is not linear. In a triangular array of discs the stiffest motion is sqrt(3) times as fast as that of a
 /// pair (w^2 = 6 K/m), and a leapfrog is stable below 2.
 constexpr double largest_unloading_phase = 1.0;
 
@@ -80,9 +80,12 @@ std::vector<CellError> validation_errors(const ShearCell& cell, const CellPlan& 
   if (cell.largest_stiffness() > cell.stiffness() && is_leapfrog(method)) {
     const double unloading_frequency = std::sqrt(2.0 * cell.largest_stiffness() / cell.mass);
     if (unloading_frequency * plan.step > largest_unloading_phase) {
-      found.push_back({"step", fmt::format("found {}; contacts open so stiffly that {} needs a step of at most {:.4g}, "
-                                           "1/w2 = sqrt(M/(2 K2))",
-                                           plan.step, plan.integrator, largest_unloading_phase / unloading_frequency)});
+      const std::string why =
+          cell.is_linear() ? "contacts open so stiffly"
+                           : fmt::format("at an overlap of {:.4g} contacts are so stiff", cell.nominal_overlap());
+      found.push_back(
+          {"step", fmt::format("found {}; {} that {} needs a step of at most {:.4g}, 1/w2 = sqrt(M/(2 K2))", plan.step,
+                               why, plan.integrator, largest_unloading_phase / unloading_frequency)});
     }
   }
   const double stepped = stepped_restitution(method, cell.restitution(), cell.loading_frequency() * plan.step);

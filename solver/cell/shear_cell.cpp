@@ -24,16 +24,52 @@ void object(CellErrors& found, std::string_view field, double value, std::string
   found.push_back({std::string{field}, fmt::format("found {}; it must be {}", value, allowed)});
 }
 
-/// Stiffness of a contact while it loads [F/L].
+/// Force of a contact at rest [F].
 template <Law L>
-double loading_stiffness(const L& law) {
-  if constexpr (HasLinearPart<L>) return law.linear_part(std::array<double, L::memory_size>{}, 1).stiffness;
-  return law.tangent().stiffness;
+double static_force(const L& law, double overlap) {
+  return law(Kinematics{overlap, 0.0}, std::array<double, L::memory_size>{}, 1).total();
 }
 
-/// Adds the errors of the law's parameters, for impacts of this effective mass [M].
+/// Stiffness of a contact by a linear law while it loads [F/L].
 template <Law L>
-void add_errors(CellErrors& found, const L& law, double effective_mass) {
+requires HasLinearPart<L>
+double loading_stiffness(const L& law) { return law.linear_part(std::array<double, L::memory_size>{}, 1).stiffness; }
+
+/// Adds the errors of a law that is not linear: its impacts at the nominal speed must have a duration, and end. They are
+/// not evaluated for dashpots so strong that the restitution would be below about 1e-6.
+template <Law L>
+void add_impact_errors(CellErrors& found, const L& law, const ShearCell& cell) {
+  const double effective_mass = 0.5 * cell.mass, speed = cell.nominal_speed();
+  if (!(speed > 0.0) || !std::isfinite(speed)) {
+    object(found, "impact_speed", speed, fmt::format("> 0 for the law {}, and block_speed = 0 gives none", L::name));
+    return;
+  }
+  constexpr auto loss = restitution_parameter<L>();
+  L elastic = law;
+  elastic.*loss.member = 0.0;
+  const double overlap = elastic.largest_overlap(effective_mass, speed);
+  const double time = elastic.contact_time(effective_mass, speed);
+  const LawForce force = law(Kinematics{overlap, speed}, {}, 1);
+  if (!(overlap > 0.0) || !std::isnormal(time) || !std::isnormal(force.elastic)) {
+    object(found, "impact_speed", speed,
+           fmt::format("such that impacts have a duration; by {} it is {:g}", L::name, time));
+    return;
+  }
+  constexpr double strongest = 1e3;
+  if (!(force.dissipative <= strongest * force.elastic)) {
+    object(found, loss.name, law.*loss.member,
+           fmt::format("at most {:.4g}: with it the damping force of an impact at the speed {:.4g} is {:g} times that "
+                       "of the spring",
+                       law.*loss.member * strongest * force.elastic / force.dissipative, speed, strongest));
+  } else if (!std::isfinite(law.contact_time(effective_mass, speed))) {
+    object(found, loss.name, law.*loss.member, "smaller: with this end rule overdamped contacts never separate");
+  }
+}
+
+/// Adds the errors of the law's parameters.
+template <Law L>
+void add_errors(CellErrors& found, const L& law, const ShearCell& cell) {
+  const double effective_mass = 0.5 * cell.mass;
   for (const auto& field : L::fields()) {
     if (!contains(field.range, law.*field.member)) object(found, field.name, law.*field.member, words(field.range));
   }
@@ -45,7 +81,11 @@ void add_errors(CellErrors& found, const L& law, double effective_mass) {
              fmt::format("at least the {}, {}: {}", field_name(order.smaller), law.*order.smaller, order.why));
     }
   }
-  if constexpr (HasDamping<L>) {
+  if constexpr (HasDampingRatio<L>) {
+    if (law.damping_ratio != 0.0)
+      object(found, "damping_ratio", law.damping_ratio, "0: the dashpots of discs do not depend on the masses");
+  }
+  if constexpr (HasLinearPart<L> && HasDamping<L>) {
     const double infinite = std::numeric_limits<double>::infinity();
     if (is_in_range && effective_mass > 0.0 && law.contact_time(effective_mass, 0.0) == infinite) {
       const double critical = 2.0 * std::sqrt(loading_stiffness(law) * effective_mass);
@@ -57,18 +97,51 @@ void add_errors(CellErrors& found, const L& law, double effective_mass) {
 
 }  // namespace
 
+bool ShearCell::is_linear() const {
+  return std::visit([]<class L>(const L&) { return HasLinearPart<L>; }, law);
+}
+double ShearCell::nominal_speed() const {
+  if (is_linear()) return 0.0;
+  return impact_speed > 0.0 ? impact_speed : std::abs(block_speed) / (rows + 1);
+}
+double ShearCell::nominal_overlap() const {
+  return std::visit(
+      [&](const auto& of) {
+        const double load = block_mass * gravity / wall_discs;
+        double low = 0.0, high = diameter;
+        for (int pass = 0; pass < 60; ++pass) {
+          const double middle = 0.5 * (low + high);
+          (static_force(of, middle) < load ? low : high) = middle;
+        }
+        return std::min(std::max(high, of.largest_overlap(0.5 * mass, nominal_speed())), diameter);
+      },
+      law);
+}
 double ShearCell::stiffness() const {
-  return std::visit([](const auto& of) { return loading_stiffness(of); }, law);
+  return std::visit(
+      [&]<class L>(const L& of) {
+        if constexpr (HasLinearPart<L>) return loading_stiffness(of);
+        const double overlap = nominal_overlap();
+        return static_force(of, overlap) / overlap;
+      },
+      law);
 }
 double ShearCell::largest_stiffness() const {
-  return std::visit([](const auto& of) { return of.tangent().stiffness; }, law);
+  return std::visit(
+      [&]<class L>(const L& of) {
+        if constexpr (HasLinearPart<L>) return of.tangent().stiffness;
+        // The difference quotient of a power is exact to the square of the relative difference.
+        const double overlap = nominal_overlap(), by = 0x1p-14 * overlap;
+        return (static_force(of, overlap + by) - static_force(of, overlap - by)) / (2.0 * by);
+      },
+      law);
 }
 double ShearCell::loading_frequency() const { return std::sqrt(2.0 * stiffness() / mass); }
 double ShearCell::contact_time() const {
-  return std::visit([&](const auto& of) { return of.contact_time(0.5 * mass, 0.0); }, law);
+  return std::visit([&](const auto& of) { return of.contact_time(0.5 * mass, nominal_speed()); }, law);
 }
 double ShearCell::restitution() const {
-  return std::visit([&](const auto& of) { return of.restitution(0.5 * mass, 0.0); }, law);
+  return std::visit([&](const auto& of) { return of.restitution(0.5 * mass, nominal_speed()); }, law);
 }
 const LatchingSpring* ShearCell::law_of_1989() const {
   const auto* latching = std::get_if<LatchingSpring>(&law);
@@ -84,7 +157,8 @@ std::vector<CellError> validation_errors(const ShearCell& cell) {
   const auto demand_range = [&](Range range, std::string_view field, double value) {
     demand(contains(range, value), field, value, words(range));
   };
-  std::visit([&](const auto& law) { add_errors(found, law, 0.5 * cell.mass); }, cell.law);
+  std::visit([&](const auto& law) { add_errors(found, law, cell); }, cell.law);
+  demand_range(Range::non_negative, "impact_speed", cell.impact_speed);
   if (cell.friction) {
     demand_range(Range::non_negative, "friction", cell.friction->coefficient);
     demand_range(Range::positive, "shear_stiffness", cell.friction->stiffness);
@@ -106,9 +180,16 @@ std::vector<CellError> validation_errors(const ShearCell& cell) {
                        ShearCell::most_discs / static_cast<std::size_t>(cell.columns), cell.columns,
                        ShearCell::most_discs));
   }
+  if (found.empty()) {
+    std::visit(
+        [&]<class L>(const L& law) {
+          if constexpr (!HasLinearPart<L>) add_impact_errors(found, law, cell);
+        },
+        cell.law);
+  }
   // The frequency and damping ratio of a contact contain the square root of this product.
   constexpr double least = std::numeric_limits<double>::min();
-  if (found.empty() && !(cell.mass * cell.stiffness() >= least)) {
+  if (found.empty() && cell.is_linear() && !(cell.mass * cell.stiffness() >= least)) {
     demand(false, "stiffness", cell.stiffness(),
            fmt::format("at least {:.3g}: its product with the mass, {}, must be at least {:.3g}", least / cell.mass,
                        cell.mass, least));

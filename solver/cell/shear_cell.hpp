@@ -31,6 +31,7 @@ struct ShearCell {
   /// Friction between discs, if any; free discs then turn, each with the inertia of a solid disc, but wall discs do
   /// not.
   std::optional<CoulombFriction> friction{};
+  double impact_speed{};  ///< see nominal_speed() [L/T] >= 0; 0: the shear velocity of the start
 
   double width() const { return wall_discs * diameter; }
   static constexpr std::size_t most_discs = 10'000'000;  ///< maximum number of free discs
@@ -38,15 +39,30 @@ struct ShearCell {
   std::size_t free_discs() const { return static_cast<std::size_t>(rows) * static_cast<std::size_t>(columns); }
   /// Overburden by the thesis's definition, MTOP G/(TWID D^2) [F/L^2] (Lacy 1989, "Data Input and Parameters").
   double overburden() const { return block_mass * gravity / (wall_discs * diameter * diameter); }
-  /// Stiffness of a contact while it loads: K1, or k_n [F/L].
+  /// Whether the law is linear in every mode: its slow impacts have a duration.
+  bool is_linear() const;
+  /// Speed of approach for which the impacts of the cell are stated [L/T]: 0, the limit of slow impacts, for linear laws.
+  /// Contacts by other laws are the longer the slower they are, without a limit, and need a speed: `impact_speed`, or the
+  /// difference of speed between neighbouring rows at the start, |VXT|/(NHT + 1). This is the shear rate times the
+  /// distance of the rows, the scale of the speeds at which a shear flow drives discs against each other. A contact time
+  /// hardly depends on the choice: by Hertz's law it decreases as v^(-1/5), by a factor of 1.6 for 10 times the
+  /// speed, while a contact must have 10 steps, of which a leapfrog needs 2 to be stable. A restitution that depends on
+  /// the speed is that of this one.
+  double nominal_speed() const;
+  /// The overlap at which stiffnesses of laws that are not linear are stated [L]: the largest of an impact of two discs
+  /// at the nominal speed, or if it is larger, that under the weight of the block on one of its discs; at most a
+  /// diameter.
+  double nominal_overlap() const;
+  /// Stiffness of a contact while it loads: K1, or k_n [F/L]; of other laws F/d at the nominal overlap.
   double stiffness() const;
-  /// Stiffness of the contact's stiffest branch: K2 of a slow impact, or k_n [F/L].
+  /// Stiffness of the contact's stiffest branch: K2 of a slow impact, or k_n [F/L]; of other laws dF/dd at the nominal
+  /// overlap.
   double largest_stiffness() const;
   /// Frequency of two discs in contact while they load [rad/T]: w1 = sqrt(2 K1/m).
   double loading_frequency() const;
-  /// Duration of a slow impact of two of its discs [T], by the law.
+  /// Duration of an impact of two of its discs at the nominal speed [T], by the law.
   double contact_time() const;
-  /// Ratio of speeds after and before a slow head-on impact of two of its discs, by the law.
+  /// Ratio of speeds after and before a head-on impact of two of its discs at the nominal speed, by the law.
   double restitution() const;
   /// The law, if it is that of 1989: a latching spring with zero growth, without friction; else null.
   const LatchingSpring* law_of_1989() const;

@@ -2,7 +2,6 @@
 
 #include <array>
 #include <bit>
-#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <cstring>
@@ -88,14 +87,6 @@ using Numbers [[gnu::vector_size(16)]] = std::uint32_t;
   numbers += static_cast<std::uint32_t>(first);
   std::memcpy(row, &numbers, sizeof numbers);
   return chosen.count[bits];
-}
-
-[[gnu::always_inline]] inline void square_root(Pack& x) {
-  std::array<double, pack_size> numbers;
-  std::memcpy(numbers.data(), &x, sizeof x);
-  for (double& number : numbers)
-    number = std::sqrt(number);
-  std::memcpy(&x, numbers.data(), sizeof x);
 }
 
 /// Sets each lane l to number(l).

@@ -125,6 +125,10 @@ Group contact() {
 CatalogueField end_rule_field() {
   return choice("end_rule", "end of a contact: clamped (never pulls) or attractive (1993)", EndRule::clamped);
 }
+CatalogueField dashpot_field(HertzDashpot absent) {
+  return choice("dashpot", "tsuji: in proportion to overlap^(1/4), the same restitution at every speed; or constant",
+                absent);
+}
 CatalogueField restitution_field() {
   return quantity("restitution", "coefficient of restitution of an impact", dimension::number, Range::positive_fraction,
                   "");
@@ -137,12 +141,7 @@ void add_contact_laws(std::vector<Group>& groups) {
                 .base = "contact"};
     add_fields(group, law);
     if constexpr (HasEndRule<L>) group.fields.push_back(end_rule_field());
-    if constexpr (HasHertzDashpot<L>) {
-      group.fields.push_back(choice("dashpot",
-                                    "tsuji: in proportion to overlap^(1/4), the same restitution at every speed; or "
-                                    "constant",
-                                    law.dashpot));
-    }
+    if constexpr (HasHertzDashpot<L>) group.fields.push_back(dashpot_field(law.dashpot));
     if constexpr (SetsEveryRestitution<L>) {
       group.fields.push_back(restitution_field());
       if (L::restitution_field.is_required) set_either(group, L::restitution_field.name, "restitution");
@@ -278,6 +277,12 @@ void add_cell(std::vector<Group>& groups) {
     of_law.fields.push_back(restitution_field());
     set_either(of_law, L::restitution_field.name, "restitution");
     if constexpr (HasEndRule<L>) of_law.fields.push_back(end_rule_field());
+    if constexpr (HasHertzDashpot<L>) of_law.fields.push_back(dashpot_field(law.dashpot));
+    if constexpr (!HasLinearPart<L>) {
+      of_law.fields.push_back(quantity("impact_speed",
+                                       "speed of approach for which restitution, contact time and stiffness are stated",
+                                       dimension::velocity, Range::positive, "|block_speed|/(rows + 1)"));
+    }
     groups.push_back(std::move(of_law));
   });
 }

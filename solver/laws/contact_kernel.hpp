@@ -27,6 +27,28 @@ namespace talus {
 /// OneSidedKernel is the kernel of every OneSided law: a spring and a dashpot in parallel,
 ///
 ///   F = k overlap + c rate,   if clamped: only while this is positive, else 0.
+///
+/// SecantKernel is the same with coefficients that depend on the overlap. Functions of a spring and dashpot, whose
+/// coefficients are numbers or packs:
+template <class Number, class Coefficient>
+[[gnu::always_inline]] constexpr void one_sided_force(const Coefficient& stiffness, const Coefficient& damping,
+                                                      bool clamped, const Number& overlap, const Number& rate,
+                                                      Number& out) {
+  out = stiffness * overlap + damping * rate;
+  if (clamped) out = out > Number{} ? out : Number{};
+}
+/// stored: energy of the spring at this overlap [F L], which a clamped contact releases while it does not act.
+template <class Number, class Coefficient>
+[[gnu::always_inline]] constexpr void one_sided_power(const Coefficient& damping, const Number& stored, bool clamped,
+                                                      const Number& rate, const Number& before, const Number& force,
+                                                      Number& power, Number& released) {
+  power = damping * rate * rate, released = Number{};
+  if (!clamped) return;
+  const Number none{}, let_go = before == none ? none : stored, taken_back = before == none ? -stored : none;
+  power = force > none ? power : none;
+  released = force > none ? taken_back : let_go;
+}
+
 struct OneSidedKernel {
   double stiffness{};  ///< k [F/L]
   double damping{};    ///< c [F T/L]
@@ -35,19 +57,36 @@ struct OneSidedKernel {
   constexpr bool needs_rate() const { return damping != 0.0; }
   template <class Number>
   [[gnu::always_inline]] constexpr void force(const Number& overlap, const Number& rate, Number&, Number& out) const {
-    out = stiffness * overlap + damping * rate;
-    if (clamped) out = out > Number{} ? out : Number{};
+    one_sided_force(stiffness, damping, clamped, overlap, rate, out);
   }
   template <class Number>
   [[gnu::always_inline]] constexpr void dissipated_power(const Number& overlap, const Number& rate,
                                                          const Number& before, const Number& force, Number& power,
                                                          Number& released) const {
-    power = damping * rate * rate, released = Number{};
-    if (!clamped) return;
-    const Number none{}, energy = 0.5 * stiffness * overlap * overlap;
-    const Number let_go = before == none ? none : energy, taken_back = before == none ? -energy : none;
-    power = force > none ? power : none;
-    released = force > none ? taken_back : let_go;
+    const Number stored = 0.5 * stiffness * overlap * overlap;
+    one_sided_power(damping, stored, clamped, rate, before, force, power, released);
+  }
+};
+
+template <HasSecant L>
+struct SecantKernel {
+  L law;
+
+  constexpr bool needs_rate() const { return law.tangent().damping != 0.0; }
+  template <class Number>
+  [[gnu::always_inline]] constexpr void force(const Number& overlap, const Number& rate, Number&, Number& out) const {
+    Number stiffness, damping;
+    law.secant(overlap, stiffness, damping);
+    one_sided_force(stiffness, damping, law.is_clamped(), overlap, rate, out);
+  }
+  template <class Number>
+  [[gnu::always_inline]] constexpr void dissipated_power(const Number& overlap, const Number& rate,
+                                                         const Number& before, const Number& force, Number& power,
+                                                         Number& released) const {
+    Number stiffness, damping;
+    law.secant(overlap, stiffness, damping);
+    const Number stored = law.secant_energy_ratio() * (0.5 * stiffness * overlap * overlap);
+    one_sided_power(damping, stored, law.is_clamped(), rate, before, force, power, released);
   }
 };
 
@@ -60,6 +99,8 @@ requires HasContactKernel<L>
 constexpr auto contact_kernel(const L& law) {
   if constexpr (IsKernel<L>) {
     return law;
+  } else if constexpr (HasSecant<L>) {
+    return SecantKernel<L>{law};
   } else {
     const Tangent slopes = law.linear_part({}, 1);
     return OneSidedKernel{slopes.stiffness, slopes.damping, law.is_clamped()};

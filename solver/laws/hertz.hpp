@@ -6,6 +6,7 @@
 #include <span>
 #include <string_view>
 
+#include "solver/base/pack.hpp"
 #include "solver/laws/hertz_impact.hpp"
 #include "solver/laws/unilateral_spring.hpp"
 #include "solver/state/state.hpp"
@@ -63,15 +64,23 @@ struct Hertz {
     return spring(x, memory)(x, mode);
   }
   double stored_energy(Kinematics x, std::span<const double> memory, Mode mode) const {
-    return of_secant * spring(x, memory).stored_energy(x, mode);
+    return secant_energy_ratio() * spring(x, memory).stored_energy(x, mode);
   }
   double guard(Kinematics x, std::span<const double> memory, Mode mode) const {
     return spring(x, memory).guard(x, mode);
   }
   Reset reset(Kinematics x, std::span<double> memory, Mode mode) const {
     const Reset next = spring(x, memory).reset(x, mode);
-    return {next.mode, of_secant * next.released};
+    return {next.mode, secant_energy_ratio() * next.released};
   }
+  constexpr bool is_clamped() const { return end_rule == EndRule::clamped; }
+  /// The linear spring and dashpot with the same force at this overlap >= 0, for a number or a pack of numbers.
+  template <class Number>
+  [[gnu::always_inline]] void secant(const Number& overlap, Number& k, Number& c) const {
+    secant_with(damping, overlap, k, c);
+  }
+  /// Ratio of the law's energy, 2/5 F d, to that of the secant linear spring, 1/2 F d.
+  static constexpr double secant_energy_ratio() { return 0.8; }
   /// Tangent at an overlap of 0.1 R, beyond which Hertz's theory is not valid.
   Tangent tangent() const { return tangent_with(damping); }
   Tangent tangent(double effective_mass) const { return tangent_with(coefficient_at(effective_mass)); }
@@ -96,9 +105,6 @@ struct Hertz {
   friend constexpr bool operator==(const Hertz&, const Hertz&) = default;
 
  private:
-  /// Ratio of the law's energy, 2/5 F d, to that of the secant linear spring, 1/2 F d.
-  static constexpr double of_secant = 0.8;
-
   /// L of HertzImpact [L].
   double impact_length(double effective_mass, double speed) const {
     return std::pow(effective_mass * speed * speed / (4.0 / 3.0 * modulus * std::sqrt(radius)), 0.4);
@@ -123,10 +129,23 @@ struct Hertz {
     return {1.5 * there.stiffness, there.damping};
   }
 
-  /// The linear spring (secant) and dashpot with the same force at this overlap.
+  /// The secant of a contact with this dashpot coefficient.
+  template <class Number>
+  [[gnu::always_inline]] void secant_with(double coefficient, const Number& overlap, Number& k, Number& c) const {
+    Number root = overlap / radius;
+    square_root(root);
+    k = 4.0 / 3.0 * modulus * radius * root;
+    c = Number{} + 1.0;
+    if (dashpot == HertzDashpot::tsuji) {
+      c = root;
+      square_root(c);
+    }
+    c *= coefficient;
+  }
   UnilateralSpring spring(Kinematics x, std::span<const double> memory) const {
-    const double root = std::sqrt(std::max(x.deformation, 0.0) / radius), c = memory.empty() ? damping : memory[0];
-    return {4.0 / 3.0 * modulus * radius * root, dashpot == HertzDashpot::tsuji ? c * std::sqrt(root) : c, end_rule};
+    UnilateralSpring with{.end_rule = end_rule};
+    secant_with(memory.empty() ? damping : memory[0], std::max(x.deformation, 0.0), with.stiffness, with.damping);
+    return with;
   }
 };
 

@@ -35,7 +35,8 @@ class Motion {
   /// Positive until the contact ends. (By Tsuji's dashpot the force is zero at touch as well: a factor q is left out.)
   double guard(const Point& at, EndRule rule) const {
     if (rule == EndRule::attractive || g_ == 0.0) return at[0];
-    return tsuji_ ? std::pow(at[0], 5) + g_ * at[1] : force(at);
+    // With a constant dashpot the force is zero at an overlap that may be too small to be seen between two steps.
+    return tsuji_ ? std::pow(at[0], 5) + g_ * at[1] : std::min(at[0], force(at));
   }
   /// Whether a body that moves apart creeps to X = 0 without reaching it, under the attractive rule and with the constant
   /// dashpot. With r = |w|/(g X) and b = X^(1/2)/g^2, dr/d(-ln X) = r - 1 + b/r: from r < 1/2 and b < 1/100 on, r
@@ -64,8 +65,9 @@ HertzImpact hertz_impact(double damping_ratio, HertzDashpot dashpot, EndRule rul
   const double infinite = std::numeric_limits<double>::infinity();
   const bool is_attractive = rule == EndRule::attractive;
   if (dashpot == HertzDashpot::tsuji && restitution(xi, rule) < 1e-150) {
-    // Overdamped, or q^9 would underflow at the end. The largest overlap does not depend on the end rule.
-    return {0.0, infinite, hertz_impact(xi, dashpot, EndRule::clamped).largest_overlap};
+    // Overdamped, or q^9 would underflow at the end. The largest overlap is that of the linear spring in y, with
+    // y^2 = 4/5 X^(5/2): y = exp(-xi acos(xi)/sqrt(1 - xi^2)), whose square is the restitution of the clamped rule.
+    return {0.0, infinite, std::pow(1.25 * restitution(xi, EndRule::clamped), 0.4)};
   }
   const Motion motion{xi, dashpot};
   boost::numeric::odeint::runge_kutta_fehlberg78<Point> method;

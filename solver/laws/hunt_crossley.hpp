@@ -6,6 +6,7 @@
 #include <span>
 #include <string_view>
 
+#include "solver/base/pack.hpp"
 #include "solver/laws/hunt_crossley_impact.hpp"
 #include "solver/laws/kinematics.hpp"
 #include "solver/laws/unilateral_spring.hpp"
@@ -47,7 +48,7 @@ struct HuntCrossley {
   static constexpr bool acts(Mode mode) { return UnilateralSpring::acts(mode); }
   LawForce operator()(Kinematics x, std::span<const double>, Mode mode) const { return spring(x)(x, mode); }
   double stored_energy(Kinematics x, std::span<const double>, Mode mode) const {
-    return of_secant() * spring(x).stored_energy(x, mode);
+    return secant_energy_ratio() * spring(x).stored_energy(x, mode);
   }
   double guard(Kinematics x, std::span<const double>, Mode mode) const {
     // Of the force only the sign of 1 + a dd/dt matters; its product with the overlap keeps the unit.
@@ -57,8 +58,27 @@ struct HuntCrossley {
   }
   Reset reset(Kinematics x, std::span<double>, Mode mode) const {
     const Reset next = spring(x).reset(x, mode);
-    return {next.mode, of_secant() * next.released};
+    return {next.mode, secant_energy_ratio() * next.released};
   }
+  static constexpr bool is_clamped() { return true; }
+  /// The linear spring and dashpot with the same force at this overlap >= 0, for a number or a pack of numbers. (Within
+  /// rounding of 1 + a dd/dt = 0 the sign of their sum may differ from that of guard().)
+  template <class Number>
+  [[gnu::always_inline]] void secant(const Number& overlap, Number& k, Number& c) const {
+    k = Number{} + 1.0;
+    if (exponent != 1.0) {
+      k = overlap / reference_overlap;
+      // The exponents in use do not depend on the library's pow.
+      if (exponent == 1.5)
+        square_root(k);
+      else if (exponent != 2.0)
+        raise_to_power(k, exponent - 1.0);
+    }
+    k *= stiffness;
+    c = k * overlap * hysteresis;
+  }
+  /// Ratio of the law's energy, F d/(n + 1), to that of the secant linear spring, 1/2 F d.
+  constexpr double secant_energy_ratio() const { return 2.0 / (exponent + 1.0); }
   /// Tangent at the reference overlap; larger overlaps are stiffer if n > 1.
   constexpr Tangent tangent() const { return {exponent * stiffness, hysteresis * stiffness * reference_overlap}; }
 
@@ -78,8 +98,6 @@ struct HuntCrossley {
   friend constexpr bool operator==(const HuntCrossley&, const HuntCrossley&) = default;
 
  private:
-  /// Ratio of the law's energy, F d/(n + 1), to that of the secant linear spring, 1/2 F d.
-  constexpr double of_secant() const { return 2.0 / (exponent + 1.0); }
   HuntCrossleyImpact impact(double speed) const { return hunt_crossley_impact(hysteresis * speed, exponent); }
   /// L of HuntCrossleyImpact [L].
   double impact_length(double effective_mass, double speed) const {
@@ -87,16 +105,10 @@ struct HuntCrossley {
     return reference_overlap * std::pow(of_energy, 1.0 / (exponent + 1.0));
   }
 
-  /// The linear spring (secant) and dashpot with the same force at this overlap.
   UnilateralSpring spring(Kinematics x) const {
-    const double overlap = std::max(x.deformation, 0.0), ratio = overlap / reference_overlap;
-    // The exponents in use do not depend on the library's pow.
-    const double grown = exponent == 1.0   ? 1.0
-                         : exponent == 1.5 ? std::sqrt(ratio)
-                         : exponent == 2.0 ? ratio
-                                           : std::pow(ratio, exponent - 1.0);
-    const double secant = stiffness * grown;
-    return {secant, secant * overlap * hysteresis, EndRule::clamped};
+    UnilateralSpring with{.end_rule = EndRule::clamped};
+    secant(std::max(x.deformation, 0.0), with.stiffness, with.damping);
+    return with;
   }
 };
 

@@ -53,7 +53,7 @@ double integral(const auto& function, double last) {
 double hunt_crossley_restitution(double damping_number) {
   const double a = damping_number;
   TALUS_DEMAND(a >= 0.0);
-  if (a == 0.0) return 1.0;
+  if (a < 1e-14) return 1.0 - 2.0 / 3.0 * a;
   if (a > 1.0) return -std::expm1(log_of_end_factor(a)) / a;
   const double wanted = excess_of_log(a);
   const auto function = [&](double e) { return excess_of_log(-a * e) - wanted; };
@@ -81,13 +81,14 @@ HuntCrossleyImpact hunt_crossley_impact(double damping_number, double exponent) 
   const auto overlap = [n](double energy) { return std::pow((n + 1.0) * std::max(energy, 0.0), 1.0 / (n + 1.0)); };
   // Energy of the spring when the speed has fallen by `lost` from 1.
   const auto loaded = [a](double lost) {
-    if (a == 0.0) return lost * (1.0 - 0.5 * lost);
+    if (a < 1e-14) return lost * (1.0 - 0.5 * lost);
     return lost / (1.0 + a) + excess_of_log(-a * lost / (1.0 + a)) / (a * a);
   };
   HuntCrossleyImpact found{.restitution = hunt_crossley_restitution(a), .largest_overlap = overlap(loaded(1.0))};
   const auto loading = [&](double lost) { return std::pow(overlap(loaded(lost)), -n) / (1.0 + a * (1.0 - lost)); };
   found.contact_time = integral(loading, 1.0);
-  if (a == 0.0) {
+  // The contact time depends on a by a relative amount of order a.
+  if (a < 1e-14) {
     found.contact_time *= 2.0;
     return found;
   }

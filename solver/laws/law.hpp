@@ -70,9 +70,11 @@ namespace talus {
 ///                                 default it does not
 ///
 /// Optional, of contacts between discs: one of the two
-///   is_clamped()                  the law is one-sided: without memory, and in mode 1 the force is k overlap + c rate
-///                                 with the slopes linear_part({}, 1). It acts while the surfaces overlap (false) or
-///                                 while this force is positive (true)
+///   is_clamped()                  the law is one-sided: without memory, and in mode 1 the force is k overlap + c rate.
+///                                 It acts while the surfaces overlap (false) or while this force is positive (true).
+///                                 k and c are the slopes linear_part({}, 1), or depend on the overlap:
+///   secant(overlap, k, c)         sets k [F/L] and c [F T/L] at an overlap > 0, for numbers and packs of numbers; with
+///   secant_energy_ratio()         ratio of the stored energy to k overlap^2/2
 ///   needs_rate(), force(..), dissipated_power(..) or hysteresis_loss(..)
 ///                                 the law is its own contact kernel (laws/contact_kernel.hpp)
 ///
@@ -172,7 +174,12 @@ concept VariesRestitution = SetsRestitution<L> && requires(const L law) {
   { law.restitution_varies() } -> std::same_as<bool>;
 };
 template <class L>
-concept OneSided = L::memory_size == 0 && HasLinearPart<L>&& requires(const L law) {
+concept HasSecant = requires(const L law, double x, double& y) {
+  { law.secant(x, y, y) } -> std::same_as<void>;
+  { law.secant_energy_ratio() } -> std::same_as<double>;
+};
+template <class L>
+concept OneSided = L::memory_size == 0 && (HasLinearPart<L> || HasSecant<L>)&&requires(const L law) {
   { law.is_clamped() } -> std::same_as<bool>;
 };
 /// Parts of a contact kernel: dissipated power for laws without memory, hysteresis loss for laws with memory.
@@ -239,6 +246,8 @@ concept HasYieldTable = requires(L law) {
   HOOK(set_every_restitution, SetsEveryRestitution)   \
   HOOK(restitution_varies, VariesRestitution)         \
   HOOK(is_clamped, OneSided)                          \
+  HOOK(secant, HasSecant)                             \
+  HOOK(secant_energy_ratio, HasSecant)                \
   HOOK(needs_rate, IsKernel)                          \
   HOOK(force, IsKernel)                               \
   HOOK(dissipated_power, IsKernel)                    \

@@ -2,6 +2,7 @@
 
 #include <string>
 #include <tuple>
+#include <type_traits>
 #include <variant>
 #include <vector>
 
@@ -82,12 +83,16 @@ inline std::size_t memory_count(const FrictionLaw& law) {
 inline CoulombFriction at(const FrictionLaw& law, double overlap) {
   return std::visit([overlap](const auto& of) { return of.at(overlap); }, law);
 }
-/// Laws of contacts between discs; a shear cell needs the duration and the restitution of their impacts.
+/// A contact law that discs can have, too; a shear cell needs the duration and the restitution of their impacts.
 template <class L>
 concept IsDiscLaw = HasContactKernel<L> && KnowsImpacts<L> && SetsRestitution<L>;
+/// Laws of contacts between discs: all contact laws that discs can have.
+template <Law... Ones, Law... Others>
+LawList<Ones..., Others...> operator+(LawList<Ones...>, LawList<Others...>);
 template <Law... Laws>
-requires(IsDiscLaw<Laws>&&...) using DiscLawList = LawList<Laws...>;
-using DiscLaws = DiscLawList<LatchingSpring, LinearSpringDashpot>;
+auto disc_laws(LawList<Laws...>)
+    -> decltype((LawList<>{} + ... + std::conditional_t<IsDiscLaw<Laws>, LawList<Laws>, LawList<>>{}));
+using DiscLaws = decltype(disc_laws(ContactLaws{}));
 using DiscLaw = DiscLaws::Variant;
 
 }  // namespace talus

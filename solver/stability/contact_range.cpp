@@ -74,7 +74,7 @@ double contact_time(const ContactLaw& law, double effective_mass) {
   if (!std::isfinite(effective_mass)) return std::numeric_limits<double>::infinity();
   return std::visit(
       [effective_mass]<class L>(const L& of) {
-        if constexpr (OneSided<L> && KnowsImpacts<L>) return of.contact_time(effective_mass, 0.0);
+        if constexpr (OneSided<L> && HasLinearPart<L> && KnowsImpacts<L>) return of.contact_time(effective_mass, 0.0);
         return std::numbers::pi * std::sqrt(effective_mass / tangent(of, effective_mass).stiffness);
       },
       law);

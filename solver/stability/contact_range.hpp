@@ -27,8 +27,8 @@ struct ContactRange {
 /// Ranges of all contacts of a model, in their order.
 [[nodiscard]] std::vector<ContactRange> contact_ranges(const Dynamics& dynamics);
 
-/// Duration of an impact on a contact law [T]; for a law that is not a one-sided spring with known impacts, half the
-/// period of its stiffest branch. Infinite for an infinite effective mass.
+/// Duration of an impact on a contact law [T]; for a law that is not a one-sided linear spring, half the period of its
+/// stiffest branch. Infinite for an infinite effective mass.
 [[nodiscard]] double contact_time(const ContactLaw& law, double effective_mass);
 
 /// Largest distance of a normal line of a convex outline from a point in body coordinates [L]; zero for ground and for

@@ -3,6 +3,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
+#include <functional>
 #include <iterator>
 #include <numbers>
 #include <numeric>
@@ -57,21 +59,44 @@ std::string walls(const LammpsScene& scene) {
   return text;
 }
 
+/// Pair style gran/hooke.
+std::string old_pair_style(const LammpsScene& scene) {
+  const auto* const law = std::get_if<LinearSpringDashpot>(&scene.law);
+  if (law == nullptr) throw InputError{"law: found hertz; for the style gran/hooke it must be linear_spring_dashpot"};
+  if (law->damping != 0.0)
+    throw InputError{fmt::format("damping: found {:g}; the style gran/hooke supports only 0", law->damping)};
+  if (!scene.friction) return fmt::format("pair_style gran/hooke {:.17g} 0 0 0 0 0\npair_coeff * *\n", law->stiffness);
+  return fmt::format("pair_style gran/hooke/history {:.17g} {:.17g} 0 0 {:.17g} 0\npair_coeff * *\n", law->stiffness,
+                     scene.friction->stiffness, scene.friction->coefficient);
+}
+
+/// Normal force of the style granular: its model with its coefficient, and the dashpot coefficient.
+std::string normal_model(const LinearSpringDashpot& law, const LammpsScene& /* scene */) {
+  return fmt::format("hooke {:.17g} {:.17g}", law.stiffness, law.damping);
+}
+/// LAMMPS multiplies the coefficient by the square root of the pair's effective radius, half of that of equal discs.
+std::string normal_model(const Hertz& law, const LammpsScene& scene) {
+  if (law.dashpot == HertzDashpot::tsuji && law.damping != 0.0)
+    throw InputError{"dashpot: found tsuji, which LAMMPS sets by another number; it must be constant"};
+  const std::vector<double>& radii = scene.shapes.radius;
+  if (std::adjacent_find(radii.begin(), radii.end(), std::not_equal_to{}) != radii.end())
+    throw InputError{"law: found hertz with discs of different size; for LAMMPS they must be equal"};
+  return fmt::format("hertz {:.17g} {:.17g}", 4.0 / 3.0 * law.modulus * std::sqrt(law.radius / (0.5 * radii.front())),
+                     law.damping);
+}
+
 std::string pair_style(const LammpsScene& scene, LammpsRun::Style style) {
-  const LinearSpringDashpot& law = scene.law;
-  if (style == LammpsRun::Style::gran_hooke) {
-    if (law.damping != 0.0)
-      throw InputError{fmt::format("damping: found {:g}; the style gran/hooke supports only 0", law.damping)};
-    if (!scene.friction) return fmt::format("pair_style gran/hooke {:.17g} 0 0 0 0 0\npair_coeff * *\n", law.stiffness);
-    return fmt::format("pair_style gran/hooke/history {:.17g} {:.17g} 0 0 {:.17g} 0\npair_coeff * *\n", law.stiffness,
-                       scene.friction->stiffness, scene.friction->coefficient);
-  }
-  const bool clamped = law.end_rule == EndRule::clamped && law.damping != 0.0;
+  if (style == LammpsRun::Style::gran_hooke) return old_pair_style(scene);
   const std::string tangential = scene.friction ? fmt::format("linear_history {:.17g} 0.0 {:.17g}",
                                                               scene.friction->stiffness, scene.friction->coefficient)
                                                 : "linear_nohistory 0.0 0.0";
-  return fmt::format("pair_style granular\npair_coeff * * hooke {:.17g} {:.17g} tangential {} damping velocity{}\n",
-                     law.stiffness, law.damping, tangential, clamped ? " limit_damping" : "");
+  return std::visit(
+      [&](const auto& law) {
+        const bool clamped = law.end_rule == EndRule::clamped && law.damping != 0.0;
+        return fmt::format("pair_style granular\npair_coeff * * {} tangential {} damping velocity{}\n",
+                           normal_model(law, scene), tangential, clamped ? " limit_damping" : "");
+      },
+      scene.law);
 }
 
 /// Commands that integrate the motion of all discs; discs that turn have the inertia of solid discs.

@@ -3,22 +3,24 @@
 #include <filesystem>
 #include <optional>
 #include <string>
+#include <variant>
 
 #include "solver/granular/discs.hpp"
 #include "solver/granular/periodic_box.hpp"
 #include "solver/laws/coulomb_friction.hpp"
+#include "solver/laws/hertz.hpp"
 #include "solver/laws/linear_spring_dashpot.hpp"
 
 namespace talus {
 
 /// A system of discs for LAMMPS (Thompson et al. 2022), which represents them as spheres in a plane. Its granular pair
-/// styles have the linear spring-dashpot and history-dependent friction. They apply friction at the radius of a disc,
+/// styles have the linear spring-dashpot, Hertz's law with a constant dashpot, and history-dependent friction. They apply friction at the radius of a disc,
 /// Talus in the middle of the overlap; discs of a wall turn in neither code.
 struct LammpsScene {
   DiscShapes shapes;
   Discs discs;
   PeriodicBox box;
-  LinearSpringDashpot law;
+  std::variant<LinearSpringDashpot, Hertz> law;
   std::optional<CoulombFriction> friction{};  ///< if set, discs turn, with the inertia of a solid disc
 };
 
@@ -52,8 +54,10 @@ struct LammpsRun {
 /// Text of the input script: reads the data, writes forces.txt (number, position and force of each disc), integrates,
 /// and prints the kinetic energy of the free discs ten times, or with `means` at each output, together with the means.
 /// Walls are at rest, move at constant velocity, or move along y under their mass and weight, as in Talus. With
-/// friction, either style is used in its variant with history. Errors: InputError for a dashpot with the style
-/// gran_hooke, and for means without a wall that has a mass.
+/// friction, either style is used in its variant with history. Errors: InputError for a dashpot or Hertz's law with the
+/// style gran_hooke, for Hertz's law with Tsuji's dashpot (which LAMMPS sets from a restitution by a polynomial, not by
+/// a coefficient) or discs of different size (of which LAMMPS takes the radius of each pair), and for means without a
+/// wall that has a mass.
 [[nodiscard]] std::string lammps_input(const LammpsScene& scene, const LammpsRun& run, const std::string& data_file);
 
 /// Writes both files, discs.data and in.discs, to a folder, in which `lmp -in in.discs` runs them. Errors: as above,

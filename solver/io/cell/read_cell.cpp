@@ -195,10 +195,11 @@ double read_restitution(SceneTable& table) {
   return table.has("restitution") ? table.number("restitution", Range::positive_fraction) : 1.0;
 }
 
-/// Reads the law's fields; `restitution`, for two discs of this mass [M], may replace the field that dissipates energy.
+/// Reads the law's fields; `restitution` may replace the field that dissipates energy, and is returned.
 template <class L>
-void read_law(SceneTable& table, double mass, L& law) {
+std::optional<double> read_law(SceneTable& table, L& law) {
   if constexpr (HasEndRule<L>) law.end_rule = table.choice_or("end_rule", law.end_rule);
+  if constexpr (HasHertzDashpot<L>) law.dashpot = table.choice_or("dashpot", law.dashpot);
   std::optional<double> restitution;
   for (const auto& field : L::fields()) {
     if (field.name == L::restitution_field.name && !has_first(table, field.name, "restitution"))
@@ -206,7 +207,7 @@ void read_law(SceneTable& table, double mass, L& law) {
     else
       table.read_field(law, field);
   }
-  if (restitution) table.placed([&] { law.set_restitution(*restitution, 0.5 * mass, 0.0); });
+  return restitution;
 }
 
 /// Reports an error; if the file gives the value in other units than the message, the value as written comes first.
@@ -218,18 +219,13 @@ void object(const SceneTable& table, const CellError& error) {
   table.report(error.field, fmt::format("found \"{}\", in {}: {}", written, table.units().name, rest));
 }
 
-const Field<ShearCell>& mass_field() {
-  static constexpr auto fields = ShearCell::fields();
-  const auto found = std::ranges::find(fields, "mass", &Field<ShearCell>::name);
-  TALUS_DEMAND(found != fields.end());
-  return *found;
-}
-
 /// All keys that [cell] may have with this law.
 template <class L>
 std::vector<std::string> cell_keys() {
   std::vector<std::string> keys = field_names<L>();
   if constexpr (HasEndRule<L>) keys.emplace_back("end_rule");
+  if constexpr (HasHertzDashpot<L>) keys.emplace_back("dashpot");
+  if constexpr (!HasLinearPart<L>) keys.emplace_back("impact_speed");
   keys.insert(keys.end(), {"restitution", "friction", "shear_stiffness", "overburden", "seed"});
   for (const auto& field : ShearCell::fields())
     keys.emplace_back(field.name);
@@ -238,22 +234,23 @@ std::vector<std::string> cell_keys() {
   return keys;
 }
 
-void read_cell_table(SceneTable& table, ShearCell& cell) {
+/// Reads all fields of [cell]. Returns the restitution, if it is given: the law's parameter follows from it and the
+/// other fields.
+std::optional<double> read_cell_table(SceneTable& table, ShearCell& cell) {
+  std::optional<double> restitution;
   table.guard([&] {
     const std::string law =
         table.has("law") ? table.choice("law", DiscLaws::names()) : std::string{LatchingSpring::name};
-    visit_named<DiscLaw>(law, [&](auto wanted) {
-      table.allow(cell_keys<decltype(wanted)>());
-      table.read_field(cell, mass_field());
-      read_law(table, cell.mass, wanted);
+    visit_named<DiscLaw>(law, [&]<class L>(L wanted) {
+      table.allow(cell_keys<L>());
+      restitution = read_law(table, wanted);
+      if constexpr (!HasLinearPart<L>)
+        cell.impact_speed = table.quantity_or("impact_speed", dimension::velocity, 0.0, Range::positive);
       cell.law = wanted;
-      cell.friction = read_friction(table, cell.stiffness());
     });
   });
-  for (const auto& field : ShearCell::fields()) {
-    const bool read = field.name == "block_mass" || (field.name == "mass" && cell.mass != 0.0);
-    if (!read) table.read_field(cell, field);
-  }
+  for (const auto& field : ShearCell::fields())
+    if (field.name != "block_mass") table.read_field(cell, field);
   for (const auto& field : ShearCell::counts())
     table.read_count(cell, field);
   if (has_first(table, "block_mass", "overburden")) {
@@ -266,6 +263,32 @@ void read_cell_table(SceneTable& table, ShearCell& cell) {
   if (table.has("seed")) {
     cell.seed = static_cast<std::uint64_t>(table.whole_between("seed", 0, most_seed));
   }
+  cell.friction = read_friction(table, 0.0);
+  return restitution;
+}
+
+/// Sets what follows from several fields, each of which is valid: the parameter of the law that sets the restitution of
+/// two discs, and the default of the shear stiffness. Reports the errors of a cell without impacts by which to set them.
+void complete(const SceneTable& table, std::optional<double> restitution, ShearCell& cell) {
+  const auto has_impacts = [&] {
+    if (cell.is_linear()) return true;
+    ShearCell smooth = cell;
+    smooth.friction.reset();
+    const std::vector<CellError> found = validation_errors(smooth);
+    for (const CellError& error : found)
+      object(table, error);
+    return found.empty();
+  };
+  if (!has_impacts()) return;
+  if (restitution) {
+    std::visit(
+        [&](auto& law) {
+          table.placed([&] { law.set_restitution(*restitution, 0.5 * cell.mass, cell.nominal_speed()); });
+        },
+        cell.law);
+    if (!has_impacts()) return;
+  }
+  if (cell.friction && cell.friction->stiffness == 0.0) cell.friction->stiffness = cell.stiffness();
 }
 
 bool is_deck(std::string_view name) { return name.ends_with(".DAT") || name.ends_with(".dat"); }
@@ -315,8 +338,12 @@ CellScene read_toml(std::string_view text, std::string_view name, const CellChoi
   CellScene scene{.title = {}, .units = source.units, .cell = {}, .plan = {}};
   file.guard([&] { scene.title = shown_title(file.title(), name); });
   std::optional<SceneTable> cell, run;
-  file.guard([&] { read_cell_table(cell.emplace(file.table("cell")), scene.cell); });
+  std::optional<double> restitution;
+  file.guard([&] { restitution = read_cell_table(cell.emplace(file.table("cell")), scene.cell); });
   file.guard([&] { read_run_table(run.emplace(file.table("run")), scene); });
+  source.check();
+  source.collect();
+  complete(*cell, restitution, scene.cell);
   source.check();
   choose(scene, choices);
   source.collect();

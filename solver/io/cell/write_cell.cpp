@@ -45,8 +45,9 @@ Json parameters(const CellScene& scene) {
         json["law"] = std::string{law.name};
         for (const auto& field : law.fields())
           json[std::string{field.name}] = law.*field.member;
-        if constexpr (HasEndRule<L>)
-          json["end_rule"] = std::string{Names<EndRule>::list[static_cast<std::size_t>(law.end_rule)]};
+        if constexpr (HasEndRule<L>) json["end_rule"] = std::string{name_of(law.end_rule)};
+        if constexpr (HasHertzDashpot<L>) json["dashpot"] = std::string{name_of(law.dashpot)};
+        if constexpr (!HasLinearPart<L>) json["impact_speed"] = cell.nominal_speed();
       },
       cell.law);
   if (cell.friction) json["friction"] = cell.friction->coefficient, json["shear_stiffness"] = cell.friction->stiffness;

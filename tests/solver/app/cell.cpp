@@ -275,6 +275,21 @@ BOOST_AUTO_TEST_CASE(a_cell_is_exported_for_lammps_with_dashpots_if_they_may_sta
   // Laws that LAMMPS has are exported without replacement.
   BOOST_TEST(talus_ran({"export", "lammps", scene("cell/rough.toml"), "--out", out}).code == 0);
   BOOST_TEST(holds(talus::read_text(fs::path{out} / "in.discs"), "linear_history"));
+  const auto exported = [&](const std::string& latching, const std::string& law) {
+    std::string text = talus::read_text(scene("cell/ice.toml"));
+    text.replace(text.find(latching), latching.size(), law);
+    return talus_ran({"export", "lammps", folder.file("cell.toml", text), "--out", out, "--dashpot"});
+  };
+  const std::string stiffness = "stiffness = \"1.7e4 N/m\"";
+  const std::string hertz = "law = \"hertz\"\nmodulus = \"700 MPa\"\nradius = \"0.25 mm\"\n";
+  BOOST_TEST(exported(stiffness, hertz + "dashpot = \"constant\"").code == 0);
+  BOOST_TEST(holds(talus::read_text(fs::path{out} / "in.discs"), "pair_coeff * * hertz 933333333.3333"));
+  BOOST_TEST(holds(exported(stiffness, hertz).err,
+                   "cell.toml: found law = hertz (a restitution of 0.7), which LAMMPS does not have; the dashpot is "
+                   "tsuji; it must be constant"));
+  BOOST_TEST(holds(
+      exported(stiffness, "law = \"hunt_crossley\"\nreference_overlap = \"0.01 mm\"\nexponent = 1.5\n" + stiffness).err,
+      "which LAMMPS does not have; it must be linear_spring_dashpot, hertz or latching_spring"));
 }
 
 // Colliding discs: energies change, stresses and contacts are measured, and their means are those of the same cell run

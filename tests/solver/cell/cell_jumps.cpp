@@ -16,12 +16,20 @@ ShearCell sparse(ShearCell cell) {
   if (auto* latching = std::get_if<LatchingSpring>(&cell.law))
     latching->stiffness *= 100.0, latching->unloading_stiffness *= 100.0;
   if (auto* linear = std::get_if<LinearSpringDashpot>(&cell.law)) linear->stiffness *= 100.0, linear->damping *= 10.0;
+  // A tenth of the contact time and overlap d: K d^(5/2) is the energy of an impact.
+  const double nonlinear = std::pow(10.0, 2.5);
+  if (auto* hertz = std::get_if<Hertz>(&cell.law))
+    hertz->modulus *= nonlinear, hertz->damping *= hertz->dashpot == HertzDashpot::tsuji ? std::sqrt(nonlinear) : 10.0;
+  if (auto* hunt_crossley = std::get_if<HuntCrossley>(&cell.law)) hunt_crossley->stiffness *= nonlinear;
   if (cell.friction) cell.friction->stiffness *= 100.0;
   return cell;
 }
 
 void expect_same_with_jumps(const ShearCell& cell, const std::string& method) {
-  CellPlan how = plan(cell, 300.0, integrator_traits(method).amplitude_growth_rate != 0.0 ? 300.0 : 20.0);
+  // Fewer contacts of laws that are not linear, at whose speeds they are shorter than at the nominal speed: rounding grows
+  // tenfold in about ten contacts of a disc.
+  const double contacts = cell.is_linear() ? 300.0 : 150.0;
+  CellPlan how = plan(cell, contacts, integrator_traits(method).amplitude_growth_rate != 0.0 ? 300.0 : 20.0);
   how.integrator = method;
   FilledCell start = fill(cell);
   for (std::size_t i = 0; i < cell.free_discs(); ++i)

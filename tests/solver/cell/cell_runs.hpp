@@ -16,7 +16,10 @@ inline std::vector<ShearCell> cells() {
   std::vector<ShearCell> all;
   for (const DiscLaw& law : std::vector<DiscLaw>{
            LatchingSpring{1.7e4, 1.7e4 / 0.49, 0.0}, LatchingSpring{1.7e4, 2e4, 0.01}, LinearSpringDashpot{2e4, 0.0},
-           LinearSpringDashpot{2e4, 0.02}, LinearSpringDashpot{2e4, 0.02, EndRule::attractive}}) {
+           LinearSpringDashpot{2e4, 0.02}, LinearSpringDashpot{2e4, 0.02, EndRule::attractive},
+           Hertz{7e8, 2.5e-4, 0.08, EndRule::clamped, HertzDashpot::tsuji},
+           Hertz{7e8, 2.5e-4, 0.02, EndRule::attractive, HertzDashpot::constant},
+           HuntCrossley{4.5e4, 1e-5, 1.5, 0.5}}) {
     for (const bool rough : {false, true}) {
       ShearCell cell = ice_cell(8e3, 5e3);
       cell.law = law;

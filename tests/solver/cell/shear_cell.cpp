@@ -75,4 +75,42 @@ BOOST_AUTO_TEST_CASE(cells_that_cannot_be) {
   refused([](ShearCell& c) { c.rows = 0; });
   refused([](ShearCell& c) { c.block_mass = 0.0; });
   refused([](ShearCell& c) { c.diameter = std::nan(""); });
+  for (const DiscLaw& law : {DiscLaw{LinearSpringDashpot{1.7e4, 0.0, EndRule::clamped, 0.1}},
+                             DiscLaw{Hertz{7e8, 2.5e-4, 0.0, EndRule::clamped, HertzDashpot::tsuji, 0.1}},
+                             DiscLaw{Hertz{7e8, 2.5e-4, 0.8, EndRule::attractive}},  // does not separate
+                             DiscLaw{Hertz{7e8, 2.5e-4, 1e9}}, DiscLaw{HuntCrossley{4.5e4, 1e-5, 1.5, 1e5}},
+                             DiscLaw{HuntCrossley{4.5e4, 1e-5, 0.9, 0.5}}})
+    refused([&](ShearCell& c) { c.law = law; });
+  refused([](ShearCell& c) { c.law = Hertz{7e8, 2.5e-4}, c.block_speed = 0.0; });
+  refused([](ShearCell& c) { c.law = Hertz{7e8, 2.5e-4}, c.impact_speed = -1.0; });
+  refused([](ShearCell& c) { c.law = Hertz{7e8, 2.5e-4}, c.impact_speed = 1e-300; });
+}
+
+BOOST_AUTO_TEST_CASE(impacts_of_laws_that_are_not_linear_are_stated_at_a_speed) {
+  const auto close = boost::test_tools::tolerance(1e-12);
+  ShearCell cell = ice_cell(8e3, 5e3);
+  BOOST_TEST(cell.is_linear());
+  BOOST_TEST(cell.nominal_speed() == 0.0);
+  const Hertz hertz{7e8, 2.5e-4, 0.02, EndRule::clamped, HertzDashpot::constant};
+  cell.law = hertz;
+  BOOST_TEST(!cell.is_linear());
+  // The rows of the start, 8 of them between base and block, slide past each other at a ninth of the block's speed.
+  const FilledCell filled = fill(cell);
+  BOOST_TEST(cell.nominal_speed() == filled.discs.vx[10] - filled.discs.vx[0], close);
+  for (const double speed : {0.0, 0.02}) {
+    cell.impact_speed = speed;
+    const double v = speed > 0.0 ? speed : 5.0 / 9.0;
+    BOOST_TEST(cell.contact_time() == hertz.contact_time(3.6e-7, v), close);
+    BOOST_TEST(cell.restitution() == hertz.restitution(3.6e-7, v), close);
+    // At the lower speed the load of the block, 8 mN on a disc, presses deeper than an impact.
+    const double factor = 4.0 / 3.0 * 7e8 * std::sqrt(2.5e-4);
+    const double overlap = speed > 0.0 ? std::pow(8e-3 / factor, 2.0 / 3.0) : hertz.largest_overlap(3.6e-7, v);
+    BOOST_TEST(cell.nominal_overlap() == overlap, close);
+    BOOST_TEST(cell.stiffness() == factor * std::sqrt(overlap), close);
+    BOOST_TEST(cell.largest_stiffness() == 1.5 * factor * std::sqrt(overlap), boost::test_tools::tolerance(1e-8));
+  }
+  cell.gravity = 0.0;
+  BOOST_TEST(cell.nominal_overlap() == hertz.largest_overlap(3.6e-7, 0.02), close);
+  cell.law = Hertz{1e-3, 2.5e-4};
+  BOOST_TEST(cell.nominal_overlap() == cell.diameter);
 }

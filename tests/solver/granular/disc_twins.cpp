@@ -185,6 +185,9 @@ void for_each_law_and_friction(Visit&& visit) {
   with(LinearSpringDashpot{4e3, 0.0}), with(LinearSpringDashpot{4e3, 3.0});
   with(LinearSpringDashpot{4e3, 3.0, EndRule::attractive});
   with(LatchingSpring{4e3, 8e3, 0.0}), with(LatchingSpring{4e3, 5e3, 2e-3});
+  with(Hertz{8e3, 0.5, 5.0, EndRule::clamped, HertzDashpot::tsuji});
+  with(Hertz{8e3, 0.5, 3.0, EndRule::attractive, HertzDashpot::constant});
+  with(HuntCrossley{4e3, 0.05, 1.5, 0.05}), with(HuntCrossley{4e3, 0.05, 2.3, 0.05});
 }
 
 /// The examples of each law of discs, with forces scaled to the stiffness of the others.

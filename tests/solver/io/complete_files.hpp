@@ -485,4 +485,102 @@ wall_discs = 11
 step = "0.2 us"
 every = "5 ms"
 end = "100 ms"
+)",
+    R"(# cell file
+title = "All of a cell"
+units = "SI"
+[cell] # cell hertz
+law = "hertz"
+modulus = "100 MPa"
+radius = "0.25 mm"
+damping = "0.02 N s/m"
+end_rule = "clamped"
+dashpot = "constant"
+impact_speed = "0.5 m/s"
+diameter = "1 mm"
+mass = "7.2e-7 kg"
+gravity = "9.81 m/s^2"
+block_mass = "9e-3 kg"
+block_speed = "5 m/s"
+rows = 8
+columns = 10
+wall_discs = 11
+friction = 0.5
+shear_stiffness = "1e4 N/m"
+seed = 3
+[run] # cell run
+step = "0.2 us"
+every = "5 ms"
+end = "100 ms"
+)",
+    R"(# cell file
+title = "All of a cell"
+units = "SI"
+[cell] # cell hunt_crossley
+law = "hunt_crossley"
+stiffness = "2e4 N/m"
+reference_overlap = "0.01 mm"
+exponent = 1.5
+restitution = 0.7
+impact_speed = "0.5 m/s"
+diameter = "1 mm"
+mass = "7.2e-7 kg"
+gravity = "9.81 m/s^2"
+overburden = "8 kPa"
+block_speed = "5 m/s"
+rows = 8
+columns = 10
+wall_discs = 11
+[run] # cell run
+step = "0.2 us"
+every = "5 ms"
+end = "100 ms"
+)",
+    R"(# cell file
+title = "All of a cell"
+units = "SI"
+[cell] # cell hertz
+law = "hertz"
+modulus = "100 MPa"
+radius = "0.25 mm"
+restitution = 0.7
+impact_speed = "0.5 m/s"
+diameter = "1 mm"
+mass = "7.2e-7 kg"
+gravity = "9.81 m/s^2"
+overburden = "8 kPa"
+block_speed = "5 m/s"
+rows = 8
+columns = 10
+wall_discs = 11
+[run] # cell run
+step = "0.2 us"
+every = "5 ms"
+end = "100 ms"
+)",
+    R"(# cell file
+title = "All of a cell"
+units = "SI"
+[cell] # cell hunt_crossley
+law = "hunt_crossley"
+stiffness = "2e4 N/m"
+reference_overlap = "0.01 mm"
+exponent = 1
+hysteresis = "0.5 s/m"
+diameter = "1 mm"
+mass = "7.2e-7 kg"
+gravity = "9.81 m/s^2"
+block_mass = "9e-3 kg"
+block_speed = "5 m/s"
+rows = 8
+columns = 10
+wall_discs = 11
+impact_speed = "0.5 m/s"
+friction = 0.5
+shear_stiffness = "1e4 N/m"
+seed = 3
+[run] # cell run
+step = "0.2 us"
+every = "5 ms"
+end = "100 ms"
 )"};

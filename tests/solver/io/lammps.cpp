@@ -29,12 +29,13 @@ bool has_lammps() {
 }
 
 /// Discs of different size, some of them overlapping, with random velocities, over a floor of held discs.
-LammpsScene scene(const LinearSpringDashpot& law, const PeriodicBox& box, bool walls) {
+LammpsScene scene(const std::variant<LinearSpringDashpot, Hertz>& law, const PeriodicBox& box, bool walls,
+                  double spread = 0.1) {
   std::mt19937 random{5};
   std::uniform_real_distribution<double> unit{-1.0, 1.0};
   LammpsScene made{.shapes = {}, .discs = {}, .box = box, .law = law};
   for (int i = 0; i < 100; ++i) {
-    const double radius = 1.0 + 0.1 * unit(random);
+    const double radius = 1.0 + spread * unit(random);
     made.shapes.add(radius, 1.0 / (radius * radius));
     made.discs.add(2.05 * (i % 10 - 4.5) + 0.2 * unit(random), 2.05 * (i / 10 - 4.5) + 0.2 * unit(random),
                    2.0 * unit(random), 2.0 * unit(random));
@@ -82,8 +83,9 @@ Answer lammps(const LammpsScene& given, LammpsRun::Style style, bool newton, dou
 }
 
 /// The same computed by Talus.
-Answer talus_answer(const LammpsScene& given) {
-  DiscSystem system{given.shapes, given.box, given.law, 0.6};
+template <class L>
+Answer talus_answer(const LammpsScene& given, const L& law) {
+  DiscSystem system{given.shapes, given.box, law, 0.6};
   Discs discs = given.discs;
   system.begin(discs);
   Answer answer;
@@ -112,7 +114,8 @@ Answer talus_answer(const LammpsScene& given) {
 }
 
 void compare(const LammpsScene& given, LammpsRun::Style style, bool newton) {
-  const Answer theirs = lammps(given, style, newton), ours = talus_answer(given);
+  const Answer theirs = lammps(given, style, newton);
+  const Answer ours = std::visit([&](const auto& law) { return talus_answer(given, law); }, given.law);
   BOOST_TEST_REQUIRE(theirs.forces.size() == ours.forces.size());
   double largest = 0.0, apart = 0.0;
   for (std::size_t i = 0; i < ours.forces.size(); ++i) {
@@ -137,13 +140,14 @@ BOOST_AUTO_TEST_CASE(lammps_turns_discs_by_friction_alike) {
   // 0.01.
   for (const auto style : {LammpsRun::Style::granular, LammpsRun::Style::gran_hooke}) {
     for (const double coefficient : {0.1, 5.0}) {
-      LammpsScene scene{.shapes = {}, .discs = {}, .box = {.width = 20.0, .height = 20.0}, .law = {4e3, 0.0}};
+      const LinearSpringDashpot law{4e3, 0.0};
+      LammpsScene scene{.shapes = {}, .discs = {}, .box = {.width = 20.0, .height = 20.0}, .law = law};
       scene.friction = CoulombFriction{coefficient, 3e3};
       scene.shapes.add(1.0, 1.0), scene.shapes.add(1.0, 1.0);
       scene.discs.add(-1.1, 0.0, 0.5, 0.0), scene.discs.add(1.1, 0.0, -0.5, 0.7);
       constexpr double h = 0.1 * step;
       const Answer theirs = lammps(scene, style, true, h, 10 * steps);
-      DiscSystem system{scene.shapes, scene.box, scene.law, 0.6, *scene.friction};
+      DiscSystem system{scene.shapes, scene.box, law, 0.6, *scene.friction};
       Discs discs = scene.discs;
       system.begin(discs);
       VelocityVerletOf<Discs> stepper;
@@ -170,8 +174,14 @@ BOOST_AUTO_TEST_CASE(lammps_finds_the_same_forces_and_energies) {
   }
   compare(scene(elastic, {}, false), LammpsRun::Style::gran_hooke, true);
   for (const EndRule rule : {EndRule::clamped, EndRule::attractive})
-    compare(scene({4e3, 20.0, rule}, box, false), LammpsRun::Style::granular, true);
+    compare(scene(LinearSpringDashpot{4e3, 20.0, rule}, box, false), LammpsRun::Style::granular, true);
   compare(scene(elastic, {.width = 21.0}, true), LammpsRun::Style::granular, true);
+  // Hertz's law, with a radius other than that of the discs.
+  for (const EndRule rule : {EndRule::clamped, EndRule::attractive}) {
+    const Hertz hertz{1e4, 0.8, 20.0, rule, HertzDashpot::constant};
+    compare(scene(hertz, box, false, 0.0), LammpsRun::Style::granular, true);
+  }
+  compare(scene(Hertz{1e4, 0.8}, {.width = 21.0}, true, 0.0), LammpsRun::Style::granular, true);
 }
 
 BOOST_AUTO_TEST_CASE(what_lammps_does_not_have_is_refused) {
@@ -179,4 +189,16 @@ BOOST_AUTO_TEST_CASE(what_lammps_does_not_have_is_refused) {
   const LammpsScene sliding = scene(dashpot, {.width = 21.0, .height = 22.0, .shear_rate = 0.1}, false);
   BOOST_CHECK_THROW(static_cast<void>(lammps_data(sliding)), InputError);
   BOOST_CHECK_THROW(static_cast<void>(lammps_input(sliding, {.style = LammpsRun::Style::gran_hooke}, "x")), InputError);
+  const auto refused = [](const Hertz& law, double spread, LammpsRun::Style style, const std::string& words) {
+    const LammpsScene given = scene(law, {.width = 21.0, .height = 22.0}, false, spread);
+    BOOST_CHECK_EXCEPTION(static_cast<void>(lammps_input(given, {.style = style}, "x")), InputError,
+                          [&](const InputError& error) { return error.what() == words; });
+  };
+  const Hertz constant{1e4, 0.8, 20.0, EndRule::clamped, HertzDashpot::constant};
+  refused({1e4, 0.8, 20.0}, 0.0, LammpsRun::Style::granular,
+          "dashpot: found tsuji, which LAMMPS sets by another number; it must be constant");
+  refused(constant, 0.1, LammpsRun::Style::granular,
+          "law: found hertz with discs of different size; for LAMMPS they must be equal");
+  refused(constant, 0.0, LammpsRun::Style::gran_hooke,
+          "law: found hertz; for the style gran/hooke it must be linear_spring_dashpot");
 }

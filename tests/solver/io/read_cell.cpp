@@ -213,9 +213,9 @@ BOOST_AUTO_TEST_CASE(fields_that_a_law_does_not_have_are_errors_with_their_line)
   const auto refusal = [&](std::string_view what, std::string_view by) {
     return message(with(toml, what, by), "c.toml");
   };
-  BOOST_TEST(refusal("restitution = 0.5", "restitution = 0.5\nlaw = \"hertz\"") ==
-             "c.toml:6: cell: law: found \"hertz\"; nearest: latching_spring; known: latching_spring, "
-             "linear_spring_dashpot");
+  BOOST_TEST(refusal("restitution = 0.5", "restitution = 0.5\nlaw = \"hertzian\"") ==
+             "c.toml:6: cell: law: found \"hertzian\"; nearest: hertz; known: linear_spring_dashpot, latching_spring, "
+             "hertz, hunt_crossley");
   const std::string both =
       refusal("restitution = 0.5", "unloading_stiffness = \"2e4 N/m\"\nlaw = \"linear_spring_dashpot\"");
   BOOST_TEST(both.starts_with("c.toml:3: cell: damping: it is missing; give restitution or damping\n"), both);
@@ -250,6 +250,71 @@ BOOST_AUTO_TEST_CASE(fields_that_a_law_does_not_have_are_errors_with_their_line)
         "c.toml:21: run: historical: found on; a historical run is of latching springs that do not grow stiffer, "
         "without friction");
   }
+}
+
+BOOST_AUTO_TEST_CASE(laws_that_are_not_linear_have_a_speed_of_impact) {
+  const auto close = boost::test_tools::tolerance(1e-12);
+  const auto text = [](const std::string& law) {
+    return with(with(toml, "stiffness = \"1.7e4 N/m\"\n", ""), "restitution = 0.5", law);
+  };
+  const std::string hertz = "law = \"hertz\"\nmodulus = \"700 MPa\"\nradius = \"0.25 mm\"\n";
+  const std::string hunt = "law = \"hunt_crossley\"\nstiffness = \"4.5e4 N/m\"\nreference_overlap = \"0.01 mm\"\n";
+  const auto read = [&](const std::string& law) { return read_cell(text(law), "c.toml", {}).cell; };
+  const auto refusal = [&](const std::string& law) { return message(text(law), "c.toml"); };
+  BOOST_TEST((read(hertz + "damping = \"0.02 N s/m\"\ndashpot = \"constant\"\nend_rule = \"attractive\"").law ==
+              DiscLaw{Hertz{7e8, 2.5e-4, 0.02, EndRule::attractive, HertzDashpot::constant}}));
+  BOOST_TEST(
+      (read(hunt + "exponent = 2.5\nhysteresis = \"0.5 s/m\"").law == DiscLaw{HuntCrossley{4.5e4, 1e-5, 2.5, 0.5}}));
+  for (const std::string& law : {hertz, hertz + "dashpot = \"constant\"\n", hunt + "exponent = 1.5\n"}) {
+    for (const double speed : {0.0, 0.7}) {
+      const std::string at = speed > 0.0 ? fmt::format("\nimpact_speed = \"{} m/s\"", speed) : "";
+      const ShearCell cell = read(law + "restitution = 0.6" + at);
+      BOOST_TEST(cell.nominal_speed() == (speed > 0.0 ? speed : std::abs(cell.block_speed) / (cell.rows + 1)));
+      BOOST_TEST(cell.restitution() == 0.6, close);
+      std::visit(
+          [&](const auto& of) { BOOST_TEST(of.restitution(0.5 * cell.mass, cell.nominal_speed()) == 0.6, close); },
+          cell.law);
+    }
+    const ShearCell rough = read(law + "restitution = 0.6\nfriction = 0.4");
+    BOOST_TEST(rough.friction->stiffness == rough.stiffness());
+    BOOST_TEST(refusal(law) == (law.starts_with("law = \"hunt")
+                                    ? "c.toml:3: cell: hysteresis: it is missing; give restitution or hysteresis"
+                                    : "c.toml:3: cell: damping: it is missing; give restitution or damping"));
+    BOOST_TEST(message(with(text(law + "restitution = 0.6"), "block_speed = \"5 m/s\"", "block_speed = \"0 m/s\""),
+                       "c.toml") ==
+               fmt::format("c.toml:3: cell: impact_speed: found 0; it must be > 0 for the law {}, and block_speed = 0 "
+                           "gives none",
+                           law.starts_with("law = \"hunt") ? "hunt_crossley" : "hertz"));
+  }
+  BOOST_TEST(refusal(hertz + "restitution = 0.6\nimpact_speed = \"-1 m/s\"")
+                 .ends_with("cell: impact_speed: found \"-1 m/s\"; it must be > 0"));
+  BOOST_TEST(refusal(hertz + "restitution = 0.6\nimpact_speed = \"1e-300 m/s\"")
+                 .find("cell: impact_speed: found \"1e-300 m/s\", in SI: 1e-300; it must be such that impacts have a "
+                       "duration; by hertz it is ") != std::string::npos);
+  BOOST_TEST(refusal(hertz + "restitution = 0.6\ndashpot = \"tsujii\"")
+                 .find("cell: dashpot: found \"tsujii\"; nearest: tsuji") != std::string::npos);
+  BOOST_TEST(refusal(hertz + "damping = \"2 N s/m\"\nend_rule = \"attractive\"")
+                 .ends_with("cell: damping: found \"2 N s/m\", in SI: 2; it must be smaller: with this end rule "
+                            "overdamped contacts never separate"));
+  const std::string strong = refusal(hertz + "damping = \"2e6 N s/m\"");
+  BOOST_TEST(
+      strong.find("cell: damping: found \"2e6 N s/m\", in SI: 2000000; it must be at most ") != std::string::npos,
+      strong);
+  BOOST_TEST(
+      strong.ends_with("with it the damping force of an impact at the speed 0.5556 is 1000 times that of the spring"),
+      strong);
+  // A speed has no effect where impacts do not depend on it.
+  BOOST_TEST(message(with(toml, "restitution = 0.5", "restitution = 0.5\nimpact_speed = \"1 m/s\""), "c.toml")
+                 .find("cell: impact_speed: this key is not known") != std::string::npos);
+  // The block presses its discs together so that they are stiffer than in an impact.
+  const std::string stiff = "law = \"hertz\"\nmodulus = \"700 GPa\"\nradius = \"0.25 mm\"\nrestitution = 0.6\n";
+  const std::string heavy = message(
+      with(text(stiff + "impact_speed = \"1e-6 m/s\""), "overburden = \"8 kPa\"", "overburden = \"8 MPa\""), "c.toml");
+  BOOST_TEST(heavy.find("run: step: found \"0.2 us\", in SI: 2.0000000000000002e-07; at an overlap of 6.6") !=
+                 std::string::npos,
+             heavy);
+  BOOST_TEST(heavy.find("contacts are so stiff that euler_cromer needs a step of at most 1.4") != std::string::npos,
+             heavy);
 }
 
 BOOST_AUTO_TEST_CASE(images_across_the_borders_may_be_virtual_discs) {

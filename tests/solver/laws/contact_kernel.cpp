@@ -32,6 +32,11 @@ void for_each_law(Visit&& visit) {
     visit(LatchingSpring{4e3, 4e3, growth});
     visit(LatchingSpring{0.7, 17.3, growth});
   }
+  for (const HertzDashpot dashpot : {HertzDashpot::tsuji, HertzDashpot::constant})
+    for (const EndRule rule : {EndRule::attractive, EndRule::clamped})
+      visit(Hertz{3e4, 0.7, 5.0, rule, dashpot});
+  for (const double exponent : {1.0, 1.5, 2.0, 2.3})
+    visit(HuntCrossley{4e3, 0.05, exponent, 0.02});
   visit(Cohesive{4e3, 0.05, 0.0}), visit(Cohesive{4e3, 0.05, 3.0});
 }
 
@@ -127,10 +132,37 @@ BOOST_AUTO_TEST_CASE(rates_have_a_part_where_a_dashpot_is) {
 BOOST_AUTO_TEST_CASE(kernels_are_derived_where_a_law_is_one_sided) {
   static_assert(OneSided<LinearSpringDashpot> && !IsKernel<LinearSpringDashpot>);
   static_assert(IsKernel<LatchingSpring> && !OneSided<LatchingSpring>);
-  static_assert(!HasContactKernel<Hertz>);
+  static_assert(HasSecant<Hertz> && OneSided<Hertz> && HasSecant<HuntCrossley> && !HasSecant<LinearSpringDashpot>);
+  static_assert(std::same_as<DiscLaws::Variant, ContactLaws::Variant>);
   const OneSidedKernel kernel = contact_kernel(LinearSpringDashpot{4e3, 3.0, EndRule::attractive});
   BOOST_TEST(kernel.stiffness == 4e3);
   BOOST_TEST(kernel.damping == 3.0);
   BOOST_TEST(!kernel.clamped);
   BOOST_TEST(contact_kernel(LinearSpringDashpot{4e3}).clamped);
+}
+
+BOOST_AUTO_TEST_CASE(forces_and_energies_of_secants_are_those_of_the_formulas) {
+  const auto close = boost::test_tools::tolerance(1e-14);
+  const double d = 0.03, v = -0.2, E = 3e4, R = 0.7, c = 5.0, k = 4e3, d_r = 0.05, a = 0.6;
+  double largest = 0.0, force = 0.0, power = 0.0, released = 0.0;
+  const auto evaluate = [&](const auto& law) {
+    const auto kernel = contact_kernel(law);
+    kernel.force(d, v, largest, force);
+    kernel.dissipated_power(d, v, 0.0, force, power, released);  // the contact acts again: its energy is stored again
+    BOOST_TEST(-released == law.stored_energy({d, v}, {}, 1), close);
+  };
+  const double hertz = 4.0 / 3.0 * E * std::sqrt(R) * std::pow(d, 1.5);
+  evaluate(Hertz{E, R, c, EndRule::clamped, HertzDashpot::tsuji});
+  BOOST_TEST(force == hertz + c * std::pow(d / R, 0.25) * v, close);
+  BOOST_TEST(power == c * std::pow(d / R, 0.25) * v * v, close);
+  BOOST_TEST(-released == 0.4 * hertz * d, close);
+  evaluate(Hertz{E, R, c, EndRule::clamped, HertzDashpot::constant});
+  BOOST_TEST(force == hertz + c * v, close);
+  for (const double n : {1.0, 1.5, 2.0, 2.3}) {
+    const double elastic = k * d * std::pow(d / d_r, n - 1.0);
+    evaluate(HuntCrossley{k, d_r, n, a});
+    BOOST_TEST(force == elastic * (1.0 + a * v), close);
+    BOOST_TEST(power == elastic * a * v * v, close);
+    BOOST_TEST(-released == elastic * d / (n + 1.0), close);
+  }
 }

@@ -351,3 +351,31 @@ BOOST_AUTO_TEST_CASE(a_straight_line_is_the_law_as_long_as_it_lasts) {
   });
   BOOST_TEST(lines > 10);
 }
+
+// The range of a scene's numbers is that of doubles.
+BOOST_AUTO_TEST_CASE(impacts_have_a_duration_with_the_weakest_and_the_strongest_dashpots) {
+  const auto close = boost::test_tools::tolerance(1e-10);
+  for (const HertzDashpot dashpot : {HertzDashpot::tsuji, HertzDashpot::constant}) {
+    for (const EndRule rule : {EndRule::attractive, EndRule::clamped}) {
+      for (const double damping : {1e-300, 1e-30, 1e-20}) {
+        const HertzImpact weak = hertz_impact(damping, dashpot, rule), elastic = hertz_impact(0.0, dashpot, rule);
+        BOOST_TEST(weak.restitution == 1.0, close);
+        BOOST_TEST(weak.contact_time == elastic.contact_time, close);
+        BOOST_TEST(weak.largest_overlap == elastic.largest_overlap, close);
+      }
+    }
+  }
+  BOOST_TEST(hertz_impact(1e80, HertzDashpot::tsuji, EndRule::clamped).restitution == 0.0);
+  BOOST_TEST(hertz_impact(1.0, HertzDashpot::tsuji, EndRule::attractive).largest_overlap ==
+                 hertz_impact(1.0, HertzDashpot::tsuji, EndRule::clamped).largest_overlap,
+             close);
+  for (const double exponent : {1.0, 1.5, 2.3, 50.0}) {
+    for (const double damping : {1e-300, 1e-200, 1e-31, 1e-14, 1e-13}) {
+      const HuntCrossleyImpact weak = hunt_crossley_impact(damping, exponent);
+      const HuntCrossleyImpact elastic = hunt_crossley_impact(0.0, exponent);
+      BOOST_TEST(weak.restitution == 1.0, close);
+      BOOST_TEST(weak.contact_time == elastic.contact_time, close);
+      BOOST_TEST(weak.largest_overlap == elastic.largest_overlap, close);
+    }
+  }
+}

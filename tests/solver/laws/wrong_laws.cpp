@@ -130,6 +130,16 @@ struct DashpotIsANumber : Plain {
 struct ClampedWithoutSlopes : Plain {
   bool is_clamped() const;
 };
+struct SecantWithoutEnergy : Plain {
+  bool is_clamped() const;
+  template <class Number>
+  void secant(const Number&, Number&, Number&) const;
+};
+struct SecantOfTheMode : Plain {
+  bool is_clamped() const;
+  double secant_energy_ratio() const;
+  void secant(const double&, double&, double&, Mode) const;
+};
 struct KernelWithoutPower : Plain {
   bool needs_rate() const;
   template <class Number>
@@ -186,9 +196,9 @@ BOOST_AUTO_TEST_CASE(a_hook_with_a_wrong_signature_makes_no_law) {
          CountsInInt, OrdersOfAnother, PartOfTheMemoryAlone, PieceIsATangent, PieceOfTwoNumbers, ElongationOfTheMode,
          YieldsWithoutElongation, YieldsWithoutLimit, BrokenIsAMode, BreaksByTheInstance, ReachIsAParameter,
          StartsWithoutTangent, StartsWithoutMass, RetardsWithoutMemory, KnowsTheTimeAlone, KnowsNoSpeed, SetsNoField,
-         FieldIsAName, SetsEveryAlone, VariesAlone, DashpotIsANumber, ClampedWithoutSlopes, KernelWithoutPower,
-         KernelOfThePast, ForceByValue, EndRuleIsANumber, DampingIsAFunction, RatioIsAFloat, TableWithoutYield,
-         HiddenHook>();
+         FieldIsAName, SetsEveryAlone, VariesAlone, DashpotIsANumber, ClampedWithoutSlopes, SecantWithoutEnergy,
+         SecantOfTheMode, KernelWithoutPower, KernelOfThePast, ForceByValue, EndRuleIsANumber, DampingIsAFunction,
+         RatioIsAFloat, TableWithoutYield, HiddenHook>();
 }
 
 BOOST_AUTO_TEST_CASE(a_law_without_a_part_is_none) { refuse<ActsIsUnknown, ForceIsADouble, Frictionless, int>(); }

@@ -11,6 +11,8 @@
 #include "solver/granular/disc_system.hpp"
 #include "solver/granular/fast_disc_system.hpp"
 #include "solver/granular/packing.hpp"
+#include "solver/laws/hertz.hpp"
+#include "solver/laws/hunt_crossley.hpp"
 #include "solver/laws/latching_spring.hpp"
 #include "solver/laws/linear_spring_dashpot.hpp"
 #include "verification/check/case.hpp"
@@ -24,6 +26,9 @@ constexpr std::size_t count = 300;
 
 const LatchingSpring latching{0.5, 0.5 / 0.49, 0.0}, growing{0.5, 0.6, 5.0};
 const LinearSpringDashpot clamped{0.5, 0.1}, attractive{0.5, 0.1, EndRule::attractive};
+// The secant stiffness of these is that of the others at an overlap of 0.01.
+const Hertz tsuji{7.5, 0.25, 0.2}, constant{7.5, 0.25, 0.1, EndRule::attractive, HertzDashpot::constant};
+const HuntCrossley hysteresis{0.5, 0.01, 1.5, 20.0}, any_power{0.5, 0.01, 2.3, 20.0};
 const CoulombFriction rough{0.5, 0.35};
 
 Packing sheared_packing(std::size_t discs) {
@@ -221,6 +226,10 @@ void run(Findings& findings, const Setup& setup) {
   expect_same(findings, setup, "spring and dashpot", clamped, Frictionless{});
   expect_same(findings, setup, "spring and dashpot, friction", clamped, rough);
   expect_same(findings, setup, "attractive end, friction", attractive, rough);
+  expect_same(findings, setup, "Hertz, tsuji", tsuji, Frictionless{});
+  expect_same(findings, setup, "Hertz, constant, friction", constant, rough);
+  expect_same(findings, setup, "Hunt and Crossley", hysteresis, Frictionless{});
+  expect_same(findings, setup, "Hunt and Crossley, n = 2.3, friction", any_power, rough);
   expect_single_calls(findings, setup);
   expect_threads(findings, setup);
   if (setup.needs("a loop over all pairs")) expect_all_pairs(findings, setup);
@@ -247,7 +256,7 @@ Case definition() {
                       "values that differ with 7 threads"},
                      {"pairs_backwards", "the loop over all pairs begins with the last disc",
                       "values that differ from a loop over all pairs"}},
-          .seconds = 3.0,
+          .seconds = 5.0,
           .run = run};
 }
 

@@ -80,7 +80,6 @@ rows = 3
 columns = 4
 wall_discs = 5
 seed = 3
-stiffness = "17000 N/m"
 )";
   const auto plan = [](const char* integrator, double time, const char* switches) {
     return fmt::format("[run]\nintegrator = \"{}\"\nstep = \"{} s\"\nevery = \"2e-5 s\"\nend = \"1.1e-4 s\"\n{}",
@@ -89,26 +88,42 @@ stiffness = "17000 N/m"
   constexpr double block = 9e-3, load = 3500.0, wall = 5e-6;  // [kg], [Pa], area of the block [m^2]
   const Members of_block{{"overburden", number_of(block * gravity / wall)}},
       of_load{{"block_mass", number_of(load * wall / gravity)}};
-  const std::string head = "units = \"SI\"\n[cell]\n" + discs, heavy = fmt::format("block_mass = \"{} kg\"\n", block);
+  const std::string head = "units = \"SI\"\n[cell]\n" + discs, heavy = fmt::format("block_mass = \"{} kg\"\n", block),
+                    stiff = "stiffness = \"17000 N/m\"\n";
   std::vector<WrittenCell> cells{
-      {"title = \"Latching springs\"\n" + head + heavy +
+      {"title = \"Latching springs\"\n" + head + heavy + stiff +
            "law = \"latching_spring\"\nunloading_stiffness = \"31000 N/m\"\ngrowth = \"1.5 1/m\"\nfriction = 0.5\n"
            "shear_stiffness = \"11000 N/m\"\n" +
            plan("euler_cromer", 2e-7,
                 "jump = \"off\"\nimages = \"virtual\"\nhistorical = \"off\"\npictures = \"on\"\n"),
        of_block},
-      {"title = \"Dashpots\"\n" + head +
+      {"title = \"Dashpots\"\n" + head + stiff +
            fmt::format("overburden = \"{} N/m^2\"\nlaw = \"linear_spring_dashpot\"\ndamping = \"0.02 N s/m\"\n"
                        "end_rule = \"attractive\"\n",
                        load) +
            plan("velocity_verlet", 2e-7,
                 "jump = \"on\"\nimages = \"nearest\"\nhistorical = \"off\"\npictures = \"off\"\n"),
        of_load},
-      {"title = \"As in 1989\"\n" + head + heavy +
+      {"title = \"As in 1989\"\n" + head + heavy + stiff +
            "law = \"latching_spring\"\ngrowth = \"0 1/m\"\nunloading_stiffness = \"" +
            fmt::format("{}", 17000.0 / 0.45) + " N/m\"\n" +
            plan("euler", 1e-7, "jump = \"off\"\nimages = \"virtual\"\nhistorical = \"on\"\npictures = \"on\"\n"),
        of_block}};
+  cells.push_back({"title = \"Hertz\"\n" + head + heavy +
+                       "law = \"hertz\"\nmodulus = \"6.5e8 N/m^2\"\nradius = \"0.0003 m\"\ndamping = \"0.03 N s/m\"\n"
+                       "end_rule = \"attractive\"\ndashpot = \"constant\"\nimpact_speed = \"0.7 m/s\"\n" +
+                       plan("velocity_verlet", 2e-7,
+                            "jump = \"off\"\nimages = \"nearest\"\nhistorical = \"off\"\npictures = \"on\"\n"),
+                   of_block});
+  Members of_rows = of_load;  // the speed of rows past each other: 3 rows between base and block
+  of_rows["impact_speed"] = number_of(5.0 / 4.0);
+  cells.push_back({"title = \"Hunt and Crossley\"\n" + head + stiff +
+                       fmt::format("overburden = \"{} N/m^2\"\nlaw = \"hunt_crossley\"\n"
+                                   "reference_overlap = \"4e-6 m\"\nexponent = 1.5\nhysteresis = \"0.4 s/m\"\n",
+                                   load) +
+                       plan("euler_cromer", 2e-7,
+                            "jump = \"on\"\nimages = \"nearest\"\nhistorical = \"off\"\npictures = \"off\"\n"),
+                   of_rows});
   if (setup.has("another_seed")) cells.front().derived["seed"] = number_of(4.0);
   return cells;
 }
