@@ -36,7 +36,7 @@ struct AllowedColumn {
                                                               const std::vector<AllowedColumn>& allowed,
                                                               const UnitSystem& units);
 
-/// Text of the CSV file of columns in SI units, written in `units` with the unit in each head. All columns must have the
+/// Text of the CSV file of columns in SI units, written in `units` with the unit in each head. All columns have the
 /// same number of rows.
 [[nodiscard]] std::string quantity_csv(const std::vector<QuantityColumn>& columns, const UnitSystem& units);
 
