@@ -10,13 +10,14 @@
 #include <numeric>
 #include <optional>
 #include <string_view>
-#include <tuple>
 #include <utility>
 
 #include "solver/app/calibrate_options.hpp"
 #include "solver/app/command.hpp"
 #include "solver/app/impact_calibration.hpp"
 #include "solver/app/latching_calibration.hpp"
+#include "solver/app/law_options.hpp"
+#include "solver/app/range_calibration.hpp"
 #include "solver/base/error.hpp"
 #include "solver/base/progress.hpp"
 #include "solver/calibrate/impact.hpp"
@@ -51,18 +52,6 @@ std::optional<EndRule> end_rule_of(const ContactLaw& contact_law) {
       []<class L>(const L& law) -> std::optional<EndRule> {
         if constexpr (HasEndRule<L>) return law.end_rule;
         return {};
-      },
-      contact_law);
-}
-
-/// Name and dimension of the parameter by which a law dissipates.
-std::pair<std::string, Dimension> dissipation_of(const ContactLaw& contact_law) {
-  return std::visit(
-      []<class L>(const L&) -> std::pair<std::string, Dimension> {
-        if constexpr (!SetsEveryRestitution<L>)
-          return {};
-        else
-          return {std::string{restitution_parameter<L>().name}, restitution_parameter<L>().dimension};
       },
       contact_law);
 }
@@ -131,7 +120,8 @@ int calibrate_scene(const CalibrateOptions& options) {
   result.damping_ratio = damping_ratio_of(damped, contact);
   const ContactLaw& law = scene.model.contacts[index(contact)].law;
   result.end_rule = end_rule_of(law);
-  std::tie(result.parameter, result.dimension) = dissipation_of(law);
+  const LawParameter dissipation = dissipation_of(law);
+  result.parameter = dissipation.name, result.dimension = dissipation.dimension;
   if (options.json) {
     print_json(result, scene, options.contact);
   } else {
@@ -141,21 +131,31 @@ int calibrate_scene(const CalibrateOptions& options) {
 }
 
 /// Calibration without a scene, by the law of --law.
-int calibrate_law(const CalibrateOptions& options) {
-  return options.law == LatchingSpring::name ? calibrate_latching(options) : calibrate_impact(options);
+int calibrate_law(const CalibrateOptions& options, const DrawingSink& sink) {
+  if (options.law == LatchingSpring::name) return calibrate_latching(options);
+  if (gives_range(options)) return calibrate_range(options, sink);
+  if (!options.own_to_range.empty()) {
+    throw InputError{fmt::format("{}: only a range of pairs is written to files; give --speeds, --radii or --pairs",
+                                 options.own_to_range.front())};
+  }
+  return calibrate_impact(options);
 }
 
-int run_calibration(const CalibrateOptions& options) {
+int run_calibration(const CalibrateOptions& options, const DrawingSink& sink) {
   if (options.restitution && !(*options.restitution > 0.0 && *options.restitution <= 1.0))
     throw InputError{fmt::format("--restitution: found {}; it must be in (0, 1]", *options.restitution)};
   if (options.scene.empty()) {
     if (!options.contact.empty()) throw InputError{"--contact: it needs a scene; name its file"};
-    return calibrate_law(options);
+    return calibrate_law(options, sink);
   }
   if (!options.masses.empty() || !options.pivot.empty() || !options.offset.empty())
     throw InputError{"--masses, --pivot and --offset are given by the scene; remove them"};
   if (!options.own_to_impact.empty()) {
     throw InputError{fmt::format("{}: given by the scene; remove it", fmt::join(options.own_to_impact, ", "))};
+  }
+  if (!options.own_to_range.empty()) {
+    throw InputError{
+        fmt::format("{}: a range of pairs has no scene; remove one of both", fmt::join(options.own_to_range, ", "))};
   }
   if (!options.restitution) throw InputError{"--restitution: it is missing; give e.g. --restitution 0.7"};
   return calibrate_scene(options);
@@ -169,7 +169,7 @@ std::string option_name(std::string_view field) {
   return name;
 }
 
-Command add_calibrate(CLI::App& talus) {
+Command add_calibrate(CLI::App& talus, const DrawingSink& sink) {
   CLI::App* app = talus.add_subcommand("calibrate", "Find the damping, or K1/K2, that gives a contact its restitution");
   const auto options = std::make_shared<CalibrateOptions>();
   app->add_option("SCENE", options->scene, "scene file: calibrate its --contact by simulation of the scene");
@@ -190,7 +190,9 @@ Command add_calibrate(CLI::App& talus) {
   parameter("radius", "of hertz: effective radius");
   parameter("reference_overlap", "of hunt_crossley: overlap at which force over overlap is the stiffness");
   parameter("exponent", "of hunt_crossley: power of the overlap, at least 1");
-  parameter("damping", "in place of --restitution: the restitution that this dashpot gives is printed");
+  parameter("damping",
+            "in place of --restitution: the restitution that this dashpot gives is printed; of many pairs beside "
+            "--restitution");
   parameter("hysteresis", "the same for hunt_crossley");
   app->add_option("--dashpot", options->dashpot,
                   "of hertz: tsuji (default; the restitution is the same at every speed) or constant");
@@ -211,6 +213,25 @@ Command add_calibrate(CLI::App& talus) {
   app->add_option("--bound", options->bound, "error of the restitution that the step may cause; default 0.001");
   app->add_option("--integrator", options->integrator, "method for the step; default velocity_verlet");
   app->add_option("--step", options->step, "of a latching_spring: its step, e.g. \"1e-7 s\"; a bare number is in s");
+  CLI::Option* speeds =
+      app->add_option(
+             "--speeds", options->speeds,
+             "one dashpot for many pairs: the first speed, the last one and their number, spaced evenly in the "
+             "logarithm")
+          ->expected(3);
+  CLI::Option* radii = app->add_option("--radii", options->radii,
+                                       "the same for the radii of two equal spheres; their masses, and of hertz the "
+                                       "effective radius, follow from --density")
+                           ->expected(3);
+  radii->needs(app->add_option("--density", options->density, "of the spheres of --radii")->needs(radii));
+  app->add_option(
+         "--pairs", options->pairs,
+         "one dashpot for the pairs of a CSV file with the columns mass_1, mass_2, speed and parameters of the "
+         "law, e.g. \"speed [m/s]\"; columns that are absent are given by their options")
+      ->excludes(speeds)
+      ->excludes(radii);
+  app->add_option("--out", options->picture.folder, "folder for the table of the pairs and its drawing");
+  add_format_option(*app, options->picture);
   app->add_option("--units", options->units, "SI or US, for the text; JSON is always SI");
   app->add_flag("--json", options->json, "print JSON, in SI units");
   app->footer(
@@ -220,16 +241,21 @@ Command add_calibrate(CLI::App& talus) {
       "  talus calibrate --restitution 0.5 --masses \"37.23 slug\" \"14.92 slug\" --stiffness \"1e6 lbf/ft\" \\\n"
       "        --pivot \"324.14 slug ft^2\" \"4 ft\" --end-rule attractive\n"
       "  talus calibrate --law hertz --restitution 0.7 --masses \"8 g\" --modulus \"35 GPa\" --radius \"1 cm\"\n"
+      "  talus calibrate --law hertz --dashpot constant --restitution 0.7 --modulus \"35 GPa\" --speeds \"0.1 m/s\" "
+      "\"10 m/s\" 9 \\\n"
+      "        --radii \"1 mm\" \"1 cm\" 3 --density \"2500 kg/m^3\" --out range\n"
       "  talus calibrate cases/pivoted_cylinder.toml --contact impact --restitution 0.5\n"
       "  talus calibrate --law latching_spring --restitution 0.7 --step 1e-7 --integrator euler");
-  return {app, [app, options] {
+  return {app, [app, options, sink] {
             for (const char* name :
                  {"--law", "--end-rule", "--dashpot", "--speed", "--step", "--bound", "--integrator", "--units"}) {
               if (app->get_option(name)->count() > 0) options->own_to_impact.emplace_back(name);
             }
+            for (const char* name : {"--speeds", "--radii", "--density", "--pairs", "--out", "--format"})
+              if (app->get_option(name)->count() > 0) options->own_to_range.emplace_back(name);
             for (const auto& [name, value] : options->parameters)
               if (!value.empty()) options->own_to_impact.push_back(option_name(name));
-            return run_calibration(*options);
+            return run_calibration(*options, sink);
           }};
 }
 

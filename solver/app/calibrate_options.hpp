@@ -6,6 +6,8 @@
 #include <string_view>
 #include <vector>
 
+#include "solver/draw/drawing.hpp"
+
 namespace talus::app {
 
 /// Options of `talus calibrate`.
@@ -24,9 +26,15 @@ struct CalibrateOptions {
   std::string step;
   double bound{1e-3};
   std::string integrator{"velocity_verlet"};
+  std::vector<std::string> speeds;  ///< of a range of pairs: first, last, count
+  std::vector<std::string> radii;   ///< of equal spheres: first, last, count
+  std::string density;              ///< of these spheres
+  std::string pairs;                ///< CSV file
+  PictureOptions picture;           ///< its folder receives the table and its drawing
   std::string units{"SI"};
   bool json{false};
-  std::vector<std::string> own_to_impact;  ///< given options that are not allowed with a scene
+  std::vector<std::string> own_to_impact;  ///< given options that a scene replaces
+  std::vector<std::string> own_to_range;   ///< given options of a range of pairs
 };
 
 /// The option of a law's parameter: "--reference-overlap" for reference_overlap.

@@ -76,10 +76,19 @@ int parse_and_work(int count, const char* const* arguments) {
   }
   CLI::App talus{"", "talus"};
   describe(talus);
-  const std::vector<Command> commands{
-      add_run(talus),     add_check(talus),  add_advise(talus),     add_calibrate(talus),      add_cell(talus),
-      add_convert(talus), add_export(talus), add_plot(talus, draw), add_snapshot(talus, draw), add_animate(talus, draw),
-      add_study(talus),   add_list(talus),   add_new(talus)};
+  const std::vector<Command> commands{add_run(talus),
+                                      add_check(talus),
+                                      add_advise(talus),
+                                      add_calibrate(talus, draw),
+                                      add_cell(talus),
+                                      add_convert(talus),
+                                      add_export(talus),
+                                      add_plot(talus, draw),
+                                      add_snapshot(talus, draw),
+                                      add_animate(talus, draw),
+                                      add_study(talus),
+                                      add_list(talus),
+                                      add_new(talus)};
   for (const Command& command : commands)
     refuse_empty_values(*command.app);
   try {

@@ -24,14 +24,14 @@ struct Command {
 [[nodiscard]] Command add_run(CLI::App& talus);
 [[nodiscard]] Command add_check(CLI::App& talus);
 [[nodiscard]] Command add_advise(CLI::App& talus);
-[[nodiscard]] Command add_calibrate(CLI::App& talus);
 [[nodiscard]] Command add_cell(CLI::App& talus);
 [[nodiscard]] Command add_convert(CLI::App& talus);
 [[nodiscard]] Command add_export(CLI::App& talus);
 [[nodiscard]] Command add_study(CLI::App& talus);
 [[nodiscard]] Command add_list(CLI::App& talus);
 [[nodiscard]] Command add_new(CLI::App& talus);
-/// Add a drawing subcommand, which sends its DrawingRequest to the sink.
+/// Add a subcommand that draws, and sends its DrawingRequest to the sink.
+[[nodiscard]] Command add_calibrate(CLI::App& talus, const DrawingSink& sink);
 [[nodiscard]] Command add_plot(CLI::App& talus, const DrawingSink& sink);
 [[nodiscard]] Command add_snapshot(CLI::App& talus, const DrawingSink& sink);
 [[nodiscard]] Command add_animate(CLI::App& talus, const DrawingSink& sink);

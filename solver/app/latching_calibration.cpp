@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <array>
 #include <charconv>
 #include <cmath>
 #include <nlohmann/json.hpp>
@@ -43,14 +45,13 @@ double step_of(const std::string& text) {
 constexpr double most_steps = 2e5;  ///< maximum number of steps in a simulated contact
 
 void refuse_what_means_nothing(const CalibrateOptions& options) {
-  for (const std::string& given : options.own_to_impact) {
-    if (given == "--end-rule" || given == "--bound" || given == "--dashpot")
-      throw InputError{fmt::format("{}: the law 'latching_spring' does not use this option; remove it", given)};
-  }
-  for (const auto& [name, value] : options.parameters) {
-    if (name != "stiffness" && !value.empty())
-      throw InputError{
-          fmt::format("{}: the law 'latching_spring' does not use this option; remove it", option_name(name))};
+  constexpr std::array<std::string_view, 6> used{"--law",        "--speed", "--step",
+                                                 "--integrator", "--units", "--stiffness"};
+  for (const auto* options_given : {&options.own_to_impact, &options.own_to_range}) {
+    for (const std::string& given : *options_given) {
+      if (std::ranges::find(used, given) == used.end())
+        throw InputError{fmt::format("{}: the law 'latching_spring' does not use this option; remove it", given)};
+    }
   }
   if (!options.restitution) throw InputError{"--restitution: it is missing; give e.g. --restitution 0.7"};
   const bool has_stiffness = !options.parameters.at("stiffness").empty();

@@ -178,18 +178,27 @@ KnownImpact known_impact(const ContactLaw& law, double effective_mass, double sp
       law);
 }
 
-Scene with_dissipation(Scene scene, ContactId contact, double value) {
-  Contact& changed = scene.model.contacts[index(contact)];
+ContactLaw with_dissipation(ContactLaw contact_law, double value) {
   std::visit(
       [&]<class L>(L& law) {
         if constexpr (SetsEveryRestitution<L>) {
           law.*restitution_parameter<L>().member = value;
           if constexpr (HasDampingRatio<L>) law.damping_ratio = 0.0;
         } else {
-          throw InputError{fmt::format("contact '{}': the law '{}' has no damping", changed.name, L::name)};
+          throw InputError{fmt::format("the law '{}' has no damping", L::name)};
         }
       },
-      changed.law);
+      contact_law);
+  return contact_law;
+}
+
+Scene with_dissipation(Scene scene, ContactId contact, double value) {
+  Contact& changed = scene.model.contacts[index(contact)];
+  try {
+    changed.law = with_dissipation(changed.law, value);
+  } catch (const InputError& error) {
+    throw InputError{fmt::format("contact '{}': {}", changed.name, error.what())};
+  }
   return scene;
 }
 

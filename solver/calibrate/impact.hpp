@@ -6,8 +6,10 @@
 
 namespace talus {
 
-/// Returns the scene with another value of the parameter by which the law of one contact dissipates: `damping` [F T/L] or
-/// `hysteresis` [T/L]. Errors: InputError if its law has none.
+/// Returns the law with another value of the parameter by which it dissipates: `damping` [F T/L] or `hysteresis` [T/L].
+/// Errors: InputError if it has none.
+[[nodiscard]] ContactLaw with_dissipation(ContactLaw law, double value);
+/// Returns the scene with another value of that parameter of one contact. Errors: as above.
 [[nodiscard]] Scene with_dissipation(Scene scene, ContactId contact, double value);
 
 /// Properties of an impact in closed form.

@@ -94,7 +94,7 @@ void draw(DrawingRequest request) {
   });
   print_warnings(made.warnings);
   for (const fs::path& file : made.files)
-    fmt::print("{}\n", file.string());
+    if (request.lists_files) fmt::print("{}\n", file.string());
   throw_unmade(made);
 }
 

@@ -42,13 +42,14 @@ struct DrawingRequest {
   std::filesystem::path target;      ///< folder that receives the pictures
   std::vector<std::string> formats;  ///< of figures and pages
   std::vector<std::string> notes{};  ///< printed before drawing: curves that are omitted, times of states
+  bool lists_files{true};            ///< print the names of the files
 };
 
 /// Receiver of the commands' requests: draw(), or a test.
 using DrawingSink = std::function<void(DrawingRequest)>;
 
-/// Prints the notes, draws the pictures and prints their file names. Errors: InputError for pictures that cannot be
-/// drawn; IoError if gnuplot is missing or fails, or if a file cannot be written; no file is left partially written.
+/// Prints the notes, draws the pictures, prints their names (lists_files). Errors: InputError for pictures that cannot
+/// be drawn; IoError if gnuplot is missing or fails, or if a file cannot be written; no file is left partially written.
 void draw(DrawingRequest request);
 
 /// Makes sheet.pdf and sheet.html in the folder of a run from its sheet.json. Errors: IoError.

@@ -3,6 +3,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <boost/math/constants/constants.hpp>
+#include <boost/math/special_functions/digamma.hpp>
 #include <boost/math/tools/toms748_solve.hpp>
 #include <boost/numeric/odeint/stepper/runge_kutta_fehlberg78.hpp>
 #include <cmath>
@@ -57,6 +59,22 @@ class Motion {
   bool tsuji_;
 };
 
+/// The impact under the clamped rule for g -> infinity. The dashpot alone stops it, at X_m = ((1 + p)/g)^(1/(1 + p)).
+/// There its coefficient is k = g X_m^p, and the speed decays like
+///
+///   X' = C exp(-k t) - X_m^(3/2)/k,     ln C = -gamma - psi(1/(1 + p))   (k t = integral of s^(-p/(1 + p))/(1 - s) ds)
+///
+/// to that at which both balance. The force k C exp(-k t) - (3/2 - p) X_m^(2 - 2 p)/g^2 then ends; its second
+/// term is the acceleration of the balanced motion. Relative errors are of the order of the restitution.
+HertzImpact strong_impact(double g, double p) {
+  const double rest = std::pow((1.0 + p) / g, 1.0 / (1.0 + p)), k = g * std::pow(rest, p);
+  const double log_c = -boost::math::constants::euler<double>() - boost::math::digamma(1.0 / (1.0 + p));
+  const double log_end = std::log((1.5 - p) / k) + (2.0 - 2.0 * p) * std::log(rest) - 2.0 * std::log(g);
+  return {std::pow(rest, 1.5) / k, (log_c - log_end) / k, rest};
+}
+/// Restitution below which the integration would lose its digits: spring and dashpot nearly cancel.
+constexpr double strong = 2e-11;
+
 }  // namespace
 
 HertzImpact hertz_impact(double damping_ratio, HertzDashpot dashpot, EndRule rule) {
@@ -68,6 +86,14 @@ HertzImpact hertz_impact(double damping_ratio, HertzDashpot dashpot, EndRule rul
     // Overdamped, or q^9 would underflow at the end. The largest overlap is that of the linear spring in y, with
     // y^2 = 4/5 X^(5/2): y = exp(-xi acos(xi)/sqrt(1 - xi^2)), whose square is the restitution of the clamped rule.
     return {0.0, infinite, std::pow(1.25 * restitution(xi, EndRule::clamped), 0.4)};
+  }
+  if (xi > 1.0) {
+    HertzImpact limit = strong_impact(std::sqrt(5.0) * xi, dashpot == HertzDashpot::tsuji ? 0.25 : 0.0);
+    if (limit.restitution < strong && is_attractive) return {0.0, infinite, limit.largest_overlap};
+    if (limit.restitution < strong) {
+      if (dashpot == HertzDashpot::tsuji) limit.restitution = restitution(xi, rule);
+      return limit;
+    }
   }
   const Motion motion{xi, dashpot};
   boost::numeric::odeint::runge_kutta_fehlberg78<Point> method;

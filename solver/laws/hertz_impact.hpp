@@ -30,7 +30,7 @@ struct HertzImpact {
   double contact_time{};     ///< in units of L/v; infinite if the contact does not end, or beyond 1e30 (e < 1e-150)
   double largest_overlap{};  ///< in units of L
 };
-/// The impact with damping ratio xi >= 0, to a relative error of about 1e-12.
+/// The impact with damping ratio xi >= 0, to a relative error of about 1e-12; below e = 1e-5 of at most 1e-4.
 [[nodiscard]] HertzImpact hertz_impact(double damping_ratio, HertzDashpot dashpot, EndRule rule);
 
 /// The damping ratio that gives restitution e. Errors: InputError for e outside (0, 1], or below 1e-6 with the constant

@@ -14,6 +14,7 @@
 #include "solver/app/life_cycle.hpp"
 #include "solver/base/error.hpp"
 #include "solver/io/cell/cell_restart.hpp"
+#include "solver/io/file/quantity_table.hpp"
 #include "solver/io/file/toml_document.hpp"
 #include "solver/io/output/checkpoint.hpp"
 #include "solver/io/output/read_final_state.hpp"
@@ -140,6 +141,19 @@ void add_scene_readers(const fs::path& scratch, std::vector<Reader>& readers) {
                        CellRestart restart = read_cell_restart(file, restarted.cell);
                        return run_cell(restarted, std::move(restart.start));
                      }});
+}
+
+/// Adds the reader of the pairs of `talus calibrate`.
+void add_pair_reader(std::vector<Reader>& readers) {
+  const std::vector<AllowedColumn> allowed{{"mass_1", dimension::mass, Range::positive},
+                                           {"mass_2", dimension::mass, Range::positive},
+                                           {"speed", dimension::velocity, Range::positive},
+                                           {"exponent", dimension::number, Range::at_least_one}};
+  readers.push_back({.name = "pairs",
+                     .file = "pairs.csv",
+                     .corpus = {"mass_1 [kg],mass_2 [g],speed [ft/s]\n1,20,3.5\n2,1e3,0.1\n",
+                                "# a wall\nmass_2 [slug]\n0.5\n", "exponent,mass_2 [kg]\n1.5,1\n"},
+                     .read = only([allowed](const fs::path& file) { return read_quantity_table(file, allowed, si); })});
 }
 
 /// Adds readers of files that a run writes.
@@ -298,6 +312,7 @@ std::vector<Reader> all_readers(const fs::path& scratch) {
   leave_cell_run(cases / "cell" / "CNTRL.DAT", scratch / "cell");
   std::vector<Reader> readers;
   add_scene_readers(scratch, readers);
+  add_pair_reader(readers);
   add_run_readers(scratch, readers);
   add_verification_readers(readers);
   return readers;

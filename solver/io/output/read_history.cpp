@@ -1,23 +1,14 @@
 #include "solver/io/output/read_history.hpp"
 
 #include <algorithm>
-#include <string_view>
+#include <utility>
 
 #include "solver/base/error.hpp"
+#include "solver/io/file/quantity_table.hpp"
 #include "verification/record/csv.hpp"
 #include "verification/record/error.hpp"
 
 namespace talus {
-namespace {
-
-SavedColumn column(std::string_view header) {
-  const std::size_t bracket = header.rfind(" [");
-  if (bracket == std::string_view::npos || header.back() != ']') return {std::string{header}, "", {}};
-  return {
-      std::string{header.substr(0, bracket)}, std::string{header.substr(bracket + 2, header.size() - bracket - 3)}, {}};
-}
-
-}  // namespace
 
 std::string SavedColumn::subject() const {
   const std::size_t dot = name.rfind('.');
@@ -40,7 +31,8 @@ KeptHistory read_history(const std::filesystem::path& file) {
   try {
     const records::Csv csv = records::read_csv(file);
     for (std::size_t i = 0; i < csv.header().size(); ++i) {
-      SavedColumn& each = history.columns.emplace_back(column(csv.header()[i]));
+      auto [name, unit] = name_and_unit(csv.header()[i]);
+      SavedColumn& each = history.columns.emplace_back(SavedColumn{std::move(name), std::move(unit), {}});
       each.values.reserve(csv.rows());
       for (std::size_t row = 0; row < csv.rows(); ++row)
         each.values.push_back(csv.number(row, i));

@@ -18,7 +18,8 @@ struct Requested {
     using namespace talus::app;
     CLI::App talus{"", "talus"};
     const DrawingSink keep = [this](DrawingRequest sent) { request = std::move(sent); };
-    const std::vector<Command> commands{add_plot(talus, keep), add_snapshot(talus, keep), add_animate(talus, keep)};
+    const std::vector<Command> commands{add_plot(talus, keep), add_snapshot(talus, keep), add_animate(talus, keep),
+                                        add_calibrate(talus, keep)};
     std::reverse(arguments.begin(), arguments.end());  // CLI11 takes them from the end
     talus.parse(std::move(arguments));
     for (const Command& command : commands)

@@ -1,0 +1,76 @@
+#include "solver/calibrate/impact_range.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <boost/math/tools/toms748_solve.hpp>
+#include <cmath>
+#include <cstdint>
+#include <numbers>
+#include <variant>
+
+#include "solver/base/error.hpp"
+#include "solver/calibrate/impact.hpp"
+
+namespace talus {
+double exact_dissipation(const ImpactingPair& pair, double e) {
+  return std::visit(
+      [&]<class L>(L law) -> double {
+        if constexpr (SetsEveryRestitution<L>) {
+          law.set_restitution(e, pair.effective_mass, pair.speed);
+          return law.*restitution_parameter<L>().member;
+        } else {
+          throw InputError{fmt::format("the law '{}' has no damping", L::name)};
+        }
+      },
+      pair.law);
+}
+
+double restitution_with(const ImpactingPair& pair, double dissipation) {
+  return std::visit(
+      [&]<class L>(const L& law) -> double {
+        if constexpr (KnowsImpacts<L>) return law.restitution(pair.effective_mass, pair.speed);
+        throw InputError{fmt::format("the law '{}' has no impact in closed form", L::name)};
+      },
+      with_dissipation(pair.law, dissipation));
+}
+
+double largest_deviation(std::span<const ImpactingPair> pairs, double dissipation, double e) {
+  double largest = 0.0;
+  for (const ImpactingPair& pair : pairs)
+    largest = std::max(largest, std::abs(restitution_with(pair, dissipation) - e));
+  return largest;
+}
+
+double minimax_dissipation(std::span<const ImpactingPair> pairs, std::span<const double> exact, double e) {
+  const auto [least, largest] = std::ranges::minmax_element(exact);
+  const ImpactingPair& lowest = pairs[static_cast<std::size_t>(least - exact.begin())];
+  const ImpactingPair& highest = pairs[static_cast<std::size_t>(largest - exact.begin())];
+  const auto excess = [&](double dissipation) {
+    return (restitution_with(highest, dissipation) - e) - (e - restitution_with(lowest, dissipation));
+  };
+  // Exact parameters that are equal up to round-off leave no bracket.
+  const double at_least = excess(*least), at_largest = excess(*largest);
+  if (!(at_least > 0.0)) return *least;
+  if (!(at_largest < 0.0)) return *largest;
+  std::uintmax_t most = 200;
+  const auto [below, above] = boost::math::tools::toms748_solve(excess, *least, *largest, at_least, at_largest,
+                                                                boost::math::tools::eps_tolerance<double>(50), most);
+  return 0.5 * (below + above);
+}
+
+double EqualSpheres::effective_mass() const {
+  return 2.0 / 3.0 * std::numbers::pi * density * radius * radius * radius;
+}
+
+double EqualSpheres::effective_radius() const { return 0.5 * radius; }
+
+std::vector<double> log_spaced(double first, double last, int count) {
+  std::vector<double> numbers;
+  for (int i = 0; i < count; ++i)
+    numbers.push_back(first * std::pow(last / first, static_cast<double>(i) / (count - 1)));
+  numbers.back() = last;
+  return numbers;
+}
+
+}  // namespace talus
