@@ -35,7 +35,7 @@ class RequestedScene final : public ResumableRun {
   RequestedScene(const SceneOptions& options, const SceneRequest& request, long last_step)
       : options_{&options},
         request_{&request},
-        run_{request.file, request.run.folder, request.name(), options.frames, request.sheet},
+        run_{request.file, request.run.folder, request.name(), {options.frames, request.sheet, request.impacts}},
         last_step_{last_step} {}
 
   void serialize(Archive& archive) override {
@@ -117,8 +117,10 @@ class RequestedScene final : public ResumableRun {
 
 int run(const SceneOptions& options) {
   GivenOptions others = options.kept();
-  others.insert(others.end(),
-                {{"--sheet", options.sheet}, {"--until", !options.until.empty()}, {"--out", !options.folder.empty()}});
+  others.insert(others.end(), {{"--sheet", options.sheet},
+                               {"--impacts", options.impacts},
+                               {"--until", !options.until.empty()},
+                               {"--out", !options.folder.empty()}});
   if (const auto code = report_ended_run(options, others)) return *code;
   const SceneRequest request = scene_request(options);
   const long last = last_step(options, request);
@@ -146,6 +148,9 @@ Command add_run(CLI::App& talus) {
                   "status");
   app->add_flag("--sheet", options->sheet,
                 "of a fence: the engineer's sheet, one page as sheet.pdf and sheet.html, its numbers in sheet.json");
+  app->add_flag("--impacts", options->impacts,
+                "a row for each impact in impacts.csv: times, speeds before and after, largest force and overlap, "
+                "impulses; the largest ones also in the summary");
   app->add_flag("--json", options->json, "print the summary as JSON");
   app->add_flag("--all", options->all, "print all tables: extremes of every quantity, all bodies, the cost per step");
   app->add_option("--end", options->end, "time at which the run ends instead of the scene's, e.g. \"5 s\"");

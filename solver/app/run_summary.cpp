@@ -85,6 +85,28 @@ void failures(Page& page, const RunRecord& record) {
     page.line("  t = {:<12.6g} {} {}", failure.time, failure.part, failure.what);
 }
 
+/// Printed only if the table of impacts was requested.
+void impacts(Page& page, const RunRecord& record) {
+  if (!record.impacts) return;
+  const std::vector<ImpactRecord>& all = *record.impacts;
+  if (all.empty()) return page.line("impacts: none");
+  const std::vector<std::size_t> largest = largest_impacts(all, impacts_of_summary);
+  page.line("impacts: {}, of these the largest (all in impacts.csv)", all.size());
+  page.line("  {:<8}{:<20}{:>14}{:>14}{:>14}{:>14}{:>14}{:>14}", "number", "contact", "touch", "approach",
+            "restitution", "peak force", "overlap", "impulse");
+  const UnitSystem& units = record.units;
+  page.line("  {:<8}{:<20}{:>14}{:>14}{:>14}{:>14}{:>14}{:>14}", "", "", symbol(units, dimension::time),
+            symbol(units, dimension::velocity), "", symbol(units, dimension::force), symbol(units, dimension::length),
+            symbol(units, dimension::momentum));
+  for (const std::size_t i : largest) {
+    const RecordedImpact& impact = all[i].impact;
+    const auto restitution = impact.restitution();
+    page.line("  {:<8}{:<20}{:>14.7g}{:>14.7g}{:>14}{:>14.7g}{:>14.7g}{:>14.7g}", i + 1, all[i].contact,
+              impact.touch_time, impact.approach_speed, restitution ? fmt::format("{:.6g}", *restitution) : "-",
+              impact.peak_force, impact.largest_overlap, impact.normal_impulse);
+  }
+}
+
 void extremes(Page& page, const RunRecord& record) {
   page.line("extremes over all steps");
   page.line("  {:<28}{:>14}{:>12}{:>16}{:>12}  unit", "quantity", "minimum", "at t", "maximum", "at t");
@@ -129,6 +151,7 @@ std::string run_summary(const RunRecord& record, const StepParts::Found& parts, 
   if (all) step_parts(page, parts);
   final_state(page, record, all);
   failures(page, record);
+  impacts(page, record);
   if (all) extremes(page, record);
   ledger(page, record);
   if (!record.watched.empty()) page.line("run monitor");

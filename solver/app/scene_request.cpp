@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "solver/app/outputs/impact_output.hpp"
 #include "solver/base/error.hpp"
 #include "solver/integrate/integrator_list.hpp"
 #include "solver/io/file/quantity_text.hpp"
@@ -73,6 +74,13 @@ bool holds_sheet(const ArchiveItems& memory) {
   return numbers && *numbers == std::vector{1.0};
 }
 
+/// Whether the interrupted run of a checkpoint was started with --impacts: it then has a part for this output.
+bool holds_impacts(const ArchiveItems& memory) {
+  const std::string part = fmt::format("outputs.{}.", ImpactOutput::name);
+  const auto item = memory.lower_bound(part);
+  return item != memory.end() && item->first.starts_with(part);
+}
+
 }  // namespace
 
 GivenOptions SceneOptions::kept() const {
@@ -86,17 +94,24 @@ GivenOptions SceneOptions::kept() const {
 SceneRequest scene_request(const SceneOptions& options) {
   if (options.resume.empty() && !options.until.empty() && options.folder.empty())
     throw InputError{"--until: it requires --out, the folder in which the run is saved"};
-  SceneRequest request{.run = run_request("run", options, options.kept()), .file = {}, .sheet = options.sheet};
+  SceneRequest request{.run = run_request("run", options, options.kept()),
+                       .file = {},
+                       .sheet = options.sheet,
+                       .impacts = options.impacts};
   request.file = read_scene_file(request.run.scene);
   Scene& scene = request.file.scene;
   if (!request.run.resumes()) {
     if (options.sheet && (!request.file.fence || options.folder.empty()))
       throw InputError{"--sheet: it requires a fence (a deck or a scene with [fence]) and --out"};
+    if (options.impacts && options.folder.empty())
+      throw InputError{"--impacts: it requires --out, the folder in which impacts.csv is written"};
     apply(options, request.file);
   } else {
     const Checkpoint& saved = request.run.saved;
     request.sheet = holds_sheet(saved.memory);
     if (options.sheet && !request.sheet) throw kept_option("--sheet");
+    request.impacts = holds_impacts(saved.memory);
+    if (options.impacts && !request.impacts) throw kept_option("--impacts");
     try {
       scene.integrator = make_integrator(saved.integrator, saved.tolerance);
       scene.plan.step = saved.step;

@@ -15,11 +15,12 @@ struct SceneOptions : RunOptions {
   std::string step;
   std::string integrator;
   double tolerance{};
-  bool all{false};    ///< print all tables of the summary
-  bool sheet{false};  ///< make the engineer's sheet
-  long frames{};      ///< states of the geometry; 0: default of the scene
+  bool all{false};      ///< print all tables of the summary
+  bool sheet{false};    ///< make the engineer's sheet
+  bool impacts{false};  ///< make the table of impacts
+  long frames{};        ///< states of the geometry; 0: default of the scene
 
-  /// The options that a resumed run keeps from its start, except --sheet.
+  /// The options that a resumed run keeps from its start, except --sheet and --impacts.
   GivenOptions kept() const;
 };
 
@@ -28,6 +29,7 @@ struct SceneRequest {
   RunRequest run;
   SceneFile file;  ///< with changes by the options or, for a resumed run, by its checkpoint
   bool sheet{};    ///< the engineer's sheet is requested
+  bool impacts{};  ///< the table of impacts is requested
 
   /// The scene's file at the start of the run; output files are named after it.
   std::filesystem::path name() const { return run.resumes() ? std::filesystem::path{run.saved.scene_file} : run.scene; }

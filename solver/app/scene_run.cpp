@@ -26,7 +26,7 @@ RunOutputs outputs_of(const OutputRequest& request, const std::filesystem::path&
 }  // namespace
 
 SceneRun::SceneRun(const SceneFile& file, const std::filesystem::path& folder, const std::filesystem::path& scene,
-                   long frames, bool sheet)
+                   const OutputOptions& options)
     : file_{&file},
       scene_{&file.scene},
       folder_{folder},
@@ -39,9 +39,9 @@ SceneRun::SceneRun(const SceneFile& file, const std::filesystem::path& folder, c
       failures_{dynamics_},
       watch_{file.scene, dynamics_, run_state_.state},
       overlap_warnings_{app::start_warnings(file, dynamics_)},
-      sheet_{sheet},
+      sheet_{options.sheet},
       parts_{dynamics_, file.scene.plan.ledger} {
-  if (!folder.empty()) outputs_ = outputs_of({file, dynamics_, folder, scene.stem().string(), frames, sheet}, scene);
+  if (!folder.empty()) outputs_ = outputs_of({file, dynamics_, folder, scene.stem().string(), options}, scene);
   if (file.fence) fence_.emplace(file.fence->fence, file.fence->made, dynamics_);
 }
 
@@ -189,7 +189,7 @@ RunRecord SceneRun::record(Outcome outcome) const {
     warn(scenes::implausible_motion(file_->fence->fence, *record.fence));
   }
   record.watched = watch_lines(watch_, *scene_);
-  record.notes = outputs_.skipped();
+  outputs_.report(record);
   return record;
 }
 

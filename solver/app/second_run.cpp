@@ -12,7 +12,7 @@ constexpr const char* interrupted = "it was interrupted";
 
 /// The record of a run without files; nothing if `stop` ended it. The run is aborted after `most` evaluations.
 std::optional<RunRecord> record_of(const SceneFile& file, long most, const StopCondition& stop) {
-  SceneRun run{file, {}, {}, 0, false};
+  SceneRun run{file, {}, {}, {}};
   const Scene& scene = file.scene;
   bool there = false, given_up = false;
   Progress progress;

@@ -125,6 +125,12 @@ double stored_before(const State& before, const Slider& slider) {
   return law.stored_energy(before.z[slider.slot.memory]);
 }
 
+/// The same for the force of a contact, whose dashpot acts only while it sticks.
+double acting_viscous_stretch(const State& state, const Workspace& work, const Slider& slider) {
+  const bool sticks = state.mode[slider.slot.mode] == CoulombFriction::sticking;
+  return sticks ? viscous_stretch(work, slider) : 0.0;
+}
+
 /// Initialises the spring of a contact that has just begun to push: its bodies have been approaching since they
 /// touched, for the time depth/rate. Bodies that do not approach keep the stretch they have.
 void start_spring(State& state, const Workspace& work, const Slider& slider) {
@@ -383,8 +389,7 @@ void ContactForces::list_woken(const Workspace& work, std::vector<BodyId>& woken
   for_each_slider(laws_, rough_, state, work, [&](const Slider& slider) {
     const Gap& gap = work.gaps[slider.instance];
     const double stretch = state.z[slider.slot.memory];
-    const bool sticks = state.mode[slider.slot.mode] == CoulombFriction::sticking;
-    const double viscous = sticks ? viscous_stretch(work, slider) : 0.0;
+    const double viscous = acting_viscous_stretch(state, work, slider);
     const double force = slider.law(stretch, normal_force(work, slider), viscous);
     add_pair(work, slider.group, gap, -force * tangent(gap));
     const bool slips = slip_power && CoulombFriction::slips(state.mode[slider.slot.mode]);
@@ -579,6 +584,14 @@ void ContactForces::forces(const State& state, Workspace& work, std::span<double
   std::fill_n(out.begin(), size(), 0.0);
   for_each_near(laws_, work, [&](const auto&, Slot slot, const ContactGroup&) {
     if (state.mode[slot.mode] != 0) out[slot.mode] = work.normal_forces[slot.mode].total();
+  });
+}
+
+void ContactForces::friction_forces(const State& state, const Workspace& work, std::span<double> out) const {
+  std::fill_n(out.begin(), size(), 0.0);
+  for_each_slider(laws_, rough_, state, work, [&](const Slider& slider) {
+    const double viscous = acting_viscous_stretch(state, work, slider);
+    out[slider.instance] = slider.law(state.z[slider.slot.memory], normal_force(work, slider), viscous);
   });
 }
 

@@ -119,6 +119,9 @@ class ContactForces {
   double stored_energy(const State& state, const Workspace& work) const;
   /// Normal force of each instance [F], > 0 pushing apart.
   void forces(const State& state, Workspace& work, std::span<double> out) const;
+  /// After forces(): friction force of each instance [F], which acts on B against the tangent: > 0 resists slip of B
+  /// past A along the tangent, counter-clockwise from the normal. 0 for contacts without friction.
+  void friction_forces(const State& state, const Workspace& work, std::span<double> out) const;
   /// Bodies of each instance.
   const std::vector<InstancePair>& pairs() const { return pairs_; }
 

@@ -48,7 +48,7 @@ void bare(const SceneFile& file, const Dynamics& dynamics, bool ledger) {
 
 /// The work of `talus run` between reading the scene and printing the summary.
 void observed(const SceneFile& file, const fs::path& folder, bool sheet) {
-  app::SceneRun run{file, folder, "scene.toml", 0, sheet};
+  app::SceneRun run{file, folder, "scene.toml", {.sheet = sheet}};
   Progress progress;
   const Outcome outcome = run.proceed({}, progress);
   TALUS_DEMAND(static_cast<bool>(outcome));

@@ -84,7 +84,7 @@ Checkpoint saved(const fs::path& scene) {
 
 bool run_scene(const SceneFile& scene, const fs::path& file) {
   if (is_large(scene.scene.model)) return false;
-  app::SceneRun run{scene, {}, file, 0, false};
+  app::SceneRun run{scene, {}, file, {}};
   if (run.dynamics().layout().coordinates.size() <= most_watched_coordinates)
     static_cast<void>(step_verdict(scene.scene, advise_step(run.dynamics(), scene.scene.initial)));
   return advance(run);
@@ -105,7 +105,7 @@ bool resume_scene(const fs::path& checkpoint) {
   app::SceneOptions options;
   options.resume = checkpoint.parent_path();
   const app::SceneRequest request = app::scene_request(options);
-  app::SceneRun run{request.file, {}, request.name(), 0, request.sheet};
+  app::SceneRun run{request.file, {}, request.name(), {.sheet = request.sheet, .impacts = request.impacts}};
   app::restore(request.run, [&](Archive& archive) {
     run.serialize(archive);
     if (const auto names = archive.left_over(); !names.empty()) throw InputError{"found " + names.front()};
@@ -131,13 +131,13 @@ bool resume_cell(const fs::path& checkpoint) {
 void leave_scene_run(const fs::path& scene, const fs::path& folder) {
   fs::create_directories(folder);
   const SceneFile file = read_scene_file(scene);
-  app::SceneRun run{file, folder, scene, 3, false};
+  app::SceneRun run{file, folder, scene, {.frames = 3}};
   Progress progress;
   const RunRecord record = run.record(run.proceed({}, progress));
   run.write(record);
   write_whole(folder / "summary.json", summary_json(record));
 
-  app::SceneRun begun{file, {}, scene, 0, false};
+  app::SceneRun begun{file, {}, scene, {}};
   long steps = 0;
   static_cast<void>(begun.proceed([&](const Snapshot&) { return ++steps >= saved_steps; }, progress));
   Archive archive;

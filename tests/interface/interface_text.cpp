@@ -33,7 +33,7 @@ std::size_t number_length(const std::string& text) {
 
 std::string kind_of(const fs::path& file) {
   static const std::set<std::string> whole{"history.csv", "summary.json", "final_state.json", "plot.json",
-                                           "sheet.json",  "profile.csv",  "checkpoint.json"};
+                                           "sheet.json",  "profile.csv",  "checkpoint.json",  "impacts.csv"};
   const std::string name = file.filename().string();
   const std::size_t dot = name.find('.');
   return whole.contains(name) || dot == std::string::npos ? name : "*" + name.substr(dot);

@@ -68,6 +68,7 @@ BOOST_AUTO_TEST_CASE(columns_change_in_each_row) {
   BOOST_TEST(changed("history.csv", csv, "column history.csv: a, b").value_or("") ==
              "time [s],\"a, b\",name\n0,1.01,x\n1,2.525,y\n");
   const std::string notes = "# element 2, code 51\n# another\n";
+  BOOST_TEST(items_of("out/impacts.csv", csv).contains("column impacts.csv: a, b"));
   BOOST_TEST((items_of("history.csv", notes + csv) == items_of("history.csv", csv)));
   BOOST_TEST(changed("history.csv", notes + csv, "column history.csv: a, b").value_or("") ==
              notes + "time [s],\"a, b\",name\n0,1.01,x\n1,2.525,y\n");

@@ -30,7 +30,10 @@ class DeckHistoryOutput {
   }
   std::vector<std::string> files() const { return {name_ + ".csv", name_ + ".json"}; }
   void serialize(Archive& archive) { history_.serialize(archive); }
-  const std::vector<std::string>& skipped() const { return history_.skipped(); }
+  /// Requested histories that do not exist are notes of the summary.
+  void report(RunRecord& record) const {
+    record.notes.insert(record.notes.end(), history_.skipped().begin(), history_.skipped().end());
+  }
 
  private:
   std::filesystem::path folder_;

@@ -16,7 +16,8 @@ class GeometryOutput {
 
   explicit GeometryOutput(const OutputRequest& request)
       : index_{request.name + ".pvd"},
-        series_{request.dynamics, request.folder, request.name, steps_between_states(request.file, request.frames)} {}
+        series_{request.dynamics, request.folder, request.name,
+                steps_between_states(request.file, request.options.frames)} {}
 
   static std::optional<GeometryOutput> make(const OutputRequest& request) { return GeometryOutput{request}; }
   void operator()(const Snapshot& snapshot, const StepInfo& info) { series_(snapshot, info); }

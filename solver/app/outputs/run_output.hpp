@@ -17,14 +17,20 @@
 
 namespace talus::app {
 
+/// Options of a run that concern its output files.
+struct OutputOptions {
+  long frames{};   ///< states of the geometry, evenly over the run; 0: the output's default
+  bool sheet{};    ///< the engineer's sheet is requested
+  bool impacts{};  ///< the table of impacts is requested
+};
+
 /// The run for which an output is made. The objects it refers to must outlive the output.
 struct OutputRequest {
   const SceneFile& file;
   const Dynamics& dynamics;
   std::filesystem::path folder;  ///< folder that receives the files
   std::string name;              ///< name of the scene's file without folder and extension, for file names
-  long frames{};                 ///< states of the geometry, evenly over the run; 0: the output's default
-  bool sheet{};                  ///< the engineer's sheet is requested
+  OutputOptions options{};
 };
 
 /// The run at the time its files are written.
@@ -46,7 +52,7 @@ struct OutputSource {
 ///   output.serialize(archive)  saves or restores its state between two steps
 ///   output.bring_files(from)   called after restoring: copies the files written so far from the folder of the
 ///                              interrupted run
-///   output.skipped()           requested items that do not exist, as notes of the summary
+///   output.report(record)      adds results and notes to the record of the run; called before write()
 template <class T>
 concept RunOutput = requires(T& output, const T& fixed, const OutputRequest& request, const OutputSource& source) {
   { T::name } -> std::convertible_to<std::string_view>;
@@ -68,8 +74,8 @@ concept ResumableOutput = requires(T& output, const std::filesystem::path& from)
   output.bring_files(from);
 };
 template <class T>
-concept PartialOutput = requires(const T& output) {
-  { output.skipped() } -> std::convertible_to<std::vector<std::string>>;
+concept ReportingOutput = requires(const T& output, RunRecord& record) {
+  output.report(record);
 };
 
 /// An output that observes steps must also serialize its state, otherwise it would be lost at a checkpoint.

@@ -6,6 +6,7 @@
 #include "solver/app/outputs/final_state_output.hpp"
 #include "solver/app/outputs/geometry_output.hpp"
 #include "solver/app/outputs/history_output.hpp"
+#include "solver/app/outputs/impact_output.hpp"
 #include "solver/app/outputs/listing_output.hpp"
 #include "solver/app/outputs/plot_output.hpp"
 #include "solver/app/outputs/run_output.hpp"
@@ -52,13 +53,11 @@ class OutputList {
     });
     return all;
   }
-  /// Requested items that do not exist.
-  std::vector<std::string> skipped() const {
-    std::vector<std::string> all;
+  /// Adds the outputs' results and notes to the record of the run.
+  void report(RunRecord& record) const {
     for_each(*this, [&]<class T>(const T& output) {
-      if constexpr (PartialOutput<T>) all.insert(all.end(), output.skipped().begin(), output.skipped().end());
+      if constexpr (ReportingOutput<T>) output.report(record);
     });
-    return all;
   }
 
  private:
@@ -79,6 +78,6 @@ class OutputList {
 
 /// The kinds of output files of `talus run`, in the order of the summary's list. To add one, see RunOutput.
 using RunOutputs = OutputList<HistoryOutput, FinalStateOutput, PlotOutput, ListingOutput, DeckHistoryOutput,
-                              GeometryOutput, SheetOutput>;
+                              GeometryOutput, ImpactOutput, SheetOutput>;
 
 }  // namespace talus::app

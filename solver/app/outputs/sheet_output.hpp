@@ -15,7 +15,7 @@ class SheetOutput {
       : file_{request.folder / "sheet.json"}, input_{&*request.file.fence}, dynamics_{&request.dynamics} {}
 
   static std::optional<SheetOutput> make(const OutputRequest& request) {
-    if (!request.sheet || !request.file.fence) return std::nullopt;
+    if (!request.options.sheet || !request.file.fence) return std::nullopt;
     return SheetOutput{request};
   }
   void write(const OutputSource& source) const {

@@ -92,9 +92,9 @@ RunFolder read_run_folder(const std::filesystem::path& folder) {
 namespace {
 
 /// Files with fixed names of all runs, sheets and cells.
-constexpr std::array<std::string_view, 12> single{"history.csv", "final_state.json", "summary.json", "plot.json",
-                                                  "sheet.json",  "sheet.pdf",        "sheet.html",   "checkpoint.json",
-                                                  "profile.csv", "cell.pvd",         "PIC.DAT",      "RESTART.DAT"};
+constexpr std::array<std::string_view, 13> single{
+    "history.csv", "final_state.json", "summary.json", "plot.json", "sheet.json", "sheet.pdf",  "sheet.html",
+    "impacts.csv", "checkpoint.json",  "profile.csv",  "cell.pvd",  "PIC.DAT",    "RESTART.DAT"};
 bool names_file(std::string_view file) { return std::find(single.begin(), single.end(), file) != single.end(); }
 
 /// Whether a name consists of `before`, at least `digits` digits, and ".vtp".

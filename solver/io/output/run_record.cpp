@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
+#include <numeric>
 #include <utility>
 #include <variant>
 
@@ -18,6 +20,14 @@ std::vector<BodyState> body_states(const Model& model, const State& state) {
     states.push_back({model.bodies[i].name, at.p_WB, angle(model, layout, state, body), at.v_WB, at.w_WB});
   }
   return states;
+}
+
+std::vector<std::size_t> largest_impacts(const std::vector<ImpactRecord>& impacts, std::size_t count) {
+  std::vector<std::size_t> order(impacts.size());
+  std::iota(order.begin(), order.end(), std::size_t{0});
+  std::ranges::stable_sort(order, std::greater{}, [&](std::size_t i) { return impacts[i].impact.peak_force; });
+  order.resize(std::min(order.size(), count));
+  return order;
 }
 
 std::vector<PartState> cable_states(const Dynamics& dynamics, const State& state) {

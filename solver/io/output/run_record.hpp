@@ -6,6 +6,7 @@
 
 #include "solver/run/failure_log.hpp"
 #include "solver/run/history.hpp"
+#include "solver/run/impact_log.hpp"
 #include "solver/run/outcome.hpp"
 #include "solver/scenes/fence_summary.hpp"
 #include "solver/scenes/scene.hpp"
@@ -32,6 +33,15 @@ struct PartState {
 struct ExtremeRecord {
   Column column;
   talus::Extreme extreme;
+};
+
+/// An impact with the names of its contact and bodies.
+struct ImpactRecord {
+  std::string contact;
+  std::string body_a;
+  std::string body_b;
+  int multiplicity{};  ///< number of identical contacts that this one represents
+  RecordedImpact impact;
 };
 
 /// Quality of the results of a run.
@@ -97,6 +107,7 @@ struct RunRecord {
   std::vector<Failure> failures;  ///< yielding of cables, breaking of cables and hangers, in order of time
   History history;                ///< rows before the first with a number that is not finite
   std::size_t rows_cut{};         ///< rows omitted from that one on
+  std::optional<std::vector<ImpactRecord>> impacts;  ///< in the order in which they began; empty unless requested
   RunQuality quality;
   std::optional<scenes::FenceSummary> fence;  ///< only of a fence
   std::vector<std::string> watched;           ///< findings of the run monitor, as text
@@ -110,6 +121,11 @@ struct RunRecord {
 /// The final state of a scene's cables, and of its hangers.
 [[nodiscard]] std::vector<PartState> cable_states(const Dynamics& dynamics, const State& state);
 [[nodiscard]] std::vector<PartState> hanger_states(const Dynamics& dynamics, const State& state);
+
+/// Indices of the `count` impacts with the largest peak forces, the largest first; equal ones in the order of the list.
+[[nodiscard]] std::vector<std::size_t> largest_impacts(const std::vector<ImpactRecord>& impacts, std::size_t count);
+/// Number of impacts in the summary of a run.
+inline constexpr std::size_t impacts_of_summary = 5;
 
 /// Fills history, rows_cut, extremes and accounts of the record from `recorder`, the accounts as far as it computed
 /// them.

@@ -82,6 +82,24 @@ Json parts(const std::vector<PartState>& states) {
   return json;
 }
 
+/// The number of impacts, and the largest ones.
+Json impacts(const std::vector<ImpactRecord>& all) {
+  Json largest = Json::array();
+  for (const std::size_t i : largest_impacts(all, impacts_of_summary)) {
+    const RecordedImpact& impact = all[i].impact;
+    const auto restitution = impact.restitution();
+    largest.push_back({{"number", i + 1},
+                       {"contact", all[i].contact},
+                       {"touch_time", json_number(impact.touch_time)},
+                       {"approach_speed", json_number(impact.approach_speed)},
+                       {"restitution", restitution ? Json(json_number(*restitution)) : Json(nullptr)},
+                       {"peak_force", json_number(impact.peak_force)},
+                       {"largest_overlap", json_number(impact.largest_overlap)},
+                       {"normal_impulse", json_number(impact.normal_impulse)}});
+  }
+  return {{"count", all.size()}, {"largest", std::move(largest)}};
+}
+
 Json bodies(const RunRecord& record) {
   Json json = Json::array();
   for (const BodyState& body : record.bodies) {
@@ -187,6 +205,7 @@ std::string summary_json(const RunRecord& record, const std::string& resume) {
             {"warnings", record.warnings},
             {"notes", record.notes}};
   if (record.fence) json["verdict"] = verdict(record);
+  if (record.impacts) json["impacts"] = impacts(*record.impacts);
   if (!record.integrator_reason.empty()) json["integrator_reason"] = record.integrator_reason;
   if (record.events) json["events"] = *record.events;
   if (!resume.empty()) json["resume"] = resume;

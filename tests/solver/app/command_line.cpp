@@ -43,7 +43,7 @@ BOOST_AUTO_TEST_CASE(wrong_command_lines) {
       {{"run"}, "talus: SCENE is required, or --resume DIR\nhelp: talus run --help\n"},
       {{"run", scene("pendulum.toml"), "--uot", "d"},
        "talus: option '--uot' is not known; nearest: --out; known: --help, --out, --until, --resume, --sheet, "
-       "--json, --all, --end, --step, --integrator, --tolerance, --frames\nhelp: talus run --help\n"},
+       "--impacts, --json, --all, --end, --step, --integrator, --tolerance, --frames\nhelp: talus run --help\n"},
       {{"run", scene("pendulum.toml"), "more"}, "talus: 'more' is one argument too many\nhelp: talus run --help\n"},
       {{"run", scene("pendulum.toml"), "--step", "5"},
        "talus: --step: found \"5\"; the unit is missing; write e.g. \"5 s\"\n"},

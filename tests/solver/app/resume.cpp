@@ -79,6 +79,26 @@ BOOST_AUTO_TEST_CASE(a_sheet_sums_up_the_whole_run) {
   stops_and_goes_on({"run", scene("fence/sample2.DAT"), "--end", "10 ms", "--sheet"}, "3 ms", "6 ms");
 }
 
+BOOST_AUTO_TEST_CASE(a_table_of_impacts_continues) {
+  // The first contact lasts from 6 to 9 ms.
+  stops_and_goes_on({"run", scene("damped_disc.toml"), "--step", "1 ms", "--end", "0.4 s", "--impacts"}, "7 ms",
+                    "0.1234 s");
+  // Several contacts at once, by boundary nodes.
+  stops_and_goes_on({"run", scene("fence/sample2.DAT"), "--end", "20 ms", "--impacts"}, "11 ms", "16 ms");
+}
+
+BOOST_AUTO_TEST_CASE(tables_of_impacts_that_cannot_be) {
+  const Folder folder;
+  const std::string out = (folder.path / "out").string();
+  BOOST_TEST(talus_ran({"run", scene("two_cable.toml"), "--impacts"}).err ==
+             "talus: --impacts: it requires --out, the folder in which impacts.csv is written\n");
+  runs({"run", scene("two_cable.toml"), "--until", "1 ms", "--out", out});
+  BOOST_TEST(talus_ran({"run", "--resume", out, "--impacts"}).err ==
+             "talus: --impacts: a resumed run (--resume) keeps the options of its start\n");
+  runs({"run", "--resume", out});
+  BOOST_TEST(!fs::exists(out + "/impacts.csv"));
+}
+
 BOOST_AUTO_TEST_CASE(sheets_that_cannot_be) {
   const Folder folder;
   const std::string out = (folder.path / "out").string();

@@ -117,7 +117,8 @@ std::vector<std::string> faults_of_form(const std::string& page) {
 /// of a scene's keys, the program and the files of its runs, and the listing of 1993, whose numbers are in
 /// cases/published.
 std::set<std::string> known_names() {
-  std::set<std::string> names{"auto", "off", "sample2.OUT", "talus", "history.csv", "summary.json", "final_state.json"};
+  std::set<std::string> names{"auto",        "off",         "sample2.OUT",  "talus",
+                              "history.csv", "impacts.csv", "summary.json", "final_state.json"};
   for (const Case& c : cases())
     names.insert(c.id);
   for (const Requirement& requirement : known().requirements) {
