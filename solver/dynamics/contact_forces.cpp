@@ -399,10 +399,10 @@ void ContactForces::list_woken(const Workspace& work, std::vector<BodyId>& woken
       out->work[static_cast<std::size_t>(Mechanism::friction)] += slider.group.multiplicity * power;
     }
     if (out && !slips && state.mode[slider.slot.mode] != CoulombFriction::open) {
-      const double power =
+      const double area =
           std::visit([&](const auto& law) { return law.area_power(stretch, kinematics(work, slider.instance)); },
                      *slider.group.friction);
-      out->work[static_cast<std::size_t>(Mechanism::friction)] += slider.group.multiplicity * power;
+      out->work[static_cast<std::size_t>(Mechanism::friction)] += slider.group.multiplicity * area;
     }
   });
 }

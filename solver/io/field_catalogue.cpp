@@ -101,24 +101,15 @@ Group contact() {
       choice("node_depth", "rule for the overlap and normal of a node in a superquadric", NodeDepth::nearest),
       quantity("friction", "coefficient of Coulomb friction", dimension::number, Range::non_negative,
                "the contact is smooth"),
-      {.name = "shear_law",
-       .meaning = "tangential stiffness: linear (constant), or mindlin (8 G times the contact radius; with law hertz)",
-       .form = Form::name,
-       .names = FrictionLaws::names(),
-       .absent = std::string{CoulombFriction::name}},
-      quantity("shear_stiffness", "of shear_law linear: tangential stiffness k_s of friction that sticks",
-               dimension::stiffness, Range::positive, "the normal stiffness"),
-      quantity("shear_modulus",
-               "of shear_law mindlin: effective shear modulus, 1/G the sum of (2 - nu)/G of both bodies",
-               dimension::pressure, Range::positive, ""),
+      quantity("shear_stiffness", "tangential stiffness k_s of friction that sticks", dimension::stiffness,
+               Range::positive, "the normal stiffness"),
       quantity("shear_damping",
                "tangential dashpot of friction that sticks; of mindlin at an overlap equal to the radius",
                dimension::damping, Range::non_negative, "k_s c/k_n of two linear springs and dashpots, else 0")};
   for (const char* const name : {"nodes", "node_depth"})
     set_with(group, name, "method", "nodes");
-  for (const char* const name : {"shear_law", "shear_stiffness", "shear_damping"})
+  for (const char* const name : {"shear_stiffness", "shear_damping"})
     set_with(group, name, "friction");
-  set_with(group, "shear_modulus", "shear_law", std::string{Mindlin::name});
   return group;
 }
 
@@ -161,6 +152,19 @@ void add_contact_laws(std::vector<Group>& groups) {
         set_with(group, "restitution_speed", "restitution");
         if constexpr (!HasHertzDashpot<L>) require_with(group, "restitution_speed", "restitution");
       }
+    }
+    if constexpr (HasContactRadius<L>) {
+      group.fields.push_back({.name = "shear_law",
+                              .meaning = "tangential stiffness: linear (shear_stiffness), or mindlin (8 G times the "
+                                         "contact radius)",
+                              .form = Form::name,
+                              .names = FrictionLaws::names(),
+                              .absent = std::string{CoulombFriction::name}});
+      group.fields.push_back(quantity("shear_modulus",
+                                      "effective shear modulus, 1/G the sum of (2 - nu)/G of both bodies",
+                                      dimension::pressure, Range::positive, ""));
+      set_with(group, "shear_law", "friction");
+      require_with(group, "shear_modulus", "shear_law", std::string{Mindlin::name});
     }
     groups.push_back(std::move(group));
   });

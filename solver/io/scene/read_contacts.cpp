@@ -50,8 +50,8 @@ template <class L>
 void read_law(SceneTable& table, SceneContact& read) {
   L law;
   std::vector<std::string> keys = field_names<L>();
-  keys.insert(keys.end(), {"between", "method", "nodes", "node_depth", "friction", "shear_law", "shear_stiffness",
-                           "shear_modulus", "shear_damping"});
+  keys.insert(keys.end(), {"between", "method", "nodes", "node_depth", "friction", "shear_stiffness", "shear_damping"});
+  if constexpr (HasContactRadius<L>) keys.insert(keys.end(), {"shear_law", "shear_modulus"});
   if constexpr (HasEndRule<L>) keys.push_back("end_rule");
   if constexpr (HasHertzDashpot<L>) keys.push_back("dashpot");
   if constexpr (SetsEveryRestitution<L>) keys.push_back("restitution");
@@ -75,7 +75,6 @@ std::array<int, 2> read_nodes(SceneTable& table) {
 /// Reads friction with a constant stiffness. Without `shear_damping`, a law with a retardation time c/k has the same
 /// retardation time tangentially as along the normal, like a viscoelastic solid; other laws have no tangential dashpot.
 CoulombFriction read_linear_friction(SceneTable& table, const ContactLaw& law) {
-  table.refuse("shear_modulus", "it belongs to shear_law = \"mindlin\"; give this law, or remove it");
   CoulombFriction friction =
       *read_friction(table, std::visit([](const auto& l) { return l.tangent().stiffness; }, law));
   friction.follows_normal =
@@ -84,24 +83,27 @@ CoulombFriction read_linear_friction(SceneTable& table, const ContactLaw& law) {
   return friction;
 }
 
-/// Reads friction whose stiffness follows from the contact radius, that is from Hertz's law.
-Mindlin read_mindlin(SceneTable& table, const ContactLaw& law) {
+/// Reads friction whose stiffness follows from the contact radius.
+Mindlin read_mindlin(SceneTable& table) {
   table.refuse("shear_stiffness", "it belongs to shear_law = \"linear\"; give shear_modulus instead");
-  if (!std::holds_alternative<Hertz>(law))
-    table.fail("shear_law", "mindlin requires the contact radius of law = \"hertz\"");
   Mindlin friction;
   table.read_fields(friction);
   return friction;
 }
 
 std::optional<FrictionLaw> read_friction_law(SceneTable& table, const ContactLaw& law) {
+  const bool has_radius = std::visit([]<class L>(const L&) { return HasContactRadius<L>; }, law);
   if (!table.has("friction")) {
-    for (const std::string_view key : {"shear_law", "shear_stiffness", "shear_modulus", "shear_damping"})
+    std::vector<std::string_view> keys{"shear_stiffness", "shear_damping"};
+    if (has_radius) keys.insert(keys.end(), {"shear_law", "shear_modulus"});
+    for (const std::string_view key : keys)
       table.refuse(key, "it requires friction; give friction, or remove it");
     return {};
   }
+  if (!has_radius) return read_linear_friction(table, law);
   const std::string name = table.has("shear_law") ? table.choice("shear_law", FrictionLaws::names()) : "linear";
-  if (name == Mindlin::name) return read_mindlin(table, law);
+  if (name == Mindlin::name) return read_mindlin(table);
+  table.refuse("shear_modulus", "it belongs to shear_law = \"mindlin\"; give this law, or remove it");
   return read_linear_friction(table, law);
 }
 

@@ -130,6 +130,9 @@ restitution_rule = "eq_21"
 restitution_speed = "2 m/s"
 dashpot = "tsuji"
 end_rule = "clamped"
+friction = 0.4
+shear_law = "linear"
+shear_stiffness = "1e4 N/m"
 [[contact]] # contact hunt_crossley
 name = "press"
 between = ["door", "egg"]

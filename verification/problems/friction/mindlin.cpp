@@ -182,7 +182,7 @@ void check_dashpot(Findings& findings, const Setup& setup) {
   const Impact found = run_impact(impact, setup, findings);
   const std::string why = "local errors of 1e-12 in some 500 steps";
   findings.in("dashpot")->expect("slip rate after an impact with a tangential dashpot", found.slip_rate,
-                                 reference::rebound(impact).slip_rate, Tolerance::truncation(4e-11, 1.0, why), "v");
+                                 reference::rebound(impact).slip_rate, Tolerance::truncation(4e-12, 1.0, why), "v");
   findings.in("dashpot")->expect("energy balance error with a tangential dashpot", found.balance_error, 0.0,
                                  Tolerance::truncation(4e-11, 1.0, why));
   const Scene built = scene_of(impact, setup);
