@@ -252,8 +252,9 @@ BOOST_AUTO_TEST_CASE(fields_of_other_contact_laws) {
              "s.toml:22: contact 'bounce': shear_law: it requires friction; give friction, or remove it");
   BOOST_TEST(hertz("friction = 0.3\nshear_law = \"minlin\"") ==
              "s.toml:23: contact 'bounce': shear_law: found \"minlin\"; nearest: mindlin; known: linear, mindlin");
-  BOOST_TEST(latching("unloading_stiffness = \"2e4 N/m\"\nfriction = 0.3\nshear_law = \"mindlin\"") ==
-             fmt::format("s.toml:23: contact 'bounce': shear_law: this key is not known; nearest: shear_damping; {}", known));
+  BOOST_TEST(
+      latching("unloading_stiffness = \"2e4 N/m\"\nfriction = 0.3\nshear_law = \"mindlin\"") ==
+      fmt::format("s.toml:23: contact 'bounce': shear_law: this key is not known; nearest: shear_damping; {}", known));
   BOOST_TEST(hertz("restitution = 0.5\nrestitution_rule = \"eq_21\"") == "no error");
   BOOST_TEST(hertz("") == "no error");
   BOOST_TEST(hertz("damping = \"1 N s/m\"\nrestitution = 0.5") ==
