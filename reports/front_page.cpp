@@ -110,6 +110,7 @@ std::string verified(const Results& results) {
   add({"equation"}, "equations of the 1993 report");
   add({"law"}, "force laws");
   add({"regime"}, "of their regimes");
+  add({"shear_law"}, "friction laws");
   add({"integrator"}, "integrators");
   add({"shape"}, "shapes");
   add({"pair"}, "pairs of shapes in contact");
@@ -133,7 +134,8 @@ std::string not_verified(const Results& results) {
               : fmt::format("Without checks that all pass in this run: {} ([traceability](page:traceability)). ",
                             open)) +
          "Verification compares the solver with solutions of the same equations. Whether these equations describe a "
-         "given fence or material (validation) is outside this report, as is motion in three dimensions.";
+         "given fence or material (validation) is outside this report, but for the measured rebounds of spheres "
+         "in family V; so is motion in three dimensions.";
 }
 
 std::string highlight_stem(const records::Highlight& highlight) {
