@@ -230,8 +230,10 @@ Command add_calibrate(CLI::App& talus, const DrawingSink& sink) {
          "law, e.g. \"speed [m/s]\"; columns that are absent are given by their options")
       ->excludes(speeds)
       ->excludes(radii);
-  app->add_option("--out", options->picture.folder, "folder for the table of the pairs and its drawing");
+  CLI::Option* out =
+      app->add_option("--out", options->picture.folder, "folder for the table of the pairs and its drawing");
   add_format_option(*app, options->picture);
+  app->get_option("--format")->needs(out);
   app->add_option("--units", options->units, "SI or US, for the text; JSON is always SI");
   app->add_flag("--json", options->json, "print JSON, in SI units");
   app->footer(

@@ -17,7 +17,8 @@
 namespace talus::verification::problems::agreeing_files {
 namespace {
 
-// --- The states of the geometry ----------------------------------------------------------------------------------------
+// --- The states of the geometry
+// ----------------------------------------------------------------------------------------
 
 /// Numbers of the data array NAME after the first occurrence of `section`.
 std::vector<double> array_in(const std::string& text, const std::string& section, const std::string& name) {
@@ -80,7 +81,8 @@ void check_states(const Run& run, States& states, const Setup& setup) {
   }
 }
 
-// --- Documents --------------------------------------------------------------------------------------------------------
+// --- Documents
+// --------------------------------------------------------------------------------------------------------
 
 /// NAME.history.csv, as a document like NAME.history.json.
 void check_codes(const TemporaryFolder& folder, const Run& run, Findings& findings) {
@@ -183,7 +185,8 @@ void check_repair(const TemporaryFolder& folder, Findings& findings, const Setup
       .expect(findings, 1e-14, "about ten roundings of 1.1e-16 in roots and quotients");
 }
 
-// --- The case ---------------------------------------------------------------------------------------------------------
+// --- The case
+// ---------------------------------------------------------------------------------------------------------
 
 void run(Findings& findings, const Setup& setup) {
   const auto group = findings.in("files");

@@ -3,7 +3,8 @@
 #include "verification/check/case.hpp"
 #include "verification/problems/program/expected_files.hpp"
 
-/// The rows of history.csv of the case `agreeing_files`, column by column, beside the scenes, their laws and each other.
+/// The rows of history.csv of the case `agreeing_files`, column by column, beside the scenes, their laws and each
+/// other.
 namespace talus::verification::problems::agreeing_files {
 
 /// Adds the checks of both histories.

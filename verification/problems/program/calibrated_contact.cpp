@@ -106,8 +106,8 @@ Stepped stepped_of(const reference::Impact& impact, EndRule rule, double e, doub
   return found;
 }
 
-/// Worst deviation from 1 of the effective masses that the program prints for each body over the exact ones; NaN if a role
-/// is not printed.
+/// Worst deviation from 1 of the effective masses that the program prints for each body over the exact ones; NaN if a
+/// role is not printed.
 double worst_printed_role(const TemporaryFolder& folder, const std::vector<Geometry>& geometries) {
   double worst = 0.0;
   for (const Geometry& geometry : geometries) {

@@ -384,6 +384,7 @@ void compare_refusals(const Program& program, Differences& differ) {
       {{{"--speeds", {"1 m", "2 m/s", "3"}}, masses}, "", "--speeds: found \"1 m\"; that is a length"},
       {{{"--radii", {"0 m", "2 m", "3"}}, density}, "", "--radii: found \"0 m\"; it must be > 0"},
       {{radii}, "", "--density"},
+      {{speeds, {"--format", {"svg"}}}, "", "--format requires --out"},
       {{speeds, masses}, "", "--radius: it is missing"},
       {{radii, density, masses}, "", "each pair gives its own; remove them"},
       {{radii, density, {"--radius", {"1 mm"}}}, "", "--radius: each pair gives its own; remove it"},

@@ -211,7 +211,8 @@ void check_summary(const Node& summary, const Expected& expected, const VirtualD
                   energy.at("relative_balance_error").number() - gained / std::max(std::abs(expected.work), discs.lost),
                   0.0, of_paths());
 
-  // The dimensionless groups by their definitions: semi-implicit Euler preserves amplitudes; two colliding discs have the effective mass m/2.
+  // The dimensionless groups by their definitions: semi-implicit Euler preserves amplitudes; two colliding discs have
+  // the effective mass m/2.
   const double contact = 0.5 * std::numbers::pi * (std::sqrt(0.5 * mass / k1) + std::sqrt(0.5 * mass / k2));
   const double pressure = block_mass * gravity / area,
                density = mass / (0.25 * std::numbers::pi * std::pow(diameter, 3));

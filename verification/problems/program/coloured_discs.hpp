@@ -35,7 +35,8 @@ struct ColourErrors {
   double largest{};  ///< relative error of the value at the end of the scale
 };
 /// Reads the colour of each disc at the bar of the picture, as a user does. `states`: those for whose largest value the
-/// scale is made, of one picture or of all frames of a film. `period`: of the cell along x [L]. A disc that is drawn where there is none, or in a colour without a place on the bar, gives NaN.
+/// scale is made, of one picture or of all frames of a film. `period`: of the cell along x [L]. A disc that is drawn
+/// where there is none, or in a colour without a place on the bar, gives NaN.
 [[nodiscard]] ColourErrors colour_errors(const Picture& picture, const std::vector<DiscState>& states, double period);
 
 }  // namespace talus::verification::problems::picture_options

@@ -97,8 +97,8 @@ double relative(const Step& step, const Pair& pair, double x, double y) {
 double approach(const Step& step, const Pair& pair, const Touch& touch) {
   return -relative(step, pair, touch.x, touch.y);
 }
-/// Speed of the second disc past the first along the normal turned counter-clockwise, where they touch, in the middle of
-/// the overlap.
+/// Speed of the second disc past the first along the normal turned counter-clockwise, where they touch, in the middle
+/// of the overlap.
 double slip_rate(const Step& step, const Pair& pair, const Touch& touch) {
   return relative(step, pair, -touch.y, touch.x) -
          0.5 * touch.distance * (step.spin.at(pair.first) + step.spin.at(pair.second));

@@ -3,8 +3,8 @@
 #include "verification/check/case.hpp"
 #include "verification/study/program_run.hpp"
 
-/// Cells whose discs touch: the fields of contact laws, from positions and velocities in the states of cell.pvd; part of
-/// the case `cell_files`.
+/// Cells whose discs touch: the fields of contact laws, from positions and velocities in the states of cell.pvd; part
+/// of the case `cell_files`.
 namespace talus::verification::problems::cell_files {
 
 /// Runs a cell of latching springs with growth and friction and one of dashpots that pull, with a state for each step,

@@ -45,9 +45,9 @@ struct Released {
 };
 [[nodiscard]] Released released_energy(const Run& run, const std::vector<FenceSpring>& springs);
 
-/// Stored energy in the rows in which only the first rock touches and slips: both springs, the second stretched to mu N.
-/// It slips from the row on in which friction spring and dashpot, which are those of the normal direction, would carry
-/// more than mu N, until the slip changes its sign. NaN in the other rows.
+/// Stored energy in the rows in which only the first rock touches and slips: both springs, the second stretched to mu
+/// N. It slips from the row on in which friction spring and dashpot, which are those of the normal direction, would
+/// carry more than mu N, until the slip changes its sign. NaN in the other rows.
 [[nodiscard]] std::vector<double> slipping_energy(const Run& run, const std::vector<FenceSpring>& springs);
 
 }  // namespace talus::verification::problems::agreeing_files

@@ -78,8 +78,8 @@ class GroundFriction {
     [[nodiscard]] double viscous() const { return presses() ? low_damping / low_stiffness * slip_rate : 0.0; }
   };
 
-  /// `slipped`: slip of the step before the row; `since_touch`: estimate of the slip since the touch, for a contact that
-  /// has begun in this step. `seen`: the contact with the velocities written in the row.
+  /// `slipped`: slip of the step before the row; `since_touch`: estimate of the slip since the touch, for a contact
+  /// that has begun in this step. `seen`: the contact with the velocities written in the row.
   void end_row(const Contact& now, double slipped, double since_touch, const Contact& seen) {
     if (pressed_) stretch_ += slipped;
     if (now.presses() && !pressed_) stretch_ = std::clamp(since_touch, -now.limit(), now.limit());
