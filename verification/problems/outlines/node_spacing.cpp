@@ -1,7 +1,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <limits>
 #include <numbers>
 
 #include "solver/dynamics/dynamics.hpp"
@@ -9,6 +11,7 @@
 #include "verification/check/case.hpp"
 #include "verification/reference/superellipse.hpp"
 #include "verification/study/expectations.hpp"
+#include "verification/study/scene_run.hpp"
 #include "verification/study/usage.hpp"
 
 namespace talus::verification::problems::node_spacing {
@@ -187,7 +190,53 @@ void check_curvature(Findings& findings, const Setup& setup) {
   if (!setup.coarse) findings.table(table);
 }
 
+/// Two turned circles that are apart: the overlap is negative, that of the node nearest to the other circle.
+void check_apart(Findings& findings, const Setup& setup) {
+  constexpr std::array<double, 2> radii{1.0, 0.6}, angles{0.3, -0.8};
+  constexpr std::array<int, 2> nodes{5, 3};
+  ModelBuilder builder;
+  std::array<BodyId, 2> bodies{};
+  for (std::size_t i = 0; i < 2; ++i) {
+    bodies[i] = builder.add(Body{.name = i == 0 ? "large" : "small",
+                                 .mobility = Mobility::free,
+                                 .mass = 1.0,
+                                 .inertia = 1.0,
+                                 .shape = Circle{radii[i]},
+                                 .p_WB = {5.0 * static_cast<double>(i), 0.0}});
+  }
+  builder.add(Contact{.name = "apart",
+                      .a = bodies[0],
+                      .b = bodies[1],
+                      .law = LinearSpringDashpot{1.0, 0.0},
+                      .method = ContactMethod::nodes,
+                      .nodes = nodes});
+  const Model model = builder.build();
+  Probe probe{model};
+  double worst = 0.0;
+  for (int turn = 0; turn < 12; ++turn) {
+    const double direction = 0.5 * turn, distance = 2.5 + 0.3 * turn;
+    const std::array<Vec2, 2> centres{Vec2{0.0, 0.0}, distance * Vec2{std::cos(direction), std::sin(direction)}};
+    State state = rest_state(model);
+    double nearest = std::numeric_limits<double>::infinity();
+    for (std::size_t i = 0; i < 2; ++i) {
+      const double angle = angles[i] + 0.1 * turn;
+      state.q[3 * i] = centres[i].x, state.q[3 * i + 1] = centres[i].y;
+      state.q[3 * i + 2] = i == 0 && setup.has("angle_off") ? 0.0 : angle;
+      for (int k = 0; k < nodes[i]; ++k) {
+        const double at = angle + 2.0 * std::numbers::pi * k / nodes[i];
+        const Vec2 node = centres[i] + radii[i] * Vec2{std::cos(at), std::sin(at)};
+        nearest = std::min(nearest, norm(node - centres[1 - i]) - radii[1 - i]);
+      }
+    }
+    probe.evaluate(state);
+    keep_worst(worst, probe.overlap(0) + nearest);
+  }
+  findings.expect("overlap of turned circles that are apart, by their nodes: largest error", worst, 0.0,
+                  Tolerance::round_off(4e-15, "distances of up to 6 in a few roundings"));
+}
+
 void run(Findings& findings, const Setup& setup) {
+  if (setup.needs("apart")) check_apart(findings, setup);
   if (!setup.coarse) check_deepest(findings);
   check_rolling(findings, setup);
   check_curvature(findings, setup);
@@ -207,7 +256,8 @@ Case definition() {
                         {"curvature at the corner against its formula, over n: largest relative error, n = 2 to 50"}},
                        {"method.nodes",
                         {"ripple of the overlap against r (1 - cos(pi/M)), over r: largest error, 8 to 256 nodes",
-                         "force against the sum over the nodes: largest error"}},
+                         "force against the sum over the nodes: largest error",
+                         "overlap of turned circles that are apart, by their nodes: largest error"}},
                        {"method.resultant", {"ripple of one resultant"}},
                        {"shape.circle",
                         {"ripple of the overlap against r (1 - cos(pi/M)), over r: largest error, 8 to 256 nodes",
@@ -219,6 +269,8 @@ Case definition() {
                       "curvature at the corner against its formula, over n: largest relative error, n = 2 to 50"},
       .source = "Mustoe & Huttelmaier 1993, section 3.5",
       .faults = {{"a_node_left_out", "one node too few", "force against the sum over the nodes: largest error"},
+                 {"angle_off", "one of two circles that are apart is not turned",
+                  "overlap of turned circles that are apart, by their nodes: largest error"},
                  {"radius_off", "a radius 0.1 % too large",
                   "ripple of the overlap against r (1 - cos(pi/M)), over r: largest error, 8 to 256 nodes"},
                  {"exponent_off", "an exponent 0.01 % too large",
