@@ -198,10 +198,11 @@ Rebound rebound(const ContactModel& model, double angle, const Setup& setup, Fin
 
 // --- the models beside the measurements -----------------------------------------------------------------------------
 
-double root_mean_square(const std::vector<Point>& points, const std::function<double(double)>& model) {
+/// Distance of the points from the values that `model` gives for them.
+double root_mean_square(const std::vector<Point>& points, const std::function<double(const Point&)>& model) {
   double sum = 0.0;
   for (const Point& point : points)
-    sum += std::pow(model(point.angle) - point.value, 2);
+    sum += std::pow(model(point) - point.value, 2);
   return std::sqrt(sum / static_cast<double>(points.size()));
 }
 
@@ -255,19 +256,19 @@ void check_models(Findings& findings, const Setup& setup, const Measured& measur
     }
     figure.series.push_back(line);
     if (setup.coarse) continue;
-    const auto of_solver = [&](double angle) { return rebound(model, angle, setup, findings).restitution; };
-    const auto angle_of_solver = [&](double angle) { return rebound(model, angle, setup, findings).angle; };
-    const double distance = root_mean_square(measured.restitution, of_solver);
     double excluded = 0.0;
-    for (const Point& point : measured.restitution) {
-      if (std::abs(of_solver(point.angle) - point.value) > 3.0 * agreed.scatter) excluded = point.angle;
-    }
-    distances.rows.push_back({model.name, fmt::format("{:.3f}", distance),
-                              fmt::format("{:.2f}", root_mean_square(measured.rebound, angle_of_solver)),
+    const double distance = root_mean_square(measured.restitution, [&](const Point& point) {
+      const double found = rebound(model, point.angle, setup, findings).restitution;
+      if (std::abs(found - point.value) > 3.0 * agreed.scatter) excluded = point.angle;
+      return found;
+    });
+    const double distance_of_angles = root_mean_square(
+        measured.rebound, [&](const Point& point) { return rebound(model, point.angle, setup, findings).angle; });
+    distances.rows.push_back({model.name, fmt::format("{:.3f}", distance), fmt::format("{:.2f}", distance_of_angles),
                               excluded > 0.0 ? fmt::format("{:.1f}", excluded) : "-"});
     findings.in("distances")
         ->expect("distance from the measured restitution, " + model.name, distance,
-                 root_mean_square(measured.restitution, [&](double angle) { return exact(model, angle); }),
+                 root_mean_square(measured.restitution, [&](const Point& point) { return exact(model, point.angle); }),
                  Tolerance::model(0.002, arm_why));
     spins.columns.push_back(model.name);
     for (std::size_t i = 0; i < angles.size(); ++i)
@@ -301,7 +302,7 @@ void check_data(Findings& findings, const Measured& measured, const Agreement& a
 /// Friction and ratio of stiffness that fit the points best, by a pattern search with the references.
 ContactModel fitted(ContactModel model, const std::vector<Point>& points) {
   const auto distance = [&points](const ContactModel& of) {
-    return root_mean_square(points, [&](double angle) { return exact(of, angle); });
+    return root_mean_square(points, [&](const Point& point) { return exact(of, point.angle); });
   };
   double best = distance(model);
   for (double size = 0.2; size > 1e-3;) {
@@ -317,6 +318,38 @@ ContactModel fitted(ContactModel model, const std::vector<Point>& points) {
     if (!better) size *= 0.5;
   }
   return model;
+}
+
+/// Measurements that a model would give, at the angles of the measured ones.
+Measured made_by(const ContactModel& model, const Measured& measured, double normal_restitution) {
+  Measured made = measured;
+  for (Point& point : made.restitution)
+    point.value = exact(model, point.angle);
+  made.rebound = made.restitution;
+  for (Point& point : made.rebound)
+    point.value =
+        std::atan(point.value * std::tan(radians(point.angle)) / normal_restitution) * 180.0 / std::numbers::pi;
+  return made;
+}
+
+/// The evaluation of the data, applied to data of which the result is known.
+void check_evaluation(Findings& findings, const Setup& setup, const Measured& measured) {
+  ContactModel model = models()[2];
+  model.friction = 0.11, model.ratio = 0.9;
+  const Measured made = made_by(model, measured, setup.has("angles_swapped") ? 1.0 / 0.93 : 0.93);
+  const Agreement agreed = agreement(made);
+  const Tolerance rounding = Tolerance::round_off(1e-12, "tangents and their inverses, and sums of eight numbers");
+  findings.in("evaluation")
+      ->expect("normal restitution found in data made with 0.93", agreed.normal_restitution, 0.93, rounding);
+  findings.in("evaluation")
+      ->expect("scatter found in data without scatter", std::max(agreed.scatter, agreed.deviation), 0.0, rounding);
+  const ContactModel fit = fitted(models()[2], made.restitution);
+  const Tolerance search = Tolerance::truncation(
+      2e-3, 1.0, "the search ends with changes of 1e-3 of the ratio and half as much of the friction");
+  findings.in("evaluation")
+      ->expect("friction fitted to data of a model, over that of the model", fit.friction / 0.11, 1.0, search);
+  findings.in("evaluation")
+      ->expect("stiffness ratio fitted to the same data, over that of the model", fit.ratio / 0.9, 1.0, search);
 }
 
 void check_prediction(Findings& findings, const Setup& setup, const Measured& measured, const Agreement& agreed) {
@@ -339,20 +372,18 @@ void check_prediction(Findings& findings, const Setup& setup, const Measured& me
     const ContactModel fit = fitted(model, halves[0]);
     ContactModel used = fit;
     if (setup.has("fit_of_the_ratio_lost")) used.ratio = 0.5 * model.ratio;
-    const auto of_solver = [&](double angle) { return rebound(used, angle, setup, findings).restitution; };
-    const auto of_reference = [&](double angle) { return exact(fit, angle); };
-    const double residual = root_mean_square(halves[0], of_reference);
+    const double residual = root_mean_square(halves[0], [&](const Point& point) { return exact(fit, point.angle); });
     const double interval = 2.447 * residual * std::sqrt(8.0 / 6.0);
     int outside = 0;
-    for (const Point& point : halves[1]) {
-      const double predicted = of_solver(point.angle);
-      keep_worst(differ, predicted - of_reference(point.angle));
+    const double distance = root_mean_square(halves[1], [&](const Point& point) {
+      const double predicted = rebound(used, point.angle, setup, findings).restitution;
+      keep_worst(differ, predicted - exact(fit, point.angle));
       outside += std::abs(predicted - point.value) > interval ? 1 : 0;
-    }
+      return predicted;
+    });
     table.rows.push_back({model.name, fmt::format("{:.4f}", fit.friction), fmt::format("{:.3f}", fit.ratio),
                           fmt::format("{:.4f}", residual), fmt::format("+-{:.3f}", interval),
-                          fmt::format("{:.4f}", root_mean_square(halves[1], of_solver)),
-                          fmt::format("{} of {}", outside, halves[1].size())});
+                          fmt::format("{:.4f}", distance), fmt::format("{} of {}", outside, halves[1].size())});
   }
   findings.in("prediction")
       ->expect("predicted restitution with the fitted parameters, solver less reference", differ, 0.0,
@@ -366,6 +397,7 @@ void run(Findings& findings, const Setup& setup) {
   check_data(findings, measured, agreed);
   if (setup.needs("tangential") || setup.needs("spin") || setup.needs("distance"))
     check_models(findings, setup, measured, agreed);
+  if (setup.needs("made with") || setup.needs("fitted to")) check_evaluation(findings, setup, measured);
   if (setup.needs("predicted")) check_prediction(findings, setup, measured, agreed);
 }
 
@@ -377,7 +409,7 @@ Case definition() {
                     predicted = "predicted restitution with the fitted parameters, solver less reference";
   return {.id = "measured_rebound",
           .title = "Measured rebounds of spheres from a plate",
-          .requirements = {{"V1", {"distances", "restitution", "prediction", "data"}},
+          .requirements = {{"V1", {"distances", "restitution", "prediction", "data", "evaluation"}},
                            {"shear_law.mindlin", {"restitution", "prediction"}},
                            {"shear_law.linear", {"restitution", "prediction"}}},
           .main_checks = {differ, "distance from the measured restitution, hertz and mindlin", predicted},
@@ -385,6 +417,8 @@ Case definition() {
           .faults = {{"friction_of_another_pair", "1.5 times the coefficient of friction", differ},
                      {"disc_for_sphere", "the inertia of a disc", spin},
                      {"fit_of_the_ratio_lost", "predictions with half the ratio of stiffness", predicted},
+                     {"angles_swapped", "the ratio of the two measured quantities upside down",
+                      "normal restitution found in data made with 0.93"},
                      {"row_lost", "a row of the measurements is lost", "number of measured values"}},
           .seconds = 3.0,
           .run = run};
