@@ -209,6 +209,41 @@ void check_dashpot(Findings& findings, const Setup& setup) {
                                  Tolerance::exact("the same model, read from 17 digits"), "v");
 }
 
+/// A block that lands flat on two corners, each of a contact that represents two: four times the particle. It moves as
+/// the particle does.
+void check_copies(Findings& findings, const Setup& setup) {
+  const reference::MindlinImpact impact = impact_of(1.286, 1.5, 1.0, 0.3);
+  ModelBuilder builder;
+  const BodyId plane = builder.add(Body{.name = "plane", .mobility = Mobility::fixed, .shape = HalfPlane{}});
+  const BodyId block = builder.add(Body{.name = "block",
+                                        .mobility = Mobility::particle,
+                                        .mass = setup.has("contact_forgotten") ? 3.0 : 4.0,
+                                        .shape = Rectangle{2.0, 1.0},
+                                        .p_WB = {0.0, 1.1}});
+  builder.add(Contact{.name = "impact",
+                      .a = block,
+                      .b = plane,
+                      .law = hertz(impact.dashpot),
+                      .friction = friction(impact, setup),
+                      .multiplicity = 2});
+  Scene scene;
+  scene.model = builder.build();
+  scene.initial = rest_state(scene.model);
+  set_velocity(scene.model, scene.initial, block, {impact.slip_rate, -1.0}, 0.0);
+  RunLedger ledger{scene.model, scene.initial};
+  const State end =
+      run_scene(scene, make_integrator("stormer_cowell", 1e-12), {0.05, 4.0, 1e9, true, MonitorRules::off()}, findings)
+          .state;
+  const double u = slip_rate(end), slip_energy = 2.0 * (impact.slip_rate * impact.slip_rate - u * u);
+  const Tolerance bound =
+      Tolerance::truncation(4e-12, 1.0, "local errors of 1e-12 in some 500 steps, of which most cancel");
+  findings.in("copies")->expect("slip rate of a block on two corners of two contacts each", u,
+                                reference::rebound(impact).slip_rate, bound, "v");
+  findings.in("copies")->expect("energy dissipated by friction of this block over that of its slip rates",
+                                end.work[static_cast<std::size_t>(Mechanism::friction)] / slip_energy, 1.0, bound);
+  findings.in("copies")->expect("energy balance error of this block", ledger(end).energy_balance_error, 0.0, bound);
+}
+
 // --- a closed loop of load and slip ---------------------------------------------------------------------------------
 
 /// The law without rescaling: while separating, the force stays though its stiffness falls.
@@ -318,6 +353,7 @@ void check_step(Findings& findings, const Setup& setup) {
 void run(Findings& findings, const Setup& setup) {
   if (setup.needs("impacts") || setup.needs("dissipated")) check_impacts(findings, setup);
   if (setup.needs("dashpot") || setup.needs("scene's text")) check_dashpot(findings, setup);
+  if (setup.needs("block")) check_copies(findings, setup);
   if (setup.needs("loop")) check_loop(findings, setup);
   if (setup.needs("order")) check_orders(findings, setup);
   if (setup.needs("step limits")) check_step(findings, setup);
@@ -333,7 +369,7 @@ Case definition() {
       .id = "mindlin",
       .title = "Friction with Mindlin's stiffness",
       .family = "C: friction and rotation",
-      .requirements = {{"shear_law.mindlin", {"impacts", "energy", "dashpot", "loop", "step"}},
+      .requirements = {{"shear_law.mindlin", {"impacts", "energy", "dashpot", "copies", "loop", "step"}},
                        {"law.hertz", {"impacts"}},
                        {"mechanism.friction", {"energy"}},
                        {"integrator.stormer_cowell", {"impacts", "energy"}},
@@ -347,6 +383,8 @@ Case definition() {
                  {"shear_dashpot_lost", "no tangential dashpot", "slip rate after an impact with a tangential dashpot"},
                  {"scene_modulus", "a tenth more shear modulus in the scene's text",
                   "slip rate of the same impact from a scene's text, difference"},
+                 {"contact_forgotten", "a block with the mass for three contacts",
+                  "slip rate of a block on two corners of two contacts each"},
                  {"not_rescaled", "the force stays while its stiffness falls", loop}},
       .seconds = 3.0,
       .run = run};
