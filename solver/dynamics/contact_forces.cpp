@@ -118,17 +118,17 @@ double viscous_stretch(const Workspace& work, const Slider& slider) {
   return slider.dashpot / slider.law.stiffness * slip_rate(work, slider);
 }
 
+/// The same for the force of a contact, whose dashpot acts only while it sticks.
+double acting_viscous_stretch(const State& state, const Workspace& work, const Slider& slider) {
+  const bool sticks = state.mode[slider.slot.mode] == CoulombFriction::sticking;
+  return sticks ? viscous_stretch(work, slider) : 0.0;
+}
+
 /// Energy stored at the last update of the modes [F L].
 double stored_before(const State& before, const Slider& slider) {
   CoulombFriction law = slider.law;
   if (talus::memory_count(*slider.group.friction) > 1) law.stiffness = before.z[slider.slot.memory + 1];
   return law.stored_energy(before.z[slider.slot.memory]);
-}
-
-/// The same for the force of a contact, whose dashpot acts only while it sticks.
-double acting_viscous_stretch(const State& state, const Workspace& work, const Slider& slider) {
-  const bool sticks = state.mode[slider.slot.mode] == CoulombFriction::sticking;
-  return sticks ? viscous_stretch(work, slider) : 0.0;
 }
 
 /// Initialises the spring of a contact that has just begun to push: its bodies have been approaching since they
@@ -335,10 +335,10 @@ void ContactForces::memory_rates(const State& state, Workspace& work, Rates& out
   push(state, work);
   for_each_slider(laws_, rough_, state, work, [&](const Slider& slider) {
     if (state.mode[slider.slot.mode] == CoulombFriction::open) return;
-    // Within a step that slips, the stretch leaves the limit, to which the force keeps.
-    const double stretch = slider.law.initial_stretch(state.z[slider.slot.memory], normal_force(work, slider));
     out.z[slider.slot.memory] = std::visit(
         [&](const auto& law) {
+          // Within a step that slips, the stretch exceeds the limit of the force.
+          const double stretch = slider.law.initial_stretch(state.z[slider.slot.memory], normal_force(work, slider));
           return law.stretch_rate(stretch, slip_rate(work, slider), kinematics(work, slider.instance));
         },
         *slider.group.friction);
@@ -552,13 +552,11 @@ void ContactForces::for_each_acting(const State& state, const Workspace& work,
         const Tangent slopes = local_slopes(law, kinematics(work, slot.mode), remembered, mode);
         ActingContact contact{
             group.a, group.b, gap.n_AB, gap.p_WC, slopes, group.symmetry_weight_a, group.symmetry_weight_b, {}};
-        if (group.friction) {
-          const Slot friction = friction_slot(group, i);
+        const Slot friction = group.friction ? friction_slot(group, i) : Slot{};
+        if (group.friction && state.mode[friction.mode] != CoulombFriction::open) {
           const CoulombFriction spring = at(*group.friction, gap.depth);
-          if (state.mode[friction.mode] != CoulombFriction::open) {
-            contact.friction = {state.mode[friction.mode], friction.memory, spring.stiffness,
-                                friction_dashpot(spring, law, remembered), spring.coefficient};
-          }
+          contact.friction = {state.mode[friction.mode], friction.memory, spring.stiffness,
+                              friction_dashpot(spring, law, remembered), spring.coefficient};
         }
         visit(contact);
       }

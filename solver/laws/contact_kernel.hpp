@@ -24,12 +24,13 @@ namespace talus {
 /// by reference because compilers differ in how they pass wide packs by value. A test compares the kernel of each law
 /// of DiscLaws with its modes, bit by bit.
 ///
-/// OneSidedKernel is the kernel of every OneSided law: a spring and a dashpot in parallel,
+/// The kernel of a OneSided law is that of a spring and a dashpot in parallel,
 ///
-///   F = k overlap + c rate,   if clamped: only while this is positive, else 0.
+///   F = k overlap + c rate,   if clamped: only while this is positive, else 0,
 ///
-/// SecantKernel is the same with coefficients that depend on the overlap. Functions of a spring and dashpot, whose
-/// coefficients are numbers or packs:
+/// with constant coefficients (OneSidedKernel) or coefficients that depend on the overlap (SecantKernel).
+
+/// The force of this spring and dashpot [F]; the coefficients are numbers or packs.
 template <class Number, class Coefficient>
 [[gnu::always_inline]] constexpr void one_sided_force(const Coefficient& stiffness, const Coefficient& damping,
                                                       bool clamped, const Number& overlap, const Number& rate,
@@ -37,7 +38,8 @@ template <class Number, class Coefficient>
   out = stiffness * overlap + damping * rate;
   if (clamped) out = out > Number{} ? out : Number{};
 }
-/// stored: energy of the spring at this overlap [F L], which a clamped contact releases while it does not act.
+/// Its dissipated power [F L/T] and released energy [F L]. `stored`: energy of the spring at this overlap [F L], which
+/// a clamped contact releases while it does not act.
 template <class Number, class Coefficient>
 [[gnu::always_inline]] constexpr void one_sided_power(const Coefficient& damping, const Number& stored, bool clamped,
                                                       const Number& rate, const Number& before, const Number& force,
@@ -49,6 +51,7 @@ template <class Number, class Coefficient>
   released = force > none ? taken_back : let_go;
 }
 
+/// Kernel of a one-sided law with constant coefficients.
 struct OneSidedKernel {
   double stiffness{};  ///< k [F/L]
   double damping{};    ///< c [F T/L]
@@ -68,6 +71,7 @@ struct OneSidedKernel {
   }
 };
 
+/// Kernel of a one-sided law whose coefficients depend on the overlap.
 template <HasSecant L>
 struct SecantKernel {
   L law;

@@ -20,7 +20,7 @@
 namespace talus {
 
 /// A closed list of law types: parsers, tests, the command line and the report iterate over it.
-template <Law... Laws>
+template <class... Laws>
 struct LawList {
   using Variant = std::variant<Laws...>;
   /// The same list with each law L wrapped as Wrap<L>.
@@ -35,11 +35,13 @@ struct LawList {
   }
 };
 
+template <Law... Laws>
+using ForceLawList = LawList<Laws...>;
 /// Laws of contacts between bodies.
-using ContactLaws = LawList<LinearSpringDashpot, LatchingSpring, Hertz, HuntCrossley>;
+using ContactLaws = ForceLawList<LinearSpringDashpot, LatchingSpring, Hertz, HuntCrossley>;
 using ContactLaw = ContactLaws::Variant;
 /// Laws of cables.
-using CableLaws = LawList<TensionOnly, ElasticPlastic>;
+using CableLaws = ForceLawList<TensionOnly, ElasticPlastic>;
 using CableLaw = CableLaws::Variant;
 /// Laws of friction of contacts between bodies. Each gives, at an overlap, a spring, dashpot and slider in series
 /// (CoulombFriction), and the motion of the stretch of this spring, which is the first double of the law's memory; the
@@ -65,14 +67,7 @@ concept IsFrictionLaw = std::equality_comparable<L> && requires(const L law, dou
   { law.area_power(x, of_normal) } -> std::same_as<double>;
 };
 template <IsFrictionLaw... Laws>
-struct FrictionLawList {
-  using Variant = std::variant<Laws...>;
-  static std::vector<std::string> names() { return {std::string{Laws::name}...}; }
-  template <class Visit>
-  static void for_each(Visit&& visit) {
-    (visit(Laws{}), ...);
-  }
-};
+using FrictionLawList = LawList<Laws...>;
 using FrictionLaws = FrictionLawList<CoulombFriction, Mindlin>;
 using FrictionLaw = FrictionLaws::Variant;
 /// Number of doubles of a friction law's memory.
@@ -87,9 +82,9 @@ inline CoulombFriction at(const FrictionLaw& law, double overlap) {
 template <class L>
 concept IsDiscLaw = HasContactKernel<L> && KnowsImpacts<L> && SetsRestitution<L>;
 /// Laws of contacts between discs: all contact laws that discs can have.
-template <Law... Ones, Law... Others>
+template <class... Ones, class... Others>
 LawList<Ones..., Others...> operator+(LawList<Ones...>, LawList<Others...>);
-template <Law... Laws>
+template <class... Laws>
 auto disc_laws(LawList<Laws...>)
     -> decltype((LawList<>{} + ... + std::conditional_t<IsDiscLaw<Laws>, LawList<Laws>, LawList<>>{}));
 using DiscLaws = decltype(disc_laws(ContactLaws{}));

@@ -179,7 +179,7 @@ struct ForceIsADouble : Plain {
   double operator()(Kinematics, Memory, Mode) const;
 };
 
-/// Checks that LawList<L> would not compile.
+/// Checks that ForceLawList<L> would not compile.
 template <class L>
 void refuse_one() {
   BOOST_TEST_CONTEXT(typeid(L).name()) { BOOST_TEST(!Law<L>); }
