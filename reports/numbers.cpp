@@ -107,8 +107,8 @@ void collect_counts(const json& interface, std::set<double>& numbers) {
   }
 }
 
-/// Killed percentages of the chapter on mutants: of all, of each folder, file and operation, with and without cases that
-/// compare with recorded results, and with those not tried to the end; and the limits of the interval.
+/// Killed percentages of the chapter on mutants: of all, of each folder, file and operation, with and without cases
+/// that compare with recorded results, and with those not tried to the end; and the limits of the interval.
 void collect_scores(const json& mutants, std::set<double>& numbers) {
   std::set<std::string> recorded;
   for (const json& one : mutants.at("cases"))

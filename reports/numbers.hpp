@@ -9,8 +9,8 @@
 
 namespace talus::reports {
 
-/// Number of numbers in a Markdown text as a reader sees it: without targets of links, attributes of pictures, numbers of
-/// figures and tables, versions of tools; digits of names such as rk4, `fence_1993` or 2D are not numbers.
+/// Number of numbers in a Markdown text as a reader sees it: without targets of links, attributes of pictures, numbers
+/// of figures and tables, versions of tools; digits of names such as rk4, `fence_1993` or 2D are not numbers.
 [[nodiscard]] std::size_t count_of_numbers(const std::string& markdown);
 
 /// All numbers of the records in a folder (results.json, and if they exist mutants.json, interface.json and

@@ -45,9 +45,9 @@ struct ImpactStep {
   double largest_error{};  ///< largest error of the restitution over those phases, against the closed form
 };
 
-/// Finds a step, of the form contact time/(2^n + 0.38), at which the error of e of impacts at this speed is below `bound`
-/// for all phases at which the surfaces meet and part: the largest error of 64 pairs of phases is at most 0.8 of the
-/// bound.
+/// Finds a step, of the form contact time/(2^n + 0.38), at which the error of e of impacts at this speed is below
+/// `bound` for all phases at which the surfaces meet and part: the largest error of 64 pairs of phases is at most 0.8
+/// of the bound.
 /// Errors: InputError if bound is not > 0, or too small to be reached with 2^18 steps in a contact; for a law as above.
 [[nodiscard]] ImpactStep advise_impact_step(const ContactLaw& law, double effective_mass, double speed, double bound,
                                             const Integrator& integrator);

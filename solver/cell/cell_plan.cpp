@@ -11,8 +11,8 @@ namespace talus {
 namespace {
 
 constexpr double most_outputs = 1e5, most_steps = 1e15;
-/// Largest w2 h on unloading, or at the nominal overlap of a law that is not linear. In a triangular array of discs the stiffest motion is sqrt(3) times as fast as that of a
-/// pair (w^2 = 6 K/m), and a leapfrog is stable below 2.
+/// Largest w2 h on unloading, or at the nominal overlap of a law that is not linear. In a triangular array of discs the
+/// stiffest motion is sqrt(3) times as fast as that of a pair (w^2 = 6 K/m), and a leapfrog is stable below 2.
 constexpr double largest_unloading_phase = 1.0;
 
 /// Whether the steps of a method leave the restitution unchanged.

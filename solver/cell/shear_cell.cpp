@@ -35,8 +35,8 @@ template <Law L>
 requires HasLinearPart<L>
 double loading_stiffness(const L& law) { return law.linear_part(std::array<double, L::memory_size>{}, 1).stiffness; }
 
-/// Adds the errors of a law that is not linear: its impacts at the nominal speed must have a duration, and end. They are
-/// not evaluated for dashpots so strong that the restitution would be below about 1e-6.
+/// Adds the errors of a law that is not linear: its impacts at the nominal speed must have a duration, and end. They
+/// are not evaluated for dashpots so strong that the restitution would be below about 1e-6.
 template <Law L>
 void add_impact_errors(CellErrors& found, const L& law, const ShearCell& cell) {
   const double effective_mass = 0.5 * cell.mass, speed = cell.nominal_speed();

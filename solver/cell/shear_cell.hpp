@@ -41,13 +41,13 @@ struct ShearCell {
   double overburden() const { return block_mass * gravity / (wall_discs * diameter * diameter); }
   /// Whether the law is linear in every mode: its slow impacts have a duration.
   bool is_linear() const;
-  /// Speed of approach for which the impacts of the cell are stated [L/T]: 0, the limit of slow impacts, for linear laws.
-  /// Contacts by other laws are the longer the slower they are, without a limit, and need a speed: `impact_speed`, or the
-  /// difference of speed between neighbouring rows at the start, |VXT|/(NHT + 1). This is the shear rate times the
-  /// distance of the rows, the scale of the speeds at which a shear flow drives discs against each other. A contact time
-  /// hardly depends on the choice: by Hertz's law it decreases as v^(-1/5), by a factor of 1.6 for 10 times the
-  /// speed, while a contact must have 10 steps, of which a leapfrog needs 2 to be stable. A restitution that depends on
-  /// the speed is that of this one.
+  /// Speed of approach for which the impacts of the cell are stated [L/T]: 0, the limit of slow impacts, for linear
+  /// laws. Contacts by other laws are the longer the slower they are, without a limit, and need a speed:
+  /// `impact_speed`, or the difference of speed between neighbouring rows at the start, |VXT|/(NHT + 1). This is the
+  /// shear rate times the distance of the rows, the scale of the speeds at which a shear flow drives discs against each
+  /// other. A contact time hardly depends on the choice: by Hertz's law it decreases as v^(-1/5), by a factor of 1.6
+  /// for 10 times the speed, while a contact must have 10 steps, of which a leapfrog needs 2 to be stable. A
+  /// restitution that depends on the speed is that of this one.
   double nominal_speed() const;
   /// The overlap at which stiffnesses of laws that are not linear are stated [L]: the largest of an impact of two discs
   /// at the nominal speed, or if it is larger, that under the weight of the block on one of its discs; at most a

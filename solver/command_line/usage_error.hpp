@@ -16,8 +16,8 @@ void refuse_empty_values(CLI::App& app);
 /// The subcommand that was given on the command line, or the program if none was recognised.
 [[nodiscard]] const CLI::App& active_command(const CLI::App& program);
 
-/// Message about a command line that CLI11 rejected, in the form of other messages: an unknown option or command with the
-/// nearest and the known ones. Its last line is "help: PROGRAM --help". The program must have a name.
+/// Message about a command line that CLI11 rejected, in the form of other messages: an unknown option or command with
+/// the nearest and the known ones. Its last line is "help: PROGRAM --help". The program must have a name.
 [[nodiscard]] std::string usage_error(const CLI::App& program, const CLI::ParseError& error);
 
 /// Prints what parse() threw: the requested help or version on standard output, else "PROGRAM: " and usage_error() on

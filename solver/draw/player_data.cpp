@@ -16,8 +16,8 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-/// Rounds to six digits: finer than a screen resolves, and the file is a tenth of the size. Not by std::stod, which throws
-/// for subnormal numbers.
+/// Rounds to six digits: finer than a screen resolves, and the file is a tenth of the size. Not by std::stod, which
+/// throws for subnormal numbers.
 double rounded(double value) { return std::strtod(fmt::format("{:.6g}", value).c_str(), nullptr); }
 
 /// Position of a body (mean of its outline's points) and its angle (direction from there to the first point).
@@ -163,8 +163,8 @@ double reach(const SavedColumn& column) {
 }
 
 /// A chart of the columns selected by `belongs`, without columns that are zero up to rounding; null if none remain. The
-/// curve of a series has its `values`; the cursor shows those `at` the frames, of the given rows: the smallest and largest
-/// values of thinned() are not those of one time.
+/// curve of a series has its `values`; the cursor shows those `at` the frames, of the given rows: the smallest and
+/// largest values of thinned() are not those of one time.
 template <class Belongs>
 Json chart(const std::string& title, const KeptHistory& history, const std::vector<std::size_t>& rows,
            Belongs belongs) {

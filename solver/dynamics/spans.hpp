@@ -84,8 +84,8 @@ struct CableConstants {
 /// their linear branches.
 bool evaluate_chain(const CableSpan& span, const CableConstants& constants, const CableLinearization& lines,
                     const Poses& poses, JointPoints& joints, Paths& paths, Wrenches& pulls);
-/// Computes the forces of a row on the bodies and at its joints alone: row by row, in the order of the joints. Reads the
-/// positions only of those joints that are on no body.
+/// Computes the forces of a row on the bodies and at its joints alone: row by row, in the order of the joints. Reads
+/// the positions only of those joints that are on no body.
 bool chain_wrenches(const CableSpan& span, const CableConstants& constants, const CableLinearization& lines,
                     const Poses& poses, JointPoints& joints, Wrenches& pulls);
 

@@ -20,13 +20,13 @@ namespace talus {
 ///
 /// with the overlap d. In a plane scene discs represent spheres, and the radius is a parameter of the law.
 ///
-/// With Tsuji's dashpot and sqrt(2/5 F_elastic d) as variable instead of the overlap, an impact at any speed is that of a
-/// linear spring and dashpot of damping ratio xi = c/sqrt(20/3 E R m): e and the end rules are the same (Antypov &
+/// With Tsuji's dashpot and sqrt(2/5 F_elastic d) as variable instead of the overlap, an impact at any speed is that of
+/// a linear spring and dashpot of damping ratio xi = c/sqrt(20/3 E R m): e and the end rules are the same (Antypov &
 /// Elliott 2011). The dashpot's force starts from zero. With the constant dashpot e depends on the speed.
 ///
-/// The dashpot coefficient is either constant (`damping`), or follows from `damping_ratio` and the effective mass at the
-/// moment of touch (HertzImpact): every impact then has the same restitution, with the constant dashpot every impact at
-/// the speed `restitution_speed`; c is then the law's memory.
+/// The dashpot coefficient is either constant (`damping`), or follows from `damping_ratio` and the effective mass at
+/// the moment of touch (HertzImpact): every impact then has the same restitution, with the constant dashpot every
+/// impact at the speed `restitution_speed`; c is then the law's memory.
 struct Hertz {
   static constexpr std::string_view name = "hertz";
   static constexpr std::array<std::string_view, 3> modes{"open", "touching", "released"};

@@ -40,15 +40,15 @@ class Motion {
     // With a constant dashpot the force is zero at an overlap that may be too small to be seen between two steps.
     return tsuji_ ? std::pow(at[0], 5) + g_ * at[1] : std::min(at[0], force(at));
   }
-  /// Whether a body that moves apart creeps to X = 0 without reaching it, under the attractive rule and with the constant
-  /// dashpot. With r = |w|/(g X) and b = X^(1/2)/g^2, dr/d(-ln X) = r - 1 + b/r: from r < 1/2 and b < 1/100 on, r
-  /// decreases.
+  /// Whether a body that moves apart creeps to X = 0 without reaching it, under the attractive rule and with the
+  /// constant dashpot. With r = |w|/(g X) and b = X^(1/2)/g^2, dr/d(-ln X) = r - 1 + b/r: from r < 1/2 and b < 1/100
+  /// on, r decreases.
   bool creeps(const Point& at) const {
     const double x = std::pow(at[0], 4);
     return !tsuji_ && at[1] < 0.0 && -at[1] < 0.5 * g_ * x && at[0] * at[0] < 0.01 * g_ * g_;
   }
-  /// Largest rate of the motion in s: of the spring, of the dashpot, and of q near q = 0, where the dashpot balances the
-  /// inertia at q^5 = |w| (tsuji) and q^4 = |w| (constant).
+  /// Largest rate of the motion in s: of the spring, of the dashpot, and of q near q = 0, where the dashpot balances
+  /// the inertia at q^5 = |w| (tsuji) and q^4 = |w| (constant).
   double rate(const Point& at) const {
     const double q3 = at[0] * at[0] * at[0], speed = std::abs(at[1]);
     return std::max({4.0 * q3 * at[0], 4.0 * q3 * g_ * (tsuji_ ? at[0] : 1.0), std::pow(speed, tsuji_ ? 0.8 : 0.75)});

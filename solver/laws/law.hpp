@@ -59,8 +59,8 @@ namespace talus {
 ///                                 along the normal [M]; only called if memory_count() > 0; with
 ///   tangent(m_eff)                tangent() of a contact of that effective mass
 ///   retardation_time(memory)      c/k of a spring and dashpot [T]; the default for sticking friction
-///   contact_time(m_eff, v)        duration of an impact of that effective mass at the speed of approach v [T]; infinite if
-///                                 it does not end; with
+///   contact_time(m_eff, v)        duration of an impact of that effective mass at the speed of approach v [T];
+///                                 infinite if it does not end; with
 ///   restitution(m_eff, v)         the ratio of the speeds after and before the impact, and
 ///   largest_overlap(m_eff, v)     its largest overlap [L]
 ///   restitution_field             static: the parameter that sets the restitution; with

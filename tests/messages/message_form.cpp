@@ -36,8 +36,8 @@ std::string form_of(const std::string& line) {
   static const std::regex parser{
       R"((not TOML|not XML|is truncated or not JSON|it is not (?:a file written by|the final state of) [^:]*): .*$)"};
   static const std::regex line_of_file{R"(^[^ :]+:[0-9]+: )"}, system{R"(^.*: (?=[A-Z][a-z]+[a-z -]+$))"};
-  // A year that names a format or a program is no value (a deck of 1993); neither is a digit of a name (UTF-8, K1) or of
-  // a formula (1/sqrt(k)).
+  // A year that names a format or a program is no value (a deck of 1993); neither is a digit of a name (UTF-8, K1) or
+  // of a formula (1/sqrt(k)).
   static const std::regex year{R"(\b(of|by) (19[0-9]{2})\b)"},
       hex{R"((^|[^A-Za-z0-9.])(?:0x[0-9a-f]+|[0-9a-f]{16})(?![A-Za-z0-9]))"}, mark{"\x01"},
       number{R"((^|[^A-Za-z0-9_.\x01-])[-+]?[0-9]+(?:,[0-9]{3})*(?:\.[0-9]+)?(?:[eE][-+]?[0-9]+)?)"

@@ -26,7 +26,8 @@ std::string with_unit(double value, const std::string& unit) {
   return unit == "1" || unit.empty() ? fmt::format("{:.6g}", value) : fmt::format("{:.6g} {}", value, unit);
 }
 
-/// Measure of how bad a check is: a failed one is worse than a passed one with the same ratio, where rounding makes both
+/// Measure of how bad a check is: a failed one is worse than a passed one with the same ratio, where rounding makes
+/// both
 /// 1. NaN counts as the largest.
 std::pair<bool, double> badness(const Check& check) {
   return {!check.pass, std::isnan(check.margin) ? HUGE_VAL : check.margin};

@@ -74,7 +74,8 @@ ScaledEvents hunt_crossley_events(double a, double n) {
 double hunt_crossley_restitution(double a) {
   if (!(a > 0.0)) throw std::invalid_argument("power_law_impact: needs a > 0");
   const Real50 number{a}, pole = 1 / number;
-  // At e = 0 the balance is ln(1 + a) - a < 0; it grows towards the pole, and is positive at e = 1 if that is before it.
+  // At e = 0 the balance is ln(1 + a) - a < 0; it grows towards the pole, and is positive at e = 1 if that is before
+  // it.
   return root(0, pole < 1 ? pole : Real50{1}, [&](const Real50& e) { return balance(number, e); });
 }
 

@@ -9,8 +9,8 @@
 ///   Hertz with a constant dashpot c         X'' = -X^(3/2) - g X',      g = c L/(m v)
 ///   Hunt & Crossley 1975                    X'' = -X^n (1 + a X'),      a = a_hc v
 ///
-/// both with X = 0, X' = 1 at touch. For n = 3/2 they are integrated with z = sqrt(X) and ds = dt/(2 z), which makes them
-/// polynomials; for n = 1 and 2 they are polynomials in t.
+/// both with X = 0, X' = 1 at touch. For n = 3/2 they are integrated with z = sqrt(X) and ds = dt/(2 z), which makes
+/// them polynomials; for n = 1 and 2 they are polynomials in t.
 namespace talus::verification::reference {
 
 struct ScaledEvents {
@@ -22,8 +22,8 @@ struct ScaledEvents {
 /// Hertz with the constant dashpot g >= 0; the contact must end (std::invalid_argument if it lasts longer than 1000).
 [[nodiscard]] ScaledEvents constant_dashpot_events(double g, EndRule end);
 
-/// Hunt & Crossley with a >= 0 and the exponent n = 1, 3/2 or 2 (std::invalid_argument otherwise); the contact ends where
-/// the force is zero.
+/// Hunt & Crossley with a >= 0 and the exponent n = 1, 3/2 or 2 (std::invalid_argument otherwise); the contact ends
+/// where the force is zero.
 [[nodiscard]] ScaledEvents hunt_crossley_events(double a, double n);
 
 /// Restitution of Hunt & Crossley's law for every n: the root e of ln((1 + a)/(1 - a e)) = a (1 + e) in (0, 1), by

@@ -14,8 +14,8 @@
 namespace talus {
 
 /// A system of discs for LAMMPS (Thompson et al. 2022), which represents them as spheres in a plane. Its granular pair
-/// styles have the linear spring-dashpot, Hertz's law with a constant dashpot, and history-dependent friction. They apply friction at the radius of a disc,
-/// Talus in the middle of the overlap; discs of a wall turn in neither code.
+/// styles have the linear spring-dashpot, Hertz's law with a constant dashpot, and history-dependent friction. They
+/// apply friction at the radius of a disc, Talus in the middle of the overlap; discs of a wall turn in neither code.
 struct LammpsScene {
   DiscShapes shapes;
   Discs discs;

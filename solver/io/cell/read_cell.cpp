@@ -268,7 +268,8 @@ std::optional<double> read_cell_table(SceneTable& table, ShearCell& cell) {
 }
 
 /// Sets what follows from several fields, each of which is valid: the parameter of the law that sets the restitution of
-/// two discs, and the default of the shear stiffness. Reports the errors of a cell without impacts by which to set them.
+/// two discs, and the default of the shear stiffness. Reports the errors of a cell without impacts by which to set
+/// them.
 void complete(const SceneTable& table, std::optional<double> restitution, ShearCell& cell) {
   const auto has_impacts = [&] {
     if (cell.is_linear()) return true;

@@ -338,7 +338,8 @@ BOOST_AUTO_TEST_CASE(calibration_as_json) {
   BOOST_TEST(offset.at("effective_mass").get<double>() == 0.5, boost::test_tools::tolerance(1e-15));
 }
 
-// The role of each body, and what its mass, inertia and arm make of it: 8 kg m^2/(2 m)^2 = 2 kg, 1/(1/6 + 16/8) kg = 0.4615 kg.
+// The role of each body, and what its mass, inertia and arm make of it: 8 kg m^2/(2 m)^2 = 2 kg, 1/(1/6 + 16/8) kg =
+// 0.4615 kg.
 BOOST_AUTO_TEST_CASE(calibration_prints_the_roles_of_both_bodies) {
   const auto printed = [](std::vector<std::string> more) {
     more.insert(more.begin(), {"calibrate", "--restitution", ".5", "--stiffness", "1e6 N/m"});

@@ -26,8 +26,8 @@ ShearCell sparse(ShearCell cell) {
 }
 
 void expect_same_with_jumps(const ShearCell& cell, const std::string& method) {
-  // Fewer contacts of laws that are not linear, at whose speeds they are shorter than at the nominal speed: rounding grows
-  // tenfold in about ten contacts of a disc.
+  // Fewer contacts of laws that are not linear, at whose speeds they are shorter than at the nominal speed: rounding
+  // grows tenfold in about ten contacts of a disc.
   const double contacts = cell.is_linear() ? 300.0 : 150.0;
   CellPlan how = plan(cell, contacts, integrator_traits(method).amplitude_growth_rate != 0.0 ? 300.0 : 20.0);
   how.integrator = method;

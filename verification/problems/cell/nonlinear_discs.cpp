@@ -59,7 +59,8 @@ Impact<Hertz> constant_impact(double g, EndRule rule) {
           scaled(reference::constant_dashpot_events(g, same(rule)), length)};
 }
 /// For n = 1, 1.5 and 2 by integration, else in closed form: the work of the spring, X^(n+1)/(n+1) up to the largest
-/// overlap, is the integral of u du/(1 + a u) over the speeds u. The contact time sets the steps only; it is that of n = 2.
+/// overlap, is the integral of u du/(1 + a u) over the speeds u. The contact time sets the steps only; it is that of n
+/// = 2.
 Impact<HuntCrossley> hunt_crossley_impact_of(double a, double n) {
   const double length = impact_length(stiffness * std::pow(reference_overlap, 1.0 - n), n);
   const bool is_integrated = n == 1.0 || n == 1.5 || n == 2.0;
