@@ -6,6 +6,8 @@
 #include <string>
 #include <utility>
 
+#include "verification/check/evidence.hpp"
+
 namespace talus::verification {
 
 namespace {
@@ -109,6 +111,9 @@ Record record_of(const Case& verification_case) {
   record.main_checks = verification_case.main_checks;
   record.source = verification_case.source;
   record.page = verification_case.page;
+  EvidenceParagraph paragraph = evidence_of(record.page);
+  record.evidence = std::move(paragraph.kinds);
+  record.not_shown = std::move(paragraph.not_shown);
   record.tier = verification_case.tier;
   return record;
 }

@@ -6,6 +6,8 @@
 #include <cctype>
 #include <cmath>
 
+#include "verification/check/evidence.hpp"
+
 namespace talus::verification {
 
 namespace {
@@ -52,6 +54,17 @@ std::string flaw_of_citations(const Case& verification_case, const Catalogue& ca
   return missing.empty() ? "" : fmt::format("the bibliography has no entry for '{}'", missing.front());
 }
 
+/// A page without a complete paragraph "Evidence", or one that contradicts the case.
+std::string flaw_of_evidence(const Case& verification_case) {
+  const EvidenceParagraph paragraph = evidence_of(verification_case.page);
+  if (!paragraph.error.empty()) return "its page: " + paragraph.error;
+  const auto& kinds = paragraph.kinds;
+  const bool recorded = std::find(kinds.begin(), kinds.end(), Evidence::earlier_result) != kinds.end();
+  if (recorded == verification_case.recorded) return "";
+  return fmt::format("its page says that it {} on earlier results, but it is {}declared as recorded",
+                     recorded ? "rests" : "does not rest", verification_case.recorded ? "" : "not ");
+}
+
 std::string flaw_of_main_checks(const Case& verification_case) {
   const auto& names = verification_case.main_checks;
   if (names.empty()) return "it names no main check";
@@ -90,8 +103,9 @@ std::string case_error(const Case& verification_case, const std::vector<Case>& a
     return "its time limit must be finite and greater than zero";
   if (!(std::isfinite(c.memory_limit) && c.memory_limit > 0.0))
     return "its memory limit must be finite and greater than zero";
-  for (const std::string& flaw : {requirements_error(c, catalogue), family_error(c, catalogue),
-                                  flaw_of_citations(c, catalogue), flaw_of_main_checks(c), flaw_of_faults(c)}) {
+  for (const std::string& flaw :
+       {requirements_error(c, catalogue), family_error(c, catalogue), flaw_of_citations(c, catalogue),
+        flaw_of_evidence(c), flaw_of_main_checks(c), flaw_of_faults(c)}) {
     if (!flaw.empty()) return flaw;
   }
   return "";

@@ -96,6 +96,8 @@ void fields(auto& f, Like<Record> auto& record) {
   f.value("main_checks", record.main_checks);
   f.value("source", record.source);
   f.value("page", record.page);
+  f.value_if(!record.evidence.empty(), "evidence", record.evidence);
+  f.value_if(!record.not_shown.empty(), "not_shown", record.not_shown);
   f.value("tier", record.tier);
   f.value("status", record.status);
   f.value("message", record.message);

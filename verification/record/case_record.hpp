@@ -21,6 +21,28 @@ struct Names<Tier> {
   static constexpr std::array values{std::pair{Tier::quick, "quick"}, std::pair{Tier::full, "full"}};
 };
 
+/// What a check's reference rests on, the strongest first.
+enum class Evidence {
+  measurement,              ///< Measured in nature or in a laboratory.
+  closed_form,              ///< An exact solution of the same equations.
+  independent_integration,  ///< The same equations, integrated by code that shares nothing with the solver.
+  historical_program,       ///< Printed by FENCE (1993) or SNOFLO (1989).
+  other_code,               ///< Of a program in use today.
+  property,                 ///< What every solution satisfies, or two ways of Talus that must agree.
+  earlier_result,           ///< Recorded from an earlier revision of Talus.
+};
+
+template <>
+struct Names<Evidence> {
+  static constexpr std::array values{std::pair{Evidence::measurement, "measurement"},
+                                     std::pair{Evidence::closed_form, "closed form"},
+                                     std::pair{Evidence::independent_integration, "independent integration"},
+                                     std::pair{Evidence::historical_program, "historical program"},
+                                     std::pair{Evidence::other_code, "other code"},
+                                     std::pair{Evidence::property, "property"},
+                                     std::pair{Evidence::earlier_result, "earlier result"}};
+};
+
 /// Final status of a case.
 enum class Status {
   pass,     ///< Every check passes and every control turns red.
@@ -87,6 +109,8 @@ struct Record {
   std::vector<std::string> main_checks;  ///< Names of the checks on the first page.
   std::string source;                    ///< Full citation.
   std::string page;                      ///< Markdown.
+  std::vector<Evidence> evidence{};      ///< What its checks rest on, the strongest first.
+  std::string not_shown{};               ///< What must not be concluded from it.
   Tier tier = Tier::quick;               ///< The lowest tier in which this case runs.
   Status status = Status::missing;
   std::string message;   ///< Why the case did not pass; empty if it did.

@@ -470,8 +470,14 @@ BOOST_AUTO_TEST_CASE(a_case_that_is_not_well_formed_fails_without_being_run) {
   refuse([](Case& c) { c.faults.clear(); }, "plants no fault");
   refuse([](Case& c) { c.source.clear(); }, "cites no source");
   refuse([](Case& c) { c.source = "Nobody & Noone 1993"; }, "no entry for 'nobody 1993'");
-  refuse([](Case& c) { c.page = "**Source.** Nobody, J. None 9 (1993) 1.\n\nElse 1994."; },
+  refuse([](Case& c) { c.page += "\n**Source.** Nobody, J. None 9 (1993) 1.\n\nElse 1994."; },
          "no entry for 'nobody 1993'");
+  refuse([](Case& c) { c.page = "A page."; }, "its page: it has no paragraph **Evidence.**");
+  refuse([](Case& c) { c.page = "**Evidence.** Belief. Not shown: that it is true."; },
+         "its evidence 'belief' is not known");
+  refuse([](Case& c) { c.recorded = true; }, "does not rest on earlier results, but it is declared as recorded");
+  refuse([](Case& c) { c.page = "**Evidence.** Earlier result. Not shown: that it was right."; },
+         "rests on earlier results, but it is not declared as recorded");
   refuse([](Case& c) { c.requirements = {{"Eq. 99", {"value"}}}; }, "'Eq. 99' is in no closed list");
   refuse([](Case& c) { c.requirements = {{"Eq. 14", {}}}; }, "names no check for requirement 'Eq. 14'");
   refuse([](Case& c) { c.requirements.push_back(c.requirements[0]); }, "'Eq. 14' is listed twice");

@@ -16,7 +16,7 @@ inline Case synthetic(const std::string& id, void (*run)(Findings&, const Setup&
           .requirements = {{"Eq. 14", {"value"}}},
           .main_checks = {"value"},
           .source = "none",
-          .page = "A page.",
+          .page = "A page.\n\n**Evidence.** Property. Not shown: anything else.\n",
           .faults = {{"shifted", "the measured value is shifted", "value"}},
           .tier = Tier::quick,
           .time_limit = 20.0,

@@ -13,6 +13,7 @@
 #include "reports/record.hpp"
 #include "reports/sketch.hpp"
 #include "verification/catalogue/catalogue.hpp"
+#include "verification/check/evidence.hpp"
 #include "verification/driver/case_list.hpp"
 
 using namespace talus::verification;
@@ -183,6 +184,17 @@ BOOST_AUTO_TEST_CASE(formulas_end_and_match) {
   for (const Case& c : cases()) {
     for (const std::string& fault : faults_of_formulas(c.page))
       BOOST_ERROR(c.id + ".md: " + fault);
+  }
+}
+
+BOOST_AUTO_TEST_CASE(pages_say_what_their_case_rests_on_and_does_not_show) {
+  std::set<std::string> limits;
+  for (const Case& c : cases()) {
+    const EvidenceParagraph paragraph = evidence_of(c.page);
+    if (!paragraph.error.empty()) BOOST_ERROR(c.id + ".md: " + paragraph.error);
+    if (std::ranges::count(paragraph.not_shown, ' ') > 40)
+      BOOST_ERROR(c.id + ".md: what is not shown has more than 40 words");
+    if (!limits.insert(paragraph.not_shown).second) BOOST_ERROR(c.id + ".md: another page does not show the same");
   }
 }
 
