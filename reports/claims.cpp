@@ -12,7 +12,6 @@ namespace talus::reports {
 namespace {
 
 using markdown::cell;
-using records::Evidence;
 using Rows = std::vector<std::vector<std::string>>;
 
 struct Rung {

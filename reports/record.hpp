@@ -13,6 +13,7 @@ using records::Colour;
 using records::Control;
 using records::Counts;
 using records::Erratum;
+using records::Evidence;
 using records::Figure;
 using records::Kind;
 using records::Line;
