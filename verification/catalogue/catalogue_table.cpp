@@ -3,6 +3,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
+#include <limits>
 
 #include "solver/base/error.hpp"
 
@@ -59,11 +61,17 @@ const TomlValue& CatalogueTable::demand(std::string_view key) const {
   return *value;
 }
 
-void CatalogueTable::fail_at(int line, std::string_view key, std::string_view message) const {
+std::string CatalogueTable::place(int line, std::string_view key) const {
   std::string place = fmt::format("{}:{}: ", file_, line);
   if (!noun_.empty()) place += noun_ + ": ";
   if (!key.empty()) place += fmt::format("{}: ", key);
-  throw InputError{place.append(message)};
+  return place;
+}
+
+std::string CatalogueTable::place_of(std::string_view key) const { return place(demand(key).line, key); }
+
+void CatalogueTable::fail_at(int line, std::string_view key, std::string_view message) const {
+  throw InputError{place(line, key).append(message)};
 }
 
 void CatalogueTable::fail(std::string_view key, std::string_view message, std::string_view entry) const {
@@ -88,6 +96,30 @@ std::string CatalogueTable::text_of(std::string_view key, const TomlValue& value
 std::string CatalogueTable::text(std::string_view key) const { return text_of(key, demand(key)); }
 
 std::string CatalogueTable::text_or_empty(std::string_view key) const { return has(key) ? text(key) : ""; }
+
+bool CatalogueTable::is_text(std::string_view key) const {
+  return std::holds_alternative<std::string>(demand(key).data);
+}
+
+double CatalogueTable::number(std::string_view key) const {
+  const TomlValue& value = demand(key);
+  double number = std::numeric_limits<double>::quiet_NaN();
+  if (const auto* real = std::get_if<double>(&value.data)) number = *real;
+  if (const auto* integer = std::get_if<std::int64_t>(&value.data)) number = static_cast<double>(*integer);
+  if (!std::isfinite(number)) fail_at(value.line, key, fmt::format("found {}; it must be a number", found(value)));
+  return number;
+}
+
+std::string CatalogueTable::literal(std::string_view key) const {
+  const TomlValue& value = demand(key);
+  if (std::holds_alternative<TomlArray>(value.data) || std::holds_alternative<TomlTable>(value.data) ||
+      std::holds_alternative<TomlDate>(value.data))
+    fail_at(value.line, key, fmt::format("found {}; it must be a text, a number, true or false", found(value)));
+  const auto* text = std::get_if<std::string>(&value.data);
+  if (text != nullptr && text->find_first_of("\"\\\n") != std::string::npos)
+    fail_at(value.line, key, "found a text with a quote, a backslash or a line break");
+  return found(value);
+}
 
 std::vector<std::string> CatalogueTable::texts(std::string_view key) const {
   const TomlValue& value = demand(key);

@@ -10,7 +10,7 @@
 
 namespace talus::verification {
 
-/// One table of a TOML file of the catalogue, read key by key: texts, lists of texts, and tables of them. Every error
+/// One table of a TOML file of the verification, read key by key: texts, numbers, lists of texts, and tables of them. Every error
 /// is an InputError such as "peers.toml:17: check 'DEM01': form: found 3; it must be a text in quotes", with file,
 /// line, table, key, what was found and what is allowed. Unknown keys are rejected, with the nearest known key.
 class CatalogueTable {
@@ -30,6 +30,15 @@ class CatalogueTable {
   /// The entries of a table whose keys are names and whose values are texts, in file order.
   [[nodiscard]] std::vector<std::pair<std::string, std::string>> entries(std::string_view key) const;
 
+  /// A required finite number.
+  [[nodiscard]] double number(std::string_view key) const;
+  /// A required text, number or truth value, as written in TOML: "\"5 m/s\"", "0.3", "true".
+  [[nodiscard]] std::string literal(std::string_view key) const;
+  /// Whether the key has a text.
+  [[nodiscard]] bool is_text(std::string_view key) const;
+
+  /// File, line, table and key, as messages name them.
+  [[nodiscard]] std::string place_of(std::string_view key) const;
   [[nodiscard]] bool has(std::string_view key) const { return find(key) != nullptr; }
   /// Throws InputError about a key, or about one of the entries under it.
   [[noreturn]] void fail(std::string_view key, std::string_view message, std::string_view entry = "") const;
@@ -40,6 +49,7 @@ class CatalogueTable {
   const TomlValue* find(std::string_view key) const;
   const TomlValue& demand(std::string_view key) const;
   std::string text_of(std::string_view key, const TomlValue& value) const;
+  std::string place(int line, std::string_view key) const;
   [[noreturn]] void fail_at(int line, std::string_view key, std::string_view message) const;
 
   std::string file_;

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <algorithm>
+#include <functional>
 #include <initializer_list>
 #include <string>
 #include <string_view>
@@ -71,7 +72,11 @@ struct Case {
   double full_seconds = 0.0;
   double time_limit = 60.0;   ///< Wall-clock limit [s] for the whole case, including its faulty setups.
   double memory_limit = 2.0;  ///< Largest memory [GiB] that the case may use at any time.
-  void (*run)(Findings&, const Setup&) = nullptr;  ///< Measures and compares; throws on errors that it cannot handle.
+  /// Measures and compares; throws on errors that it cannot handle.
+  std::function<void(Findings&, const Setup&)> run{};
+  /// File of the measurements that a user brought (verification/data). Such a case claims no requirement, and its source
+  /// need not be in the bibliography. Empty for cases of the suite.
+  std::string data_set{};
 
   /// Whether the full tier runs anything that the quick tier does not.
   [[nodiscard]] bool has_full_part() const { return tier == Tier::full || full_seconds > 0.0; }

@@ -24,6 +24,20 @@ std::string paragraph_in(std::string_view page) {
   return paragraph;
 }
 
+/// Markdown as plain text: without the backslashes before punctuation, except in formulas.
+std::string plain(std::string_view markdown) {
+  std::string text;
+  bool formula = false;
+  for (std::size_t i = 0; i < markdown.size(); ++i) {
+    const bool escapes = !formula && markdown[i] == '\\' && i + 1 < markdown.size() &&
+                         std::ispunct(static_cast<unsigned char>(markdown[i + 1])) != 0;
+    if (escapes) ++i;
+    if (!escapes && markdown[i] == '$') formula = !formula;
+    text += markdown[i];
+  }
+  return text;
+}
+
 const Evidence* kind_called(const std::string& name) {
   for (const auto& [kind, known] : records::Names<Evidence>::values) {
     if (name == known) return &kind;
@@ -65,7 +79,7 @@ EvidenceParagraph evidence_of(std::string_view page) {
     result.error = fmt::format("its evidence is followed by '{}'; it must be 'Not shown: ' and a sentence", rest);
     return result;
   }
-  result.not_shown = rest.substr(remark.size());
+  result.not_shown = plain(rest).substr(remark.size());
   return result;
 }
 

@@ -14,7 +14,7 @@ using records::Evidence;
 /// friction."
 struct EvidenceParagraph {
   std::vector<Evidence> kinds;
-  std::string not_shown;  ///< One line.
+  std::string not_shown;  ///< Plain text with formulas, one line.
   std::string error;      ///< Found and allowed; empty if the paragraph is complete.
 };
 

@@ -45,6 +45,7 @@ std::string family_error(const Case& verification_case, const Catalogue& catalog
 
 /// Missing citations in the case's source and in the paragraph "Source" of its page.
 std::string flaw_of_citations(const Case& verification_case, const Catalogue& catalogue) {
+  if (!verification_case.data_set.empty()) return "";
   const std::string& page = verification_case.page;
   const std::string label = "**Source.**";
   const std::size_t place = page.find(label);
@@ -98,7 +99,7 @@ std::string case_error(const Case& verification_case, const std::vector<Case>& a
   if (c.title.empty()) return "it has no title";
   if (c.source.empty()) return "it cites no source";
   if (c.page.empty()) return "its page is empty";
-  if (c.run == nullptr) return "it has nothing to run";
+  if (!c.run) return "it has nothing to run";
   if (!(std::isfinite(c.time_limit) && c.time_limit > 0.0))
     return "its time limit must be finite and greater than zero";
   if (!(std::isfinite(c.memory_limit) && c.memory_limit > 0.0))

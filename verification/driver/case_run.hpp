@@ -12,7 +12,8 @@ namespace talus::verification {
 /// The record of a case that did not finish: no checks, every control missing.
 [[nodiscard]] Record unfinished(const Case& verification_case, Status status, const std::string& message);
 
-/// Determines the status of a finished case from its checks and controls: fills `status` (pass or fail) and `message`.
-void judge(Record& record);
+/// Determines the status of a finished run of the case from its checks and controls: fills `status` (pass or fail) and
+/// `message`.
+void judge(const Case& verification_case, Record& record);
 
 }  // namespace talus::verification

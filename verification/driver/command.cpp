@@ -18,6 +18,7 @@
 #include "solver/base/error.hpp"
 #include "solver/command_line/usage_error.hpp"
 #include "verification/catalogue/catalogue.hpp"
+#include "verification/data/measured_case.hpp"
 #include "verification/driver/baseline_gate.hpp"
 #include "verification/driver/case_error.hpp"
 #include "verification/driver/case_run.hpp"
@@ -39,6 +40,7 @@ namespace fs = std::filesystem;
 struct Options {
   std::string out = "build/verify";
   std::vector<std::string> only;
+  std::vector<std::string> data;
   unsigned jobs = 0;
   bool list = false;
   bool quick = false;
@@ -95,6 +97,10 @@ void declare_baseline(CLI::App& app, BaselineOptions& options) {
 void declare(CLI::App& app, Options& options) {
   app.add_option("--out", options.out, "Folder for records, results.json and junit.xml")->capture_default_str();
   app.add_option("--only", options.only, "Run or compare only these cases: ID[,ID...]")->delimiter(',');
+  app.add_option("--data", options.data,
+                 "Folder of measurements: each file NAME.measured.toml in it becomes case NAME, beside the others")
+      ->allow_extra_args(false)
+      ->type_name("FOLDER");
   app.add_option("--jobs", options.jobs, "Cases at once (default: the processors of this machine)")
       ->check(CLI::Range(1u, 1024u));
   app.add_flag("--list", options.list, "List the cases and end");
@@ -285,7 +291,7 @@ int compare_files(const Catalogue& catalogue, const Options& options) {
 
 }  // namespace
 
-int verify(const std::vector<Case>& cases, const fs::path& catalogue_folder, int argc, const char* const* argv,
+int verify(std::vector<Case> cases, const fs::path& catalogue_folder, int argc, const char* const* argv,
            std::vector<fs::path> read) {
   CLI::App app{"talus_verify: run the verification cases and record what they find", "talus_verify"};
   Options options;
@@ -297,6 +303,11 @@ int verify(const std::vector<Case>& cases, const fs::path& catalogue_folder, int
     return print_usage_error(app, fault) ? exit_usage : exit_pass;
   }
   try {
+    for (const std::string& folder : options.data) {
+      const std::vector<Case> measured = measured_cases(folder);
+      cases.insert(cases.end(), measured.begin(), measured.end());
+      read.emplace_back(folder);
+    }
     if (options.list) {
       print_list(cases);
       return exit_pass;

@@ -13,7 +13,7 @@ namespace talus::verification {
 /// every control turned red, 1 if not, 2 for an invalid command line, catalogue, baseline or file of renames, 4 if a
 /// file cannot be read or written, 6 if all checks and controls pass but something other than time is worse than the
 /// baseline.
-[[nodiscard]] int verify(const std::vector<Case>& cases, const std::filesystem::path& catalogue, int argc,
+[[nodiscard]] int verify(std::vector<Case> cases, const std::filesystem::path& catalogue, int argc,
                          const char* const* argv, std::vector<std::filesystem::path> read = {});
 
 }  // namespace talus::verification

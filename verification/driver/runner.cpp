@@ -110,7 +110,7 @@ Record read_back(const Case& verification_case, const fs::path& folder) {
     throw RecordError("the record has another number of controls than the case has faults");
   }
   Record judged = record;
-  judge(judged);
+  judge(verification_case, judged);
   if (record.status != judged.status && record.status != Status::error) {
     throw RecordError("the record's status does not follow from its checks");
   }

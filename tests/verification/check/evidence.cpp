@@ -28,6 +28,11 @@ BOOST_AUTO_TEST_CASE(the_paragraph_names_kinds_and_limits) {
              "**Evidence.** Closed form, independent integration, property. Not shown: friction; spin at $e = 0.5$.\n");
 }
 
+BOOST_AUTO_TEST_CASE(limits_are_plain_text_with_formulas) {
+  const std::string page = "**Evidence.** Property. Not shown: Hertz\\'s law \\<b\\>; $\\mu\\,g$ \\$.";
+  BOOST_TEST(evidence_of(page).not_shown == "Hertz's law <b>; $\\mu\\,g$ $.");
+}
+
 BOOST_AUTO_TEST_CASE(every_kind_is_read_back) {
   for (const auto& [kind, name] : talus::records::Names<Evidence>::values) {
     const EvidenceParagraph found = evidence_of(text_of({{kind}, "more.", ""}));

@@ -45,7 +45,7 @@ struct Timed {
 };
 
 /// One run; returns its first coordinate, so that the compiler cannot omit any part of it.
-double run(const WorkScene& scene, const Dynamics& dynamics, const Timed& timed) {
+double run_once(const WorkScene& scene, const Dynamics& dynamics, const Timed& timed) {
   const bool by_tolerance = has_step_control(timed.curve->method);
   const double span = scene.duration / static_cast<double>(scene.spans);
   const double steps = by_tolerance ? 1.0 : std::max(1.0, std::round(span / timed.point->setting));
@@ -59,7 +59,7 @@ double run(const WorkScene& scene, const Dynamics& dynamics, const Timed& timed)
 double measured_seconds(const WorkScene& scene, const Dynamics& dynamics, const Timed& timed, double& sum) {
   const auto start = std::chrono::steady_clock::now();
   for (int i = 0; i < timed.runs; ++i)
-    sum += run(scene, dynamics, timed);
+    sum += run_once(scene, dynamics, timed);
   return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count() / timed.runs;
 }
 

@@ -1,0 +1,116 @@
+#include "verification/data/scene_field.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <toml++/toml.h>
+#include <charconv>
+#include <optional>
+#include <sstream>
+#include <utility>
+#include <vector>
+
+#include "solver/base/error.hpp"
+
+namespace talus::verification {
+
+namespace {
+
+/// A key of a path, with the index behind it.
+struct Step {
+  std::string key;
+  std::optional<std::size_t> index;
+};
+
+std::vector<Step> steps_of(const std::string& field) {
+  const auto refuse = [&] {
+    throw InputError{fmt::format("found '{}'; it must be a path such as run.step or body.NAME.velocity[0]", field)};
+  };
+  std::vector<Step> steps;
+  std::istringstream parts{field};
+  for (std::string part; std::getline(parts, part, '.');) {
+    Step step{part, {}};
+    if (const std::size_t open = part.find('['); open != std::string::npos) {
+      std::size_t index = 0;
+      const char* const end = part.data() + part.size() - 1;
+      const auto [read, failure] = std::from_chars(part.data() + open + 1, end, index);
+      if (*end != ']' || read != end || failure != std::errc{}) refuse();
+      step = {part.substr(0, open), index};
+    }
+    if (step.key.empty()) refuse();
+    steps.push_back(step);
+  }
+  if (steps.empty() || field.back() == '.') refuse();
+  return steps;
+}
+
+std::vector<std::string> keys_of(const toml::table& table) {
+  std::vector<std::string> keys;
+  for (const auto& [key, value] : table)
+    keys.emplace_back(key.str());
+  return keys;
+}
+
+/// The table of a list that has this name.
+toml::node* named(toml::array& list, const std::string& name, const std::string& field) {
+  std::vector<std::string> names;
+  for (toml::node& element : list) {
+    const toml::table* const table = element.as_table();
+    if (table == nullptr) continue;
+    names.push_back((*table)["name"].value_or(std::string{}));
+    if (names.back() == name) return &element;
+  }
+  throw InputError{fmt::format("'{}': {}", field, unknown_name("name", name, names).what())};
+}
+
+}  // namespace
+
+std::string with_field(const std::string& scene, const std::string& field, const std::string& value) {
+  toml::table root, given;
+  try {
+    root = toml::parse(scene);
+    given = toml::parse("value = " + value);
+  } catch (const toml::parse_error& wrong) {
+    throw InputError{fmt::format("'{}' = {}: not TOML: {}", field, value, wrong.description())};
+  }
+  const toml::node& fresh = *given.get("value");
+  const std::vector<Step> steps = steps_of(field);
+  toml::node* at = &root;
+  for (std::size_t i = 0; i < steps.size(); ++i) {
+    const bool last = i + 1 == steps.size();
+    if (toml::array* const list = at->as_array()) {
+      at = named(*list, steps[i].key, field);
+      if (last || steps[i].index)
+        throw InputError{fmt::format("'{}': it must end with a field of '{}'", field, steps[i].key)};
+      continue;
+    }
+    toml::table* const table = at->as_table();
+    if (table == nullptr)
+      throw InputError{fmt::format("'{}': nothing can be below '{}', which is a value", field, steps[i - 1].key)};
+    if (last && !steps[i].index) {
+      if (const toml::node* const old = table->get(steps[i].key);
+          old != nullptr && (old->is_table() || old->is_array()))
+        throw InputError{
+            fmt::format("'{}': found {}; it must be a value", field, old->is_table() ? "a table" : "an array")};
+      table->insert_or_assign(steps[i].key, fresh);
+      break;
+    }
+    at = table->get(steps[i].key);
+    if (at == nullptr)
+      throw InputError{fmt::format("'{}': {}", field, unknown_name("field", steps[i].key, keys_of(*table)).what())};
+    if (!steps[i].index) continue;
+    toml::array* const list = at->as_array();
+    if (list == nullptr || *steps[i].index >= list->size())
+      throw InputError{fmt::format("'{}': '{}' has no element [{}]", field, steps[i].key, *steps[i].index)};
+    if (last) {
+      list->replace(list->cbegin() + static_cast<std::ptrdiff_t>(*steps[i].index), fresh);
+    } else {
+      at = list->get(*steps[i].index);
+    }
+  }
+  std::ostringstream text;
+  text << root << '\n';
+  return text.str();
+}
+
+}  // namespace talus::verification
