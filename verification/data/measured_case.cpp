@@ -57,7 +57,7 @@ class Runs {
     }
     const TemporaryFolder folder;
     folder.write("scene.toml", scene);
-    std::vector<std::string> arguments{"run", "scene.toml", "--out", "out", "--impacts"};
+    std::vector<std::string> arguments{"run", "scene.toml", "--out", "out", "--impacts", "--frames", "1"};
     if (step > 0.0) arguments.insert(arguments.end(), {"--step", fmt::format("{} {}", step, unit)});
     const problems::ProgramEnd end = problems::run_talus(folder, arguments);
     if (end.exit_code != 0) {
