@@ -212,7 +212,7 @@ void nudged(Findings& findings, const Setup& setup) {
   const double frequency = std::sqrt(2.0 * block.shear_stiffness / block.mass);
   findings.expect("nudged block without a tangential dashpot: speed after 1 s over the initial one",
                   ended(undamped, 1e-10, findings).state.v[0] / nudge, std::cos(frequency * undamped.plan.end),
-                  Tolerance::truncation(1e-10 * frequency * undamped.plan.end, 3.0,
+                  Tolerance::truncation(1e-10 * frequency * undamped.plan.end, 1.0,
                                         "an undamped oscillation on the springs of two corners, 71 periods; its phase "
                                         "errs by up to the tolerance times the angle, 447"));
 }

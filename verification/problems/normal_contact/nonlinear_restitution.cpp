@@ -251,7 +251,7 @@ void check_published_numbers(Findings& findings) {
       "largest error of e by the best of the published damping numbers, wanted 0.1 to 0.9", smallest_miss, 0.029, 0.032,
       "the equation of the page, solved separately by bisection: Gonthier et al. 2004 give 0.6696 for 0.7");
   group->expect_between(
-      "largest error of e by the worst of the published damping numbers, wanted 0.1 to 0.9", largest_miss, 0.55, 0.58,
+      "largest error of e by the worst of the published damping numbers, wanted 0.1 to 0.9", largest_miss, 0.55, 0.575,
       "the equation of the page, solved separately by bisection: Lankarani & Nikravesh 1990 give 0.6653 for 0.1");
 }
 

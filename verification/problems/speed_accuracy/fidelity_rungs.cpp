@@ -239,13 +239,14 @@ void check_rungs(Findings& findings, const Setup& setup) {
   findings.expect_between("speed at 0.2 s: digits gained by 9 columns that move in place of 7", digits_gained(3, 3),
                           1.7, 6.0, "as for the previous check, two segments later");
   findings.expect_between("largest tension of a top cable: digits gained by 7 columns that move in place of 5",
-                          digits_gained(2, 2), 1.7, 6.0,
+                          digits_gained(2, 2), 1.7, 5.5,
                           "as for the speed: the response of the held columns comes back before or after the peak");
   findings.expect(
       "peak force of the rock: free pair over the full fence", rungs[0].at[0].push / full.push, 1.0,
-      Tolerance::model(1e-3,
-                       "during the contact the cables take an impulse of 0.8 lb s of the column's 754, most "
-                       "of it after the peak of the force"));
+      Tolerance::model(2e-5,
+                       "during the contact the cables take an impulse of 0.8 lb s of the column's 754, "
+                       "which grows with the third power of time; the force has its peak at 0.21 of the "
+                       "contact, with 0.009 of this impulse: 1e-5 of the momentum, twice which is allowed"));
   findings.table(rung_table(levels, rungs, setup.tier == Tier::full ? run_times(levels) : std::vector<double>{}));
   findings.table(answers(levels, rungs));
   findings.figure(rung_figure(rungs, own / full.exit));

@@ -234,10 +234,10 @@ void check_verdicts(Findings& findings, const Verdicts& found, const Agreement& 
                                    "the measured values scatter by 0.014, the root mean square of eight of them "
                                    "by 0.014/sqrt(8) = 0.005: three times that"));
   group->expect_between("distance of k_s/k_n = 2/7 over the larger one of the other models",
-                        found.distance[0] / std::max(found.distance[1], found.distance[2]), 2.5, 5.4,
+                        found.distance[0] / std::max(found.distance[1], found.distance[2]), 2.6, 5.4,
                         "each distance scatters by 0.005: three times that changes 0.196 over 0.054 to 2.6 or 5.4, and "
                         "the separate evaluation gave 3.1");
-  group->expect_between("angle up to which the measured restitution excludes k_s/k_n = 2/7", found.excluded[0], 15.0,
+  group->expect_between("angle up to which the measured restitution excludes k_s/k_n = 2/7", found.excluded[0], 12.0,
                         25.0,
                         "these springs slip throughout from about 20 degrees on; the neighbouring measurements are at "
                         "9.5 and 30.1 degrees",
