@@ -78,8 +78,10 @@ struct MethodRange {
   [[nodiscard]] constexpr bool is_odeint() const { return name.substr(0, 7) == "odeint_"; }
 };
 
-/// All fixed-step methods; bulirsch_stoer has no fixed step.
-inline constexpr std::array<MethodRange, 11> method_ranges{{{"central_difference", 64, 65536, -2.7e-5},
+/// All fixed-step methods; bulirsch_stoer has no fixed step. Without a dashpot nothing lags, so that
+/// lagged_central_difference is central_difference.
+inline constexpr std::array<MethodRange, 12> method_ranges{{{"central_difference", 64, 65536, -2.7e-5},
+                                                            {"lagged_central_difference", 64, 65536, -2.7e-5},
                                                             {"velocity_verlet", 64, 65536, 5.3e-5},
                                                             {"euler_cromer", 128, 131072, 1.00e-3},
                                                             {"euler", 128, 131072, 0.00536},

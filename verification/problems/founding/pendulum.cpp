@@ -401,7 +401,7 @@ void run(Findings& findings, const Setup& setup) {
 Case definition() {
   return {
       .id = "pendulum",
-      .title = "Rigid pendulum: every integrator on a smooth motion",
+      .title = "Rigid pendulum: integrators on a smooth motion",
       .family = "founding problems",
       .requirements = {{"law.tension_only",
                         {"pendulum on a cable: relative excess of the period over the rigid pendulum, divided by eps, "

@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <numbers>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "solver/dynamics/rigid_body_system.hpp"
@@ -166,6 +167,34 @@ void rolling_disc(Findings& findings, const Setup& setup, Costs& costs) {
   }
 }
 
+/// A scene whose springs, along the normal and along the surface, are stiffer by a factor; damping ratios are the same.
+Scene stiffer(const char* file, double factor, const Setup& setup) {
+  Scene scene = scene_of(file, setup);
+  Contact& contact = scene.model.contacts[0];
+  auto& law = std::get<LinearSpringDashpot>(contact.law);
+  law.stiffness *= factor, law.damping *= std::sqrt(factor);
+  std::get<CoulombFriction>(*contact.friction).stiffness *= factor;
+  return scene;
+}
+
+/// Evaluations with other springs: sliding and rolling must not cost more because contacts oscillate faster.
+void check_stiffness(Findings& findings, const Setup& setup) {
+  const auto group = findings.in("stiffness");
+  for (const auto& [name, file] : {std::pair{"block", "sliding_block.toml"}, {"disc", "rolling_disc.toml"}}) {
+    const auto evaluations = [&](double factor) {
+      return static_cast<double>(ended(stiffer(file, factor, setup), 1e-10, findings).evaluations);
+    };
+    const double of_page = evaluations(1.0);
+    for (const double factor : {0.1, 100.0})
+      group->expect_between(
+          fmt::format("{}, {:g} times the stiffness, tolerance 1e-10: evaluations over those at the original one", name,
+                      factor),
+          evaluations(factor) / of_page, 0.5, 1.5,
+          "100 times the stiffness has 10 times as many oscillations; a method that followed a tenth of them would "
+          "need twice the evaluations");
+  }
+}
+
 void nudged(Findings& findings, const Setup& setup) {
   const Ended found = ended(nudged_block(setup), 1e-10, findings);
   const double energy = 0.5 * block.mass * nudge * nudge;
@@ -177,6 +206,15 @@ void nudged(Findings& findings, const Setup& setup) {
   findings.expect("nudged block: speed at rest", std::hypot(found.state.v[0], found.state.v[1]), 0.0,
                   Tolerance::truncation(1e-10 * nudge, 3.0, "errors of the method are relative to the largest speed"),
                   "m/s");
+  if (setup.coarse) return;
+  Scene undamped = nudged_block(setup);
+  std::get<CoulombFriction>(*undamped.model.contacts[0].friction).follows_normal = false;
+  const double frequency = std::sqrt(2.0 * block.shear_stiffness / block.mass);
+  findings.expect("nudged block without a tangential dashpot: speed after 1 s over the initial one",
+                  ended(undamped, 1e-10, findings).state.v[0] / nudge, std::cos(frequency * undamped.plan.end),
+                  Tolerance::truncation(1e-10 * frequency * undamped.plan.end, 1.0,
+                                        "an undamped oscillation on the springs of two corners, 71 periods; its phase "
+                                        "errs by up to the tolerance times the angle, 447"));
 }
 
 /// A disc that spins and bounces, with a tangential dashpot so strong that it carries most of the friction: the spring
@@ -325,6 +363,7 @@ void run(Findings& findings, const Setup& setup) {
   if (setup.concerns({"no_shear_dashpot"})) nudged(findings, setup);
   if (setup.fault.empty()) strong_dashpot(findings);
   if (setup.coarse) return;
+  check_stiffness(findings, setup);
   draw_speeds(findings, setup);
   findings.figure({.name = "cost",
                    .title = "Force evaluations against the tolerance",
@@ -344,11 +383,12 @@ Case definition() {
       .title = "Sliding to rest and resting contacts",
       .family = "C: friction and rotation",
       .requirements = {{"Eq. 18", {"block, tolerance 1e-10: displacement"}},
-                       {"integrator.stormer_cowell", {"block, tolerance 1e-10: evaluations"}},
+                       {"integrator.stormer_cowell", {"block, tolerance 1e-10: evaluations", "stiffness"}},
                        {"mechanism.friction", {"nudged block: friction work over its kinetic energy"}},
                        {"regime.friction.sticking",
                         {"disc, tolerance 1e-08: displacement", "nudged block: friction work over its kinetic energy",
-                         "nudged block: speed at rest"}},
+                         "nudged block: speed at rest",
+                         "nudged block without a tangential dashpot: speed after 1 s over the initial one"}},
                        {"regime.friction.slipping_backward", {"block, tolerance 1e-10: displacement"}},
                        {"pair.rectangle.half_plane", {"block, tolerance 1e-10: displacement"}},
                        {"pair.circle.half_plane", {"disc, tolerance 1e-08: spin"}}},

@@ -2,6 +2,7 @@
 
 #include <array>
 #include <cmath>
+#include <limits>
 #include <tuple>
 
 #include "solver/model/model_builder.hpp"
@@ -134,6 +135,7 @@ void tabulate_step_control(Findings& findings, const Scene& scene) {
                   "unit of length is changed, for odeint's steppers with tolerance 1e-8: the tolerance is absolute as "
                   "well as relative, and therefore has a unit.",
               .columns = {"method", "unit of length 1/1024", "unit of length 1024"}};
+  double smallest = std::numeric_limits<double>::infinity(), largest_of_all = 0.0;
   for (const char* name : {"odeint_dopri5", "odeint_bulirsch_stoer"}) {
     const Integrator method = make_integrator(name, 1e-8);
     const UnitPlan plan{2e-3, 0.1};
@@ -147,10 +149,19 @@ void tabulate_step_control(Findings& findings, const Scene& scene) {
         largest = std::max(largest, std::abs(one.end.q[i]));
       }
       row.push_back(fmt::format("{:.1e}", change / largest));
+      smallest = std::min(smallest, change / largest), largest_of_all = std::max(largest_of_all, change / largest);
     }
     table.rows.push_back(row);
   }
   findings.table(table);
+  const auto group = findings.in("step_control");
+  const char* const why =
+      "the tolerance, 1e-8, is relative and absolute: a unit of length 1024 times as long or short changes "
+      "the absolute part, and with it all steps; results then differ by about the tolerance, not by roundings";
+  group->expect_between("change of a coordinate with the unit of length, odeint's step control, smallest of four runs",
+                        smallest, 1e-10, 1e-6, why);
+  group->expect_between("change of a coordinate with the unit of length, odeint's step control, largest of four runs",
+                        largest_of_all, 1e-10, 1e-6, why);
 }
 
 /// Number of values that differ between a fence built from a deck in its original units and in other units.
@@ -246,7 +257,7 @@ void run(Findings& findings, const Setup& setup) {
 Case definition() {
   return {.id = "unit_scaling",
           .title = "Unit scaling: one scene in many units",
-          .requirements = {{"A7", {"numbers_that_differ"}},
+          .requirements = {{"A7", {"numbers_that_differ", "step_control"}},
                            {"law.linear_spring_dashpot", {"yard", "fence"}},
                            {"law.tension_only", {"yard"}},
                            {"law.elastic_plastic", {"yard", "fence"}},

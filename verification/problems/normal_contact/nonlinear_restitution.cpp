@@ -173,7 +173,7 @@ void check_pulling_formula(Findings& findings) {
   Table table = common_formula("pulling",
                                "Tsuji's dashpot by the formula of contacts that may pull, in a contact that may not. "
                                "Common formula: the restitution that it promises.");
-  double worst = 0.0;
+  double worst = 0.0, miss = 0.0;
   for (const double e : {0.9, 0.7, 0.5, 0.3}) {
     Hertz law = hertz(HertzDashpot::tsuji, EndRule::attractive);
     law.set_restitution(e, mass, speed);
@@ -182,12 +182,19 @@ void check_pulling_formula(Findings& findings) {
                                                 reference::EndRule::clamped);
     const double found = rebound(law, speed, findings);
     keep_worst(worst, found / exact - 1.0);
+    keep_worst(miss, found - e);
     table.rows.push_back({fmt::format("e = {:g}", e), fmt::format("{:g}", e), fmt::format("{:.4f}", exact),
                           fmt::format("{:+.1f} %", 100.0 * (e / exact - 1.0)), fmt::format("{:.4f}", found)});
   }
   findings.table(table);
   findings.expect("restitution by the pulling formula in a clamped contact, largest relative error", worst, 0.0,
                   by_tolerance(0.39 * speed));
+  findings.in("missed_by_end_rule")
+      ->expect_between("largest error of e by the pulling formula in a clamped contact, wanted 0.3 to 0.9", miss, 0.09,
+                       0.105,
+                       "0.0971 at e = 0.3, where the closed forms of the two end rules differ most: a damping ratio "
+                       "that gives 0.3 with "
+                       "one of them gives 0.3971 with the other");
 }
 
 /// Numbers a(e) that were published for Hunt & Crossley's law.
@@ -211,9 +218,10 @@ void check_published_numbers(Findings& findings) {
                     "restitution for which it is meant. Points: the solver; lines: exact.",
                 .x = {.label = "wanted restitution"},
                 .y = {.label = "restitution obtained"}};
-  double worst = 0.0;
+  double worst = 0.0, smallest_miss = 1.0, largest_miss = 0.0;
   Series points{"solver", {}, {}, Style::points};
   for (const Formula& formula : formulas) {
+    double miss = 0.0;
     Series line{formula.name, {}, {}, Style::lines};
     for (const double e : targets) {
       HuntCrossley law = hunt_crossley(1.5);
@@ -221,6 +229,7 @@ void check_published_numbers(Findings& findings) {
       const double found = rebound(law, speed, findings),
                    exact = reference::hunt_crossley_restitution(formula.number(e));
       keep_worst(worst, found / exact - 1.0);
+      miss = std::max(miss, std::abs(found - e));
       points.add(e, found);
       table.rows.push_back({fmt::format("{}, e = {:g}", formula.name, e), fmt::format("{:g}", e),
                             fmt::format("{:.3f}", exact), fmt::format("{:+.0f} %", 100.0 * (e / exact - 1.0)),
@@ -228,6 +237,7 @@ void check_published_numbers(Findings& findings) {
     }
     for (int i = 5; i < 100; ++i)
       line.add(0.01 * i, reference::hunt_crossley_restitution(formula.number(0.01 * i)));
+    smallest_miss = std::min(smallest_miss, miss), largest_miss = std::max(largest_miss, miss);
     figure.series.push_back(line);
   }
   figure.series.push_back({"as wanted", {0.05, 1.0}, {0.05, 1.0}, Style::lines});
@@ -236,6 +246,13 @@ void check_published_numbers(Findings& findings) {
   findings.figure(figure);
   findings.expect("restitution with published damping numbers, largest relative error", worst, 0.0,
                   by_tolerance(0.06 * speed));
+  const auto group = findings.in("missed_by_numbers");
+  group->expect_between(
+      "largest error of e by the best of the published damping numbers, wanted 0.1 to 0.9", smallest_miss, 0.029, 0.032,
+      "the equation of the page, solved separately by bisection: Gonthier et al. 2004 give 0.6696 for 0.7");
+  group->expect_between(
+      "largest error of e by the worst of the published damping numbers, wanted 0.1 to 0.9", largest_miss, 0.55, 0.575,
+      "the equation of the page, solved separately by bisection: Lankarani & Nikravesh 1990 give 0.6653 for 0.1");
 }
 
 /// The polynomial for Tsuji's dashpot (Marshall 2009, as LAMMPS evaluates it) beside the exact relation.
@@ -398,8 +415,8 @@ Case definition() {
   return {.id = "nonlinear_restitution",
           .title = "Restitution of Hertz and Hunt-Crossley contacts",
           .family = "B: normal contact",
-          .requirements = {{"law.hertz", {tsuji, constant, "speeds"}},
-                           {"law.hunt_crossley", {hysteresis, "speeds", order, "torn"}},
+          .requirements = {{"law.hertz", {tsuji, constant, "speeds", "missed_by_end_rule"}},
+                           {"law.hunt_crossley", {hysteresis, "speeds", order, "torn", "missed_by_numbers"}},
                            {"regime.hunt_crossley.touching", {hysteresis, order}},
                            {"regime.hunt_crossley.released", {"torn"}},
                            {"regime.hertz.released", {tsuji}},

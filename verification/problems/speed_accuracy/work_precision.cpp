@@ -209,6 +209,10 @@ constexpr ExpectedOrder orders[] = {
     {"velocity_verlet", "wall, damped", 1.0, 8e-4, 3e-2, 0.1, jump},
     {"rk4", "wall, damped", 1.0, 8e-4, 3e-2, 0.1, jump},
     {"blanes_moan4", "wall, damped", 1.0, 8e-4, 3e-2, 0.1, jump},
+    {"central_difference", "wall, undamped", 2.0, 3e-6, 1e-2, 0.15, kink},
+    {"euler_cromer", "wall, undamped", 2.0, 3e-6, 1e-2, 0.15, kink},
+    {"central_difference", "wall, damped", 1.0, 8e-4, 3e-2, 0.1, jump},
+    {"euler_cromer", "wall, damped", 1.0, 8e-4, 3e-2, 0.1, jump},
     {"velocity_verlet", "pinned column", 1.0, 5e-4, 3e-2, 0.04, jump},
     {"rk4", "pinned column", 1.0, 5e-4, 3e-2, 0.1, jump}};
 
