@@ -500,6 +500,22 @@ BOOST_AUTO_TEST_CASE(no_case_at_all_fails) {
   BOOST_TEST(run.results.at("verdict") == "fail");
 }
 
+BOOST_AUTO_TEST_CASE(measurements_are_cases_beside_the_others) {
+  const std::vector<Case> cases{synthetic("first", sound)};
+  const fs::path folder = fs::temp_directory_path() / ("talus_measured_" + std::to_string(::getpid()));
+  fs::create_directories(folder);
+  BOOST_TEST(Run(cases, {"--data", folder.string()}).status == 2);  // no file
+  BOOST_TEST(Run(cases, {"--data", (folder / "none").string()}).status == 4);
+  fs::remove_all(folder);
+  const Run measured(cases, {"--data", TALUS_MEASURED, "--only", "rebound"});
+  BOOST_TEST(measured.status == 0);
+  BOOST_TEST(measured.results.at("registered") == json({"first", "rebound"}));
+  BOOST_TEST(measured.record().at("family") == "V: validation by measurements");
+  BOOST_TEST(measured.record().at("evidence") == json({"measurement"}));
+  BOOST_TEST(Run(cases, {"--only", "rebound"}).status == 2);
+  BOOST_TEST(Run({synthetic("rebound", sound)}, {"--data", TALUS_MEASURED}).status == 1);  // the id is used twice
+}
+
 BOOST_AUTO_TEST_CASE(only_selects_and_says_so) {
   const std::vector<Case> cases{synthetic("first", sound), synthetic("second", sound), synthetic("third", sound)};
   const Run run(cases, {"--only", "third,first"});
