@@ -10,9 +10,10 @@
 
 namespace talus::verification {
 
-/// One table of a TOML file of the verification, read key by key: texts, numbers, lists of texts, and tables of them. Every error
-/// is an InputError such as "peers.toml:17: check 'DEM01': form: found 3; it must be a text in quotes", with file,
-/// line, table, key, what was found and what is allowed. Unknown keys are rejected, with the nearest known key.
+/// One table of a TOML file of the verification, read key by key: texts, numbers, lists of texts, and tables of them.
+/// Every error is an InputError such as "peers.toml:17: check 'DEM01': form: found 3; it must be a text in quotes",
+/// with file, line, table, key, what was found and what is allowed. Unknown keys are rejected, with the nearest known
+/// key.
 class CatalogueTable {
  public:
   /// Reads the file as a table. Errors: IoError if it cannot be read, InputError if it is not TOML.

@@ -74,8 +74,8 @@ struct Case {
   double memory_limit = 2.0;  ///< Largest memory [GiB] that the case may use at any time.
   /// Measures and compares; throws on errors that it cannot handle.
   std::function<void(Findings&, const Setup&)> run{};
-  /// File of the measurements that a user brought (verification/data). Such a case claims no requirement, and its source
-  /// need not be in the bibliography. Empty for cases of the suite.
+  /// File of the measurements that a user brought (verification/data); empty for cases of the suite. Such a case claims
+  /// no requirement, and its source need not be in the bibliography.
   std::string data_set{};
 
   /// Whether the full tier runs anything that the quick tier does not.

@@ -17,7 +17,8 @@ struct RunResult {
 /// Files that `talus run --out --impacts` has written, and the results in them, by name:
 /// - initial.NAME, final.NAME: the first and the last row of history.csv, e.g. final.disc.vx
 /// - minimum.NAME, maximum.NAME, minimum_time.NAME, maximum_time.NAME: the extremes of summary.json
-/// - impact.N.CONTACT.COLUMN: the N-th impact of a contact, counted from 1, in impacts.csv, e.g. impact.1.wall.restitution
+/// - impact.N.CONTACT.COLUMN: the N-th impact of a contact, counted from 1, in impacts.csv, e.g.
+///   impact.1.wall.restitution
 /// - A / B: a quotient of two of these
 class RunResults {
  public:
