@@ -55,13 +55,16 @@ std::size_t strongest(const Results& results, Evidence kind, const std::string& 
 
 std::string count_text(std::size_t count) { return count == 0 ? "-" : fmt::format("{}", count); }
 
-std::string first_paragraph(const std::string& page) {
+/// The paragraph "Conclusion" of a page, Markdown on one line for a cell of a table; empty if it does not begin with it.
+std::string conclusion_of(const std::string& page) {
   std::string paragraph = page.substr(0, page.find("\n\n"));
   const std::string label = "**Conclusion.** ";
   if (!paragraph.starts_with(label)) return "";
   paragraph.erase(0, label.size());
-  std::replace(paragraph.begin(), paragraph.end(), '\n', ' ');
-  return paragraph;
+  std::string cell;
+  for (const char c : paragraph)
+    cell += c == '\n' ? " " : c == '|' ? "\\|" : std::string(1, c);
+  return cell;
 }
 
 }  // namespace
@@ -95,8 +98,8 @@ std::string claims_of_cases(const Results& results) {
     std::string kinds;
     for (const Evidence kind : record.evidence)
       kinds += (kinds.empty() ? "" : ", ") + cell(name_of(kind));
-    rows.push_back({case_link(record), kinds.empty() ? "**none**" : kinds, cell(first_paragraph(record.page)),
-                    cell(record.not_shown)});
+    rows.push_back(
+        {case_link(record), kinds.empty() ? "**none**" : kinds, conclusion_of(record.page), cell(record.not_shown)});
   }
   return markdown::table({{"case"}, {"evidence"}, {"conclusion"}, {"not shown"}}, rows, "");
 }

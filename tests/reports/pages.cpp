@@ -96,7 +96,7 @@ BOOST_AUTO_TEST_CASE(the_summary_goes_by_families_and_adds_them_up) {
 BOOST_AUTO_TEST_CASE(the_ladder_counts_cases_by_their_evidence) {
   Results all = results();
   all.records[0].evidence = {Evidence::closed_form, Evidence::property};
-  all.records[0].page = "**Conclusion.** It\nholds.\n\n**Problem.** A disc.";
+  all.records[0].page = "**Conclusion.** It\nholds\\!\n\n**Problem.** A disc.";
   all.records[0].not_shown = "friction | spin.";
   all.records[1].evidence = {Evidence::property};
   const std::string ladder = ladder_of_claims(all);
@@ -105,7 +105,7 @@ BOOST_AUTO_TEST_CASE(the_ladder_counts_cases_by_their_evidence) {
   BOOST_TEST(contains(ladder, "| A: motion | - | - | - | - | - | 1 | - |"), ladder);
   BOOST_TEST(contains(ladder, "| B: contact | - | 1 | - | - | - | - | - |"), ladder);
   const std::string claims = claims_of_cases(all);
-  BOOST_TEST(contains(claims, "| closed form, property | It holds. | friction \\| spin. |"), claims);
+  BOOST_TEST(contains(claims, "| closed form, property | It holds\\! | friction \\| spin. |"), claims);
   BOOST_TEST(contains(claims, "| property | \u2013 | \u2013 |"), claims);
 }
 

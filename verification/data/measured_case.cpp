@@ -155,19 +155,18 @@ void check(Findings& findings, const std::string& name, const std::vector<Compar
 Figure figure_of(const MeasuredSet& set, std::size_t q, const std::vector<std::size_t>& rows,
                  const std::vector<Comparison>& compared) {
   const MeasuredQuantity& quantity = set.quantities[q];
-  const MeasuredInput& input = set.inputs.front();
-  const auto label = [](const std::string& heading) { return heading.substr(0, heading.find(" [")); };
+  const MeasuredAxis& axis = set.axis;
   Figure figure{
       .name = fmt::format("quantity_{}", q + 1),
       .title = quantity.name,
-      .caption = fmt::format("{}: measured, with two standard uncertainties (of data, inputs, step and model), "
-                             "and computed, against {}.",
-                             quantity.name, label(input.column)),
-      .x = {.label = label(input.column), .unit = input.unit},
+      .caption = fmt::format("Measured, with two standard uncertainties (of data, inputs, step and model), and "
+                             "computed, against {}.",
+                             axis.label),
+      .x = {.label = axis.label, .unit = axis.unit},
       .y = {.label = quantity.name, .unit = quantity.unit}};
   Series data{.label = "measured", .style = Style::errorbars}, run{.label = "computed", .style = Style::crosses};
   for (std::size_t i = 0; i < rows.size(); ++i) {
-    const double x = input.values[rows[i]];
+    const double x = axis.values[rows[i]];
     data.add(x, compared[i].measured);
     data.y_low.push_back(compared[i].measured - 2.0 * compared[i].uncertainty());
     data.y_high.push_back(compared[i].measured + 2.0 * compared[i].uncertainty());
@@ -231,7 +230,7 @@ std::string page_of(const MeasuredSet& set) {
       "**Uncertainty.** With $E$ the computed less the measured value, $u^2 = u_D^2 + u_{in}^2 + u_{num}^2 + "
       "u_{model}^2$: of the measured value, of the conditions (change of the result with each), of the step (change "
       "with half of it), and what is granted to the model.\n\n";
-  page += "**Source.** " + words(set.source) + "\n\n";
+  page += "**Source.** " + words(set.source) + (set.source.ends_with('.') ? "" : ".") + "\n\n";
   return page + text_of(EvidenceParagraph{{Evidence::measurement}, words(set.not_shown), ""});
 }
 

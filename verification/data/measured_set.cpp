@@ -123,7 +123,8 @@ records::Csv read_data(const fs::path& file) {
 
 MeasuredSet read_measured_set(const fs::path& file) {
   const CatalogueTable table{
-      file, {"title", "source", "what", "conclusion", "not_shown", "scene", "data", "input", "quantity", "control"}};
+      file,
+      {"title", "source", "what", "conclusion", "not_shown", "scene", "data", "axis", "input", "quantity", "control"}};
   MeasuredSet set;
   set.file = file;
   const std::string name = file.filename().string();
@@ -147,6 +148,9 @@ MeasuredSet read_measured_set(const fs::path& file) {
   for (const CatalogueTable& each : table.tables("input", "input", "column", {"column", "field", "uncertainty"}))
     set.inputs.push_back(read_input(each, data, set.scene));
   if (set.inputs.empty()) table.fail("input", "found an empty array; at least one condition must differ");
+  const std::string axis = table.has("axis") ? table.text("axis") : set.inputs.front().column;
+  set.axis = {axis.substr(0, axis.rfind(" [")), unit_of(axis),
+              column(data, table, table.has("axis") ? "axis" : "input", axis)};
   for (const CatalogueTable& each :
        table.tables("quantity", "quantity", "name", {"name", "column", "result", "uncertainty", "model_error"})) {
     set.quantities.push_back(read_quantity(each, data));

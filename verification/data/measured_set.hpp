@@ -18,6 +18,13 @@ struct MeasuredInput {
   RowNumbers uncertainty;  ///< Standard uncertainty [unit]; 0 where it is not known.
 };
 
+/// The column against which the quantities are drawn.
+struct MeasuredAxis {
+  std::string label;  ///< Heading without its unit.
+  std::string unit;
+  RowNumbers values;
+};
+
 /// A measured quantity and the result of a run that it is compared with.
 struct MeasuredQuantity {
   std::string name;
@@ -50,6 +57,7 @@ struct MeasuredSet {
   std::string not_shown;   ///< What must not be concluded.
   std::string scene;       ///< Text of the scene file.
   std::size_t rows{};
+  MeasuredAxis axis;
   std::vector<MeasuredInput> inputs;
   std::vector<MeasuredQuantity> quantities;
   std::vector<MeasuredControl> controls;

@@ -56,6 +56,14 @@ BOOST_AUTO_TEST_CASE(a_set_is_read) {
   BOOST_TEST(set.quantities.at(0).values == RowNumbers({1.76, 2.74}), boost::test_tools::per_element());
   BOOST_TEST(set.quantities.at(0).uncertainty == RowNumbers({0.01, 0.02}), boost::test_tools::per_element());
   BOOST_TEST(set.quantities.at(0).model_error == 0.02);
+  BOOST_TEST(set.axis.label == "speed");
+  BOOST_TEST(set.axis.unit == "m/s");
+  const MeasuredFolder with_axis{"speed [m/s],height [m],u\n4,1.76,0.01\n6,2.74,0.02\n",
+                                 with(flight_set, "data = ", "axis = \"u\"\ndata = ")};
+  const MeasuredAxis axis = read_measured_set(with_axis.set()).axis;
+  BOOST_TEST(axis.label == "u");
+  BOOST_TEST(axis.unit == "1");
+  BOOST_TEST(axis.values == RowNumbers({0.01, 0.02}), boost::test_tools::per_element());
   BOOST_TEST(set.controls.at(0).value == "\"-3.7 m/s^2\"");
   BOOST_TEST(set.not_shown == "air resistance.");
   BOOST_TEST(measured_files(folder.files.path).size() == 1U);
@@ -67,6 +75,7 @@ BOOST_AUTO_TEST_CASE(wrong_fields_are_named_with_file_and_line) {
   BOOST_TEST(set_refused("not_shown = \"air resistance\"\n", "", "not_shown: it is missing"));
   BOOST_TEST(set_refused("flight.toml", "flihgt.toml", "scene: "));
   BOOST_TEST(set_refused("heights.csv", "none.csv", "none.csv"));
+  BOOST_TEST(set_refused("data = \"heights.csv\"", "data = \"heights.csv\"\naxis = \"speed\"", "axis: column of "));
   BOOST_TEST(set_refused("\"speed [m/s]\"", "\"sped [m/s]\"", "input 'sped [m/s]': column: column of "));
   BOOST_TEST(set_refused("body.ball.velocity[1]", "body.bal.velocity[1]",
                          "field: 'body.bal.velocity[1]': name 'bal' is not known; nearest: ball"));
