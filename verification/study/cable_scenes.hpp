@@ -4,7 +4,7 @@
 
 #include "solver/scenes/scene.hpp"
 #include "verification/check/findings.hpp"
-#include "verification/reference/hanger_break.hpp"
+#include "verification/reference/cables/hanger_break.hpp"
 
 /// Scenes of the case `cables`: masses on one line with cables between them.
 namespace talus::verification::problems {

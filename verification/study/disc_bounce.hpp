@@ -3,7 +3,7 @@
 #include <functional>
 
 #include "verification/check/case.hpp"
-#include "verification/reference/restitution.hpp"
+#include "verification/reference/impacts/restitution.hpp"
 #include "verification/study/followed_impact.hpp"
 
 /// Impacts of the case `restitution`, one for each phase of touch within a step, and their errors.

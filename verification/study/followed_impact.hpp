@@ -2,7 +2,7 @@
 
 #include "solver/scenes/scene.hpp"
 #include "verification/check/findings.hpp"
-#include "verification/reference/end_rule.hpp"
+#include "verification/reference/impacts/end_rule.hpp"
 
 /// One impact of a scene, observed step by step during the run.
 namespace talus::verification::problems {

@@ -1,12 +1,12 @@
 #pragma once
 
-#include "verification/reference/end_rule.hpp"
+#include "verification/reference/impacts/end_rule.hpp"
 
 /// Predicted (not fitted) first-order error of leapfrog methods in a damped impact.
 ///
 /// Central difference and velocity Verlet evaluate F = k d + c d' with the overlap of the step and the velocity half a
 /// step earlier. This has two effects, with w = sqrt(k/m), h the step, s^2 = 1 - xi^2 and A(xi) as in
-/// reference/restitution.hpp:
+/// reference/impacts/restitution.hpp:
 ///
 /// - Lag. d'(t - h/2) = d' - (h/2) d'' turns m d'' = -F into (m - c h/2) d'' = -k d - c d', the same contact with the
 ///   mass m (1 - xi w h): w grows by the factor 1 + xi w h/2, and xi by xi^2 w h/2. The derivatives of the closed forms

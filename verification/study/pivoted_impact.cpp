@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include "verification/reference/restitution.hpp"
+#include "verification/reference/impacts/restitution.hpp"
 #include "verification/study/followed_impact.hpp"
 
 namespace talus::verification::problems {

@@ -2,7 +2,7 @@
 
 #include "solver/scenes/pivoted_cylinder.hpp"
 #include "verification/check/case.hpp"
-#include "verification/reference/pivoted_cylinder.hpp"
+#include "verification/reference/impacts/pivoted_cylinder.hpp"
 
 /// The solver's pivoted cylinder with the reference's data, started so that it is in the reference's initial state at
 /// touch.

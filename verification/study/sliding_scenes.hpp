@@ -1,8 +1,8 @@
 #pragma once
 
 #include "solver/scenes/scene.hpp"
-#include "verification/reference/dragged_slider.hpp"
-#include "verification/reference/oblique_impact.hpp"
+#include "verification/reference/friction/dragged_slider.hpp"
+#include "verification/reference/friction/oblique_impact.hpp"
 
 /// Scenes of the case `friction`: a disc or a particle on a plane, as described by the references.
 namespace talus::verification::problems {

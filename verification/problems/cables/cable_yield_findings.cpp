@@ -6,7 +6,7 @@
 
 #include "verification/check/convergence.hpp"
 #include "verification/problems/cables/cable_findings.hpp"
-#include "verification/reference/cable_draw.hpp"
+#include "verification/reference/cables/cable_draw.hpp"
 #include "verification/study/cable_scenes.hpp"
 #include "verification/study/phases.hpp"
 

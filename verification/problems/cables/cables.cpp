@@ -2,8 +2,8 @@
 
 #include "verification/check/convergence.hpp"
 #include "verification/problems/cables/cable_findings.hpp"
-#include "verification/reference/cable_draw.hpp"
-#include "verification/reference/restitution.hpp"
+#include "verification/reference/cables/cable_draw.hpp"
+#include "verification/reference/impacts/restitution.hpp"
 #include "verification/study/cable_scenes.hpp"
 #include "verification/study/followed_impact.hpp"
 #include "verification/study/leapfrog_impact_error.hpp"

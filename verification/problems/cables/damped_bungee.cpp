@@ -5,7 +5,7 @@
 #include <string>
 
 #include "verification/check/case.hpp"
-#include "verification/reference/damped_bounce.hpp"
+#include "verification/reference/impacts/damped_bounce.hpp"
 #include "verification/study/cable_scenes.hpp"
 #include "verification/study/curves.hpp"
 #include "verification/study/phases.hpp"

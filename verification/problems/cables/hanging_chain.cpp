@@ -8,7 +8,7 @@
 #include "solver/dynamics/rigid_body_system.hpp"
 #include "solver/model/model_builder.hpp"
 #include "verification/check/case.hpp"
-#include "verification/reference/hanging_chain.hpp"
+#include "verification/reference/cables/hanging_chain.hpp"
 #include "verification/study/expectations.hpp"
 #include "verification/study/predicted_errors.hpp"
 #include "verification/study/scene_run.hpp"

@@ -6,7 +6,7 @@
 #include <string>
 
 #include "verification/check/case.hpp"
-#include "verification/reference/restitution.hpp"
+#include "verification/reference/impacts/restitution.hpp"
 #include "verification/study/cable_scenes.hpp"
 #include "verification/study/expectations.hpp"
 #include "verification/study/phases.hpp"

@@ -8,7 +8,7 @@
 
 #include "solver/model/model_builder.hpp"
 #include "verification/check/case.hpp"
-#include "verification/reference/stretched_chain.hpp"
+#include "verification/reference/cables/stretched_chain.hpp"
 #include "verification/study/expectations.hpp"
 #include "verification/study/scene_run.hpp"
 

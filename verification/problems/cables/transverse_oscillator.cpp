@@ -6,7 +6,7 @@
 
 #include "solver/model/model_builder.hpp"
 #include "verification/check/case.hpp"
-#include "verification/reference/mid_span.hpp"
+#include "verification/reference/cables/mid_span.hpp"
 #include "verification/study/expectations.hpp"
 #include "verification/study/predicted_errors.hpp"
 #include "verification/study/scene_run.hpp"

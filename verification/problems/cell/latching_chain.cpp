@@ -10,7 +10,7 @@
 #include "solver/laws/latching_spring.hpp"
 #include "verification/check/case.hpp"
 #include "verification/problems/cell/disc_row.hpp"
-#include "verification/reference/latching_chain.hpp"
+#include "verification/reference/many_bodies/latching_chain.hpp"
 #include "verification/study/common_formula.hpp"
 #include "verification/study/expectations.hpp"
 

@@ -11,7 +11,7 @@
 #include "solver/scenes/fence_summary.hpp"
 #include "verification/check/case.hpp"
 #include "verification/problems/fence/watched_summary.hpp"
-#include "verification/reference/cable_draw.hpp"
+#include "verification/reference/cables/cable_draw.hpp"
 #include "verification/study/cable_scenes.hpp"
 #include "verification/study/expectations.hpp"
 #include "verification/study/fence_table.hpp"

@@ -7,8 +7,8 @@
 
 #include "verification/check/case.hpp"
 #include "verification/problems/founding/pivoted_swing.hpp"
-#include "verification/reference/pivoted_cylinder.hpp"
-#include "verification/reference/restitution.hpp"
+#include "verification/reference/impacts/pivoted_cylinder.hpp"
+#include "verification/reference/impacts/restitution.hpp"
 #include "verification/study/curves.hpp"
 #include "verification/study/expectations.hpp"
 #include "verification/study/leapfrog_impact_error.hpp"

@@ -5,7 +5,7 @@
 
 #include "solver/laws/restitution.hpp"
 #include "solver/scenes/two_cable.hpp"
-#include "verification/reference/restitution.hpp"
+#include "verification/reference/impacts/restitution.hpp"
 #include "verification/study/followed_impact.hpp"
 #include "verification/study/scene_run.hpp"
 

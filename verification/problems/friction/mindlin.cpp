@@ -14,7 +14,7 @@
 #include "solver/model/model_builder.hpp"
 #include "verification/check/case.hpp"
 #include "verification/check/convergence.hpp"
-#include "verification/reference/mindlin_impact.hpp"
+#include "verification/reference/friction/mindlin_impact.hpp"
 #include "verification/study/curves.hpp"
 #include "verification/study/expectations.hpp"
 #include "verification/study/phases.hpp"

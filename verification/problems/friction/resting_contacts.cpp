@@ -11,7 +11,7 @@
 #include "solver/io/scene/read_scene.hpp"
 #include "solver/model/model_builder.hpp"
 #include "verification/check/case.hpp"
-#include "verification/reference/resting_contact.hpp"
+#include "verification/reference/friction/resting_contact.hpp"
 #include "verification/study/curves.hpp"
 #include "verification/study/expectations.hpp"
 #include "verification/study/recorded_run.hpp"

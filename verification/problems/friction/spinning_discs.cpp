@@ -11,7 +11,7 @@
 #include "solver/integrate/euler_cromer.hpp"
 #include "solver/model/model_builder.hpp"
 #include "verification/check/case.hpp"
-#include "verification/reference/oblique_impact.hpp"
+#include "verification/reference/friction/oblique_impact.hpp"
 #include "verification/study/expectations.hpp"
 #include "verification/study/oblique_runs.hpp"
 #include "verification/study/scene_run.hpp"

@@ -7,7 +7,7 @@
 
 #include "solver/model/model_builder.hpp"
 #include "verification/check/case.hpp"
-#include "verification/reference/restitution.hpp"
+#include "verification/reference/impacts/restitution.hpp"
 #include "verification/study/phases.hpp"
 #include "verification/study/scene_run.hpp"
 

@@ -7,7 +7,7 @@
 
 #include "solver/model/model_builder.hpp"
 #include "verification/check/case.hpp"
-#include "verification/reference/constant_force.hpp"
+#include "verification/reference/motion/constant_force.hpp"
 #include "verification/study/expectations.hpp"
 #include "verification/study/scene_run.hpp"
 

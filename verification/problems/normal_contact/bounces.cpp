@@ -6,8 +6,8 @@
 
 #include "solver/scenes/bouncing_disc.hpp"
 #include "verification/check/case.hpp"
-#include "verification/reference/damped_bounce.hpp"
-#include "verification/reference/restitution.hpp"
+#include "verification/reference/impacts/damped_bounce.hpp"
+#include "verification/reference/impacts/restitution.hpp"
 #include "verification/study/expectations.hpp"
 #include "verification/study/followed_impact.hpp"
 #include "verification/study/leapfrog_impact_error.hpp"

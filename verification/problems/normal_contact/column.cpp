@@ -4,7 +4,7 @@
 
 #include "solver/model/model_builder.hpp"
 #include "verification/check/case.hpp"
-#include "verification/reference/pressed_discs.hpp"
+#include "verification/reference/many_bodies/pressed_discs.hpp"
 #include "verification/study/curves.hpp"
 #include "verification/study/expectations.hpp"
 #include "verification/study/scene_run.hpp"

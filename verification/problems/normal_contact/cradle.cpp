@@ -6,7 +6,7 @@
 
 #include "solver/model/model_builder.hpp"
 #include "verification/check/case.hpp"
-#include "verification/reference/struck_row.hpp"
+#include "verification/reference/many_bodies/struck_row.hpp"
 #include "verification/study/phases.hpp"
 #include "verification/study/predicted_errors.hpp"
 #include "verification/study/scene_run.hpp"

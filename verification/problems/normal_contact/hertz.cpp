@@ -4,9 +4,9 @@
 #include <cmath>
 
 #include "verification/check/case.hpp"
-#include "verification/reference/hertz_impact.hpp"
-#include "verification/reference/hurwitz_zeta.hpp"
-#include "verification/reference/restitution.hpp"
+#include "verification/reference/impacts/hertz_impact.hpp"
+#include "verification/reference/impacts/restitution.hpp"
+#include "verification/reference/mathematics/hurwitz_zeta.hpp"
 #include "verification/study/expectations.hpp"
 #include "verification/study/followed_impact.hpp"
 #include "verification/study/phases.hpp"

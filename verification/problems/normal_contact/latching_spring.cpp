@@ -9,7 +9,7 @@
 #include "solver/model/model_builder.hpp"
 #include "solver/scenes/bouncing_disc.hpp"
 #include "verification/check/case.hpp"
-#include "verification/reference/latching_impact.hpp"
+#include "verification/reference/impacts/latching_impact.hpp"
 #include "verification/study/expectations.hpp"
 #include "verification/study/phases.hpp"
 #include "verification/study/plane_impact.hpp"

@@ -8,7 +8,7 @@
 
 #include "solver/model/model_builder.hpp"
 #include "verification/check/case.hpp"
-#include "verification/reference/pressed_discs.hpp"
+#include "verification/reference/many_bodies/pressed_discs.hpp"
 #include "verification/study/expectations.hpp"
 #include "verification/study/plane_impact.hpp"
 #include "verification/study/predicted_errors.hpp"

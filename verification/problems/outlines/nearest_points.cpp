@@ -10,7 +10,7 @@
 #include "solver/geometry/gap.hpp"
 #include "solver/geometry/node_depth.hpp"
 #include "verification/check/case.hpp"
-#include "verification/reference/superellipse.hpp"
+#include "verification/reference/outlines/superellipse.hpp"
 #include "verification/study/expectations.hpp"
 #include "verification/study/usage.hpp"
 

@@ -5,7 +5,7 @@
 
 #include "solver/model/model_builder.hpp"
 #include "verification/check/case.hpp"
-#include "verification/reference/rocking_block.hpp"
+#include "verification/reference/outlines/rocking_block.hpp"
 #include "verification/study/scene_run.hpp"
 
 namespace talus::verification::problems::rocking_block {

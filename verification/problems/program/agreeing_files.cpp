@@ -11,7 +11,7 @@
 #include "verification/problems/program/expected_fence.hpp"
 #include "verification/problems/program/fence_contacts.hpp"
 #include "verification/record/csv.hpp"
-#include "verification/reference/restitution.hpp"
+#include "verification/reference/impacts/restitution.hpp"
 #include "verification/study/expectations.hpp"
 
 namespace talus::verification::problems::agreeing_files {

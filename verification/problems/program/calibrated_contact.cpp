@@ -12,8 +12,8 @@
 
 #include "verification/check/case.hpp"
 #include "verification/record/json_node.hpp"
-#include "verification/reference/restitution.hpp"
-#include "verification/reference/stepped_latch.hpp"
+#include "verification/reference/impacts/restitution.hpp"
+#include "verification/reference/integration/stepped_latch.hpp"
 #include "verification/study/expectations.hpp"
 #include "verification/study/program_run.hpp"
 

@@ -10,7 +10,7 @@
 #include "verification/problems/program/calibrated_ranges.hpp"
 #include "verification/problems/program/impact_request.hpp"
 #include "verification/record/json_node.hpp"
-#include "verification/reference/restitution.hpp"
+#include "verification/reference/impacts/restitution.hpp"
 #include "verification/study/expectations.hpp"
 #include "verification/study/program_options.hpp"
 #include "verification/study/program_run.hpp"

@@ -5,9 +5,9 @@
 #include <cmath>
 #include <numbers>
 
-#include "verification/reference/damped_oscillator.hpp"
-#include "verification/reference/restitution.hpp"
-#include "verification/reference/stepped_latch.hpp"
+#include "verification/reference/impacts/restitution.hpp"
+#include "verification/reference/integration/stepped_latch.hpp"
+#include "verification/reference/motion/damped_oscillator.hpp"
 
 namespace talus::verification::problems::calculation_options {
 namespace {

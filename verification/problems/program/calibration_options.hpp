@@ -2,7 +2,7 @@
 
 #include <string>
 
-#include "verification/reference/constant_force.hpp"
+#include "verification/reference/motion/constant_force.hpp"
 #include "verification/study/program_options.hpp"
 
 /// Options and results of `talus calibrate`; part of the case `calculation_options`.

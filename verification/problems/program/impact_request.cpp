@@ -6,9 +6,9 @@
 #include <cmath>
 #include <stdexcept>
 
-#include "verification/reference/hertz_impact.hpp"
-#include "verification/reference/power_law_impact.hpp"
-#include "verification/reference/restitution.hpp"
+#include "verification/reference/impacts/hertz_impact.hpp"
+#include "verification/reference/impacts/power_law_impact.hpp"
+#include "verification/reference/impacts/restitution.hpp"
 
 namespace talus::verification::problems::calibrated_laws {
 namespace {

@@ -6,7 +6,7 @@
 #include <utility>
 #include <vector>
 
-#include "verification/reference/end_rule.hpp"
+#include "verification/reference/impacts/end_rule.hpp"
 #include "verification/study/program_options.hpp"
 
 /// Requests to `talus calibrate` and their exact results; part of the case `calibrated_laws`.

@@ -9,7 +9,7 @@
 
 #include "verification/record/csv.hpp"
 #include "verification/record/json_node.hpp"
-#include "verification/reference/damped_oscillator.hpp"
+#include "verification/reference/motion/damped_oscillator.hpp"
 #include "verification/study/expectations.hpp"
 
 namespace talus::verification::problems::scene_fields {

@@ -17,7 +17,7 @@
 #include "verification/problems/program/picture_script.hpp"
 #include "verification/record/csv.hpp"
 #include "verification/record/json_node.hpp"
-#include "verification/reference/constant_force.hpp"
+#include "verification/reference/motion/constant_force.hpp"
 #include "verification/study/expectations.hpp"
 #include "verification/study/program_options.hpp"
 #include "verification/study/program_run.hpp"

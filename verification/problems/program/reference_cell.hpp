@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "verification/check/case.hpp"
-#include "verification/reference/virtual_discs.hpp"
+#include "verification/reference/many_bodies/virtual_discs.hpp"
 
 /// The cell of the case `cell_files`, moved by the second program, and what its files must contain.
 namespace talus::verification::problems::cell_files {

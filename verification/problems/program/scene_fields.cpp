@@ -13,7 +13,7 @@
 #include "verification/problems/program/moving_scene.hpp"
 #include "verification/record/csv.hpp"
 #include "verification/record/json_node.hpp"
-#include "verification/reference/restitution.hpp"
+#include "verification/reference/impacts/restitution.hpp"
 #include "verification/study/expectations.hpp"
 #include "verification/study/program_run.hpp"
 

@@ -11,8 +11,8 @@
 
 #include "verification/check/case.hpp"
 #include "verification/record/csv.hpp"
-#include "verification/reference/amplification.hpp"
-#include "verification/reference/pressed_discs.hpp"
+#include "verification/reference/integration/amplification.hpp"
+#include "verification/reference/many_bodies/pressed_discs.hpp"
 #include "verification/study/expectations.hpp"
 #include "verification/study/program_run.hpp"
 

@@ -16,7 +16,7 @@
 #include "solver/scenes/bouncing_disc.hpp"
 #include "solver/scenes/fence_scene.hpp"
 #include "verification/check/case.hpp"
-#include "verification/reference/hertz_impact.hpp"
+#include "verification/reference/impacts/hertz_impact.hpp"
 #include "verification/study/fence_table.hpp"
 #include "verification/study/oblique_runs.hpp"
 #include "verification/study/recorded_run.hpp"

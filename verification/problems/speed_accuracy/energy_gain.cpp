@@ -10,7 +10,7 @@
 
 #include "solver/model/model_builder.hpp"
 #include "verification/check/case.hpp"
-#include "verification/reference/leapfrog_bounce.hpp"
+#include "verification/reference/integration/leapfrog_bounce.hpp"
 #include "verification/study/expectations.hpp"
 #include "verification/study/scene_run.hpp"
 

@@ -12,7 +12,7 @@
 #include "verification/check/case.hpp"
 #include "verification/problems/speed_accuracy/bilateral_findings.hpp"
 #include "verification/problems/speed_accuracy/measured_growth.hpp"
-#include "verification/reference/amplification.hpp"
+#include "verification/reference/integration/amplification.hpp"
 #include "verification/study/common_formula.hpp"
 #include "verification/study/expectations.hpp"
 
