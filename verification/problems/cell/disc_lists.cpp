@@ -18,8 +18,8 @@
 #include "verification/check/case.hpp"
 #include "verification/problems/cell/cell_runs.hpp"
 #include "verification/reference/many_bodies/all_pairs.hpp"
-#include "verification/study/expectations.hpp"
-#include "verification/study/usage.hpp"
+#include "verification/study/findings/expectations.hpp"
+#include "verification/study/runs/usage.hpp"
 
 namespace talus::verification::problems::disc_lists {
 namespace {

@@ -11,8 +11,8 @@
 #include "verification/check/case.hpp"
 #include "verification/problems/cell/disc_row.hpp"
 #include "verification/reference/many_bodies/latching_chain.hpp"
-#include "verification/study/common_formula.hpp"
-#include "verification/study/expectations.hpp"
+#include "verification/study/findings/common_formula.hpp"
+#include "verification/study/findings/expectations.hpp"
 
 namespace talus::verification::problems::latching_chain {
 namespace {

@@ -13,8 +13,8 @@
 #include "verification/problems/cell/disc_row.hpp"
 #include "verification/reference/impacts/latching_impact.hpp"
 #include "verification/reference/integration/stepped_latch.hpp"
-#include "verification/study/expectations.hpp"
-#include "verification/study/plane_impact.hpp"
+#include "verification/study/findings/expectations.hpp"
+#include "verification/study/impacts/plane_impact.hpp"
 
 namespace talus::verification::problems::latching_restitution {
 namespace {

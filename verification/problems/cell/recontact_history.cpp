@@ -12,7 +12,7 @@
 #include "verification/check/case.hpp"
 #include "verification/problems/cell/disc_row.hpp"
 #include "verification/reference/many_bodies/latching_chain.hpp"
-#include "verification/study/expectations.hpp"
+#include "verification/study/findings/expectations.hpp"
 
 namespace talus::verification::problems::recontact_history {
 namespace {

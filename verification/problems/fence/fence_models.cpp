@@ -9,7 +9,7 @@
 #include "solver/scenes/fence_scene.hpp"
 #include "verification/check/case.hpp"
 #include "verification/reference/impacts/restitution.hpp"
-#include "verification/study/scene_run.hpp"
+#include "verification/study/runs/scene_run.hpp"
 
 namespace talus::verification::problems::fence_models {
 namespace {

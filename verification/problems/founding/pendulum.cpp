@@ -18,8 +18,8 @@
 #include "verification/problems/founding/work_precision_findings.hpp"
 #include "verification/reference/integration/pendulum_steppers.hpp"
 #include "verification/reference/motion/elastic_pendulum.hpp"
-#include "verification/study/scene_run.hpp"
-#include "verification/study/swing.hpp"
+#include "verification/study/runs/scene_run.hpp"
+#include "verification/study/runs/swing.hpp"
 
 namespace talus::verification::problems::pendulum {
 namespace {

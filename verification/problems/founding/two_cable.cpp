@@ -10,11 +10,11 @@
 #include "verification/problems/founding/two_cable_impact.hpp"
 #include "verification/reference/cables/two_cable.hpp"
 #include "verification/reference/impacts/restitution.hpp"
-#include "verification/study/curves.hpp"
-#include "verification/study/followed_impact.hpp"
-#include "verification/study/leapfrog_impact_error.hpp"
-#include "verification/study/phases.hpp"
-#include "verification/study/scene_run.hpp"
+#include "verification/study/findings/curves.hpp"
+#include "verification/study/impacts/followed_impact.hpp"
+#include "verification/study/impacts/leapfrog_impact_error.hpp"
+#include "verification/study/runs/phases.hpp"
+#include "verification/study/runs/scene_run.hpp"
 
 namespace talus::verification::problems::two_cable {
 namespace {

@@ -10,7 +10,7 @@
 #include "solver/model/model_builder.hpp"
 #include "verification/check/case.hpp"
 #include "verification/reference/outlines/solid_moments.hpp"
-#include "verification/study/usage.hpp"
+#include "verification/study/runs/usage.hpp"
 
 namespace talus::verification::problems::body_properties {
 namespace {

@@ -8,8 +8,8 @@
 #include "solver/model/model_builder.hpp"
 #include "verification/check/case.hpp"
 #include "verification/reference/impacts/restitution.hpp"
-#include "verification/study/phases.hpp"
-#include "verification/study/scene_run.hpp"
+#include "verification/study/runs/phases.hpp"
+#include "verification/study/runs/scene_run.hpp"
 
 namespace talus::verification::problems::colliding_discs {
 namespace {

@@ -19,9 +19,9 @@
 #include "solver/model/model_builder.hpp"
 #include "verification/check/case.hpp"
 #include "verification/reference/integration/stepped_swing.hpp"
-#include "verification/study/expectations.hpp"
-#include "verification/study/scene_run.hpp"
-#include "verification/study/usage.hpp"
+#include "verification/study/findings/expectations.hpp"
+#include "verification/study/runs/scene_run.hpp"
+#include "verification/study/runs/usage.hpp"
 
 namespace talus::verification::problems::round_off {
 namespace {

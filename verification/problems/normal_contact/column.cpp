@@ -5,9 +5,9 @@
 #include "solver/model/model_builder.hpp"
 #include "verification/check/case.hpp"
 #include "verification/reference/many_bodies/pressed_discs.hpp"
-#include "verification/study/curves.hpp"
-#include "verification/study/expectations.hpp"
-#include "verification/study/scene_run.hpp"
+#include "verification/study/findings/curves.hpp"
+#include "verification/study/findings/expectations.hpp"
+#include "verification/study/runs/scene_run.hpp"
 
 namespace talus::verification::problems::column {
 namespace {

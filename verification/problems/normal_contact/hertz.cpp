@@ -7,11 +7,11 @@
 #include "verification/reference/impacts/hertz_impact.hpp"
 #include "verification/reference/impacts/restitution.hpp"
 #include "verification/reference/mathematics/hurwitz_zeta.hpp"
-#include "verification/study/expectations.hpp"
-#include "verification/study/followed_impact.hpp"
-#include "verification/study/phases.hpp"
-#include "verification/study/plane_impact.hpp"
-#include "verification/study/predicted_errors.hpp"
+#include "verification/study/findings/expectations.hpp"
+#include "verification/study/findings/predicted_errors.hpp"
+#include "verification/study/impacts/followed_impact.hpp"
+#include "verification/study/impacts/plane_impact.hpp"
+#include "verification/study/runs/phases.hpp"
 
 namespace talus::verification::problems::hertz {
 namespace {

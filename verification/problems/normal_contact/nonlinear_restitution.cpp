@@ -14,12 +14,12 @@
 #include "verification/reference/impacts/hertz_impact.hpp"
 #include "verification/reference/impacts/power_law_impact.hpp"
 #include "verification/reference/impacts/restitution.hpp"
-#include "verification/study/common_formula.hpp"
-#include "verification/study/expectations.hpp"
-#include "verification/study/followed_impact.hpp"
-#include "verification/study/phases.hpp"
-#include "verification/study/predicted_errors.hpp"
-#include "verification/study/scene_run.hpp"
+#include "verification/study/findings/common_formula.hpp"
+#include "verification/study/findings/expectations.hpp"
+#include "verification/study/findings/predicted_errors.hpp"
+#include "verification/study/impacts/followed_impact.hpp"
+#include "verification/study/runs/phases.hpp"
+#include "verification/study/runs/scene_run.hpp"
 
 namespace talus::verification::problems::nonlinear_restitution {
 namespace {

@@ -11,8 +11,8 @@
 #include "solver/geometry/node_depth.hpp"
 #include "verification/check/case.hpp"
 #include "verification/reference/outlines/superellipse.hpp"
-#include "verification/study/expectations.hpp"
-#include "verification/study/usage.hpp"
+#include "verification/study/findings/expectations.hpp"
+#include "verification/study/runs/usage.hpp"
 
 namespace talus::verification::problems::nearest_points {
 namespace {

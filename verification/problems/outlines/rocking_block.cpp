@@ -6,7 +6,7 @@
 #include "solver/model/model_builder.hpp"
 #include "verification/check/case.hpp"
 #include "verification/reference/outlines/rocking_block.hpp"
-#include "verification/study/scene_run.hpp"
+#include "verification/study/runs/scene_run.hpp"
 
 namespace talus::verification::problems::rocking_block {
 namespace {

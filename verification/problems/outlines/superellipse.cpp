@@ -11,7 +11,7 @@
 #include "verification/check/convergence.hpp"
 #include "verification/problems/outlines/superellipse_findings.hpp"
 #include "verification/reference/outlines/superellipse.hpp"
-#include "verification/study/usage.hpp"
+#include "verification/study/runs/usage.hpp"
 
 namespace talus::verification::problems::superellipse {
 namespace {

@@ -11,7 +11,7 @@
 #include "solver/model/model_builder.hpp"
 #include "verification/problems/outlines/superellipse_findings.hpp"
 #include "verification/reference/outlines/overlap.hpp"
-#include "verification/study/usage.hpp"
+#include "verification/study/runs/usage.hpp"
 
 namespace talus::verification::problems {
 namespace {

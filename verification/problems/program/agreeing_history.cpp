@@ -12,7 +12,7 @@
 #include "verification/problems/program/fence_contacts.hpp"
 #include "verification/problems/program/yard_energies.hpp"
 #include "verification/reference/impacts/restitution.hpp"
-#include "verification/study/expectations.hpp"
+#include "verification/study/findings/expectations.hpp"
 
 namespace talus::verification::problems::agreeing_files {
 namespace {

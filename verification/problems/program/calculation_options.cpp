@@ -21,9 +21,9 @@
 #include "verification/reference/integration/stepped_latch.hpp"
 #include "verification/reference/motion/constant_force.hpp"
 #include "verification/reference/motion/damped_oscillator.hpp"
-#include "verification/study/expectations.hpp"
-#include "verification/study/program_options.hpp"
-#include "verification/study/program_run.hpp"
+#include "verification/study/findings/expectations.hpp"
+#include "verification/study/program/program_options.hpp"
+#include "verification/study/program/program_run.hpp"
 
 namespace talus::verification::problems::calculation_options {
 namespace {

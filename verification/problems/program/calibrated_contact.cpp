@@ -14,8 +14,8 @@
 #include "verification/record/json_node.hpp"
 #include "verification/reference/impacts/restitution.hpp"
 #include "verification/reference/integration/stepped_latch.hpp"
-#include "verification/study/expectations.hpp"
-#include "verification/study/program_run.hpp"
+#include "verification/study/findings/expectations.hpp"
+#include "verification/study/program/program_run.hpp"
 
 namespace talus::verification::problems::calibrated_contact {
 namespace {

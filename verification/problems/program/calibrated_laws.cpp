@@ -11,9 +11,9 @@
 #include "verification/problems/program/impact_request.hpp"
 #include "verification/record/json_node.hpp"
 #include "verification/reference/impacts/restitution.hpp"
-#include "verification/study/expectations.hpp"
-#include "verification/study/program_options.hpp"
-#include "verification/study/program_run.hpp"
+#include "verification/study/findings/expectations.hpp"
+#include "verification/study/program/program_options.hpp"
+#include "verification/study/program/program_run.hpp"
 
 namespace talus::verification::problems::calibrated_laws {
 namespace {

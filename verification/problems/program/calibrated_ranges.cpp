@@ -17,8 +17,8 @@
 #include "verification/problems/program/picture_script.hpp"
 #include "verification/record/csv.hpp"
 #include "verification/record/json_node.hpp"
-#include "verification/study/expectations.hpp"
-#include "verification/study/program_run.hpp"
+#include "verification/study/findings/expectations.hpp"
+#include "verification/study/program/program_run.hpp"
 
 namespace talus::verification::problems::calibrated_laws {
 namespace {

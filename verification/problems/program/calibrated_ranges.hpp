@@ -1,7 +1,7 @@
 #pragma once
 
 #include "verification/check/findings.hpp"
-#include "verification/study/program_options.hpp"
+#include "verification/study/program/program_options.hpp"
 
 /// Calibrations of many pairs at once; part of the case `calibrated_laws`.
 namespace talus::verification::problems::calibrated_laws {

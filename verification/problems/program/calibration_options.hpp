@@ -3,7 +3,7 @@
 #include <string>
 
 #include "verification/reference/motion/constant_force.hpp"
-#include "verification/study/program_options.hpp"
+#include "verification/study/program/program_options.hpp"
 
 /// Options and results of `talus calibrate`; part of the case `calculation_options`.
 namespace talus::verification::problems::calculation_options {

@@ -18,9 +18,9 @@
 #include "verification/problems/program/written_cells.hpp"
 #include "verification/record/csv.hpp"
 #include "verification/record/json_node.hpp"
-#include "verification/study/curves.hpp"
-#include "verification/study/expectations.hpp"
-#include "verification/study/program_run.hpp"
+#include "verification/study/findings/curves.hpp"
+#include "verification/study/findings/expectations.hpp"
+#include "verification/study/program/program_run.hpp"
 
 namespace talus::verification::problems::cell_files {
 namespace {

@@ -12,7 +12,7 @@
 #include <vector>
 
 #include "verification/problems/program/written_cells.hpp"
-#include "verification/study/expectations.hpp"
+#include "verification/study/findings/expectations.hpp"
 
 namespace talus::verification::problems::cell_files {
 

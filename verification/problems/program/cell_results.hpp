@@ -3,7 +3,7 @@
 #include "verification/check/case.hpp"
 #include "verification/problems/program/reference_cell.hpp"
 #include "verification/record/json_node.hpp"
-#include "verification/study/program_run.hpp"
+#include "verification/study/program/program_run.hpp"
 
 /// summary.json of the cell of the case `cell_files` beside the second program: results with their errors, parameters,
 /// energies and dimensionless groups.

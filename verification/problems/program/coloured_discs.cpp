@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "verification/study/expectations.hpp"
+#include "verification/study/findings/expectations.hpp"
 
 namespace talus::verification::problems::picture_options {
 namespace {

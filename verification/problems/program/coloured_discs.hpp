@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "verification/problems/program/picture_script.hpp"
-#include "verification/study/program_run.hpp"
+#include "verification/study/program/program_run.hpp"
 
 /// Colours of discs in pictures of a cell beside the numbers of its states.
 namespace talus::verification::problems::picture_options {

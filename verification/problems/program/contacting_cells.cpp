@@ -10,7 +10,7 @@
 #include <utility>
 #include <vector>
 
-#include "verification/study/expectations.hpp"
+#include "verification/study/findings/expectations.hpp"
 
 namespace talus::verification::problems::cell_files {
 namespace {

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "verification/check/case.hpp"
-#include "verification/study/program_run.hpp"
+#include "verification/study/program/program_run.hpp"
 
 /// Cells whose discs touch: the fields of contact laws, from positions and velocities in the states of cell.pvd; part
 /// of the case `cell_files`.

@@ -19,8 +19,8 @@
 #include "verification/problems/program/toml_values.hpp"
 #include "verification/record/json_node.hpp"
 #include "verification/record/whole_file.hpp"
-#include "verification/study/expectations.hpp"
-#include "verification/study/program_run.hpp"
+#include "verification/study/findings/expectations.hpp"
+#include "verification/study/program/program_run.hpp"
 
 namespace talus::verification::problems::converted_files {
 namespace {

@@ -7,7 +7,7 @@
 #include "verification/problems/program/agreeing_scenes.hpp"
 #include "verification/problems/program/compared_files.hpp"
 #include "verification/record/json_node.hpp"
-#include "verification/study/program_run.hpp"
+#include "verification/study/program/program_run.hpp"
 
 /// What the files of a run must contain, from the scene, the rows of history.csv, and what the program prints.
 namespace talus::verification::problems::agreeing_files {

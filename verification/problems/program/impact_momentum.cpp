@@ -7,8 +7,8 @@
 
 #include "verification/problems/program/impact_rows.hpp"
 #include "verification/record/json_node.hpp"
-#include "verification/study/expectations.hpp"
-#include "verification/study/program_run.hpp"
+#include "verification/study/findings/expectations.hpp"
+#include "verification/study/program/program_run.hpp"
 
 namespace talus::verification::problems::impact_table {
 

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "verification/reference/impacts/end_rule.hpp"
-#include "verification/study/program_options.hpp"
+#include "verification/study/program/program_options.hpp"
 
 /// Requests to `talus calibrate` and their exact results; part of the case `calibrated_laws`.
 namespace talus::verification::problems::calibrated_laws {

@@ -18,9 +18,9 @@
 #include "verification/record/whole_file.hpp"
 #include "verification/reference/friction/oblique_impact.hpp"
 #include "verification/reference/impacts/restitution.hpp"
-#include "verification/study/expectations.hpp"
-#include "verification/study/program_options.hpp"
-#include "verification/study/program_run.hpp"
+#include "verification/study/findings/expectations.hpp"
+#include "verification/study/program/program_options.hpp"
+#include "verification/study/program/program_run.hpp"
 
 namespace talus::verification::problems::impact_table {
 namespace {

@@ -10,7 +10,7 @@
 #include "verification/record/csv.hpp"
 #include "verification/record/json_node.hpp"
 #include "verification/reference/motion/damped_oscillator.hpp"
-#include "verification/study/expectations.hpp"
+#include "verification/study/findings/expectations.hpp"
 
 namespace talus::verification::problems::scene_fields {
 

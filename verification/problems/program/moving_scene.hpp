@@ -7,7 +7,7 @@
 
 #include "verification/check/case.hpp"
 #include "verification/problems/program/toml_values.hpp"
-#include "verification/study/program_run.hpp"
+#include "verification/study/program/program_run.hpp"
 
 /// A scene whose parts yield, break, rebound and slide; part of the case `scene_fields`.
 namespace talus::verification::problems::scene_fields {

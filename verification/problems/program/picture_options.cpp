@@ -18,9 +18,9 @@
 #include "verification/record/csv.hpp"
 #include "verification/record/json_node.hpp"
 #include "verification/reference/motion/constant_force.hpp"
-#include "verification/study/expectations.hpp"
-#include "verification/study/program_options.hpp"
-#include "verification/study/program_run.hpp"
+#include "verification/study/findings/expectations.hpp"
+#include "verification/study/program/program_options.hpp"
+#include "verification/study/program/program_run.hpp"
 
 namespace talus::verification::problems::picture_options {
 namespace {

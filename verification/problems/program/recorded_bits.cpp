@@ -8,7 +8,7 @@
 #include "verification/check/case.hpp"
 #include "verification/problems/program/recorded_runs.hpp"
 #include "verification/record/csv.hpp"
-#include "verification/study/fingerprint.hpp"
+#include "verification/study/runs/fingerprint.hpp"
 
 namespace talus::verification::problems::recorded_bits {
 namespace {

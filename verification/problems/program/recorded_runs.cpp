@@ -26,10 +26,10 @@
 #include "solver/scenes/pivoted_cylinder.hpp"
 #include "solver/scenes/two_cable.hpp"
 #include "solver/stability/run_monitor.hpp"
-#include "verification/study/fingerprint.hpp"
-#include "verification/study/scene_run.hpp"
-#include "verification/study/scenes_in_motion.hpp"
-#include "verification/study/varied_scenes.hpp"
+#include "verification/study/runs/fingerprint.hpp"
+#include "verification/study/runs/scene_run.hpp"
+#include "verification/study/scenes/scenes_in_motion.hpp"
+#include "verification/study/scenes/varied_scenes.hpp"
 
 namespace talus::verification::problems {
 namespace {

@@ -10,9 +10,9 @@
 #include "verification/record/json_node.hpp"
 #include "verification/reference/motion/constant_force.hpp"
 #include "verification/reference/motion/damped_oscillator.hpp"
-#include "verification/study/curves.hpp"
-#include "verification/study/expectations.hpp"
-#include "verification/study/program_run.hpp"
+#include "verification/study/findings/curves.hpp"
+#include "verification/study/findings/expectations.hpp"
+#include "verification/study/program/program_run.hpp"
 
 namespace talus::verification::problems::run_files {
 namespace {

@@ -13,8 +13,8 @@
 #include "verification/record/csv.hpp"
 #include "verification/reference/integration/amplification.hpp"
 #include "verification/reference/many_bodies/pressed_discs.hpp"
-#include "verification/study/expectations.hpp"
-#include "verification/study/program_run.hpp"
+#include "verification/study/findings/expectations.hpp"
+#include "verification/study/program/program_run.hpp"
 
 namespace talus::verification::problems::step_limits {
 namespace {

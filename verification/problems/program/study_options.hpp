@@ -1,6 +1,6 @@
 #pragma once
 
-#include "verification/study/program_options.hpp"
+#include "verification/study/program/program_options.hpp"
 
 /// Options and results of `talus study`; part of the case `calculation_options`.
 namespace talus::verification::problems::calculation_options {

@@ -6,7 +6,7 @@
 #include "verification/check/case.hpp"
 #include "verification/problems/program/toml_values.hpp"
 #include "verification/record/json_node.hpp"
-#include "verification/study/program_run.hpp"
+#include "verification/study/program/program_run.hpp"
 
 /// Summaries of cells beside their scenes and printed tables; part of the case `cell_files`.
 namespace talus::verification::problems::cell_files {

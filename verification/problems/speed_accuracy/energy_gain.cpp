@@ -11,8 +11,8 @@
 #include "solver/model/model_builder.hpp"
 #include "verification/check/case.hpp"
 #include "verification/reference/integration/leapfrog_bounce.hpp"
-#include "verification/study/expectations.hpp"
-#include "verification/study/scene_run.hpp"
+#include "verification/study/findings/expectations.hpp"
+#include "verification/study/runs/scene_run.hpp"
 
 namespace talus::verification::problems::energy_gain {
 namespace {

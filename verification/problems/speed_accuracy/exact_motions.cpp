@@ -8,8 +8,8 @@
 #include "solver/scenes/pendulum.hpp"
 #include "verification/reference/cables/two_cable.hpp"
 #include "verification/reference/impacts/damped_bounce.hpp"
-#include "verification/study/scene_run.hpp"
-#include "verification/study/swing.hpp"
+#include "verification/study/runs/scene_run.hpp"
+#include "verification/study/runs/swing.hpp"
 
 namespace talus::verification::problems {
 namespace {

@@ -14,8 +14,8 @@
 #include "verification/reference/impacts/latching_impact.hpp"
 #include "verification/reference/impacts/restitution.hpp"
 #include "verification/reference/many_bodies/struck_row.hpp"
-#include "verification/study/expectations.hpp"
-#include "verification/study/scene_run.hpp"
+#include "verification/study/findings/expectations.hpp"
+#include "verification/study/runs/scene_run.hpp"
 
 namespace talus::verification::problems::exact_pieces {
 namespace {

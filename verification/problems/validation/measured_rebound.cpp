@@ -17,9 +17,9 @@
 #include "verification/reference/friction/mindlin_impact.hpp"
 #include "verification/reference/friction/oblique_impact.hpp"
 #include "verification/reference/impacts/restitution.hpp"
-#include "verification/study/curves.hpp"
-#include "verification/study/expectations.hpp"
-#include "verification/study/scene_run.hpp"
+#include "verification/study/findings/curves.hpp"
+#include "verification/study/findings/expectations.hpp"
+#include "verification/study/runs/scene_run.hpp"
 
 namespace talus::verification::problems::measured_rebound {
 namespace {

@@ -1,9 +1,9 @@
-#include "verification/study/pivoted_impact.hpp"
+#include "verification/study/impacts/pivoted_impact.hpp"
 
 #include <cmath>
 
 #include "verification/reference/impacts/restitution.hpp"
-#include "verification/study/followed_impact.hpp"
+#include "verification/study/impacts/followed_impact.hpp"
 
 namespace talus::verification::problems {
 namespace {

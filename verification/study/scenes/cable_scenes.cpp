@@ -1,7 +1,7 @@
-#include "verification/study/cable_scenes.hpp"
+#include "verification/study/scenes/cable_scenes.hpp"
 
 #include "solver/model/model_builder.hpp"
-#include "verification/study/scene_run.hpp"
+#include "verification/study/runs/scene_run.hpp"
 
 namespace talus::verification::problems {
 namespace {

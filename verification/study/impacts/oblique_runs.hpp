@@ -1,7 +1,7 @@
 #pragma once
 
 #include "verification/check/case.hpp"
-#include "verification/study/sliding_scenes.hpp"
+#include "verification/study/scenes/sliding_scenes.hpp"
 
 /// Oblique impacts of the case `friction`, one for each phase of touch within a step.
 namespace talus::verification::problems {

@@ -1,4 +1,4 @@
-#include "verification/study/usage.hpp"
+#include "verification/study/runs/usage.hpp"
 
 #include <algorithm>
 #include <type_traits>

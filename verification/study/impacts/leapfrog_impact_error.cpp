@@ -1,4 +1,4 @@
-#include "verification/study/leapfrog_impact_error.hpp"
+#include "verification/study/impacts/leapfrog_impact_error.hpp"
 
 #include <cmath>
 #include <numbers>

@@ -1,4 +1,4 @@
-#include "verification/study/touching_pair.hpp"
+#include "verification/study/scenes/touching_pair.hpp"
 
 #include <algorithm>
 #include <array>

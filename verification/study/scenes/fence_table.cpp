@@ -1,4 +1,4 @@
-#include "verification/study/fence_table.hpp"
+#include "verification/study/scenes/fence_table.hpp"
 
 #include <fmt/format.h>
 

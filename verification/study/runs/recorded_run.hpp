@@ -2,7 +2,7 @@
 
 #include "solver/run/history.hpp"
 #include "solver/run/quantity.hpp"
-#include "verification/study/scene_run.hpp"
+#include "verification/study/runs/scene_run.hpp"
 
 namespace talus::verification::problems {
 

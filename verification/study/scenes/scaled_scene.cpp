@@ -1,4 +1,4 @@
-#include "verification/study/scaled_scene.hpp"
+#include "verification/study/scenes/scaled_scene.hpp"
 
 #include <algorithm>
 #include <cmath>

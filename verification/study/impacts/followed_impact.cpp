@@ -1,10 +1,10 @@
-#include "verification/study/followed_impact.hpp"
+#include "verification/study/impacts/followed_impact.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
 
-#include "verification/study/scene_run.hpp"
+#include "verification/study/runs/scene_run.hpp"
 
 namespace talus::verification::problems {
 namespace {

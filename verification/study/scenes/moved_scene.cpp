@@ -1,4 +1,4 @@
-#include "verification/study/moved_scene.hpp"
+#include "verification/study/scenes/moved_scene.hpp"
 
 #include <algorithm>
 #include <cmath>

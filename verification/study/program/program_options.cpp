@@ -1,4 +1,4 @@
-#include "verification/study/program_options.hpp"
+#include "verification/study/program/program_options.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>

@@ -1,10 +1,10 @@
-#include "verification/study/scenes_in_motion.hpp"
+#include "verification/study/scenes/scenes_in_motion.hpp"
 
 #include <algorithm>
 #include <numbers>
 
 #include "solver/model/model_builder.hpp"
-#include "verification/study/weak_hangers.hpp"
+#include "verification/study/scenes/weak_hangers.hpp"
 
 namespace talus::verification::problems {
 namespace {

@@ -1,9 +1,9 @@
-#include "verification/study/oblique_runs.hpp"
+#include "verification/study/impacts/oblique_runs.hpp"
 
 #include <cmath>
 
 #include "verification/check/convergence.hpp"
-#include "verification/study/scene_run.hpp"
+#include "verification/study/runs/scene_run.hpp"
 
 namespace talus::verification::problems {
 

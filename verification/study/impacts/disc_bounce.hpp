@@ -4,7 +4,7 @@
 
 #include "verification/check/case.hpp"
 #include "verification/reference/impacts/restitution.hpp"
-#include "verification/study/followed_impact.hpp"
+#include "verification/study/impacts/followed_impact.hpp"
 
 /// Impacts of the case `restitution`, one for each phase of touch within a step, and their errors.
 namespace talus::verification::problems {

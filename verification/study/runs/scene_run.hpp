@@ -10,7 +10,7 @@
 #include "solver/run/snapshot.hpp"
 #include "solver/scenes/scene.hpp"
 #include "verification/check/findings.hpp"
-#include "verification/study/usage.hpp"
+#include "verification/study/runs/usage.hpp"
 
 /// A scene run by the solver, with the results that a case reads during and after the run.
 namespace talus::verification::problems {

@@ -1,4 +1,4 @@
-#include "verification/study/turned_pair.hpp"
+#include "verification/study/scenes/turned_pair.hpp"
 
 #include "solver/model/model_builder.hpp"
 

@@ -1,4 +1,4 @@
-#include "verification/study/scene_run.hpp"
+#include "verification/study/runs/scene_run.hpp"
 
 #include <array>
 #include <cmath>

@@ -1,10 +1,10 @@
-#include "verification/study/weak_hangers.hpp"
+#include "verification/study/scenes/weak_hangers.hpp"
 
 #include <algorithm>
 #include <filesystem>
 
 #include "solver/io/fence1993/read_deck.hpp"
-#include "verification/study/scene_run.hpp"
+#include "verification/study/runs/scene_run.hpp"
 
 namespace talus::verification::problems {
 namespace {

@@ -1,4 +1,4 @@
-#include "verification/study/program_run.hpp"
+#include "verification/study/program/program_run.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>

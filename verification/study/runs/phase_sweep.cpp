@@ -1,10 +1,10 @@
-#include "verification/study/phase_sweep.hpp"
+#include "verification/study/runs/phase_sweep.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <numeric>
 
-#include "verification/study/scene_run.hpp"
+#include "verification/study/runs/scene_run.hpp"
 
 namespace talus::verification::problems {
 namespace {

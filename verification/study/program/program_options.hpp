@@ -7,7 +7,7 @@
 #include "verification/check/case.hpp"
 #include "verification/record/csv.hpp"
 #include "verification/record/json_node.hpp"
-#include "verification/study/program_run.hpp"
+#include "verification/study/program/program_run.hpp"
 
 /// Command lines whose options are checked one by one.
 namespace talus::verification::problems {

@@ -1,4 +1,4 @@
-#include "verification/study/sliding_scenes.hpp"
+#include "verification/study/scenes/sliding_scenes.hpp"
 
 #include <algorithm>
 #include <cmath>

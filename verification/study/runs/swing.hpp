@@ -8,7 +8,7 @@
 #include "solver/scenes/pendulum.hpp"
 #include "verification/check/case.hpp"
 #include "verification/reference/motion/pendulum.hpp"
-#include "verification/study/scene_run.hpp"
+#include "verification/study/runs/scene_run.hpp"
 
 /// The pinned body as a pendulum: errors of runs relative to the elliptic functions, and the methods with the steps at
 /// which their order is fitted.

@@ -1,9 +1,9 @@
-#include "verification/study/plane_impact.hpp"
+#include "verification/study/impacts/plane_impact.hpp"
 
 #include <cmath>
 
 #include "solver/scenes/bouncing_disc.hpp"
-#include "verification/study/scene_run.hpp"
+#include "verification/study/runs/scene_run.hpp"
 
 namespace talus::verification::problems {
 

@@ -5,7 +5,7 @@
 
 #include "solver/dynamics/rigid_body_system.hpp"
 #include "solver/scenes/bouncing_disc.hpp"
-#include "verification/study/usage.hpp"
+#include "verification/study/runs/usage.hpp"
 
 namespace talus::verification::problems {
 

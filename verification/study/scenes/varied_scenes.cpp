@@ -1,4 +1,4 @@
-#include "verification/study/varied_scenes.hpp"
+#include "verification/study/scenes/varied_scenes.hpp"
 
 #include <fmt/format.h>
 

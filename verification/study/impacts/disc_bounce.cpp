@@ -1,11 +1,11 @@
-#include "verification/study/disc_bounce.hpp"
+#include "verification/study/impacts/disc_bounce.hpp"
 
 #include <algorithm>
 #include <cmath>
 
 #include "solver/scenes/bouncing_disc.hpp"
-#include "verification/study/leapfrog_impact_error.hpp"
-#include "verification/study/phases.hpp"
+#include "verification/study/impacts/leapfrog_impact_error.hpp"
+#include "verification/study/runs/phases.hpp"
 
 namespace talus::verification::problems {
 
