@@ -15,10 +15,10 @@
 #include <sstream>
 #include <thread>
 
-#include "reports/document.hpp"
-#include "reports/error.hpp"
-#include "reports/markdown.hpp"
-#include "reports/process.hpp"
+#include "reports/base/error.hpp"
+#include "reports/base/process.hpp"
+#include "reports/text/document.hpp"
+#include "reports/text/markdown.hpp"
 #include "tests/reports/scratch.hpp"
 #include "verification/record/whole_file.hpp"
 

@@ -10,8 +10,8 @@
 #include <string>
 #include <vector>
 
-#include "reports/record.hpp"
-#include "reports/sketch.hpp"
+#include "reports/base/record.hpp"
+#include "reports/pages/sketch.hpp"
 #include "verification/catalogue/catalogue.hpp"
 #include "verification/driver/case_list.hpp"
 

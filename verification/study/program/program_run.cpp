@@ -9,7 +9,7 @@
 #include <stdexcept>
 #include <system_error>
 
-#include "reports/process.hpp"
+#include "reports/base/process.hpp"
 #include "verification/record/whole_file.hpp"
 
 namespace talus::verification::problems {
