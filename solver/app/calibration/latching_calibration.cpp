@@ -1,4 +1,4 @@
-#include "solver/app/latching_calibration.hpp"
+#include "solver/app/calibration/latching_calibration.hpp"
 
 #include <fmt/format.h>
 
@@ -8,9 +8,9 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
-#include "solver/app/command.hpp"
-#include "solver/app/impact_bodies.hpp"
+#include "solver/app/calibration/impact_bodies.hpp"
 #include "solver/base/error.hpp"
+#include "solver/base/exit_code.hpp"
 #include "solver/base/progress.hpp"
 #include "solver/calibrate/latching_calibration.hpp"
 #include "solver/io/file/quantity_text.hpp"

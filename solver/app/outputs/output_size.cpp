@@ -1,4 +1,4 @@
-#include "solver/app/output_size.hpp"
+#include "solver/app/outputs/output_size.hpp"
 
 #include <fmt/format.h>
 

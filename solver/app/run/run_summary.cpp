@@ -1,4 +1,4 @@
-#include "solver/app/run_summary.hpp"
+#include "solver/app/run/run_summary.hpp"
 
 #include <fmt/format.h>
 
@@ -6,7 +6,7 @@
 #include <iterator>
 #include <span>
 
-#include "solver/app/verdict_text.hpp"
+#include "solver/app/run/verdict_text.hpp"
 
 namespace talus::app {
 namespace {

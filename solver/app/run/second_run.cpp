@@ -1,4 +1,4 @@
-#include "solver/app/second_run.hpp"
+#include "solver/app/run/second_run.hpp"
 
 #include <fmt/format.h>
 

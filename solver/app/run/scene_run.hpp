@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "solver/app/outputs/run_outputs.hpp"
-#include "solver/app/step_parts.hpp"
+#include "solver/app/run/step_parts.hpp"
 #include "solver/base/progress.hpp"
 #include "solver/dynamics/rigid_body_system.hpp"
 #include "solver/io/output/run_record.hpp"

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "solver/app/calibrate_options.hpp"
+#include "solver/app/calibration/calibrate_options.hpp"
 
 namespace talus::app {
 

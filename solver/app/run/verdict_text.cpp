@@ -1,4 +1,4 @@
-#include "solver/app/verdict_text.hpp"
+#include "solver/app/run/verdict_text.hpp"
 
 #include <fmt/format.h>
 

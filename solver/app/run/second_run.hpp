@@ -1,6 +1,6 @@
 #pragma once
 
-#include "solver/app/scene_run.hpp"
+#include "solver/app/run/scene_run.hpp"
 
 namespace talus::app {
 

@@ -1,11 +1,11 @@
-#include "solver/app/cell_summary.hpp"
+#include "solver/app/cell/cell_summary.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
 
-#include "solver/app/output_size.hpp"
+#include "solver/app/outputs/output_size.hpp"
 
 namespace talus::app {
 namespace {

@@ -2,7 +2,7 @@
 
 #include <string>
 
-#include "solver/app/calibrate_options.hpp"
+#include "solver/app/calibration/calibrate_options.hpp"
 #include "solver/base/units.hpp"
 
 namespace talus::app {

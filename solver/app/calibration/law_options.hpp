@@ -5,7 +5,7 @@
 #include <utility>
 #include <vector>
 
-#include "solver/app/calibrate_options.hpp"
+#include "solver/app/calibration/calibrate_options.hpp"
 #include "solver/base/fields.hpp"
 #include "solver/laws/law_list.hpp"
 

@@ -1,4 +1,4 @@
-#include "solver/app/cell_files.hpp"
+#include "solver/app/cell/cell_files.hpp"
 
 #include <utility>
 

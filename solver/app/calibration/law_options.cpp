@@ -1,4 +1,4 @@
-#include "solver/app/law_options.hpp"
+#include "solver/app/calibration/law_options.hpp"
 
 #include <fmt/format.h>
 

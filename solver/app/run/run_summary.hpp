@@ -2,7 +2,7 @@
 
 #include <string>
 
-#include "solver/app/step_parts.hpp"
+#include "solver/app/run/step_parts.hpp"
 #include "solver/io/output/run_record.hpp"
 
 namespace talus::app {

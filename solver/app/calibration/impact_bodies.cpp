@@ -1,4 +1,4 @@
-#include "solver/app/impact_bodies.hpp"
+#include "solver/app/calibration/impact_bodies.hpp"
 
 #include <fmt/format.h>
 

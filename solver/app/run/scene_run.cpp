@@ -1,11 +1,11 @@
-#include "solver/app/scene_run.hpp"
+#include "solver/app/run/scene_run.hpp"
 
 #include <fmt/format.h>
 
 #include <chrono>
 #include <ctime>
 
-#include "solver/app/start_warnings.hpp"
+#include "solver/app/run/start_warnings.hpp"
 #include "solver/base/error.hpp"
 #include "solver/run/simulate.hpp"
 #include "solver/scenes/fence_plausibility.hpp"

@@ -1,4 +1,4 @@
-#include "solver/app/start_warnings.hpp"
+#include "solver/app/run/start_warnings.hpp"
 
 #include <fmt/format.h>
 

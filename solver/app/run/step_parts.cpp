@@ -1,4 +1,4 @@
-#include "solver/app/step_parts.hpp"
+#include "solver/app/run/step_parts.hpp"
 
 #include <algorithm>
 

@@ -1,4 +1,4 @@
-#include "solver/app/range_calibration.hpp"
+#include "solver/app/calibration/range_calibration.hpp"
 
 #include <fmt/format.h>
 
@@ -11,10 +11,10 @@
 #include <utility>
 #include <vector>
 
-#include "solver/app/command.hpp"
-#include "solver/app/impact_bodies.hpp"
-#include "solver/app/law_options.hpp"
+#include "solver/app/calibration/impact_bodies.hpp"
+#include "solver/app/calibration/law_options.hpp"
 #include "solver/base/error.hpp"
+#include "solver/base/exit_code.hpp"
 #include "solver/base/progress.hpp"
 #include "solver/calibrate/impact.hpp"
 #include "solver/calibrate/impact_range.hpp"
