@@ -17,7 +17,7 @@ namespace {
 // Coordinates: angle, its rate, elongation d, its rate. Polar, so that the elongation of a stiff spring keeps its
 // digits:
 //   d'' = r th'^2 + g cos th - (k/m) d,   r th'' = -g sin th - 2 d' th'.
-enum Place : std::size_t { angle, rate, stretch, stretch_rate };
+enum Place : std::size_t { angle, angle_rate, stretch, stretch_rate };
 
 Trajectory release(const ElasticPendulum& p) {
   if (!(p.mass > 0.0 && p.length > 0.0 && p.gravity > 0.0 && p.stiffness > 0.0 && p.amplitude > 0.0 &&
@@ -29,10 +29,10 @@ Trajectory release(const ElasticPendulum& p) {
   const long double square = static_cast<long double>(p.stiffness) / p.mass;
   const auto rates = [l, g, square](const Coordinates& y, Coordinates& dydt) {
     const long double r = l + y[stretch];
-    dydt[angle] = y[rate];
-    dydt[rate] = (-g * std::sin(y[angle]) - 2.0L * y[stretch_rate] * y[rate]) / r;
+    dydt[angle] = y[angle_rate];
+    dydt[angle_rate] = (-g * std::sin(y[angle]) - 2.0L * y[stretch_rate] * y[angle_rate]) / r;
     dydt[stretch] = y[stretch_rate];
-    dydt[stretch_rate] = r * y[rate] * y[rate] + g * std::cos(y[angle]) - square * y[stretch];
+    dydt[stretch_rate] = r * y[angle_rate] * y[angle_rate] + g * std::cos(y[angle]) - square * y[stretch];
   };
   const long double amplitude = p.amplitude;
   const long double step = 0.1L / std::max(std::sqrt(square), std::sqrt(g / l));
@@ -52,7 +52,7 @@ std::vector<ElasticPendulumState> elastic_pendulum_states(const ElasticPendulum&
     const long double sine = std::sin(y[angle]);
     const long double cosine = std::cos(y[angle]);
     const long double r = static_cast<long double>(p.length) + y[stretch];
-    const long double across = r * y[rate];
+    const long double across = r * y[angle_rate];
     const long double along = y[stretch_rate];
     states.push_back({static_cast<double>(r * sine), static_cast<double>(-r * cosine),
                       static_cast<double>(across * cosine + along * sine),
