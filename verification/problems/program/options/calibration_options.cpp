@@ -8,6 +8,7 @@
 #include "verification/reference/impacts/restitution.hpp"
 #include "verification/reference/integration/stepped_latch.hpp"
 #include "verification/reference/motion/damped_oscillator.hpp"
+#include "verification/study/findings/expectations.hpp"
 
 namespace talus::verification::problems::calculation_options {
 namespace {
