@@ -8,12 +8,12 @@
 #include <cmath>
 #include <stdexcept>
 
-#include "reports/markdown.hpp"
+#include "reports/text/markdown.hpp"
 #include "solver/base/error.hpp"
 #include "verification/check/evidence.hpp"
 #include "verification/data/run_results.hpp"
 #include "verification/data/scene_field.hpp"
-#include "verification/study/program_run.hpp"
+#include "verification/study/program/program_run.hpp"
 
 namespace talus::verification {
 

@@ -6,13 +6,13 @@
 
 #include "solver/scenes/bouncing_disc.hpp"
 #include "solver/scenes/pendulum.hpp"
-#include "verification/study/curves.hpp"
-#include "verification/study/expectations.hpp"
-#include "verification/study/phases.hpp"
-#include "verification/study/predicted_errors.hpp"
-#include "verification/study/program_options.hpp"
-#include "verification/study/recorded_run.hpp"
-#include "verification/study/scene_run.hpp"
+#include "verification/study/findings/curves.hpp"
+#include "verification/study/findings/expectations.hpp"
+#include "verification/study/findings/predicted_errors.hpp"
+#include "verification/study/program/program_options.hpp"
+#include "verification/study/runs/phases.hpp"
+#include "verification/study/runs/recorded_run.hpp"
+#include "verification/study/runs/scene_run.hpp"
 
 using namespace talus;
 using namespace talus::verification;

@@ -8,9 +8,9 @@
 #include "solver/run/snapshot.hpp"
 #include "verification/check/convergence.hpp"
 #include "verification/problems/cables/cable_findings.hpp"
-#include "verification/reference/cable_draw.hpp"
-#include "verification/study/cable_scenes.hpp"
-#include "verification/study/expectations.hpp"
+#include "verification/reference/cables/cable_draw.hpp"
+#include "verification/study/findings/expectations.hpp"
+#include "verification/study/scenes/cable_scenes.hpp"
 
 namespace talus::verification::problems {
 namespace {

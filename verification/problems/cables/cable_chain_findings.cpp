@@ -8,7 +8,7 @@
 #include "solver/model/model_builder.hpp"
 #include "solver/run/snapshot.hpp"
 #include "verification/problems/cables/cable_findings.hpp"
-#include "verification/study/expectations.hpp"
+#include "verification/study/findings/expectations.hpp"
 
 namespace talus::verification::problems {
 namespace {

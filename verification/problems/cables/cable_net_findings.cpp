@@ -9,7 +9,7 @@
 #include "solver/dynamics/dynamics.hpp"
 #include "solver/model/model_builder.hpp"
 #include "verification/problems/cables/cable_findings.hpp"
-#include "verification/study/expectations.hpp"
+#include "verification/study/findings/expectations.hpp"
 
 namespace talus::verification::problems {
 namespace {

@@ -6,9 +6,9 @@
 
 #include "verification/check/convergence.hpp"
 #include "verification/problems/cables/cable_findings.hpp"
-#include "verification/reference/cable_draw.hpp"
-#include "verification/study/cable_scenes.hpp"
-#include "verification/study/phases.hpp"
+#include "verification/reference/cables/cable_draw.hpp"
+#include "verification/study/runs/phases.hpp"
+#include "verification/study/scenes/cable_scenes.hpp"
 
 namespace talus::verification::problems {
 namespace {

@@ -5,11 +5,11 @@
 #include <string>
 
 #include "verification/check/case.hpp"
-#include "verification/reference/damped_bounce.hpp"
-#include "verification/study/cable_scenes.hpp"
-#include "verification/study/curves.hpp"
-#include "verification/study/phases.hpp"
-#include "verification/study/predicted_errors.hpp"
+#include "verification/reference/impacts/damped_bounce.hpp"
+#include "verification/study/findings/curves.hpp"
+#include "verification/study/findings/predicted_errors.hpp"
+#include "verification/study/runs/phases.hpp"
+#include "verification/study/scenes/cable_scenes.hpp"
 
 namespace talus::verification::problems::damped_bungee {
 namespace {

@@ -8,10 +8,10 @@
 #include "solver/dynamics/rigid_body_system.hpp"
 #include "solver/model/model_builder.hpp"
 #include "verification/check/case.hpp"
-#include "verification/reference/hanging_chain.hpp"
-#include "verification/study/expectations.hpp"
-#include "verification/study/predicted_errors.hpp"
-#include "verification/study/scene_run.hpp"
+#include "verification/reference/cables/hanging_chain.hpp"
+#include "verification/study/findings/expectations.hpp"
+#include "verification/study/findings/predicted_errors.hpp"
+#include "verification/study/runs/scene_run.hpp"
 
 namespace talus::verification::problems::hanging_chain {
 namespace {

@@ -6,11 +6,11 @@
 #include <string>
 
 #include "verification/check/case.hpp"
-#include "verification/reference/restitution.hpp"
-#include "verification/study/cable_scenes.hpp"
-#include "verification/study/expectations.hpp"
-#include "verification/study/phases.hpp"
-#include "verification/study/predicted_errors.hpp"
+#include "verification/reference/impacts/restitution.hpp"
+#include "verification/study/findings/expectations.hpp"
+#include "verification/study/findings/predicted_errors.hpp"
+#include "verification/study/runs/phases.hpp"
+#include "verification/study/scenes/cable_scenes.hpp"
 
 namespace talus::verification::problems::slack_taut_slack {
 namespace {

@@ -6,10 +6,10 @@
 
 #include "solver/model/model_builder.hpp"
 #include "verification/check/case.hpp"
-#include "verification/reference/mid_span.hpp"
-#include "verification/study/expectations.hpp"
-#include "verification/study/predicted_errors.hpp"
-#include "verification/study/scene_run.hpp"
+#include "verification/reference/cables/mid_span.hpp"
+#include "verification/study/findings/expectations.hpp"
+#include "verification/study/findings/predicted_errors.hpp"
+#include "verification/study/runs/scene_run.hpp"
 
 namespace talus::verification::problems::transverse_oscillator {
 namespace {

@@ -17,9 +17,9 @@
 #include "solver/granular/neighbour_list.hpp"
 #include "verification/check/case.hpp"
 #include "verification/problems/cell/cell_runs.hpp"
-#include "verification/reference/all_pairs.hpp"
-#include "verification/study/expectations.hpp"
-#include "verification/study/usage.hpp"
+#include "verification/reference/many_bodies/all_pairs.hpp"
+#include "verification/study/findings/expectations.hpp"
+#include "verification/study/runs/usage.hpp"
 
 namespace talus::verification::problems::disc_lists {
 namespace {

@@ -11,9 +11,9 @@
 #include "solver/laws/latching_spring.hpp"
 #include "verification/check/case.hpp"
 #include "verification/problems/cell/disc_row.hpp"
-#include "verification/reference/latching_chain.hpp"
-#include "verification/study/common_formula.hpp"
-#include "verification/study/expectations.hpp"
+#include "verification/reference/many_bodies/latching_chain.hpp"
+#include "verification/study/findings/common_formula.hpp"
+#include "verification/study/findings/expectations.hpp"
 
 namespace talus::verification::problems::latching_chain {
 namespace {

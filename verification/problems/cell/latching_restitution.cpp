@@ -11,10 +11,10 @@
 #include "solver/granular/disc_method.hpp"
 #include "verification/check/case.hpp"
 #include "verification/problems/cell/disc_row.hpp"
-#include "verification/reference/latching_impact.hpp"
-#include "verification/reference/stepped_latch.hpp"
-#include "verification/study/expectations.hpp"
-#include "verification/study/plane_impact.hpp"
+#include "verification/reference/impacts/latching_impact.hpp"
+#include "verification/reference/integration/stepped_latch.hpp"
+#include "verification/study/findings/expectations.hpp"
+#include "verification/study/impacts/plane_impact.hpp"
 
 namespace talus::verification::problems::latching_restitution {
 namespace {

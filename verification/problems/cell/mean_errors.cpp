@@ -13,8 +13,8 @@
 #include "solver/study/shear_study.hpp"
 #include "verification/check/case.hpp"
 #include "verification/problems/cell/cell_runs.hpp"
-#include "verification/study/curves.hpp"
-#include "verification/study/expectations.hpp"
+#include "verification/study/findings/curves.hpp"
+#include "verification/study/findings/expectations.hpp"
 
 namespace talus::verification::problems::mean_errors {
 namespace {

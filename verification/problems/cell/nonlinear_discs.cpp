@@ -15,13 +15,13 @@
 #include "verification/check/case.hpp"
 #include "verification/problems/cell/cell_runs.hpp"
 #include "verification/problems/cell/disc_row.hpp"
-#include "verification/reference/hertz_impact.hpp"
-#include "verification/reference/power_law_impact.hpp"
-#include "verification/study/expectations.hpp"
-#include "verification/study/followed_impact.hpp"
-#include "verification/study/phases.hpp"
-#include "verification/study/predicted_errors.hpp"
-#include "verification/study/usage.hpp"
+#include "verification/reference/impacts/hertz_impact.hpp"
+#include "verification/reference/impacts/power_law_impact.hpp"
+#include "verification/study/findings/expectations.hpp"
+#include "verification/study/findings/predicted_errors.hpp"
+#include "verification/study/impacts/followed_impact.hpp"
+#include "verification/study/runs/phases.hpp"
+#include "verification/study/runs/usage.hpp"
 
 namespace talus::verification::problems::nonlinear_discs {
 namespace {

@@ -11,8 +11,8 @@
 #include "solver/laws/latching_spring.hpp"
 #include "verification/check/case.hpp"
 #include "verification/problems/cell/disc_row.hpp"
-#include "verification/reference/latching_chain.hpp"
-#include "verification/study/expectations.hpp"
+#include "verification/reference/many_bodies/latching_chain.hpp"
+#include "verification/study/findings/expectations.hpp"
 
 namespace talus::verification::problems::recontact_history {
 namespace {

@@ -5,7 +5,7 @@
 
 #include "verification/check/case.hpp"
 #include "verification/problems/cell/cell_runs.hpp"
-#include "verification/study/usage.hpp"
+#include "verification/study/runs/usage.hpp"
 
 namespace talus::verification::problems::rough_cell {
 namespace {

@@ -11,7 +11,7 @@
 #include "solver/granular/fast_disc_system.hpp"
 #include "verification/check/case.hpp"
 #include "verification/problems/cell/cell_runs.hpp"
-#include "verification/study/usage.hpp"
+#include "verification/study/runs/usage.hpp"
 
 namespace talus::verification::problems::shear_cell_failures {
 namespace {

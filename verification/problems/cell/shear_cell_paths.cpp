@@ -8,7 +8,7 @@
 #include "solver/io/cell/write_cell.hpp"
 #include "verification/check/case.hpp"
 #include "verification/problems/cell/cell_runs.hpp"
-#include "verification/reference/virtual_discs.hpp"
+#include "verification/reference/many_bodies/virtual_discs.hpp"
 
 namespace talus::verification::problems::shear_cell_paths {
 namespace {

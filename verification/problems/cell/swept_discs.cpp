@@ -16,7 +16,7 @@
 #include "solver/laws/latching_spring.hpp"
 #include "solver/laws/linear_spring_dashpot.hpp"
 #include "verification/check/case.hpp"
-#include "verification/reference/all_pairs.hpp"
+#include "verification/reference/many_bodies/all_pairs.hpp"
 
 namespace talus::verification::problems::swept_discs {
 namespace {

@@ -11,7 +11,7 @@
 #include "verification/check/case.hpp"
 #include "verification/problems/fence/fence_impact.hpp"
 #include "verification/problems/fence/fence_snapshots.hpp"
-#include "verification/study/fence_table.hpp"
+#include "verification/study/scenes/fence_table.hpp"
 
 namespace talus::verification::problems::fence_appendix {
 namespace {

@@ -4,9 +4,9 @@
 #include <cmath>
 
 #include "verification/check/case.hpp"
-#include "verification/study/expectations.hpp"
-#include "verification/study/scene_run.hpp"
-#include "verification/study/weak_hangers.hpp"
+#include "verification/study/findings/expectations.hpp"
+#include "verification/study/runs/scene_run.hpp"
+#include "verification/study/scenes/weak_hangers.hpp"
 
 namespace talus::verification::problems::fence_break {
 namespace {

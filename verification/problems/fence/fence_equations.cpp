@@ -5,8 +5,8 @@
 
 #include "solver/scenes/fence_scene.hpp"
 #include "verification/check/case.hpp"
-#include "verification/study/fence_table.hpp"
-#include "verification/study/scene_run.hpp"
+#include "verification/study/runs/scene_run.hpp"
+#include "verification/study/scenes/fence_table.hpp"
 
 namespace talus::verification::problems::fence_equations {
 namespace {

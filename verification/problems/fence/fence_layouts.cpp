@@ -15,9 +15,9 @@
 #include "solver/scenes/fence_summary.hpp"
 #include "verification/check/case.hpp"
 #include "verification/problems/fence/fence_layouts.hpp"
-#include "verification/study/expectations.hpp"
-#include "verification/study/fence_table.hpp"
-#include "verification/study/scene_run.hpp"
+#include "verification/study/findings/expectations.hpp"
+#include "verification/study/runs/scene_run.hpp"
+#include "verification/study/scenes/fence_table.hpp"
 
 namespace talus::verification::problems::fence_layouts {
 

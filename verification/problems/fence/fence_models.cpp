@@ -8,8 +8,8 @@
 #include "solver/io/fence1993/read_deck.hpp"
 #include "solver/scenes/fence_scene.hpp"
 #include "verification/check/case.hpp"
-#include "verification/reference/restitution.hpp"
-#include "verification/study/scene_run.hpp"
+#include "verification/reference/impacts/restitution.hpp"
+#include "verification/study/runs/scene_run.hpp"
 
 namespace talus::verification::problems::fence_models {
 namespace {

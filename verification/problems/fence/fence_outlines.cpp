@@ -10,8 +10,8 @@
 #include "solver/geometry/shape.hpp"
 #include "solver/scenes/fence_scene.hpp"
 #include "verification/problems/fence/fence_layouts.hpp"
-#include "verification/study/expectations.hpp"
-#include "verification/study/scene_run.hpp"
+#include "verification/study/findings/expectations.hpp"
+#include "verification/study/runs/scene_run.hpp"
 
 namespace talus::verification::problems::fence_layouts {
 

@@ -7,7 +7,7 @@
 #include <utility>
 
 #include "solver/scenes/fence_scene.hpp"
-#include "verification/study/scene_run.hpp"
+#include "verification/study/runs/scene_run.hpp"
 
 namespace talus::verification::problems {
 namespace {

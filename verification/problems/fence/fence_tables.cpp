@@ -11,7 +11,7 @@
 #include "verification/check/case.hpp"
 #include "verification/problems/fence/fence_ensemble.hpp"
 #include "verification/problems/fence/fence_snapshots.hpp"
-#include "verification/study/expectations.hpp"
+#include "verification/study/findings/expectations.hpp"
 
 namespace talus::verification::problems::fence_tables {
 namespace {

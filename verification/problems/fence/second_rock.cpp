@@ -11,11 +11,11 @@
 #include "solver/scenes/fence_summary.hpp"
 #include "verification/check/case.hpp"
 #include "verification/problems/fence/watched_summary.hpp"
-#include "verification/reference/cable_draw.hpp"
-#include "verification/study/cable_scenes.hpp"
-#include "verification/study/expectations.hpp"
-#include "verification/study/fence_table.hpp"
-#include "verification/study/scene_run.hpp"
+#include "verification/reference/cables/cable_draw.hpp"
+#include "verification/study/findings/expectations.hpp"
+#include "verification/study/runs/scene_run.hpp"
+#include "verification/study/scenes/cable_scenes.hpp"
+#include "verification/study/scenes/fence_table.hpp"
 
 namespace talus::verification::problems::second_rock {
 namespace {

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "verification/study/expectations.hpp"
+#include "verification/study/findings/expectations.hpp"
 
 namespace talus::verification::problems {
 namespace {

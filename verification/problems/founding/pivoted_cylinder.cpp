@@ -7,15 +7,15 @@
 
 #include "verification/check/case.hpp"
 #include "verification/problems/founding/pivoted_swing.hpp"
-#include "verification/reference/pivoted_cylinder.hpp"
-#include "verification/reference/restitution.hpp"
-#include "verification/study/curves.hpp"
-#include "verification/study/expectations.hpp"
-#include "verification/study/leapfrog_impact_error.hpp"
-#include "verification/study/phases.hpp"
-#include "verification/study/pivoted_impact.hpp"
-#include "verification/study/predicted_errors.hpp"
-#include "verification/study/scene_run.hpp"
+#include "verification/reference/impacts/pivoted_cylinder.hpp"
+#include "verification/reference/impacts/restitution.hpp"
+#include "verification/study/findings/curves.hpp"
+#include "verification/study/findings/expectations.hpp"
+#include "verification/study/findings/predicted_errors.hpp"
+#include "verification/study/impacts/leapfrog_impact_error.hpp"
+#include "verification/study/impacts/pivoted_impact.hpp"
+#include "verification/study/runs/phases.hpp"
+#include "verification/study/runs/scene_run.hpp"
 
 namespace talus::verification::problems::pivoted_cylinder {
 namespace {

@@ -8,9 +8,9 @@
 #include <string>
 
 #include "verification/problems/founding/leapfrog_swing.hpp"
-#include "verification/study/curves.hpp"
-#include "verification/study/scene_run.hpp"
-#include "verification/study/swing.hpp"
+#include "verification/study/findings/curves.hpp"
+#include "verification/study/runs/scene_run.hpp"
+#include "verification/study/runs/swing.hpp"
 
 namespace talus::verification::problems {
 namespace {

@@ -5,9 +5,9 @@
 
 #include "solver/laws/restitution.hpp"
 #include "solver/scenes/two_cable.hpp"
-#include "verification/reference/restitution.hpp"
-#include "verification/study/followed_impact.hpp"
-#include "verification/study/scene_run.hpp"
+#include "verification/reference/impacts/restitution.hpp"
+#include "verification/study/impacts/followed_impact.hpp"
+#include "verification/study/runs/scene_run.hpp"
 
 namespace talus::verification::problems {
 namespace {

@@ -8,7 +8,7 @@
 #include <string_view>
 
 #include "verification/check/convergence.hpp"
-#include "verification/study/swing.hpp"
+#include "verification/study/runs/swing.hpp"
 
 namespace talus::verification::problems {
 namespace {

@@ -4,7 +4,7 @@
 
 #include "solver/dynamics/rigid_body_system.hpp"
 #include "verification/problems/friction/friction_findings.hpp"
-#include "verification/study/sliding_scenes.hpp"
+#include "verification/study/scenes/sliding_scenes.hpp"
 
 namespace talus::verification::problems::friction {
 namespace {

@@ -7,9 +7,9 @@
 
 #include "verification/check/convergence.hpp"
 #include "verification/problems/friction/friction_findings.hpp"
-#include "verification/study/oblique_runs.hpp"
-#include "verification/study/phase_sweep.hpp"
-#include "verification/study/scene_run.hpp"
+#include "verification/study/impacts/oblique_runs.hpp"
+#include "verification/study/runs/phase_sweep.hpp"
+#include "verification/study/runs/scene_run.hpp"
 
 namespace talus::verification::problems {
 namespace {

@@ -7,9 +7,9 @@
 
 #include "verification/check/convergence.hpp"
 #include "verification/problems/friction/friction_findings.hpp"
-#include "verification/study/common_formula.hpp"
-#include "verification/study/curves.hpp"
-#include "verification/study/oblique_runs.hpp"
+#include "verification/study/findings/common_formula.hpp"
+#include "verification/study/findings/curves.hpp"
+#include "verification/study/impacts/oblique_runs.hpp"
 
 namespace talus::verification::problems {
 namespace {

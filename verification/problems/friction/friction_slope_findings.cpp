@@ -5,8 +5,8 @@
 #include <numbers>
 
 #include "verification/problems/friction/friction_findings.hpp"
-#include "verification/study/scene_run.hpp"
-#include "verification/study/sliding_scenes.hpp"
+#include "verification/study/runs/scene_run.hpp"
+#include "verification/study/scenes/sliding_scenes.hpp"
 
 namespace talus::verification::problems {
 namespace {

@@ -4,7 +4,7 @@
 
 #include "solver/integrate/integrator_list.hpp"
 #include "solver/state/state.hpp"
-#include "verification/study/usage.hpp"
+#include "verification/study/runs/usage.hpp"
 
 namespace talus::verification::problems {
 

@@ -12,11 +12,11 @@
 #include "solver/scenes/scene.hpp"
 #include "verification/check/case.hpp"
 #include "verification/problems/friction/method_run.hpp"
-#include "verification/reference/held_body.hpp"
-#include "verification/reference/smooth_motion.hpp"
-#include "verification/study/curves.hpp"
-#include "verification/study/expectations.hpp"
-#include "verification/study/usage.hpp"
+#include "verification/reference/motion/held_body.hpp"
+#include "verification/reference/motion/smooth_motion.hpp"
+#include "verification/study/findings/curves.hpp"
+#include "verification/study/findings/expectations.hpp"
+#include "verification/study/runs/usage.hpp"
 
 namespace talus::verification::problems::prescribed_motion {
 namespace {

@@ -13,12 +13,12 @@
 #include "solver/io/scene/read_scene.hpp"
 #include "solver/model/model_builder.hpp"
 #include "verification/check/case.hpp"
-#include "verification/reference/resting_contact.hpp"
-#include "verification/study/curves.hpp"
-#include "verification/study/expectations.hpp"
-#include "verification/study/recorded_run.hpp"
-#include "verification/study/scene_run.hpp"
-#include "verification/study/usage.hpp"
+#include "verification/reference/friction/resting_contact.hpp"
+#include "verification/study/findings/curves.hpp"
+#include "verification/study/findings/expectations.hpp"
+#include "verification/study/runs/recorded_run.hpp"
+#include "verification/study/runs/scene_run.hpp"
+#include "verification/study/runs/usage.hpp"
 
 namespace talus::verification::problems::resting_contacts {
 namespace {

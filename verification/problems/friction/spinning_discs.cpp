@@ -11,10 +11,10 @@
 #include "solver/integrate/euler_cromer.hpp"
 #include "solver/model/model_builder.hpp"
 #include "verification/check/case.hpp"
-#include "verification/reference/oblique_impact.hpp"
-#include "verification/study/expectations.hpp"
-#include "verification/study/oblique_runs.hpp"
-#include "verification/study/scene_run.hpp"
+#include "verification/reference/friction/oblique_impact.hpp"
+#include "verification/study/findings/expectations.hpp"
+#include "verification/study/impacts/oblique_runs.hpp"
+#include "verification/study/runs/scene_run.hpp"
 
 namespace talus::verification::problems::spinning_discs {
 namespace {

@@ -7,9 +7,9 @@
 #include "solver/scenes/scene.hpp"
 #include "verification/check/case.hpp"
 #include "verification/problems/friction/late_slip.hpp"
-#include "verification/study/predicted_errors.hpp"
-#include "verification/study/turned_pair.hpp"
-#include "verification/study/usage.hpp"
+#include "verification/study/findings/predicted_errors.hpp"
+#include "verification/study/runs/usage.hpp"
+#include "verification/study/scenes/turned_pair.hpp"
 
 namespace talus::verification::problems::turning_pair {
 namespace {

@@ -10,8 +10,8 @@
 #include "solver/cell/block_means.hpp"
 #include "verification/check/case.hpp"
 #include "verification/problems/many_bodies/followed_discs.hpp"
-#include "verification/reference/gas_of_discs.hpp"
-#include "verification/study/curves.hpp"
+#include "verification/reference/many_bodies/gas_of_discs.hpp"
+#include "verification/study/findings/curves.hpp"
 
 namespace talus::verification::problems::cooling_gas {
 namespace {

@@ -6,8 +6,8 @@
 
 #include "verification/check/case.hpp"
 #include "verification/problems/many_bodies/dense_runs.hpp"
-#include "verification/reference/power_fit.hpp"
-#include "verification/study/curves.hpp"
+#include "verification/reference/mathematics/power_fit.hpp"
+#include "verification/study/findings/curves.hpp"
 
 namespace talus::verification::problems::dense_rheology {
 namespace {

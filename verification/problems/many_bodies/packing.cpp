@@ -12,7 +12,7 @@
 
 #include "solver/base/error.hpp"
 #include "verification/check/case.hpp"
-#include "verification/study/expectations.hpp"
+#include "verification/study/findings/expectations.hpp"
 
 namespace talus::verification::problems::packing {
 namespace {

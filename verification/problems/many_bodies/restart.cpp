@@ -13,10 +13,10 @@
 #include "solver/run/simulate.hpp"
 #include "solver/scenes/bouncing_disc.hpp"
 #include "verification/check/case.hpp"
-#include "verification/study/moved_scene.hpp"
-#include "verification/study/scaled_scene.hpp"
-#include "verification/study/scenes_in_motion.hpp"
-#include "verification/study/usage.hpp"
+#include "verification/study/runs/usage.hpp"
+#include "verification/study/scenes/moved_scene.hpp"
+#include "verification/study/scenes/scaled_scene.hpp"
+#include "verification/study/scenes/scenes_in_motion.hpp"
 
 namespace talus::verification::problems::restart {
 namespace {

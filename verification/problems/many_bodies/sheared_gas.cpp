@@ -9,7 +9,7 @@
 #include "solver/cell/block_means.hpp"
 #include "verification/check/case.hpp"
 #include "verification/problems/many_bodies/followed_discs.hpp"
-#include "verification/reference/gas_of_discs.hpp"
+#include "verification/reference/many_bodies/gas_of_discs.hpp"
 
 namespace talus::verification::problems::sheared_gas {
 namespace {

@@ -9,8 +9,8 @@
 #include "solver/geometry/mass_properties.hpp"
 #include "solver/model/model_builder.hpp"
 #include "verification/check/case.hpp"
-#include "verification/reference/solid_moments.hpp"
-#include "verification/study/usage.hpp"
+#include "verification/reference/outlines/solid_moments.hpp"
+#include "verification/study/runs/usage.hpp"
 
 namespace talus::verification::problems::body_properties {
 namespace {

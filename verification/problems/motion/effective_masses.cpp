@@ -11,7 +11,7 @@
 #include "solver/stability/contact_range.hpp"
 #include "solver/stability/step_advice.hpp"
 #include "verification/check/case.hpp"
-#include "verification/study/scene_run.hpp"
+#include "verification/study/runs/scene_run.hpp"
 
 namespace talus::verification::problems::effective_masses {
 namespace {

@@ -9,10 +9,10 @@
 #include "solver/base/error.hpp"
 #include "solver/model/model_builder.hpp"
 #include "verification/check/case.hpp"
-#include "verification/study/expectations.hpp"
-#include "verification/study/moved_scene.hpp"
-#include "verification/study/scene_run.hpp"
-#include "verification/study/scenes_in_motion.hpp"
+#include "verification/study/findings/expectations.hpp"
+#include "verification/study/runs/scene_run.hpp"
+#include "verification/study/scenes/moved_scene.hpp"
+#include "verification/study/scenes/scenes_in_motion.hpp"
 
 namespace talus::verification::problems::frame_invariance {
 namespace {

@@ -8,8 +8,8 @@
 #include "solver/scenes/bouncing_disc.hpp"
 #include "solver/scenes/pendulum.hpp"
 #include "verification/check/case.hpp"
-#include "verification/study/moved_scene.hpp"
-#include "verification/study/scene_run.hpp"
+#include "verification/study/runs/scene_run.hpp"
+#include "verification/study/scenes/moved_scene.hpp"
 
 namespace talus::verification::problems::time_reversal {
 namespace {

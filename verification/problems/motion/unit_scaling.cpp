@@ -7,9 +7,9 @@
 
 #include "solver/model/model_builder.hpp"
 #include "verification/check/case.hpp"
-#include "verification/study/scaled_scene.hpp"
-#include "verification/study/scene_run.hpp"
-#include "verification/study/scenes_in_motion.hpp"
+#include "verification/study/runs/scene_run.hpp"
+#include "verification/study/scenes/scaled_scene.hpp"
+#include "verification/study/scenes/scenes_in_motion.hpp"
 
 namespace talus::verification::problems::unit_scaling {
 namespace {

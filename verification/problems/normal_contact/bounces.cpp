@@ -6,15 +6,15 @@
 
 #include "solver/scenes/bouncing_disc.hpp"
 #include "verification/check/case.hpp"
-#include "verification/reference/damped_bounce.hpp"
-#include "verification/reference/restitution.hpp"
-#include "verification/study/expectations.hpp"
-#include "verification/study/followed_impact.hpp"
-#include "verification/study/leapfrog_impact_error.hpp"
-#include "verification/study/phases.hpp"
-#include "verification/study/plane_impact.hpp"
-#include "verification/study/predicted_errors.hpp"
-#include "verification/study/scene_run.hpp"
+#include "verification/reference/impacts/damped_bounce.hpp"
+#include "verification/reference/impacts/restitution.hpp"
+#include "verification/study/findings/expectations.hpp"
+#include "verification/study/findings/predicted_errors.hpp"
+#include "verification/study/impacts/followed_impact.hpp"
+#include "verification/study/impacts/leapfrog_impact_error.hpp"
+#include "verification/study/impacts/plane_impact.hpp"
+#include "verification/study/runs/phases.hpp"
+#include "verification/study/runs/scene_run.hpp"
 
 namespace talus::verification::problems::bounces {
 namespace {

@@ -4,10 +4,10 @@
 
 #include "solver/model/model_builder.hpp"
 #include "verification/check/case.hpp"
-#include "verification/reference/pressed_discs.hpp"
-#include "verification/study/curves.hpp"
-#include "verification/study/expectations.hpp"
-#include "verification/study/scene_run.hpp"
+#include "verification/reference/many_bodies/pressed_discs.hpp"
+#include "verification/study/findings/curves.hpp"
+#include "verification/study/findings/expectations.hpp"
+#include "verification/study/runs/scene_run.hpp"
 
 namespace talus::verification::problems::column {
 namespace {

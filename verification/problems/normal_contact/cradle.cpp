@@ -6,10 +6,10 @@
 
 #include "solver/model/model_builder.hpp"
 #include "verification/check/case.hpp"
-#include "verification/reference/struck_row.hpp"
-#include "verification/study/phases.hpp"
-#include "verification/study/predicted_errors.hpp"
-#include "verification/study/scene_run.hpp"
+#include "verification/reference/many_bodies/struck_row.hpp"
+#include "verification/study/findings/predicted_errors.hpp"
+#include "verification/study/runs/phases.hpp"
+#include "verification/study/runs/scene_run.hpp"
 
 namespace talus::verification::problems::cradle {
 namespace {

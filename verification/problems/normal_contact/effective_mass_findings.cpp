@@ -8,8 +8,8 @@
 #include "solver/laws/linear_spring_dashpot.hpp"
 #include "solver/model/model_builder.hpp"
 #include "solver/scenes/scene.hpp"
-#include "verification/study/disc_bounce.hpp"
-#include "verification/study/expectations.hpp"
+#include "verification/study/findings/expectations.hpp"
+#include "verification/study/impacts/disc_bounce.hpp"
 
 namespace talus::verification::problems {
 namespace {

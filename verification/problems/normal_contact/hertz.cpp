@@ -4,14 +4,14 @@
 #include <cmath>
 
 #include "verification/check/case.hpp"
-#include "verification/reference/hertz_impact.hpp"
-#include "verification/reference/hurwitz_zeta.hpp"
-#include "verification/reference/restitution.hpp"
-#include "verification/study/expectations.hpp"
-#include "verification/study/followed_impact.hpp"
-#include "verification/study/phases.hpp"
-#include "verification/study/plane_impact.hpp"
-#include "verification/study/predicted_errors.hpp"
+#include "verification/reference/impacts/hertz_impact.hpp"
+#include "verification/reference/impacts/restitution.hpp"
+#include "verification/reference/mathematics/hurwitz_zeta.hpp"
+#include "verification/study/findings/expectations.hpp"
+#include "verification/study/findings/predicted_errors.hpp"
+#include "verification/study/impacts/followed_impact.hpp"
+#include "verification/study/impacts/plane_impact.hpp"
+#include "verification/study/runs/phases.hpp"
 
 namespace talus::verification::problems::hertz {
 namespace {

@@ -9,13 +9,13 @@
 #include "solver/model/model_builder.hpp"
 #include "solver/scenes/bouncing_disc.hpp"
 #include "verification/check/case.hpp"
-#include "verification/reference/latching_impact.hpp"
-#include "verification/study/expectations.hpp"
-#include "verification/study/phases.hpp"
-#include "verification/study/plane_impact.hpp"
-#include "verification/study/predicted_errors.hpp"
-#include "verification/study/pressed_disc.hpp"
-#include "verification/study/scene_run.hpp"
+#include "verification/reference/impacts/latching_impact.hpp"
+#include "verification/study/findings/expectations.hpp"
+#include "verification/study/findings/predicted_errors.hpp"
+#include "verification/study/impacts/plane_impact.hpp"
+#include "verification/study/impacts/pressed_disc.hpp"
+#include "verification/study/runs/phases.hpp"
+#include "verification/study/runs/scene_run.hpp"
 
 namespace talus::verification::problems::latching_spring {
 namespace {

@@ -8,11 +8,11 @@
 
 #include "solver/model/model_builder.hpp"
 #include "verification/check/case.hpp"
-#include "verification/reference/pressed_discs.hpp"
-#include "verification/study/expectations.hpp"
-#include "verification/study/plane_impact.hpp"
-#include "verification/study/predicted_errors.hpp"
-#include "verification/study/scene_run.hpp"
+#include "verification/reference/many_bodies/pressed_discs.hpp"
+#include "verification/study/findings/expectations.hpp"
+#include "verification/study/findings/predicted_errors.hpp"
+#include "verification/study/impacts/plane_impact.hpp"
+#include "verification/study/runs/scene_run.hpp"
 
 namespace talus::verification::problems::pressed_pair {
 namespace {

@@ -10,10 +10,10 @@
 #include "verification/check/case.hpp"
 #include "verification/problems/normal_contact/calibration_findings.hpp"
 #include "verification/problems/normal_contact/effective_mass_findings.hpp"
-#include "verification/reference/restitution.hpp"
-#include "verification/study/disc_bounce.hpp"
-#include "verification/study/expectations.hpp"
-#include "verification/study/leapfrog_impact_error.hpp"
+#include "verification/reference/impacts/restitution.hpp"
+#include "verification/study/findings/expectations.hpp"
+#include "verification/study/impacts/disc_bounce.hpp"
+#include "verification/study/impacts/leapfrog_impact_error.hpp"
 
 namespace talus::verification::problems::restitution {
 namespace {

@@ -9,7 +9,7 @@
 #include "solver/dynamics/springs.hpp"
 #include "solver/io/scene/read_scene.hpp"
 #include "verification/check/case.hpp"
-#include "verification/study/scene_run.hpp"
+#include "verification/study/runs/scene_run.hpp"
 
 namespace talus::verification::problems::restitution_at_impact {
 namespace {

@@ -6,8 +6,8 @@
 
 #include "solver/model/model_builder.hpp"
 #include "verification/check/case.hpp"
-#include "verification/study/moved_scene.hpp"
-#include "verification/study/scene_run.hpp"
+#include "verification/study/runs/scene_run.hpp"
+#include "verification/study/scenes/moved_scene.hpp"
 
 namespace talus::verification::problems::dropped_square {
 namespace {

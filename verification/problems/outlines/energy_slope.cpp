@@ -7,8 +7,8 @@
 
 #include "solver/model/model_builder.hpp"
 #include "verification/check/case.hpp"
-#include "verification/study/touching_pair.hpp"
-#include "verification/study/usage.hpp"
+#include "verification/study/runs/usage.hpp"
+#include "verification/study/scenes/touching_pair.hpp"
 
 namespace talus::verification::problems::energy_slope {
 namespace {

@@ -10,9 +10,9 @@
 #include "solver/geometry/gap.hpp"
 #include "solver/geometry/node_depth.hpp"
 #include "verification/check/case.hpp"
-#include "verification/reference/superellipse.hpp"
-#include "verification/study/expectations.hpp"
-#include "verification/study/usage.hpp"
+#include "verification/reference/outlines/superellipse.hpp"
+#include "verification/study/findings/expectations.hpp"
+#include "verification/study/runs/usage.hpp"
 
 namespace talus::verification::problems::nearest_points {
 namespace {

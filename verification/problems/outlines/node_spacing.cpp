@@ -9,10 +9,10 @@
 #include "solver/dynamics/dynamics.hpp"
 #include "solver/model/model_builder.hpp"
 #include "verification/check/case.hpp"
-#include "verification/reference/superellipse.hpp"
-#include "verification/study/expectations.hpp"
-#include "verification/study/scene_run.hpp"
-#include "verification/study/usage.hpp"
+#include "verification/reference/outlines/superellipse.hpp"
+#include "verification/study/findings/expectations.hpp"
+#include "verification/study/runs/scene_run.hpp"
+#include "verification/study/runs/usage.hpp"
 
 namespace talus::verification::problems::node_spacing {
 namespace {

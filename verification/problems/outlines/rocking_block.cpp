@@ -5,8 +5,8 @@
 
 #include "solver/model/model_builder.hpp"
 #include "verification/check/case.hpp"
-#include "verification/reference/rocking_block.hpp"
-#include "verification/study/scene_run.hpp"
+#include "verification/reference/outlines/rocking_block.hpp"
+#include "verification/study/runs/scene_run.hpp"
 
 namespace talus::verification::problems::rocking_block {
 namespace {

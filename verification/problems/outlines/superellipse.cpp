@@ -10,8 +10,8 @@
 #include "solver/geometry/shape.hpp"
 #include "verification/check/convergence.hpp"
 #include "verification/problems/outlines/superellipse_findings.hpp"
-#include "verification/reference/superellipse.hpp"
-#include "verification/study/usage.hpp"
+#include "verification/reference/outlines/superellipse.hpp"
+#include "verification/study/runs/usage.hpp"
 
 namespace talus::verification::problems::superellipse {
 namespace {

@@ -10,8 +10,8 @@
 #include "solver/dynamics/dynamics.hpp"
 #include "solver/model/model_builder.hpp"
 #include "verification/problems/outlines/superellipse_findings.hpp"
-#include "verification/reference/overlap.hpp"
-#include "verification/study/usage.hpp"
+#include "verification/reference/outlines/overlap.hpp"
+#include "verification/study/runs/usage.hpp"
 
 namespace talus::verification::problems {
 namespace {

@@ -5,7 +5,7 @@
 
 #include "solver/model/model_builder.hpp"
 #include "verification/check/case.hpp"
-#include "verification/study/scene_run.hpp"
+#include "verification/study/runs/scene_run.hpp"
 
 namespace talus::verification::problems::uneven_ground {
 namespace {

@@ -15,9 +15,9 @@
 #include "solver/model/model_builder.hpp"
 #include "solver/run/simulate.hpp"
 #include "solver/scenes/fence_scene.hpp"
-#include "verification/study/expectations.hpp"
-#include "verification/study/fence_table.hpp"
-#include "verification/study/scene_run.hpp"
+#include "verification/study/findings/expectations.hpp"
+#include "verification/study/runs/scene_run.hpp"
+#include "verification/study/scenes/fence_table.hpp"
 
 namespace talus::verification::problems {
 namespace {

@@ -11,10 +11,10 @@
 #include "solver/scenes/fence_summary.hpp"
 #include "solver/stability/step_advice.hpp"
 #include "verification/check/case.hpp"
-#include "verification/study/expectations.hpp"
-#include "verification/study/recorded_run.hpp"
-#include "verification/study/scene_run.hpp"
-#include "verification/study/varied_scenes.hpp"
+#include "verification/study/findings/expectations.hpp"
+#include "verification/study/runs/recorded_run.hpp"
+#include "verification/study/runs/scene_run.hpp"
+#include "verification/study/scenes/varied_scenes.hpp"
 
 namespace talus::verification::problems::defaults {
 namespace {

@@ -6,10 +6,10 @@
 #include "solver/model/model_builder.hpp"
 #include "solver/scenes/bouncing_disc.hpp"
 #include "solver/scenes/pendulum.hpp"
-#include "verification/reference/damped_bounce.hpp"
-#include "verification/reference/two_cable.hpp"
-#include "verification/study/scene_run.hpp"
-#include "verification/study/swing.hpp"
+#include "verification/reference/cables/two_cable.hpp"
+#include "verification/reference/impacts/damped_bounce.hpp"
+#include "verification/study/runs/scene_run.hpp"
+#include "verification/study/runs/swing.hpp"
 
 namespace talus::verification::problems {
 namespace {

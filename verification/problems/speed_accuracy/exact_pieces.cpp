@@ -10,12 +10,12 @@
 #include "solver/model/model_builder.hpp"
 #include "solver/scenes/bouncing_disc.hpp"
 #include "verification/check/case.hpp"
-#include "verification/reference/damped_bounce.hpp"
-#include "verification/reference/latching_impact.hpp"
-#include "verification/reference/restitution.hpp"
-#include "verification/reference/struck_row.hpp"
-#include "verification/study/expectations.hpp"
-#include "verification/study/scene_run.hpp"
+#include "verification/reference/impacts/damped_bounce.hpp"
+#include "verification/reference/impacts/latching_impact.hpp"
+#include "verification/reference/impacts/restitution.hpp"
+#include "verification/reference/many_bodies/struck_row.hpp"
+#include "verification/study/findings/expectations.hpp"
+#include "verification/study/runs/scene_run.hpp"
 
 namespace talus::verification::problems::exact_pieces {
 namespace {

@@ -15,8 +15,8 @@
 #include "solver/stability/run_monitor.hpp"
 #include "verification/check/convergence.hpp"
 #include "verification/problems/speed_accuracy/failure_rows.hpp"
-#include "verification/study/curves.hpp"
-#include "verification/study/usage.hpp"
+#include "verification/study/findings/curves.hpp"
+#include "verification/study/runs/usage.hpp"
 
 namespace talus::verification::problems {
 namespace {

@@ -10,9 +10,9 @@
 #include "solver/run/simulate.hpp"
 #include "solver/scenes/bouncing_disc.hpp"
 #include "verification/problems/speed_accuracy/failure_rows.hpp"
-#include "verification/study/cable_scenes.hpp"
-#include "verification/study/disc_bounce.hpp"
-#include "verification/study/scene_run.hpp"
+#include "verification/study/impacts/disc_bounce.hpp"
+#include "verification/study/runs/scene_run.hpp"
+#include "verification/study/scenes/cable_scenes.hpp"
 
 namespace talus::verification::problems {
 namespace {

@@ -4,8 +4,8 @@
 #include <cmath>
 
 #include "solver/scenes/fence_scene.hpp"
-#include "verification/study/fence_table.hpp"
-#include "verification/study/scene_run.hpp"
+#include "verification/study/runs/scene_run.hpp"
+#include "verification/study/scenes/fence_table.hpp"
 
 namespace talus::verification::problems {
 

@@ -8,8 +8,8 @@
 #include "verification/check/case.hpp"
 #include "verification/problems/speed_accuracy/fidelity_levels.hpp"
 #include "verification/problems/speed_accuracy/fidelity_rungs.hpp"
-#include "verification/reference/bed_of_springs.hpp"
-#include "verification/study/scene_run.hpp"
+#include "verification/reference/impacts/bed_of_springs.hpp"
+#include "verification/study/runs/scene_run.hpp"
 
 namespace talus::verification::problems::fidelity_ladder {
 namespace {

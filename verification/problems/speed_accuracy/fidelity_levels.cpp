@@ -8,8 +8,8 @@
 #include "solver/laws/restitution.hpp"
 #include "solver/model/model_builder.hpp"
 #include "solver/scenes/pivoted_cylinder.hpp"
-#include "verification/study/fence_table.hpp"
-#include "verification/study/scene_run.hpp"
+#include "verification/study/runs/scene_run.hpp"
+#include "verification/study/scenes/fence_table.hpp"
 
 namespace talus::verification::problems {
 namespace {

@@ -14,8 +14,8 @@
 #include "solver/integrate/integrator_list.hpp"
 #include "solver/run/simulate.hpp"
 #include "solver/run/snapshot.hpp"
-#include "verification/study/expectations.hpp"
-#include "verification/study/usage.hpp"
+#include "verification/study/findings/expectations.hpp"
+#include "verification/study/runs/usage.hpp"
 
 namespace talus::verification::problems {
 namespace {

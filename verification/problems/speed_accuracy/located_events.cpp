@@ -11,8 +11,8 @@
 #include "verification/check/case.hpp"
 #include "verification/problems/speed_accuracy/exact_motions.hpp"
 #include "verification/problems/speed_accuracy/fence_exit.hpp"
-#include "verification/study/expectations.hpp"
-#include "verification/study/scene_run.hpp"
+#include "verification/study/findings/expectations.hpp"
+#include "verification/study/runs/scene_run.hpp"
 
 namespace talus::verification::problems::located_events {
 namespace {

@@ -6,7 +6,7 @@
 #include "solver/integrate/integrator_list.hpp"
 #include "verification/check/case.hpp"
 #include "verification/problems/speed_accuracy/squeezed_disc.hpp"
-#include "verification/reference/amplification.hpp"
+#include "verification/reference/integration/amplification.hpp"
 
 /// The methods with fixed steps, and the growth of their runs of a squeezed disc.
 namespace talus::verification::problems {

@@ -11,10 +11,10 @@
 #include "solver/scenes/fence_scene.hpp"
 #include "solver/state/state.hpp"
 #include "verification/check/case.hpp"
-#include "verification/study/fence_table.hpp"
-#include "verification/study/moved_scene.hpp"
-#include "verification/study/scene_run.hpp"
-#include "verification/study/scenes_in_motion.hpp"
+#include "verification/study/runs/scene_run.hpp"
+#include "verification/study/scenes/fence_table.hpp"
+#include "verification/study/scenes/moved_scene.hpp"
+#include "verification/study/scenes/scenes_in_motion.hpp"
 
 namespace talus::verification::problems::sleeping_and_culling {
 namespace {

@@ -12,9 +12,9 @@
 #include "verification/check/case.hpp"
 #include "verification/problems/speed_accuracy/bilateral_findings.hpp"
 #include "verification/problems/speed_accuracy/measured_growth.hpp"
-#include "verification/reference/amplification.hpp"
-#include "verification/study/common_formula.hpp"
-#include "verification/study/expectations.hpp"
+#include "verification/reference/integration/amplification.hpp"
+#include "verification/study/findings/common_formula.hpp"
+#include "verification/study/findings/expectations.hpp"
 
 namespace talus::verification::problems::stability_maps {
 namespace {

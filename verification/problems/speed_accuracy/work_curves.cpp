@@ -5,7 +5,7 @@
 #include <optional>
 
 #include "solver/dynamics/closed_form.hpp"
-#include "verification/study/expectations.hpp"
+#include "verification/study/findings/expectations.hpp"
 
 namespace talus::verification::problems {
 namespace {

@@ -17,7 +17,7 @@
 #include "solver/run/snapshot.hpp"
 #include "verification/check/case.hpp"
 #include "verification/problems/speed_accuracy/work_charts.hpp"
-#include "verification/study/leapfrog_impact_error.hpp"
+#include "verification/study/impacts/leapfrog_impact_error.hpp"
 
 namespace talus::verification::problems::work_precision {
 namespace {

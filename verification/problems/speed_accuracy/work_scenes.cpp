@@ -8,9 +8,9 @@
 #include "solver/stability/step_advice.hpp"
 #include "verification/problems/speed_accuracy/exact_motions.hpp"
 #include "verification/problems/speed_accuracy/fence_exit.hpp"
-#include "verification/study/disc_bounce.hpp"
-#include "verification/study/pivoted_impact.hpp"
-#include "verification/study/scene_run.hpp"
+#include "verification/study/impacts/disc_bounce.hpp"
+#include "verification/study/impacts/pivoted_impact.hpp"
+#include "verification/study/runs/scene_run.hpp"
 
 namespace talus::verification::problems {
 namespace {
