@@ -1,12 +1,12 @@
-#include "reports/claims.hpp"
+#include "reports/pages/claims.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <array>
 
-#include "reports/text/markdown.hpp"
 #include "reports/pages/page_cells.hpp"
+#include "reports/text/markdown.hpp"
 
 namespace talus::reports {
 namespace {

@@ -134,16 +134,6 @@ std::string contact_laws(const Results& results, const Counter& counter) {
   return markdown::table(columns, rows, "");
 }
 
-const Check* find(const Results& results, const std::string& case_id, const std::string& name) {
-  for (const Record& record : results.records) {
-    if (record.id != case_id) continue;
-    for (const Check& check : record.checks) {
-      if (check.name == name) return &check;
-    }
-  }
-  return nullptr;
-}
-
 /// Measured orders of an integrator, grouped by the nearest integer. Only checks that name the method count: a check
 /// whose case merely uses the method measures another order, for example with stiffness; checks that show a false order
 /// on purpose are excluded.
@@ -152,7 +142,7 @@ std::map<int, std::vector<double>> measured_orders(const Results& results, const
   if (name.rfind("odeint_", 0) == 0) name.erase(0, 7);
   std::map<int, std::vector<double>> orders;
   for (const auto& [case_id, check_name] : checks_of(integrator)) {
-    const Check* check = find(results, case_id, check_name);
+    const Check* check = check_of(results, case_id, check_name);
     if (check == nullptr || !check->order || !check->pass) continue;
     if (check_name.find("false order") != std::string::npos) continue;
     const std::size_t place = check_name.find(name);

@@ -14,16 +14,6 @@ namespace {
 using markdown::cell;
 using Rows = std::vector<std::vector<std::string>>;
 
-const Check* find(const Results& results, const std::string& case_id, const std::string& name) {
-  for (const Record& record : results.records) {
-    if (record.id != case_id) continue;
-    for (const Check& check : record.checks) {
-      if (check.name == name) return &check;
-    }
-  }
-  return nullptr;
-}
-
 std::string ratio_text(const Check* check) {
   if (check == nullptr) return "not made";
   const std::string text = records::margin_text(check->margin, check->pass, 2);
@@ -48,7 +38,7 @@ std::string rounding_text(const Results& nearest, const RoundedResults& rounded)
       std::vector<std::string> row{case_link(record), cell(check.name), cell(kind), ratio_text(&check)};
       bool any = false;
       for (const auto& [rounding, results] : rounded) {
-        const Check* const other = find(results, record.id, check.name);
+        const Check* const other = check_of(results, record.id, check.name);
         row.push_back(ratio_text(other));
         if (holds(other)) continue;
         any = true;
