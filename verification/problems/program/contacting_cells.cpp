@@ -270,7 +270,7 @@ void check_contacting_cells(const TemporaryFolder& folder, Findings& findings, c
         sphere_law);
     findings.expect("cells whose discs touch: accelerations by Hertz's law and friction of spheres, largest error",
                     spheres.accelerations, 0.0,
-                    Tolerance::round_off(1e-11,
+                    Tolerance::round_off(1e-12,
                                          "as for latching springs, and positions rounded by 2e-19 m in overlaps of new "
                                          "contacts, whose stiffness grows with the root of the overlap"));
   }
