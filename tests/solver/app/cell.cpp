@@ -119,7 +119,7 @@ BOOST_AUTO_TEST_CASE(a_rough_cell_leaves_spins_and_goes_on_to_the_same_files) {
   BOOST_TEST(linear["friction"] == 0.5);
   BOOST_TEST(linear["shear_stiffness"] == 14214.0);
   BOOST_TEST(!linear.contains("shear_law"));
-  const Json spheres = resumed_summary("cell/hertz.toml")["parameters"];
+  const Json spheres = resumed_summary("cell/spheres.toml")["parameters"];
   BOOST_TEST(spheres["law"] == "hertz");
   BOOST_TEST(spheres["friction"] == 0.5);
   BOOST_TEST(spheres["shear_law"] == "mindlin");
@@ -294,7 +294,7 @@ BOOST_AUTO_TEST_CASE(a_cell_is_exported_for_lammps_with_dashpots_if_they_may_sta
   BOOST_TEST(talus_ran({"export", "lammps", scene("cell/rough.toml"), "--out", out}).code == 0);
   BOOST_TEST(holds(talus::read_text(fs::path{out} / "in.discs"), "linear_history"));
   // 8 G: the radius of the law is that of LAMMPS.
-  BOOST_TEST(talus_ran({"export", "lammps", scene("cell/hertz.toml"), "--out", out}).code == 0);
+  BOOST_TEST(talus_ran({"export", "lammps", scene("cell/spheres.toml"), "--out", out}).code == 0);
   BOOST_TEST(
       holds(talus::read_text(fs::path{out} / "in.discs"), "tangential mindlin_rescale/force 1152000000 0.0 0.5"));
   const auto exported = [&](const std::string& latching, const std::string& law) {

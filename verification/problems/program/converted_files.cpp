@@ -456,12 +456,12 @@ void check_lammps(const TemporaryFolder& folder, Findings& findings, const Setup
 /// quarter of the diameter, which is also that of the law.
 void check_spheres(const TemporaryFolder& folder, Findings& findings, const Setup& setup) {
   constexpr double modulus = 700e6, shear_modulus = 144e6, friction = 0.5;
-  std::string text = records::read_whole(TALUS_CASES "/cell/hertz.toml");
+  std::string text = records::read_whole(TALUS_CASES "/cell/spheres.toml");
   const std::string modulus_of_file = "144 MPa";
   if (setup.has("other_shear_modulus"))
     text.replace(text.find(modulus_of_file), modulus_of_file.size(), "144.0001 MPa");
-  folder.write("hertz.toml", text);
-  (void)talus_output(folder, {"export", "lammps", "hertz.toml", "--out", "spheres"});
+  folder.write("spheres.toml", text);
+  (void)talus_output(folder, {"export", "lammps", "spheres.toml", "--out", "spheres"});
   const std::string input = folder.read("spheres/in.discs");
   const std::vector<double> normal = numbers_after(input, "pair_coeff * * hertz");
   const std::vector<double> found = numbers_after(input, "tangential mindlin_rescale/force");
