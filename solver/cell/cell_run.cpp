@@ -42,8 +42,12 @@ CellRun::System system_of(const ShearCell& cell, const CellPlan& plan, const Fil
       return CellRun::ByVirtualDiscs<L, F>{start.shapes, start.box, law, skin, friction};
     return FastDiscSystem{start.shapes, start.box, law, skin, friction};
   };
-  return std::visit(
-      [&](const auto& law) { return cell.friction ? with(law, *cell.friction) : with(law, Frictionless{}); }, cell.law);
+  if (!cell.friction) return std::visit([&](const auto& law) { return with(law, Frictionless{}); }, cell.law);
+  const auto with_friction = [&]<class L, class F>(const L& law, const F& friction) -> CellRun::System {
+    if constexpr (CanHaveFriction<L, F>) return with(law, friction);
+    TALUS_DEMAND(false);  // refused by validation_errors()
+  };
+  return std::visit(with_friction, cell.law, *cell.friction);
 }
 
 FilledCell checked(const ShearCell& cell, const CellPlan& plan, FilledCell start) {
@@ -283,10 +287,11 @@ std::vector<CellRun::ActingContact> CellRun::acting_contacts() const {
   const std::size_t free = cell_.free_discs();
   std::vector<ActingContact> contacts;
   std::vector<int> acting(discs_.size());
+  const double coefficient =
+      cell_.friction ? std::visit([](const auto& of) { return of.coefficient; }, *cell_.friction) : 0.0;
   const auto add = [&](const DiscContact& contact) {
     if (contact.force == 0.0) return;
-    const bool sliding =
-        cell_.friction && std::abs(contact.friction) >= cell_.friction->coefficient * std::max(contact.force, 0.0);
+    const bool sliding = cell_.friction && std::abs(contact.friction) >= coefficient * std::max(contact.force, 0.0);
     contacts.push_back({contact, false, sliding});
     ++acting[contact.a], ++acting[contact.b];
   };

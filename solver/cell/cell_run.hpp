@@ -50,15 +50,23 @@ class CellRun {
  public:
   template <class L, class F>
   using ByVirtualDiscs = DiscSystem<L, F, VirtualDiscs>;
-  template <class List>
-  struct SystemsOf;
-  template <class... L>
-  struct SystemsOf<LawList<L...>> {
-    using Variant = std::variant<FastDiscSystem<L>..., FastDiscSystem<L, CoulombFriction>...,
-                                 ByVirtualDiscs<L, Frictionless>..., ByVirtualDiscs<L, CoulombFriction>...>;
+  /// The systems of discs with a law and friction, if it can have this friction.
+  template <class L, class F>
+  struct SystemsOf {
+    using List = LawList<>;
   };
+  template <class L, class F>
+  requires CanHaveFriction<L, F>
+  struct SystemsOf<L, F> {
+    using List = LawList<FastDiscSystem<L, F>, ByVirtualDiscs<L, F>>;
+  };
+  template <class L, class... F>
+  static auto systems_with(LawList<F...>) -> decltype((LawList<>{} + ... + typename SystemsOf<L, F>::List{}));
+  template <class... L, class... F>
+  static auto systems(LawList<L...>, LawList<F...>)
+      -> decltype((LawList<>{} + ... + systems_with<L>(LawList<Frictionless, F...>{})));
   /// System with the cell's law and friction.
-  using System = SystemsOf<DiscLaws>::Variant;
+  using System = decltype(systems(DiscLaws{}, DiscFrictions{}))::Variant;
 
   /// Number of blocks of time in a run, for standard errors, and of those at its start that means exclude.
   static constexpr std::size_t blocks = 100, start_up = 25;

@@ -95,6 +95,27 @@ void add_errors(CellErrors& found, const L& law, const ShearCell& cell) {
   }
 }
 
+/// Adds the errors of friction, which depends on the radius of the law, if it depends on one.
+template <Law L, IsDiscFriction F>
+void add_errors(CellErrors& found, const L& law, const F& friction) {
+  if constexpr (!CanHaveFriction<L, F>) {
+    found.push_back(
+        {"shear_law",
+         fmt::format("found {} with the law {}, which has no contact radius; it must be linear", F::name, L::name)});
+  } else {
+    for (const auto& field : F::fields()) {
+      const double value = friction.*field.member;
+      if (!contains(field.range, value)) object(found, field.name, value, words(field.range));
+    }
+    if (friction.damping != 0.0)
+      object(found, "shear_damping", friction.damping, "0: contacts of discs have no tangential dashpot");
+    if constexpr (HasContactRadius<F>) {
+      if (friction.radius != law.radius)
+        object(found, "radius", friction.radius, fmt::format("that of the law, {}", law.radius));
+    }
+  }
+}
+
 }  // namespace
 
 bool ShearCell::is_linear() const {
@@ -136,6 +157,11 @@ double ShearCell::largest_stiffness() const {
       },
       law);
 }
+double ShearCell::shear_stiffness() const {
+  return std::visit(
+      [&]<class F>(const F& of) { return of.at(has_varying_stiffness<F> ? nominal_overlap() : 0.0).stiffness; },
+      *friction);
+}
 double ShearCell::loading_frequency() const { return std::sqrt(2.0 * stiffness() / mass); }
 double ShearCell::contact_time() const {
   return std::visit([&](const auto& of) { return of.contact_time(0.5 * mass, nominal_speed()); }, law);
@@ -159,10 +185,9 @@ std::vector<CellError> validation_errors(const ShearCell& cell) {
   };
   std::visit([&](const auto& law) { add_errors(found, law, cell); }, cell.law);
   demand_range(Range::non_negative, "impact_speed", cell.impact_speed);
-  if (cell.friction) {
-    demand_range(Range::non_negative, "friction", cell.friction->coefficient);
-    demand_range(Range::positive, "shear_stiffness", cell.friction->stiffness);
-  }
+  if (cell.friction)
+    std::visit([&](const auto& law, const auto& friction) { add_errors(found, law, friction); }, cell.law,
+               *cell.friction);
   for (const auto& field : ShearCell::fields())
     demand_range(field.range, field.name, cell.*field.member);
   for (const auto& field : ShearCell::counts()) {

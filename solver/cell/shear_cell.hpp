@@ -9,7 +9,6 @@
 #include "solver/base/fields.hpp"
 #include "solver/granular/discs.hpp"
 #include "solver/granular/periodic_box.hpp"
-#include "solver/laws/coulomb_friction.hpp"
 #include "solver/laws/law_list.hpp"
 
 namespace talus {
@@ -30,7 +29,7 @@ struct ShearCell {
   std::uint64_t seed{};  ///< of the initial velocities along y
   /// Friction between discs, if any; free discs then turn, each with the inertia of a solid disc, but wall discs do
   /// not.
-  std::optional<CoulombFriction> friction{};
+  std::optional<DiscFriction> friction{};
   double impact_speed{};  ///< see nominal_speed() [L/T] >= 0; 0: the shear velocity of the start
 
   double width() const { return wall_discs * diameter; }
@@ -58,6 +57,9 @@ struct ShearCell {
   /// Stiffness of the contact's stiffest branch: K2 of a slow impact, or k_n [F/L]; of other laws dF/dd at the nominal
   /// overlap.
   double largest_stiffness() const;
+  /// Tangential stiffness of a contact that sticks [F/L]: k_s; of friction whose stiffness varies, at the nominal
+  /// overlap. Only of a cell with friction.
+  double shear_stiffness() const;
   /// Frequency of two discs in contact while they load [rad/T]: w1 = sqrt(2 K1/m).
   double loading_frequency() const;
   /// Duration of an impact of two of its discs at the nominal speed [T], by the law.

@@ -1,7 +1,6 @@
 #pragma once
 
 #include <algorithm>
-#include <concepts>
 #include <cstddef>
 #include <cstdint>
 #include <span>
@@ -10,7 +9,7 @@
 #include "solver/granular/disc_lanes.hpp"
 #include "solver/granular/disc_stages.hpp"
 #include "solver/laws/contact_kernel.hpp"
-#include "solver/laws/coulomb_friction.hpp"
+#include "solver/laws/friction_kernel.hpp"
 
 /// The stage of a sweep that evaluates the law: forces of contacts on their discs.
 namespace talus::stages {
@@ -20,7 +19,7 @@ template <class L, class F>
 class ContactLanes {
  public:
   using Kernel = decltype(contact_kernel(std::declval<const L&>()));
-  static constexpr bool has_history = HasHysteresisLoss<Kernel>, turns = std::same_as<F, CoulombFriction>;
+  static constexpr bool has_history = HasHysteresisLoss<Kernel>, turns = turns_discs<F>;
 
   [[gnu::always_inline]] ContactLanes(const L& law, const F& friction, const StepBlock& sweep)
       : kernel_{contact_kernel(law)},
@@ -74,7 +73,7 @@ class ContactLanes {
       const Pack slip = v_x * -n_y + v_y * n_x - spin_a * arm_a - spin_b * arm_b;
       Pack pressed = overlap;  // overlap since the surfaces met
       if constexpr (ActsAtDistance<L>) pressed = overlap > Pack{} ? overlap : Pack{};
-      apply_friction(slip * pressed / rate, rate, force, at, from, friction);
+      apply_friction(F::onset * slip * pressed / rate, overlap, rate, force, at, from, friction);
       keep_normal(overlaps, force, at);
       store_places(force * n_x + friction * n_y, force * n_y - friction * n_x, out.force);
       store(friction, out.friction), store(arm_a, out.arm_a), store(arm_b, out.arm_b);
@@ -109,20 +108,32 @@ class ContactLanes {
     store(overlaps ? normal : none - 1.0, &w_.contacts->now.normal[at]);
   }
 
-  /// Limits the stretch of the friction springs (return mapping). slipped: slip of each contact since it began [L].
-  [[gnu::always_inline]] void apply_friction(const Pack& slipped, const Pack& rate, const Pack& force, std::size_t at,
-                                             const std::uint32_t* from, Pack& friction) {
+  /// Limits the stretch of the friction springs (return mapping). slipped: stretch of a contact that begins, by the
+  /// slip since the surfaces met [L].
+  [[gnu::always_inline]] void apply_friction(const Pack& slipped, const Pack& overlap, const Pack& rate,
+                                             const Pack& force, std::size_t at, const std::uint32_t* from,
+                                             Pack& friction) {
     SweptContacts& contacts = *w_.contacts;
     Pack stretch, normal, begun, friction_work;
     collect(stretch, contacts.before.stretch.data(), from), collect(normal, contacts.before.normal.data(), from);
-    friction_.initial_stretch(slipped, force, begun);
+    SpringSlider<Pack> slider{friction_.coefficient, {}};
+    friction_.stiffness_at(overlap, slider.stiffness);
+    slider.initial_stretch(slipped, force, begun);
     const Sizes pushes = force > Pack{}, begins = pushes & (rate > Pack{}) & ~(normal > Pack{});
     stretch = begins ? begun : stretch;
     const Pack before = stretch;
-    friction_.returned_force(force, stretch, friction);
+    slider.returned_force(force, stretch, friction);
     if (contacts.kinds.friction_work) {
-      friction_.dissipated(before, force, stretch, friction_work);
+      slider.dissipated(before, force, stretch, friction_work);
       store(friction_work, &contacts.friction_work[at]);
+    }
+    if constexpr (has_varying_stiffness<F>) {
+      if (contacts.kinds.area_power) {
+        Pack power;
+        friction_.area_power(stretch, overlap, rate, power);
+        keep_where(power, pushes);
+        store(power, &contacts.area_power[at]);
+      }
     }
     keep_where(stretch, pushes), keep_where(friction, pushes);
     store(stretch, &contacts.now.stretch[at]);

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <concepts>
 #include <limits>
 #include <span>
 #include <string>
@@ -15,14 +14,13 @@
 #include "solver/granular/disc_contact.hpp"
 #include "solver/granular/discs.hpp"
 #include "solver/granular/neighbour_list.hpp"
-#include "solver/laws/coulomb_friction.hpp"
-#include "solver/laws/law.hpp"
+#include "solver/laws/law_list.hpp"
 #include "solver/laws/mode_update.hpp"
 
 namespace talus {
 
-/// Many discs with one contact law along the line of their centres. With F = CoulombFriction they also have friction
-/// across that line and turn, each with the inertia of a solid disc.
+/// Many discs with one contact law along the line of their centres. With a friction law F of DiscFrictions they also
+/// have friction across that line and turn, each with the inertia of a solid disc.
 ///
 /// A kick visits the pairs in order and applies the impulse of each force to both discs at once; laws see the
 /// velocities from before the kick. Between kicks the discs move along straight lines. This is the leapfrog. Methods
@@ -33,9 +31,10 @@ namespace talus {
 ///
 /// List: provides the pairs of discs that may touch, and the image of the second disc.
 template <Law L, class F = Frictionless, class List = NeighbourList>
+requires CanHaveFriction<L, F>
 class DiscSystem {
  public:
-  static constexpr bool turns = std::same_as<F, CoulombFriction>;
+  static constexpr bool turns = turns_discs<F>;
   /// Whether the loss of a contact follows from its memory, to which steps add no error.
   static constexpr bool loses_by_memory = HasHysteresisLoss<L>;
 
@@ -140,8 +139,9 @@ class DiscSystem {
                           .force = mode == 0 ? 0.0 : law_(touch.x, remembered, mode).total(),
                           .stored = law_.stored_energy(touch.x, remembered, mode)};
       if constexpr (turns) {
-        contact.friction = friction_(contacts_.stretch[pair], contact.force);
-        contact.stored += friction_.stored_energy(contacts_.stretch[pair]);
+        const CoulombFriction friction = friction_.at(touch.x.deformation);
+        contact.friction = friction(contacts_.stretch[pair], contact.force);
+        contact.stored += friction.stored_energy(contacts_.stretch[pair]);
       }
       visit(contact);
     });
@@ -269,7 +269,8 @@ class DiscSystem {
   void stretch(const Discs& discs, double h) {
     const auto rubs = [&](std::size_t pair) { return contacts_.friction_mode[pair] != CoulombFriction::open; };
     for_each_acting(discs, rubs, 0.5 * h, [&](std::size_t a, std::size_t b, std::size_t pair, const Touch& touch) {
-      contacts_.stretch[pair] += h * slip_rate(touch, arm(a, touch), discs.spin[a], arm(b, touch), discs.spin[b]);
+      const double slip = slip_rate(touch, arm(a, touch), discs.spin[a], arm(b, touch), discs.spin[b]);
+      contacts_.stretch[pair] = friction_.stretch_after(contacts_.stretch[pair], slip, touch.x, h);
     });
   }
 
@@ -320,7 +321,7 @@ class DiscSystem {
         }
         const LawForce force = mode == 0 ? LawForce{} : law_(touch.x, memory, mode);
         Push push{.force = force.total() * touch.n};
-        if constexpr (turns) apply_friction(discs, v, {i, j, pair}, touch, force.total(), push);
+        if constexpr (turns) apply_friction(discs, v, {i, j, pair}, touch, force.total(), powers, push);
         if (mode == 0) continue;
         if (shapes_.wall[i] != DiscShapes::free) wall_forces_[shapes_.wall[i]] -= push.force;
         if (shapes_.wall[j] != DiscShapes::free) wall_forces_[shapes_.wall[j]] += push.force;
@@ -334,20 +335,27 @@ class DiscSystem {
   struct PairOfDiscs {
     std::size_t a, b, pair;
   };
-  /// Limits the stretch of the friction spring (return mapping) and adds its force to the push.
+  /// Limits the stretch of the friction spring (return mapping) and adds its force to the push, and to `powers` the
+  /// power [F L/T] that a changing stiffness dissipates.
   void apply_friction(Discs& discs, const Velocities& v, PairOfDiscs of, const Touch& touch, double normal,
-                      Push& push) {
+                      std::array<double, mechanism_count>& powers, Push& push) {
     Mode& mode = contacts_.friction_mode[of.pair];
     double& stretch = contacts_.stretch[of.pair];
+    const CoulombFriction friction = friction_.at(touch.x.deformation);
     push.arm_a = arm(of.a, touch), push.arm_b = arm(of.b, touch);
     if (mode == CoulombFriction::open && normal > 0.0 && touch.x.deformation_rate > 0.0) {
       const double slip = slip_rate(touch, push.arm_a, v.spin[of.a], push.arm_b, v.spin[of.b]);
-      stretch = friction_.initial_stretch(slip * std::max(touch.x.deformation, 0.0) / touch.x.deformation_rate, normal);
+      const double slipped = F::onset * slip * std::max(touch.x.deformation, 0.0) / touch.x.deformation_rate;
+      stretch = friction.initial_stretch(slipped, normal);
     }
-    const auto settled = friction_.return_mapping(stretch, normal);
+    const auto settled = friction.return_mapping(stretch, normal);
     mode = settled.mode, stretch = settled.stretch;
     discs.work[static_cast<std::size_t>(Mechanism::friction)] += settled.dissipated;
-    push.friction = friction_(stretch, normal);
+    if constexpr (has_varying_stiffness<F>) {
+      if (mode != CoulombFriction::open)
+        powers[static_cast<std::size_t>(Mechanism::friction)] += friction_.area_power(stretch, touch.x);
+    }
+    push.friction = friction(stretch, normal);
     push.force -= push.friction * cross(1.0, touch.n);
   }
 

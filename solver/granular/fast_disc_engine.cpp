@@ -92,6 +92,7 @@ void FastDiscEngine::evaluate(Discs& discs, DiscRates& out) {
   discs.work = work_;
   out.work.fill(0.0);
   out.work[static_cast<std::size_t>(traits_.dissipation)] = power_;
+  out.work[static_cast<std::size_t>(Mechanism::friction)] += friction_power_;
 }
 
 void FastDiscEngine::update_modes(Discs& discs) {
@@ -104,7 +105,10 @@ void FastDiscEngine::update_modes(Discs& discs) {
 void FastDiscEngine::sweep(double kick, double drift) {
   if (kick != 0.0) begin_kick();
   double fastest = sweep_pairs(kick, traits_.turns ? 0.0 : drift);
-  if (kick != 0.0) work_[static_cast<std::size_t>(traits_.dissipation)] += kick * power_;
+  if (kick != 0.0) {
+    work_[static_cast<std::size_t>(traits_.dissipation)] += kick * power_;
+    work_[static_cast<std::size_t>(Mechanism::friction)] += kick * friction_power_;
+  }
   if (traits_.turns && drift != 0.0) {
     each([&](Stripe& stripe) {
       if (kick == 0.0) place_ghosts(stripe, places_.data(), &NeighbourList::Shift::x);
@@ -184,7 +188,7 @@ double FastDiscEngine::drift_walls(double drift) {
 
 /// Accumulates the energy dissipated by contacts at this evaluation, in the order of pairs.
 void FastDiscEngine::accumulate_ledger() {
-  power_ = 0.0;
+  power_ = friction_power_ = 0.0;
   ended_.clear();
   for (Stripe& stripe : stripes_) {
     ended_.insert(ended_.end(), stripe.ended.begin(), stripe.ended.end());
@@ -205,6 +209,7 @@ void FastDiscEngine::accumulate_ledger() {
   if (kinds.reported()) {
     for_each_touching([&](const SweptContacts& of, std::size_t t, std::size_t pair) {
       if (kinds.friction_work) record_ended(pair), friction_work += of.friction_work[t];
+      if (kinds.area_power) friction_power_ += of.area_power[t];
       if (kinds.power) power_ += of.power[t], released += of.released[t];
     });
   }

@@ -73,6 +73,7 @@ class FastDiscEngine {
     kinds_.power = !traits_.has_history && traits_.needs_rate;
     kinds_.normal = traits_.turns || kinds_.power;
     kinds_.friction_work = traits_.turns;
+    kinds_.area_power = traits_.changes_stiffness;
   }
 
   /// Initializes before the first step; contacts that exist already start without history.
@@ -108,10 +109,11 @@ class FastDiscEngine {
  protected:
   /// Properties of the contact law and its friction.
   struct Traits {
-    bool has_history{};  ///< the law has memory: the largest overlap
-    bool turns{};        ///< friction turns the discs
-    bool needs_rate{};   ///< the law's force depends on the rate of overlap
-    double reach{};      ///< largest gap of the surfaces at which it acts [L]
+    bool has_history{};        ///< the law has memory: the largest overlap
+    bool turns{};              ///< friction turns the discs
+    bool changes_stiffness{};  ///< the stiffness of friction depends on the overlap
+    bool needs_rate{};         ///< the law's force depends on the rate of overlap
+    double reach{};            ///< largest gap of the surfaces at which it acts [L]
     Mechanism dissipation{}, release{};
   };
 
@@ -126,9 +128,10 @@ class FastDiscEngine {
   /// The stages of a sweep in which the law and its friction act (step_block.hpp).
   virtual void evaluate_pair_forces(const StepBlock& sweep, PairForces& pushes) const = 0;
   virtual double kick_and_drift(const StepBlock& sweep) const = 0;
+  virtual void stretch_contacts(const StepBlock& sweep) const = 0;
   /// Loss of a contact of a history-dependent law, by its largest overlap; 0 for other laws [F L].
   virtual double hysteresis_loss(double largest) const = 0;
-  /// Energy of the friction spring at a stretch [F L].
+  /// Energy of the friction spring of surfaces that have separated, at a stretch [F L].
   virtual double friction_energy(double stretch) const = 0;
 
   /// Calls visit(first, second, shift of the second's image, memory), in order, for each pair that touched at the last
@@ -221,7 +224,7 @@ class FastDiscEngine {
   double shear_displacement_{};  ///< Discs::shear_displacement
   SweptContacts::Kinds kinds_;
   std::array<double, mechanism_count> work_{};  ///< Discs::work
-  double power_{};                              ///< of dashpots at the last evaluation [F L/T]
+  double power_{}, friction_power_{};           ///< of dashpots, and area_power, at the last evaluation [F L/T]
 
   SweptPairs pairs_;             ///< all listed pairs
   std::vector<Stripe> stripes_;  ///< one for each thread

@@ -2,7 +2,6 @@
 
 #include <array>
 #include <cmath>
-#include <concepts>
 #include <cstddef>
 #include <span>
 #include <utility>
@@ -11,8 +10,7 @@
 #include "solver/granular/disc_contact.hpp"
 #include "solver/granular/fast_disc_engine.hpp"
 #include "solver/granular/step_block.hpp"
-#include "solver/laws/contact_kernel.hpp"
-#include "solver/laws/coulomb_friction.hpp"
+#include "solver/laws/law_list.hpp"
 #include "solver/laws/mode_update.hpp"
 
 namespace talus {
@@ -23,14 +21,13 @@ namespace talus {
 /// (lost()). FastDiscEngine documents how.
 ///
 /// The stages of its sweeps are those of step_block.hpp: for laws that are not in DiscLaws they must be instantiated
-/// (law_sweep.hpp).
+/// (law_sweep.hpp). F: Frictionless or one of DiscFrictions.
 ///
 /// Errors: InputError for zero threads; functions that list pairs have the errors of NeighbourList::build.
 template <Law L, class F = Frictionless>
-requires HasContactKernel<L>
-class FastDiscSystem : public FastDiscEngine {
+requires(HasContactKernel<L>&& CanHaveFriction<L, F>) class FastDiscSystem : public FastDiscEngine {
  public:
-  static constexpr bool has_history = L::memory_size == 1, turns = std::same_as<F, CoulombFriction>;
+  static constexpr bool has_history = L::memory_size == 1, turns = turns_discs<F>;
 
   /// skin [L] > 0: how far the neighbour list reaches beyond the law's reach. threads >= 1: used by advance();
   /// worthwhile from a few thousand discs on, if these are numbered by rows.
@@ -38,6 +35,7 @@ class FastDiscSystem : public FastDiscEngine {
                  std::size_t threads = 1)
       : FastDiscEngine{{.has_history = has_history,
                         .turns = turns,
+                        .changes_stiffness = has_varying_stiffness<F>,
                         .needs_rate = contact_kernel(law).needs_rate(),
                         .reach = reach(law),
                         .dissipation = L::dissipation,
@@ -72,8 +70,9 @@ class FastDiscSystem : public FastDiscEngine {
           contact.force = mode == 0 ? 0.0 : law_(x, remembered, mode).total();
           contact.stored = law_.stored_energy(x, remembered, mode);
           if constexpr (turns) {
-            contact.friction = friction_(then.stretch, contact.force);
-            contact.stored += friction_.stored_energy(then.stretch);
+            const CoulombFriction friction = friction_.at(x.deformation);
+            contact.friction = friction(then.stretch, contact.force);
+            contact.stored += friction.stored_energy(then.stretch);
           }
           visit(contact);
         });
@@ -84,12 +83,15 @@ class FastDiscSystem : public FastDiscEngine {
     talus::evaluate_pair_forces(law_, friction_, sweep, pushes);
   }
   double kick_and_drift(const StepBlock& sweep) const override { return talus::kick_and_drift(law_, friction_, sweep); }
+  void stretch_contacts([[maybe_unused]] const StepBlock& sweep) const override {
+    if constexpr (turns) talus::stretch_contacts(friction_, sweep);
+  }
   double hysteresis_loss([[maybe_unused]] double largest) const override {
     if constexpr (has_history) return law_.hysteresis_loss(largest);
     return 0.0;
   }
   double friction_energy([[maybe_unused]] double stretch) const override {
-    if constexpr (turns) return friction_.stored_energy(stretch);
+    if constexpr (turns) return friction_.at(0.0).stored_energy(stretch);
     return 0.0;
   }
 

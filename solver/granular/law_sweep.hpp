@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <array>
-#include <concepts>
 #include <cstddef>
 #include <cstdint>
 #include <span>
@@ -38,7 +37,7 @@ double kick_and_drift(const L& law, const F& friction, const StepBlock& w) {
   constexpr std::size_t room = sweep_block + pack_size;
   std::array<double, 5 * room> numbers;
   const stages::Pushes pushes{&numbers[0], &numbers[2 * room], &numbers[3 * room], &numbers[4 * room]};
-  const bool moves = !std::same_as<F, CoulombFriction> && w.drift != 0.0;
+  const bool moves = !turns_discs<F> && w.drift != 0.0;
   Sizes fastest{};
   std::size_t moved = w.begin;
   if (w.kicks) {
@@ -84,17 +83,25 @@ void evaluate_pair_forces(const L& law, const F& friction, const StepBlock& w, P
   stages::end_sweep(w);
 }
 
-/// Instantiates the sweeps of a list of laws, without and with friction: `template struct talus::LawSweeps<List>;`
-template <class List>
+/// Instantiates the sweeps of a list of laws, without and with each friction that they can have:
+/// `template struct talus::LawSweeps<List>;`
+template <class List, class Frictions = DiscFrictions>
 struct LawSweeps;
-template <class... L>
-struct LawSweeps<LawList<L...>> {
-  template <class F>
+template <class... L, class... F>
+struct LawSweeps<LawList<L...>, LawList<F...>> {
+  template <class With, class Of>
+  static auto sweeps() {
+    if constexpr (CanHaveFriction<Of, With>)
+      return std::tuple{&evaluate_pair_forces<Of, With>, &kick_and_drift<Of, With>};
+    else
+      return std::tuple{};
+  }
+  template <class With>
   static auto with_friction() {
-    return std::tuple{&evaluate_pair_forces<L, F>..., &kick_and_drift<L, F>...};
+    return std::tuple_cat(sweeps<With, L>()...);
   }
   /// Never called: the functions that it names are instantiated with it. (Variables marked as used crash clang 14.)
-  static auto all() { return std::tuple{with_friction<Frictionless>(), with_friction<CoulombFriction>()}; }
+  static auto all() { return std::tuple_cat(with_friction<Frictionless>(), with_friction<F>()...); }
 };
 
 }  // namespace talus

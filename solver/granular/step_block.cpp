@@ -2,9 +2,11 @@
 
 #include <algorithm>
 #include <array>
+#include <tuple>
 
 #include "solver/granular/disc_lanes.hpp"
 #include "solver/granular/disc_stages.hpp"
+#include "solver/laws/law_list.hpp"
 
 namespace talus {
 namespace stages {
@@ -44,9 +46,9 @@ TALUS_CLONES void move(const StepBlock& w, std::size_t from, std::size_t to, Siz
   fastest = most;
 }
 
-}  // namespace stages
-
-TALUS_CLONES void stretch_contacts(const StepBlock& w) {
+/// stretch_contacts() of one block.
+template <class F>
+TALUS_CLONES [[gnu::noinline]] void stretch(const F& friction, const StepBlock& w) {
   SweptContacts& contacts = *w.contacts;
   const double later = 0.5 * w.drift;
   for (std::size_t t = 0; t < contacts.now.count; t += pack_size) {
@@ -57,7 +59,7 @@ TALUS_CLONES void stretch_contacts(const StepBlock& w) {
     for (std::size_t l = 0; l < pack_size; ++l) {
       pairs[l] = contacts.now.pair[t + std::min(l, last)];
       const std::size_t second = w.pairs->second[pairs[l]], place = second / 2;
-      a[l] = w.pairs->first[pairs[l]], b[l] = static_cast<std::uint32_t>(stages::own_place(w, second));
+      a[l] = w.pairs->first[pairs[l]], b[l] = static_cast<std::uint32_t>(own_place(w, second));
       sliding[l] = place < w.discs ? 0.0 : w.shifts[w.ghost_image[place - w.discs]].vx;
     }
     differences(x, y, w.places, w.pairs->first.data(), w.pairs->second.data(), pairs.data());
@@ -75,12 +77,27 @@ TALUS_CLONES void stretch_contacts(const StepBlock& w) {
     square_root(distance);
     const Pack n_x = x / distance, n_y = y / distance, overlap = radii - distance;
     arm_a -= 0.5 * overlap, arm_b -= 0.5 * overlap;
-    Pack slip = w.drift * (v_x * -n_y + v_y * n_x - spin_a * arm_a - spin_b * arm_b), normal, stretch;
+    const Pack slip = v_x * -n_y + v_y * n_x - spin_a * arm_a - spin_b * arm_b, rate = -(v_x * n_x + v_y * n_y);
+    Pack normal, stretch, moved;
     load(normal, &contacts.now.normal[t]), load(stretch, &contacts.now.stretch[t]);
-    keep_where(slip, normal > Pack{});
-    store(stretch + slip, &contacts.now.stretch[t]);
+    friction.move_stretch(stretch, slip, overlap, rate, w.drift, moved);
+    store(normal > Pack{} ? moved : stretch, &contacts.now.stretch[t]);
   }
 }
+
+/// Names stretch_contacts() of each friction law, which is instantiated with it; never called.
+template <class... F>
+auto stretches(LawList<F...>) {
+  return std::tuple{&stretch_contacts<F>...};
+}
+
+}  // namespace stages
+
+template <class F>
+void stretch_contacts(const F& friction, const StepBlock& sweep) {
+  stages::stretch(friction, sweep);
+}
+template auto stages::stretches(DiscFrictions);
 
 double move_discs(const StepBlock& sweep) {
   Sizes fastest{};

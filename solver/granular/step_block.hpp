@@ -24,8 +24,10 @@ double kick_and_drift(const L& law, const F& friction, const StepBlock& sweep);
 /// Applies the forces of pairs whose first disc is in another block to those second discs that are in this block.
 void apply_incoming(const StepBlock& sweep, const PairForces& pushes);
 
-/// Adds the slip of the drift to the stretch of the friction springs, before the discs move.
-void stretch_contacts(const StepBlock& sweep);
+/// Moves the stretch of the friction springs by the slip of the drift, before the discs move. Instantiated for all of
+/// DiscFrictions.
+template <class F>
+void stretch_contacts(const F& friction, const StepBlock& sweep);
 
 /// Moves the discs; returns their largest squared speed relative to the mean flow [L^2/T^2].
 double move_discs(const StepBlock& sweep);

@@ -66,6 +66,7 @@ void SweptContacts::grow(std::size_t size) {
   }
   if (kinds.power) power.resize(size), released.resize(size);
   if (kinds.friction_work) friction_work.resize(size);
+  if (kinds.area_power) area_power.resize(size);
 }
 
 void SweptContacts::begin() {

@@ -50,7 +50,7 @@ struct SweptContacts {
   /// Kinds of memory that are stored, and of energy that is reported by each evaluation.
   struct Kinds {
     bool largest{}, stretch{}, normal{};
-    bool power{}, friction_work{};
+    bool power{}, friction_work{}, area_power{};
 
     bool remembered() const { return largest || stretch || normal; }
     bool reported() const { return power || friction_work; }
@@ -69,6 +69,7 @@ struct SweptContacts {
   std::vector<double> power,
       released;                       ///< of laws without memory (contact_kernel.hpp) [F L/T, F L]
   std::vector<double> friction_work;  ///< dissipated by friction [F L]
+  std::vector<double> area_power;     ///< dissipated by its changing stiffness [F L/T]
 
   std::size_t passed{};  ///< number of contacts in `before` that a sweep has passed
   /// For each contact of the present block its index in `before`; before.count, where the initial memory is stored, if

@@ -125,6 +125,20 @@ CatalogueField restitution_field() {
                   "");
 }
 
+/// The choice of a friction law, of contact laws with a radius.
+void add_shear_law(Group& group) {
+  group.fields.push_back({.name = "shear_law",
+                          .meaning = "tangential stiffness: linear (shear_stiffness), or mindlin (8 G times the "
+                                     "contact radius)",
+                          .form = Form::name,
+                          .names = FrictionLaws::names(),
+                          .absent = std::string{CoulombFriction::name}});
+  group.fields.push_back(quantity("shear_modulus", "effective shear modulus, 1/G the sum of (2 - nu)/G of both bodies",
+                                  dimension::pressure, Range::positive, ""));
+  set_with(group, "shear_law", "friction");
+  require_with(group, "shear_modulus", "shear_law", std::string{Mindlin::name});
+}
+
 void add_contact_laws(std::vector<Group>& groups) {
   ContactLaws::for_each([&]<class L>(const L& law) {
     Group group{.id = fmt::format("contact {}", L::name),
@@ -153,19 +167,7 @@ void add_contact_laws(std::vector<Group>& groups) {
         if constexpr (!HasHertzDashpot<L>) require_with(group, "restitution_speed", "restitution");
       }
     }
-    if constexpr (HasContactRadius<L>) {
-      group.fields.push_back({.name = "shear_law",
-                              .meaning = "tangential stiffness: linear (shear_stiffness), or mindlin (8 G times the "
-                                         "contact radius)",
-                              .form = Form::name,
-                              .names = FrictionLaws::names(),
-                              .absent = std::string{CoulombFriction::name}});
-      group.fields.push_back(quantity("shear_modulus",
-                                      "effective shear modulus, 1/G the sum of (2 - nu)/G of both bodies",
-                                      dimension::pressure, Range::positive, ""));
-      set_with(group, "shear_law", "friction");
-      require_with(group, "shear_modulus", "shear_law", std::string{Mindlin::name});
-    }
+    if constexpr (HasContactRadius<L>) add_shear_law(group);
     groups.push_back(std::move(group));
   });
 }
@@ -287,6 +289,7 @@ void add_cell(std::vector<Group>& groups) {
                                        "speed of approach for which restitution, contact time and stiffness are stated",
                                        dimension::velocity, Range::positive, "|block_speed|/(rows + 1)"));
     }
+    if constexpr (HasContactRadius<L>) add_shear_law(of_law);
     groups.push_back(std::move(of_law));
   });
 }

@@ -53,7 +53,7 @@ struct CoulombFriction {
               "tangential dashpot of friction that sticks"}}};
   }
 
-  // The interface of a friction law, see IsFrictionLaw.
+  // The interface of a friction law, see IsFrictionLaw and HasFrictionKernel.
   constexpr CoulombFriction at(double) const { return *this; }
   constexpr CoulombFriction stiffest() const { return *this; }
   constexpr double stretch_rate(double, double slip_rate, Kinematics) const { return slip_rate; }
@@ -61,6 +61,19 @@ struct CoulombFriction {
     return stretch + h * slip_rate;
   }
   constexpr double area_power(double, Kinematics) const { return 0.0; }
+  template <class Number>
+  [[gnu::always_inline]] constexpr void stiffness_at(const Number&, Number& k) const {
+    k = Number{} + stiffness;
+  }
+  template <class Number>
+  [[gnu::always_inline]] constexpr void move_stretch(const Number& stretch, const Number& slip_rate, const Number&,
+                                                     const Number&, double h, Number& moved) const {
+    moved = stretch + h * slip_rate;
+  }
+  template <class Number>
+  [[gnu::always_inline]] constexpr void area_power(const Number&, const Number&, const Number&, Number& power) const {
+    power = Number{};
+  }
 
   /// mu N/k_s of a normal force [L]; 0 where there is no stiffness.
   constexpr double stretch_limit(double normal) const {
@@ -105,33 +118,6 @@ struct CoulombFriction {
   constexpr double operator()(double stretch, double normal, double viscous = 0.0) const {
     const double limit = coefficient * std::max(normal, 0.0);
     return std::clamp(stiffness * (stretch + viscous), -limit, limit);
-  }
-
-  /// initial_stretch(), and return_mapping() followed by the force, for a compressive normal force, bit-identical to
-  /// the functions above without dashpot. Number is double or a SIMD pack of doubles.
-  template <class Number>
-  [[gnu::always_inline]] constexpr void initial_stretch(const Number& slip, const Number& normal,
-                                                        Number& stretch) const {
-    const Number limit = coefficient * normal / stiffness, back = -limit;
-    stretch = slip < back ? back : slip;
-    stretch = limit < stretch ? limit : stretch;
-  }
-  template <class Number>
-  [[gnu::always_inline]] constexpr void returned_force(const Number& normal, Number& stretch, Number& force) const {
-    initial_stretch(Number{stretch}, normal, stretch);
-    const Number limit = coefficient * normal, back = -limit;
-    force = stiffness * stretch;
-    force = force < back ? back : force;
-    force = limit < force ? limit : force;
-  }
-
-  /// Energy [F L] that return_mapping() dissipates as it reduces `stretch` to `left`.
-  template <class Number>
-  [[gnu::always_inline]] constexpr void dissipated(const Number& stretch, const Number& normal, const Number& left,
-                                                   Number& energy) const {
-    const Number none{}, was = stretch < none ? -stretch : stretch, is = left < none ? -left : left;
-    const Number slid = coefficient * normal * (was - is), let_go = 0.5 * stiffness * stretch * stretch;
-    energy = normal > none ? slid : let_go;
   }
 
   constexpr double stored_energy(double stretch) const { return 0.5 * stiffness * stretch * stretch; }

@@ -208,6 +208,11 @@ template <class L>
 concept HasHertzDashpot = requires(L law) {
   { law.dashpot } -> std::same_as<HertzDashpot&>;
 };
+/// Laws with the radius of curvature of their contact, `radius`.
+template <class L>
+concept HasContactRadius = requires(L law) {
+  { law.radius } -> std::same_as<double&>;
+};
 template <class L>
 concept HasDamping = requires(L law) {
   { law.damping } -> std::same_as<double&>;

@@ -9,6 +9,7 @@
 #include "solver/laws/contact_kernel.hpp"
 #include "solver/laws/coulomb_friction.hpp"
 #include "solver/laws/elastic_plastic.hpp"
+#include "solver/laws/friction_kernel.hpp"
 #include "solver/laws/hertz.hpp"
 #include "solver/laws/hunt_crossley.hpp"
 #include "solver/laws/latching_spring.hpp"
@@ -54,6 +55,8 @@ using CableLaw = CableLaws::Variant;
 ///   stretch_rate(s, u, x)          ds/dt [L/T] at the slip rate u, for the overlap and its rate x
 ///   stretch_after(s, u, x, h)      stretch [L] after a time h of constant speeds; x: at the middle of this time
 ///   area_power(s, x)               power that a changing stiffness dissipates [F L/T]
+///
+/// Friction of discs also has the functions of HasFrictionKernel (friction_kernel.hpp).
 template <class L>
 concept IsFrictionLaw = std::equality_comparable<L> && requires(const L law, double x, Kinematics of_normal) {
   { L::name } -> std::convertible_to<std::string_view>;
@@ -78,16 +81,31 @@ inline std::size_t memory_count(const FrictionLaw& law) {
 inline CoulombFriction at(const FrictionLaw& law, double overlap) {
   return std::visit([overlap](const auto& of) { return of.at(overlap); }, law);
 }
+/// Friction that depends on the radius of curvature is that of contact laws with this radius, which act only between
+/// surfaces that touch: other bodies have no contact area.
+template <class L, class F>
+concept CanHaveFriction = !HasContactRadius<F> || (HasContactRadius<L> && !ActsAtDistance<L>);
+
 /// A contact law that discs can have, too; a shear cell needs the duration and the restitution of their impacts.
 template <class L>
 concept IsDiscLaw = HasContactKernel<L> && KnowsImpacts<L> && SetsRestitution<L>;
-/// Laws of contacts between discs: all contact laws that discs can have.
+/// Friction that discs can have, too. Their contacts have no tangential dashpot.
+template <class L>
+concept IsDiscFriction = IsFrictionLaw<L> && HasFrictionKernel<L>;
+
 template <class... Ones, class... Others>
 LawList<Ones..., Others...> operator+(LawList<Ones...>, LawList<Others...>);
+template <bool is_selected, class L>
+using ListIf = std::conditional_t<is_selected, LawList<L>, LawList<>>;
 template <class... Laws>
-auto disc_laws(LawList<Laws...>)
-    -> decltype((LawList<>{} + ... + std::conditional_t<IsDiscLaw<Laws>, LawList<Laws>, LawList<>>{}));
+auto disc_laws(LawList<Laws...>) -> decltype((LawList<>{} + ... + ListIf<IsDiscLaw<Laws>, Laws>{}));
+template <class... Laws>
+auto disc_frictions(LawList<Laws...>) -> decltype((LawList<>{} + ... + ListIf<IsDiscFriction<Laws>, Laws>{}));
+/// Laws of contacts between discs: all contact laws that discs can have.
 using DiscLaws = decltype(disc_laws(ContactLaws{}));
 using DiscLaw = DiscLaws::Variant;
+/// Friction of contacts between discs: all friction laws that discs can have.
+using DiscFrictions = decltype(disc_frictions(FrictionLaws{}));
+using DiscFriction = DiscFrictions::Variant;
 
 }  // namespace talus

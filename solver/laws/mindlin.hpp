@@ -6,6 +6,7 @@
 #include <string_view>
 
 #include "solver/base/fields.hpp"
+#include "solver/base/pack.hpp"
 #include "solver/laws/coulomb_friction.hpp"
 #include "solver/laws/kinematics.hpp"
 
@@ -48,7 +49,11 @@ struct Mindlin {
           "tangential dashpot of friction that sticks, at an overlap equal to the radius"}}};
   }
 
-  double stiffness(double overlap) const { return 8.0 * modulus * std::sqrt(radius * std::max(overlap, 0.0)); }
+  double stiffness(double overlap) const {
+    double k{};
+    stiffness_at(overlap, k);
+    return k;
+  }
   /// Spring, dashpot and slider at an overlap [L].
   CoulombFriction at(double overlap) const {
     return {coefficient, stiffness(overlap),
@@ -61,20 +66,49 @@ struct Mindlin {
     if (!(x.deformation > 0.0 && x.deformation_rate > 0.0)) return slip_rate;
     return slip_rate - stretch * x.deformation_rate / (2.0 * x.deformation);
   }
-  /// Stretch after the time h of constant slip and closing speeds [L], exact; `x`: at the middle of this time. While
-  /// approaching s sqrt(d) has the rate u sqrt(d), and
-  ///   s_1 = s_0 sqrt(d_0/d_1) + 2/3 u h (d_1 + sqrt(d_0 d_1) + d_0)/(d_1 + sqrt(d_0 d_1)).
   double stretch_after(double stretch, double slip_rate, Kinematics x, double h) const {
-    const double half = 0.5 * h * x.deformation_rate;
-    const double before = std::max(x.deformation - half, 0.0), after = x.deformation + half;
-    if (!(x.deformation_rate > 0.0 && after > 0.0)) return stretch + h * slip_rate;
-    const double root = std::sqrt(before * after);
-    return stretch * std::sqrt(before / after) + 2.0 / 3.0 * h * slip_rate * (1.0 + before / (after + root));
+    double after{};
+    move_stretch(stretch, slip_rate, x.deformation, x.deformation_rate, h, after);
+    return after;
+  }
+  double area_power(double stretch, Kinematics x) const {
+    double power{};
+    area_power(stretch, x.deformation, x.deformation_rate, power);
+    return power;
+  }
+
+  // The same for a number or a pack of numbers, see HasFrictionKernel.
+  template <class Number>
+  [[gnu::always_inline]] void stiffness_at(const Number& overlap, Number& k) const {
+    const Number none{};
+    k = radius * (overlap > none ? overlap : none);
+    square_root(k);
+    k = 8.0 * modulus * k;
+  }
+  /// Stretch after the time h of constant slip and closing speeds [L], exact; overlap and its rate: at the middle of
+  /// this time. While approaching s sqrt(d) has the rate u sqrt(d), and
+  ///   s_1 = s_0 sqrt(d_0/d_1) + 2/3 u h (d_1 + sqrt(d_0 d_1) + d_0)/(d_1 + sqrt(d_0 d_1)).
+  template <class Number>
+  [[gnu::always_inline]] void move_stretch(const Number& stretch, const Number& slip_rate, const Number& overlap,
+                                           const Number& rate, double h, Number& moved) const {
+    const Number none{}, half = 0.5 * h * rate, begin = overlap - half, after = overlap + half;
+    const Number before = begin > none ? begin : none;
+    Number root = before * after, ratio = before / after;
+    square_root(root), square_root(ratio);
+    const Number grown = stretch * ratio + 2.0 / 3.0 * h * slip_rate * (1.0 + before / (after + root));
+    const Number kept = stretch + h * slip_rate;
+    moved = rate > none ? grown : kept;
+    moved = after > none ? moved : kept;
   }
   /// Power dissipated by the change of the contact area [F L/T].
-  double area_power(double stretch, Kinematics x) const {
-    if (!(x.deformation > 0.0)) return 0.0;
-    return stiffness(x.deformation) * stretch * stretch * std::abs(x.deformation_rate) / (4.0 * x.deformation);
+  template <class Number>
+  [[gnu::always_inline]] void area_power(const Number& stretch, const Number& overlap, const Number& rate,
+                                         Number& power) const {
+    const Number none{};
+    Number k;
+    stiffness_at(overlap, k);
+    power = k * stretch * stretch * (rate < none ? -rate : rate) / (4.0 * overlap);
+    power = overlap > none ? power : none;
   }
 
   friend constexpr bool operator==(const Mindlin&, const Mindlin&) = default;

@@ -28,7 +28,14 @@ std::string line(const CellScene& scene, const CellNumber& number) {
 
 std::string law_words(const CellScene& scene, const ShearCell& cell) {
   std::string words{std::visit([](const auto& of) { return of.name; }, cell.law)};
-  if (cell.friction) words += fmt::format(", friction {}", cell.friction->coefficient);
+  if (cell.friction) {
+    std::visit(
+        [&]<class F>(const F& of) {
+          words += fmt::format(", friction {}{}", of.coefficient,
+                               has_varying_stiffness<F> ? fmt::format(" by {}", F::name) : std::string{});
+        },
+        *cell.friction);
+  }
   if (!cell.is_linear())
     words += fmt::format("; impacts are stated at {}", with_unit(scene, cell.nominal_speed(), dimension::velocity));
   return words;

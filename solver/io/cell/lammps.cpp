@@ -66,30 +66,52 @@ std::string old_pair_style(const LammpsScene& scene) {
   if (law->damping != 0.0)
     throw InputError{fmt::format("damping: found {:g}; the style gran/hooke supports only 0", law->damping)};
   if (!scene.friction) return fmt::format("pair_style gran/hooke {:.17g} 0 0 0 0 0\npair_coeff * *\n", law->stiffness);
+  const auto* const friction = std::get_if<CoulombFriction>(&*scene.friction);
+  if (friction == nullptr) throw InputError{"shear_law: found mindlin; for the style gran/hooke it must be linear"};
   return fmt::format("pair_style gran/hooke/history {:.17g} {:.17g} 0 0 {:.17g} 0\npair_coeff * *\n", law->stiffness,
-                     scene.friction->stiffness, scene.friction->coefficient);
+                     friction->stiffness, friction->coefficient);
+}
+
+/// Factor between a length sqrt(R d) with the effective radius of the law and with that of LAMMPS: half of that of
+/// equal discs.
+double radius_factor(double radius, const LammpsScene& scene) {
+  return std::sqrt(radius / (0.5 * scene.shapes.radius.front()));
 }
 
 /// Normal force of the style granular: its model with its coefficient, and the dashpot coefficient.
 std::string normal_model(const LinearSpringDashpot& law, const LammpsScene& /* scene */) {
   return fmt::format("hooke {:.17g} {:.17g}", law.stiffness, law.damping);
 }
-/// LAMMPS multiplies the coefficient by the square root of the pair's effective radius, half of that of equal discs.
+/// LAMMPS multiplies the coefficient by the square root of the pair's effective radius.
 std::string normal_model(const Hertz& law, const LammpsScene& scene) {
   if (law.dashpot == HertzDashpot::tsuji && law.damping != 0.0)
     throw InputError{"dashpot: found tsuji, which LAMMPS sets by another number; it must be constant"};
   const std::vector<double>& radii = scene.shapes.radius;
   if (std::adjacent_find(radii.begin(), radii.end(), std::not_equal_to{}) != radii.end())
     throw InputError{"law: found hertz with discs of different size; for LAMMPS they must be equal"};
-  return fmt::format("hertz {:.17g} {:.17g}", 4.0 / 3.0 * law.modulus * std::sqrt(law.radius / (0.5 * radii.front())),
-                     law.damping);
+  return fmt::format("hertz {:.17g} {:.17g}", 4.0 / 3.0 * law.modulus * radius_factor(law.radius, scene), law.damping);
+}
+
+/// Tangential force of the style granular, without dashpot.
+std::string tangential_model(const CoulombFriction& friction, const LammpsScene& /* scene */) {
+  return fmt::format("linear_history {:.17g} 0.0 {:.17g}", friction.stiffness, friction.coefficient);
+}
+/// LAMMPS adds k_t a u to the force for a slip rate u, with the contact radius a of the pair's effective radius, and
+/// reduces the force in the ratio of the radii while a decreases. `mindlin_rescale` without `/force` stores the slip
+/// instead: its force grows with the contact area.
+std::string tangential_model(const Mindlin& friction, const LammpsScene& scene) {
+  if (!std::holds_alternative<Hertz>(scene.law))
+    throw InputError{
+        "shear_law: found mindlin with linear_spring_dashpot, which has no contact radius; it must be linear"};
+  return fmt::format("mindlin_rescale/force {:.17g} 0.0 {:.17g}",
+                     8.0 * friction.modulus * radius_factor(friction.radius, scene), friction.coefficient);
 }
 
 std::string pair_style(const LammpsScene& scene, LammpsRun::Style style) {
   if (style == LammpsRun::Style::gran_hooke) return old_pair_style(scene);
-  const std::string tangential = scene.friction ? fmt::format("linear_history {:.17g} 0.0 {:.17g}",
-                                                              scene.friction->stiffness, scene.friction->coefficient)
-                                                : "linear_nohistory 0.0 0.0";
+  const std::string tangential =
+      scene.friction ? std::visit([&](const auto& of) { return tangential_model(of, scene); }, *scene.friction)
+                     : "linear_nohistory 0.0 0.0";
   return std::visit(
       [&](const auto& law) {
         const bool clamped = law.end_rule == EndRule::clamped && law.damping != 0.0;

@@ -7,21 +7,20 @@
 
 #include "solver/granular/discs.hpp"
 #include "solver/granular/periodic_box.hpp"
-#include "solver/laws/coulomb_friction.hpp"
-#include "solver/laws/hertz.hpp"
-#include "solver/laws/linear_spring_dashpot.hpp"
+#include "solver/laws/law_list.hpp"
 
 namespace talus {
 
 /// A system of discs for LAMMPS (Thompson et al. 2022), which represents them as spheres in a plane. Its granular pair
-/// styles have the linear spring-dashpot, Hertz's law with a constant dashpot, and history-dependent friction. They
-/// apply friction at the radius of a disc, Talus in the middle of the overlap; discs of a wall turn in neither code.
+/// styles have the linear spring-dashpot, Hertz's law with a constant dashpot, and friction by a spring or, with
+/// Hertz's law, by Mindlin's stiffness, whose force they rescale as Talus does (`mindlin_rescale/force`). They apply
+/// friction at the radius of a disc, Talus in the middle of the overlap; discs of a wall turn in neither code.
 struct LammpsScene {
   DiscShapes shapes;
   Discs discs;
   PeriodicBox box;
   std::variant<LinearSpringDashpot, Hertz> law;
-  std::optional<CoulombFriction> friction{};  ///< if set, discs turn, with the inertia of a solid disc
+  std::optional<DiscFriction> friction{};  ///< if set, discs turn, with the inertia of a solid disc
 };
 
 /// Averages of a sheared cell that LAMMPS computes, named as in the summary of `talus cell`: stresses on the wall that
@@ -54,10 +53,10 @@ struct LammpsRun {
 /// Text of the input script: reads the data, writes forces.txt (number, position and force of each disc), integrates,
 /// and prints the kinetic energy of the free discs ten times, or with `means` at each output, together with the means.
 /// Walls are at rest, move at constant velocity, or move along y under their mass and weight, as in Talus. With
-/// friction, either style is used in its variant with history. Errors: InputError for a dashpot or Hertz's law with the
-/// style gran_hooke, for Hertz's law with Tsuji's dashpot (which LAMMPS sets from a restitution by a polynomial, not by
-/// a coefficient) or discs of different size (of which LAMMPS takes the radius of each pair), and for means without a
-/// wall that has a mass.
+/// friction, either style is used in its variant with history. Errors: InputError for a dashpot, Hertz's law or
+/// Mindlin's friction with the style gran_hooke, for Mindlin's friction with another law than Hertz's, for Hertz's law
+/// with Tsuji's dashpot (which LAMMPS sets from a restitution by a polynomial, not by a coefficient) or discs of
+/// different size (of which LAMMPS takes the radius of each pair), and for means without a wall that has a mass.
 [[nodiscard]] std::string lammps_input(const LammpsScene& scene, const LammpsRun& run, const std::string& data_file);
 
 /// Writes both files, discs.data and in.discs, to a folder, in which `lmp -in in.discs` runs them. Errors: as above,

@@ -226,12 +226,20 @@ std::vector<std::string> cell_keys() {
   if constexpr (HasEndRule<L>) keys.emplace_back("end_rule");
   if constexpr (HasHertzDashpot<L>) keys.emplace_back("dashpot");
   if constexpr (!HasLinearPart<L>) keys.emplace_back("impact_speed");
+  if constexpr (HasContactRadius<L>) keys.insert(keys.end(), {"shear_law", "shear_modulus"});
   keys.insert(keys.end(), {"restitution", "friction", "shear_stiffness", "overburden", "seed"});
   for (const auto& field : ShearCell::fields())
     keys.emplace_back(field.name);
   for (const auto& field : ShearCell::counts())
     keys.emplace_back(field.name);
   return keys;
+}
+
+/// Reads friction; a shear stiffness that is not given is 0, and is set by complete().
+void read_disc_friction(SceneTable& table, ShearCell& cell) {
+  const bool has_choice = std::visit([]<class L>(const L&) { return HasContactRadius<L>; }, cell.law);
+  if (const std::optional<FrictionLaw> friction = read_friction(table, has_choice, 0.0))
+    std::visit([&](const auto& of) { cell.friction = of; }, *friction);
 }
 
 /// Reads all fields of [cell]. Returns the restitution, if it is given: the law's parameter follows from it and the
@@ -263,7 +271,7 @@ std::optional<double> read_cell_table(SceneTable& table, ShearCell& cell) {
   if (table.has("seed")) {
     cell.seed = static_cast<std::uint64_t>(table.whole_between("seed", 0, most_seed));
   }
-  cell.friction = read_friction(table, 0.0);
+  read_disc_friction(table, cell);
   return restitution;
 }
 
@@ -289,7 +297,8 @@ void complete(const SceneTable& table, std::optional<double> restitution, ShearC
         cell.law);
     if (!has_impacts()) return;
   }
-  if (cell.friction && cell.friction->stiffness == 0.0) cell.friction->stiffness = cell.stiffness();
+  auto* const constant = cell.friction ? std::get_if<CoulombFriction>(&*cell.friction) : nullptr;
+  if (constant != nullptr && constant->stiffness == 0.0) constant->stiffness = cell.stiffness();
 }
 
 bool is_deck(std::string_view name) { return name.ends_with(".DAT") || name.ends_with(".dat"); }

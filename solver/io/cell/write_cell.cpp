@@ -37,6 +37,19 @@ Json numbers(const CellScene& scene, const std::vector<CellNumber>& of) {
   return json;
 }
 
+/// Adds the fields that a scene gives for friction; `shear_law` only where there is a choice.
+void add_friction(Json& json, const ShearCell& cell) {
+  const bool has_choice = std::visit([]<class L>(const L&) { return HasContactRadius<L>; }, cell.law);
+  std::visit(
+      [&]<class F>(const F& friction) {
+        if (has_choice) json["shear_law"] = std::string{F::name};
+        for (const auto& field : F::fields())
+          if (field.name != "radius" && field.name != "shear_damping")
+            json[std::string{field.name}] = friction.*field.member;
+      },
+      *cell.friction);
+}
+
 Json parameters(const CellScene& scene) {
   Json json = Json::object();
   const ShearCell& cell = scene.cell;
@@ -50,7 +63,7 @@ Json parameters(const CellScene& scene) {
         if constexpr (!HasLinearPart<L>) json["impact_speed"] = cell.nominal_speed();
       },
       cell.law);
-  if (cell.friction) json["friction"] = cell.friction->coefficient, json["shear_stiffness"] = cell.friction->stiffness;
+  if (cell.friction) add_friction(json, cell);
   for (const auto& field : ShearCell::fields())
     json[std::string{field.name}] = cell.*field.member;
   for (const auto& field : ShearCell::counts())
@@ -114,8 +127,9 @@ std::vector<CellNumber> cell_groups(const CellScene& scene, CellRun& run) {
         group("stepped_restitution", stepped, "what the integrator makes of it with this step, in closed form"));
   }
   if (cell.friction) {
-    groups.push_back(group("friction", cell.friction->coefficient, "of two discs"));
-    groups.push_back(group("shear_over_normal_stiffness", cell.friction->stiffness / cell.stiffness(), "k_s/K1"));
+    const double coefficient = std::visit([](const auto& of) { return of.coefficient; }, *cell.friction);
+    groups.push_back(group("friction", coefficient, "of two discs"));
+    groups.push_back(group("shear_over_normal_stiffness", cell.shear_stiffness() / cell.stiffness(), "k_s/K1"));
   }
   const std::vector<CellNumber> others{
       group("contact_steps", cell.contact_time() / scene.plan.step, "contact time over step"),

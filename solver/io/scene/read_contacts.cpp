@@ -72,39 +72,20 @@ std::array<int, 2> read_nodes(SceneTable& table) {
   return {counts.front(), counts.back()};
 }
 
-/// Reads friction with a constant stiffness. Without `shear_damping`, a law with a retardation time c/k has the same
-/// retardation time tangentially as along the normal, like a viscoelastic solid; other laws have no tangential dashpot.
-CoulombFriction read_linear_friction(SceneTable& table, const ContactLaw& law) {
-  CoulombFriction friction =
-      *read_friction(table, std::visit([](const auto& l) { return l.tangent().stiffness; }, law));
-  friction.follows_normal =
-      !table.has("shear_damping") && std::visit([]<class L>(const L&) { return HasRetardationTime<L>; }, law);
-  friction.damping = table.quantity_or("shear_damping", dimension::damping, 0.0, Range::non_negative);
-  return friction;
-}
-
-/// Reads friction whose stiffness follows from the contact radius.
-Mindlin read_mindlin(SceneTable& table) {
-  table.refuse("shear_stiffness", "it belongs to shear_law = \"linear\"; give shear_modulus instead");
-  Mindlin friction;
-  table.read_fields(friction);
-  return friction;
-}
-
-std::optional<FrictionLaw> read_friction_law(SceneTable& table, const ContactLaw& law) {
+/// Reads friction of bodies. Without `shear_damping`, friction of constant stiffness has the same retardation time
+/// tangentially as along the normal, like a viscoelastic solid, if the law has a retardation time c/k; with other laws
+/// it has no dashpot.
+std::optional<FrictionLaw> read_body_friction(SceneTable& table, const ContactLaw& law) {
+  if (!table.has("friction")) table.refuse("shear_damping", "it requires friction; give friction, or remove it");
   const bool has_radius = std::visit([]<class L>(const L&) { return HasContactRadius<L>; }, law);
-  if (!table.has("friction")) {
-    std::vector<std::string_view> keys{"shear_stiffness", "shear_damping"};
-    if (has_radius) keys.insert(keys.end(), {"shear_law", "shear_modulus"});
-    for (const std::string_view key : keys)
-      table.refuse(key, "it requires friction; give friction, or remove it");
-    return {};
-  }
-  if (!has_radius) return read_linear_friction(table, law);
-  const std::string name = table.has("shear_law") ? table.choice("shear_law", FrictionLaws::names()) : "linear";
-  if (name == Mindlin::name) return read_mindlin(table);
-  table.refuse("shear_modulus", "it belongs to shear_law = \"mindlin\"; give this law, or remove it");
-  return read_linear_friction(table, law);
+  std::optional<FrictionLaw> friction =
+      read_friction(table, has_radius, std::visit([](const auto& l) { return l.tangent().stiffness; }, law));
+  auto* const constant = friction ? std::get_if<CoulombFriction>(&*friction) : nullptr;
+  if (constant == nullptr) return friction;
+  constant->follows_normal =
+      !table.has("shear_damping") && std::visit([]<class L>(const L&) { return HasRetardationTime<L>; }, law);
+  constant->damping = table.quantity_or("shear_damping", dimension::damping, 0.0, Range::non_negative);
+  return friction;
 }
 
 SceneContact read_contact(SceneTable table, const BodyNames& bodies) {
@@ -132,19 +113,36 @@ SceneContact read_contact(SceneTable table, const BodyNames& bodies) {
     for (const std::string_view key : {"nodes", "node_depth"})
       table.refuse(key, "contact by resultant has no nodes; leave it out");
   }
-  contact.friction = read_friction_law(table, contact.law);
+  contact.friction = read_body_friction(table, contact.law);
   return read;
 }
 
 }  // namespace
 
-std::optional<CoulombFriction> read_friction(SceneTable& table, double normal_stiffness) {
+std::optional<FrictionLaw> read_friction(SceneTable& table, bool has_choice, double normal_stiffness) {
   if (!table.has("friction")) {
-    table.refuse("shear_stiffness", "it requires friction; give friction, or remove it");
+    std::vector<std::string_view> keys{"shear_stiffness"};
+    if (has_choice) keys.insert(keys.end(), {"shear_law", "shear_modulus"});
+    for (const std::string_view key : keys)
+      table.refuse(key, "it requires friction; give friction, or remove it");
     return {};
   }
-  return CoulombFriction{table.number("friction", Range::non_negative),
-                         table.quantity_or("shear_stiffness", dimension::stiffness, normal_stiffness, Range::positive)};
+  std::string name{CoulombFriction::name};
+  if (has_choice && table.has("shear_law")) name = table.choice("shear_law", FrictionLaws::names());
+  std::optional<FrictionLaw> friction;
+  visit_named<FrictionLaw>(name, [&]<class F>(F law) {
+    if constexpr (HasContactRadius<F>) {
+      table.refuse("shear_stiffness", "it belongs to shear_law = \"linear\"; give shear_modulus instead");
+      table.read_fields(law);
+    } else {
+      if (has_choice)
+        table.refuse("shear_modulus", "it belongs to shear_law = \"mindlin\"; give this law, or remove it");
+      law.coefficient = table.number("friction", Range::non_negative);
+      law.stiffness = table.quantity_or("shear_stiffness", dimension::stiffness, normal_stiffness, Range::positive);
+    }
+    friction = law;
+  });
+  return friction;
 }
 
 std::vector<SceneContact> read_contacts(SceneTable& file, const BodyNames& bodies) {

@@ -84,9 +84,12 @@ BOOST_AUTO_TEST_CASE(a_run_that_was_killed_goes_on_to_the_same_files) {
   }
 }
 
-BOOST_AUTO_TEST_CASE(a_rough_cell_leaves_spins_and_goes_on_to_the_same_files) {
+namespace {
+
+/// Runs a rough cell of cases, killed and resumed, and whole; returns its summary.
+Json resumed_summary(const char* name) {
   const Folder folder;
-  std::string text = talus::read_text(scene("cell/rough.toml"));
+  std::string text = talus::read_text(scene(name));
   text.replace(text.find("5 ms"), 4, "2 ms"), text.replace(text.find("100 ms"), 6, "20 ms");
   const std::string file = folder.file("rough.toml", text);
   const std::string whole = folder.path / "whole", killed = folder.path / "killed";
@@ -97,16 +100,31 @@ BOOST_AUTO_TEST_CASE(a_rough_cell_leaves_spins_and_goes_on_to_the_same_files) {
   BOOST_TEST(talus_ran({"cell", "--resume", killed}).code == 0);
   same_files(killed, whole);
   const auto left = files(whole);
-  const Json summary = Json::parse(left.at("summary.json"));
-  BOOST_TEST(summary["parameters"]["law"] == "linear_spring_dashpot");
-  BOOST_TEST(summary["parameters"]["end_rule"] == "clamped");
-  BOOST_TEST(summary["parameters"]["friction"] == 0.5);
+  BOOST_TEST(holds(left.at("history.csv"), ",sliding_fraction,spin [rad/s]\n"));
+  BOOST_TEST(holds(left.at("cell_states/cell_000009.vtp"), "Name=\"spin\""));
+  Json summary = Json::parse(left.at("summary.json"));
   BOOST_TEST(!summary["groups"].contains("stepped_restitution"));
   BOOST_TEST(summary["results"]["spin"]["value"] < 0.0);
   BOOST_TEST(summary["results"]["sliding_fraction"]["value"] > 0.0);
   BOOST_TEST(summary["energy"]["friction_work"] > 0.0);
-  BOOST_TEST(holds(left.at("history.csv"), ",sliding_fraction,spin [rad/s]\n"));
-  BOOST_TEST(holds(left.at("cell_states/cell_000009.vtp"), "Name=\"spin\""));
+  return summary;
+}
+
+}  // namespace
+
+BOOST_AUTO_TEST_CASE(a_rough_cell_leaves_spins_and_goes_on_to_the_same_files) {
+  const Json linear = resumed_summary("cell/rough.toml")["parameters"];
+  BOOST_TEST(linear["law"] == "linear_spring_dashpot");
+  BOOST_TEST(linear["end_rule"] == "clamped");
+  BOOST_TEST(linear["friction"] == 0.5);
+  BOOST_TEST(linear["shear_stiffness"] == 14214.0);
+  BOOST_TEST(!linear.contains("shear_law"));
+  const Json spheres = resumed_summary("cell/spheres.toml")["parameters"];
+  BOOST_TEST(spheres["law"] == "hertz");
+  BOOST_TEST(spheres["friction"] == 0.5);
+  BOOST_TEST(spheres["shear_law"] == "mindlin");
+  BOOST_TEST(spheres["shear_modulus"] == 144e6);
+  BOOST_TEST(!spheres.contains("shear_stiffness"));
 }
 
 BOOST_AUTO_TEST_CASE(a_run_whose_last_files_cannot_be_written_can_be_resumed) {
@@ -275,6 +293,10 @@ BOOST_AUTO_TEST_CASE(a_cell_is_exported_for_lammps_with_dashpots_if_they_may_sta
   // Laws that LAMMPS has are exported without replacement.
   BOOST_TEST(talus_ran({"export", "lammps", scene("cell/rough.toml"), "--out", out}).code == 0);
   BOOST_TEST(holds(talus::read_text(fs::path{out} / "in.discs"), "linear_history"));
+  // 8 G: the radius of the law is that of LAMMPS.
+  BOOST_TEST(talus_ran({"export", "lammps", scene("cell/spheres.toml"), "--out", out}).code == 0);
+  BOOST_TEST(
+      holds(talus::read_text(fs::path{out} / "in.discs"), "tangential mindlin_rescale/force 1152000000 0.0 0.5"));
   const auto exported = [&](const std::string& latching, const std::string& law) {
     std::string text = talus::read_text(scene("cell/ice.toml"));
     text.replace(text.find(latching), latching.size(), law);

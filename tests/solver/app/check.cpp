@@ -114,7 +114,7 @@ BOOST_AUTO_TEST_CASE(expected_output_of_fences) {
 }
 
 BOOST_AUTO_TEST_CASE(expected_output_of_cells) {
-  for (const char* const name : {"cell/ice.toml", "cell/rough.toml", "cell/CNTRL.DAT"})
+  for (const char* const name : {"cell/ice.toml", "cell/rough.toml", "cell/spheres.toml", "cell/CNTRL.DAT"})
     check_output(scene(name), "cell", "cell_states/");
   const Folder folder;
   check_output(folder.file("new.toml", talus_ran({"new", "cell"}).out).string(), "cell", "cell_states/");

@@ -291,15 +291,17 @@ BOOST_AUTO_TEST_CASE(titles_and_names_in_other_encodings) {
 }
 
 BOOST_AUTO_TEST_CASE(check_distinguishes_cells_from_bodies) {
-  for (const char* const cell : {"cell/ice.toml", "cell/CNTRL.DAT", "cell/rough.toml"}) {
+  for (const char* const cell : {"cell/ice.toml", "cell/CNTRL.DAT", "cell/rough.toml", "cell/spheres.toml"}) {
     const Ended ended = talus_ran({"check", scene(cell)});
     BOOST_TEST(ended.code == 0, ended.err);
     for (const char* const words :
          {"80 free in 8 rows, 11 in each wall", "contact_steps", "inertial_number", "force evaluations to"})
       BOOST_TEST(holds(ended.out, words), words);
-    const bool rough = std::string_view{cell} == "cell/rough.toml";
-    BOOST_TEST(holds(ended.out, "stepped_restitution") != rough);
+    const bool rough = std::string_view{cell} == "cell/rough.toml",
+               spheres = std::string_view{cell} == "cell/spheres.toml";
+    BOOST_TEST(holds(ended.out, "stepped_restitution") != (rough || spheres));
     BOOST_TEST(holds(ended.out, "linear_spring_dashpot, friction 0.5") == rough);
+    BOOST_TEST(holds(ended.out, "hertz, friction 0.5 by mindlin") == spheres);
   }
 }
 

@@ -21,7 +21,9 @@ ShearCell sparse(ShearCell cell) {
   if (auto* hertz = std::get_if<Hertz>(&cell.law))
     hertz->modulus *= nonlinear, hertz->damping *= hertz->dashpot == HertzDashpot::tsuji ? std::sqrt(nonlinear) : 10.0;
   if (auto* hunt_crossley = std::get_if<HuntCrossley>(&cell.law)) hunt_crossley->stiffness *= nonlinear;
-  if (cell.friction) cell.friction->stiffness *= 100.0;
+  if (!cell.friction) return cell;
+  if (auto* linear = std::get_if<CoulombFriction>(&*cell.friction)) linear->stiffness *= 100.0;
+  if (auto* mindlin = std::get_if<Mindlin>(&*cell.friction)) mindlin->modulus *= nonlinear;
   return cell;
 }
 

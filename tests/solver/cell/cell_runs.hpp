@@ -11,7 +11,10 @@
 /// Cells of all laws, plans for them, and functions shared by the tests of their runs.
 namespace talus {
 
-/// A cell of each law, smooth and rough: contact times of all are similar.
+inline CoulombFriction rough_example(CoulombFriction, double) { return {0.5, 1.4e4}; }
+inline Mindlin rough_example(Mindlin, double radius) { return {0.5, 4e8, radius}; }
+
+/// A cell of each law, smooth and with each friction that it can have: contact times of all are similar.
 inline std::vector<ShearCell> cells() {
   std::vector<ShearCell> all;
   for (const DiscLaw& law : std::vector<DiscLaw>{
@@ -20,12 +23,19 @@ inline std::vector<ShearCell> cells() {
            Hertz{7e8, 2.5e-4, 0.08, EndRule::clamped, HertzDashpot::tsuji},
            Hertz{7e8, 2.5e-4, 0.02, EndRule::attractive, HertzDashpot::constant},
            HuntCrossley{4.5e4, 1e-5, 1.5, 0.5}}) {
-    for (const bool rough : {false, true}) {
-      ShearCell cell = ice_cell(8e3, 5e3);
-      cell.law = law;
-      if (rough) cell.friction = CoulombFriction{0.5, 1.4e4};
-      all.push_back(cell);
-    }
+    ShearCell cell = ice_cell(8e3, 5e3);
+    cell.law = law;
+    all.push_back(cell);
+    const auto add_rough = [&]<class L, class F>(const L& of, const F&) {
+      if constexpr (CanHaveFriction<L, F>) {
+        double radius = 0.0;
+        if constexpr (HasContactRadius<L>) radius = of.radius;
+        cell.friction = rough_example(F{}, radius);
+        all.push_back(cell);
+      }
+    };
+    DiscFrictions::for_each(
+        [&](const auto& friction) { std::visit([&](const auto& of) { add_rough(of, friction); }, law); });
   }
   return all;
 }

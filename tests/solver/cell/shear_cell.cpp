@@ -70,6 +70,22 @@ BOOST_AUTO_TEST_CASE(cells_that_cannot_be) {
   refused([](ShearCell& c) { c.law = LinearSpringDashpot{1.7e4, 1.0, EndRule::attractive}; });
   refused([](ShearCell& c) { c.friction = CoulombFriction{-0.1, 1e4}; });
   refused([](ShearCell& c) { c.friction = CoulombFriction{0.1, 0.0}; });
+  refused([](ShearCell& c) { c.friction = CoulombFriction{0.1, 1e4, 1.0}; });
+  const auto refused_mindlin = [](const DiscLaw& law, const Mindlin& friction, const std::string& words) {
+    ShearCell cell = ice_cell(8e3, 5e3);
+    cell.law = law, cell.friction = friction;
+    BOOST_CHECK_EXCEPTION(static_cast<void>(fill(cell)), InputError,
+                          [&](const InputError& error) { return error.what() == words; });
+  };
+  const Hertz hertz{7e8, 2.5e-4};
+  refused_mindlin(
+      LatchingSpring{1.7e4, 3.4e4, 0.0}, {0.3, 5e8, 2.5e-4},
+      "shear_law: found mindlin with the law latching_spring, which has no contact radius; it must be linear");
+  refused_mindlin(hertz, {-0.1, 5e8, 2.5e-4}, "friction: found -0.1; it must be >= 0");
+  refused_mindlin(hertz, {0.3, 0.0, 2.5e-4}, "shear_modulus: found 0; it must be > 0");
+  refused_mindlin(hertz, {0.3, 5e8, 5e-4}, "radius: found 0.0005; it must be that of the law, 0.00025");
+  refused_mindlin(hertz, {0.3, 5e8, 2.5e-4, 0.1},
+                  "shear_damping: found 0.1; it must be 0: contacts of discs have no tangential dashpot");
   refused([](ShearCell& c) { c.columns = 12; });
   refused([](ShearCell& c) { c.wall_discs = 2, c.columns = 2; });
   refused([](ShearCell& c) { c.rows = 0; });

@@ -179,9 +179,25 @@ class Twins {
   Discs theirs_ = scene_.discs, ours_ = scene_.discs;
 };
 
+CoulombFriction example(CoulombFriction, double) { return {0.5, 2e3}; }
+Mindlin example(Mindlin, double radius) { return {0.5, 3e3, radius}; }
+
+/// Calls visit(law, friction) without friction and with each that the law can have.
+template <Law L, class Visit>
+void for_each_friction(const L& law, Visit&& visit) {
+  visit(law, Frictionless{});
+  DiscFrictions::for_each([&]<class F>(const F&) {
+    if constexpr (CanHaveFriction<L, F>) {
+      double radius = 0.0;
+      if constexpr (HasContactRadius<L>) radius = law.radius;
+      visit(law, example(F{}, radius));
+    }
+  });
+}
+
 template <class Visit>
 void for_each_law_and_friction(Visit&& visit) {
-  const auto with = [&](const auto& law) { visit(law, Frictionless{}), visit(law, CoulombFriction{0.5, 2e3}); };
+  const auto with = [&](const auto& law) { for_each_friction(law, visit); };
   with(LinearSpringDashpot{4e3, 0.0}), with(LinearSpringDashpot{4e3, 3.0});
   with(LinearSpringDashpot{4e3, 3.0, EndRule::attractive});
   with(LatchingSpring{4e3, 8e3, 0.0}), with(LatchingSpring{4e3, 5e3, 2e-3});
@@ -199,7 +215,7 @@ void for_each_disc_law(Visit&& visit) {
         const bool has_force = field.dimension.mass != 0;
         if (has_force) law.*field.member *= 500.0;
       }
-      visit(law, Frictionless{}), visit(law, CoulombFriction{0.5, 2e3});
+      for_each_friction(law, visit);
     }
   });
 }

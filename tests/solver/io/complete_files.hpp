@@ -509,6 +509,7 @@ rows = 8
 columns = 10
 wall_discs = 11
 friction = 0.5
+shear_law = "linear"
 shear_stiffness = "1e4 N/m"
 seed = 3
 [run] # cell run
@@ -556,6 +557,9 @@ block_speed = "5 m/s"
 rows = 8
 columns = 10
 wall_discs = 11
+friction = 0.5
+shear_law = "mindlin"
+shear_modulus = "80 MPa"
 [run] # cell run
 step = "0.2 us"
 every = "5 ms"

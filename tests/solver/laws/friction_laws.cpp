@@ -2,8 +2,10 @@
 #define BOOST_TEST_MODULE friction_laws
 #include <boost/test/unit_test.hpp>
 #include <cmath>
+#include <random>
 #include <string>
 
+#include "solver/base/pack.hpp"
 #include "solver/laws/law_list.hpp"
 
 using namespace talus;
@@ -105,4 +107,77 @@ BOOST_AUTO_TEST_CASE(stiffness_of_mindlin_is_that_of_the_contact_radius) {
   BOOST_TEST(law.at(0.125).stiffness == 8.0 * 3.0 * 0.5);  // a = sqrt(2 * 0.125)
   BOOST_TEST(law.at(0.125).damping == 0.125);              // (0.125/2)^(1/4) = 1/2
   BOOST_TEST(law.stiffest().stiffness == law.at(0.2).stiffness);
+}
+
+namespace {
+
+/// Whether each lane of a pack has the bits of a number: the same value, or zero of either sign.
+bool has_lanes(const Pack& pack, const std::array<double, pack_size>& numbers) {
+  for (std::size_t l = 0; l < pack_size; ++l)
+    if (!(pack[l] == numbers[l])) return false;
+  return true;
+}
+}  // namespace
+
+BOOST_AUTO_TEST_CASE(lanes_of_disc_friction_have_the_bits_of_numbers) {
+  std::mt19937 random{7};
+  std::uniform_real_distribution<double> unit{-1.0, 1.0};
+  const auto four = [&](double size) {
+    return std::array{size * unit(random), size * unit(random), size * unit(random), size * unit(random)};
+  };
+  DiscFrictions::for_each([&]<class F>(const F&) {
+    const F law = example(F{});
+    bool same_stiffness = true, same_stretch = true, same_power = true, same_slider = true;
+    for (int n = 0; n < 2000; ++n) {
+      const auto overlaps = four(0.2), rates = four(0.5), slips = four(0.4), stretches = four(0.1), forces = four(3.0);
+      const double h = 0.1 * unit(random);
+      Pack overlap, rate, slip, stretch, force, stiffness, moved, power;
+      load(overlap, overlaps.data()), load(rate, rates.data()), load(slip, slips.data());
+      load(stretch, stretches.data()), load(force, forces.data());
+      force = force < Pack{} ? -force : force;
+      law.stiffness_at(overlap, stiffness);
+      law.move_stretch(stretch, slip, overlap, rate, h, moved);
+      law.area_power(stretch, overlap, rate, power);
+      std::array<double, pack_size> k, s, p, begun, left, pushed, lost;
+      for (std::size_t l = 0; l < pack_size; ++l) {
+        const Kinematics x{overlaps[l], rates[l]};
+        const CoulombFriction at = law.at(overlaps[l]);
+        const double normal = std::abs(forces[l]);
+        k[l] = at.stiffness, s[l] = law.stretch_after(stretches[l], slips[l], x, h);
+        p[l] = law.area_power(stretches[l], x);
+        begun[l] = at.initial_stretch(slips[l], normal);
+        const auto mapped = at.return_mapping(stretches[l], normal);
+        left[l] = mapped.stretch, lost[l] = mapped.dissipated, pushed[l] = at(mapped.stretch, normal);
+      }
+      same_stiffness = same_stiffness && has_lanes(stiffness, k);
+      same_stretch = same_stretch && has_lanes(moved, s);
+      same_power = same_power && has_lanes(power, p);
+      // Without overlap the slider of a stiffness that follows the contact radius has none: no force pushes it.
+      Pack initial, kept = stretch, push, work;
+      for (std::size_t l = 0; l < pack_size; ++l) {
+        if (!(overlaps[l] > 0.0)) begun[l] = left[l] = pushed[l] = lost[l] = 0.0;
+      }
+      const SpringSlider<Pack> slider{law.coefficient, stiffness};
+      slider.initial_stretch(slip, force, initial);
+      slider.returned_force(force, kept, push);
+      slider.dissipated(stretch, force, kept, work);
+      for (Pack* const lanes : {&initial, &kept, &push, &work})
+        *lanes = overlap > Pack{} ? *lanes : Pack{};
+      same_slider = same_slider && has_lanes(initial, begun) && has_lanes(kept, left) && has_lanes(push, pushed) &&
+                    has_lanes(work, lost);
+    }
+    BOOST_TEST_CONTEXT(std::string{F::name}) {
+      BOOST_TEST(same_stiffness);
+      BOOST_TEST(same_stretch);
+      BOOST_TEST(same_power);
+      BOOST_TEST(same_slider);
+    }
+  });
+}
+
+BOOST_AUTO_TEST_CASE(friction_by_the_contact_radius_needs_a_law_with_this_radius) {
+  static_assert(CanHaveFriction<Hertz, Mindlin> && CanHaveFriction<Hertz, CoulombFriction>);
+  static_assert(CanHaveFriction<LinearSpringDashpot, CoulombFriction> && CanHaveFriction<LatchingSpring, Frictionless>);
+  static_assert(!CanHaveFriction<LinearSpringDashpot, Mindlin> && !CanHaveFriction<HuntCrossley, Mindlin>);
+  BOOST_TEST((DiscFrictions::names() == FrictionLaws::names()));
 }

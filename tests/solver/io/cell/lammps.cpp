@@ -9,6 +9,7 @@
 #include <fstream>
 #include <random>
 #include <sstream>
+#include <utility>
 
 #include "solver/base/error.hpp"
 #include "solver/granular/disc_system.hpp"
@@ -134,33 +135,61 @@ void compare(const LammpsScene& given, LammpsRun::Style style, bool newton) {
 
 }  // namespace
 
+namespace {
+
+/// Two discs that graze each other and separate with spin.
+LammpsScene grazing(const std::variant<LinearSpringDashpot, Hertz>& law, const DiscFriction& friction) {
+  LammpsScene scene{.shapes = {}, .discs = {}, .box = {.width = 20.0, .height = 20.0}, .law = law};
+  scene.friction = friction;
+  scene.shapes.add(1.0, 1.0), scene.shapes.add(1.0, 1.0);
+  scene.discs.add(-1.1, 0.0, 0.5, 0.0), scene.discs.add(1.1, 0.0, -0.5, 0.7);
+  return scene;
+}
+
+/// Kinetic energy after the impact, without that of spin, by LAMMPS and by Talus.
+template <class L, class F>
+std::pair<double, double> grazed(const L& law, const F& friction, LammpsRun::Style style) {
+  const LammpsScene scene = grazing(law, friction);
+  constexpr double h = 0.1 * step;
+  const Answer theirs = lammps(scene, style, true, h, 10 * steps);
+  DiscSystem system{scene.shapes, scene.box, law, 0.6, friction};
+  Discs discs = scene.discs;
+  system.begin(discs);
+  VelocityVerletOf<Discs> stepper;
+  stepper.start(system, discs, h);
+  for (long n = 0; n < 10 * steps; ++n)
+    stepper.step(system, discs, h);
+  double energy = 0.0;
+  for (std::size_t i = 0; i < 2; ++i)
+    energy += 0.5 * (discs.vx[i] * discs.vx[i] + discs.vy[i] * discs.vy[i]);
+  return {theirs.energies.back(), energy};
+}
+
+/// The energy before, which discs without friction would keep.
+constexpr double before_grazing = 0.5 * (0.25 + 0.25 + 0.49);
+
+}  // namespace
+
 BOOST_AUTO_TEST_CASE(lammps_turns_discs_by_friction_alike) {
   if (!has_lammps()) return;
-  // Two discs graze and separate with spin; LAMMPS applies friction at their radius, a difference of an overlap of
-  // 0.01.
+  // LAMMPS applies friction at the radius of the discs, a difference of an overlap of 0.01.
   for (const auto style : {LammpsRun::Style::granular, LammpsRun::Style::gran_hooke}) {
     for (const double coefficient : {0.1, 5.0}) {
-      const LinearSpringDashpot law{4e3, 0.0};
-      LammpsScene scene{.shapes = {}, .discs = {}, .box = {.width = 20.0, .height = 20.0}, .law = law};
-      scene.friction = CoulombFriction{coefficient, 3e3};
-      scene.shapes.add(1.0, 1.0), scene.shapes.add(1.0, 1.0);
-      scene.discs.add(-1.1, 0.0, 0.5, 0.0), scene.discs.add(1.1, 0.0, -0.5, 0.7);
-      constexpr double h = 0.1 * step;
-      const Answer theirs = lammps(scene, style, true, h, 10 * steps);
-      DiscSystem system{scene.shapes, scene.box, law, 0.6, *scene.friction};
-      Discs discs = scene.discs;
-      system.begin(discs);
-      VelocityVerletOf<Discs> stepper;
-      stepper.start(system, discs, h);
-      for (long n = 0; n < 10 * steps; ++n)
-        stepper.step(system, discs, h);
-      double energy = 0.0;
-      for (std::size_t i = 0; i < 2; ++i)
-        energy += 0.5 * (discs.vx[i] * discs.vx[i] + discs.vy[i] * discs.vy[i]);
-      BOOST_TEST(theirs.energies.back() == energy, boost::test_tools::tolerance(0.01));
-      // Without friction their energy would not change.
-      BOOST_TEST(energy < 0.97 * 0.5 * (0.25 + 0.25 + 0.49));
+      const auto [theirs, ours] = grazed(LinearSpringDashpot{4e3, 0.0}, CoulombFriction{coefficient, 3e3}, style);
+      BOOST_TEST(theirs == ours, boost::test_tools::tolerance(0.01));
+      BOOST_TEST(ours < 0.97 * before_grazing);
     }
+  }
+}
+
+BOOST_AUTO_TEST_CASE(lammps_rescales_mindlins_force_alike) {
+  if (!has_lammps()) return;
+  // The radius is not that of the discs. Stiff contacts have small overlaps, and so differ little by the radius at
+  // which friction is applied. A contact lasts some 300 steps.
+  for (const double coefficient : {0.1, 0.4, 5.0}) {
+    const auto [theirs, ours] = grazed(Hertz{2e4, 0.8}, Mindlin{coefficient, 1.5e4, 0.8}, LammpsRun::Style::granular);
+    BOOST_TEST(theirs == ours, boost::test_tools::tolerance(0.005));
+    BOOST_TEST(ours < 0.97 * before_grazing);
   }
 }
 
@@ -201,4 +230,14 @@ BOOST_AUTO_TEST_CASE(what_lammps_does_not_have_is_refused) {
           "law: found hertz with discs of different size; for LAMMPS they must be equal");
   refused(constant, 0.0, LammpsRun::Style::gran_hooke,
           "law: found hertz; for the style gran/hooke it must be linear_spring_dashpot");
+  const auto refused_friction = [](LammpsRun::Style style, const std::string& words) {
+    const LammpsScene given = grazing(LinearSpringDashpot{4e3, 0.0}, Mindlin{0.3, 1e4, 0.5});
+    BOOST_CHECK_EXCEPTION(static_cast<void>(lammps_input(given, {.style = style}, "x")), InputError,
+                          [&](const InputError& error) { return error.what() == words; });
+  };
+  refused_friction(LammpsRun::Style::gran_hooke,
+                   "shear_law: found mindlin; for the style gran/hooke it must be linear");
+  refused_friction(
+      LammpsRun::Style::granular,
+      "shear_law: found mindlin with linear_spring_dashpot, which has no contact radius; it must be linear");
 }

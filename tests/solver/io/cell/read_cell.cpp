@@ -204,9 +204,9 @@ BOOST_AUTO_TEST_CASE(a_scene_file_names_its_law_and_its_friction) {
     BOOST_TEST(cell.restitution() == 0.5, boost::test_tools::tolerance(1e-12));
     BOOST_TEST(!cell.friction.has_value());
   }
-  BOOST_TEST((*read("restitution = 0.5\nfriction = 0.4").friction == CoulombFriction{0.4, 1.7e4}));
+  BOOST_TEST((*read("restitution = 0.5\nfriction = 0.4").friction == DiscFriction{CoulombFriction{0.4, 1.7e4}}));
   BOOST_TEST((*read("restitution = 0.5\nfriction = 0.4\nshear_stiffness = \"1e4 N/m\"").friction ==
-              CoulombFriction{0.4, 1e4}));
+              DiscFriction{CoulombFriction{0.4, 1e4}}));
 }
 
 BOOST_AUTO_TEST_CASE(fields_that_a_law_does_not_have_are_errors_with_their_line) {
@@ -276,7 +276,7 @@ BOOST_AUTO_TEST_CASE(laws_that_are_not_linear_have_a_speed_of_impact) {
           cell.law);
     }
     const ShearCell rough = read(law + "restitution = 0.6\nfriction = 0.4");
-    BOOST_TEST(rough.friction->stiffness == rough.stiffness());
+    BOOST_TEST((*rough.friction == DiscFriction{CoulombFriction{0.4, rough.stiffness()}}));
     BOOST_TEST(refusal(law) == (law.starts_with("law = \"hunt")
                                     ? "c.toml:3: cell: hysteresis: it is missing; give restitution or hysteresis"
                                     : "c.toml:3: cell: damping: it is missing; give restitution or damping"));
@@ -317,6 +317,41 @@ BOOST_AUTO_TEST_CASE(laws_that_are_not_linear_have_a_speed_of_impact) {
              heavy);
 }
 
+BOOST_AUTO_TEST_CASE(friction_of_a_law_with_a_radius_has_a_choice) {
+  const auto text = [](const std::string& law, const std::string& more) {
+    return with(with(toml, "stiffness = \"1.7e4 N/m\"\n", ""), "restitution = 0.5", law + "restitution = 0.6" + more);
+  };
+  const std::string hertz = "law = \"hertz\"\nmodulus = \"700 MPa\"\nradius = \"0.25 mm\"\n";
+  const auto read = [&](const std::string& more) { return read_cell(text(hertz, more), "c.toml", {}).cell; };
+  const auto refusal = [&](const std::string& more) { return message(text(hertz, more), "c.toml"); };
+  const std::string mindlin = "\nfriction = 0.4\nshear_law = \"mindlin\"";
+  const ShearCell cell = read(mindlin + "\nshear_modulus = \"500 MPa\"");
+  BOOST_TEST((*cell.friction == DiscFriction{Mindlin{0.4, 5e8, 2.5e-4}}));
+  BOOST_TEST(cell.shear_stiffness() == 8.0 * 5e8 * std::sqrt(2.5e-4 * cell.nominal_overlap()),
+             boost::test_tools::tolerance(1e-14));
+  const ShearCell linear = read("\nfriction = 0.4\nshear_law = \"linear\"\nshear_stiffness = \"1e4 N/m\"");
+  BOOST_TEST((*linear.friction == DiscFriction{CoulombFriction{0.4, 1e4}}));
+  BOOST_TEST(linear.shear_stiffness() == 1e4);
+  BOOST_TEST(refusal(mindlin) == "c.toml:3: cell: shear_modulus: it is missing");
+  BOOST_TEST(refusal(mindlin + "\nshear_modulus = \"0 Pa\"") ==
+             "c.toml:10: cell: shear_modulus: found \"0 Pa\"; it must be > 0");
+  BOOST_TEST(refusal(mindlin + "\nshear_modulus = \"1 Pa\"\nshear_stiffness = \"1 N/m\"") ==
+             "c.toml:11: cell: shear_stiffness: it belongs to shear_law = \"linear\"; give shear_modulus instead");
+  BOOST_TEST(refusal("\nfriction = 0.4\nshear_modulus = \"1 Pa\"") ==
+             "c.toml:9: cell: shear_modulus: it belongs to shear_law = \"mindlin\"; give this law, or remove it");
+  BOOST_TEST(refusal("\nshear_law = \"mindlin\"") ==
+             "c.toml:8: cell: shear_law: it requires friction; give friction, or remove it");
+  BOOST_TEST(refusal("\nshear_modulus = \"1 Pa\"") ==
+             "c.toml:8: cell: shear_modulus: it requires friction; give friction, or remove it");
+  BOOST_TEST(refusal("\nfriction = 0.4\nshear_law = \"minlin\"") ==
+             "c.toml:9: cell: shear_law: found \"minlin\"; nearest: mindlin; known: linear, mindlin");
+  BOOST_TEST(refusal(mindlin + "\nshear_modulus = \"1 Pa\"\nshear_damping = \"1 N s/m\"")
+                 .starts_with("c.toml:11: cell: shear_damping: this key is not known"));
+  BOOST_TEST(
+      message(with(toml, "restitution = 0.5", "restitution = 0.5\nfriction = 0.4\nshear_law = \"mindlin\""), "c.toml")
+          .starts_with("c.toml:7: cell: shear_law: this key is not known"));
+}
+
 BOOST_AUTO_TEST_CASE(images_across_the_borders_may_be_virtual_discs) {
   BOOST_TEST((read_cell(toml, "c.toml", {}).plan.images == Images::nearest));
   BOOST_TEST((read_cell(with(toml, "jump = \"on\"", "images = \"virtual\""), "c.toml", {}).plan.images ==
@@ -352,7 +387,7 @@ BOOST_AUTO_TEST_CASE(the_rough_cell_of_cases_is_the_other_one_with_another_law) 
   BOOST_TEST(rough.cell.contact_time() == ice.cell.contact_time(), boost::test_tools::tolerance(1e-4));
   BOOST_TEST(rough.cell.restitution() == ice.cell.restitution(), boost::test_tools::tolerance(1e-12));
   BOOST_TEST(rough.cell.overburden() == ice.cell.overburden());
-  BOOST_TEST(rough.cell.friction->coefficient == 0.5);
+  BOOST_TEST(std::get<CoulombFriction>(*rough.cell.friction).coefficient == 0.5);
   BOOST_TEST(rough.plan.step == ice.plan.step);
 }
 

@@ -395,6 +395,8 @@ Case definition() {
                       "parameters of cells that differ from their scenes"},
                      {"more_growth", "a growth of the unloading stiffness too large by 0.1 %",
                       "cells whose discs touch: forces of latching springs from positions, largest error"},
+                     {"stiffer_spheres", "a shear modulus of spheres larger by 1e-4",
+                      "cells whose discs touch: accelerations by Hertz's law and friction of spheres, largest error"},
                      {"rougher_discs", "a friction coefficient of 0.501 in place of 0.5",
                       "cells whose discs touch: accelerations by normal and friction forces, largest error"},
                      {"stiffer_shear", "a shear stiffness of 20.01 N/m in place of 20 N/m",

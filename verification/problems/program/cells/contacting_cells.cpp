@@ -20,6 +20,7 @@ constexpr std::size_t moving_discs = 10, discs_and_walls = 20;
 constexpr double disc_diameter = 1e-3, disc_mass = 7.2e-7, cell_period = 5e-3, step_length = 2e-6;
 constexpr double loading = 170.0, unloading = 310.0, growth = 2e5, friction = 0.5, shear_stiffness = 20.0;
 constexpr double spring = 170.0, dashpot = 0.01;
+constexpr double modulus = 1e6, contact_radius = 2.5e-4, shear_modulus = 1e5;
 
 std::string cell_of(const std::string& law, const std::string& integrator) {
   return fmt::format(R"(units = "SI"
@@ -125,9 +126,45 @@ void compare_force(const Step& step, const Pair& pair, double exact, Errors& err
   errors.largest = std::max(errors.largest, std::abs(exact));
 }
 
-/// A latching spring K1 d that unloads with K2 + growth K1 d_max, and friction by a spring and a slider at mu N; semi-
-/// implicit Euler applies the forces of a state to the velocities of the next one.
-Errors latching_errors(const std::vector<Step>& steps) {
+/// A contact law and its friction.
+struct RoughLaw {
+  double (*force)(double overlap, double largest);
+  double (*shear_stiffness)(double overlap);
+  /// Stretch of the friction spring at the end of a step of constant speeds; overlap: in the middle of the step.
+  double (*moved)(double stretch, double slip_rate, double overlap, double rate);
+  double onset;  ///< stretch over slip of a contact that begins
+};
+
+/// A latching spring K1 d that unloads with K2 + growth K1 d_max, and friction by a spring of constant stiffness.
+constexpr RoughLaw latching_law{
+    [](double overlap, double largest) {
+      const double back = unloading + growth * loading * largest;
+      return std::max(0.0, loading * largest - back * (largest - overlap));
+    },
+    [](double) { return shear_stiffness; },
+    [](double stretch, double slip_rate, double, double) { return stretch + step_length * slip_rate; }, 1.0};
+
+/// 8 G a of spheres, and its integral over a step from one overlap to another.
+double sphere_stiffness(double overlap) { return 8.0 * shear_modulus * std::sqrt(contact_radius * overlap); }
+double stiffness_integral(double from, double to) {
+  const double mean = 2.0 / 3.0 * (to + std::sqrt(from * to) + from) / (std::sqrt(to) + std::sqrt(from));
+  return 8.0 * shear_modulus * std::sqrt(contact_radius) * mean * step_length;
+}
+/// Hertz's spring, and friction with Mindlin's stiffness: while the overlap grows, the force grows by the integral of
+/// stiffness and slip rate; while it shrinks, the stretch stays but for the slip.
+constexpr RoughLaw sphere_law{
+    [](double overlap, double) { return 4.0 / 3.0 * modulus * std::sqrt(contact_radius * overlap) * overlap; },
+    sphere_stiffness,
+    [](double stretch, double slip_rate, double overlap, double rate) {
+      const double from = std::max(overlap - 0.5 * step_length * rate, 0.0), to = overlap + 0.5 * step_length * rate;
+      if (!(rate > 0.0 && to > 0.0)) return stretch + step_length * slip_rate;
+      return (sphere_stiffness(from) * stretch + slip_rate * stiffness_integral(from, to)) / sphere_stiffness(to);
+    },
+    2.0 / 3.0};
+
+/// Forces by such a law and a slider at mu N; semi-implicit Euler applies the forces of a state to the velocities of
+/// the next one.
+Errors rough_errors(const std::vector<Step>& steps, const RoughLaw& law) {
   Errors errors;
   struct History {
     double largest{}, stretch{};
@@ -144,18 +181,19 @@ Errors latching_errors(const std::vector<Step>& steps) {
       const double overlap = touch.overlap();
       if (overlap < history.largest) ++errors.unloading;
       history.largest = std::max(history.largest, overlap);
-      const double back = unloading + growth * loading * history.largest;
-      const double force = std::max(0.0, loading * history.largest - back * (history.largest - overlap));
+      const double force = law.force(overlap, history.largest);
       compare_force(now, pair, force, errors);
       if (history.pressed) {
-        history.stretch += step_length * slip_rate(now, pair, touch_between(steps[n - 1], now, pair));
+        const Touch middle = touch_between(steps[n - 1], now, pair);
+        history.stretch =
+            law.moved(history.stretch, slip_rate(now, pair, middle), middle.overlap(), approach(now, pair, middle));
       } else if (const double rate = approach(now, pair, touch); force > 0.0) {
-        history.stretch = rate > 0.0 ? slip_rate(now, pair, touch) * overlap / rate : 0.0;
+        history.stretch = rate > 0.0 ? law.onset * slip_rate(now, pair, touch) * overlap / rate : 0.0;
       }
-      const double limit = friction * force / shear_stiffness;
+      const double stiffness = law.shear_stiffness(overlap), limit = friction * force / stiffness;
       if (force > 0.0) ++(std::abs(history.stretch) > limit ? errors.sliding : errors.sticking);
       history.stretch = std::clamp(history.stretch, -limit, limit), history.pressed = force > 0.0;
-      const double drag = shear_stiffness * history.stretch;
+      const double drag = stiffness * history.stretch;
       const double x = force * touch.x + drag * touch.y, y = force * touch.y - drag * touch.x;
       auto &first = loads.at(pair.first), &second = loads.at(pair.second);
       first[0] -= x, first[1] -= y, second[0] += x, second[1] += y;
@@ -201,16 +239,18 @@ void check_contacting_cells(const TemporaryFolder& folder, Findings& findings, c
                                 "an overlap is the difference of positions of up to 3 mm, rounded by 2e-19 m eight "
                                 "times, times up to 3 kN/m, over a largest force of 13 mN");
   };
-  Errors latching, damped;
+  Errors latching, spheres, damped;
   if (setup.needs("latching springs from") || setup.needs("accelerations")) {
     const double more = setup.has("more_growth") ? 1.001 : 1.0;
-    latching = latching_errors(run_cell(
-        folder,
-        cell_of(fmt::format("stiffness = \"{} N/m\"\nlaw = \"latching_spring\"\nunloading_stiffness = \"{} N/m\"\n"
-                            "growth = \"{} 1/m\"\nfriction = {}\nshear_stiffness = \"{} N/m\"\n",
-                            loading, unloading, growth * more, setup.has("rougher_discs") ? 0.501 : friction,
-                            setup.has("stiffer_shear") ? 20.01 : shear_stiffness),
-                "euler_cromer")));
+    latching = rough_errors(
+        run_cell(folder,
+                 cell_of(fmt::format("stiffness = \"{} N/m\"\nlaw = \"latching_spring\"\n"
+                                     "unloading_stiffness = \"{} N/m\"\n"
+                                     "growth = \"{} 1/m\"\nfriction = {}\nshear_stiffness = \"{} N/m\"\n",
+                                     loading, unloading, growth * more, setup.has("rougher_discs") ? 0.501 : friction,
+                                     setup.has("stiffer_shear") ? 20.01 : shear_stiffness),
+                         "euler_cromer")),
+        latching_law);
     findings.expect("cells whose discs touch: forces of latching springs from positions, largest error",
                     latching.forces, 0.0, digits(4e-13));
     findings.expect("cells whose discs touch: accelerations by normal and friction forces, largest error",
@@ -218,6 +258,21 @@ void check_contacting_cells(const TemporaryFolder& folder, Findings& findings, c
                     Tolerance::round_off(1e-12,
                                          "those of six contacts of a disc at most, 4e-13 each, which are independent, "
                                          "and of differences of velocities of 5 m/s, 4e-16 m/s times 0.36 kg/s"));
+  }
+  if (setup.needs("friction of spheres")) {
+    spheres = rough_errors(
+        run_cell(folder, cell_of(fmt::format("law = \"hertz\"\nmodulus = \"{} Pa\"\nradius = \"{} m\"\n"
+                                             "damping = \"0 N s/m\"\nfriction = {}\nshear_law = \"mindlin\"\n"
+                                             "shear_modulus = \"{} Pa\"\n",
+                                             modulus, contact_radius, friction,
+                                             shear_modulus * (setup.has("stiffer_spheres") ? 1.0001 : 1.0)),
+                                 "euler_cromer")),
+        sphere_law);
+    findings.expect("cells whose discs touch: accelerations by Hertz's law and friction of spheres, largest error",
+                    spheres.accelerations, 0.0,
+                    Tolerance::round_off(1e-12,
+                                         "as for latching springs, and positions rounded by 2e-19 m in overlaps of new "
+                                         "contacts, whose stiffness grows with the root of the overlap"));
   }
   if (setup.needs("forces of dashpots")) {
     damped = dashpot_errors(run_cell(
@@ -229,6 +284,8 @@ void check_contacting_cells(const TemporaryFolder& folder, Findings& findings, c
                     damped.forces, 0.0, digits(4e-13));
   }
   if (!setup.needs("in the mode that occurs least")) return;
+  findings.expect_between("cells of spheres whose discs touch: contacts in the mode that occurs least",
+                          std::min(spheres.sticking, spheres.sliding), 30.0, 1000.0, "contacts that stick and slide");
   findings.expect_between("cells whose discs touch: contacts in the mode that occurs least",
                           std::min({latching.unloading, latching.sticking, latching.sliding, damped.pulling}), 30.0,
                           1000.0, "contacts that unload, stick, slide and pull, each of which needs a field");

@@ -452,6 +452,31 @@ void check_lammps(const TemporaryFolder& folder, Findings& findings, const Setup
   findings.expect("discs.data: velocities along x, largest error", along, 0.0, round_off);
 }
 
+/// A cell of spheres as read by LAMMPS: Hertz's law and Mindlin's friction by the effective radius of the pair, a
+/// quarter of the diameter, which is also that of the law.
+void check_spheres(const TemporaryFolder& folder, Findings& findings, const Setup& setup) {
+  constexpr double modulus = 700e6, shear_modulus = 144e6, friction = 0.5;
+  std::string text = records::read_whole(TALUS_CASES "/cell/spheres.toml");
+  const std::string modulus_of_file = "144 MPa";
+  if (setup.has("other_shear_modulus"))
+    text.replace(text.find(modulus_of_file), modulus_of_file.size(), "144.0001 MPa");
+  folder.write("spheres.toml", text);
+  (void)talus_output(folder, {"export", "lammps", "spheres.toml", "--out", "spheres"});
+  const std::string input = folder.read("spheres/in.discs");
+  const std::vector<double> normal = numbers_after(input, "pair_coeff * * hertz");
+  const std::vector<double> found = numbers_after(input, "tangential mindlin_rescale/force");
+  double worst = found.size() == 3 && normal.size() >= 2 ? 0.0 : NAN;
+  if (worst == 0.0) {
+    keep_worst(worst, normal[0] / (4.0 / 3.0 * modulus) - 1.0);
+    keep_worst(worst, found[0] / (8.0 * shear_modulus) - 1.0), keep_worst(worst, found[1]);
+    keep_worst(worst, found[2] - friction);
+  }
+  findings.expect("in.discs of spheres: moduli and friction, largest relative error", worst, 0.0,
+                  Tolerance::round_off(5e-15,
+                                       "about ten roundings on either side, 1.1e-16 each, in 17 digits; twice "
+                                       "that"));
+}
+
 void run(Findings& findings, const Setup& setup) {
   const auto group = findings.in("converted");
   const TemporaryFolder folder;
@@ -460,6 +485,7 @@ void run(Findings& findings, const Setup& setup) {
   if (setup.needs("follow from")) check_derived(folder, findings);
   if (setup.needs("rock")) check_after(folder, findings, setup);
   if (setup.needs("discs")) check_lammps(folder, findings, setup);
+  if (setup.needs("spheres")) check_spheres(folder, findings, setup);
 }
 
 }  // namespace
@@ -482,7 +508,9 @@ Case definition() {
                      {"first_rock_alone", "a third rock on cables elongated by the first rock only",
                       "plastic elongation of the cables for the third rock, largest relative error"},
                      {"other_restitution", "a restitution of the reference too large by 1e-9",
-                      "in.discs: coefficients of the contacts, largest relative error"}},
+                      "in.discs: coefficients of the contacts, largest relative error"},
+                     {"other_shear_modulus", "a shear modulus larger by 1e-6",
+                      "in.discs of spheres: moduli and friction, largest relative error"}},
           .run = run};
 }
 
