@@ -1,6 +1,8 @@
 #pragma once
 
+#include <algorithm>
 #include <string>
+#include <string_view>
 #include <tuple>
 #include <type_traits>
 #include <variant>
@@ -47,18 +49,26 @@ using CableLaw = CableLaws::Variant;
 /// (CoulombFriction), and the motion of the stretch of this spring, which is the first double of the law's memory; the
 /// second, if there is one, is the stiffness at the last update of the modes [F/L].
 ///
-///   name, memory_size, fields()    as of other laws
+///   name, memory_size, fields()    as of other laws; a field that is not `friction` and does not begin with `shear_`
+///                                  is one of the contact's law: contacts whose law lacks it cannot have this friction
+///   stiffness_rule                 the tangential stiffness, as text for lists of fields
 ///   onset                          stretch at the first evaluation of a contact over the slip since touch
 ///   at(overlap)                    spring, dashpot and slider at an overlap [L]
 ///   stiffest()                     the same for step limits
 ///   stretch_rate(s, u, x)          ds/dt [L/T] at the slip rate u, for the overlap and its rate x
 ///   stretch_after(s, u, x, h)      stretch [L] after a time h of constant speeds; x: at the middle of this time
 ///   area_power(s, x)               power that a changing stiffness dissipates [F L/T]
+///
+/// Optional
+///   follow(k, damping)             sets the values of optional fields from the largest stiffness k of the normal law
+///                                  [F/L]; `damping`: whether this law has a retardation time and a scene gives no
+///                                  `shear_damping`
 template <class L>
 concept IsFrictionLaw = std::equality_comparable<L> && requires(const L law, double x, Kinematics of_normal) {
   { L::name } -> std::convertible_to<std::string_view>;
   { L::memory_size } -> std::convertible_to<std::size_t>;
   { L::onset } -> std::convertible_to<double>;
+  { L::stiffness_rule } -> std::convertible_to<std::string_view>;
   L::fields();
   { law.at(x) } -> std::same_as<CoulombFriction>;
   { law.stiffest() } -> std::same_as<CoulombFriction>;
@@ -66,10 +76,40 @@ concept IsFrictionLaw = std::equality_comparable<L> && requires(const L law, dou
   { law.stretch_after(x, x, of_normal, x) } -> std::same_as<double>;
   { law.area_power(x, of_normal) } -> std::same_as<double>;
 };
+template <class L>
+concept FollowsNormal = IsFrictionLaw<L> && requires(L law, double stiffness, bool damping) {
+  { law.follow(stiffness, damping) } -> std::same_as<void>;
+};
+/// Whether a field of a friction law belongs to this law, not to the contact's law.
+constexpr bool is_friction_field(std::string_view name) { return name == "friction" || name.starts_with("shear_"); }
+/// Whether contacts of law L can have friction by the law F: L has all fields that F needs of it.
+template <IsFrictionLaw F, class L>
+constexpr bool fits_contact() {
+  constexpr auto needed = F::fields();
+  constexpr auto given = L::fields();
+  return std::ranges::all_of(needed, [&](const auto& field) {
+    return is_friction_field(field.name) || std::ranges::find(given, field.name, &Field<L>::name) != given.end();
+  });
+}
+
 template <IsFrictionLaw... Laws>
 using FrictionLawList = LawList<Laws...>;
 using FrictionLaws = FrictionLawList<CoulombFriction, Mindlin>;
 using FrictionLaw = FrictionLaws::Variant;
+/// Calls visit(F{}) for each friction law F that contacts of law L can have, in the list's order.
+template <class L, class Visit>
+void for_each_friction_of(Visit&& visit) {
+  FrictionLaws::for_each([&]<class F>(const F& law) {
+    if constexpr (fits_contact<F, L>()) visit(law);
+  });
+}
+/// Names of these laws; the first is the default.
+template <class L>
+std::vector<std::string> friction_names_of() {
+  std::vector<std::string> names;
+  for_each_friction_of<L>([&](const auto& law) { names.emplace_back(law.name); });
+  return names;
+}
 /// Number of doubles of a friction law's memory.
 inline std::size_t memory_count(const FrictionLaw& law) {
   return std::visit([]<class L>(const L&) { return L::memory_size; }, law);

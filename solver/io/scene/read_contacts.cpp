@@ -1,5 +1,6 @@
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <variant>
 
 #include "solver/io/scene/scene_parts.hpp"
@@ -46,12 +47,25 @@ bool starts_by_mass(const ContactLaw& law) {
       law);
 }
 
+/// Names of the fields of a friction law that are not fields of the contact's law.
+template <IsFrictionLaw F>
+std::vector<std::string_view> friction_fields() {
+  std::vector<std::string_view> names;
+  for (const auto& field : F::fields())
+    if (is_friction_field(field.name)) names.push_back(field.name);
+  return names;
+}
+
 template <class L>
 void read_law(SceneTable& table, SceneContact& read) {
   L law;
   std::vector<std::string> keys = field_names<L>();
-  keys.insert(keys.end(), {"between", "method", "nodes", "node_depth", "friction", "shear_stiffness", "shear_damping"});
-  if constexpr (HasContactRadius<L>) keys.insert(keys.end(), {"shear_law", "shear_modulus"});
+  keys.insert(keys.end(), {"between", "method", "nodes", "node_depth"});
+  for_each_friction_of<L>([&]<class F>(const F&) {
+    for (const std::string_view field : friction_fields<F>())
+      if (std::ranges::find(keys, field) == keys.end()) keys.emplace_back(field);
+  });
+  if (friction_names_of<L>().size() > 1) keys.emplace_back("shear_law");
   if constexpr (HasEndRule<L>) keys.push_back("end_rule");
   if constexpr (HasHertzDashpot<L>) keys.push_back("dashpot");
   if constexpr (SetsEveryRestitution<L>) keys.push_back("restitution");
@@ -72,39 +86,54 @@ std::array<int, 2> read_nodes(SceneTable& table) {
   return {counts.front(), counts.back()};
 }
 
-/// Reads friction with a constant stiffness. Without `shear_damping`, a law with a retardation time c/k has the same
-/// retardation time tangentially as along the normal, like a viscoelastic solid; other laws have no tangential dashpot.
-CoulombFriction read_linear_friction(SceneTable& table, const ContactLaw& law) {
-  CoulombFriction friction =
-      *read_friction(table, std::visit([](const auto& l) { return l.tangent().stiffness; }, law));
-  friction.follows_normal =
-      !table.has("shear_damping") && std::visit([]<class L>(const L&) { return HasRetardationTime<L>; }, law);
-  friction.damping = table.quantity_or("shear_damping", dimension::damping, 0.0, Range::non_negative);
-  return friction;
+/// Reports the fields of other friction laws that contacts of law L can have, with the field to give instead: one that
+/// F requires, as far as `friction` has no value for it.
+template <class L, IsFrictionLaw F>
+void refuse_other_friction(SceneTable& table, const F& friction) {
+  const std::vector<std::string_view> own = friction_fields<F>();
+  for_each_friction_of<L>([&]<class Other>(const Other&) {
+    const std::vector<std::string_view> others = friction_fields<Other>();
+    std::string instead = "this law, or remove it";
+    for (const auto& field : F::fields()) {
+      const bool required = is_friction_field(field.name) && !contains(field.range, friction.*field.member);
+      if (required && std::ranges::find(others, field.name) == others.end())
+        instead = fmt::format("{} instead", field.name);
+    }
+    for (const std::string_view field : others) {
+      if (std::ranges::find(own, field) == own.end())
+        table.refuse(field, fmt::format("it belongs to shear_law = \"{}\"; give {}", Other::name, instead));
+    }
+  });
 }
 
-/// Reads friction whose stiffness follows from the contact radius.
-Mindlin read_mindlin(SceneTable& table) {
-  table.refuse("shear_stiffness", "it belongs to shear_law = \"linear\"; give shear_modulus instead");
-  Mindlin friction;
-  table.read_fields(friction);
-  return friction;
-}
-
-std::optional<FrictionLaw> read_friction_law(SceneTable& table, const ContactLaw& law) {
-  const bool has_radius = std::visit([]<class L>(const L&) { return HasContactRadius<L>; }, law);
+/// Reads the friction of a contact of law L. Without `shear_damping`, linear friction of a law with a retardation time
+/// c/k has the same retardation time tangentially as along the normal, like a viscoelastic solid; other laws have no
+/// tangential dashpot.
+template <class L>
+std::optional<FrictionLaw> read_friction_of(SceneTable& table, const L& law) {
+  const std::vector<std::string> names = friction_names_of<L>();
   if (!table.has("friction")) {
-    std::vector<std::string_view> keys{"shear_stiffness", "shear_damping"};
-    if (has_radius) keys.insert(keys.end(), {"shear_law", "shear_modulus"});
-    for (const std::string_view key : keys)
+    const auto refuse = [&](std::string_view key) {
       table.refuse(key, "it requires friction; give friction, or remove it");
+    };
+    if (names.size() > 1) refuse("shear_law");
+    for_each_friction_of<L>([&]<class F>(const F&) {
+      for (const std::string_view field : friction_fields<F>())
+        refuse(field);
+    });
     return {};
   }
-  if (!has_radius) return read_linear_friction(table, law);
-  const std::string name = table.has("shear_law") ? table.choice("shear_law", FrictionLaws::names()) : "linear";
-  if (name == Mindlin::name) return read_mindlin(table);
-  table.refuse("shear_modulus", "it belongs to shear_law = \"mindlin\"; give this law, or remove it");
-  return read_linear_friction(table, law);
+  const std::string name = table.has("shear_law") && names.size() > 1 ? table.choice("shear_law", names) : names[0];
+  std::optional<FrictionLaw> read;
+  for_each_friction_of<L>([&]<class F>(F friction) {
+    if (F::name != name) return;
+    if constexpr (FollowsNormal<F>)
+      friction.follow(law.tangent().stiffness, HasRetardationTime<L> && !table.has("shear_damping"));
+    refuse_other_friction<L>(table, friction);
+    table.read_fields(friction);
+    read = friction;
+  });
+  return read;
 }
 
 SceneContact read_contact(SceneTable table, const BodyNames& bodies) {
@@ -132,7 +161,7 @@ SceneContact read_contact(SceneTable table, const BodyNames& bodies) {
     for (const std::string_view key : {"nodes", "node_depth"})
       table.refuse(key, "contact by resultant has no nodes; leave it out");
   }
-  contact.friction = read_friction_law(table, contact.law);
+  contact.friction = std::visit([&](const auto& law) { return read_friction_of(table, law); }, contact.law);
   return read;
 }
 

@@ -73,11 +73,6 @@ class BodyNames {
 /// Read the parts of a scene. Errors are added to those of the source, with file, line, name and field.
 [[nodiscard]] std::vector<SceneBody> read_bodies(SceneTable& file);
 [[nodiscard]] std::vector<SceneContact> read_contacts(SceneTable& file, const BodyNames& bodies);
-/// Laws with the radius of curvature of their contact, `radius`: friction can have Mindlin's stiffness.
-template <class L>
-concept HasContactRadius = requires(L law) {
-  { law.radius } -> std::same_as<double&>;
-};
 /// Reads `friction` of a contact, if it is given; `shear_stiffness` defaults to the normal stiffness [F/L]. The dashpot
 /// is not read.
 [[nodiscard]] std::optional<CoulombFriction> read_friction(SceneTable& table, double normal_stiffness);
