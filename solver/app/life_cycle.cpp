@@ -9,6 +9,7 @@
 
 #include "solver/app/command.hpp"
 #include "solver/app/interruption.hpp"
+#include "solver/app/outputs/run_outputs.hpp"
 #include "solver/io/file/atomic_file.hpp"
 #include "solver/io/file/folder_lock.hpp"
 #include "solver/io/file/json_text.hpp"
@@ -67,7 +68,7 @@ std::unique_ptr<FolderLock> prepare_folder(const RunRequest& request) {
   make_folder(request.folder);
   auto lock = std::make_unique<FolderLock>(request.folder);
   const bool same = request.resumes() && fs::equivalent(request.from, request.folder);
-  same ? remove_unfinished(request.folder) : remove_run(request.folder);
+  same ? remove_unfinished(request.folder) : remove_run(request.folder, RunOutputs::fixed_files());
   return lock;
 }
 

@@ -125,18 +125,34 @@ CatalogueField restitution_field() {
                   "");
 }
 
-/// The choice of a friction law, of contact laws with a radius.
-void add_shear_law(Group& group) {
+/// Adds the choice between the friction laws that contacts of law L can have, and their fields that the group `contact`
+/// does not have.
+template <class Frictions, class L>
+void add_friction_laws(Group& group) {
+  const std::vector<std::string> names = friction_names_of<Frictions, L>();
+  if (names.size() < 2) return;
+  std::string rules;
+  std::vector<CatalogueField> fields;
+  const std::vector<CatalogueField> common = contact().fields;
+  for_each_friction_of<Frictions, L>([&]<class F>(const F& law) {
+    rules += fmt::format("{}{} ({})", rules.empty() ? "" : ", or ", F::name, F::stiffness_rule);
+    Group of_friction;
+    add_fields(of_friction, law);
+    for (CatalogueField& field : of_friction.fields) {
+      if (!is_friction_field(field.name) ||
+          std::ranges::find(common, field.name, &CatalogueField::name) != common.end())
+        continue;
+      field.with = "shear_law", field.with_value = F::name;
+      fields.push_back(std::move(field));
+    }
+  });
   group.fields.push_back({.name = "shear_law",
-                          .meaning = "tangential stiffness: linear (shear_stiffness), or mindlin (8 G times the "
-                                     "contact radius)",
+                          .meaning = "tangential stiffness: " + rules,
                           .form = Form::name,
-                          .names = FrictionLaws::names(),
-                          .absent = std::string{CoulombFriction::name}});
-  group.fields.push_back(quantity("shear_modulus", "effective shear modulus, 1/G the sum of (2 - nu)/G of both bodies",
-                                  dimension::pressure, Range::positive, ""));
+                          .names = names,
+                          .absent = names.front()});
   set_with(group, "shear_law", "friction");
-  require_with(group, "shear_modulus", "shear_law", std::string{Mindlin::name});
+  group.fields.insert(group.fields.end(), fields.begin(), fields.end());
 }
 
 void add_contact_laws(std::vector<Group>& groups) {
@@ -167,7 +183,7 @@ void add_contact_laws(std::vector<Group>& groups) {
         if constexpr (!HasHertzDashpot<L>) require_with(group, "restitution_speed", "restitution");
       }
     }
-    if constexpr (HasContactRadius<L>) add_shear_law(group);
+    add_friction_laws<FrictionLaws, L>(group);
     groups.push_back(std::move(group));
   });
 }
@@ -289,7 +305,7 @@ void add_cell(std::vector<Group>& groups) {
                                        "speed of approach for which restitution, contact time and stiffness are stated",
                                        dimension::velocity, Range::positive, "|block_speed|/(rows + 1)"));
     }
-    if constexpr (HasContactRadius<L>) add_shear_law(of_law);
+    add_friction_laws<DiscFrictions, L>(of_law);
     groups.push_back(std::move(of_law));
   });
 }

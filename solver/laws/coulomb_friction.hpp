@@ -32,6 +32,7 @@ struct CoulombFriction {
   static constexpr std::string_view name = "linear";
   static constexpr std::size_t memory_size = 1;  ///< stretch [L]
   static constexpr double onset = 1.0;           ///< stretch at the first evaluation over the slip since touch
+  static constexpr std::string_view stiffness_rule = "shear_stiffness";
   static constexpr std::array<std::string_view, 4> modes{"open", "sticking", "slipping_forward", "slipping_backward"};
   enum : Mode { open, sticking, slipping_forward, slipping_backward };
 
@@ -73,6 +74,11 @@ struct CoulombFriction {
   template <class Number>
   [[gnu::always_inline]] constexpr void area_power(const Number&, const Number&, const Number&, Number& power) const {
     power = Number{};
+  }
+  /// By default the spring is as stiff as the normal one, and the dashpot has the normal law's retardation time.
+  constexpr void follow(double normal_stiffness, bool normal_damping) {
+    stiffness = normal_stiffness;
+    follows_normal = normal_damping;
   }
 
   /// mu N/k_s of a normal force [L]; 0 where there is no stiffness.

@@ -32,6 +32,7 @@ struct Mindlin {
   static constexpr std::string_view name = "mindlin";
   static constexpr std::size_t memory_size = 2;  ///< stretch [L], and k_s at the last update of the modes [F/L]
   static constexpr double onset = 2.0 / 3.0;     ///< stretch at the first evaluation over the slip since touch
+  static constexpr std::string_view stiffness_rule = "8 G times the contact radius";
 
   double coefficient{};  ///< mu >= 0
   double modulus{};      ///< G [F/L^2] > 0: 1/G = (2 - nu_1)/G_1 + (2 - nu_2)/G_2

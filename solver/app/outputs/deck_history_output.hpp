@@ -10,6 +10,7 @@ namespace talus::app {
 class DeckHistoryOutput {
  public:
   static constexpr std::string_view name = "deck_history";
+  static constexpr std::array<std::string_view, 0> fixed_files{};
 
   explicit DeckHistoryOutput(const OutputRequest& request)
       : folder_{request.folder},

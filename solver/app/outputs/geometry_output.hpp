@@ -13,6 +13,7 @@ namespace talus::app {
 class GeometryOutput {
  public:
   static constexpr std::string_view name = "geometry";
+  static constexpr std::array<std::string_view, 0> fixed_files{};
 
   explicit GeometryOutput(const OutputRequest& request)
       : index_{request.name + ".pvd"},

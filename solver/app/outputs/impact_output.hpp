@@ -10,6 +10,7 @@ namespace talus::app {
 class ImpactOutput {
  public:
   static constexpr std::string_view name = "impacts";
+  static constexpr std::array<std::string_view, 1> fixed_files{"impacts.csv"};
 
   explicit ImpactOutput(const OutputRequest& request)
       : folder_{request.folder}, scene_{&request.file.scene}, log_{request.dynamics} {}
@@ -21,7 +22,6 @@ class ImpactOutput {
   void operator()(const Snapshot& snapshot, const StepInfo& info) { log_(snapshot, info); }
   void report(RunRecord& record) const;
   void write(const OutputSource& source) const;
-  std::vector<std::string> files() const { return {"impacts.csv"}; }
   void serialize(Archive& archive) { log_.serialize(archive); }
 
  private:

@@ -10,6 +10,7 @@ namespace talus::app {
 class ListingOutput {
  public:
   static constexpr std::string_view name = "listing";
+  static constexpr std::array<std::string_view, 0> fixed_files{};
 
   explicit ListingOutput(const OutputRequest& request)
       : file_{request.folder / (request.name + ".OUT")},

@@ -7,6 +7,7 @@ namespace talus::app {
 /// plot.json: description of the data from which pictures are drawn.
 struct PlotOutput {
   static constexpr std::string_view name = "plot";
+  static constexpr std::array<std::string_view, 1> fixed_files{"plot.json"};
   std::filesystem::path folder;
   const SceneFile* file;
   std::string scene_name;
@@ -15,7 +16,6 @@ struct PlotOutput {
     return PlotOutput{request.folder, &request.file, request.name};
   }
   void write(const OutputSource& source) const;
-  std::vector<std::string> files() const { return {"plot.json"}; }
 };
 
 }  // namespace talus::app

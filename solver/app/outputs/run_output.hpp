@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <concepts>
 #include <filesystem>
 #include <optional>
@@ -46,8 +47,10 @@ struct OutputSource {
 ///   T::make(request)           the output; nothing if the run has no such files. Errors: InputError for requests of
 ///                              the scene that it cannot fulfil; IoError
 ///   output.write(source)       writes its files when the run has ended or is interrupted. Errors: IoError
-///   output.files()             names of its files in the folder, for the summary
+///   T::fixed_files             names of its files that do not contain the scene's name, an array: another run into the
+///                              folder removes them
 /// Optional:
+///   output.files()             names of its files in the folder, for the summary, unless they are fixed_files
 ///   output(snapshot, info)     called at the start and after every step
 ///   output.serialize(archive)  saves or restores its state between two steps
 ///   output.bring_files(from)   called after restoring: copies the files written so far from the folder of the
@@ -57,13 +60,17 @@ template <class T>
 concept RunOutput = requires(T& output, const T& fixed, const OutputRequest& request, const OutputSource& source) {
   { T::name } -> std::convertible_to<std::string_view>;
   { T::make(request) } -> std::same_as<std::optional<T>>;
+  {std::vector<std::string_view>{T::fixed_files.begin(), T::fixed_files.end()}};
   fixed.write(source);
-  { fixed.files() } -> std::same_as<std::vector<std::string>>;
 };
 
 template <class T>
 concept StepwiseOutput = requires(T& output, const Snapshot& snapshot, const StepInfo& info) {
   output(snapshot, info);
+};
+template <class T>
+concept NamesFiles = requires(const T& output) {
+  { output.files() } -> std::same_as<std::vector<std::string>>;
 };
 template <class T>
 concept SerializableOutput = requires(T& output, Archive& archive) {
@@ -78,8 +85,10 @@ concept ReportingOutput = requires(const T& output, RunRecord& record) {
   output.report(record);
 };
 
-/// An output that observes steps must also serialize its state, otherwise it would be lost at a checkpoint.
+/// An output that observes steps must also serialize its state, otherwise it would be lost at a checkpoint; one without
+/// fixed names must name its files.
 template <class T>
-concept CompleteOutput = RunOutput<T> &&(!StepwiseOutput<T> || SerializableOutput<T>);
+concept CompleteOutput = RunOutput<T> &&
+    (!StepwiseOutput<T> || SerializableOutput<T>)&&(NamesFiles<T> || !T::fixed_files.empty());
 
 }  // namespace talus::app

@@ -47,10 +47,20 @@ class OutputList {
   /// Names of the files, in the order of the kinds.
   std::vector<std::string> files() const {
     std::vector<std::string> all;
-    for_each(*this, [&](const auto& output) {
-      for (std::string& file : output.files())
-        all.push_back(std::move(file));
+    for_each(*this, [&]<class T>(const T& output) {
+      if constexpr (NamesFiles<T>) {
+        for (std::string& file : output.files())
+          all.push_back(std::move(file));
+      } else {
+        all.insert(all.end(), T::fixed_files.begin(), T::fixed_files.end());
+      }
     });
+    return all;
+  }
+  /// Names of the files of all kinds that do not depend on the scene.
+  static std::vector<std::string_view> fixed_files() {
+    std::vector<std::string_view> all;
+    (all.insert(all.end(), Kinds::fixed_files.begin(), Kinds::fixed_files.end()), ...);
     return all;
   }
   /// Adds the outputs' results and notes to the record of the run.

@@ -10,6 +10,7 @@ namespace talus::app {
 class SheetOutput {
  public:
   static constexpr std::string_view name = "sheet";
+  static constexpr std::array<std::string_view, 3> fixed_files{"sheet.json", "sheet.pdf", "sheet.html"};
 
   explicit SheetOutput(const OutputRequest& request)
       : file_{request.folder / "sheet.json"}, input_{&*request.file.fence}, dynamics_{&request.dynamics} {}
@@ -22,7 +23,6 @@ class SheetOutput {
     write_whole(file_, sheet_json(source.record, *input_, *dynamics_, *source.fence, source.end.state()),
                 Durability::later);
   }
-  std::vector<std::string> files() const { return {"sheet.json", "sheet.pdf", "sheet.html"}; }
 
  private:
   std::filesystem::path file_;

@@ -14,6 +14,7 @@
 #include "solver/io/file/list_directed.hpp"
 #include "solver/io/file/shown_title.hpp"
 #include "solver/io/file/toml_document.hpp"
+#include "solver/io/scene/read_friction.hpp"
 #include "solver/io/scene/scene_parts.hpp"
 
 namespace talus {
@@ -226,8 +227,9 @@ std::vector<std::string> cell_keys() {
   if constexpr (HasEndRule<L>) keys.emplace_back("end_rule");
   if constexpr (HasHertzDashpot<L>) keys.emplace_back("dashpot");
   if constexpr (!HasLinearPart<L>) keys.emplace_back("impact_speed");
-  if constexpr (HasContactRadius<L>) keys.insert(keys.end(), {"shear_law", "shear_modulus"});
-  keys.insert(keys.end(), {"restitution", "friction", "shear_stiffness", "overburden", "seed"});
+  for (const std::string& key : friction_keys<DiscFrictions, L>())
+    if (key != "shear_damping") keys.push_back(key);
+  keys.insert(keys.end(), {"restitution", "overburden", "seed"});
   for (const auto& field : ShearCell::fields())
     keys.emplace_back(field.name);
   for (const auto& field : ShearCell::counts())
@@ -235,11 +237,13 @@ std::vector<std::string> cell_keys() {
   return keys;
 }
 
-/// Reads friction; a shear stiffness that is not given is 0, and is set by complete().
+/// Reads friction. The default of `shear_stiffness` is not known before the law is complete: until complete() it is 0.
 void read_disc_friction(SceneTable& table, ShearCell& cell) {
-  const bool has_choice = std::visit([]<class L>(const L&) { return HasContactRadius<L>; }, cell.law);
-  if (const std::optional<FrictionLaw> friction = read_friction(table, has_choice, 0.0))
-    std::visit([&](const auto& of) { cell.friction = of; }, *friction);
+  constexpr double any = 1.0;
+  cell.friction =
+      std::visit([&]<class L>(const L&) { return read_friction<DiscFrictions, L>(table, any, false); }, cell.law);
+  auto* const constant = cell.friction ? std::get_if<CoulombFriction>(&*cell.friction) : nullptr;
+  if (constant != nullptr && !table.has("shear_stiffness")) constant->stiffness = 0.0;
 }
 
 /// Reads all fields of [cell]. Returns the restitution, if it is given: the law's parameter follows from it and the

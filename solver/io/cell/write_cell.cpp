@@ -39,12 +39,13 @@ Json numbers(const CellScene& scene, const std::vector<CellNumber>& of) {
 
 /// Adds the fields that a scene gives for friction; `shear_law` only where there is a choice.
 void add_friction(Json& json, const ShearCell& cell) {
-  const bool has_choice = std::visit([]<class L>(const L&) { return HasContactRadius<L>; }, cell.law);
+  const bool has_choice =
+      std::visit([]<class L>(const L&) { return friction_names_of<DiscFrictions, L>().size() > 1; }, cell.law);
   std::visit(
       [&]<class F>(const F& friction) {
         if (has_choice) json["shear_law"] = std::string{F::name};
         for (const auto& field : F::fields())
-          if (field.name != "radius" && field.name != "shear_damping")
+          if (is_friction_field(field.name) && field.name != "shear_damping")
             json[std::string{field.name}] = friction.*field.member;
       },
       *cell.friction);

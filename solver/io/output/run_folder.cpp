@@ -91,11 +91,9 @@ RunFolder read_run_folder(const std::filesystem::path& folder) {
 
 namespace {
 
-/// Files with fixed names of all runs, sheets and cells.
-constexpr std::array<std::string_view, 13> single{
-    "history.csv", "final_state.json", "summary.json", "plot.json", "sheet.json", "sheet.pdf",  "sheet.html",
-    "impacts.csv", "checkpoint.json",  "profile.csv",  "cell.pvd",  "PIC.DAT",    "RESTART.DAT"};
-bool names_file(std::string_view file) { return std::find(single.begin(), single.end(), file) != single.end(); }
+/// Files with fixed names of all runs and cells, without the outputs of runs. RESTART.DAT is not among them.
+constexpr std::array<std::string_view, 7> single{"history.csv", "summary.json", "plot.json", "checkpoint.json",
+                                                 "profile.csv", "cell.pvd",     "PIC.DAT"};
 
 /// Whether a name consists of `before`, at least `digits` digits, and ".vtp".
 bool names_vtp(std::string_view file, std::string_view before, std::size_t digits) {
@@ -153,7 +151,7 @@ void remove_unfinished(const std::filesystem::path& folder) {
   remove_remains(folder / cell_states_folder, all_names);
 }
 
-void remove_run(const std::filesystem::path& folder) {
+void remove_run(const std::filesystem::path& folder, const std::vector<std::string_view>& outputs) {
   const std::set<std::string> stems = stems_of(folder);
   std::error_code none;
   // First the files that indicate that the others are valid.
@@ -176,7 +174,8 @@ void remove_run(const std::filesystem::path& folder) {
     remove_from(geometry, [&](std::string_view name) { return names_geometry(name, stem); });
   }
   remove_files(folder, [&](std::string_view name) {
-    if (names_file(name)) return name != "RESTART.DAT";
+    if (std::ranges::find(single, name) != single.end() || std::ranges::find(outputs, name) != outputs.end())
+      return true;
     return std::any_of(stems.begin(), stems.end(), [&](const std::string& stem) {
       if (!name.starts_with(stem)) return false;
       const std::string_view ending = name.substr(stem.size());

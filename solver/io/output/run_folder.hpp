@@ -56,8 +56,9 @@ void demand_run_folder(const std::filesystem::path& folder);
 
 /// Removes the files that an earlier run of a scene or cell left in a folder: records, sheet, histories, listing,
 /// geometry, the pictures made from it, and unfinished files; except RESTART.DAT, from which another cell may start.
-/// Files with other names remain, as do files that cannot be removed.
-void remove_run(const std::filesystem::path& folder);
+/// `outputs`: names of files of runs that do not depend on the scene. Files with other names remain, as do files that
+/// cannot be removed.
+void remove_run(const std::filesystem::path& folder, const std::vector<std::string_view>& outputs);
 
 /// Removes, for a run that is resumed in its folder, summary.json, which would indicate that all files are complete,
 /// and the temporary files of a program that was killed.

@@ -1,7 +1,9 @@
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <variant>
 
+#include "solver/io/scene/read_friction.hpp"
 #include "solver/io/scene/scene_parts.hpp"
 
 namespace talus {
@@ -50,8 +52,9 @@ template <class L>
 void read_law(SceneTable& table, SceneContact& read) {
   L law;
   std::vector<std::string> keys = field_names<L>();
-  keys.insert(keys.end(), {"between", "method", "nodes", "node_depth", "friction", "shear_stiffness", "shear_damping"});
-  if constexpr (HasContactRadius<L>) keys.insert(keys.end(), {"shear_law", "shear_modulus"});
+  keys.insert(keys.end(), {"between", "method", "nodes", "node_depth"});
+  const std::vector<std::string> friction = friction_keys<FrictionLaws, L>();
+  keys.insert(keys.end(), friction.begin(), friction.end());
   if constexpr (HasEndRule<L>) keys.push_back("end_rule");
   if constexpr (HasHertzDashpot<L>) keys.push_back("dashpot");
   if constexpr (SetsEveryRestitution<L>) keys.push_back("restitution");
@@ -70,22 +73,6 @@ std::array<int, 2> read_nodes(SceneTable& table) {
   const std::vector<int> counts = table.wholes_or_one("nodes");
   if (counts.size() > 2) table.fail("nodes", fmt::format("found {} numbers; give one, or one per body", counts.size()));
   return {counts.front(), counts.back()};
-}
-
-/// Reads friction of bodies. Without `shear_damping`, friction of constant stiffness has the same retardation time
-/// tangentially as along the normal, like a viscoelastic solid, if the law has a retardation time c/k; with other laws
-/// it has no dashpot.
-std::optional<FrictionLaw> read_body_friction(SceneTable& table, const ContactLaw& law) {
-  if (!table.has("friction")) table.refuse("shear_damping", "it requires friction; give friction, or remove it");
-  const bool has_radius = std::visit([]<class L>(const L&) { return HasContactRadius<L>; }, law);
-  std::optional<FrictionLaw> friction =
-      read_friction(table, has_radius, std::visit([](const auto& l) { return l.tangent().stiffness; }, law));
-  auto* const constant = friction ? std::get_if<CoulombFriction>(&*friction) : nullptr;
-  if (constant == nullptr) return friction;
-  constant->follows_normal =
-      !table.has("shear_damping") && std::visit([]<class L>(const L&) { return HasRetardationTime<L>; }, law);
-  constant->damping = table.quantity_or("shear_damping", dimension::damping, 0.0, Range::non_negative);
-  return friction;
 }
 
 SceneContact read_contact(SceneTable table, const BodyNames& bodies) {
@@ -113,37 +100,16 @@ SceneContact read_contact(SceneTable table, const BodyNames& bodies) {
     for (const std::string_view key : {"nodes", "node_depth"})
       table.refuse(key, "contact by resultant has no nodes; leave it out");
   }
-  contact.friction = read_body_friction(table, contact.law);
+  contact.friction = std::visit(
+      [&]<class L>(const L& law) {
+        return read_friction<FrictionLaws, L>(table, law.tangent().stiffness,
+                                              HasRetardationTime<L> && !table.has("shear_damping"));
+      },
+      contact.law);
   return read;
 }
 
 }  // namespace
-
-std::optional<FrictionLaw> read_friction(SceneTable& table, bool has_choice, double normal_stiffness) {
-  if (!table.has("friction")) {
-    std::vector<std::string_view> keys{"shear_stiffness"};
-    if (has_choice) keys.insert(keys.end(), {"shear_law", "shear_modulus"});
-    for (const std::string_view key : keys)
-      table.refuse(key, "it requires friction; give friction, or remove it");
-    return {};
-  }
-  std::string name{CoulombFriction::name};
-  if (has_choice && table.has("shear_law")) name = table.choice("shear_law", FrictionLaws::names());
-  std::optional<FrictionLaw> friction;
-  visit_named<FrictionLaw>(name, [&]<class F>(F law) {
-    if constexpr (HasContactRadius<F>) {
-      table.refuse("shear_stiffness", "it belongs to shear_law = \"linear\"; give shear_modulus instead");
-      table.read_fields(law);
-    } else {
-      if (has_choice)
-        table.refuse("shear_modulus", "it belongs to shear_law = \"mindlin\"; give this law, or remove it");
-      law.coefficient = table.number("friction", Range::non_negative);
-      law.stiffness = table.quantity_or("shear_stiffness", dimension::stiffness, normal_stiffness, Range::positive);
-    }
-    friction = law;
-  });
-  return friction;
-}
 
 std::vector<SceneContact> read_contacts(SceneTable& file, const BodyNames& bodies) {
   std::vector<SceneContact> contacts;

@@ -73,10 +73,6 @@ class BodyNames {
 /// Read the parts of a scene. Errors are added to those of the source, with file, line, name and field.
 [[nodiscard]] std::vector<SceneBody> read_bodies(SceneTable& file);
 [[nodiscard]] std::vector<SceneContact> read_contacts(SceneTable& file, const BodyNames& bodies);
-/// Reads `friction` of a contact, if it is given; `shear_stiffness` defaults to the normal stiffness [F/L]. has_choice:
-/// the contact law has a radius, so that `shear_law` may choose any friction law. The dashpot of CoulombFriction is not
-/// read.
-[[nodiscard]] std::optional<FrictionLaw> read_friction(SceneTable& table, bool has_choice, double normal_stiffness);
 [[nodiscard]] std::vector<SceneCable> read_cables(SceneTable& file, const BodyNames& bodies);
 [[nodiscard]] std::vector<SceneHanger> read_hangers(SceneTable& file, const BodyNames& bodies);
 

@@ -413,13 +413,14 @@ BOOST_AUTO_TEST_CASE(a_run_whose_balance_fails_is_not_usable_and_a_repair_is_tri
 BOOST_AUTO_TEST_CASE(a_run_into_the_folder_of_another_leaves_nothing_of_that) {
   const Folder folder;
   const fs::path out = folder.path / "run";
-  BOOST_TEST(talus_ran({"run", scene("fence/sample2.DAT"), "--end", "5 ms", "--sheet", "--out", out.string()}).code ==
-             0);
+  BOOST_TEST(
+      talus_ran({"run", scene("fence/sample2.DAT"), "--end", "5 ms", "--sheet", "--impacts", "--out", out.string()})
+          .code == 0);
   fs::create_directories(out / "plots");
   std::ofstream{out / "plots" / "rock.x.svg"} << "old";
   std::ofstream{out / "notes.txt"} << "mine";
   std::ofstream{out / "plots" / "notes.txt"} << "mine";
-  for (const char* name : {"sheet.pdf", "sheet.html", "sheet.json", "sample2.pvd", "sample2.OUT"})
+  for (const char* name : {"sheet.pdf", "sheet.html", "sheet.json", "impacts.csv", "sample2.pvd", "sample2.OUT"})
     BOOST_TEST(fs::exists(out / name), name);
   BOOST_TEST(talus_ran({"run", scene("two_cable.toml"), "--end", "5 ms", "--out", out.string()}).code == 0);
   const Folder fresh;

@@ -7,19 +7,17 @@
 
 #include "solver/base/pack.hpp"
 #include "solver/laws/law_list.hpp"
+#include "tests/solver/laws/law_examples.hpp"
 
 using namespace talus;
 
 namespace {
 
-CoulombFriction example(CoulombFriction) { return {0.5, 8.0, 0.25}; }
-Mindlin example(Mindlin) { return {0.5, 3.0, 2.0, 0.25}; }
-
 /// Calls test(law) with an example of each friction law.
 template <class Test>
 void for_each_example(Test&& test) {
-  FrictionLaws::for_each([&](const auto& law) {
-    BOOST_TEST_CONTEXT(std::string{law.name}) { test(example(law)); }
+  FrictionLaws::for_each([&]<class F>(const F&) {
+    BOOST_TEST_CONTEXT(F::name) { test(friction_example<F>()); }
   });
 }
 
@@ -103,7 +101,7 @@ BOOST_AUTO_TEST_CASE(stiffest_branch_has_the_stiffness_of_the_largest_overlap) {
 }
 
 BOOST_AUTO_TEST_CASE(stiffness_of_mindlin_is_that_of_the_contact_radius) {
-  const Mindlin law = example(Mindlin{});
+  const Mindlin law{0.5, 3.0, 2.0, 0.25};
   BOOST_TEST(law.at(0.125).stiffness == 8.0 * 3.0 * 0.5);  // a = sqrt(2 * 0.125)
   BOOST_TEST(law.at(0.125).damping == 0.125);              // (0.125/2)^(1/4) = 1/2
   BOOST_TEST(law.stiffest().stiffness == law.at(0.2).stiffness);
@@ -126,7 +124,7 @@ BOOST_AUTO_TEST_CASE(lanes_of_disc_friction_have_the_bits_of_numbers) {
     return std::array{size * unit(random), size * unit(random), size * unit(random), size * unit(random)};
   };
   DiscFrictions::for_each([&]<class F>(const F&) {
-    const F law = example(F{});
+    const F law = friction_example<F>();
     bool same_stiffness = true, same_stretch = true, same_power = true, same_slider = true;
     for (int n = 0; n < 2000; ++n) {
       const auto overlaps = four(0.2), rates = four(0.5), slips = four(0.4), stretches = four(0.1), forces = four(3.0);
@@ -179,5 +177,24 @@ BOOST_AUTO_TEST_CASE(friction_by_the_contact_radius_needs_a_law_with_this_radius
   static_assert(CanHaveFriction<Hertz, Mindlin> && CanHaveFriction<Hertz, CoulombFriction>);
   static_assert(CanHaveFriction<LinearSpringDashpot, CoulombFriction> && CanHaveFriction<LatchingSpring, Frictionless>);
   static_assert(!CanHaveFriction<LinearSpringDashpot, Mindlin> && !CanHaveFriction<HuntCrossley, Mindlin>);
-  BOOST_TEST((DiscFrictions::names() == FrictionLaws::names()));
+  BOOST_TEST(DiscFrictions::names() == (std::vector<std::string>{"linear", "mindlin"}),
+             boost::test_tools::per_element());
+}
+
+// Which friction a contact can have, and in which order, is derived from the fields of both laws.
+BOOST_AUTO_TEST_CASE(friction_fits_contacts_whose_law_has_the_fields_it_needs) {
+  ContactLaws::for_each([]<class L>(const L&) {
+    const std::vector<std::string> names = friction_names_of<FrictionLaws, L>();
+    BOOST_TEST(names.front() == CoulombFriction::name, L::name);
+    const bool has_radius = requires(L law) { law.radius; };
+    BOOST_TEST((std::ranges::find(names, Mindlin::name) != names.end()) == has_radius, L::name);
+  });
+}
+
+BOOST_AUTO_TEST_CASE(linear_friction_follows_the_normal_law) {
+  CoulombFriction friction;
+  friction.follow(5.0, true);
+  BOOST_TEST((friction == CoulombFriction{0.0, 5.0, 0.0, true}));
+  friction.follow(6.0, false);
+  BOOST_TEST((friction == CoulombFriction{0.0, 6.0, 0.0, false}));
 }

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <vector>
 
-#include "solver/laws/law.hpp"
+#include "solver/laws/law_list.hpp"
 
 namespace talus {
 
@@ -36,6 +36,18 @@ std::vector<L> examples() {
     }
   }
   return made;
+}
+
+/// The friction law with its parameters set to different values: what must be positive grows, all else is 0.5.
+template <IsFrictionLaw F>
+F friction_example() {
+  F law;
+  double positive = 3.0;
+  for (const auto& field : F::fields()) {
+    law.*field.member = field.range == Range::positive ? positive : 0.5;
+    if (field.range == Range::positive) positive += 1.0;
+  }
+  return law;
 }
 
 }  // namespace talus
