@@ -1,14 +1,5 @@
-#include <fmt/format.h>
-
-#include <algorithm>
-#include <array>
-#include <optional>
-#include <vector>
-
-#include "solver/model/model_builder.hpp"
-#include "solver/run/snapshot.hpp"
 #include "verification/problems/cables/cable_findings.hpp"
-#include "verification/study/expectations.hpp"
+#include "verification/study/toolkit.hpp"
 
 namespace talus::verification::problems {
 namespace {

@@ -1,15 +1,7 @@
-#include <fmt/format.h>
-
-#include <algorithm>
-#include <cmath>
-#include <optional>
 #include <random>
-#include <vector>
 
-#include "solver/dynamics/dynamics.hpp"
-#include "solver/model/model_builder.hpp"
 #include "verification/problems/cables/cable_findings.hpp"
-#include "verification/study/expectations.hpp"
+#include "verification/study/toolkit.hpp"
 
 namespace talus::verification::problems {
 namespace {

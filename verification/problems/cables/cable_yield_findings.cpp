@@ -1,14 +1,7 @@
-#include <fmt/format.h>
-
-#include <algorithm>
-#include <cmath>
-#include <numbers>
-
-#include "verification/check/convergence.hpp"
 #include "verification/problems/cables/cable_findings.hpp"
 #include "verification/reference/cable_draw.hpp"
 #include "verification/study/cable_scenes.hpp"
-#include "verification/study/phases.hpp"
+#include "verification/study/toolkit.hpp"
 
 namespace talus::verification::problems {
 namespace {

@@ -1,13 +1,10 @@
-#include <cmath>
-
-#include "verification/check/convergence.hpp"
 #include "verification/problems/cables/cable_findings.hpp"
 #include "verification/reference/cable_draw.hpp"
 #include "verification/reference/restitution.hpp"
 #include "verification/study/cable_scenes.hpp"
 #include "verification/study/followed_impact.hpp"
 #include "verification/study/leapfrog_impact_error.hpp"
-#include "verification/study/phases.hpp"
+#include "verification/study/toolkit.hpp"
 
 namespace talus::verification::problems::cables {
 namespace {

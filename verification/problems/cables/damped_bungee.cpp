@@ -1,15 +1,6 @@
-#include <fmt/format.h>
-
-#include <algorithm>
-#include <cmath>
-#include <string>
-
-#include "verification/check/case.hpp"
 #include "verification/reference/damped_bounce.hpp"
 #include "verification/study/cable_scenes.hpp"
-#include "verification/study/curves.hpp"
-#include "verification/study/phases.hpp"
-#include "verification/study/predicted_errors.hpp"
+#include "verification/study/toolkit.hpp"
 
 namespace talus::verification::problems::damped_bungee {
 namespace {

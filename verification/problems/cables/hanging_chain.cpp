@@ -1,17 +1,5 @@
-#include <fmt/format.h>
-
-#include <algorithm>
-#include <cmath>
-#include <string>
-#include <vector>
-
-#include "solver/dynamics/rigid_body_system.hpp"
-#include "solver/model/model_builder.hpp"
-#include "verification/check/case.hpp"
 #include "verification/reference/hanging_chain.hpp"
-#include "verification/study/expectations.hpp"
-#include "verification/study/predicted_errors.hpp"
-#include "verification/study/scene_run.hpp"
+#include "verification/study/toolkit.hpp"
 
 namespace talus::verification::problems::hanging_chain {
 namespace {

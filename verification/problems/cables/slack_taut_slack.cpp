@@ -1,16 +1,6 @@
-#include <fmt/format.h>
-
-#include <algorithm>
-#include <cmath>
-#include <numbers>
-#include <string>
-
-#include "verification/check/case.hpp"
 #include "verification/reference/restitution.hpp"
 #include "verification/study/cable_scenes.hpp"
-#include "verification/study/expectations.hpp"
-#include "verification/study/phases.hpp"
-#include "verification/study/predicted_errors.hpp"
+#include "verification/study/toolkit.hpp"
 
 namespace talus::verification::problems::slack_taut_slack {
 namespace {

@@ -1,16 +1,5 @@
-#include <fmt/format.h>
-
-#include <algorithm>
-#include <cmath>
-#include <numbers>
-#include <string>
-#include <vector>
-
-#include "solver/model/model_builder.hpp"
-#include "verification/check/case.hpp"
 #include "verification/reference/stretched_chain.hpp"
-#include "verification/study/expectations.hpp"
-#include "verification/study/scene_run.hpp"
+#include "verification/study/toolkit.hpp"
 
 namespace talus::verification::problems::stretched_chain {
 namespace {

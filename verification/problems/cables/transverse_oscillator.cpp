@@ -1,15 +1,5 @@
-#include <fmt/format.h>
-
-#include <cmath>
-#include <numbers>
-#include <string>
-
-#include "solver/model/model_builder.hpp"
-#include "verification/check/case.hpp"
 #include "verification/reference/mid_span.hpp"
-#include "verification/study/expectations.hpp"
-#include "verification/study/predicted_errors.hpp"
-#include "verification/study/scene_run.hpp"
+#include "verification/study/toolkit.hpp"
 
 namespace talus::verification::problems::transverse_oscillator {
 namespace {

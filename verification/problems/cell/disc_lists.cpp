@@ -1,13 +1,4 @@
-#include <fmt/format.h>
-
-#include <algorithm>
-#include <array>
-#include <cmath>
-#include <numbers>
 #include <numeric>
-#include <string>
-#include <utility>
-#include <vector>
 
 #include "solver/base/error.hpp"
 #include "solver/granular/disc_method.hpp"
@@ -15,11 +6,9 @@
 #include "solver/granular/fast_disc_system.hpp"
 #include "solver/granular/list_skin.hpp"
 #include "solver/granular/neighbour_list.hpp"
-#include "verification/check/case.hpp"
 #include "verification/problems/cell/cell_runs.hpp"
 #include "verification/reference/all_pairs.hpp"
-#include "verification/study/expectations.hpp"
-#include "verification/study/usage.hpp"
+#include "verification/study/toolkit.hpp"
 
 namespace talus::verification::problems::disc_lists {
 namespace {

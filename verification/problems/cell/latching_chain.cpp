@@ -1,18 +1,10 @@
-#include <fmt/format.h>
-
-#include <algorithm>
-#include <cmath>
-#include <numbers>
 #include <numeric>
-#include <string>
-#include <vector>
 
 #include "solver/laws/latching_spring.hpp"
-#include "verification/check/case.hpp"
 #include "verification/problems/cell/disc_row.hpp"
 #include "verification/reference/latching_chain.hpp"
 #include "verification/study/common_formula.hpp"
-#include "verification/study/expectations.hpp"
+#include "verification/study/toolkit.hpp"
 
 namespace talus::verification::problems::latching_chain {
 namespace {

@@ -1,20 +1,12 @@
-#include <fmt/format.h>
-
-#include <algorithm>
-#include <array>
-#include <cmath>
 #include <map>
-#include <numbers>
-#include <vector>
 
 #include "solver/calibrate/latching_calibration.hpp"
 #include "solver/granular/disc_method.hpp"
-#include "verification/check/case.hpp"
 #include "verification/problems/cell/disc_row.hpp"
 #include "verification/reference/latching_impact.hpp"
 #include "verification/reference/stepped_latch.hpp"
-#include "verification/study/expectations.hpp"
 #include "verification/study/plane_impact.hpp"
+#include "verification/study/toolkit.hpp"
 
 namespace talus::verification::problems::latching_restitution {
 namespace {

@@ -1,20 +1,9 @@
-#include <fmt/format.h>
-
-#include <algorithm>
-#include <array>
-#include <cmath>
-#include <numbers>
 #include <random>
-#include <string>
-#include <utility>
-#include <vector>
 
 #include "solver/cell/block_means.hpp"
 #include "solver/study/shear_study.hpp"
-#include "verification/check/case.hpp"
 #include "verification/problems/cell/cell_runs.hpp"
-#include "verification/study/curves.hpp"
-#include "verification/study/expectations.hpp"
+#include "verification/study/toolkit.hpp"
 
 namespace talus::verification::problems::mean_errors {
 namespace {

@@ -1,27 +1,12 @@
-#include <fmt/format.h>
-
-#include <algorithm>
-#include <array>
-#include <cmath>
-#include <string>
-#include <utility>
-#include <vector>
-
-#include "solver/dynamics/rigid_body_system.hpp"
 #include "solver/granular/fast_disc_system.hpp"
 #include "solver/integrate/euler_cromer.hpp"
 #include "solver/io/cell/read_cell.hpp"
-#include "solver/model/model_builder.hpp"
-#include "verification/check/case.hpp"
 #include "verification/problems/cell/cell_runs.hpp"
 #include "verification/problems/cell/disc_row.hpp"
 #include "verification/reference/hertz_impact.hpp"
 #include "verification/reference/power_law_impact.hpp"
-#include "verification/study/expectations.hpp"
 #include "verification/study/followed_impact.hpp"
-#include "verification/study/phases.hpp"
-#include "verification/study/predicted_errors.hpp"
-#include "verification/study/usage.hpp"
+#include "verification/study/toolkit.hpp"
 
 namespace talus::verification::problems::nonlinear_discs {
 namespace {

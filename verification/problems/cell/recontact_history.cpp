@@ -1,18 +1,9 @@
-#include <fmt/format.h>
-
-#include <algorithm>
-#include <array>
-#include <cmath>
-#include <numbers>
 #include <span>
-#include <string>
-#include <vector>
 
 #include "solver/laws/latching_spring.hpp"
-#include "verification/check/case.hpp"
 #include "verification/problems/cell/disc_row.hpp"
 #include "verification/reference/latching_chain.hpp"
-#include "verification/study/expectations.hpp"
+#include "verification/study/toolkit.hpp"
 
 namespace talus::verification::problems::recontact_history {
 namespace {

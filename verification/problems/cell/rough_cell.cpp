@@ -1,11 +1,5 @@
-#include <fmt/format.h>
-
-#include <array>
-#include <cmath>
-
-#include "verification/check/case.hpp"
 #include "verification/problems/cell/cell_runs.hpp"
-#include "verification/study/usage.hpp"
+#include "verification/study/toolkit.hpp"
 
 namespace talus::verification::problems::rough_cell {
 namespace {

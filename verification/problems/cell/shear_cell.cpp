@@ -1,13 +1,6 @@
-#include <fmt/format.h>
-
-#include <algorithm>
-#include <cmath>
-#include <numbers>
-#include <vector>
-
 #include "solver/io/cell/write_cell.hpp"
-#include "verification/check/case.hpp"
 #include "verification/problems/cell/cell_runs.hpp"
+#include "verification/study/toolkit.hpp"
 
 namespace talus::verification::problems::shear_cell {
 namespace {

@@ -1,17 +1,10 @@
-#include <fmt/format.h>
-
-#include <algorithm>
-#include <array>
-#include <cmath>
 #include <concepts>
 #include <type_traits>
-#include <vector>
 
 #include "solver/granular/disc_system.hpp"
 #include "solver/granular/fast_disc_system.hpp"
-#include "verification/check/case.hpp"
 #include "verification/problems/cell/cell_runs.hpp"
-#include "verification/study/usage.hpp"
+#include "verification/study/toolkit.hpp"
 
 namespace talus::verification::problems::shear_cell_failures {
 namespace {

@@ -1,14 +1,8 @@
-#include <fmt/format.h>
-
-#include <algorithm>
-#include <cmath>
-#include <vector>
-
 #include "solver/io/cell/cell_restart.hpp"
 #include "solver/io/cell/write_cell.hpp"
-#include "verification/check/case.hpp"
 #include "verification/problems/cell/cell_runs.hpp"
 #include "verification/reference/virtual_discs.hpp"
+#include "verification/study/toolkit.hpp"
 
 namespace talus::verification::problems::shear_cell_paths {
 namespace {

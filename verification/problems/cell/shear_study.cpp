@@ -1,17 +1,10 @@
-#include <fmt/format.h>
-
-#include <algorithm>
-#include <cmath>
-#include <numbers>
-#include <string>
 #include <thread>
-#include <vector>
 
 #include "solver/base/error.hpp"
 #include "solver/cell/cell_run.hpp"
 #include "solver/study/shear_study.hpp"
-#include "verification/check/case.hpp"
 #include "verification/problems/cell/cell_runs.hpp"
+#include "verification/study/toolkit.hpp"
 
 namespace talus::verification::problems::shear_study {
 namespace {

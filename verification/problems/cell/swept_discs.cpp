@@ -1,11 +1,5 @@
-#include <fmt/format.h>
-
-#include <algorithm>
-#include <cmath>
 #include <concepts>
-#include <string>
 #include <type_traits>
-#include <vector>
 
 #include "solver/granular/disc_order.hpp"
 #include "solver/granular/disc_system.hpp"
@@ -15,8 +9,8 @@
 #include "solver/laws/hunt_crossley.hpp"
 #include "solver/laws/latching_spring.hpp"
 #include "solver/laws/linear_spring_dashpot.hpp"
-#include "verification/check/case.hpp"
 #include "verification/reference/all_pairs.hpp"
+#include "verification/study/toolkit.hpp"
 
 namespace talus::verification::problems::swept_discs {
 namespace {

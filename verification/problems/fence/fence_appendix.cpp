@@ -1,17 +1,7 @@
-#include <fmt/format.h>
-
-#include <algorithm>
-#include <array>
-#include <cmath>
-#include <numbers>
-#include <string>
-#include <utility>
-#include <vector>
-
-#include "verification/check/case.hpp"
 #include "verification/problems/fence/fence_impact.hpp"
 #include "verification/problems/fence/fence_snapshots.hpp"
 #include "verification/study/fence_table.hpp"
+#include "verification/study/toolkit.hpp"
 
 namespace talus::verification::problems::fence_appendix {
 namespace {

@@ -1,11 +1,4 @@
-#include <fmt/format.h>
-
-#include <algorithm>
-#include <cmath>
-
-#include "verification/check/case.hpp"
-#include "verification/study/expectations.hpp"
-#include "verification/study/scene_run.hpp"
+#include "verification/study/toolkit.hpp"
 #include "verification/study/weak_hangers.hpp"
 
 namespace talus::verification::problems::fence_break {

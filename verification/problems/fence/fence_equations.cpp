@@ -1,12 +1,6 @@
-#include <fmt/format.h>
-
-#include <cmath>
-#include <numbers>
-
 #include "solver/scenes/fence_scene.hpp"
-#include "verification/check/case.hpp"
 #include "verification/study/fence_table.hpp"
-#include "verification/study/scene_run.hpp"
+#include "verification/study/toolkit.hpp"
 
 namespace talus::verification::problems::fence_equations {
 namespace {

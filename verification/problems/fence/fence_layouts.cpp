@@ -1,23 +1,10 @@
-#include <fmt/format.h>
-
-#include <algorithm>
-#include <array>
-#include <cmath>
-#include <limits>
-#include <numbers>
-#include <string>
-#include <utility>
-#include <vector>
-
+#include "verification/problems/fence/fence_layouts.hpp"
 #include "solver/base/error.hpp"
 #include "solver/integrate/linear_segment.hpp"
 #include "solver/scenes/fence_scene.hpp"
 #include "solver/scenes/fence_summary.hpp"
-#include "verification/check/case.hpp"
-#include "verification/problems/fence/fence_layouts.hpp"
-#include "verification/study/expectations.hpp"
 #include "verification/study/fence_table.hpp"
-#include "verification/study/scene_run.hpp"
+#include "verification/study/toolkit.hpp"
 
 namespace talus::verification::problems::fence_layouts {
 

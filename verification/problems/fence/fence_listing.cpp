@@ -1,14 +1,8 @@
-#include <fmt/format.h>
-
-#include <algorithm>
-#include <cmath>
-#include <string>
 #include <variant>
-#include <vector>
 
-#include "verification/check/case.hpp"
 #include "verification/problems/fence/sample2_print.hpp"
 #include "verification/problems/fence/sample2_run.hpp"
+#include "verification/study/toolkit.hpp"
 
 namespace talus::verification::problems::fence_listing {
 namespace {

@@ -1,15 +1,9 @@
-#include <fmt/format.h>
-
-#include <algorithm>
-#include <cmath>
 #include <filesystem>
-#include <utility>
 
 #include "solver/io/fence1993/read_deck.hpp"
 #include "solver/scenes/fence_scene.hpp"
-#include "verification/check/case.hpp"
 #include "verification/reference/restitution.hpp"
-#include "verification/study/scene_run.hpp"
+#include "verification/study/toolkit.hpp"
 
 namespace talus::verification::problems::fence_models {
 namespace {

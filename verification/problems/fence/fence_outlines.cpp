@@ -1,17 +1,9 @@
-#include <fmt/format.h>
-
-#include <cmath>
-#include <limits>
-#include <numbers>
-#include <string>
 #include <variant>
-#include <vector>
 
 #include "solver/geometry/shape.hpp"
 #include "solver/scenes/fence_scene.hpp"
 #include "verification/problems/fence/fence_layouts.hpp"
-#include "verification/study/expectations.hpp"
-#include "verification/study/scene_run.hpp"
+#include "verification/study/toolkit.hpp"
 
 namespace talus::verification::problems::fence_layouts {
 

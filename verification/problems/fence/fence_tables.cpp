@@ -1,17 +1,6 @@
-#include <fmt/format.h>
-
-#include <algorithm>
-#include <array>
-#include <cmath>
-#include <cstddef>
-#include <numbers>
-#include <utility>
-#include <vector>
-
-#include "verification/check/case.hpp"
 #include "verification/problems/fence/fence_ensemble.hpp"
 #include "verification/problems/fence/fence_snapshots.hpp"
-#include "verification/study/expectations.hpp"
+#include "verification/study/toolkit.hpp"
 
 namespace talus::verification::problems::fence_tables {
 namespace {

@@ -1,19 +1,12 @@
-#include <fmt/format.h>
-
-#include <array>
 #include <fstream>
 #include <iterator>
-#include <string>
-#include <utility>
-#include <vector>
 
 #include "solver/base/error.hpp"
 #include "solver/io/scene/read_scene.hpp"
 #include "solver/scenes/fence_plausibility.hpp"
 #include "solver/scenes/fence_scene.hpp"
 #include "verification/problems/fence/fence_layouts.hpp"
-#include "verification/study/expectations.hpp"
-#include "verification/study/scene_run.hpp"
+#include "verification/study/toolkit.hpp"
 
 namespace talus::verification::problems::fence_layouts {
 

@@ -1,21 +1,13 @@
-#include <fmt/format.h>
-
-#include <algorithm>
-#include <cmath>
-#include <functional>
-#include <numbers>
 #include <span>
 
 #include "solver/run/failure_log.hpp"
 #include "solver/scenes/fence_scene.hpp"
 #include "solver/scenes/fence_summary.hpp"
-#include "verification/check/case.hpp"
 #include "verification/problems/fence/watched_summary.hpp"
 #include "verification/reference/cable_draw.hpp"
 #include "verification/study/cable_scenes.hpp"
-#include "verification/study/expectations.hpp"
 #include "verification/study/fence_table.hpp"
-#include "verification/study/scene_run.hpp"
+#include "verification/study/toolkit.hpp"
 
 namespace talus::verification::problems::second_rock {
 namespace {

@@ -1,25 +1,15 @@
-#include <fmt/format.h>
 #include <boost/math/special_functions/ellint_1.hpp>
 #include <boost/math/special_functions/ellint_2.hpp>
 #include <boost/math/special_functions/jacobi_elliptic.hpp>
 
-#include <algorithm>
-#include <array>
-#include <cmath>
-#include <limits>
-#include <numbers>
-#include <string_view>
-#include <vector>
-
-#include "verification/check/case.hpp"
 #include "verification/problems/founding/adams_swing.hpp"
 #include "verification/problems/founding/leapfrog_swing.hpp"
 #include "verification/problems/founding/swing_period_findings.hpp"
 #include "verification/problems/founding/work_precision_findings.hpp"
 #include "verification/reference/elastic_pendulum.hpp"
 #include "verification/reference/pendulum_steppers.hpp"
-#include "verification/study/scene_run.hpp"
 #include "verification/study/swing.hpp"
+#include "verification/study/toolkit.hpp"
 
 namespace talus::verification::problems::pendulum {
 namespace {

@@ -1,21 +1,9 @@
-#include <fmt/format.h>
-
-#include <algorithm>
-#include <cmath>
-#include <numbers>
-#include <string>
-
-#include "verification/check/case.hpp"
-#include "verification/problems/founding/pivoted_swing.hpp"
 #include "verification/reference/pivoted_cylinder.hpp"
+#include "verification/problems/founding/pivoted_swing.hpp"
 #include "verification/reference/restitution.hpp"
-#include "verification/study/curves.hpp"
-#include "verification/study/expectations.hpp"
 #include "verification/study/leapfrog_impact_error.hpp"
-#include "verification/study/phases.hpp"
 #include "verification/study/pivoted_impact.hpp"
-#include "verification/study/predicted_errors.hpp"
-#include "verification/study/scene_run.hpp"
+#include "verification/study/toolkit.hpp"
 
 namespace talus::verification::problems::pivoted_cylinder {
 namespace {

@@ -1,19 +1,12 @@
 #include "verification/problems/founding/pivoted_swing.hpp"
 
-#include <fmt/format.h>
-
-#include <algorithm>
-#include <array>
-#include <cmath>
-
-#include "solver/integrate/integrator_list.hpp"
 #include "solver/run/simulate.hpp"
 #include "solver/run/turning_point.hpp"
 #include "verification/problems/founding/leapfrog_swing.hpp"
 #include "verification/reference/restitution.hpp"
 #include "verification/study/leapfrog_impact_error.hpp"
 #include "verification/study/pivoted_impact.hpp"
-#include "verification/study/scene_run.hpp"
+#include "verification/study/toolkit.hpp"
 
 namespace talus::verification::problems {
 namespace {

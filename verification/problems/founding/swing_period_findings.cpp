@@ -1,16 +1,8 @@
 #include "verification/problems/founding/swing_period_findings.hpp"
 
-#include <fmt/format.h>
-
-#include <algorithm>
-#include <cmath>
-#include <numbers>
-#include <string>
-
 #include "verification/problems/founding/leapfrog_swing.hpp"
-#include "verification/study/curves.hpp"
-#include "verification/study/scene_run.hpp"
 #include "verification/study/swing.hpp"
+#include "verification/study/toolkit.hpp"
 
 namespace talus::verification::problems {
 namespace {

@@ -1,24 +1,12 @@
-#include <fmt/format.h>
-
-#include <algorithm>
-#include <cmath>
-#include <numbers>
-#include <string>
-#include <string_view>
-
-#include "solver/integrate/integrator_list.hpp"
 #include "solver/scenes/pivoted_cylinder.hpp"
 #include "solver/scenes/two_cable.hpp"
-#include "verification/check/case.hpp"
 #include "verification/problems/founding/struck_scenes.hpp"
 #include "verification/reference/pivoted_cylinder.hpp"
 #include "verification/reference/restitution.hpp"
 #include "verification/reference/two_cable.hpp"
 #include "verification/study/common_formula.hpp"
-#include "verification/study/curves.hpp"
-#include "verification/study/expectations.hpp"
 #include "verification/study/leapfrog_impact_error.hpp"
-#include "verification/study/scene_run.hpp"
+#include "verification/study/toolkit.hpp"
 
 namespace talus::verification::problems::timestep {
 namespace {

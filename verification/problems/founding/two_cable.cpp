@@ -1,20 +1,9 @@
-#include <fmt/format.h>
-
-#include <algorithm>
-#include <cmath>
-#include <numbers>
-#include <string>
-#include <vector>
-
-#include "verification/check/case.hpp"
+#include "verification/reference/two_cable.hpp"
 #include "verification/problems/founding/two_cable_impact.hpp"
 #include "verification/reference/restitution.hpp"
-#include "verification/reference/two_cable.hpp"
-#include "verification/study/curves.hpp"
 #include "verification/study/followed_impact.hpp"
 #include "verification/study/leapfrog_impact_error.hpp"
-#include "verification/study/phases.hpp"
-#include "verification/study/scene_run.hpp"
+#include "verification/study/toolkit.hpp"
 
 namespace talus::verification::problems::two_cable {
 namespace {

@@ -1,13 +1,10 @@
 #include "verification/problems/founding/two_cable_impact.hpp"
 
-#include <algorithm>
-#include <cmath>
-
 #include "solver/laws/restitution.hpp"
 #include "solver/scenes/two_cable.hpp"
 #include "verification/reference/restitution.hpp"
 #include "verification/study/followed_impact.hpp"
-#include "verification/study/scene_run.hpp"
+#include "verification/study/toolkit.hpp"
 
 namespace talus::verification::problems {
 namespace {

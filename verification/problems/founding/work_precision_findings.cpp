@@ -1,14 +1,7 @@
 #include "verification/problems/founding/work_precision_findings.hpp"
 
-#include <fmt/format.h>
-
-#include <cmath>
-#include <limits>
-#include <string>
-#include <string_view>
-
-#include "verification/check/convergence.hpp"
 #include "verification/study/swing.hpp"
+#include "verification/study/toolkit.hpp"
 
 namespace talus::verification::problems {
 namespace {

@@ -1,10 +1,6 @@
-#include <fmt/format.h>
-
-#include <cmath>
-
-#include "solver/dynamics/rigid_body_system.hpp"
 #include "verification/problems/friction/friction_findings.hpp"
 #include "verification/study/sliding_scenes.hpp"
+#include "verification/study/toolkit.hpp"
 
 namespace talus::verification::problems::friction {
 namespace {

@@ -1,15 +1,7 @@
-#include <fmt/format.h>
-
-#include <algorithm>
-#include <array>
-#include <cmath>
-#include <numbers>
-
-#include "verification/check/convergence.hpp"
 #include "verification/problems/friction/friction_findings.hpp"
 #include "verification/study/oblique_runs.hpp"
 #include "verification/study/phase_sweep.hpp"
-#include "verification/study/scene_run.hpp"
+#include "verification/study/toolkit.hpp"
 
 namespace talus::verification::problems {
 namespace {

@@ -1,15 +1,7 @@
-#include <fmt/format.h>
-
-#include <algorithm>
-#include <cmath>
-#include <numbers>
-#include <string>
-
-#include "verification/check/convergence.hpp"
 #include "verification/problems/friction/friction_findings.hpp"
 #include "verification/study/common_formula.hpp"
-#include "verification/study/curves.hpp"
 #include "verification/study/oblique_runs.hpp"
+#include "verification/study/toolkit.hpp"
 
 namespace talus::verification::problems {
 namespace {

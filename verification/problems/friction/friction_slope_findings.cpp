@@ -1,12 +1,6 @@
-#include <fmt/format.h>
-
-#include <algorithm>
-#include <cmath>
-#include <numbers>
-
 #include "verification/problems/friction/friction_findings.hpp"
-#include "verification/study/scene_run.hpp"
 #include "verification/study/sliding_scenes.hpp"
+#include "verification/study/toolkit.hpp"
 
 namespace talus::verification::problems {
 namespace {

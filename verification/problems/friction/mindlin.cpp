@@ -1,25 +1,9 @@
 #include "solver/laws/mindlin.hpp"
 
-#include <fmt/format.h>
-
-#include <algorithm>
-#include <cmath>
-#include <string>
-#include <vector>
-
-#include "solver/dynamics/rigid_body_system.hpp"
 #include "solver/dynamics/springs.hpp"
-#include "solver/integrate/integrator_list.hpp"
 #include "solver/io/scene/read_scene.hpp"
-#include "solver/model/model_builder.hpp"
-#include "verification/check/case.hpp"
-#include "verification/check/convergence.hpp"
 #include "verification/reference/mindlin_impact.hpp"
-#include "verification/study/curves.hpp"
-#include "verification/study/expectations.hpp"
-#include "verification/study/phases.hpp"
-#include "verification/study/predicted_errors.hpp"
-#include "verification/study/scene_run.hpp"
+#include "verification/study/toolkit.hpp"
 
 namespace talus::verification::problems::mindlin {
 namespace {

@@ -1,22 +1,8 @@
-#include <fmt/format.h>
-
-#include <cmath>
-#include <functional>
-#include <numbers>
-#include <string>
-#include <vector>
-
-#include "solver/dynamics/rigid_body_system.hpp"
 #include "solver/integrate/advance.hpp"
-#include "solver/model/model_builder.hpp"
-#include "solver/scenes/scene.hpp"
-#include "verification/check/case.hpp"
 #include "verification/problems/friction/method_run.hpp"
 #include "verification/reference/held_body.hpp"
 #include "verification/reference/smooth_motion.hpp"
-#include "verification/study/curves.hpp"
-#include "verification/study/expectations.hpp"
-#include "verification/study/usage.hpp"
+#include "verification/study/toolkit.hpp"
 
 namespace talus::verification::problems::prescribed_motion {
 namespace {

@@ -1,22 +1,10 @@
-#include <fmt/format.h>
-
-#include <cmath>
 #include <filesystem>
-#include <numbers>
-#include <string>
-#include <vector>
 
-#include "solver/dynamics/rigid_body_system.hpp"
 #include "solver/io/read_scene_file.hpp"
 #include "solver/io/scene/read_scene.hpp"
-#include "solver/model/model_builder.hpp"
-#include "verification/check/case.hpp"
 #include "verification/reference/resting_contact.hpp"
-#include "verification/study/curves.hpp"
-#include "verification/study/expectations.hpp"
 #include "verification/study/recorded_run.hpp"
-#include "verification/study/scene_run.hpp"
-#include "verification/study/usage.hpp"
+#include "verification/study/toolkit.hpp"
 
 namespace talus::verification::problems::resting_contacts {
 namespace {

@@ -1,20 +1,11 @@
-#include <fmt/format.h>
-
-#include <algorithm>
-#include <cmath>
-#include <numbers>
 #include <type_traits>
 
-#include "solver/dynamics/rigid_body_system.hpp"
 #include "solver/granular/disc_system.hpp"
 #include "solver/granular/fast_disc_system.hpp"
 #include "solver/integrate/euler_cromer.hpp"
-#include "solver/model/model_builder.hpp"
-#include "verification/check/case.hpp"
 #include "verification/reference/oblique_impact.hpp"
-#include "verification/study/expectations.hpp"
 #include "verification/study/oblique_runs.hpp"
-#include "verification/study/scene_run.hpp"
+#include "verification/study/toolkit.hpp"
 
 namespace talus::verification::problems::spinning_discs {
 namespace {

@@ -1,15 +1,6 @@
-#include <array>
-#include <cmath>
-#include <limits>
-#include <numbers>
-
-#include "solver/model/model_builder.hpp"
-#include "solver/scenes/scene.hpp"
-#include "verification/check/case.hpp"
 #include "verification/problems/friction/late_slip.hpp"
-#include "verification/study/predicted_errors.hpp"
+#include "verification/study/toolkit.hpp"
 #include "verification/study/turned_pair.hpp"
-#include "verification/study/usage.hpp"
 
 namespace talus::verification::problems::turning_pair {
 namespace {

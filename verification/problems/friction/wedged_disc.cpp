@@ -1,17 +1,7 @@
-#include <fmt/format.h>
-
-#include <cmath>
-#include <string>
-
-#include "solver/model/model_builder.hpp"
-#include "solver/scenes/scene.hpp"
-#include "verification/check/case.hpp"
 #include "verification/problems/friction/late_slip.hpp"
 #include "verification/problems/friction/method_run.hpp"
 #include "verification/reference/held_body.hpp"
-#include "verification/study/curves.hpp"
-#include "verification/study/expectations.hpp"
-#include "verification/study/usage.hpp"
+#include "verification/study/toolkit.hpp"
 
 namespace talus::verification::problems::wedged_disc {
 namespace {

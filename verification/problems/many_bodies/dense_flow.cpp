@@ -1,9 +1,5 @@
-#include <fmt/format.h>
-
-#include <vector>
-
-#include "verification/check/case.hpp"
 #include "verification/problems/many_bodies/dense_runs.hpp"
+#include "verification/study/toolkit.hpp"
 
 namespace talus::verification::problems::dense_flow {
 namespace {

@@ -1,13 +1,6 @@
-#include <fmt/format.h>
-
-#include <algorithm>
-#include <cmath>
-#include <vector>
-
-#include "verification/check/case.hpp"
 #include "verification/problems/many_bodies/dense_runs.hpp"
 #include "verification/reference/power_fit.hpp"
-#include "verification/study/curves.hpp"
+#include "verification/study/toolkit.hpp"
 
 namespace talus::verification::problems::dense_rheology {
 namespace {

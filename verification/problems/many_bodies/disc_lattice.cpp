@@ -1,14 +1,9 @@
-#include <fmt/format.h>
-
-#include <algorithm>
-#include <cmath>
 #include <random>
-#include <vector>
 
 #include "solver/granular/disc_method.hpp"
 #include "solver/granular/disc_system.hpp"
 #include "solver/laws/linear_spring_dashpot.hpp"
-#include "verification/check/case.hpp"
+#include "verification/study/toolkit.hpp"
 
 namespace talus::verification::problems::disc_lattice {
 namespace {

@@ -1,18 +1,7 @@
 #include "solver/granular/packing.hpp"
 
-#include <fmt/format.h>
-
-#include <algorithm>
-#include <cmath>
-#include <limits>
-#include <numbers>
-#include <string>
-#include <utility>
-#include <vector>
-
 #include "solver/base/error.hpp"
-#include "verification/check/case.hpp"
-#include "verification/study/expectations.hpp"
+#include "verification/study/toolkit.hpp"
 
 namespace talus::verification::problems::packing {
 namespace {

@@ -1,22 +1,15 @@
-#include <fmt/format.h>
-
 #include <unistd.h>
-#include <cmath>
 #include <filesystem>
 
-#include "solver/dynamics/rigid_body_system.hpp"
-#include "solver/integrate/integrator_list.hpp"
 #include "solver/io/file/atomic_file.hpp"
 #include "solver/io/output/checkpoint.hpp"
-#include "solver/model/model_builder.hpp"
 #include "solver/run/run_state.hpp"
 #include "solver/run/simulate.hpp"
 #include "solver/scenes/bouncing_disc.hpp"
-#include "verification/check/case.hpp"
 #include "verification/study/moved_scene.hpp"
 #include "verification/study/scaled_scene.hpp"
 #include "verification/study/scenes_in_motion.hpp"
-#include "verification/study/usage.hpp"
+#include "verification/study/toolkit.hpp"
 
 namespace talus::verification::problems::restart {
 namespace {

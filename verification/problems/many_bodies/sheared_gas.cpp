@@ -1,15 +1,7 @@
-#include <fmt/format.h>
-
-#include <algorithm>
-#include <array>
-#include <cmath>
-#include <string>
-#include <vector>
-
 #include "solver/cell/block_means.hpp"
-#include "verification/check/case.hpp"
 #include "verification/problems/many_bodies/followed_discs.hpp"
 #include "verification/reference/gas_of_discs.hpp"
+#include "verification/study/toolkit.hpp"
 
 namespace talus::verification::problems::sheared_gas {
 namespace {

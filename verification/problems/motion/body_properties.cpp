@@ -1,16 +1,6 @@
-#include <fmt/format.h>
-
-#include <algorithm>
-#include <array>
-#include <cmath>
-#include <vector>
-
-#include "solver/dynamics/dynamics.hpp"
 #include "solver/geometry/mass_properties.hpp"
-#include "solver/model/model_builder.hpp"
-#include "verification/check/case.hpp"
 #include "verification/reference/solid_moments.hpp"
-#include "verification/study/usage.hpp"
+#include "verification/study/toolkit.hpp"
 
 namespace talus::verification::problems::body_properties {
 namespace {

@@ -1,17 +1,7 @@
-#include <fmt/format.h>
-
-#include <array>
-#include <cmath>
-#include <numbers>
-#include <string>
-#include <vector>
-
 #include "solver/dynamics/effective_mass.hpp"
-#include "solver/model/model_builder.hpp"
 #include "solver/stability/contact_range.hpp"
 #include "solver/stability/step_advice.hpp"
-#include "verification/check/case.hpp"
-#include "verification/study/scene_run.hpp"
+#include "verification/study/toolkit.hpp"
 
 namespace talus::verification::problems::effective_masses {
 namespace {

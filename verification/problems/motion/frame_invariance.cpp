@@ -1,18 +1,10 @@
-#include <fmt/format.h>
-
-#include <algorithm>
-#include <cmath>
-#include <numbers>
 #include <random>
 #include <stdexcept>
 
 #include "solver/base/error.hpp"
-#include "solver/model/model_builder.hpp"
-#include "verification/check/case.hpp"
-#include "verification/study/expectations.hpp"
 #include "verification/study/moved_scene.hpp"
-#include "verification/study/scene_run.hpp"
 #include "verification/study/scenes_in_motion.hpp"
+#include "verification/study/toolkit.hpp"
 
 namespace talus::verification::problems::frame_invariance {
 namespace {

@@ -1,12 +1,5 @@
-#include <fmt/format.h>
 #include <boost/multiprecision/cpp_bin_float.hpp>
-
-#include <algorithm>
-#include <array>
-#include <cmath>
 #include <cstdint>
-#include <numbers>
-#include <optional>
 #include <stdexcept>
 
 #include "solver/integrate/advance.hpp"
@@ -16,12 +9,8 @@
 #include "solver/integrate/lagged_central_difference.hpp"
 #include "solver/integrate/runge_kutta4.hpp"
 #include "solver/integrate/velocity_verlet.hpp"
-#include "solver/model/model_builder.hpp"
-#include "verification/check/case.hpp"
 #include "verification/reference/stepped_swing.hpp"
-#include "verification/study/expectations.hpp"
-#include "verification/study/scene_run.hpp"
-#include "verification/study/usage.hpp"
+#include "verification/study/toolkit.hpp"
 
 namespace talus::verification::problems::round_off {
 namespace {

@@ -1,15 +1,9 @@
-#include <fmt/format.h>
-
-#include <algorithm>
-#include <cmath>
 #include <random>
 
-#include "solver/model/model_builder.hpp"
 #include "solver/scenes/bouncing_disc.hpp"
 #include "solver/scenes/pendulum.hpp"
-#include "verification/check/case.hpp"
 #include "verification/study/moved_scene.hpp"
-#include "verification/study/scene_run.hpp"
+#include "verification/study/toolkit.hpp"
 
 namespace talus::verification::problems::time_reversal {
 namespace {

@@ -1,14 +1,8 @@
-#include <fmt/format.h>
-
-#include <array>
-#include <cmath>
 #include <tuple>
 
-#include "solver/model/model_builder.hpp"
-#include "verification/check/case.hpp"
 #include "verification/study/scaled_scene.hpp"
-#include "verification/study/scene_run.hpp"
 #include "verification/study/scenes_in_motion.hpp"
+#include "verification/study/toolkit.hpp"
 
 namespace talus::verification::problems::unit_scaling {
 namespace {

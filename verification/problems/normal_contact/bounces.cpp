@@ -1,20 +1,10 @@
-#include <fmt/format.h>
-
-#include <cmath>
-#include <string>
-#include <vector>
-
 #include "solver/scenes/bouncing_disc.hpp"
-#include "verification/check/case.hpp"
 #include "verification/reference/damped_bounce.hpp"
 #include "verification/reference/restitution.hpp"
-#include "verification/study/expectations.hpp"
 #include "verification/study/followed_impact.hpp"
 #include "verification/study/leapfrog_impact_error.hpp"
-#include "verification/study/phases.hpp"
 #include "verification/study/plane_impact.hpp"
-#include "verification/study/predicted_errors.hpp"
-#include "verification/study/scene_run.hpp"
+#include "verification/study/toolkit.hpp"
 
 namespace talus::verification::problems::bounces {
 namespace {

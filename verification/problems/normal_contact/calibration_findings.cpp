@@ -1,20 +1,14 @@
 #include "verification/problems/normal_contact/calibration_findings.hpp"
 
-#include <fmt/format.h>
-
-#include <algorithm>
-#include <cmath>
-
 #include "solver/calibrate/impact.hpp"
 #include "solver/scenes/bouncing_disc.hpp"
 #include "solver/scenes/pivoted_cylinder.hpp"
-#include "verification/check/convergence.hpp"
 #include "verification/reference/pivoted_cylinder.hpp"
 #include "verification/reference/restitution.hpp"
 #include "verification/study/common_formula.hpp"
 #include "verification/study/followed_impact.hpp"
 #include "verification/study/leapfrog_impact_error.hpp"
-#include "verification/study/phases.hpp"
+#include "verification/study/toolkit.hpp"
 
 namespace talus::verification::problems {
 namespace {

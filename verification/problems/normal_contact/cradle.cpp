@@ -1,15 +1,5 @@
-#include <fmt/format.h>
-
-#include <array>
-#include <cmath>
-#include <numbers>
-
-#include "solver/model/model_builder.hpp"
-#include "verification/check/case.hpp"
 #include "verification/reference/struck_row.hpp"
-#include "verification/study/phases.hpp"
-#include "verification/study/predicted_errors.hpp"
-#include "verification/study/scene_run.hpp"
+#include "verification/study/toolkit.hpp"
 
 namespace talus::verification::problems::cradle {
 namespace {

@@ -1,15 +1,9 @@
 #include "verification/problems/normal_contact/effective_mass_findings.hpp"
 
-#include <algorithm>
-#include <cmath>
-
-#include "solver/dynamics/rigid_body_system.hpp"
 #include "solver/integrate/velocity_verlet.hpp"
 #include "solver/laws/linear_spring_dashpot.hpp"
-#include "solver/model/model_builder.hpp"
-#include "solver/scenes/scene.hpp"
 #include "verification/study/disc_bounce.hpp"
-#include "verification/study/expectations.hpp"
+#include "verification/study/toolkit.hpp"
 
 namespace talus::verification::problems {
 namespace {

@@ -1,17 +1,9 @@
-#include <fmt/format.h>
-
-#include <algorithm>
-#include <cmath>
-
-#include "verification/check/case.hpp"
 #include "verification/reference/hertz_impact.hpp"
 #include "verification/reference/hurwitz_zeta.hpp"
 #include "verification/reference/restitution.hpp"
-#include "verification/study/expectations.hpp"
 #include "verification/study/followed_impact.hpp"
-#include "verification/study/phases.hpp"
 #include "verification/study/plane_impact.hpp"
-#include "verification/study/predicted_errors.hpp"
+#include "verification/study/toolkit.hpp"
 
 namespace talus::verification::problems::hertz {
 namespace {

@@ -1,21 +1,8 @@
-#include <fmt/format.h>
-
-#include <algorithm>
-#include <cmath>
-#include <numbers>
-#include <utility>
-#include <vector>
-
-#include "solver/model/model_builder.hpp"
 #include "solver/scenes/bouncing_disc.hpp"
-#include "verification/check/case.hpp"
 #include "verification/reference/latching_impact.hpp"
-#include "verification/study/expectations.hpp"
-#include "verification/study/phases.hpp"
 #include "verification/study/plane_impact.hpp"
-#include "verification/study/predicted_errors.hpp"
 #include "verification/study/pressed_disc.hpp"
-#include "verification/study/scene_run.hpp"
+#include "verification/study/toolkit.hpp"
 
 namespace talus::verification::problems::latching_spring {
 namespace {

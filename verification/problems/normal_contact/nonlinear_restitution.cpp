@@ -1,25 +1,12 @@
-#include <fmt/format.h>
-
-#include <algorithm>
-#include <array>
-#include <cmath>
-#include <string>
-#include <utility>
 #include <variant>
-#include <vector>
 
-#include "solver/integrate/integrator_list.hpp"
 #include "solver/scenes/bouncing_disc.hpp"
-#include "verification/check/case.hpp"
 #include "verification/reference/hertz_impact.hpp"
 #include "verification/reference/power_law_impact.hpp"
 #include "verification/reference/restitution.hpp"
 #include "verification/study/common_formula.hpp"
-#include "verification/study/expectations.hpp"
 #include "verification/study/followed_impact.hpp"
-#include "verification/study/phases.hpp"
-#include "verification/study/predicted_errors.hpp"
-#include "verification/study/scene_run.hpp"
+#include "verification/study/toolkit.hpp"
 
 namespace talus::verification::problems::nonlinear_restitution {
 namespace {

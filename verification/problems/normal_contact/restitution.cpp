@@ -1,19 +1,10 @@
-#include <fmt/format.h>
-
-#include <algorithm>
-#include <cmath>
-#include <string>
-#include <vector>
-
-#include "solver/integrate/integrator_list.hpp"
+#include "verification/reference/restitution.hpp"
 #include "solver/scenes/bouncing_disc.hpp"
-#include "verification/check/case.hpp"
 #include "verification/problems/normal_contact/calibration_findings.hpp"
 #include "verification/problems/normal_contact/effective_mass_findings.hpp"
-#include "verification/reference/restitution.hpp"
 #include "verification/study/disc_bounce.hpp"
-#include "verification/study/expectations.hpp"
 #include "verification/study/leapfrog_impact_error.hpp"
+#include "verification/study/toolkit.hpp"
 
 namespace talus::verification::problems::restitution {
 namespace {

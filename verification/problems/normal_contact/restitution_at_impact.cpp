@@ -1,15 +1,6 @@
-#include <fmt/format.h>
-
-#include <algorithm>
-#include <cmath>
-#include <functional>
-#include <string>
-#include <vector>
-
 #include "solver/dynamics/springs.hpp"
 #include "solver/io/scene/read_scene.hpp"
-#include "verification/check/case.hpp"
-#include "verification/study/scene_run.hpp"
+#include "verification/study/toolkit.hpp"
 
 namespace talus::verification::problems::restitution_at_impact {
 namespace {

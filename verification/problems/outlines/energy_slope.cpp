@@ -1,14 +1,7 @@
-#include <fmt/format.h>
-
-#include <algorithm>
-#include <cmath>
-#include <numbers>
 #include <random>
 
-#include "solver/model/model_builder.hpp"
-#include "verification/check/case.hpp"
+#include "verification/study/toolkit.hpp"
 #include "verification/study/touching_pair.hpp"
-#include "verification/study/usage.hpp"
 
 namespace talus::verification::problems::energy_slope {
 namespace {

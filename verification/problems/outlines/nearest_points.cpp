@@ -1,18 +1,9 @@
-#include <fmt/format.h>
-
-#include <algorithm>
-#include <array>
-#include <cmath>
-#include <limits>
-#include <numbers>
 #include <random>
 
 #include "solver/geometry/gap.hpp"
 #include "solver/geometry/node_depth.hpp"
-#include "verification/check/case.hpp"
 #include "verification/reference/superellipse.hpp"
-#include "verification/study/expectations.hpp"
-#include "verification/study/usage.hpp"
+#include "verification/study/toolkit.hpp"
 
 namespace talus::verification::problems::nearest_points {
 namespace {

@@ -1,18 +1,5 @@
-#include <fmt/format.h>
-
-#include <algorithm>
-#include <array>
-#include <cmath>
-#include <limits>
-#include <numbers>
-
-#include "solver/dynamics/dynamics.hpp"
-#include "solver/model/model_builder.hpp"
-#include "verification/check/case.hpp"
 #include "verification/reference/superellipse.hpp"
-#include "verification/study/expectations.hpp"
-#include "verification/study/scene_run.hpp"
-#include "verification/study/usage.hpp"
+#include "verification/study/toolkit.hpp"
 
 namespace talus::verification::problems::node_spacing {
 namespace {

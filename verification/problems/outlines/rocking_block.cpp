@@ -1,12 +1,5 @@
-#include <fmt/format.h>
-
-#include <algorithm>
-#include <cmath>
-
-#include "solver/model/model_builder.hpp"
-#include "verification/check/case.hpp"
 #include "verification/reference/rocking_block.hpp"
-#include "verification/study/scene_run.hpp"
+#include "verification/study/toolkit.hpp"
 
 namespace talus::verification::problems::rocking_block {
 namespace {

@@ -1,12 +1,5 @@
-#include <fmt/format.h>
-
-#include <cmath>
-#include <numbers>
-
-#include "solver/model/model_builder.hpp"
-#include "verification/check/case.hpp"
 #include "verification/reference/rocking_ellipse.hpp"
-#include "verification/study/scene_run.hpp"
+#include "verification/study/toolkit.hpp"
 
 namespace talus::verification::problems::rocking_ellipse {
 namespace {

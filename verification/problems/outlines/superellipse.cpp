@@ -1,17 +1,10 @@
-#include <fmt/format.h>
-
-#include <algorithm>
-#include <array>
-#include <cmath>
-#include <numbers>
 #include <random>
 
 #include "solver/geometry/gap.hpp"
 #include "solver/geometry/shape.hpp"
-#include "verification/check/convergence.hpp"
 #include "verification/problems/outlines/superellipse_findings.hpp"
 #include "verification/reference/superellipse.hpp"
-#include "verification/study/usage.hpp"
+#include "verification/study/toolkit.hpp"
 
 namespace talus::verification::problems::superellipse {
 namespace {

@@ -1,17 +1,9 @@
-#include <fmt/format.h>
-
-#include <algorithm>
-#include <array>
-#include <cmath>
-#include <numbers>
 #include <random>
 
 #include "solver/dynamics/candidates.hpp"
-#include "solver/dynamics/dynamics.hpp"
-#include "solver/model/model_builder.hpp"
 #include "verification/problems/outlines/superellipse_findings.hpp"
 #include "verification/reference/overlap.hpp"
-#include "verification/study/usage.hpp"
+#include "verification/study/toolkit.hpp"
 
 namespace talus::verification::problems {
 namespace {

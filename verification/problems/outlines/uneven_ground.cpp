@@ -1,11 +1,4 @@
-#include <array>
-#include <cmath>
-#include <optional>
-#include <vector>
-
-#include "solver/model/model_builder.hpp"
-#include "verification/check/case.hpp"
-#include "verification/study/scene_run.hpp"
+#include "verification/study/toolkit.hpp"
 
 namespace talus::verification::problems::uneven_ground {
 namespace {

@@ -1,27 +1,13 @@
-#include <fmt/format.h>
-
-#include <algorithm>
-#include <array>
-#include <cmath>
-#include <functional>
-#include <limits>
-#include <numbers>
-#include <string>
-#include <utility>
-#include <vector>
-
 #include "solver/advise/method_advice.hpp"
 #include "solver/advise/pilot.hpp"
-#include "solver/model/model_builder.hpp"
 #include "solver/scenes/bouncing_disc.hpp"
 #include "solver/scenes/fence_scene.hpp"
-#include "verification/check/case.hpp"
 #include "verification/reference/hertz_impact.hpp"
 #include "verification/study/fence_table.hpp"
 #include "verification/study/oblique_runs.hpp"
 #include "verification/study/recorded_run.hpp"
-#include "verification/study/scene_run.hpp"
 #include "verification/study/sliding_scenes.hpp"
+#include "verification/study/toolkit.hpp"
 
 namespace talus::verification::problems::advice {
 namespace {

@@ -1,23 +1,11 @@
 #include "verification/problems/speed_accuracy/bilateral_findings.hpp"
 
-#include <fmt/format.h>
-
-#include <algorithm>
-#include <cmath>
-#include <limits>
-#include <numbers>
-#include <string>
 #include <variant>
-#include <vector>
 
-#include "solver/dynamics/dynamics.hpp"
-#include "solver/dynamics/rigid_body_system.hpp"
-#include "solver/model/model_builder.hpp"
 #include "solver/run/simulate.hpp"
 #include "solver/scenes/fence_scene.hpp"
-#include "verification/study/expectations.hpp"
 #include "verification/study/fence_table.hpp"
-#include "verification/study/scene_run.hpp"
+#include "verification/study/toolkit.hpp"
 
 namespace talus::verification::problems {
 namespace {

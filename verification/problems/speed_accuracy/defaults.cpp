@@ -1,19 +1,8 @@
-#include <fmt/format.h>
-
-#include <algorithm>
-#include <array>
-#include <cmath>
-#include <limits>
-#include <string>
-#include <vector>
-
 #include "solver/io/scene/read_scene.hpp"
 #include "solver/scenes/fence_summary.hpp"
 #include "solver/stability/step_advice.hpp"
-#include "verification/check/case.hpp"
-#include "verification/study/expectations.hpp"
 #include "verification/study/recorded_run.hpp"
-#include "verification/study/scene_run.hpp"
+#include "verification/study/toolkit.hpp"
 #include "verification/study/varied_scenes.hpp"
 
 namespace talus::verification::problems::defaults {

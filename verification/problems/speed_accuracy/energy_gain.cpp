@@ -1,18 +1,7 @@
-#include <fmt/format.h>
-
-#include <algorithm>
-#include <cmath>
 #include <cstdint>
-#include <numbers>
-#include <string>
-#include <string_view>
-#include <vector>
 
-#include "solver/model/model_builder.hpp"
-#include "verification/check/case.hpp"
 #include "verification/reference/leapfrog_bounce.hpp"
-#include "verification/study/expectations.hpp"
-#include "verification/study/scene_run.hpp"
+#include "verification/study/toolkit.hpp"
 
 namespace talus::verification::problems::energy_gain {
 namespace {

@@ -1,15 +1,11 @@
 #include "verification/problems/speed_accuracy/exact_motions.hpp"
 
-#include <algorithm>
-#include <cmath>
-
-#include "solver/model/model_builder.hpp"
 #include "solver/scenes/bouncing_disc.hpp"
 #include "solver/scenes/pendulum.hpp"
 #include "verification/reference/damped_bounce.hpp"
 #include "verification/reference/two_cable.hpp"
-#include "verification/study/scene_run.hpp"
 #include "verification/study/swing.hpp"
+#include "verification/study/toolkit.hpp"
 
 namespace talus::verification::problems {
 namespace {

@@ -1,21 +1,10 @@
-#include <fmt/format.h>
-
-#include <algorithm>
-#include <array>
-#include <cmath>
-#include <limits>
-#include <vector>
-
 #include "solver/dynamics/closed_form.hpp"
-#include "solver/model/model_builder.hpp"
 #include "solver/scenes/bouncing_disc.hpp"
-#include "verification/check/case.hpp"
 #include "verification/reference/damped_bounce.hpp"
 #include "verification/reference/latching_impact.hpp"
 #include "verification/reference/restitution.hpp"
 #include "verification/reference/struck_row.hpp"
-#include "verification/study/expectations.hpp"
-#include "verification/study/scene_run.hpp"
+#include "verification/study/toolkit.hpp"
 
 namespace talus::verification::problems::exact_pieces {
 namespace {

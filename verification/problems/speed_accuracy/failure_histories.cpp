@@ -1,15 +1,7 @@
-#include <fmt/format.h>
-
-#include <algorithm>
-#include <cmath>
-#include <numbers>
-#include <vector>
-
-#include "solver/model/model_builder.hpp"
 #include "verification/problems/speed_accuracy/failure_rows.hpp"
 #include "verification/study/pressed_disc.hpp"
-#include "verification/study/scene_run.hpp"
 #include "verification/study/sliding_scenes.hpp"
+#include "verification/study/toolkit.hpp"
 #include "verification/study/turned_pair.hpp"
 
 namespace talus::verification::problems {

@@ -1,22 +1,9 @@
-#include <fmt/format.h>
-
-#include <algorithm>
-#include <array>
-#include <cmath>
-#include <numbers>
-
-#include "solver/dynamics/rigid_body_system.hpp"
 #include "solver/geometry/penetration.hpp"
-#include "solver/integrate/integrator_list.hpp"
-#include "solver/model/model_builder.hpp"
 #include "solver/run/simulate.hpp"
-#include "solver/run/snapshot.hpp"
 #include "solver/scenes/bouncing_disc.hpp"
 #include "solver/stability/run_monitor.hpp"
-#include "verification/check/convergence.hpp"
 #include "verification/problems/speed_accuracy/failure_rows.hpp"
-#include "verification/study/curves.hpp"
-#include "verification/study/usage.hpp"
+#include "verification/study/toolkit.hpp"
 
 namespace talus::verification::problems {
 namespace {

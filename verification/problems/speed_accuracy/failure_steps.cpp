@@ -1,18 +1,9 @@
-#include <fmt/format.h>
-
-#include <algorithm>
-#include <cmath>
-#include <numbers>
-#include <string>
-
-#include "solver/dynamics/rigid_body_system.hpp"
-#include "solver/model/model_builder.hpp"
 #include "solver/run/simulate.hpp"
 #include "solver/scenes/bouncing_disc.hpp"
 #include "verification/problems/speed_accuracy/failure_rows.hpp"
 #include "verification/study/cable_scenes.hpp"
 #include "verification/study/disc_bounce.hpp"
-#include "verification/study/scene_run.hpp"
+#include "verification/study/toolkit.hpp"
 
 namespace talus::verification::problems {
 namespace {

@@ -1,15 +1,7 @@
-#include <fmt/format.h>
-
-#include <algorithm>
-#include <cmath>
-#include <numbers>
-
-#include "solver/model/model_builder.hpp"
-#include "verification/check/case.hpp"
 #include "verification/problems/speed_accuracy/fidelity_levels.hpp"
 #include "verification/problems/speed_accuracy/fidelity_rungs.hpp"
 #include "verification/reference/bed_of_springs.hpp"
-#include "verification/study/scene_run.hpp"
+#include "verification/study/toolkit.hpp"
 
 namespace talus::verification::problems::fidelity_ladder {
 namespace {

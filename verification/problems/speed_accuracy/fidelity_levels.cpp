@@ -1,15 +1,11 @@
 #include "verification/problems/speed_accuracy/fidelity_levels.hpp"
 
-#include <algorithm>
-#include <cmath>
-#include <limits>
 #include <numeric>
 
 #include "solver/laws/restitution.hpp"
-#include "solver/model/model_builder.hpp"
 #include "solver/scenes/pivoted_cylinder.hpp"
 #include "verification/study/fence_table.hpp"
-#include "verification/study/scene_run.hpp"
+#include "verification/study/toolkit.hpp"
 
 namespace talus::verification::problems {
 namespace {

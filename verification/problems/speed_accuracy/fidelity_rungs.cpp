@@ -1,21 +1,10 @@
 #include "verification/problems/speed_accuracy/fidelity_rungs.hpp"
 
-#include <fmt/format.h>
-
-#include <algorithm>
-#include <array>
 #include <chrono>
-#include <cmath>
-#include <functional>
-#include <limits>
 #include <random>
 
-#include "solver/dynamics/rigid_body_system.hpp"
-#include "solver/integrate/integrator_list.hpp"
 #include "solver/run/simulate.hpp"
-#include "solver/run/snapshot.hpp"
-#include "verification/study/expectations.hpp"
-#include "verification/study/usage.hpp"
+#include "verification/study/toolkit.hpp"
 
 namespace talus::verification::problems {
 namespace {

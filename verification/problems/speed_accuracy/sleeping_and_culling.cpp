@@ -1,20 +1,10 @@
-#include <fmt/format.h>
-
-#include <algorithm>
-#include <cmath>
-#include <limits>
 #include <random>
-#include <vector>
 
-#include "solver/dynamics/rigid_body_system.hpp"
-#include "solver/model/model_builder.hpp"
 #include "solver/scenes/fence_scene.hpp"
-#include "solver/state/state.hpp"
-#include "verification/check/case.hpp"
 #include "verification/study/fence_table.hpp"
 #include "verification/study/moved_scene.hpp"
-#include "verification/study/scene_run.hpp"
 #include "verification/study/scenes_in_motion.hpp"
+#include "verification/study/toolkit.hpp"
 
 namespace talus::verification::problems::sleeping_and_culling {
 namespace {

@@ -1,11 +1,6 @@
 #pragma once
 
-#include <array>
-#include <cmath>
-#include <vector>
-
-#include "solver/model/model_builder.hpp"
-#include "verification/study/scene_run.hpp"
+#include "verification/study/toolkit.hpp"
 
 /// A disc squeezed between two planes: both contacts remain closed, so that the motion about the middle is that of a
 /// bilateral damped oscillator, and each step of a method multiplies the state by the same matrix.

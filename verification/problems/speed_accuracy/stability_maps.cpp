@@ -1,20 +1,11 @@
-#include <fmt/format.h>
-
-#include <algorithm>
-#include <cmath>
 #include <cstdint>
-#include <limits>
-#include <string>
-#include <string_view>
-#include <vector>
 
 #include "solver/stability/step_advice.hpp"
-#include "verification/check/case.hpp"
 #include "verification/problems/speed_accuracy/bilateral_findings.hpp"
 #include "verification/problems/speed_accuracy/measured_growth.hpp"
 #include "verification/reference/amplification.hpp"
 #include "verification/study/common_formula.hpp"
-#include "verification/study/expectations.hpp"
+#include "verification/study/toolkit.hpp"
 
 namespace talus::verification::problems::stability_maps {
 namespace {

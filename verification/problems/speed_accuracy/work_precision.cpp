@@ -1,23 +1,12 @@
-#include <fmt/format.h>
-
-#include <algorithm>
 #include <chrono>
-#include <cmath>
-#include <limits>
 #include <numeric>
 #include <random>
 #include <stdexcept>
-#include <string>
-#include <string_view>
-#include <vector>
 
-#include "solver/dynamics/rigid_body_system.hpp"
-#include "solver/integrate/integrator_list.hpp"
 #include "solver/run/simulate.hpp"
-#include "solver/run/snapshot.hpp"
-#include "verification/check/case.hpp"
 #include "verification/problems/speed_accuracy/work_charts.hpp"
 #include "verification/study/leapfrog_impact_error.hpp"
+#include "verification/study/toolkit.hpp"
 
 namespace talus::verification::problems::work_precision {
 namespace {

@@ -1,0 +1,28 @@
+/// What nearly every case needs, in one include: formatted text, numbers and containers; scenes and their runs; checks,
+/// figures, and the helpers for both. A case includes besides only what its problem is about.
+#pragma once
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <functional>
+#include <limits>
+#include <numbers>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "solver/dynamics/rigid_body_system.hpp"
+#include "solver/model/model_builder.hpp"
+#include "verification/check/case.hpp"
+#include "verification/study/curves.hpp"
+#include "verification/study/expectations.hpp"
+#include "verification/study/phases.hpp"
+#include "verification/study/predicted_errors.hpp"
+#include "verification/study/scene_run.hpp"
+#include "verification/study/usage.hpp"
