@@ -18,11 +18,11 @@
 #include <vector>
 
 #include "solver/dynamics/rigid_body_system.hpp"
-#include "solver/model/model_builder.hpp"
 #include "verification/check/case.hpp"
 #include "verification/study/curves.hpp"
 #include "verification/study/expectations.hpp"
 #include "verification/study/phases.hpp"
 #include "verification/study/predicted_errors.hpp"
+#include "verification/study/scene_builder.hpp"
 #include "verification/study/scene_run.hpp"
 #include "verification/study/usage.hpp"

@@ -34,7 +34,7 @@ Body hung(const char* name, double x, int multiplicity = 1) {
 
 LaidChain laid(const std::vector<ChainPoint>& points, const std::vector<ChainCable>& cables, const Listing& listing,
                int multiplicity = 1) {
-  ModelBuilder builder;
+  SceneBuilder builder;
   std::vector<CableEnd> ends;
   for (const ChainPoint& point : points)
     ends.push_back({point.body ? std::optional{builder.add(*point.body)} : std::nullopt, point.p});

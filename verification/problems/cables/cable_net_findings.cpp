@@ -79,23 +79,16 @@ Net drawn_net(NetDraw& draw) {
 }
 
 Model model_of(const Net& net) {
-  ModelBuilder builder;
+  SceneBuilder builder;
   std::vector<BodyId> bodies;
   for (std::size_t i = 0; i < net.places.size(); ++i)
-    bodies.push_back(builder.add(Body{.name = fmt::format("body{}", i),
-                                      .mobility = Mobility::particle,
-                                      .mass = net.masses[i],
-                                      .p_WB = net.places[i]}));
+    bodies.push_back(builder.add_particle(fmt::format("body{}", i), net.masses[i], net.places[i]));
   const auto end = [&](const NetEnd& e) {
     return e.body ? CableEnd{bodies[*e.body], {}} : CableEnd{{}, {e.place.x, e.place.y, 0.0}};
   };
   for (std::size_t c = 0; c < net.cables.size(); ++c) {
     const NetCable& cable = net.cables[c];
-    builder.add(Cable{.name = fmt::format("cable{}", c),
-                      .a = end(cable.a),
-                      .b = end(cable.b),
-                      .rest_length = cable.rest,
-                      .law = TensionOnly{cable.stiffness}});
+    builder.add_cable(fmt::format("cable{}", c), end(cable.a), end(cable.b), cable.rest, TensionOnly{cable.stiffness});
   }
   return builder.build();
 }

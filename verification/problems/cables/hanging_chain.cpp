@@ -9,29 +9,23 @@ constexpr double gravity = 1.0, mass = chain.weight / gravity;
 constexpr auto joints = static_cast<std::size_t>(chain.joints);
 
 Scene chain_scene(double stiffness, const reference::HungChain& start, const Setup& setup) {
-  ModelBuilder builder;
+  SceneBuilder builder;
   builder.gravity({0.0, -gravity});
   std::vector<CableEnd> ends{CableEnd{}};
   for (std::size_t i = 0; i < joints; ++i) {
     const bool heavier = i == 2 && setup.has("third_weight_heavier");
-    ends.push_back({builder.add(Body{.name = fmt::format("weight{}", i + 1),
-                                     .mobility = Mobility::particle,
-                                     .mass = heavier ? 1.001 * mass : mass,
-                                     .p_WB = {start.x[i], start.y[i]}}),
-                    {}});
+    ends.push_back(
+        {builder.add_particle(fmt::format("weight{}", i + 1), heavier ? 1.001 * mass : mass, {start.x[i], start.y[i]}),
+         {}});
   }
   ends.push_back({.body = {}, .p = {chain.span, chain.rise, 0.0}});
   for (std::size_t i = 0; i < ends.size() - 1; ++i) {
     const double longer = i == 4 && setup.has("fifth_link_longer") ? 1.001 : 1.0;
     const double softer = setup.has("links_softer") ? 0.9 : 1.0;
-    builder.add(Cable{.name = fmt::format("link{}", i + 1),
-                      .a = ends[i],
-                      .b = ends[i + 1],
-                      .rest_length = longer * chain.link,
-                      .law = TensionOnly{softer * stiffness, std::sqrt(stiffness * mass)}});
+    builder.add_cable(fmt::format("link{}", i + 1), ends[i], ends[i + 1], longer * chain.link,
+                      TensionOnly{softer * stiffness, std::sqrt(stiffness * mass)});
   }
-  Scene scene{.title = "Hanging chain", .model = builder.build()};
-  scene.initial = rest_state(scene.model);
+  Scene scene = builder.at_rest("Hanging chain");
   return scene;
 }
 

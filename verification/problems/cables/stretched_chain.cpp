@@ -19,7 +19,7 @@ reference::StretchedChain exact_chain(Direction direction) {
 
 /// The row at rest, displaced by its modes with these amplitudes.
 Scene chain_scene(Direction direction, const std::vector<double>& amplitudes, const Setup& setup) {
-  ModelBuilder builder;
+  SceneBuilder builder;
   std::vector<CableEnd> ends{CableEnd{}};
   for (int i = 1; i <= chain.masses; ++i) {
     const double mass = i == 3 && setup.has("third_mass_heavier") ? (1.0 + 1e-9) * chain.mass : chain.mass;
@@ -34,14 +34,11 @@ Scene chain_scene(Direction direction, const std::vector<double>& amplitudes, co
   for (std::size_t i = 0; i + 1 < ends.size(); ++i) {
     const bool softer = i == 0 && setup.has("first_cable_softer");
     const bool longer = i == 0 && setup.has("first_cable_longer");
-    builder.add(Cable{.name = fmt::format("cable{}", i + 1),
-                      .a = ends[i],
-                      .b = ends[i + 1],
-                      .rest_length = longer ? (1.0 + 1e-8) * rest_length : rest_length,
-                      .law = TensionOnly{softer ? (1.0 - 1e-9) * chain.stiffness : chain.stiffness}});
+    builder.add_cable(fmt::format("cable{}", i + 1), ends[i], ends[i + 1],
+                      longer ? (1.0 + 1e-8) * rest_length : rest_length,
+                      TensionOnly{softer ? (1.0 - 1e-9) * chain.stiffness : chain.stiffness});
   }
-  Scene scene{.title = "Stretched chain", .model = builder.build()};
-  scene.initial = rest_state(scene.model);
+  Scene scene = builder.at_rest("Stretched chain");
   for (std::size_t j = 0; j < modes; ++j) {
     const auto shape = reference::chain_shape(chain, static_cast<int>(j) + 1);
     for (std::size_t i = 0; i < modes; ++i)

@@ -7,20 +7,16 @@ namespace {
 constexpr reference::MidSpan span{1.0, 1.0, 1.0};
 
 Scene mid_span(double w, double load, const Setup& setup) {
-  ModelBuilder builder;
+  SceneBuilder builder;
   const BodyId mass =
       builder.add(Body{.name = "mass", .mobility = Mobility::sliding_y, .mass = span.mass, .force = {0.0, load}});
   const double tight = setup.has("trace_of_tension") ? 1e-6 : setup.has("trace_of_slack") ? -1e-6 : 0.0;
   for (const double side : {-1.0, 1.0}) {
     const bool softer = side > 0.0 && setup.has("one_cable_softer");
-    builder.add(Cable{.name = side > 0.0 ? "right" : "left",
-                      .a = {.body = {}, .p = {side * span.length, 0.0, 0.0}},
-                      .b = {mass, {}},
-                      .rest_length = (1.0 - tight) * span.length,
-                      .law = TensionOnly{(softer ? 0.999 : 1.0) * span.stiffness}});
+    builder.add_cable(side > 0.0 ? "right" : "left", {.body = {}, .p = {side * span.length, 0.0, 0.0}}, {mass, {}},
+                      (1.0 - tight) * span.length, TensionOnly{(softer ? 0.999 : 1.0) * span.stiffness});
   }
-  Scene scene{.title = "Mass at mid-span", .model = builder.build()};
-  scene.initial = rest_state(scene.model);
+  Scene scene = builder.at_rest("Mass at mid-span");
   scene.initial.q[0] = w;
   return scene;
 }

@@ -158,16 +158,13 @@ template <class L>
 std::array<double, 2> apart(const Impact<L>& impact, const Setup& setup, Findings& findings) {
   const double step = impact.exact.contact_time / 60.382, gap = 0.37 * step * speed;
   FilledRow row = approaching(gap);
-  ModelBuilder builder{si};
+  SceneBuilder builder{si};
   const auto disc = [&](std::size_t i) {
-    return builder.add(Body{.name = fmt::format("disc{}", i),
-                            .mobility = Mobility::particle,
-                            .mass = disc_mass,
-                            .shape = Circle{disc_radius},
-                            .p_WB = {row.discs.x[i], row.discs.y[i]}});
+    return builder.add_particle(fmt::format("disc{}", i), disc_mass, {row.discs.x[i], row.discs.y[i]},
+                                Circle{disc_radius});
   };
   const BodyId a = disc(0), b = disc(1);
-  builder.add(Contact{.name = "touch", .a = a, .b = b, .law = given(impact.law, setup)});
+  builder.add_contact("touch", a, b, given(impact.law, setup));
   const Model model = builder.build();
   State state = rest_state(model);
   set_velocity(model, state, a, {row.discs.vx[0], 0.0}, 0.0),

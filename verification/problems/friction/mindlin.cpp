@@ -33,8 +33,8 @@ Mindlin friction(const reference::MindlinImpact& impact, const Setup& setup) {
 Scene scene_of(const reference::MindlinImpact& impact, const Setup& setup, double lead = 0.1,
                double r = sphere_radius) {
   const bool rolls = impact.mobility > 1.0;
-  ModelBuilder builder;
-  const BodyId plane = builder.add(Body{.name = "plane", .mobility = Mobility::fixed, .shape = HalfPlane{}});
+  SceneBuilder builder;
+  const BodyId plane = builder.add_fixed("plane", HalfPlane{});
   const BodyId body = builder.add(Body{.name = "body",
                                        .mobility = rolls ? Mobility::free : Mobility::particle,
                                        .mass = 1.0,
@@ -45,9 +45,7 @@ Scene scene_of(const reference::MindlinImpact& impact, const Setup& setup, doubl
   touch.friction = friction(impact, setup);
   if (setup.has("constant_stiffness")) touch.friction = friction(impact, setup).at(1.0);
   builder.add(touch);
-  Scene scene;
-  scene.model = builder.build();
-  scene.initial = rest_state(scene.model);
+  Scene scene = builder.at_rest();
   set_velocity(scene.model, scene.initial, body, {impact.slip_rate, -1.0}, 0.0);
   return scene;
 }
@@ -197,22 +195,17 @@ void check_dashpot(Findings& findings, const Setup& setup) {
 /// the particle does.
 void check_copies(Findings& findings, const Setup& setup) {
   const reference::MindlinImpact impact = impact_of(1.286, 1.5, 1.0, 0.3);
-  ModelBuilder builder;
-  const BodyId plane = builder.add(Body{.name = "plane", .mobility = Mobility::fixed, .shape = HalfPlane{}});
-  const BodyId block = builder.add(Body{.name = "block",
-                                        .mobility = Mobility::particle,
-                                        .mass = setup.has("contact_forgotten") ? 3.0 : 4.0,
-                                        .shape = Rectangle{2.0, 1.0},
-                                        .p_WB = {0.0, 1.1}});
+  SceneBuilder builder;
+  const BodyId plane = builder.add_fixed("plane", HalfPlane{});
+  const BodyId block =
+      builder.add_particle("block", setup.has("contact_forgotten") ? 3.0 : 4.0, {0.0, 1.1}, Rectangle{2.0, 1.0});
   builder.add(Contact{.name = "impact",
                       .a = block,
                       .b = plane,
                       .law = hertz(impact.dashpot),
                       .friction = friction(impact, setup),
                       .multiplicity = 2});
-  Scene scene;
-  scene.model = builder.build();
-  scene.initial = rest_state(scene.model);
+  Scene scene = builder.at_rest();
   set_velocity(scene.model, scene.initial, block, {impact.slip_rate, -1.0}, 0.0);
   RunLedger ledger{scene.model, scene.initial};
   const State end =

@@ -63,9 +63,7 @@ struct Exercise {
 };
 
 /// Adds the particle whose position is the time. It is the last body and has two coordinates.
-void add_clock(ModelBuilder& builder) {
-  builder.add(Body{.name = "clock", .mobility = Mobility::particle, .mass = 1.0});
-}
+void add_clock(SceneBuilder& builder) { builder.add_particle("clock", 1.0); }
 
 std::vector<reference::Tie> cables(bool damped) {
   const double c = damped ? 1.0 : 0.0;
@@ -81,17 +79,15 @@ Exercise on_cables(bool damped, const Setup& setup) {
   out.springs = reference::body_on_cables(mass, inertia, cables(damped));
   out.motion.coordinates = {reference::Wave{0.0, 0.0, {{0.3, 1.3, 0.2}}}, reference::Wave{0.0, 0.0, {{0.25, 1.7, 1.0}}},
                             reference::Wave{0.0, 0.2, {{0.6, 0.9, 0.5}}}};
-  ModelBuilder builder;
+  SceneBuilder builder;
   const BodyId body = builder.add(Body{.name = "body", .mass = mass, .inertia = inertia});
   int number = 0;
   for (const reference::Tie& tie : cables(damped)) {
     const double at = setup.has("cables_on_the_centre") ? 0.0 : 1.0;
     const double stiffness = setup.has("cables_stiffer") ? 1.001 * tie.stiffness : tie.stiffness;
-    builder.add(Cable{.name = fmt::format("cable_{}", ++number),
-                      .a = {body, {at * tie.body_x, at * tie.body_y, 0.0}},
-                      .b = {std::nullopt, {tie.anchor_x, tie.anchor_y, 0.0}},
-                      .rest_length = tie.rest_length,
-                      .law = TensionOnly{stiffness, tie.damping}});
+    builder.add_cable(fmt::format("cable_{}", ++number), {body, {at * tie.body_x, at * tie.body_y, 0.0}},
+                      {std::nullopt, {tie.anchor_x, tie.anchor_y, 0.0}}, tie.rest_length,
+                      TensionOnly{stiffness, tie.damping});
   }
   add_clock(builder);
   out.model = builder.build();
@@ -131,16 +127,12 @@ Exercise rolling(const Setup& setup) {
   out.name = "rolling";
   out.springs = reference::pressed_disc(disc);
   out.motion = rolling_motion();
-  ModelBuilder builder;
-  const BodyId roller = builder.add(Body{
-      .name = "roller", .mass = disc.mass, .inertia = disc.inertia, .shape = Circle{disc.radius}, .p_WB = {rho, 0.0}});
-  const BodyId post = builder.add(Body{.name = "post", .mobility = Mobility::fixed, .shape = Circle{post_radius}});
+  SceneBuilder builder;
+  const BodyId roller = builder.add_free("roller", disc.mass, disc.inertia, Circle{disc.radius}, {rho, 0.0});
+  const BodyId post = builder.add_fixed("post", Circle{post_radius});
   const double softer = setup.has("friction_softer") ? 0.999 : 1.0;
-  builder.add(Contact{.name = "touch",
-                      .a = roller,
-                      .b = post,
-                      .law = LinearSpringDashpot{disc.normal_stiffness, 0.0},
-                      .friction = CoulombFriction{50.0, softer * disc.slip_stiffness}});
+  builder.add_contact("touch", roller, post, LinearSpringDashpot{disc.normal_stiffness, 0.0},
+                      CoulombFriction{50.0, softer * disc.slip_stiffness});
   add_clock(builder);
   out.model = builder.build();
   out.clock = 3;

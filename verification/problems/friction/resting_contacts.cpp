@@ -212,10 +212,9 @@ end = "0.2 s"
 
 /// A body without contacts or forces, by every method with a tolerance: without motion there is no error to estimate.
 void unmoved(Findings& findings) {
-  ModelBuilder builder{si};
-  builder.add(Body{.name = "disc", .mass = 2.0, .inertia = 0.01, .shape = Circle{0.1}, .p_WB = {1.0, 2.0}});
-  Scene scene{.model = builder.build()};
-  scene.initial = rest_state(scene.model);
+  SceneBuilder builder{si};
+  builder.add_free("disc", 2.0, 0.01, Circle{0.1}, {1.0, 2.0});
+  Scene scene = builder.at_rest();
   double moved = 0.0, most = 0.0;
   for (const std::string& name : integrator_names()) {
     if (!takes_tolerance(integrator_traits(name).step_control)) continue;
@@ -239,16 +238,13 @@ void smooth_beside_rough(Findings& findings) {
   const double along = gravity * std::sin(disc.angle), down = gravity * std::cos(disc.angle);
   double smooth_moved = 0.0, smooth_spin = 0.0, rough_moved = 0.0;
   for (const std::size_t rough : {0U, 1U}) {
-    ModelBuilder builder{si};
+    SceneBuilder builder{si};
     builder.gravity({along, -down});
-    const BodyId plane = builder.add(Body{.name = "plane", .mobility = Mobility::fixed, .shape = HalfPlane{}});
+    const BodyId plane = builder.add_fixed("plane", HalfPlane{});
     for (const std::size_t i : {0U, 1U}) {
       const BodyId id =
-          builder.add(Body{.name = fmt::format("disc{}", i),
-                           .mass = disc.mass,
-                           .inertia = disc.inertia,
-                           .shape = Circle{disc.radius},
-                           .p_WB = {static_cast<double>(i), disc.radius - disc.mass * down / disc.normal_stiffness}});
+          builder.add_free(fmt::format("disc{}", i), disc.mass, disc.inertia, Circle{disc.radius},
+                           {static_cast<double>(i), disc.radius - disc.mass * down / disc.normal_stiffness});
       Contact touch{.name = fmt::format("touch{}", i),
                     .a = id,
                     .b = plane,
@@ -256,8 +252,7 @@ void smooth_beside_rough(Findings& findings) {
       if (i == rough) touch.friction = CoulombFriction{0.4, disc.shear_stiffness};
       builder.add(std::move(touch));
     }
-    Scene scene{.title = "A smooth and a rough disc", .model = builder.build()};
-    scene.initial = rest_state(scene.model);
+    Scene scene = builder.at_rest("A smooth and a rough disc");
     const std::size_t at_smooth = rough == 0 ? 3 : 0, at_rough = 3 - at_smooth;
     scene.initial.v[at_smooth + 2] = spin;
     const State found = run_steps(scene, VelocityVerlet{}, end / steps, steps, findings).state;

@@ -18,24 +18,15 @@ constexpr double first_radius = oblique_radius, second_radius = 0.5 * oblique_ra
 /// Two discs that touch at the origin at t = 0, the first moving to the right at unit speed. Spins are given as rim
 /// speeds.
 Scene met_discs(double second, double second_r, double first_rim, double second_rim, const Setup& setup) {
-  ModelBuilder builder;
+  SceneBuilder builder;
   const auto disc = [&](const char* name, double mass, double radius, double x) {
-    return builder.add(Body{.name = name,
-                            .mass = mass,
-                            .inertia = 0.5 * mass * radius * radius,
-                            .shape = Circle{radius},
-                            .p_WB = {x, 0.0}});
+    return builder.add_free(name, mass, 0.5 * mass * radius * radius, Circle{radius}, {x, 0.0});
   };
   const BodyId a = disc("first", first_mass, first_radius, -first_radius);
   const BodyId b = disc("second", second, second_r, second_r);
-  builder.add(Contact{.name = "impact",
-                      .a = a,
-                      .b = b,
-                      .law = LinearSpringDashpot{1.0, 0.0, EndRule::clamped},
-                      .friction = CoulombFriction{setup.has("friction_halved") ? 0.5 * mu : mu, kappa}});
-  Scene scene;
-  scene.model = builder.build();
-  scene.initial = rest_state(scene.model);
+  builder.add_contact("impact", a, b, LinearSpringDashpot{1.0, 0.0, EndRule::clamped},
+                      CoulombFriction{setup.has("friction_halved") ? 0.5 * mu : mu, kappa});
+  Scene scene = builder.at_rest();
   const double sense = setup.has("second_spin_reversed") ? -1.0 : 1.0;
   set_velocity(scene.model, scene.initial, a, {1.0, 0.0}, first_rim / first_radius);
   set_velocity(scene.model, scene.initial, b, {0.0, 0.0}, sense * second_rim / second_r);

@@ -94,15 +94,10 @@ class DrawnDisc {
 
  private:
   static Model model(double friction) {
-    ModelBuilder builder;
-    const BodyId plane = builder.add(Body{.name = "plane", .mobility = Mobility::fixed, .shape = HalfPlane{}});
-    const BodyId disc =
-        builder.add(Body{.name = "disc", .mass = 1.0, .inertia = 1.0, .shape = Circle{radius}, .p_WB = {0.0, radius}});
-    builder.add(Contact{.name = "touch",
-                        .a = disc,
-                        .b = plane,
-                        .law = LinearSpringDashpot{1024.0, 0.0},
-                        .friction = CoulombFriction{friction, stiffness}});
+    SceneBuilder builder;
+    const BodyId plane = builder.add_fixed("plane", HalfPlane{});
+    const BodyId disc = builder.add_free("disc", 1.0, 1.0, Circle{radius}, {0.0, radius});
+    builder.add_contact("touch", disc, plane, LinearSpringDashpot{1024.0, 0.0}, CoulombFriction{friction, stiffness});
     return builder.build();
   }
 

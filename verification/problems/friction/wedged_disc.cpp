@@ -28,27 +28,17 @@ reference::SmoothState exact_start(double ratio) { return {{0.0L, start_height(r
 
 Scene wedge_scene(double ratio, const Setup& setup) {
   const reference::PressedDisc disc = wedge(ratio);
-  ModelBuilder builder;
+  SceneBuilder builder;
   builder.gravity({0.0, -disc.weight / disc.mass});
-  const BodyId small = builder.add(Body{.name = "small",
-                                        .mass = disc.mass,
-                                        .inertia = setup.has("ring_for_disc") ? 1.0 : disc.inertia,
-                                        .shape = Circle{disc.radius},
-                                        .p_WB = {0.0, start_height(ratio)}});
+  const BodyId small = builder.add_free("small", disc.mass, setup.has("ring_for_disc") ? 1.0 : disc.inertia,
+                                        Circle{disc.radius}, {0.0, start_height(ratio)});
   for (const reference::Post& post : disc.posts) {
     const bool left = post.x < 0.0;
-    const BodyId large = builder.add(Body{.name = left ? "left" : "right",
-                                          .mobility = Mobility::fixed,
-                                          .shape = Circle{post.radius},
-                                          .p_WB = {post.x, post.y}});
-    builder.add(Contact{.name = left ? "on_left" : "on_right",
-                        .a = small,
-                        .b = large,
-                        .law = LinearSpringDashpot{disc.normal_stiffness, 0.0},
-                        .friction = CoulombFriction{20.0, disc.slip_stiffness}});
+    const BodyId large = builder.add_fixed(left ? "left" : "right", Circle{post.radius}, {post.x, post.y});
+    builder.add_contact(left ? "on_left" : "on_right", small, large, LinearSpringDashpot{disc.normal_stiffness, 0.0},
+                        CoulombFriction{20.0, disc.slip_stiffness});
   }
-  Scene scene{.title = "Small disc between two large ones", .model = builder.build()};
-  scene.initial = rest_state(scene.model);
+  Scene scene = builder.at_rest("Small disc between two large ones");
   scene.initial.v = {0.5, 0.4, 0.7};
   return scene;
 }

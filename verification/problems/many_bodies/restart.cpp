@@ -132,17 +132,16 @@ void check_restart(Findings& findings, const Setup& setup, const std::string& sc
 
 /// Two discs on the ground, one above the other, sliding along one line; both contacts are compressed.
 Scene two_pressed_discs() {
-  ModelBuilder builder{si};
+  SceneBuilder builder{si};
   const Body disc{.mobility = Mobility::sliding_y, .mass = 1.0, .shape = Circle{0.5}};
   Body lower = disc, upper = disc;
   lower.name = "lower", lower.p_WB = {0.0, 0.499};
   upper.name = "upper", upper.mass = 2.0, upper.p_WB = {0.0, 1.497};
   const BodyId a = builder.add(lower), b = builder.add(upper);
-  const BodyId ground = builder.add(Body{.name = "ground", .mobility = Mobility::fixed, .shape = HalfPlane{}});
-  builder.add(Contact{.name = "below", .a = a, .b = ground, .law = LinearSpringDashpot{1e4, 20.0}});
-  builder.add(Contact{.name = "between", .a = a, .b = b, .law = LinearSpringDashpot{2e4, 10.0}});
-  Scene scene{.title = "Two discs", .model = builder.build()};
-  scene.initial = rest_state(scene.model);
+  const BodyId ground = builder.add_fixed("ground", HalfPlane{});
+  builder.add_contact("below", a, ground, LinearSpringDashpot{1e4, 20.0});
+  builder.add_contact("between", a, b, LinearSpringDashpot{2e4, 10.0});
+  Scene scene = builder.at_rest("Two discs");
   set_velocity(scene.model, scene.initial, b, {0.0, -0.3}, 0.0);
   return scene;
 }

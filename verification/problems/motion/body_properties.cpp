@@ -55,7 +55,7 @@ void check_pin(Findings& findings, const Setup& setup) {
   double farthest = 0.0;
   for (int i = 0; i < 24; ++i) {
     const double angle = 0.27 * i, arm = 0.1 * (i + 1);
-    ModelBuilder builder{si};
+    SceneBuilder builder{si};
     builder.add(Body{.name = "body",
                      .mobility = Mobility::pinned,
                      .mass = mass,

@@ -42,19 +42,15 @@ Contact touch(std::string name, BodyId a, BodyId b, double dashpot) {
 
 /// Two discs that approach head on, initially `gap` apart [L].
 Scene two_discs(double xi, double gap) {
-  ModelBuilder builder{si};
+  SceneBuilder builder{si};
   const auto disc = [&](int i, double x) {
-    return builder.add(Body{.name = fmt::format("disc{}", i),
-                            .mass = masses[i],
-                            .inertia = 0.5 * masses[i] * radii[i] * radii[i],
-                            .shape = Circle{radii[i]},
-                            .p_WB = {x, 0.0}});
+    return builder.add_free(fmt::format("disc{}", i), masses[i], 0.5 * masses[i] * radii[i] * radii[i],
+                            Circle{radii[i]}, {x, 0.0});
   };
   const BodyId a = disc(0, 0.0), b = disc(1, radii[0] + radii[1] + gap);
   const double effective = masses[0] * masses[1] / (masses[0] + masses[1]);
   builder.add(touch("touch", a, b, damping(xi, effective)));
-  Scene scene{.title = "Two discs", .model = builder.build()};
-  scene.initial = rest_state(scene.model);
+  Scene scene = builder.at_rest("Two discs");
   // Centre of mass at rest: the kinetic energy is that of approach.
   set_velocity(scene.model, scene.initial, a, {approach * masses[1] / (masses[0] + masses[1]), 0.0}, 0.0);
   set_velocity(scene.model, scene.initial, b, {-approach * masses[0] / (masses[0] + masses[1]), 0.0}, 0.0);
@@ -63,7 +59,7 @@ Scene two_discs(double xi, double gap) {
 
 /// Twenty discs on two rings that fly inwards.
 Scene twenty_discs(double xi, double mu, const Setup& setup) {
-  ModelBuilder builder{si};
+  SceneBuilder builder{si};
   if (setup.has("a_little_weight")) builder.gravity({1e-12, 0.0});
   std::mt19937_64 random{20};
   std::uniform_real_distribution<double> fraction{0.0, 1.0};
@@ -74,11 +70,8 @@ Scene twenty_discs(double xi, double mu, const Setup& setup) {
     const double angle = 2.0 * std::numbers::pi * (i % 10 + 0.3 * fraction(random) + (i < 10 ? 0.0 : 0.4)) / 10.0;
     const double far = i < 10 ? 1.5 : 2.6;
     const Vec2 out{std::cos(angle), std::sin(angle)};
-    ids.push_back(builder.add(Body{.name = fmt::format("disc{}", i),
-                                   .mass = mass,
-                                   .inertia = 0.5 * mass * radius * radius,
-                                   .shape = Circle{radius},
-                                   .p_WB = far * out}));
+    ids.push_back(
+        builder.add_free(fmt::format("disc{}", i), mass, 0.5 * mass * radius * radius, Circle{radius}, far * out));
     // Drawn in separate statements, because a compiler may evaluate either of two operands first.
     const Vec2 aside{0.3 * fraction(random), -0.2};
     speeds.push_back(-(1.0 + fraction(random)) * out + aside);
@@ -90,8 +83,7 @@ Scene twenty_discs(double xi, double mu, const Setup& setup) {
       builder.add(std::move(contact));
     }
   }
-  Scene scene{.title = "Twenty discs", .model = builder.build()};
-  scene.initial = rest_state(scene.model);
+  Scene scene = builder.at_rest("Twenty discs");
   for (std::size_t i = 0; i < 20; ++i)
     set_velocity(scene.model, scene.initial, ids[i], speeds[i], 2.0 * fraction(random) - 1.0);
   return scene;

@@ -99,7 +99,7 @@ double largest_mobility(Mobility mobility) {
 
 /// A body attached to one cable or to both.
 Scene scene_of(Mobility mobility, std::size_t cables, const Setup& setup) {
-  ModelBuilder builder;
+  SceneBuilder builder;
   Body body{.name = "body",
             .mobility = mobility,
             .mass = mass,
@@ -110,14 +110,11 @@ Scene scene_of(Mobility mobility, std::size_t cables, const Setup& setup) {
   const BodyId id = builder.add(body);
   for (std::size_t c = 0; c < cables; ++c) {
     const Line& line = lines[c];
-    builder.add(Cable{.name = fmt::format("cable_{}", c),
-                      .a = {{}, {line.anchor.x, line.anchor.y}},
-                      .b = {id, {line.point.x, line.point.y}},
-                      .rest_length = norm(line.anchor - (at + turned(line.point, tilt))) - 0.1,
-                      .law = TensionOnly{stiffness, damping}});
+    builder.add_cable(fmt::format("cable_{}", c), {{}, {line.anchor.x, line.anchor.y}},
+                      {id, {line.point.x, line.point.y}}, norm(line.anchor - (at + turned(line.point, tilt))) - 0.1,
+                      TensionOnly{stiffness, damping});
   }
-  Scene scene{.title = "Held body", .model = builder.build()};
-  scene.initial = rest_state(scene.model);
+  Scene scene = builder.at_rest("Held body");
   return scene;
 }
 
@@ -196,7 +193,7 @@ void check_friction(bool squares, double gap, Findings& findings) {
   constexpr double k_s = 180.0, c_s = 2.5;
   constexpr std::array<double, 2> masses{1.7, 0.6}, inertias{0.45, 0.08}, radii{0.7, 0.4};
   const Vec2 along{std::cos(0.9), std::sin(0.9)};
-  ModelBuilder builder;
+  SceneBuilder builder;
   std::array<BodyId, 2> discs;
   for (std::size_t i = 0; i < 2; ++i) {
     Body body{.name = fmt::format("disc_{}", i),
@@ -208,13 +205,9 @@ void check_friction(bool squares, double gap, Findings& findings) {
     body.p_WB = at + (i == 0 ? 0.0 : radii[0] + radii[1] + gap) * along;
     discs[i] = builder.add(body);
   }
-  builder.add(Contact{.name = "touch",
-                      .a = discs[0],
-                      .b = discs[1],
-                      .law = LinearSpringDashpot{stiffness, damping},
-                      .friction = CoulombFriction{0.5, k_s, c_s}});
-  Scene scene{.title = "Two discs", .model = builder.build()};
-  scene.initial = rest_state(scene.model);
+  builder.add_contact("touch", discs[0], discs[1], LinearSpringDashpot{stiffness, damping},
+                      CoulombFriction{0.5, k_s, c_s});
+  Scene scene = builder.at_rest("Two discs");
   record_use(scene.model);
   const Dynamics dynamics{scene.model};
   double inverse = 0.0;
@@ -252,13 +245,12 @@ void check_friction(bool squares, double gap, Findings& findings) {
 /// The bound of a guided body holds for all its angles and is not reached at this one.
 void check_bound(Mobility mobility, Findings& findings, const Setup& setup) {
   constexpr double disc_mass = 0.6;
-  ModelBuilder builder;
+  SceneBuilder builder;
   Body body = scene_of(mobility, 0, setup).model.bodies.front();
   if (setup.has("sides_exchanged")) body.shape = Rectangle{half_height, half_width};
   const BodyId hit = builder.add(body);
-  const BodyId disc = builder.add(Body{
-      .name = "disc", .mobility = Mobility::particle, .mass = disc_mass, .shape = Circle{0.1}, .p_WB = {3.0, 3.0}});
-  builder.add(Contact{.name = "touch", .a = hit, .b = disc, .law = LinearSpringDashpot{stiffness, damping}});
+  const BodyId disc = builder.add_particle("disc", disc_mass, {3.0, 3.0}, Circle{0.1});
+  builder.add_contact("touch", hit, disc, LinearSpringDashpot{stiffness, damping});
   const Model model = builder.build();
   const double found = contact_ranges(Dynamics{model}).front().least_mass;
   const double exact = 1.0 / (1.0 / disc_mass + largest_mobility(mobility));

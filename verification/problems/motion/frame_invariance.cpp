@@ -179,7 +179,7 @@ std::vector<double> accelerations(const Shape& a, const Shape& b, ContactMethod 
   const auto ground = [](const Shape& s) {
     return std::holds_alternative<HalfPlane>(s) || std::holds_alternative<Terrain>(s);
   };
-  ModelBuilder builder{si};
+  SceneBuilder builder{si};
   const auto add = [&](const char* name, const Shape& shape, Vec2 at, double angle) {
     Body body{.name = name, .shape = shape, .p_WB = at, .angle = angle};
     if (ground(shape))

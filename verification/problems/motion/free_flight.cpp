@@ -15,7 +15,7 @@ constexpr std::array<reference::ConstantForce, 3> flights{
     reference::ConstantForce{0.2, -3.9, moment / inertia}};
 
 Scene flight_scene(const Setup& setup) {
-  ModelBuilder builder{si};
+  SceneBuilder builder{si};
   builder.gravity(setup.has("gravity_a_millionth_off") ? 1.000001 * gravity : gravity);
   const BodyId body = builder.add(Body{.name = "body",
                                        .mass = mass,
@@ -24,8 +24,7 @@ Scene flight_scene(const Setup& setup) {
                                        .angle = flights[2].place,
                                        .force = force,
                                        .moment = setup.has("moment_left_out") ? 0.0 : moment});
-  Scene scene{.title = "Free flight", .model = builder.build()};
-  scene.initial = rest_state(scene.model);
+  Scene scene = builder.at_rest("Free flight");
   set_velocity(scene.model, scene.initial, body, {flights[0].speed, flights[1].speed}, flights[2].speed);
   return scene;
 }
@@ -81,7 +80,7 @@ void check_method(Findings& findings, const Setup& setup, const std::string& met
 /// Checks the axes of five bodies at once, some at small angles and some at very large ones, against sine and cosine of
 /// the C library.
 void check_angles(Findings& findings) {
-  ModelBuilder builder{si};
+  SceneBuilder builder{si};
   for (int i = 0; i < 5; ++i)
     builder.add(Body{.name = fmt::format("body{}", i), .mass = 1.0, .inertia = 1.0});
   const Model model = builder.build();

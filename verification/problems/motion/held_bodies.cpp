@@ -15,7 +15,7 @@ std::string name_of_mobility(Mobility mobility) { return std::string{name_of(mob
 /// A disc thrown at an oblique block, off its centre, both pulled by cables off their centres: every kind of load on a
 /// block of the given mobility. `half`: the block represents two; `both`: there are two at the same position.
 Scene scene_of(Mobility mobility, Bodies bodies, const Setup& setup) {
-  ModelBuilder builder;
+  SceneBuilder builder;
   builder.gravity(gravity);
   const BodyId disc = builder.add(Body{.name = "disc",
                                        .mass = 1.3,
@@ -57,8 +57,7 @@ Scene scene_of(Mobility mobility, Bodies bodies, const Setup& setup) {
     }
     if (bodies == Bodies::half) break;
   }
-  Scene scene{.title = "Held bodies", .model = builder.build()};
-  scene.initial = rest_state(scene.model);
+  Scene scene = builder.at_rest("Held bodies");
   set_velocity(scene.model, scene.initial, disc, {-1.1, -1.6}, 3.0);
   for (const BodyId block : blocks) {
     set_velocity(scene.model, scene.initial, block, {has_x(mobility) ? 0.4 : 0.0, has_y(mobility) ? 0.3 : 0.0},
@@ -248,7 +247,7 @@ void check_velocities(const std::vector<Mobility>& mobilities, Findings& finding
 /// speeds are known.
 void check_mirrored_impact(Findings& findings, const Setup& setup) {
   constexpr double e = 0.6, m = 1.0, each = 0.75, speed = 2.0;
-  ModelBuilder builder;
+  SceneBuilder builder;
   builder.gravity(gravity);
   Body disc{.name = "disc", .mobility = Mobility::sliding_x, .mass = m, .shape = Circle{0.5}, .p_WB = {-1.25, 0.0}};
   const BodyId striker = builder.add(disc);
@@ -257,8 +256,7 @@ void check_mirrored_impact(Findings& findings, const Setup& setup) {
   LinearSpringDashpot law{300.0, 0.0, EndRule::clamped};
   law.set_every_restitution(setup.has("other_restitution") ? 0.999 * e : e, 1.0);
   builder.add(Contact{.name = "touch", .a = striker, .b = pair, .law = law, .multiplicity = 2});
-  Scene scene{.title = "Impact on a mirrored disc", .model = builder.build()};
-  scene.initial = rest_state(scene.model);
+  Scene scene = builder.at_rest("Impact on a mirrored disc");
   set_velocity(scene.model, scene.initial, striker, {speed, 0.0}, 0.0);
   const double common = m * speed / (m + 2.0 * each) + gravity.x;  // at the end, after a unit of time
   for (const char* const name : {"exact", "stormer_cowell"}) {
@@ -290,16 +288,15 @@ void check_slides(Findings& findings) {
   constexpr double e = 0.6, m = 1.0, other = 1.75, angle = 0.6;
   const Vec2 n{std::cos(angle), std::sin(angle)}, across{-n.y, n.x}, thrown = 2.0 * n + 0.5 * across;
   for (const Mobility mobility : {Mobility::sliding_x, Mobility::sliding_y}) {
-    ModelBuilder builder;
+    SceneBuilder builder;
     const BodyId disc = builder.add(
         Body{.name = "disc", .mobility = Mobility::particle, .mass = m, .shape = Circle{0.5}, .p_WB = -2.0 * n});
     const BodyId box = builder.add(
         Body{.name = "box", .mobility = mobility, .mass = other, .shape = Rectangle{0.6, 4.0}, .angle = angle});
     LinearSpringDashpot law{300.0, 0.0, EndRule::clamped};
     law.set_every_restitution(e, 1.0);
-    builder.add(Contact{.name = "touch", .a = disc, .b = box, .law = law});
-    Scene scene{.title = "Impact on a slide", .model = builder.build()};
-    scene.initial = rest_state(scene.model);
+    builder.add_contact("touch", disc, box, law);
+    Scene scene = builder.at_rest("Impact on a slide");
     set_velocity(scene.model, scene.initial, disc, thrown, 0.0);
     const RunEnd run = run_scene(scene, make_integrator("stormer_cowell", 1e-12), {0.1, 1.5, 1.5, false}, findings);
     const double along = mobility == Mobility::sliding_x ? n.x : n.y;
@@ -317,9 +314,8 @@ void check_slides(Findings& findings) {
 void check_ring(Findings& findings) {
   constexpr double e = 0.6, m = 1.0, middle = 0.5, speed = 2.0, overlap = 1e-10;
   for (const int count : {2, 12}) {
-    ModelBuilder builder;
-    const BodyId struck =
-        builder.add(Body{.name = "middle", .mobility = Mobility::particle, .mass = middle, .shape = Circle{3.0}});
+    SceneBuilder builder;
+    const BodyId struck = builder.add_particle("middle", middle, {}, Circle{3.0});
     LinearSpringDashpot law{300.0, 0.0, EndRule::clamped};
     law.set_every_restitution(e, 1.0);
     std::vector<BodyId> ring;
@@ -327,19 +323,11 @@ void check_ring(Findings& findings) {
     for (int i = 0; i < count; ++i) {
       const double angle = 2.0 * std::numbers::pi * i / count;
       out.push_back({std::cos(angle), std::sin(angle)});
-      ring.push_back(builder.add(Body{.name = fmt::format("disc{}", i),
-                                      .mobility = Mobility::particle,
-                                      .mass = m,
-                                      .shape = Circle{0.5},
-                                      .p_WB = (3.5 - overlap) * out.back()}));
+      ring.push_back(builder.add_particle(fmt::format("disc{}", i), m, (3.5 - overlap) * out.back(), Circle{0.5}));
       const bool first = i % 2 == 0;
-      builder.add(Contact{.name = fmt::format("touch{}", i),
-                          .a = first ? ring.back() : struck,
-                          .b = first ? struck : ring.back(),
-                          .law = law});
+      builder.add_contact(fmt::format("touch{}", i), first ? ring.back() : struck, first ? struck : ring.back(), law);
     }
-    Scene scene{.title = "Discs from all around", .model = builder.build()};
-    scene.initial = rest_state(scene.model);
+    Scene scene = builder.at_rest("Discs from all around");
     for (std::size_t i = 0; i < ring.size(); ++i)
       set_velocity(scene.model, scene.initial, ring[i], -speed * out[i], 0.0);
     const RunEnd run = run_scene(scene, make_integrator("stormer_cowell", 1e-12), {0.1, 1.0, 1.0, false}, findings);

@@ -374,19 +374,15 @@ constexpr double middle = 1.5, swing = 0.25;
 
 Scene swing_scene(const Setup& setup) {
   const double origin = setup.has("far_from_the_origin") ? 4096.0 : 0.0;
-  ModelBuilder builder{si};
+  SceneBuilder builder{si};
   const BodyId mass = builder.add(Body{.name = "mass",
                                        .mobility = Mobility::sliding_x,
                                        .mass = 1.0,
                                        .p_WB = {origin + middle + swing, 0.0},
                                        .force = {middle - 1.0, 0.0}});
-  builder.add(Cable{.name = "cable",
-                    .a = {mass, {}},
-                    .b = {std::nullopt, {origin, 0.0, 0.0}},
-                    .rest_length = 1.0,
-                    .law = TensionOnly{setup.has("stiffness_off") ? 1.0 + 1e-12 : 1.0, 0.0}});
-  Scene scene{.title = "Mass on a taut cable", .model = builder.build()};
-  scene.initial = rest_state(scene.model);
+  builder.add_cable("cable", {mass, {}}, {std::nullopt, {origin, 0.0, 0.0}}, 1.0,
+                    TensionOnly{setup.has("stiffness_off") ? 1.0 + 1e-12 : 1.0, 0.0});
+  Scene scene = builder.at_rest("Mass on a taut cable");
   return scene;
 }
 

@@ -190,21 +190,15 @@ void check_fence(Findings& findings, const Setup& setup) {
 /// Checks two discs that fall from rest on posts of the same size. The step that weight alone allows is shorter for the
 /// second disc, which is smaller.
 void check_falls(Findings& findings, const Setup& setup) {
-  ModelBuilder builder{si};
+  SceneBuilder builder{si};
   builder.gravity({0.0, -0.5});
   for (const auto& [name, radius, x] : {std::tuple{"1", 1.0, 0.0}, std::tuple{"2", 0.4, 10.0}}) {
-    const BodyId falling = builder.add(Body{.name = fmt::format("disc{}", name),
-                                            .mobility = Mobility::particle,
-                                            .mass = 1.0,
-                                            .shape = Circle{radius},
-                                            .p_WB = {x, 20.0}});
-    const BodyId post = builder.add(Body{
-        .name = fmt::format("post{}", name), .mobility = Mobility::fixed, .shape = Circle{radius}, .p_WB = {x, 0.0}});
+    const BodyId falling = builder.add_particle(fmt::format("disc{}", name), 1.0, {x, 20.0}, Circle{radius});
+    const BodyId post = builder.add_fixed(fmt::format("post{}", name), Circle{radius}, {x, 0.0});
     builder.add(
         Contact{.name = fmt::format("hit{}", name), .a = falling, .b = post, .law = LinearSpringDashpot{1e4, 0.0}});
   }
-  Scene scene{.title = "Falls", .model = builder.build()};
-  scene.initial = rest_state(scene.model);
+  Scene scene = builder.at_rest("Falls");
   const Units falls{findings, setup, "falls", scene, make_integrator("stormer_cowell", 1e-8), {10.0, 10.0}};
   falls.check("short unit of time", {1.0, 1.0, 0x1p20});
 }

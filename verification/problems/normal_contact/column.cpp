@@ -8,26 +8,20 @@ constexpr int discs = 10;
 constexpr double mass = 2.0, gravity = 1.0, stiffness = 512.0, unit_time = 0.0625;  // sqrt(m/k)
 
 Scene column_scene(double spacing, const Setup& setup) {
-  ModelBuilder builder;
+  SceneBuilder builder;
   builder.gravity({0.0, -gravity});
-  BodyId below = builder.add(Body{.name = "ground", .mobility = Mobility::fixed, .shape = HalfPlane{}});
+  BodyId below = builder.add_fixed("ground", HalfPlane{});
   for (int i = 0; i < discs; ++i) {
     const bool lighter = setup.has("top_disc_lighter") && i == discs - 1;
     const bool softer = setup.has("one_contact_softer") && i == 4;
-    const BodyId disc = builder.add(Body{.name = fmt::format("disc{}", i + 1),
-                                         .mobility = Mobility::particle,
-                                         .mass = lighter ? (1.0 - 1e-9) * mass : mass,
-                                         .shape = Circle{1.0},
-                                         .p_WB = {0.0, 1.0 + spacing * i}});
-    builder.add(Contact{.name = fmt::format("contact{}", i + 1),
-                        .a = below,
-                        .b = disc,
-                        .law = LinearSpringDashpot{softer ? (1.0 - 1e-9) * stiffness : stiffness,
-                                                   std::sqrt(stiffness * mass), EndRule::clamped}});
+    const BodyId disc = builder.add_particle(fmt::format("disc{}", i + 1), lighter ? (1.0 - 1e-9) * mass : mass,
+                                             {0.0, 1.0 + spacing * i}, Circle{1.0});
+    builder.add_contact(fmt::format("contact{}", i + 1), below, disc,
+                        LinearSpringDashpot{softer ? (1.0 - 1e-9) * stiffness : stiffness, std::sqrt(stiffness * mass),
+                                            EndRule::clamped});
     below = disc;
   }
-  Scene scene{.title = "Column of discs", .model = builder.build()};
-  scene.initial = rest_state(scene.model);
+  Scene scene = builder.at_rest("Column of discs");
   return scene;
 }
 

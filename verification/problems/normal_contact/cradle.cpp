@@ -7,27 +7,20 @@ namespace {
 constexpr double disc_radius = 4.0;
 
 Scene row_scene(const reference::StruckRow& row, double lead, const Setup& setup) {
-  ModelBuilder builder;
+  SceneBuilder builder;
   std::array<BodyId, 3> discs{};
   const double farther = setup.has("third_disc_farther") ? 1e-3 : 0.0;
   for (int i = 0; i < 3; ++i) {
     const double x = 2.0 * disc_radius * i - (i == 0 ? lead : 0.0) + (i == 2 ? row.gap + farther : 0.0);
-    discs[static_cast<std::size_t>(i)] =
-        builder.add(Body{.name = fmt::format("disc{}", i + 1),
-                         .mobility = Mobility::particle,
-                         .mass = i == 1 && setup.has("middle_heavier") ? 1.01 * row.mass : row.mass,
-                         .shape = Circle{disc_radius},
-                         .p_WB = {x, 0.0}});
+    discs[static_cast<std::size_t>(i)] = builder.add_particle(
+        fmt::format("disc{}", i + 1), i == 1 && setup.has("middle_heavier") ? 1.01 * row.mass : row.mass, {x, 0.0},
+        Circle{disc_radius});
   }
   const double second = setup.has("second_contact_stiffer") ? 1.02 : 1.0;
   const LinearSpringDashpot law{row.stiffness, 0.0, EndRule::clamped};
-  builder.add(Contact{.name = "first", .a = discs[0], .b = discs[1], .law = law});
-  builder.add(Contact{.name = "second",
-                      .a = discs[1],
-                      .b = discs[2],
-                      .law = LinearSpringDashpot{second * row.stiffness, 0.0, EndRule::clamped}});
-  Scene scene{.title = "Three discs in a row", .model = builder.build()};
-  scene.initial = rest_state(scene.model);
+  builder.add_contact("first", discs[0], discs[1], law);
+  builder.add_contact("second", discs[1], discs[2], LinearSpringDashpot{second * row.stiffness, 0.0, EndRule::clamped});
+  Scene scene = builder.at_rest("Three discs in a row");
   set_velocity(scene.model, scene.initial, discs[0], {row.speed, 0.0}, 0.0);
   return scene;
 }

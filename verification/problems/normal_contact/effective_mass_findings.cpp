@@ -37,27 +37,23 @@ double arm(const StruckBar& bar) { return std::abs(bar.pinned ? bar.half_height 
 /// Bodies "bar" and "disc" (a particle of radius 1), contact "impact". Integrator and plan are set by the caller.
 Scene struck_bar(const StruckBar& bar) {
   constexpr double radius = 1.0;
-  ModelBuilder builder;
+  SceneBuilder builder;
   const BodyId struck = builder.add(Body{.name = "bar",
                                          .mobility = bar.pinned ? Mobility::pinned : Mobility::free,
                                          .mass = bar.mass,
                                          .inertia = inertia(bar),
                                          .shape = Rectangle{bar.half_width, bar.half_height},
                                          .p_BPin = {0.0, bar.half_height}});
-  const BodyId disc = builder.add(Body{.name = "disc",
-                                       .mobility = Mobility::particle,
-                                       .mass = bar.disc_mass,
-                                       .shape = Circle{radius},
-                                       .p_WB = {-(bar.half_width + radius + bar.gap), bar.height}});
-  builder.add(Contact{.name = "impact", .a = disc, .b = struck, .law = bar.law});
-  Scene scene{.title = "Bar struck by a disc", .model = builder.build()};
-  scene.initial = rest_state(scene.model);
+  const BodyId disc =
+      builder.add_particle("disc", bar.disc_mass, {-(bar.half_width + radius + bar.gap), bar.height}, Circle{radius});
+  builder.add_contact("impact", disc, struck, bar.law);
+  Scene scene = builder.at_rest("Bar struck by a disc");
   set_velocity(scene.model, scene.initial, disc, {bar.speed, 0.0}, 0.0);
   return scene;
 }
 
 Scene two_discs(double mass, double other, double frame, const LinearSpringDashpot& law, double gap) {
-  ModelBuilder builder;
+  SceneBuilder builder;
   const Body like{.name = "left", .mobility = Mobility::particle, .mass = mass, .shape = Circle{4.0}};
   Body right = like;
   right.name = "right";
@@ -65,9 +61,8 @@ Scene two_discs(double mass, double other, double frame, const LinearSpringDashp
   right.p_WB = {8.0 + gap, 0.0};
   const BodyId a = builder.add(like);
   const BodyId b = builder.add(right);
-  builder.add(Contact{.name = "impact", .a = a, .b = b, .law = law});
-  Scene scene{.title = "Two discs", .model = builder.build()};
-  scene.initial = rest_state(scene.model);
+  builder.add_contact("impact", a, b, law);
+  Scene scene = builder.at_rest("Two discs");
   set_velocity(scene.model, scene.initial, a, {1.0 + frame, 0.0}, 0.0);
   set_velocity(scene.model, scene.initial, b, {frame, 0.0}, 0.0);
   return scene;

@@ -247,18 +247,13 @@ void check_speeds(Findings& findings) {
 /// a contact follows its overlap, independently of other contacts.
 void check_pair(Findings& findings) {
   const LatchingSpring law{1e4, 4e4, 0.0};
-  ModelBuilder builder{si};
-  const BodyId wall = builder.add(Body{.name = "wall", .mobility = Mobility::fixed, .shape = HalfPlane{}});
+  SceneBuilder builder{si};
+  const BodyId wall = builder.add_fixed("wall", HalfPlane{});
   for (const auto& [name, gap] : {std::pair{"first", 0.01}, std::pair{"second", 1.0}}) {
-    const BodyId disc = builder.add(Body{.name = name,
-                                         .mobility = Mobility::particle,
-                                         .mass = 1.0,
-                                         .shape = Circle{0.5},
-                                         .p_WB = {gap * 10.0, 0.5 + gap}});
-    builder.add(Contact{.name = fmt::format("hit of the {}", name), .a = disc, .b = wall, .law = law});
+    const BodyId disc = builder.add_particle(name, 1.0, {gap * 10.0, 0.5 + gap}, Circle{0.5});
+    builder.add_contact(fmt::format("hit of the {}", name), disc, wall, law);
   }
-  Scene scene{.model = builder.build()};
-  scene.initial = rest_state(scene.model);
+  Scene scene = builder.at_rest();
   scene.initial.v[1] = scene.initial.v[3] = -1.0;
   // Between two events the largest overlap stored in an output equals the overlap as long as the overlap grows.
   double behind = 0.0;

@@ -17,7 +17,7 @@ struct Pair {
 constexpr reference::PairState start{{0.03125, -0.015625}, {0.0, 0.0}};
 
 Scene pair_scene(const Pair& pair, const Setup& setup) {
-  ModelBuilder builder;
+  SceneBuilder builder;
   builder.gravity({0.0, -pair.gravity});
   const LinearSpringDashpot law{stiffness, pair.lag * stiffness, EndRule::attractive};
   const double first = 1.0 - squeeze, second = first + 2.0 - squeeze, top = second + 1.0 - squeeze;
@@ -26,21 +26,16 @@ Scene pair_scene(const Pair& pair, const Setup& setup) {
         Body{.name = name, .mobility = Mobility::particle, .mass = mass, .shape = Circle{1.0}, .p_WB = {0.0, y}});
   };
   const double above = setup.has("upper_heavier") ? 1.01 * pair.above : pair.above;
-  const BodyId floor = builder.add(Body{.name = "floor", .mobility = Mobility::fixed, .shape = HalfPlane{}});
-  const BodyId ceiling = builder.add(Body{.name = "ceiling",
-                                          .mobility = Mobility::fixed,
-                                          .shape = HalfPlane{},
-                                          .p_WB = {0.0, top},
-                                          .angle = std::numbers::pi});
+  const BodyId floor = builder.add_fixed("floor", HalfPlane{});
+  const BodyId ceiling = builder.add_fixed("ceiling", HalfPlane{}, {0.0, top}, std::numbers::pi);
   const BodyId lower = add_disc("lower", 1.0, first + start.height[0]);
   const BodyId upper = add_disc("upper", above, second + start.height[1]);
   LinearSpringDashpot middle = law;
   if (setup.has("dashpot_between_off")) middle.damping = 0.0;
-  builder.add(Contact{.name = "on_floor", .a = floor, .b = lower, .law = law});
-  builder.add(Contact{.name = "between", .a = lower, .b = upper, .law = middle});
-  builder.add(Contact{.name = "on_ceiling", .a = ceiling, .b = upper, .law = law});
-  Scene scene{.title = "Two discs between walls", .model = builder.build()};
-  scene.initial = rest_state(scene.model);
+  builder.add_contact("on_floor", floor, lower, law);
+  builder.add_contact("between", lower, upper, middle);
+  builder.add_contact("on_ceiling", ceiling, upper, law);
+  Scene scene = builder.at_rest("Two discs between walls");
   return scene;
 }
 

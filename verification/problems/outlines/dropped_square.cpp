@@ -10,31 +10,24 @@ enum class Target { plane, square };
 
 /// A square turned by `angle` that falls on a plane, or on the top of a fixed block; not yet touching.
 Scene fall(double angle, Target target, ContactMethod method, double aside, const Setup& setup) {
-  ModelBuilder builder{si};
+  SceneBuilder builder{si};
   const double reach = half_side * (std::abs(std::cos(angle)) + std::abs(std::sin(angle)));
-  const BodyId square =
-      builder.add(Body{.name = "square",
-                       .mass = 1.0,
-                       .inertia = 1.0 / 6.0,
-                       .shape = setup.has("one_point") ? Shape{Superquadric{half_side, half_side, 4000.0}}
-                                                       : Shape{Rectangle{half_side, half_side}},
-                       .p_WB = {aside, reach + 0.01},
-                       .angle = angle});
+  const BodyId square = builder.add_free("square", 1.0, 1.0 / 6.0,
+                                         setup.has("one_point") ? Shape{Superquadric{half_side, half_side, 4000.0}}
+                                                                : Shape{Rectangle{half_side, half_side}},
+                                         {aside, reach + 0.01}, angle);
   const BodyId below =
       target == Target::plane
-          ? builder.add(Body{.name = "plane", .mobility = Mobility::fixed, .shape = HalfPlane{}})
-          : builder.add(Body{.name = "block",
-                             .mobility = Mobility::fixed,
-                             .shape = Rectangle{setup.has("wider_to_the_left") && angle > 0.0 ? 0.2 : 0.75, 0.5},
-                             .p_WB = {0.0, -0.5}});
+          ? builder.add_fixed("plane", HalfPlane{})
+          : builder.add_fixed("block", Rectangle{setup.has("wider_to_the_left") && angle > 0.0 ? 0.2 : 0.75, 0.5},
+                              {0.0, -0.5});
   builder.add(Contact{.name = "touch",
                       .a = square,
                       .b = below,
                       .law = LinearSpringDashpot{stiffness, 0.0, EndRule::clamped},
                       .method = method,
                       .friction = CoulombFriction{0.2, 0.5 * stiffness}});
-  Scene scene{.title = "A square falls", .model = builder.build()};
-  scene.initial = rest_state(scene.model);
+  Scene scene = builder.at_rest("A square falls");
   set_velocity(scene.model, scene.initial, square, {0.0, -speed}, setup.has("a_little_spin") ? 1e-13 : 0.0);
   return scene;
 }

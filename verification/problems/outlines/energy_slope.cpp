@@ -40,16 +40,10 @@ std::vector<TouchingPair> pairs() {
 bool has_potential(const TouchingPair& pair) { return pair.rule == NodeDepth::nearest; }
 
 Model cable_model() {
-  ModelBuilder builder{si};
-  const auto body = [&](const char* name) {
-    return builder.add(Body{.name = name, .mass = 1.0, .inertia = 1.0, .shape = Circle{0.1}});
-  };
+  SceneBuilder builder{si};
+  const auto body = [&](const char* name) { return builder.add_free(name, 1.0, 1.0, Circle{0.1}); };
   const BodyId a = body("a"), b = body("b");
-  builder.add(Cable{.name = "cable",
-                    .a = {a, {0.3, -0.2, 0.0}},
-                    .b = {b, {-0.1, 0.4, 0.3}},
-                    .rest_length = 0.2,
-                    .law = TensionOnly{stiffness, 0.0}});
+  builder.add_cable("cable", {a, {0.3, -0.2, 0.0}}, {b, {-0.1, 0.4, 0.3}}, 0.2, TensionOnly{stiffness, 0.0});
   return builder.build();
 }
 

@@ -7,10 +7,9 @@ namespace {
 constexpr double radius = 0.7, stiffness = 1000.0;
 
 Model disc_of_nodes(int nodes, ContactMethod method, const Setup& setup) {
-  ModelBuilder builder{si};
-  const BodyId disc = builder.add(Body{
-      .name = "disc", .mass = 1.0, .inertia = 1.0, .shape = Circle{setup.has("radius_off") ? 1.001 * radius : radius}});
-  const BodyId plane = builder.add(Body{.name = "plane", .mobility = Mobility::fixed, .shape = HalfPlane{}});
+  SceneBuilder builder{si};
+  const BodyId disc = builder.add_free("disc", 1.0, 1.0, Circle{setup.has("radius_off") ? 1.001 * radius : radius});
+  const BodyId plane = builder.add_fixed("plane", HalfPlane{});
   builder.add(Contact{.name = "touch",
                       .a = disc,
                       .b = plane,
@@ -97,10 +96,9 @@ void check_rolling(Findings& findings, const Setup& setup) {
 void check_deepest(Findings& findings) {
   constexpr int nodes = 100;
   constexpr double half_width = 2.0, half_height = 0.3, overlap = 0.04;
-  ModelBuilder builder{si};
-  const BodyId disc = builder.add(Body{.name = "disc", .mass = 1.0, .inertia = 1.0, .shape = Circle{radius}});
-  const BodyId plank =
-      builder.add(Body{.name = "plank", .mobility = Mobility::fixed, .shape = Rectangle{half_width, half_height}});
+  SceneBuilder builder{si};
+  const BodyId disc = builder.add_free("disc", 1.0, 1.0, Circle{radius});
+  const BodyId plank = builder.add_fixed("plank", Rectangle{half_width, half_height});
   builder.add(Contact{.name = "touch",
                       .a = disc,
                       .b = plank,
@@ -181,15 +179,11 @@ void check_curvature(Findings& findings, const Setup& setup) {
 void check_apart(Findings& findings, const Setup& setup) {
   constexpr std::array<double, 2> radii{1.0, 0.6}, angles{0.3, -0.8};
   constexpr std::array<int, 2> nodes{5, 3};
-  ModelBuilder builder;
+  SceneBuilder builder;
   std::array<BodyId, 2> bodies{};
   for (std::size_t i = 0; i < 2; ++i) {
-    bodies[i] = builder.add(Body{.name = i == 0 ? "large" : "small",
-                                 .mobility = Mobility::free,
-                                 .mass = 1.0,
-                                 .inertia = 1.0,
-                                 .shape = Circle{radii[i]},
-                                 .p_WB = {5.0 * static_cast<double>(i), 0.0}});
+    bodies[i] =
+        builder.add_free(i == 0 ? "large" : "small", 1.0, 1.0, Circle{radii[i]}, {5.0 * static_cast<double>(i), 0.0});
   }
   builder.add(Contact{.name = "apart",
                       .a = bodies[0],

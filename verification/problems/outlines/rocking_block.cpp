@@ -7,19 +7,15 @@ namespace {
 constexpr double gravity = 9.81, damping_ratio = 3.0;
 
 Scene block_scene(const reference::RockingBlock& block, double tilt, double stiffness, const Setup& setup) {
-  ModelBuilder builder{si};
+  SceneBuilder builder{si};
   builder.gravity({0.0, -gravity});
   const double b = block.half_width, h = block.half_height, inertia = (b * b + h * h) / 3.0;
   // The right corner is at the origin, sunk by its overlap under the weight; the block is tilted clockwise.
   const double sine = std::sin(-tilt), cosine = std::cos(tilt);
   const Vec2 corner{cosine * b + sine * h, sine * b - cosine * h};
-  const BodyId body = builder.add(Body{.name = "block",
-                                       .mass = 1.0,
-                                       .inertia = setup.has("inertia_about_the_base") ? 2.0 * inertia : inertia,
-                                       .shape = Rectangle{b, h},
-                                       .p_WB = {-corner.x, -corner.y - gravity / stiffness},
-                                       .angle = -tilt});
-  const BodyId plane = builder.add(Body{.name = "plane", .mobility = Mobility::fixed, .shape = HalfPlane{}});
+  const BodyId body = builder.add_free("block", 1.0, setup.has("inertia_about_the_base") ? 2.0 * inertia : inertia,
+                                       Rectangle{b, h}, {-corner.x, -corner.y - gravity / stiffness}, -tilt);
+  const BodyId plane = builder.add_fixed("plane", HalfPlane{});
   const double dashpot = 2.0 * damping_ratio * std::sqrt(stiffness / (1.0 + b * b / inertia));
   builder.add(Contact{.name = "touch",
                       .a = body,
@@ -27,8 +23,7 @@ Scene block_scene(const reference::RockingBlock& block, double tilt, double stif
                       .law = LinearSpringDashpot{stiffness, setup.has("no_dashpot") ? 0.0 : dashpot, EndRule::clamped},
                       .method = ContactMethod::nodes,
                       .friction = CoulombFriction{setup.has("smooth_ground") ? 0.1 : 1e3, stiffness}});
-  Scene scene{.title = "Rocking block", .model = builder.build()};
-  scene.initial = rest_state(scene.model);
+  Scene scene = builder.at_rest("Rocking block");
   return scene;
 }
 

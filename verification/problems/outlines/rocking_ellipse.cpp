@@ -9,7 +9,7 @@ constexpr reference::RockingEllipse ellipse{axis_a, axis_b, gravity};
 
 /// Scene at rest at the amplitude; contact and friction spring are loaded as during the oscillation.
 Scene rocking_scene(double amplitude, double stiffness, const Setup& setup) {
-  ModelBuilder builder{si};
+  SceneBuilder builder{si};
   builder.gravity({0.0, -gravity});
   const double inertia = 0.25 * (axis_a * axis_a + axis_b * axis_b);
   const BodyId body = builder.add(
@@ -19,14 +19,10 @@ Scene rocking_scene(double amplitude, double stiffness, const Setup& setup) {
            .shape = Superquadric{setup.has("longer_axis") ? 1.01 * axis_a : axis_a, axis_b, 2.0},
            .p_WB = {centre_displacement(ellipse, amplitude), centre_height(ellipse, amplitude) - gravity / stiffness},
            .angle = amplitude});
-  const BodyId plane = builder.add(Body{.name = "plane", .mobility = Mobility::fixed, .shape = HalfPlane{}});
-  builder.add(Contact{.name = "touch",
-                      .a = body,
-                      .b = plane,
-                      .law = LinearSpringDashpot{stiffness, 0.0, EndRule::clamped},
-                      .friction = CoulombFriction{setup.has("smooth_plane") ? 0.0 : 1e3, shear_ratio * stiffness}});
-  Scene scene{.title = "Rocking ellipse", .model = builder.build()};
-  scene.initial = rest_state(scene.model);
+  const BodyId plane = builder.add_fixed("plane", HalfPlane{});
+  builder.add_contact("touch", body, plane, LinearSpringDashpot{stiffness, 0.0, EndRule::clamped},
+                      CoulombFriction{setup.has("smooth_plane") ? 0.0 : 1e3, shear_ratio * stiffness});
+  Scene scene = builder.at_rest("Rocking ellipse");
   const double frequency = small_rocking_frequency(ellipse);
   // The friction force that turns the rolling body stretches the spring.
   scene.initial.z[0] = axis_b * frequency * frequency * amplitude / (shear_ratio * stiffness);

@@ -70,7 +70,7 @@ Searched search_pairs(const Kind& a, const Kind& b, const Setup& setup) {
 
 /// A scene of six randomly placed bodies, any of which may touch each other and the ground.
 Model random_scene(RandomPlaces& places) {
-  ModelBuilder builder;
+  SceneBuilder builder;
   std::vector<BodyId> ids;
   std::vector<const Kind*> of;
   for (std::size_t i = 0; i < 7; ++i) {
@@ -100,7 +100,7 @@ Model random_scene(RandomPlaces& places) {
 
 /// Overlap of two outlines as computed for their contact.
 double pair_depth(const Kind& a, const Outline& A, const Kind& b, const Outline& B, const Setup& setup) {
-  ModelBuilder builder;
+  SceneBuilder builder;
   const auto add = [&](const Kind& kind, const Outline& at, const char* name) {
     Shape shape = kind.shape;
     if (auto* outline = std::get_if<Superquadric>(&shape); outline && setup.has("pair_exponent_off"))
@@ -109,7 +109,7 @@ double pair_depth(const Kind& a, const Outline& A, const Kind& b, const Outline&
         Body{.name = name, .mass = 1.0, .inertia = 1.0, .shape = shape, .p_WB = {at.x, at.y}, .angle = at.angle});
   };
   const BodyId one = add(a, A, "one"), other = add(b, B, "other");
-  builder.add(Contact{.name = "contact", .a = one, .b = other, .law = LinearSpringDashpot{1.0, 0.0}});
+  builder.add_contact("contact", one, other, LinearSpringDashpot{1.0, 0.0});
   const Model model = builder.build();
   record_use(model);
   const Dynamics dynamics{model};

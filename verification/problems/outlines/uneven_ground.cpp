@@ -9,7 +9,7 @@ constexpr double sine = 0.6, cosine = 0.8, tangent = 0.75;
 /// A disc on fixed ground; contact 0 is between the disc and the first ground body.
 Scene disc_on(const std::vector<Body>& ground, Vec2 place, const LinearSpringDashpot& law,
               const CoulombFriction& friction, Mobility mobility, double inertia) {
-  ModelBuilder builder;
+  SceneBuilder builder;
   builder.gravity({0.0, -gravity});
   const BodyId disc = builder.add(Body{.name = "disc",
                                        .mobility = mobility,
@@ -19,10 +19,9 @@ Scene disc_on(const std::vector<Body>& ground, Vec2 place, const LinearSpringDas
                                        .p_WB = place});
   for (const Body& body : ground) {
     const BodyId below = builder.add(body);
-    builder.add(Contact{.name = "on_" + body.name, .a = disc, .b = below, .law = law, .friction = friction});
+    builder.add_contact("on_" + body.name, disc, below, law, friction);
   }
-  Scene scene{.title = "Disc on uneven ground", .model = builder.build()};
-  scene.initial = rest_state(scene.model);
+  Scene scene = builder.at_rest("Disc on uneven ground");
   return scene;
 }
 

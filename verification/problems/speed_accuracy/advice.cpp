@@ -32,14 +32,11 @@ RunPlan until(double end) { return {0.001 * end, end, 0.001 * end, false}; }
 /// (k 500, g 9.81, five seconds), and a disc that hits a plane obliquely, with friction (case `friction`).
 Question caught_bob(double accuracy, std::vector<std::string> among) {
   const double gravity = 9.81, stiffness = 500.0, fall = 0.8;
-  ModelBuilder builder;
+  SceneBuilder builder;
   builder.gravity({0.0, -gravity});
-  const BodyId bob =
-      builder.add(Body{.name = "bob", .mobility = Mobility::particle, .mass = 1.0, .p_WB = {0.0, fall - 1.0}});
-  builder.add(Cable{
-      .name = "rope", .a = {bob, {}}, .b = {std::nullopt, {}}, .rest_length = 1.0, .law = TensionOnly{stiffness, 0.0}});
-  Scene scene{.title = "caught bob", .model = builder.build()};
-  scene.initial = rest_state(scene.model);
+  const BodyId bob = builder.add_particle("bob", 1.0, {0.0, fall - 1.0});
+  builder.add_cable("rope", {bob, {}}, {std::nullopt, {}}, 1.0, TensionOnly{stiffness, 0.0});
+  Scene scene = builder.at_rest("caught bob");
   scene.plan = until(5.0);
   const double truth = gravity * (1.0 + std::sqrt(1.0 + 2.0 * fall * stiffness / gravity));
   return {among.empty() ? "caught bob" : "caught bob, fixed steps",
@@ -109,31 +106,23 @@ Question fence_impact(double accuracy, Findings& findings) {
 /// Five discs in a square box of width 4, without friction or loss, run to `end`. The final positions are chaotic, so
 /// that there is no reference value.
 Question gas(double end, double accuracy) {
-  ModelBuilder builder;
+  SceneBuilder builder;
   const LinearSpringDashpot bump{1e4, 0.0, EndRule::clamped};
   const std::array<Vec2, 5> places{{{-1.3, -1.2}, {1.1, -1.0}, {0.1, 0.2}, {-1.2, 1.3}, {1.3, 1.1}}};
   const std::array<Vec2, 5> speeds{{{0.9, 0.3}, {-0.4, 0.8}, {0.7, -0.6}, {0.2, -0.9}, {-0.8, -0.1}}};
   std::vector<BodyId> bodies;
   for (int i = 0; i < 4; ++i) {
     const double turn = 0.5 * pi * i;
-    bodies.push_back(builder.add(Body{.name = fmt::format("wall{}", i + 1),
-                                      .mobility = Mobility::fixed,
-                                      .shape = HalfPlane{},
-                                      .p_WB = {2.0 * std::sin(turn), -2.0 * std::cos(turn)},
-                                      .angle = turn}));
+    bodies.push_back(builder.add_fixed(fmt::format("wall{}", i + 1), HalfPlane{},
+                                       {2.0 * std::sin(turn), -2.0 * std::cos(turn)}, turn));
   }
   for (std::size_t i = 0; i < places.size(); ++i) {
-    const BodyId disc = builder.add(Body{.name = fmt::format("disc{}", i + 1),
-                                         .mobility = Mobility::particle,
-                                         .mass = 1.0,
-                                         .shape = Circle{0.4},
-                                         .p_WB = places[i]});
+    const BodyId disc = builder.add_particle(fmt::format("disc{}", i + 1), 1.0, places[i], Circle{0.4});
     for (std::size_t k = 0; k < bodies.size(); ++k)
-      builder.add(Contact{.name = fmt::format("pair{}_{}", i + 1, k + 1), .a = bodies[k], .b = disc, .law = bump});
+      builder.add_contact(fmt::format("pair{}_{}", i + 1, k + 1), bodies[k], disc, bump);
     bodies.push_back(disc);
   }
-  Scene scene{.title = "gas", .model = builder.build()};
-  scene.initial = rest_state(scene.model);
+  Scene scene = builder.at_rest("gas");
   for (std::size_t i = 0; i < places.size(); ++i)
     set_velocity(scene.model, scene.initial, bodies[4 + i], speeds[i], 0.0);
   scene.plan = until(end);

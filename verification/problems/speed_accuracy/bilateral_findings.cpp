@@ -103,15 +103,14 @@ Contact closed(const std::string& name, BodyId a, BodyId b) {
   return {.name = name, .a = a, .b = b, .law = LinearSpringDashpot{stiffness, 0.0, EndRule::clamped}};
 }
 
-Scene at_rest(const ModelBuilder& builder) {
-  Scene scene{.title = "Held together", .model = builder.build()};
-  scene.initial = rest_state(scene.model);
+Scene at_rest(const SceneBuilder& builder) {
+  Scene scene = builder.at_rest("Held together");
   return scene;
 }
 
 /// A disc pressed on a plane and sticking to it.
 Scene pressed_on_plane(double tangential) {
-  ModelBuilder builder;
+  SceneBuilder builder;
   Body body = disc("disc", Mobility::free, {0.0, 1.0 - depth});
   body.force = {0.0, -stiffness * depth};
   const BodyId pressed = builder.add(body);
@@ -124,7 +123,7 @@ Scene pressed_on_plane(double tangential) {
 
 /// Two discs side by side: pressed together along their line of centres, or guided across it at a constant distance.
 Scene pair(bool across, double tangential) {
-  ModelBuilder builder;
+  SceneBuilder builder;
   const Mobility mobility = across ? Mobility::guided_y : Mobility::sliding_x;
   Body left = disc("left", mobility, {0.0, 0.0}), right = disc("right", mobility, {2.0 - depth, 0.0});
   if (!across) left.force.x = stiffness * depth, right.force.x = -stiffness * depth;
@@ -136,7 +135,7 @@ Scene pair(bool across, double tangential) {
 
 /// n discs in a row between two walls, all contacts with the same overlap.
 Scene row(int n) {
-  ModelBuilder builder;
+  SceneBuilder builder;
   const BodyId floor =
       builder.add({.name = "floor", .mobility = Mobility::fixed, .shape = HalfPlane{}, .p_WB = {0.0, depth - 1.0}});
   BodyId below = floor;

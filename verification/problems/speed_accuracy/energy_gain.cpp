@@ -36,7 +36,7 @@ constexpr double half_box = 11.0, speed = 4e-3;  // radius 1, mass 1, w = 1
 
 /// Springs of k = 1/2 between discs, whose effective mass is 1/2, and of 1 against walls: w = 1 everywhere.
 Scene gas(std::uint64_t seed) {
-  ModelBuilder builder;
+  SceneBuilder builder;
   Draw draw{seed};
   std::vector<BodyId> discs, walls;
   for (int i = 0; i < gas_discs; ++i) {
@@ -59,12 +59,11 @@ Scene gas(std::uint64_t seed) {
   const LinearSpringDashpot soft{0.5, 0.0, EndRule::clamped}, hard{1.0, 0.0, EndRule::clamped};
   for (std::size_t i = 0; i < discs.size(); ++i) {
     for (std::size_t j = i + 1; j < discs.size(); ++j)
-      builder.add(Contact{.name = fmt::format("pair{}_{}", i, j), .a = discs[i], .b = discs[j], .law = soft});
+      builder.add_contact(fmt::format("pair{}_{}", i, j), discs[i], discs[j], soft);
     for (std::size_t j = 0; j < walls.size(); ++j)
-      builder.add(Contact{.name = fmt::format("wall{}_{}", i, j), .a = discs[i], .b = walls[j], .law = hard});
+      builder.add_contact(fmt::format("wall{}_{}", i, j), discs[i], walls[j], hard);
   }
-  Scene scene{.title = "Gas in a box", .model = builder.build()};
-  scene.initial = rest_state(scene.model);
+  Scene scene = builder.at_rest("Gas in a box");
   for (const BodyId disc : discs) {
     const double angle = 2.0 * std::numbers::pi * draw(), size = speed * std::sqrt(-2.0 * std::log(draw()));
     set_velocity(scene.model, scene.initial, disc, {size * std::cos(angle), size * std::sin(angle)}, 0.0);
@@ -103,14 +102,13 @@ GasRun run_gas(double eta, std::uint64_t seed, long collisions, const Setup& set
 constexpr double frequency = 100.0, entry = 1.0;
 
 Scene struck_plane(const Setup& setup) {
-  ModelBuilder builder{si};
+  SceneBuilder builder{si};
   const double k = frequency * frequency * (setup.has("stiffness_off") ? 1.0 + 1e-6 : 1.0);
   const double c = setup.has("slight_dashpot") ? 2e-4 * frequency : 0.0;
   const BodyId disc = builder.add({.name = "disc", .mobility = Mobility::particle, .mass = 1.0, .shape = Circle{1.0}});
   const BodyId plane = builder.add({.name = "plane", .mobility = Mobility::fixed, .shape = HalfPlane{}});
-  builder.add(Contact{.name = "contact", .a = disc, .b = plane, .law = LinearSpringDashpot{k, c, EndRule::clamped}});
-  Scene scene{.title = "Disc against a plane", .model = builder.build()};
-  scene.initial = rest_state(scene.model);
+  builder.add_contact("contact", disc, plane, LinearSpringDashpot{k, c, EndRule::clamped});
+  Scene scene = builder.at_rest("Disc against a plane");
   return scene;
 }
 

@@ -34,17 +34,13 @@ ExactMotion pendulum_from(const char* name, double amplitude, double duration) {
 }
 
 Scene particle_on_cables() {
-  ModelBuilder builder{si};
-  const BodyId particle = builder.add(Body{.name = "particle", .mobility = Mobility::particle, .mass = 1.0});
+  SceneBuilder builder{si};
+  const BodyId particle = builder.add_particle("particle", 1.0);
   for (const double side : {10.0, -10.0}) {
-    builder.add(Cable{.name = side > 0.0 ? "upper" : "lower",
-                      .a = {particle, {}},
-                      .b = {std::nullopt, {0.0, side, 0.0}},
-                      .rest_length = 10.0,
-                      .law = TensionOnly{4.0, 0.0}});
+    builder.add_cable(side > 0.0 ? "upper" : "lower", {particle, {}}, {std::nullopt, {0.0, side, 0.0}}, 10.0,
+                      TensionOnly{4.0, 0.0});
   }
-  Scene scene{.title = "Particle on two cables", .model = builder.build()};
-  scene.initial = rest_state(scene.model);
+  Scene scene = builder.at_rest("Particle on two cables");
   set_velocity(scene.model, scene.initial, particle, {2.0, 0.0}, 0.0);
   return scene;
 }

@@ -176,7 +176,7 @@ void check_latching(Findings& findings, const Setup& setup, Table& table) {
 }
 
 Scene row_scene(const reference::StruckRow& row) {
-  ModelBuilder builder;
+  SceneBuilder builder;
   std::array<BodyId, 3> discs{};
   for (int i = 0; i < 3; ++i)
     discs[static_cast<std::size_t>(i)] = builder.add(Body{.name = fmt::format("disc{}", i + 1),
@@ -185,10 +185,9 @@ Scene row_scene(const reference::StruckRow& row) {
                                                           .shape = Circle{4.0},
                                                           .p_WB = {8.0 * (i - 1) + (i == 2 ? row.gap : 0.0), 0.0}});
   const LinearSpringDashpot law{row.stiffness, 0.0, EndRule::clamped};
-  builder.add(Contact{.name = "first", .a = discs[0], .b = discs[1], .law = law});
-  builder.add(Contact{.name = "second", .a = discs[1], .b = discs[2], .law = law});
-  Scene scene{.title = "Three discs on a line", .model = builder.build()};
-  scene.initial = rest_state(scene.model);
+  builder.add_contact("first", discs[0], discs[1], law);
+  builder.add_contact("second", discs[1], discs[2], law);
+  Scene scene = builder.at_rest("Three discs on a line");
   set_velocity(scene.model, scene.initial, discs[0], {row.speed, 0.0}, 0.0);
   return scene;
 }
@@ -223,7 +222,7 @@ struct Pair {
   double bend{};
 };
 Pair touching(const Body& a, const Body& b) {
-  ModelBuilder builder{si};
+  SceneBuilder builder{si};
   std::array<Body, 2> bodies{a, b};
   const char* name = "a";
   for (Body& body : bodies) {
@@ -232,7 +231,7 @@ Pair touching(const Body& a, const Body& b) {
     if (body.mobility == Mobility::free) body.inertia = 1.0;
   }
   const BodyId first = builder.add(bodies[0]), second = builder.add(bodies[1]);
-  builder.add(Contact{.name = "touch", .a = first, .b = second, .law = LinearSpringDashpot{1e4, 10.0}});
+  builder.add_contact("touch", first, second, LinearSpringDashpot{1e4, 10.0});
   Pair pair{.model = builder.build()};
   Probe probe{pair.model};
   const State at = rest_state(pair.model);

@@ -57,23 +57,17 @@ double check_swinging_block(const Slope& slope, double step, long steps, Finding
 
 /// Accelerations of a disc held by eight fixed discs around it, with the contacts in one order or the reverse.
 std::vector<double> accelerations(bool backwards) {
-  ModelBuilder builder;
-  const BodyId disc = builder.add(Body{.name = "disc", .mass = 1.0, .inertia = 1.0, .shape = Circle{1.0}});
+  SceneBuilder builder;
+  const BodyId disc = builder.add_free("disc", 1.0, 1.0, Circle{1.0});
   std::vector<BodyId> around;
   for (int i = 0; i < 8; ++i) {
     const double angle = 0.1 + 0.7 * i;
-    around.push_back(
-        builder.add(Body{.name = fmt::format("post{}", i),
-                         .mobility = Mobility::fixed,
-                         .shape = Circle{1.0},
-                         .p_WB = {(1.9 - 0.01 * i) * std::cos(angle), (1.9 - 0.01 * i) * std::sin(angle)}}));
+    around.push_back(builder.add_fixed(fmt::format("post{}", i), Circle{1.0},
+                                       {(1.9 - 0.01 * i) * std::cos(angle), (1.9 - 0.01 * i) * std::sin(angle)}));
   }
   if (backwards) std::reverse(around.begin(), around.end());
   for (std::size_t i = 0; i < around.size(); ++i)
-    builder.add(Contact{.name = fmt::format("contact{}", i),
-                        .a = around[i],
-                        .b = disc,
-                        .law = LinearSpringDashpot{1.0, 0.0, EndRule::clamped}});
+    builder.add_contact(fmt::format("contact{}", i), around[i], disc, LinearSpringDashpot{1.0, 0.0, EndRule::clamped});
   const Dynamics dynamics{builder.build()};
   RigidBodySystem system{dynamics};
   State state = rest_state(dynamics.model());

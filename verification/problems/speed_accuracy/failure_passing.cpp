@@ -45,16 +45,13 @@ WatchedRun watched_run(Scene scene, double step, double end, const MonitorRules&
 
 /// A disc that flies at speed 1 towards a fixed disc of the same radius, at the distance `before` from touch.
 Scene flight(double before, double frequency, double pull = 0.0) {
-  ModelBuilder builder;
+  SceneBuilder builder;
   builder.gravity({pull, 0.0});
   const BodyId post = builder.add(
       Body{.name = "post", .mobility = Mobility::fixed, .shape = Circle{radius}, .p_WB = {2.0 * radius + before, 0.0}});
-  const BodyId stone =
-      builder.add(Body{.name = "stone", .mobility = Mobility::particle, .mass = 1.0, .shape = Circle{radius}});
-  builder.add(Contact{
-      .name = "hit", .a = post, .b = stone, .law = LinearSpringDashpot{frequency * frequency, 0.0, EndRule::clamped}});
-  Scene scene{.title = "Flight", .model = builder.build()};
-  scene.initial = rest_state(scene.model);
+  const BodyId stone = builder.add_particle("stone", 1.0, {}, Circle{radius});
+  builder.add_contact("hit", post, stone, LinearSpringDashpot{frequency * frequency, 0.0, EndRule::clamped});
+  Scene scene = builder.at_rest("Flight");
   set_velocity(scene.model, scene.initial, stone, {1.0, 0.0}, 0.0);
   return scene;
 }
@@ -100,8 +97,8 @@ ControlledFlights controlled_flights(const std::string& method, double tolerance
 
 /// An upright bar that drifts to the right across a fixed horizontal bar.
 Scene crossed(double height, ContactMethod method) {
-  ModelBuilder builder;
-  const BodyId level = builder.add(Body{.name = "level", .mobility = Mobility::fixed, .shape = Rectangle{1.0, 0.125}});
+  SceneBuilder builder;
+  const BodyId level = builder.add_fixed("level", Rectangle{1.0, 0.125});
   const BodyId upright = builder.add(
       Body{.name = "upright", .mass = 1.0, .inertia = 1.0, .shape = Rectangle{0.125, 1.0}, .p_WB = {0.0, height}});
   builder.add(Contact{.name = "across",
@@ -109,8 +106,7 @@ Scene crossed(double height, ContactMethod method) {
                       .b = level,
                       .law = LinearSpringDashpot{1.0, 0.0, EndRule::clamped},
                       .method = method});
-  Scene scene{.title = "Crossed bars", .model = builder.build()};
-  scene.initial = rest_state(scene.model);
+  Scene scene = builder.at_rest("Crossed bars");
   set_velocity(scene.model, scene.initial, upright, {0.0625, 0.0}, 0.0);
   return scene;
 }
@@ -129,14 +125,12 @@ double force(const Scene& scene) {
 
 /// Two bars that turn and approach each other, their centres `apart` [L], under gravity along y.
 Scene approaching_bars(double apart, Vec2 spins, double gravity = 0.0) {
-  ModelBuilder builder;
+  SceneBuilder builder;
   builder.gravity({0.0, -gravity});
-  const BodyId a = builder.add(Body{.name = "a", .mass = 1.0, .inertia = 1.0, .shape = Rectangle{2.0, 0.25}});
-  const BodyId b =
-      builder.add(Body{.name = "b", .mass = 1.0, .inertia = 1.0, .shape = Rectangle{1.0, 0.125}, .p_WB = {0.0, apart}});
-  builder.add(Contact{.name = "ab", .a = a, .b = b, .law = LinearSpringDashpot{1.0, 0.0, EndRule::clamped}});
-  Scene scene{.title = "Bars", .model = builder.build()};
-  scene.initial = rest_state(scene.model);
+  const BodyId a = builder.add_free("a", 1.0, 1.0, Rectangle{2.0, 0.25});
+  const BodyId b = builder.add_free("b", 1.0, 1.0, Rectangle{1.0, 0.125}, {0.0, apart});
+  builder.add_contact("ab", a, b, LinearSpringDashpot{1.0, 0.0, EndRule::clamped});
+  Scene scene = builder.at_rest("Bars");
   set_velocity(scene.model, scene.initial, a, {0.0, 0.75}, spins.x);
   set_velocity(scene.model, scene.initial, b, {0.0, -0.5}, spins.y);
   return scene;

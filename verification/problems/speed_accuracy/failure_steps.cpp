@@ -10,22 +10,18 @@ namespace {
 
 /// A disc of w = 1, v = 1 and damping ratio xi between two planes, with 3.7 of free travel.
 Scene boxed(double xi) {
-  ModelBuilder builder;
+  SceneBuilder builder;
   constexpr double radius = 8.0, distance = 3.7;
   const LinearSpringDashpot law{1.0, 2.0 * xi, EndRule::clamped};
   const BodyId disc =
       builder.add(Body{.name = "disc", .mobility = Mobility::sliding_y, .mass = 1.0, .shape = Circle{radius}});
   for (const double side : {1.0, -1.0}) {
     const char* name = side > 0.0 ? "below" : "above";
-    const BodyId plane = builder.add(Body{.name = name,
-                                          .mobility = Mobility::fixed,
-                                          .shape = HalfPlane{},
-                                          .p_WB = {0.0, -side * (radius + 0.5 * distance)},
-                                          .angle = side > 0.0 ? 0.0 : std::numbers::pi});
-    builder.add(Contact{.name = name, .a = plane, .b = disc, .law = law});
+    const BodyId plane = builder.add_fixed(name, HalfPlane{}, {0.0, -side * (radius + 0.5 * distance)},
+                                           side > 0.0 ? 0.0 : std::numbers::pi);
+    builder.add_contact(name, plane, disc, law);
   }
-  Scene scene{.title = "Disc in a box", .model = builder.build()};
-  scene.initial = rest_state(scene.model);
+  Scene scene = builder.at_rest("Disc in a box");
   set_velocity(scene.model, scene.initial, disc, {0.0, -1.0}, 0.0);
   return scene;
 }

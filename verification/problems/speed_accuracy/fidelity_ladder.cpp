@@ -19,27 +19,17 @@ reference::BedOfSprings bed_for(const FenceNumbers& n, const reference::Impact& 
 
 /// Rock and column, free and touching, with `nodes` nodes of the rock, or with one resultant if `nodes` is 0.
 Scene struck_column(const FenceNumbers& n, const LinearSpringDashpot& law, int nodes, double turned) {
-  ModelBuilder builder{us};
-  const BodyId rock = builder.add(Body{.name = "rock",
-                                       .mobility = Mobility::free,
-                                       .mass = n.rock_mass,
-                                       .inertia = 0.4 * n.rock_mass * n.rock_radius * n.rock_radius,
-                                       .shape = Circle{n.rock_radius},
-                                       .p_WB = {n.half_width + n.rock_radius, 0.0},
-                                       .angle = turned});
-  const BodyId column = builder.add(Body{.name = "column",
-                                         .mobility = Mobility::free,
-                                         .mass = n.column_mass,
-                                         .inertia = n.column_inertia,
-                                         .shape = Rectangle{n.half_width, 4.0}});
+  SceneBuilder builder{us};
+  const BodyId rock = builder.add_free("rock", n.rock_mass, 0.4 * n.rock_mass * n.rock_radius * n.rock_radius,
+                                       Circle{n.rock_radius}, {n.half_width + n.rock_radius, 0.0}, turned);
+  const BodyId column = builder.add_free("column", n.column_mass, n.column_inertia, Rectangle{n.half_width, 4.0});
   builder.add(Contact{.name = "impact",
                       .a = rock,
                       .b = column,
                       .law = law,
                       .method = nodes == 0 ? ContactMethod::resultant : ContactMethod::nodes,
                       .nodes = {std::max(nodes, 12), 4}});
-  Scene scene{.title = "Rock against a free column", .model = builder.build()};
-  scene.initial = rest_state(scene.model);
+  Scene scene = builder.at_rest("Rock against a free column");
   set_velocity(scene.model, scene.initial, rock, {-n.speed, 0.0}, 0.0);
   return scene;
 }

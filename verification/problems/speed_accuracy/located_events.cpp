@@ -189,17 +189,12 @@ void check_grazing(Findings& findings) {
   const double w = std::sqrt(k / m);
   double worst = 0.0;
   for (const double depth : {1e-2, 1e-4, 1e-6}) {
-    ModelBuilder builder;
+    SceneBuilder builder;
     builder.gravity({0.0, g});
-    const BodyId plane = builder.add(Body{.name = "plane", .mobility = Mobility::fixed, .shape = HalfPlane{}});
-    const BodyId disc = builder.add(Body{.name = "disc",
-                                         .mobility = Mobility::particle,
-                                         .mass = m,
-                                         .shape = Circle{radius},
-                                         .p_WB = {0.0, radius + gap}});
-    builder.add(Contact{.name = "graze", .a = disc, .b = plane, .law = LinearSpringDashpot{k, 0.0, EndRule::clamped}});
-    Scene scene{.title = "Grazing disc", .model = builder.build()};
-    scene.initial = rest_state(scene.model);
+    const BodyId plane = builder.add_fixed("plane", HalfPlane{});
+    const BodyId disc = builder.add_particle("disc", m, {0.0, radius + gap}, Circle{radius});
+    builder.add_contact("graze", disc, plane, LinearSpringDashpot{k, 0.0, EndRule::clamped});
+    Scene scene = builder.at_rest("Grazing disc");
     const double start = std::sqrt(2.0 * g * (gap + depth)), touch = std::sqrt(2.0 * g * depth);
     set_velocity(scene.model, scene.initial, disc, {0.3, -start}, 0.0);
     const RunEnd run = run_scene(scene, make_integrator("stormer_cowell", tolerance), {end, end, end, false}, findings);
@@ -242,17 +237,13 @@ void check_posts(Findings& findings) {
   double lost = 0.0;
   for (const Vec2 from : {Vec2{1.0, 0.0}, {-1.0, 0.0}, {0.0, 1.0}, {0.0, -1.0}}) {
     for (const bool disc_first : {true, false}) {
-      ModelBuilder builder;
+      SceneBuilder builder;
       Body disc{.name = "disc", .mobility = Mobility::particle, .mass = 1.0, .shape = Circle{radius}};
       disc.p_WB = distance * from;
       const BodyId flying = builder.add(disc);
-      const BodyId post = builder.add(Body{.name = "post", .mobility = Mobility::fixed, .shape = Circle{radius}});
-      builder.add(Contact{.name = "hit",
-                          .a = disc_first ? flying : post,
-                          .b = disc_first ? post : flying,
-                          .law = LinearSpringDashpot{1e8, 0.0}});
-      Scene scene{.title = "Post", .model = builder.build()};
-      scene.initial = rest_state(scene.model);
+      const BodyId post = builder.add_fixed("post", Circle{radius});
+      builder.add_contact("hit", disc_first ? flying : post, disc_first ? post : flying, LinearSpringDashpot{1e8, 0.0});
+      Scene scene = builder.at_rest("Post");
       set_velocity(scene.model, scene.initial, flying, -speed * from, 0.0);
       const RunEnd end = run_steps(scene, make_integrator("stormer_cowell", 1e-6), 2.0 * distance / speed, 1, findings);
       if (!(dot(pose(scene.model, end.state, flying).v_WB, from) > 0.99 * speed)) lost += 1.0;
@@ -266,17 +257,12 @@ void check_posts(Findings& findings) {
 void check_falls(Findings& findings) {
   constexpr double radius = 100.0, height = 1000.0, gravity = 9.81;
   const double fall = std::sqrt(2.0 * height / gravity);
-  ModelBuilder builder{si};
+  SceneBuilder builder{si};
   builder.gravity({0.0, -gravity});
-  const BodyId falling = builder.add(Body{.name = "disc",
-                                          .mobility = Mobility::particle,
-                                          .mass = 1.0,
-                                          .shape = Circle{radius},
-                                          .p_WB = {0.0, 2.0 * radius + height}});
-  const BodyId post = builder.add(Body{.name = "post", .mobility = Mobility::fixed, .shape = Circle{radius}});
-  builder.add(Contact{.name = "hit", .a = falling, .b = post, .law = LinearSpringDashpot{1e6, 0.0}});
-  Scene scene{.title = "Fall", .model = builder.build()};
-  scene.initial = rest_state(scene.model);
+  const BodyId falling = builder.add_particle("disc", 1.0, {0.0, 2.0 * radius + height}, Circle{radius});
+  const BodyId post = builder.add_fixed("post", Circle{radius});
+  builder.add_contact("hit", falling, post, LinearSpringDashpot{1e6, 0.0});
+  Scene scene = builder.at_rest("Fall");
   const RunEnd end = run_steps(scene, make_integrator("stormer_cowell", 1e-6), 2.5 * fall, 1, findings);
   findings.expect("velocity of a disc 2.5 fall times after its release above a large disc, over its impact speed",
                   end.state.v[1] / (gravity * fall), -0.5,
@@ -325,23 +311,17 @@ struct CableRow {
   }
 
   static Scene scene(bool last, double speed) {
-    ModelBuilder builder;
+    SceneBuilder builder;
     std::vector<BodyId> ids;
     for (int i = 0; i < masses; ++i)
-      ids.push_back(builder.add(Body{.name = fmt::format("mass{}", i),
-                                     .mobility = Mobility::particle,
-                                     .mass = mass,
-                                     .p_WB = {(i - 0.5 * (masses - 1)) * length, 0.0}}));
+      ids.push_back(builder.add_particle(fmt::format("mass{}", i), mass, {(i - 0.5 * (masses - 1)) * length, 0.0}));
     for (int i = 0; i <= masses; ++i) {
       const CableEnd wall{{}, {(i == 0 ? -0.5 : 0.5) * (masses + 1) * length, 0.0}};
-      builder.add(Cable{.name = fmt::format("cable{}", i),
-                        .a = i == 0 ? wall : CableEnd{ids[static_cast<std::size_t>(i) - 1], {}},
-                        .b = i == masses ? wall : CableEnd{ids[static_cast<std::size_t>(i)], {}},
-                        .rest_length = length - elongation,
-                        .law = ElasticPlastic{.stiffness = stiffness}});
+      builder.add_cable(fmt::format("cable{}", i), i == 0 ? wall : CableEnd{ids[static_cast<std::size_t>(i) - 1], {}},
+                        i == masses ? wall : CableEnd{ids[static_cast<std::size_t>(i)], {}}, length - elongation,
+                        ElasticPlastic{.stiffness = stiffness});
     }
-    Scene made{.title = "Row of cables", .model = builder.build()};
-    made.initial = rest_state(made.model);
+    Scene made = builder.at_rest("Row of cables");
     set_velocity(made.model, made.initial, last ? ids.back() : ids.front(), {last ? speed : -speed, 0.0}, 0.0);
     return made;
   }

@@ -140,21 +140,18 @@ Scene thrown_discs() {
   constexpr int side = 4;
   std::mt19937 random{7};
   std::uniform_real_distribution<double> nudge{-0.2, 0.2};
-  ModelBuilder builder;
+  SceneBuilder builder;
   std::vector<BodyId> discs;
   for (int i = 0; i < side * side; ++i) {
     const Vec2 place{2.6 * (i % side) + nudge(random), 2.6 * (i / side) + nudge(random)};
     discs.push_back(builder.add(
         Body{.name = fmt::format("disc{}", i), .mass = 1.0, .inertia = 0.4, .shape = Circle{1.0}, .p_WB = place}));
     for (int other = 0; other < i; ++other) {
-      builder.add(Contact{.name = fmt::format("{}-{}", other, i),
-                          .a = discs[static_cast<std::size_t>(other)],
-                          .b = discs.back(),
-                          .law = LinearSpringDashpot{4e3, 3.0, EndRule::clamped}});
+      builder.add_contact(fmt::format("{}-{}", other, i), discs[static_cast<std::size_t>(other)], discs.back(),
+                          LinearSpringDashpot{4e3, 3.0, EndRule::clamped});
     }
   }
-  Scene scene{.title = "Thrown discs", .model = builder.build()};
-  scene.initial = rest_state(scene.model);
+  Scene scene = builder.at_rest("Thrown discs");
   for (const BodyId disc : discs) {
     const Vec2 place = scene.model.bodies[index(disc)].p_WB;
     set_velocity(scene.model, scene.initial, disc, {1.5 * (4.0 - place.x), 1.5 * (4.0 - place.y)}, 0.0);
@@ -358,15 +355,11 @@ void check_guards(Findings& findings, const Setup& setup) {
       Tolerance::exact("a column that moves by 10 ft within the horizon takes its cables off the linear branches of "
                        "their laws"));
   // Rough discs that approach: friction cannot begin before the normal force.
-  ModelBuilder builder;
-  const BodyId a = builder.add(Body{.name = "a", .mass = 1.0, .inertia = 1.0, .shape = Circle{1.0}});
-  const BodyId b =
-      builder.add(Body{.name = "b", .mass = 1.0, .inertia = 1.0, .shape = Circle{1.0}, .p_WB = {2.25, 0.0}});
-  builder.add(Contact{.name = "ab",
-                      .a = a,
-                      .b = b,
-                      .law = LinearSpringDashpot{1.0, 0.0, EndRule::clamped},
-                      .friction = CoulombFriction{.coefficient = 0.5, .stiffness = 1.0}});
+  SceneBuilder builder;
+  const BodyId a = builder.add_free("a", 1.0, 1.0, Circle{1.0});
+  const BodyId b = builder.add_free("b", 1.0, 1.0, Circle{1.0}, {2.25, 0.0});
+  builder.add_contact("ab", a, b, LinearSpringDashpot{1.0, 0.0, EndRule::clamped},
+                      CoulombFriction{.coefficient = 0.5, .stiffness = 1.0});
   const Model pair = builder.build();
   const Dynamics discs{pair};
   State state = rest_state(pair);
