@@ -23,6 +23,7 @@
 #include "verification/study/expectations.hpp"
 #include "verification/study/phases.hpp"
 #include "verification/study/predicted_errors.hpp"
+#include "verification/study/rows.hpp"
 #include "verification/study/scene_builder.hpp"
 #include "verification/study/scene_run.hpp"
 #include "verification/study/usage.hpp"

@@ -150,9 +150,8 @@ void check_speeds(Findings& findings, const Setup& setup) {
                            "the error of velocity Verlet's peak tension, (w h)^2/8 = 8e-6, is about 1 % of the margin "
                            "of 0.001");
     }
-    shown.rows.push_back({fmt::format("{:g}", ratio), fmt::format("{:.6f}", exact.exit_speed),
-                          fmt::format("{:.1e}", errors.exit.rms()), fmt::format("{:.6f}", exact.stretch),
-                          fmt::format("{:.1e}", errors.stretch.rms())});
+    shown.rows.push_back(cells("{:g} | {:.6f} | {:.1e} | {:.6f} | {:.1e}", ratio, exact.exit_speed, errors.exit.rms(),
+                               exact.stretch, errors.stretch.rms()));
   }
   findings.expect("exit speed, perfectly plastic, largest rms relative error of six speeds", exit, 0.0,
                   Tolerance::truncation(elastic_error(400.0), 1.2, exit_words));

@@ -86,9 +86,9 @@ void check_speeds(Findings& findings, const Setup& setup) {
                  Tolerance::model(0.01,
                                   "the next order in h: w h = 0.055, of which less than a tenth remains in the root "
                                   "mean square over 64 phases"));
-    table.rows.push_back({fmt::format("{:g}", gravity), fmt::format("{:.6f}", exact_restitution(gravity)),
-                          fmt::format("{:.6f}", without - 2.0 * damping_ratio * (1.0 + without) * gravity),
-                          fmt::format("{:.2e}", found.error.rms()), fmt::format("{:.2e}", predicted)});
+    table.rows.push_back(cells("{:g} | {:.6f} | {:.6f} | {:.2e} | {:.2e}", gravity, exact_restitution(gravity),
+                               without - 2.0 * damping_ratio * (1.0 + without) * gravity, found.error.rms(),
+                               predicted));
   }
   findings.expect("minimum tension of all runs", least, 0.0, Tolerance::exact("zero after the cable has gone slack"));
   findings.table(table);

@@ -197,10 +197,9 @@ void record(const Measured& measured, Findings& findings) {
   for (std::size_t k = 0; k < latch_schemes.size(); ++k) {
     for (const auto& [steps, seen] : measured[k]) {
       const SteppedLatch latch = latch_of(latch_schemes[k], steps);
-      data.rows.push_back({latch_schemes[k].name, fmt::format("{}", steps), fmt::format("{}", latch.step),
-                           fmt::format("{}", latch_phases), fmt::format("{}", seen.mean),
-                           fmt::format("{}", seen.deviation), fmt::format("{}", reference::leading_restitution(latch)),
-                           fmt::format("{}", reference::mean_restitution(latch))});
+      data.rows.push_back(cells("{} | {} | {} | {} | {} | {} | {} | {}", latch_schemes[k].name, steps, latch.step,
+                                latch_phases, seen.mean, seen.deviation, reference::leading_restitution(latch),
+                                reference::mean_restitution(latch)));
     }
   }
   findings.data(data);

@@ -92,8 +92,8 @@ void expect_coverage(Findings& findings, const Setup& setup) {
           "fraction of means within two standard errors, " + name, found.within, 0.8, 1.0,
           "0.954 for normally distributed means with the exact error, 0.89 with 0.8 of it; three standard deviations "
           "over 60 series are 0.12");
-      table.rows.push_back({fmt::format("{}", a), of_ratio ? "ratio" : "mean", fmt::format("{:.3f}", found.ratio),
-                            fmt::format("{:.2f}", found.within)});
+      table.rows.push_back(
+          cells("{} | {} | {:.3f} | {:.2f}", a, of_ratio ? "ratio" : "mean", found.ratio, found.within));
     }
   }
   if (!setup.coarse) findings.table(table);

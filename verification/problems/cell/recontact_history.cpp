@@ -225,12 +225,11 @@ void show_mistakes(Findings& findings) {
   const auto third = [](const Watched& seen) { return fmt::format("{:.4f}", seen.velocity[2]); };
   for (const double gap : gaps_of_restarts) {
     const double h = step_of_restarts();
-    table.rows.push_back({fmt::format("{}", gap), fmt::format("{:.4f}", exact_of(gap).velocity[2]),
-                          third(run_by(law, gap, h, 0.3, findings)),
-                          third(run_by(ForgettingLatch{law}, gap, h, 0.3, findings)),
-                          third(run_by(ClearedLatch{law}, gap, h, 0.3, findings)),
-                          third(run_by(RetentiveLatch{law}, gap, h, 0.3, findings, wide)),
-                          fmt::format("{:.4f}", restarted(gap, h, 20, true)[2])});
+    table.rows.push_back(
+        cells("{} | {:.4f} | {} | {} | {} | {} | {:.4f}", gap, exact_of(gap).velocity[2],
+              third(run_by(law, gap, h, 0.3, findings)), third(run_by(ForgettingLatch{law}, gap, h, 0.3, findings)),
+              third(run_by(ClearedLatch{law}, gap, h, 0.3, findings)),
+              third(run_by(RetentiveLatch{law}, gap, h, 0.3, findings, wide)), restarted(gap, h, 20, true)[2]));
   }
   findings.table(table);
 }

@@ -136,12 +136,12 @@ void add_rows(Findings& findings, const std::vector<Row>& rows) {
                   "transverse kinetic energy/(m VXT^2)", "unaccounted", "limits"}};
   for (const Row& row : rows) {
     const Flow& flow = row.flow;
-    table.rows.push_back({row.what, fmt::format("{:.3f}", flow.ratio), fmt::format("{:.3f}", flow.fraction),
-                          fmt::format("{:.3f}", flow.fullest), fmt::format("{:.3f}", flow.largest_overlap),
-                          fmt::format("{:.4f}", flow.motion), flow.burst ? "" : fmt::format("{:.2g}", flow.unaccounted),
-                          within_limits(flow) ? "met"
-                          : flow.burst        ? "diverged"
-                                              : "exceeded"});
+    table.rows.push_back(cells("{} | {:.3f} | {:.3f} | {:.3f} | {:.3f} | {:.4f} | {} | {}", row.what, flow.ratio,
+                               flow.fraction, flow.fullest, flow.largest_overlap, flow.motion,
+                               flow.burst ? "" : fmt::format("{:.2g}", flow.unaccounted),
+                               within_limits(flow) ? "met"
+                               : flow.burst        ? "diverged"
+                                                   : "exceeded"));
   }
   findings.table(table);
 }

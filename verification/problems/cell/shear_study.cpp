@@ -114,8 +114,8 @@ void add_verdicts(Findings& findings, const std::vector<Verdict>& found) {
           "a t at least as large without a difference.",
       .columns = {"prediction", "measured", "t", "probability", "verdict"}};
   for (const Verdict& verdict : found)
-    table.rows.push_back({verdict.prediction, verdict.measured, fmt::format("{:+.1f}", verdict.significance),
-                          fmt::format("{:.1g}", verdict.chance), std::string{words(verdict.outturn)}});
+    table.rows.push_back(cells("{} | {} | {:+.1f} | {:.1g} | {}", verdict.prediction, verdict.measured,
+                               verdict.significance, verdict.chance, std::string{words(verdict.outturn)}));
   findings.table(std::move(table));
   std::string words = "Results of the cells:";
   for (const Verdict& verdict : found) {
@@ -145,10 +145,10 @@ void add_numbers(Findings& findings, const std::vector<StudyMean>& study) {
     const auto bare = [&](Q quantity) {
       return point.seeds == 0 ? std::string{"-"} : fmt::format("{:.3f}", point.of(quantity).value);
     };
-    table.rows.push_back({fmt::format("{:g}", key[0] / 1e3), fmt::format("{:g}", key[1]), fmt::format("{:g}", key[2]),
-                          of(Q::stress_ratio), bare(Q::multiple_fraction), bare(Q::multiple_shear_fraction),
-                          of(Q::multiple_stress_ratio), of(Q::binary_stress_ratio), bare(Q::inertial_number),
-                          bare(Q::order), bare(Q::largest_overlap)});
+    table.rows.push_back(cells(
+        "{:g} | {:g} | {:g} | {} | {} | {} | {} | {} | {} | {} | {}", key[0] / 1e3, key[1], key[2], of(Q::stress_ratio),
+        bare(Q::multiple_fraction), bare(Q::multiple_shear_fraction), of(Q::multiple_stress_ratio),
+        of(Q::binary_stress_ratio), bare(Q::inertial_number), bare(Q::order), bare(Q::largest_overlap)));
   }
   findings.table(std::move(table));
 }

@@ -202,12 +202,10 @@ Table run_table(const Simulations& s) {
                   "bottom cable [lb]", "exit speed [ft/s]", "run and twins", "remaining energy [%]"}};
   for (const Simulation* x : {&s.one, &s.two, &s.nine, &s.top_only, &s.one_top_only}) {
     const FenceSample& p = x->run.peaks;
-    table.rows.push_back({x->name, fmt::format("{:.0f}", p.joint),
-                          fmt::format("{:.0f} to {:.0f}", x->low(&FenceSample::joint), x->high(&FenceSample::joint)),
-                          fmt::format("{:.4f}", p.time), fmt::format("{:.0f}", p.top), fmt::format("{:.0f}", p.bottom),
-                          fmt::format("{:.2f}", -p.speed),
-                          fmt::format("{:.1f} to {:.1f}", -x->high(&FenceSample::speed), -x->low(&FenceSample::speed)),
-                          fmt::format("{:.1f}", 100.0 * x->run.energy)});
+    table.rows.push_back(
+        cells("{} | {:.0f} | {:.0f} to {:.0f} | {:.4f} | {:.0f} | {:.0f} | {:.2f} | {:.1f} to {:.1f} | {:.1f}", x->name,
+              p.joint, x->low(&FenceSample::joint), x->high(&FenceSample::joint), p.time, p.top, p.bottom, -p.speed,
+              -x->high(&FenceSample::speed), -x->low(&FenceSample::speed), 100.0 * x->run.energy));
   }
   return table;
 }

@@ -137,8 +137,8 @@ void check_cable_moment(Findings& findings, const Setup& setup, Table& table) {
                           std::abs(printed / r.column_moment - 1.0), 0.2, 0.4,
                           "the term of the top cable has the wrong sign: twice that term is missing, 0.294 of the "
                           "moment");
-  table.rows.push_back({"Eq. 7: moment of the cables [ft lb]", fmt::format("{:.1f}", printed),
-                        fmt::format("{:.1f}", cable_moment(r, -1.0)), fmt::format("{:.1f}", r.column_moment)});
+  table.rows.push_back(cells("Eq. 7: moment of the cables [ft lb] | {:.1f} | {:.1f} | {:.1f}", printed,
+                             cable_moment(r, -1.0), r.column_moment));
 }
 
 /// x velocity at 0.01 s of a member: 1 is the rock, 2 the central column [ft/s].

@@ -363,10 +363,9 @@ void check_distances(Findings& findings, const std::vector<RowRun>& rows, const 
                         Tolerance::model(0.005, "half a unit of the last digit of that value"),
                         quantity.distance_unit());
       }
-      table.rows.push_back({quantity.name, group_name(bottom_cable), fmt::format("{}", d.count),
-                            fmt::format("{:.2f} {}", d.mean, quantity.distance_unit()),
-                            fmt::format("{:.2f} {}", twins[q], quantity.distance_unit()),
-                            d.spread > 0 ? fmt::format("{} of {}", d.inside, d.spread) : "full tier"});
+      table.rows.push_back(cells("{} | {} | {} | {:.2f} {} | {:.2f} {} | {}", quantity.name, group_name(bottom_cable),
+                                 d.count, d.mean, quantity.distance_unit(), twins[q], quantity.distance_unit(),
+                                 d.spread > 0 ? fmt::format("{} of {}", d.inside, d.spread) : "full tier"));
     }
   }
   findings.table(table);

@@ -154,14 +154,10 @@ AfterImpact variant(const PivotedRun& run, double steps, Findings& findings) {
 std::vector<std::string> row_of(const PivotedRun& run, double steps, const AfterImpact& after) {
   const bool as_printed = std::abs(after.column - 4.85) <= 5e-3 && std::abs(after.rock - 2.36) <= 5e-3 &&
                           std::abs(after.largest_angle - 0.503) <= 5e-4;
-  return {run.method == ContactMethod::nodes ? "nodes" : "resultant",
-          run.dashpot == Dashpot::two_masses ? "m" : "I_p/h^2",
-          run.rule == EndRule::attractive ? "attractive" : "clamped",
-          fmt::format("{:g}", steps),
-          fmt::format("{:.4f}", after.column),
-          fmt::format("{:.4f}", after.rock),
-          fmt::format("{:.4f}", after.largest_angle),
-          as_printed ? "yes" : "no"};
+  return cells(
+      "{} | {} | {} | {:g} | {:.4f} | {:.4f} | {:.4f} | {}", run.method == ContactMethod::nodes ? "nodes" : "resultant",
+      run.dashpot == Dashpot::two_masses ? "m" : "I_p/h^2", run.rule == EndRule::attractive ? "attractive" : "clamped",
+      steps, after.column, after.rock, after.largest_angle, as_printed ? "yes" : "no");
 }
 
 /// Compares the values printed in the 1993 report with its corrected equations and the solver: tables, and the setting

@@ -74,9 +74,9 @@ void check_amplitudes(Findings& findings, const Setup& setup) {
         "s");
     measured.add(degrees, (period / reference - 1.0) / (z * z));
     ratio.add(degrees, period * bob_frequency() / (2.0 * pi));
-    table.rows.push_back({fmt::format("{:g}", degrees), rounded(bob_motion(amplitude).period_45_digits()),
-                          fmt::format("{:.10f}", period), fmt::format("{:.4e}", period / reference - 1.0),
-                          fmt::format("{:.4e}", constant * z * z)});
+    table.rows.push_back(cells("{:g} | {} | {:.10f} | {:.4e} | {:.4e}", degrees,
+                               rounded(bob_motion(amplitude).period_45_digits()), period, period / reference - 1.0,
+                               constant * z * z));
   }
   if (setup.coarse) return;
   findings.in("integrator.velocity_verlet")

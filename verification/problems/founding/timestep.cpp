@@ -153,8 +153,8 @@ void check_commensurate(Findings& findings) {
                           "onset and release errors of second order are equal and opposite for every phase; the "
                           "remainder is of the next order");
     const double fitted = hidden.rms.fit().order;
-    common.rows.push_back({fmt::format("`{}`, undamped disc on a wall", method), fmt::format("{:.3f}", fitted), "2",
-                           fmt::format("{:+.3f}", fitted - 2.0), fmt::format("{:.3f}", honest.rms.fit().order)});
+    common.rows.push_back(cells("`{}`, undamped disc on a wall | {:.3f} | 2 | {:+.3f} | {:.3f}", method, fitted,
+                                fitted - 2.0, honest.rms.fit().order));
     figure.series.push_back({fmt::format("{}, t_c/h = N", method), hidden.rms.steps(), hidden.rms.errors()});
     figure.series.push_back({fmt::format("{}, t_c/h = N + 0.382", method), honest.rms.steps(), honest.rms.errors()});
     figure.slopes.push_back(
@@ -196,9 +196,8 @@ void check_gain(Findings& findings) {
       seen = std::max(seen, solver);
       worst = std::max(worst, std::abs(solver - exact));
     }
-    table.rows.push_back({fmt::format("$\\omega h$ = {:g}", eta), "1", fmt::format("{:.3f}", largest),
-                          fmt::format("{:.3f}", least), fmt::format("{:+.1f} %", 100.0 * (1.0 / largest - 1.0)),
-                          fmt::format("{:.3f}", seen)});
+    table.rows.push_back(cells("$\\omega h$ = {:g} | 1 | {:.3f} | {:.3f} | {:+.1f} % | {:.3f}", eta, largest, least,
+                               100.0 * (1.0 / largest - 1.0), seen));
   }
   findings.expect("exit speed at w h = 0.3 ... 1.9, largest error against the exact map over 64 phases", worst, 0.0,
                   Tolerance::round_off(64.0 * 2.2e-16,

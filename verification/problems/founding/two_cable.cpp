@@ -300,8 +300,7 @@ void check_production(Findings& findings, const Setup& setup) {
       {"end rule", "v after [m/s]", "turning distance [m]", "theta [rad]", "time to turning point [s]"},
       {}};
   const auto row = [&](const std::string& name, double v, double x, double t) {
-    table.rows.push_back({name, fmt::format("{:.4f}", v), fmt::format("{:.5f}", x),
-                          fmt::format("{:.5f}", std::atan(x / problem.length)), fmt::format("{:.4f}", t)});
+    table.rows.push_back(cells("{} | {:.4f} | {:.5f} | {:.5f} | {:.4f}", name, v, x, std::atan(x / problem.length), t));
   };
   row("rigid impact, exact", rigid.particle, motion.largest_distance(), motion.time_to_turning());
   table.rows.push_back({"report (1993)", "1.997", "3.826", "0.365", "not given"});

@@ -32,9 +32,8 @@ double without_slip(double kappa) { return -std::cos(std::numbers::pi * std::sqr
 void compare_without_slip(double kappa, double ratio, const Rebound& found, Table& table, Findings& findings) {
   const double formula = without_slip(kappa);
   const double exact = -found.exact / found.before, solver = -found.mean / found.before;
-  table.rows.push_back({fmt::format("$k_s/k_n$ = {:.4f}, $v$ = {:.2f} $\\mu v_n$", kappa, found.before / mu),
-                        fmt::format("{:.4f}", formula), fmt::format("{:.4f}", exact),
-                        fmt::format("{:+.4f}", formula - exact), fmt::format("{:.4f}", solver)});
+  table.rows.push_back(cells("$k_s/k_n$ = {:.4f}, $v$ = {:.2f} $\\mu v_n$ | {:.4f} | {:.4f} | {:+.4f} | {:.4f}", kappa,
+                             found.before / mu, formula, exact, formula - exact, solver));
   if (kappa != 0.25 || ratio != 0.5) return;
   findings.expect("error of e_t = -cos(pi sqrt(3 k_s/k_n)) at k_s/k_n = 1/4, v = 2 mu v_n", formula - solver,
                   formula - exact,
@@ -85,9 +84,8 @@ void check_rebounds(Findings& findings, const Setup& setup) {
       largest = std::max(largest, found.error);
       if (ratio <= 0.5) compare_without_slip(kappa, ratio, found, common, findings);
       points.add(found.before / mu, found.mean / mu);
-      table.rows.push_back({fmt::format("{:.4f}", kappa), fmt::format("{:g}", ratio),
-                            returned(found.exact, found.before), returned(found.mean, found.before),
-                            fmt::format("{:.1e}", found.error)});
+      table.rows.push_back(cells("{:.4f} | {:g} | {} | {} | {:.1e}", kappa, ratio, returned(found.exact, found.before),
+                                 returned(found.mean, found.before), found.error));
     }
     figure.series.push_back(exact_rebounds(kappa));
     figure.series.push_back(points);

@@ -92,8 +92,7 @@ void check_unlike(Findings& findings, const Setup& setup) {
     farthest = std::max(farthest, met.error), impulse_difference = std::max(impulse_difference, met.impulse_difference);
     const double before = ratio * mu / kappa;
     const double exact = reference::rebound(equivalent(before), reference::EndRule::clamped).slip_rate;
-    table.rows.push_back({fmt::format("{:g}", ratio), fmt::format("{:.5f}", exact / before),
-                          fmt::format("{:.5f}", met.mean / before), fmt::format("{:.1e}", met.error)});
+    table.rows.push_back(cells("{:g} | {:.5f} | {:.5f} | {:.1e}", ratio, exact / before, met.mean / before, met.error));
   }
   const double h = std::numbers::pi / 100.0;
   findings.expect(

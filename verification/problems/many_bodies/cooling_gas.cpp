@@ -118,9 +118,8 @@ void check_elastic(Findings& findings, const Setup& setup) {
     if (off > worst_pressure) worst_pressure = off, pressed = found;
     const double gained = std::abs(found.heated) / walk(found);
     if (gained > worst_energy) worst_energy = gained, heated = found;
-    table.rows.push_back({fmt::format("{:g}", fraction), fmt::format("{:.4f}", found.pressure.value),
-                          fmt::format("{:.4f}", found.pressure.error), fmt::format("{:.4f}", found.hardened),
-                          fmt::format("{:+.1e}", found.heated)});
+    table.rows.push_back(cells("{:g} | {:.4f} | {:.4f} | {:.4f} | {:+.1e}", fraction, found.pressure.value,
+                               found.pressure.error, found.hardened, found.heated));
   }
   findings.expect(
       "pressure of elastic discs over that of hard ones, worse of two solid fractions", pressed.pressure.value,
@@ -139,9 +138,8 @@ void check_elastic(Findings& findings, const Setup& setup) {
   for (const double steps : {6.0, 4.0}) {
     const Elastic found =
         rest_in_motion(0.1, discs, collisions, findings, setup, setup.has("elastic_steps_short") ? 20.0 : steps);
-    table.rows.push_back({fmt::format("0.1, {:g} steps", steps), fmt::format("{:.4f}", found.pressure.value),
-                          fmt::format("{:.4f}", found.pressure.error), fmt::format("{:.4f}", found.hardened),
-                          fmt::format("{:+.1e}", found.heated)});
+    table.rows.push_back(cells("0.1, {:g} steps | {:.4f} | {:.4f} | {:.4f} | {:+.1e}", steps, found.pressure.value,
+                               found.pressure.error, found.hardened, found.heated));
     // With the fraction d of a step in the contact time, the mean over the phases of e^2 - 1 is eta^4 d^2 (1 - d)^2/3,
     // four times that of ln e (case energy_gain). It acts on half the energy of a disc. The leapfrog's shorter period
     // alone gives d = pi eta/24; the mean over all fractions is 1/30 for d^2 (1 - d)^2.

@@ -14,10 +14,8 @@ void draw(Findings& findings, const std::vector<DenseFlow>& all) {
   Series points{"discs", {}, {}, Style::errorbars};
   for (const DenseFlow& flow : all) {
     const auto [mu, error] = flow.friction;
-    table.rows.push_back({fmt::format("{:.3f}", flow.fraction), fmt::format("{:.4f}", flow.inertial.value),
-                          fmt::format("{:.4f}", mu), fmt::format("{:.4f}", error),
-                          fmt::format("{:.1e}", flow.pressure.value), fmt::format("{:.2f}", flow.coordination),
-                          fmt::format("{:.1e}", flow.overlap)});
+    table.rows.push_back(cells("{:.3f} | {:.4f} | {:.4f} | {:.4f} | {:.1e} | {:.2f} | {:.1e}", flow.fraction,
+                               flow.inertial.value, mu, error, flow.pressure.value, flow.coordination, flow.overlap));
     points.add(flow.inertial.value, mu);
     points.y_low.push_back(mu - 3.0 * error), points.y_high.push_back(mu + 3.0 * error);
   }

@@ -216,10 +216,9 @@ void check_fraction_power(Findings& findings, const std::vector<DenseFlow>& smoo
 
 void add_rows(Table& table, const char* kind, const std::vector<DenseFlow>& flows) {
   for (const DenseFlow& flow : flows)
-    table.rows.push_back({kind, fmt::format("{:.4f}", flow.fraction), fmt::format("{:.4f}", flow.inertial.value),
-                          fmt::format("{:.4f}", flow.inertial.error), fmt::format("{:.4f}", flow.friction.value),
-                          fmt::format("{:.4f}", flow.friction.error), fmt::format("{:.1e}", flow.pressure.value),
-                          fmt::format("{:.2f}", flow.coordination), fmt::format("{:.1e}", flow.overlap)});
+    table.rows.push_back(cells("{} | {:.4f} | {:.4f} | {:.4f} | {:.4f} | {:.4f} | {:.1e} | {:.2f} | {:.1e}", kind,
+                               flow.fraction, flow.inertial.value, flow.inertial.error, flow.friction.value,
+                               flow.friction.error, flow.pressure.value, flow.coordination, flow.overlap));
 }
 
 Series friction_points(const char* label, const std::vector<DenseFlow>& flows) {

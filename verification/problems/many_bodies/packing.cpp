@@ -157,9 +157,8 @@ void expect_as_planned(Findings& findings, const Setup& setup, const Plan& each,
                     Tolerance::exact("two rows without gaps"));
   }
   if (each.name == "grown between walls" && !setup.coarse) findings.figure(centres(packing));
-  table.rows.push_back({each.name, fmt::format("{}", plan.discs), fmt::format("{:g}", plan.solid_fraction),
-                        fmt::format("{:.2f} x {:.2f}", packing.width / diameter, packing.height / diameter),
-                        fmt::format("{:.6f}", least)});
+  table.rows.push_back(cells("{} | {} | {:g} | {:.2f} x {:.2f} | {:.6f}", each.name, plan.discs, plan.solid_fraction,
+                             packing.width / diameter, packing.height / diameter, least));
 }
 
 /// Velocities of a given temperature: discs of unequal masses, with walls that remain at rest.

@@ -126,8 +126,8 @@ void check_restart(Findings& findings, const Setup& setup, const std::string& sc
   if (setup.coarse) return;
   const Half again = run_in_halves(scene, method.method, step, steps, Interrupted::from_state_alone, setup, findings);
   const Difference change = difference(whole.end, again.end);
-  table.rows.push_back({scene_name, method.name, fmt::format("{}", whole.evaluations),
-                        fmt::format("{}", halves.evaluations), fmt::format("{:.1e}", change.place)});
+  table.rows.push_back(cells("{} | {} | {} | {} | {:.1e}", scene_name, method.name, whole.evaluations,
+                             halves.evaluations, change.place));
 }
 
 /// Two discs on the ground, one above the other, sliding along one line; both contacts are compressed.

@@ -100,14 +100,11 @@ Table table_of(const std::vector<Sheared>& all) {
       .columns = {"e", "phi", "T", "over prediction", "mu", "over prediction", "p over prediction", "N1/p",
                   "N1/p predicted", "balance", "overlap"}};
   for (const Sheared& s : all) {
-    table.rows.push_back({fmt::format("{:g}", s.gas.restitution), fmt::format("{:g}", s.gas.solid_fraction),
-                          fmt::format("{:.3g}", s.temperature.value * s.theory.temperature),
-                          fmt::format("{:.3f}({:.0f})", s.temperature.value, 1e3 * s.temperature.error),
-                          fmt::format("{:.4f}", s.friction.value * s.theory.friction()),
-                          fmt::format("{:.3f}({:.0f})", s.friction.value, 1e3 * s.friction.error),
-                          fmt::format("{:.3f}", s.pressure), fmt::format("{:.3f}", s.difference),
-                          fmt::format("{:.3f}", s.theory.difference / s.theory.pressure),
-                          fmt::format("{:.4f}", s.balance), fmt::format("{:.3f}", s.deepest)});
+    table.rows.push_back(cells(
+        "{:g} | {:g} | {:.3g} | {:.3f}({:.0f}) | {:.4f} | {:.3f}({:.0f}) | {:.3f} | {:.3f} | {:.3f} | {:.4f} | {:.3f}",
+        s.gas.restitution, s.gas.solid_fraction, s.temperature.value * s.theory.temperature, s.temperature.value,
+        1e3 * s.temperature.error, s.friction.value * s.theory.friction(), s.friction.value, 1e3 * s.friction.error,
+        s.pressure, s.difference, s.theory.difference / s.theory.pressure, s.balance, s.deepest));
   }
   return table;
 }

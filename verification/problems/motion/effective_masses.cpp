@@ -182,9 +182,8 @@ void check(Mobility mobility, Findings& findings, const Setup& setup, Table& tab
                             "the dashpot reduces it by the fraction c h/(2 m_eff) within the first step")
           .relative(),
       "m/s^2");
-  table.rows.push_back({name, fmt::format("{:.6f}", 1.0 / exact[0][0]), fmt::format("{:.6f}", 1.0 / exact[1][1]),
-                        fmt::format("{:.4f}", advice.modes.front().frequency),
-                        fmt::format("{:.4f}", advice.modes.back().frequency)});
+  table.rows.push_back(cells("{} | {:.6f} | {:.6f} | {:.4f} | {:.4f}", name, 1.0 / exact[0][0], 1.0 / exact[1][1],
+                             advice.modes.front().frequency, advice.modes.back().frequency));
 }
 
 /// Checks friction between two free discs: 1/m = 1/m_1 + 1/m_2 + r_1^2/I_1 + r_2^2/I_2 along the tangent, also while

@@ -59,8 +59,8 @@ void check_method(Findings& findings, const Setup& setup, const std::string& met
   const double rounding = static_cast<double>(traits.additions) * steps * 0x1p-53 * errors.largest;
   const auto claim = findings.in("integrator." + method), group = findings.in("errors");
   const std::string words = "one rounding by u of the largest number for each addition to a coordinate in a step";
-  table.rows.push_back({method, fmt::format("{:.1e}", errors.worst_place()),
-                        fmt::format("{:.1e}", errors.worst_speed()), fmt::format("{:.1e}", rounding)});
+  table.rows.push_back(
+      cells("{} | {:.1e} | {:.1e} | {:.1e}", method, errors.worst_place(), errors.worst_speed(), rounding));
   findings.expect(method + ", error of the velocities", errors.worst_speed(), 0.0,
                   Tolerance::round_off(rounding, words));
   if (traits.free_fall_error == 0.0) {

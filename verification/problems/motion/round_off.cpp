@@ -279,8 +279,8 @@ void check_fall(Findings& findings, const Method& method, int bits, const Fall& 
   findings.in("least_error")
       ->expect_between(fmt::format("minimum error over its prediction, {}", of), least->whole / least->predicted, 0.65,
                        1.5, "rounding errors of similar runs are not independent, nor are those of successive steps");
-  table.rows.push_back({method.name, fmt::format("{}", bits), fmt::format("{:.1e}", best_step(method, bits)),
-                        fmt::format("{:.1e}", least->step), fmt::format("{:.1e}", least->whole)});
+  table.rows.push_back(cells("{} | {} | {:.1e} | {:.1e} | {:.1e}", method.name, bits, best_step(method, bits),
+                             least->step, least->whole));
   // Without damping, the lagged central difference equals the central difference.
   if (method.method == SwingMethod::lagged_central_difference) return;
   Series points{of, {}, {}, Style::points}, line{of + ", predicted", {}, {}, Style::lines};

@@ -157,8 +157,8 @@ void run(Findings& findings, const Setup& setup) {
           Tolerance::round_off(4.0 * found.rounding,
                                "sqrt(2n) u G, times four for the several roundings of a step and the worst "
                                "of the numbers"));
-      table.rows.push_back({one.name, method, fmt::format("{:.1e}", found.missed),
-                            fmt::format("{:.1e}", found.rounding), fmt::format("{:.0f}", found.growth)});
+      table.rows.push_back(
+          cells("{} | {} | {:.1e} | {:.1e} | {:.0f}", one.name, method, found.missed, found.rounding, found.growth));
     }
   }
   if (setup.coarse) return;

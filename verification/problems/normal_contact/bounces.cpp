@@ -211,9 +211,8 @@ void check_heights(Findings& findings, const Setup& setup) {
       const double predicted = predicted_rms(fall, n, production_steps, errors);
       if (fall.xi == 0.0 || n <= compared) worst = worst_ratio(worst, errors.found[at].rms() / predicted);
       if (n == 1 || n == count)
-        table.rows.push_back({name_of(fall), fmt::format("{}", n), fmt::format("{:.6f}", exact[at].apex_gap),
-                              fmt::format("{:.6f}", fall_height * std::pow(e, 2 * n)),
-                              fmt::format("{:.2e}", errors.found[at].rms()), fmt::format("{:.2e}", predicted)});
+        table.rows.push_back(cells("{} | {} | {:.6f} | {:.6f} | {:.2e} | {:.2e}", name_of(fall), n, exact[at].apex_gap,
+                                   fall_height * std::pow(e, 2 * n), errors.found[at].rms(), predicted));
     }
     const Tolerance near =
         fall.xi == 0.0 ? Tolerance::model(0.1,

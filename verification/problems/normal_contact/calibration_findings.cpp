@@ -114,12 +114,10 @@ void find_clamped_eq_21(Findings& findings) {
         ->expect(fmt::format("e of Eq. 21 for {:g} when clamped, three digits", row.wanted), clamped, row.given,
                  Tolerance::model(5e-4, "half a unit in the third digit of the known value"));
     const double exact = reference::restitution(xi, reference::EndRule::clamped);
-    common.rows.push_back({fmt::format("$e$ = {:g} wanted", row.wanted), fmt::format("{:g}", row.wanted),
-                           fmt::format("{:.4f}", exact), fmt::format("{:+.1f} %", 100.0 * (row.wanted / exact - 1.0)),
-                           fmt::format("{:.4f}", clamped)});
-    table.rows.push_back({fmt::format("{:g}", row.wanted), fmt::format("{:.4f}", xi), fmt::format("{:.4f}", attractive),
-                          fmt::format("{:.4f}", clamped), fmt::format("{:.4f}", exact), fmt::format("{:.4f}", own),
-                          fmt::format("{:.4f}", solved)});
+    common.rows.push_back(cells("$e$ = {:g} wanted | {:g} | {:.4f} | {:+.1f} % | {:.4f}", row.wanted, row.wanted, exact,
+                                100.0 * (row.wanted / exact - 1.0), clamped));
+    table.rows.push_back(cells("{:g} | {:.4f} | {:.4f} | {:.4f} | {:.4f} | {:.4f} | {:.4f}", row.wanted, xi, attractive,
+                               clamped, exact, own, solved));
     figure.series[0].add(row.wanted, attractive);
     figure.series[1].add(row.wanted, clamped);
   }
@@ -203,9 +201,9 @@ void check_step_advice(Findings& findings) {
       findings.expect("largest error of e with the advised step at other phases, " + name, errors.max(), 0.0,
                       Tolerance::truncation(bound, 1.0, "the requested bound"));
       const double time = reference::impact_events({1.0, law.damping, 1.0, 1.0}, same(rule)).contact_time;
-      table.rows.push_back({rule == EndRule::attractive ? "attractive" : "clamped", fmt::format("{:g}", bound),
-                            fmt::format("{:.0f}", time / advice.step), fmt::format("{:.3e}", advice.largest_error),
-                            fmt::format("{:.3e}", errors.max())});
+      table.rows.push_back(cells("{} | {:g} | {:.0f} | {:.3e} | {:.3e}",
+                                 rule == EndRule::attractive ? "attractive" : "clamped", bound, time / advice.step,
+                                 advice.largest_error, errors.max()));
     }
   }
   findings.table(table);
@@ -234,10 +232,9 @@ void check_scene_calibration(Findings& findings) {
     const double particles = reference::particle_damping(problem, stiffness);
     differences.add(1.0 / std::sqrt(stiffness), std::abs(found.dissipation / formula - 1.0));
     missed = std::max(missed, std::abs(found.restitution - 0.5));
-    table.rows.push_back({fmt::format("{:g}", stiffness), fmt::format("{:.3f}", found.dissipation),
-                          fmt::format("{:.3f}", formula), fmt::format("{:+.3e}", found.dissipation / formula - 1.0),
-                          fmt::format("{:.3f}", particles), fmt::format("{:+.3e}", found.dissipation / particles - 1.0),
-                          fmt::format("{:.10f}", found.restitution), fmt::format("{}", found.runs)});
+    table.rows.push_back(cells("{:g} | {:.3f} | {:.3f} | {:+.3e} | {:.3f} | {:+.3e} | {:.10f} | {}", stiffness,
+                               found.dissipation, formula, found.dissipation / formula - 1.0, particles,
+                               found.dissipation / particles - 1.0, found.restitution, found.runs));
   }
   findings.expect("error of e in the calibrated scene, target 0.5", missed, 0.0,
                   Tolerance::truncation(1e-9, 1.0, "the requested tolerance"));

@@ -66,8 +66,7 @@ void check_gaps(Findings& findings, const Setup& setup) {
     const reference::StruckRow row{1.0, 1.0, 1.0, gap};
     const auto exact = reference::rebound(row).velocity;
     const double error = velocity_error(row, 100.0, findings, setup);
-    table.rows.push_back({fmt::format("{:g}", gap), fmt::format("{:.5f}", exact[0]), fmt::format("{:.5f}", exact[1]),
-                          fmt::format("{:.5f}", exact[2]), fmt::format("{:.2e}", error)});
+    table.rows.push_back(cells("{:g} | {:.5f} | {:.5f} | {:.5f} | {:.2e}", gap, exact[0], exact[1], exact[2], error));
     findings.in("speeds")->expect(
         fmt::format("speeds of the three discs, gap {:g}, rms error", gap), error, 0.0,
         Tolerance::truncation(0.7 / (100.5 * 100.5), 1.5,

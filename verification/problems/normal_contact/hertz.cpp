@@ -154,8 +154,8 @@ void check_damped(Findings& findings, const Setup& setup) {
       const Comparison c = compare(b, production_steps, findings);
       const double found = c.found.restitution.rms(), predicted = c.predicted.restitution.rms();
       worst = worst_ratio(worst, found / predicted);
-      table.rows.push_back({word, fmt::format("{:g}", xi), fmt::format("{:.4f}", b.exact.restitution),
-                            fmt::format("{:.2e}", found), fmt::format("{:.2e}", predicted)});
+      table.rows.push_back(
+          cells("{} | {:g} | {:.4f} | {:.2e} | {:.2e}", word, xi, b.exact.restitution, found, predicted));
     }
     findings.in("damped_impacts")
         ->expect(fmt::format("rms error of e over the predicted, worst of three damping ratios, {}", word), worst, 1.0,

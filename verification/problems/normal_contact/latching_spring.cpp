@@ -155,10 +155,10 @@ void check_targets(Findings& findings, const Setup& setup) {
              worst_ratio(ratio.largest, over(f.largest, p.largest)),
              worst_ratio(ratio.residual, over(f.residual, p.residual)),
              worst_ratio(ratio.balance_error, over(f.balance_error, p.balance_error))};
-    table.rows.push_back({fmt::format("{:.2f}", e * e), fmt::format("{:g}", e), number(f.restitution.rms()),
-                          number(p.restitution.rms()), number(f.contact_time.rms()), number(p.contact_time.rms()),
-                          number(f.largest.rms()), number(p.largest.rms()), number(f.balance_error.rms()),
-                          number(p.balance_error.rms())});
+    table.rows.push_back(cells("{:.2f} | {:g} | {} | {} | {} | {} | {} | {} | {} | {}", e * e, e,
+                               number(f.restitution.rms()), number(p.restitution.rms()), number(f.contact_time.rms()),
+                               number(p.contact_time.rms()), number(f.largest.rms()), number(p.largest.rms()),
+                               number(f.balance_error.rms()), number(p.balance_error.rms())));
   }
   const auto expect = [&](const char* name, double value, double bound, const char* why) {
     findings.in("impacts")->expect(fmt::format("{} over the predicted, worst of e = 0.9 ... 0.3", name), value, 1.0,

@@ -169,8 +169,8 @@ void check_pulling_formula(Findings& findings) {
                                                 reference::EndRule::clamped);
     const double found = rebound(law, speed, findings);
     keep_worst(worst, found / exact - 1.0);
-    table.rows.push_back({fmt::format("e = {:g}", e), fmt::format("{:g}", e), fmt::format("{:.4f}", exact),
-                          fmt::format("{:+.1f} %", 100.0 * (e / exact - 1.0)), fmt::format("{:.4f}", found)});
+    table.rows.push_back(
+        cells("e = {:g} | {:g} | {:.4f} | {:+.1f} % | {:.4f}", e, e, exact, 100.0 * (e / exact - 1.0), found));
   }
   findings.table(table);
   findings.expect("restitution by the pulling formula in a clamped contact, largest relative error", worst, 0.0,
@@ -209,9 +209,8 @@ void check_published_numbers(Findings& findings) {
                    exact = reference::hunt_crossley_restitution(formula.number(e));
       keep_worst(worst, found / exact - 1.0);
       points.add(e, found);
-      table.rows.push_back({fmt::format("{}, e = {:g}", formula.name, e), fmt::format("{:g}", e),
-                            fmt::format("{:.3f}", exact), fmt::format("{:+.0f} %", 100.0 * (e / exact - 1.0)),
-                            fmt::format("{:.3f}", found)});
+      table.rows.push_back(cells("{}, e = {:g} | {:g} | {:.3f} | {:+.0f} % | {:.3f}", formula.name, e, e, exact,
+                                 100.0 * (e / exact - 1.0), found));
     }
     for (int i = 5; i < 100; ++i)
       line.add(0.01 * i, reference::hunt_crossley_restitution(formula.number(0.01 * i)));

@@ -134,12 +134,10 @@ void check_bounce(double e, EndRule rule, Ratio& time, Ratio& depth, Ratio& iden
   // ln e - 2 ln d_max: the shifts add up to xi w h; the jump enters once in e and twice in d_max^2, so that one
   // remains.
   identity.add(found.identity.rms(), 2.0 / std::sqrt(3.0) * b.xi * wh);
-  table.rows.push_back({word_for(rule), fmt::format("{:g}", e), fmt::format("{:.4f}", b.xi),
-                        fmt::format("{:.5f}", found.mean_restitution), fmt::format("{:.2e}", found.restitution.rms()),
-                        fmt::format("{:.2e}", predicted_restitution_error(b, production_steps)),
-                        fmt::format("{:.2e}", found.contact_time.rms()), fmt::format("{:.2e}", predicted_time),
-                        fmt::format("{:.2e}", found.largest_depth.rms()),
-                        fmt::format("{:.2e}", predicted.largest_depth * wh)});
+  table.rows.push_back(cells("{} | {:g} | {:.4f} | {:.5f} | {:.2e} | {:.2e} | {:.2e} | {:.2e} | {:.2e} | {:.2e}",
+                             word_for(rule), e, b.xi, found.mean_restitution, found.restitution.rms(),
+                             predicted_restitution_error(b, production_steps), found.contact_time.rms(), predicted_time,
+                             found.largest_depth.rms(), predicted.largest_depth * wh));
 }
 
 void check_targets(Findings& findings, const Setup& setup) {

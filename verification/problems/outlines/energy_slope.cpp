@@ -167,8 +167,8 @@ void check_slopes(Findings& findings, const Setup& setup) {
     if (pair.rule == NodeDepth::nearest || pair.rule == NodeDepth::side_face) worst = std::max(worst, m.largest);
   }
   const Mismatch cable = mismatch(cable_model(), 0.6, setup);
-  table.rows.push_back({"cable between two bodies", fmt::format("{}", cable.places),
-                        fmt::format("{}", cable.mismatched), fmt::format("{:.1e}", cable.largest)});
+  table.rows.push_back(
+      cells("cable between two bodies | {} | {} | {:.1e}", cable.places, cable.mismatched, cable.largest));
   const auto bound = [](double measured) {
     return Tolerance::truncation(measured, 3.0,
                                  "measured: delta^2/6 times the third derivative at the sharpest corners of the "

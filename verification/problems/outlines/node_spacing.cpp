@@ -150,8 +150,7 @@ void check_curvature(Findings& findings, const Setup& setup) {
       const Vec2 chord = points[before] - points[before - 1];
       if (dot(chord, chord) * exact * exact / 8.0 < 0.01) break;
     }
-    table.rows.push_back({fmt::format("{:g}", n), fmt::format("{:.4f}", exact), fmt::format("{:.4f}", 1.0 / exact),
-                          fmt::format("{}", nodes)});
+    table.rows.push_back(cells("{:g} | {:.4f} | {:.4f} | {}", n, exact, 1.0 / exact, nodes));
   }
   findings.expect(
       "curvature at the corner against its formula, over n: largest relative error, n = 2 to 50", farthest, 0.0,

@@ -88,8 +88,8 @@ void check_slender(Findings& findings, const Setup& setup, double stiffness, Tab
                       500.0 / stiffness,
                       "first order in 1/k, its order checked below; the measured constant falls from 640 at k = 1e4 to "
                       "540 at 8e4 and 410 at 1e6, plus a fifth"));
-  table.rows.push_back({"slender", fmt::format("{:g}", stiffness), fmt::format("{:.6f}", rocked.first / exact),
-                        fmt::format("{:.5f}", ratio), fmt::format("{:.5f}", impact_energy_ratio(slender))});
+  table.rows.push_back(cells("slender | {:g} | {:.6f} | {:.5f} | {:.5f}", stiffness, rocked.first / exact, ratio,
+                             impact_energy_ratio(slender)));
 }
 
 void check_limit(Findings& findings, const Setup& setup) {
@@ -117,9 +117,8 @@ void run(Findings& findings, const Setup& setup) {
   for (const double stiffness : {1e5, 1e6}) {
     const Rocked rocked = rock(wide, tilt, stiffness, setup, findings);
     const double ratio = energy_ratio(wide, tilt, rocked);
-    table.rows.push_back({"wide", fmt::format("{:g}", stiffness),
-                          fmt::format("{:.6f}", rocked.first / fall_time(wide, tilt)), fmt::format("{:.5f}", ratio),
-                          fmt::format("{:.5f}", impact_energy_ratio(wide))});
+    table.rows.push_back(cells("wide | {:g} | {:.6f} | {:.5f} | {:.5f}", stiffness,
+                               rocked.first / fall_time(wide, tilt), ratio, impact_energy_ratio(wide)));
     if (stiffness < 1e6) continue;
     findings.expect_between("energy ratio at a change of corner over Housner's, wide block",
                             ratio / impact_energy_ratio(wide), 1.03, 1.12,

@@ -100,10 +100,8 @@ void check_area(Findings& findings, const Setup& setup) {
         ->expect_order(fmt::format("order of the polygon's polar moment in 1/nodes, n = {:g}", n), found.of_moment, low,
                        2.01, "as for the area");
     draw(figure, found);
-    table.rows.push_back({fmt::format("{:g}", n), fmt::format("{:.6f}", found.area),
-                          fmt::format("{:.5f}", found.moment), fmt::format("{:.4f}", area[0]),
-                          fmt::format("{:.4f}", moment[0]), fmt::format("{:.5f}", area[1]),
-                          fmt::format("{:.5f}", moment[1])});
+    table.rows.push_back(cells("{:g} | {:.6f} | {:.5f} | {:.4f} | {:.4f} | {:.5f} | {:.5f}", n, found.area,
+                               found.moment, area[0], moment[0], area[1], moment[1]));
   }
   findings.expect(
       "area and moment deficits of polygons, extrapolated, over the leading order: largest error, n = 2 ... 50",

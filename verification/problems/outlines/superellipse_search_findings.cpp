@@ -163,9 +163,8 @@ void check_search(Findings& findings, const Setup& setup) {
       left_out_touching += found.left_out_touching;
       left_out_apart += found.left_out_apart;
       apart += found.apart;
-      table.rows.push_back({kinds[i].name, kinds[j].name, fmt::format("{}", found.touching),
-                            fmt::format("{}", found.left_out_touching), fmt::format("{}", found.apart),
-                            fmt::format("{}", found.left_out_apart)});
+      table.rows.push_back(cells("{} | {} | {} | {} | {} | {}", kinds[i].name, kinds[j].name, found.touching,
+                                 found.left_out_touching, found.apart, found.left_out_apart));
     }
   }
   findings.expect("touching pairs omitted by the contact search", left_out_touching, 0.0,

@@ -241,10 +241,9 @@ void check_question(const Question& question, Findings& findings, const Setup& s
       check("evaluations over the minimum by brute force"), run.evaluations / brute, 0.5, 2.4,
       "half the accuracy costs order 1 a factor of 2, the spacing of the rungs 1.12 and that of the brute-force runs "
       "1.07; brute force requires all finer runs up to four times the cost to be accurate, and may cost twice as much");
-  table.rows.push_back({question.name, fmt::format("{:.0e}", question.accuracy),
-                        words(best.method, question.scene.plan.end), fmt::format("{:.1e}", best.error),
-                        fmt::format("{:.1e}", run.error), fmt::format("{:.1e}", beside),
-                        fmt::format("{}", best.evaluations), fmt::format("{:.0f}", brute)});
+  table.rows.push_back(cells("{} | {:.0e} | {} | {:.1e} | {:.1e} | {:.1e} | {} | {:.0f}", question.name,
+                             question.accuracy, words(best.method, question.scene.plan.end), best.error, run.error,
+                             beside, best.evaluations, brute));
 }
 
 void check_gas(Findings& findings, const Setup& setup, Table& table) {
@@ -274,9 +273,8 @@ void check_gas(Findings& findings, const Setup& setup, Table& table) {
   findings.count(early.evaluations);
   findings.expect_true("gas: advice given for the time of its first impacts", early.best.has_value(),
                        "differences are still small: the duration is refused, not the scene");
-  table.rows.push_back({"gas of five discs to 100", "1e-02", "refused", "-",
-                        fmt::format("{:.0e} grows to {:.0e}", advice.growth.fraction, advice.growth.result), "-",
-                        fmt::format("{}", advice.evaluations), "-"});
+  table.rows.push_back(cells("gas of five discs to 100 | 1e-02 | refused | - | {:.0e} grows to {:.0e} | - | {} | -",
+                             advice.growth.fraction, advice.growth.result, advice.evaluations));
 }
 
 std::vector<Question> questions(Findings& findings, const Setup& setup) {

@@ -191,7 +191,7 @@ void check_system(const std::string& name, const std::string& formula, const Sce
                       .relative(),
                   "rad/s");
   check_growth(name, dynamics, scene.initial, mode, exact, 3e-11, findings);
-  table.rows.push_back({name, formula, fmt::format("{:.6g}", exact), fmt::format("{:.6g}", mode.frequency), "", ""});
+  table.rows.push_back(cells("{} | {} | {:.6g} | {:.6g} |  | ", name, formula, exact, mode.frequency));
 }
 
 /// The fence of Table 2 at a given time of its impact, without dashpots, held in equilibrium there by a constant force
@@ -244,9 +244,8 @@ void check_fence_limit(Findings& findings, const Setup& setup, Table& table) {
     const std::string name = fmt::format("fence held at {:g} s", time);
     check_growth(name, dynamics, scene.initial, mode, setup.has("fence_by_rule") ? rule : mode.frequency, 1e-9,
                  findings);
-    table.rows.push_back({name, fmt::format("{} cables taut", taut), "", fmt::format("{:.0f}", mode.frequency),
-                          fmt::format("{:.2f}", mode.frequency / rule),
-                          fmt::format("1/{:.0f}", 2.0 / mode.frequency / made.critical_step)});
+    table.rows.push_back(cells("{} | {} cables taut |  | {:.0f} | {:.2f} | 1/{:.0f}", name, taut, mode.frequency,
+                               mode.frequency / rule, 2.0 / mode.frequency / made.critical_step));
   }
   if (setup.coarse) return;
   findings.expect_between("fence: highest frequency of six held states over that of the 1993 rule", highest / rule, 1.0,

@@ -75,9 +75,8 @@ void check_scenes(Findings& findings, const Setup& setup) {
     balance.take(found.balance, varied.name);
     errors.add(static_cast<double>(errors.x.size()) + 1.0, std::max(std::abs(difference), 1e-12));
     balances.add(errors.x.back(), std::max(found.balance, 1e-12));
-    table.rows.push_back({varied.name, varied.quantity, fmt::format("{:.6g}", found.value),
-                          fmt::format("{:.6g}", truth.value), fmt::format("{:+.1e}", difference),
-                          fmt::format("{:.1e}", found.balance), fmt::format("{}", found.evaluations)});
+    table.rows.push_back(cells("{} | {} | {:.6g} | {:.6g} | {:+.1e} | {:.1e} | {}", varied.name, varied.quantity,
+                               found.value, truth.value, difference, found.balance, found.evaluations));
   }
   if (!setup.coarse) {
     findings.expect("number of scenes", static_cast<double>(table.rows.size()), 30.0,
@@ -147,7 +146,7 @@ class FenceDifferences {
     const double pull = found.summary.largest_segment()->peak / truth.summary.largest_segment()->peak - 1.0;
     position_.take(off, name), energy_.take(left, name), tension_.take(pull, name);
     verdicts_ += found.summary.verdict() == truth.summary.verdict() ? 1 : 0;
-    return {fmt::format("{:.1e}", off), fmt::format("{:+.1e}", left), fmt::format("{:+.1e}", pull)};
+    return cells("{:.1e} | {:+.1e} | {:+.1e}", off, left, pull);
   }
 
   /// `bound`: of position and energy; the largest tension occurs before the paths diverge.
@@ -195,10 +194,10 @@ void check_fences(Findings& findings, const Setup& setup) {
       static_cast<void>(fixed.take(varied.name, found, run_fence(file, findings)));
     }
     const scenes::RockPassage& rock = found.summary.rocks[0];
-    table.rows.push_back({varied.name, std::string{talus::name_of(found.summary.verdict())},
-                          fmt::format("{:.1f} %", 100.0 * rock.end_energy / rock.approach_energy), differences[0],
-                          differences[1], differences[2], fmt::format("{:.1e}", found.balance),
-                          fmt::format("{}", found.evaluations)});
+    table.rows.push_back(cells("{} | {} | {:.1f} % | {} | {} | {} | {:.1e} | {}", varied.name,
+                               std::string{talus::name_of(found.summary.verdict())},
+                               100.0 * rock.end_energy / rock.approach_energy, differences[0], differences[1],
+                               differences[2], found.balance, found.evaluations));
   }
   findings.expect(
       "fences: largest error of the energy balance over the largest energy", balance.error, 0.0,

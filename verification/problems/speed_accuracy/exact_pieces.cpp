@@ -142,8 +142,7 @@ void check_impacts(Findings& findings, const Setup& setup, Table& table) {
                                        "relative to the overlap v/w = 0.01, which damping reduces by e^-1"));
   findings.expect("impacts: work of the dashpots, largest error over twice the energy", worst_lost, 0.0,
                   Tolerance::round_off(2.0 * rounding, "the energy is quadratic in the speed"));
-  table.rows.push_back({fmt::format("{} impacts", runs), fmt::format("{}", pieces), fmt::format("{}", evaluations),
-                        fmt::format("{:.1e}", worst), fmt::format("{}", stormer)});
+  table.rows.push_back(cells("{} impacts | {} | {} | {:.1e} | {}", runs, pieces, evaluations, worst, stormer));
 }
 
 void check_latching(Findings& findings, const Setup& setup, Table& table) {
@@ -171,8 +170,7 @@ void check_latching(Findings& findings, const Setup& setup, Table& table) {
                   Tolerance::round_off(12.0 * epsilon, words));
   findings.expect("latching springs: position a time of 1 after the end, largest error", worst_time, 0.0,
                   Tolerance::round_off(12.0 * epsilon, words));
-  table.rows.push_back({fmt::format("{} latching springs", runs), "-", fmt::format("{}", evaluations),
-                        fmt::format("{:.1e}", worst), fmt::format("{}", stormer)});
+  table.rows.push_back(cells("{} latching springs | - | {} | {:.1e} | {}", runs, evaluations, worst, stormer));
 }
 
 Scene row_scene(const reference::StruckRow& row) {
@@ -211,8 +209,7 @@ void check_rows(Findings& findings, const Setup& setup, Table& table) {
       Tolerance::round_off(24.0 * epsilon,
                            "positions 8 from the origin are rounded by half of 8 epsilon, for two discs in each of "
                            "three changes of contact"));
-  table.rows.push_back({"4 rows of three discs", fmt::format("{:.0f}", pieces), fmt::format("{}", evaluations),
-                        fmt::format("{:.1e}", worst), fmt::format("{}", stormer)});
+  table.rows.push_back(cells("4 rows of three discs | {:.0f} | {} | {:.1e} | {}", pieces, evaluations, worst, stormer));
 }
 
 /// A touching pair, and the deviation of its overlap from a linear function of its coordinates: the largest second

@@ -119,9 +119,9 @@ void check_contact_ladder(Findings& findings, const Setup& setup) {
                   "lb");
   Series speeds{.label = "speed, nodes"}, pushes{.label = "peak force, nodes"};
   Convergence speed_errors, push_errors;
-  table.rows.push_back({"one resultant", fmt::format("{:.0f}", single.evaluations), "1",
-                        fmt::format("{:.2} %", 100.0 * std::abs(single.exit / exact.exit - 1.0)), "",
-                        fmt::format("{:.3} %", 100.0 * std::abs(single.push / exact.push - 1.0)), ""});
+  table.rows.push_back(cells("one resultant | {:.0f} | 1 | {:.2} % |  | {:.3} % | ", single.evaluations,
+                             100.0 * std::abs(single.exit / exact.exit - 1.0),
+                             100.0 * std::abs(single.push / exact.push - 1.0)));
   double coarsest = 0.0;
   for (const int count : {12, 24, 48, 96, 192}) {
     if (setup.coarse && count == 12) continue;

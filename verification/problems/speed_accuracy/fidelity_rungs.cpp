@@ -113,10 +113,9 @@ Table rung_table(const std::vector<Level>& levels, const std::vector<Rung>& rung
   if (!times.empty()) table.rows.back().push_back("0");
   for (std::size_t l = 0; l < rungs.size(); ++l) {
     const Passage& at = rungs[l].at[0];
-    table.rows.push_back({levels[l].name, fmt::format("{}", rungs[l].usual.coordinates),
-                          fmt::format("{}", rungs[l].usual.evaluations), number(at.first, 4), number(at.push, 0),
-                          number(at.pull, 0), number(at.exit, 4), number(rungs[l].at[1].exit, 3),
-                          number(rungs[l].at[2].exit, 3)});
+    table.rows.push_back(cells("{} | {} | {} | {} | {} | {} | {} | {} | {}", levels[l].name, rungs[l].usual.coordinates,
+                               rungs[l].usual.evaluations, number(at.first, 4), number(at.push, 0), number(at.pull, 0),
+                               number(at.exit, 4), number(rungs[l].at[1].exit, 3), number(rungs[l].at[2].exit, 3)));
     if (!times.empty()) table.rows.back().push_back(fmt::format("{:.0f}", 1e6 * times[l]));
   }
   return table;

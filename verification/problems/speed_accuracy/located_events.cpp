@@ -72,8 +72,8 @@ void check_motion(const ExactMotion& motion, const Bound& bound, double known, F
       std::pow(10.0, 1.0 / 18.0), std::pow(10.0, 1.0 / 10.0),
       "over the last two digits; as a power of the step, 13 is expected at the highest order. 10 and 18 allow 5 % in "
       "either direction: orders and lengths are chosen step by step, and the motion differs from scene to scene");
-  table.rows.push_back({motion.name, whole(evaluations_to_reach(points, 1e-4)), whole(reached[0]), whole(reached[1]),
-                        fmt::format("{:.3f}", digit), fmt::format("{}", points.back().events)});
+  table.rows.push_back(cells("{} | {} | {} | {} | {:.3f} | {}", motion.name, whole(evaluations_to_reach(points, 1e-4)),
+                             whole(reached[0]), whole(reached[1]), digit, points.back().events));
 }
 
 constexpr double early = 0.05, late = 0.2;  ///< ends of the fence's runs [s]
@@ -93,10 +93,8 @@ FenceErrors fence_errors(const FenceHit& hit, double end, const FenceExit& best,
     const FenceExit found = run_fence(hit, make_integrator(name, tolerance), {end, spans}, findings);
     errors.tensions.push_back({std::abs(found.tension / best.tension - 1.0), found.evaluations, found.events});
     errors.speeds.push_back({std::abs(found.speed / best.speed - 1.0), found.evaluations, found.events});
-    table.rows.push_back({fmt::format("{:g}", end), fmt::format("{:.0e}", tolerance),
-                          fmt::format("{}", found.evaluations), fmt::format("{}", found.events),
-                          fmt::format("{:.0e}", errors.tensions.back().error),
-                          fmt::format("{:.0e}", errors.speeds.back().error)});
+    table.rows.push_back(cells("{:g} | {:.0e} | {} | {} | {:.0e} | {:.0e}", end, tolerance, found.evaluations,
+                               found.events, errors.tensions.back().error, errors.speeds.back().error));
   }
   return errors;
 }

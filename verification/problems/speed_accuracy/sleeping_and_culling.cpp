@@ -131,8 +131,8 @@ void check_pairs(Findings& findings, const Setup& setup, Table& table, const cha
   findings.expect(fmt::format("{}, located events: state against the run with every guard, largest difference", name),
                   change(ahead, every), 0.0,
                   Tolerance::exact("bodies that at their speed do not meet within five steps end no mode within one"));
-  table.rows.push_back({fmt::format("pairs within reach, {}", name),
-                        fmt::format("{}", dynamics.contacts().candidates()), fmt::format("{:.2f}", near), "none"});
+  table.rows.push_back(
+      cells("pairs within reach, {} | {} | {:.2f} | none", name, dynamics.contacts().candidates(), near));
 }
 
 /// Discs thrown together, with a contact for each pair.
@@ -213,8 +213,8 @@ void check_rows(Findings& findings, const Setup& setup, Table& table) {
                   Tolerance::exact("the force on a body is the same sum, whether the paths are computed or not"));
   findings.expect("tensions of rows of cables against those of the individual laws, largest difference over a run",
                   largest, 0.0, Tolerance::exact("the same operations on the same numbers, several at a time"), "lb");
-  table.rows.push_back({"cables evaluated by their laws, fence that yields",
-                        fmt::format("{}", scene.model.cables.size()), fmt::format("{:.2f}", by_law), "none"});
+  table.rows.push_back(cells("cables evaluated by their laws, fence that yields | {} | {:.2f} | none",
+                             scene.model.cables.size(), by_law));
 }
 
 constexpr long steps = 25000;
@@ -286,8 +286,8 @@ void check_sleep(Findings& findings, const Setup& setup, Table& table) {
                                    "6.6e-9 lb during the whole 0.05 s on 14.9 slug: a column at the border that sleeps "
                                    "although it would have moved if awake"));
   table.rows.push_back({"sleep exact, 101 columns", "51", fmt::format("{:.1f}", exact.awake), "none"});
-  table.rows.push_back({"sleep by default, 101 columns", "51", fmt::format("{:.1f}", on.awake),
-                        fmt::format("{:.1e} of the speed", std::abs(on.state.v[0] / off.state.v[0] - 1.0))});
+  table.rows.push_back(cells("sleep by default, 101 columns | 51 | {:.1f} | {:.1e} of the speed", on.awake,
+                             std::abs(on.state.v[0] / off.state.v[0] - 1.0)));
 }
 
 void check_length(Findings& findings, const Setup& setup, Table& table) {
@@ -315,8 +315,8 @@ void check_length(Findings& findings, const Setup& setup, Table& table) {
     }
     const char* what = tight ? "equal tightness" : "fixed sag fraction";
     for (const auto& [columns, found] : {std::pair{51, &tenth}, std::pair{501, &whole}}) {
-      table.rows.push_back({fmt::format("sleep by default, {} columns, {}", 2 * columns - 1, what),
-                            fmt::format("{}", columns), fmt::format("{:.1f}", found->awake), ""});
+      table.rows.push_back(
+          cells("sleep by default, {} columns, {} | {} | {:.1f} | ", 2 * columns - 1, what, columns, found->awake));
       figure.series.push_back(found->columns);
       figure.series.back().label = fmt::format("{} columns, {}", 2 * columns - 1, what);
     }

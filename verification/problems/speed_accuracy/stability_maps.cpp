@@ -194,8 +194,8 @@ void check_common_limit(Findings& findings, const Setup& setup) {
           Tolerance::round_off(1e-9,
                                "twenty-four halvings of an interval of 2e-3 of the limit, and a rounding of 6e-14 over "
                                "a slope of ln growth near 0.1"));
-      table.rows.push_back({fmt::format("`{}`, $\\xi$ = {:g}", method.name, xi), "2", fmt::format("{:.4f}", exact),
-                            fmt::format("{:+.0f} %", 100.0 * (2.0 / exact - 1.0)), fmt::format("{:.4f}", found)});
+      table.rows.push_back(cells("`{}`, $\\xi$ = {:g} | 2 | {:.4f} | {:+.0f} % | {:.4f}", method.name, xi, exact,
+                                 100.0 * (2.0 / exact - 1.0), found));
     }
   }
   findings.table(table);
