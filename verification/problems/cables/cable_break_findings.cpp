@@ -43,9 +43,9 @@ void check_both_sides(Findings& findings, const Setup& setup) {
                                "number of broken cables, rupture stretch 1.001 times the largest plastic stretch",
                                "number of broken cables, rupture stretch 0.999 times the largest plastic stretch"};
   for (std::size_t l = 0; l < 4; ++l)
-    findings.expect(names[l], broken[l], l % 2 == 0 ? 0.0 : static_cast<double>(phases(setup)),
-                    Tolerance::exact("the error of velocity Verlet's peak, (w h)^2/8 = 8e-6, is about 1 % of the "
-                                     "margin of 0.001: the cable breaks in all of the 64 phases or in none"));
+    findings.expect_exact(names[l], broken[l], l % 2 == 0 ? 0.0 : static_cast<double>(phases(setup)),
+                          "the error of velocity Verlet's peak, (w h)^2/8 = 8e-6, is about 1 % of the margin of 0.001: "
+                          "the cable breaks in all of the 64 phases or in none");
 }
 
 /// Energy released by a break, and the energy balance error.
@@ -76,17 +76,15 @@ void check_release(Findings& findings, const Setup& setup) {
   findings.expect_order("order of the energy released by a cable break", released, 0.95, 1.05,
                         "the cable breaks at the first step at which its tension exceeds its strength, late by a "
                         "uniformly distributed fraction of a step");
-  findings.expect("energy released by a cable break, rms error over its prediction", ratio, 1.0,
-                  Tolerance::model(0.03,
-                                   "T v u h with u uniformly distributed in (0, 1): rms T v h/sqrt(3); the next order "
-                                   "in h is 2 % of it"));
-  findings.expect_order("order of the energy balance error, cable break", balance_error, 0.95, 1.05,
-                        "the force ends with the half kick before the break is detected, but the energy is recorded at "
-                        "the detection");
-  findings.expect("energy balance error over its prediction, cable break", open_ratio, 1.0,
-                  Tolerance::model(0.03,
-                                   "the half kick before the detection is omitted although the cable still counts as "
-                                   "intact: T v h/2 for every phase; the next order in h is 2 % of it"));
+  findings.expect_model(
+      "energy released by a cable break, rms error over its prediction", ratio, 1.0, 0.03,
+      "T v u h with u uniformly distributed in (0, 1): rms T v h/sqrt(3); the next order in h is 2 % of it");
+  findings.expect_order(
+      "order of the energy balance error, cable break", balance_error, 0.95, 1.05,
+      "the force ends with the half kick before the break is detected, but the energy is recorded at the detection");
+  findings.expect_model("energy balance error over its prediction, cable break", open_ratio, 1.0, 0.03,
+                        "the half kick before the detection is omitted although the cable still counts as intact: T v "
+                        "h/2 for every phase; the next order in h is 2 % of it");
 }
 
 /// Cables that yield until they break, at a rupture stretch or when they have hardened to their strength, by the
@@ -123,20 +121,15 @@ void check_located_breaks(Findings& findings, const Setup& setup) {
           "27 to 44 steps with local errors below 1e-10 of the distance travelled and the speed, a third of that on "
           "average: as a random walk, sqrt(44)/3 = 2.2 times; the event itself is located to round-off";
       const std::string by = fmt::format(", {}, {}", what, name);
-      findings.in("located_breaks")
-          ->expect("speed after a located break" + by, run.end.v[0],
-                   reference::speed_kept(cable, mass, thrown, stretch),
-                   Tolerance::truncation(tolerance * thrown, 3.0, words), "m/s");
-      findings.in("located_breaks")
-          ->expect("plastic stretch at a located break" + by, run.end.z[0], stretch,
-                   Tolerance::round_off(4e-15,
-                                        "the event is defined by the plastic stretch itself: a difference of lengths "
-                                        "of up to 10 m"),
-                   "m");
+      findings.expect_truncation({"located_breaks", "speed after a located break" + by}, run.end.v[0],
+                                 reference::speed_kept(cable, mass, thrown, stretch), tolerance * thrown, 3.0, words,
+                                 "m/s");
+      findings.expect_round_off(
+          {"located_breaks", "plastic stretch at a located break" + by}, run.end.z[0], stretch, 4e-15,
+          "the event is defined by the plastic stretch itself: a difference of lengths of up to 10 m", "m");
       if (!law.table.empty()) continue;  // the power of yielding jumps at its corners, which are not events
-      findings.in("located_breaks")
-          ->expect("energy balance error after a located break" + by, run.balance_error, 0.0,
-                   Tolerance::truncation(tolerance * mass * thrown * thrown, 3.0, words), "J");
+      findings.expect_truncation({"located_breaks", "energy balance error after a located break" + by},
+                                 run.balance_error, 0.0, tolerance * mass * thrown * thrown, 3.0, words, "J");
     }
   }
 }
@@ -226,9 +219,9 @@ void check_hanger_orders(Findings& findings, const Setup& setup) {
   findings.expect("energy balance error over its prediction, hanger break", ratios[3], 1.0, near);
   findings.expect_order("order of the speed of the mass released by the hanger", speed_b, 0.98, 1.02,
                         "the hanger breaks at the first step at which its load exceeds its strength");
-  findings.expect_order("order of the energy balance error, hanger break", balance_error, 0.98, 1.02,
-                        "the forces change with the half kick before the break is detected, but the energy is recorded "
-                        "at the detection");
+  findings.expect_order(
+      "order of the energy balance error, hanger break", balance_error, 0.98, 1.02,
+      "the forces change with the half kick before the break is detected, but the energy is recorded at the detection");
 }
 
 /// Compares the two cables past the broken hanger with a scene that has a single cable.
@@ -255,22 +248,15 @@ void check_merged(Findings& findings, const Setup& setup) {
     apart = std::max(apart, std::abs(a.tension[i] - b.tension[i]));
     tensions = std::max(tensions, std::abs(a.tension[i] - a.second_tension[i]));
   }
-  findings.expect(
+  findings.expect_round_off(
       "position of the mass, difference between two cables past the broken hanger and one cable",
-      std::abs(a.end.q[1] - b.end.q[1]), 0.0,
-      Tolerance::round_off(1e-13,
-                           "round-off of the tensions, 1e-14, over 1 s^2 and a few hundred steps, accumulated as a "
-                           "random walk"),
-      "m");
-  findings.expect("tension, difference between two cables past the broken hanger and one cable", apart, 0.0,
-                  Tolerance::round_off(3e-14, "as for the difference between the two cables, once more for each cable"),
-                  "N");
-  findings.expect(
-      "tension, difference between the two cables past the broken hanger", tensions, 0.0,
-      Tolerance::round_off(3e-14,
-                           "k (l - l0) with lengths near 8 m: four roundings of half an ulp of 8, times the "
-                           "stiffness 5"),
-      "N");
+      std::abs(a.end.q[1] - b.end.q[1]), 0.0, 1e-13,
+      "round-off of the tensions, 1e-14, over 1 s^2 and a few hundred steps, accumulated as a random walk", "m");
+  findings.expect_round_off("tension, difference between two cables past the broken hanger and one cable", apart, 0.0,
+                            3e-14, "as for the difference between the two cables, once more for each cable", "N");
+  findings.expect_round_off(
+      "tension, difference between the two cables past the broken hanger", tensions, 0.0, 3e-14,
+      "k (l - l0) with lengths near 8 m: four roundings of half an ulp of 8, times the stiffness 5", "N");
 }
 
 /// Two cables with different plastic stretch also have one tension, given by the sum of their lengths.
@@ -287,18 +273,17 @@ void check_merged_plastic(Findings& findings) {
   const double elongation = run.end.q[1] - 2.0 * cable_length - drawn[0] - drawn[1];
   double apart = std::abs(run.tension.back() - run.second_tension.back());
   keep_worst(apart, run.tension.back() - exact.merged_stiffness * elongation);
-  findings.expect(
+  findings.expect_round_off(
       "tensions of two plastically stretched cables past the broken hanger, difference from one cable",
-      run.hanger_broken ? apart : std::nan(""), 0.0,
-      Tolerance::round_off(1e-13, "k (l - l0 - p) with lengths near 16 m: a few roundings, times the stiffness 5"),
-      "N");
+      run.hanger_broken ? apart : std::nan(""), 0.0, 1e-13,
+      "k (l - l0 - p) with lengths near 16 m: a few roundings, times the stiffness 5", "N");
   // The first cable ends at the point between the cables: at its plastic length plus the elastic elongation.
   const Dynamics dynamics{scene.model};
   const Snapshot seen{dynamics, run.end};
   const double place = seen.geometry().joints.p_WP(dynamics.cables().ends()[0].b).x;
-  findings.expect("end point of the first of two plastically stretched cables past the broken hanger", place,
-                  cable_length + drawn[0] + exact.merged_stiffness * elongation / pair.stiffness_1,
-                  Tolerance::round_off(1e-14, "a few roundings of lengths near 8 m"), "m");
+  findings.expect_round_off("end point of the first of two plastically stretched cables past the broken hanger", place,
+                            cable_length + drawn[0] + exact.merged_stiffness * elongation / pair.stiffness_1, 1e-14,
+                            "a few roundings of lengths near 8 m", "m");
 }
 
 constexpr const char* control_words =
@@ -312,10 +297,11 @@ void check_hanger_exactly(Findings& findings, const Setup& setup) {
   const reference::HangerBreak exact = reference::break_hanger(pair, 0.7 * reference::first_load_peak(pair).load);
   const CableRunResult run = run_pair(strength, exact.slack_time / 40.0, 0.5, 1.1 * exact.slack_time,
                                       make_integrator("odeint_dopri5", 1e-11), findings);
-  findings.expect("energy lost in the hanger break with step control", recorded_work(run.end, Mechanism::hanger_break),
-                  exact.lost, Tolerance::truncation(2e-8, 1.0, control_words), "J");
-  findings.expect("exit speed of the mass on the merged cable with step control", -run.end.v[1], exact.exit_speed_c,
-                  Tolerance::truncation(2e-9, 1.0, control_words), "m/s");
+  findings.expect_truncation("energy lost in the hanger break with step control",
+                             recorded_work(run.end, Mechanism::hanger_break), exact.lost, 2e-8, 1.0, control_words,
+                             "J");
+  findings.expect_truncation("exit speed of the mass on the merged cable with step control", -run.end.v[1],
+                             exact.exit_speed_c, 2e-9, 1.0, control_words, "m/s");
   // A method that locates the break finds it also if a hanger that holds comes first in the list.
   Scene scene = hung_pair(pair, strength);
   scene.model.hangers.insert(scene.model.hangers.begin(), Hanger{"holds", *find_body(scene.model, "c"), {}, 1e9});

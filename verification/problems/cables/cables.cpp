@@ -72,26 +72,24 @@ void check_bungee(Findings& findings, const Setup& setup) {
     const char* const words =
         "the order of the method; the cable becomes taut and slack within a step, which causes errors of second order";
     if (!setup.coarse) {
-      findings.in("order_of_depth")
-          ->expect_order("order of the largest elongation in a fall" + by, depth, 1.9, 2.1, words);
-      findings.in("order_of_period")->expect_order("order of the period of a fall" + by, time, 1.9, 2.1, words);
+      findings.expect_order({"order_of_depth", "order of the largest elongation in a fall" + by}, depth, 1.9, 2.1,
+                            words);
+      findings.expect_order({"order_of_period", "order of the period of a fall" + by}, time, 1.9, 2.1, words);
     }
     const double wh = std::sqrt(fall.stiffness / fall.mass) * period / counts.back();
     const char* const measured = "measured constant times (w h)^2, plus 20 % for other phases";
-    findings.in("depth")->expect("largest elongation in a fall, rms relative error at the smallest step" + by,
-                                 depth.errors().back(), 0.0,
-                                 Tolerance::truncation(method.depth * wh * wh, 1.2, measured));
-    findings.in("period")->expect("period of a fall, rms relative error at the smallest step" + by,
-                                  time.errors().back(), 0.0,
-                                  Tolerance::truncation(method.period * wh * wh, 1.2, measured));
+    findings.expect_truncation({"depth", "largest elongation in a fall, rms relative error at the smallest step" + by},
+                               depth.errors().back(), 0.0, method.depth * wh * wh, 1.2, measured);
+    findings.expect_truncation({"period", "period of a fall, rms relative error at the smallest step" + by},
+                               time.errors().back(), 0.0, method.period * wh * wh, 1.2, measured);
     if (setup.coarse) return;
   }
   const double step = offset_step(period, 256.0, 0);
   const Fall a = run_fall(TensionOnly{fall.stiffness}, gravity, step, VelocityVerlet{}, findings);
   const Fall b = run_fall(ElasticPlastic{.stiffness = fall.stiffness}, gravity, step, VelocityVerlet{}, findings);
-  findings.expect(
+  findings.expect_exact(
       "elastic_plastic cable that never yields, difference from a tension_only cable at the end of the fall",
-      a.end.q[0] - b.end.q[0], 0.0, Tolerance::exact("both laws use the same operations: k times the elongation"), "m");
+      a.end.q[0] - b.end.q[0], 0.0, "both laws use the same operations: k times the elongation", "m");
 }
 
 void check_damped_throw(Findings& findings, const Setup& setup) {
@@ -114,22 +112,21 @@ void check_damped_throw(Findings& findings, const Setup& setup) {
     damped.add(recorded_work(run.end, Mechanism::cable_damping) / eaten - 1.0);
   }
   const ImpactError predicted = leapfrog_impact_error(xi, reference::EndRule::clamped);
-  findings.expect("exit speed on a cable with a dashpot, rms error over its prediction",
-                  exit.rms() / (predicted.restitution * wh), 1.0,
-                  Tolerance::model(0.04,
-                                   "the half-step lag of the dashpot and the jump of its force when the cable becomes "
-                                   "taut, as in `restitution`; the next order in h is 4 % of it"));
+  findings.expect_model("exit speed on a cable with a dashpot, rms error over its prediction",
+                        exit.rms() / (predicted.restitution * wh), 1.0, 0.04,
+                        "the half-step lag of the dashpot and the jump of its force when the cable becomes taut, as in "
+                        "`restitution`; the next order in h is 4 % of it");
   findings.expect("energy released by a cable with a dashpot, rms relative error", let_go.rms(),
                   wh / (xi * std::sqrt(3.0)),
                   Tolerance::model(0.04,
                                    "the release is late by a uniformly distributed fraction of a step, while the "
                                    "elongation decreases at e v: w h/(xi sqrt(3)); the next order in h is 4 % of it")
                       .relative());
-  findings.expect("energy dissipated by the dashpot of a cable, rms relative error", damped.rms(), 0.0,
-                  Tolerance::truncation(wh * 2.0 * xi / std::sqrt(12.0) / eaten, 1.1,
-                                        "its power jumps to c v^2 when the cable becomes taut, at a time that is off "
-                                        "by up to +-h/2, uniformly distributed; the half-step lag of its velocity "
-                                        "compensates part of this"));
+  findings.expect_truncation(
+      "energy dissipated by the dashpot of a cable, rms relative error", damped.rms(), 0.0,
+      wh * 2.0 * xi / std::sqrt(12.0) / eaten, 1.1,
+      "its power jumps to c v^2 when the cable becomes taut, at a time that is off by up to +-h/2, uniformly "
+      "distributed; the half-step lag of its velocity compensates part of this");
 }
 
 namespace {

@@ -80,17 +80,15 @@ void check_speeds(Findings& findings, const Setup& setup) {
     const Catches found = catches(gravity, production_steps, setup, findings);
     const double predicted = predicted_error(gravity, found.step);
     least = std::min(least, found.least_tension);
-    findings.in("restitution")
-        ->expect(fmt::format("return speed ratio e, rms error over its prediction, G = {:g}", gravity),
-                 found.error.rms() / predicted, 1.0,
-                 Tolerance::model(0.01,
-                                  "the next order in h: w h = 0.055, of which less than a tenth remains in the root "
-                                  "mean square over 64 phases"));
+    findings.expect_model(
+        {"restitution", fmt::format("return speed ratio e, rms error over its prediction, G = {:g}", gravity)},
+        found.error.rms() / predicted, 1.0, 0.01,
+        "the next order in h: w h = 0.055, of which less than a tenth remains in the root mean square over 64 phases");
     table.rows.push_back(cells("{:g} | {:.6f} | {:.6f} | {:.2e} | {:.2e}", gravity, exact_restitution(gravity),
                                without - 2.0 * damping_ratio * (1.0 + without) * gravity, found.error.rms(),
                                predicted));
   }
-  findings.expect("minimum tension of all runs", least, 0.0, Tolerance::exact("zero after the cable has gone slack"));
+  findings.expect_exact("minimum tension of all runs", least, 0.0, "zero after the cable has gone slack");
   findings.table(table);
 }
 
@@ -100,9 +98,9 @@ void check_order(Findings& findings, const Setup& setup) {
     const Catches all = catches(gravity, n, setup, findings);
     return std::array{1.0 / n, all.error.rms(), predicted_error(gravity, all.step)};
   });
-  findings.expect_order("order of the return speed ratio e", errors.found(), 0.97, 1.02,
-                        "the jump of the force and the lag of the dashpot are of first order; the next order in h "
-                        "tilts the fitted line");
+  findings.expect_order(
+      "order of the return speed ratio e", errors.found(), 0.97, 1.02,
+      "the jump of the force and the lag of the dashpot are of first order; the next order in h tilts the fitted line");
   findings.figure({.name = "error",
                    .title = "Error of the return speed",
                    .caption = "G = 0.1, root mean square over 64 phases. Line: predicted from the lag of the dashpot "

@@ -82,10 +82,9 @@ void check_balance(Findings& findings, const Setup& setup) {
       keep_worst(largest, ratio);
     }
   }
-  findings.expect("largest acceleration at the exact equilibrium positions, as a displacement", largest, 0.0,
-                  Tolerance::round_off(2e-16,
-                                       "positions and lengths below 1, rounded by at most 5.5e-17; two links at each "
-                                       "weight"));
+  findings.expect_round_off("largest acceleration at the exact equilibrium positions, as a displacement", largest, 0.0,
+                            2e-16,
+                            "positions and lengths below 1, rounded by at most 5.5e-17; two links at each weight");
 }
 
 void check_limit(Findings& findings, const Setup& setup) {
@@ -101,16 +100,13 @@ void check_limit(Findings& findings, const Setup& setup) {
     const double error = distance(state, reference::hung_chain(chain, 1.0 / stiffness)) / away;
     keep_worst(farthest, error);
   }
-  findings.expect(
-      "relaxed chain, distance from the exact elastic shape over that from the catenary", farthest, 0.0,
-      Tolerance::model(1e-10,
-                       "remainder of the relaxation after 100 peaks of the kinetic energy: each peak removes a fixed "
-                       "fraction; 2.4e-11 was measured"));
-  findings.expect("distance from the catenary at the largest stiffness over the first-order term", errors.last_ratio(),
-                  1.0,
-                  Tolerance::model(1e-3,
-                                   "the second-order term, 3.3 n W/(k L) of the first-order term according to the "
-                                   "exact elastic shapes"));
+  findings.expect_model("relaxed chain, distance from the exact elastic shape over that from the catenary", farthest,
+                        0.0, 1e-10,
+                        "remainder of the relaxation after 100 peaks of the kinetic energy: each peak removes a fixed "
+                        "fraction; 2.4e-11 was measured");
+  findings.expect_model(
+      "distance from the catenary at the largest stiffness over the first-order term", errors.last_ratio(), 1.0, 1e-3,
+      "the second-order term, 3.3 n W/(k L) of the first-order term according to the exact elastic shapes");
   if (setup.coarse) return;
   findings.expect_order("order of the distance from the catenary in 1/k", errors.found(), 0.98, 1.0,
                         "the second-order term reduces the first by 4.5 % at k = 64 and 0.1 % at k = 4096, which tilts "

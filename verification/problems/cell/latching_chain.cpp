@@ -63,12 +63,11 @@ ChainErrors errors(std::size_t count, double steps, const reference::ChainReboun
 
 void check_rows(Findings& findings, const Setup& setup) {
   double momentum = 0.0;
-  Table table{
-      .name = "final_velocities",
-      .caption =
-          "Final velocities of the discs in units of the initial speed, reference. At 60 steps in a contact the "
-          "solver's error must not exceed 2e-4.",
-      .columns = {"n", "1", "2", "3", "4", "5", "6", "largest error over 64 phases", "last force at t/T"}};
+  Table table{.name = "final_velocities",
+              .caption =
+                  "Final velocities of the discs in units of the initial speed, reference. At 60 steps in a contact "
+                  "the solver's error must not exceed 2e-4.",
+              .columns = {"n", "1", "2", "3", "4", "5", "6", "largest error over 64 phases", "last force at t/T"}};
   Table common = common_formula(
       "rows",
       "Final velocity of the last of n touching discs, e = 0.7: successive binary impacts give ((1 + e)/2)^(n - 1).");
@@ -77,14 +76,12 @@ void check_rows(Findings& findings, const Setup& setup) {
     const auto exact = reference::chain_rebound(reference::struck_chain(count, ratio, 1.0, 0.5, 1.0));
     const ChainErrors found = errors(count, 60.0, exact, findings, setup);
     momentum = std::max(momentum, found.momentum);
-    findings.in("final_velocities")
-        ->expect(
-            fmt::format("final velocities of {} discs at 60 steps in a contact, largest error of 64 phases", count),
-            found.of_velocity.max(), 0.0,
-            Tolerance::truncation(
-                16.0 * 1.03e-5, 2e-4 / (16.0 * 1.03e-5),
-                "2e-4 is required; steps a quarter as long had errors of 9.6e-6 to 1.08e-5, 16 times which, by second "
-                "order, is 1.5e-4 to 1.7e-4"));
+    findings.expect_truncation(
+        {"final_velocities",
+         fmt::format("final velocities of {} discs at 60 steps in a contact, largest error of 64 phases", count)},
+        found.of_velocity.max(), 0.0, 16.0 * 1.03e-5, 2e-4 / (16.0 * 1.03e-5),
+        "2e-4 is required; steps a quarter as long had errors of 9.6e-6 to 1.08e-5, 16 times which, by second order, "
+        "is 1.5e-4 to 1.7e-4");
     std::vector<std::string> cells{fmt::format("{}", count)};
     for (std::size_t i = 0; i < 6; ++i)
       cells.push_back(i < count ? fmt::format("{:.5f}", exact.velocity[i]) : "");
@@ -96,11 +93,9 @@ void check_rows(Findings& findings, const Setup& setup) {
         {fmt::format("n = {}", count), fmt::format("{:.4f}", handed), fmt::format("{:.5f}", exact.velocity.back()),
          fmt::format("{:+.1f} %", 100.0 * (handed / exact.velocity.back() - 1.0)), fmt::format("{:.5f}", found.last)});
   }
-  findings.expect("final momentum of the rows, largest error", momentum, 0.0,
-                  Tolerance::round_off(6e-15,
-                                       "200 kicks by five contacts each round two velocities below 1 by 3.2e-17 rms: "
-                                       "sqrt(2000) x 3.2e-17 = 1.4e-15, "
-                                       "four times that for the worst of all rows"));
+  findings.expect_round_off("final momentum of the rows, largest error", momentum, 0.0, 6e-15,
+                            "200 kicks by five contacts each round two velocities below 1 by 3.2e-17 rms: sqrt(2000) x "
+                            "3.2e-17 = 1.4e-15, four times that for the worst of all rows");
   findings.table(table);
   if (!setup.coarse) findings.table(common);
 }
@@ -114,11 +109,10 @@ void check_order(Findings& findings, const Setup& setup) {
     for (const double n : doublings(15.0, 5))
       found.add(1.0 / n, errors(count, n, exact, findings, setup).of_velocity.rms());
     if (count == 4) {
-      findings.expect_order(
-          "order of the final velocities of 4 discs", found, 1.85, 2.15,
-          "forces are continuous, but their slopes jump where the branch changes, an error of order h^2; the 64 "
-          "phases of first contact, which determine those of turning point and end, scatter the fitted order by "
-          "less than 0.1");
+      findings.expect_order("order of the final velocities of 4 discs", found, 1.85, 2.15,
+                            "forces are continuous, but their slopes jump where the branch changes, an error of order "
+                            "h^2; the 64 phases of first contact, which determine those of turning point and end, "
+                            "scatter the fitted order by less than 0.1");
     }
     all.push_back({fmt::format("{} discs", count), found.steps(), found.errors(), Style::linespoints});
   }

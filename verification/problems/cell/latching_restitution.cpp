@@ -152,23 +152,21 @@ void check_means(const Measured& measured, Findings& findings) {
       keep_worst(worst, over);
     }
   }
-  findings.expect(
+  findings.expect_model(
       "mean restitution by four methods, 5 to 120 steps in a contact: largest relative error over (w2 h)^4", worst, 0.0,
-      Tolerance::model(
-          0.02,
-          "the prediction neglects the fourth order: half the variance of ln e over the phases, at most (z2^2/8)^2/2 = "
-          "0.008 z2^4, and as much from the kinks of the force; z2 = 0.76 at five steps"));
+      0.02,
+      "the prediction neglects the fourth order: half the variance of ln e over the phases, at most (z2^2/8)^2/2 = "
+      "0.008 z2^4, and as much from the kinks of the force; z2 = 0.76 at five steps");
   const auto gains = [&](std::size_t scheme, double coarse, double fine) {
     const PhasesOfLatch &fails = measured[scheme].at(coarse), &works = measured[scheme].at(fine);
-    findings.in("gains_of_speed")
-        ->expect_true(
-            fmt::format("{}: restitution above 1 at {} steps in a contact, below 1 at {}", latch_schemes[scheme].label,
-                        coarse, fine),
-            fails.least > 1.0 && works.most < 1.0,
-            fmt::format(
-                "at every phase; measured e >= {:.3f} and e <= {:.3f}; the full growth formula gives {:.3f} and {:.3f}",
-                fails.least, works.most, reference::mean_restitution(latch_of(latch_schemes[scheme], coarse)),
-                reference::mean_restitution(latch_of(latch_schemes[scheme], fine))));
+    findings.expect_true(
+        {"gains_of_speed", fmt::format("{}: restitution above 1 at {} steps in a contact, below 1 at {}",
+                                       latch_schemes[scheme].label, coarse, fine)},
+        fails.least > 1.0 && works.most < 1.0,
+        fmt::format(
+            "at every phase; measured e >= {:.3f} and e <= {:.3f}; the full growth formula gives {:.3f} and {:.3f}",
+            fails.least, works.most, reference::mean_restitution(latch_of(latch_schemes[scheme], coarse)),
+            reference::mean_restitution(latch_of(latch_schemes[scheme], fine))));
   };
   gains(0, 10.0, 20.0);
   gains(1, 5.0, 10.0);
@@ -179,14 +177,13 @@ void check_limit(Findings& findings, const Setup& setup) {
   const char* method = setup.has("euler_for_verlet") ? "euler" : "velocity_verlet";
   const auto of = [&](double steps) { return phases_of(latch_of(latch_schemes[3], steps), method, findings, setup); };
   const PhasesOfLatch beyond = of(1.8), before = of(2.9);
-  findings.expect_true(
-      "Verlet: restitution above 1 at some phases with 1.8 steps in a contact, at none with 2.9",
-      beyond.most > 1.0 && before.most < 1.0,
-      fmt::format(
-          "w2 h is {:.2f} and {:.2f}, the stability limit 2; measured e from {:.2f} to {:.2f} (mean {:.2f}) and from "
-          "{:.2f} to {:.2f} (mean {:.2f})",
-          latch_step(1.8, shown_ratio) / std::sqrt(shown_ratio), latch_step(2.9, shown_ratio) / std::sqrt(shown_ratio),
-          beyond.least, beyond.most, beyond.mean, before.least, before.most, before.mean));
+  findings.expect_true("Verlet: restitution above 1 at some phases with 1.8 steps in a contact, at none with 2.9",
+                       beyond.most > 1.0 && before.most < 1.0,
+                       fmt::format("w2 h is {:.2f} and {:.2f}, the stability limit 2; measured e from {:.2f} to {:.2f} "
+                                   "(mean {:.2f}) and from {:.2f} to {:.2f} (mean {:.2f})",
+                                   latch_step(1.8, shown_ratio) / std::sqrt(shown_ratio),
+                                   latch_step(2.9, shown_ratio) / std::sqrt(shown_ratio), beyond.least, beyond.most,
+                                   beyond.mean, before.least, before.most, before.mean));
 }
 
 void record(const Measured& measured, Findings& findings) {
@@ -300,17 +297,15 @@ void check_verlet(Findings& findings, const Setup& setup) {
     keep_worst(predicted_rms, e * s.predicted.rms()), keep_worst(predicted, e * s.predicted.max());
     over = worst_ratio(over, s.found.rms() / s.predicted.rms());
   }
-  findings.expect("restitution by Verlet at 60 steps in a contact, rms error, largest of three ratios", rms, 0.0,
-                  Tolerance::truncation(predicted_rms, 3e-4 / predicted_rms,
-                                        "3e-4 is required; the prediction for each impact gives two thirds of that"));
-  findings.expect(
-      "restitution by Verlet at 60 steps in a contact, largest error of 600 impacts", largest, 0.0,
-      Tolerance::truncation(
-          predicted, 1.1,
-          "as predicted for each impact; 10 % is allowed for the difference between errors of e and of ln e, and for "
-          "the fourth order"));
-  findings.expect("restitution by Verlet, rms error over its prediction, worst of three ratios", over, 1.0,
-                  Tolerance::model(0.005, "the prediction is of third order; (w2 h)^2 is at most 0.006"));
+  findings.expect_truncation("restitution by Verlet at 60 steps in a contact, rms error, largest of three ratios", rms,
+                             0.0, predicted_rms, 3e-4 / predicted_rms,
+                             "3e-4 is required; the prediction for each impact gives two thirds of that");
+  findings.expect_truncation("restitution by Verlet at 60 steps in a contact, largest error of 600 impacts", largest,
+                             0.0, predicted, 1.1,
+                             "as predicted for each impact; 10 % is allowed for the difference between errors of e and "
+                             "of ln e, and for the fourth order");
+  findings.expect_model("restitution by Verlet, rms error over its prediction, worst of three ratios", over, 1.0, 0.005,
+                        "the prediction is of third order; (w2 h)^2 is at most 0.006");
 }
 
 /// Growth for w1 h <= 0.045 and K1/K2 >= 0.25.
@@ -330,23 +325,21 @@ void check_growth(Findings& findings, const Setup& setup) {
         keep_worst(beyond, s.beyond / std::pow(step / std::sqrt(ratio), 4));
       }
     }
-    findings.in("mean_restitution")
-        ->expect(fmt::format("mean restitution by {} against the closed form, w1 h <= 0.045, largest of nine errors",
-                             scheme.label),
-                 worst, 0.0,
-                 Tolerance::truncation(predicted, 1.2,
-                                       euler ? "3e-4 is required; the closed form neglects the third order of growth"
-                                             : "3e-4 is required; the closed form neglects (z2^2 - z1^2)/16"));
-    findings.expect(
+    findings.expect_truncation(
+        {"mean_restitution",
+         fmt::format("mean restitution by {} against the closed form, w1 h <= 0.045, largest of nine errors",
+                     scheme.label)},
+        worst, 0.0, predicted, 1.2,
+        euler ? "3e-4 is required; the closed form neglects the third order of growth"
+              : "3e-4 is required; the closed form neglects (z2^2 - z1^2)/16");
+    findings.expect_round_off(
         fmt::format("restitution by {} by which a step of a cell is judged, against the closed form", scheme.label),
-        stated, 0.0, Tolerance::round_off(1e-14, "an exponential and half a dozen operations"));
-    findings.in("each_impact")
-        ->expect(
-            fmt::format("ln e of each impact by {}: largest of 1800 errors over (w2 h)^4", scheme.label), beyond, 0.0,
-            Tolerance::truncation(
-                euler ? 0.12 : 0.05, 1.2,
-                "the prediction neglects the fourth order; the constant is measured on the map itself, against which "
-                "the reference is tested"));
+        stated, 0.0, 1e-14, "an exponential and half a dozen operations");
+    findings.expect_truncation(
+        {"each_impact", fmt::format("ln e of each impact by {}: largest of 1800 errors over (w2 h)^4", scheme.label)},
+        beyond, 0.0, euler ? 0.12 : 0.05, 1.2,
+        "the prediction neglects the fourth order; the constant is measured on the map itself, against which the "
+        "reference is tested");
   }
 }
 
@@ -367,26 +360,22 @@ void check_history(Findings& findings, const Setup& setup) {
     const bool euler = scheme.map == StepMap::euler;
     const SteppedLatch latch{setup.has("ratio_of_exact_steps") ? 0.49 : 0.45, euler ? 0.02177 : 0.0434, scheme.map};
     const PhasesOfLatch s = phases_of(latch, scheme.name, findings, setup);
-    findings.expect(
-        fmt::format("restitution with K1/K2 = 0.45 by {} at w1 h = {}", scheme.label, latch.step), s.mean, 0.7,
-        Tolerance::model(euler ? 7e-6 : 3.5e-5,
-                         "5e-4 is required; half a unit of the last digit of w1 h, times c pi (1 + w2/w1) e"));
+    findings.expect_model(fmt::format("restitution with K1/K2 = 0.45 by {} at w1 h = {}", scheme.label, latch.step),
+                          s.mean, 0.7, euler ? 7e-6 : 3.5e-5,
+                          "5e-4 is required; half a unit of the last digit of w1 h, times c pi (1 + w2/w1) e");
     const double step = setup.has("step_of_another_contact") ? 1.01 * latch.step : latch.step;
     const SteppedContact contact{1.0, 1.0, step, make_disc_method(scheme.name)};
-    findings.expect(
-        fmt::format("K1/K2 for a restitution of 0.7 by {}, calibrated by formula", scheme.label),
-        ratio_by_formula(contact, 0.7), ratio_for_seven_tenths(latch, reference::leading_restitution),
-        Tolerance::round_off(
-            2e-15,
-            "Lambert function against bisection: about ten roundings of 0.45, of 5.6e-17 at most, and an exponential "
-            "each, and twice that"));
-    findings.expect(
+    findings.expect_round_off(fmt::format("K1/K2 for a restitution of 0.7 by {}, calibrated by formula", scheme.label),
+                              ratio_by_formula(contact, 0.7),
+                              ratio_for_seven_tenths(latch, reference::leading_restitution), 2e-15,
+                              "Lambert function against bisection: about ten roundings of 0.45, of 5.6e-17 at most, "
+                              "and an exponential each, and twice that");
+    findings.expect_truncation(
         fmt::format("K1/K2 for a restitution of 0.7 by {}, calibrated by simulation", scheme.label),
         ratio_by_simulation(contact, 0.7), ratio_for_seven_tenths(latch, reference::mean_restitution),
-        Tolerance::truncation(
-            0.0125 * std::pow(latch.step / std::sqrt(0.45), 4) * 0.9, 2.0,
-            "the prediction neglects the fourth order of the mean restitution, the fraction 0.0125 (w2 h)^4 of e and "
-            "twice that of the ratio"));
+        0.0125 * std::pow(latch.step / std::sqrt(0.45), 4) * 0.9, 2.0,
+        "the prediction neglects the fourth order of the mean restitution, the fraction 0.0125 (w2 h)^4 of e and twice "
+        "that of the ratio");
   }
 }
 
@@ -404,8 +393,8 @@ void check_times(Findings& findings, const Setup& setup) {
     keep_worst(of_time, z1 * z2 / 24.0), keep_worst(of_depth, 0.125 * z1 * z1);
   }
   const auto expect = [&](const char* what, double error, double predicted, const char* why) {
-    findings.expect(fmt::format("{} at 60 steps in a contact, largest relative error of 600 impacts", what), error, 0.0,
-                    Tolerance::truncation(predicted, 1.2, why));
+    findings.expect_truncation(fmt::format("{} at 60 steps in a contact, largest relative error of 600 impacts", what),
+                               error, 0.0, predicted, 1.2, why);
   };
   expect("contact time", time, of_time, "1e-3 is required; the leapfrog's period is shorter by the fraction z1 z2/24");
   expect("largest overlap", largest, of_depth,
@@ -424,13 +413,10 @@ void check_speeds(Findings& findings, const Setup& setup) {
   double change = 0.0;
   for (const double speed : {5e-2, 5e-3, 5e-4, 5e-5})
     keep_worst(change, std::abs(restitution(speed) - fastest));
-  findings.expect(
-      "restitution over four decades of speed, largest change", change, 0.0,
-      Tolerance::round_off(
-          1e-10,
-          "positions near 2 are rounded by 6.4e-17 rms, 1.3e-12 of the smallest overlap of 5e-5, at each of 60 steps; "
-          "a sum of these errors changes e by w2^2 T sqrt(60/3) times 1.3e-12, w2^2 T = 5.5: 3e-11, and three times "
-          "that for the worst of four speeds"));
+  findings.expect_round_off("restitution over four decades of speed, largest change", change, 0.0, 1e-10,
+                            "positions near 2 are rounded by 6.4e-17 rms, 1.3e-12 of the smallest overlap of 5e-5, at "
+                            "each of 60 steps; a sum of these errors changes e by w2^2 T sqrt(60/3) times 1.3e-12, "
+                            "w2^2 T = 5.5: 3e-11, and three times that for the worst of four speeds");
 }
 
 void run(Findings& findings, const Setup& setup) {

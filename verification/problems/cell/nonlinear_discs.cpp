@@ -122,13 +122,13 @@ void check_impacts(Findings& findings, const Setup& setup) {
       return std::pair{1.0 / count, error.rms()};
     });
     if constexpr (std::same_as<decltype(law), const Hertz>) {
-      findings.in("orders")->expect_order("order of the error of e, " + impact.name, found, 0.85, 1.15,
-                                          "a dashpot's force is evaluated with the velocity before the kick");
+      findings.expect_order({"orders", "order of the error of e, " + impact.name}, found, 0.85, 1.15,
+                            "a dashpot's force is evaluated with the velocity before the kick");
       keep_worst(hertz, found.errors().back());
     } else {
       const double order = impact.law.exponent + 1.0;
-      findings.in("orders")->expect_order(
-          "order of the error of e, " + impact.name, found, order - 0.15, order + 0.15,
+      findings.expect_order(
+          {"orders", "order of the error of e, " + impact.name}, found, order - 0.15, order + 0.15,
           "with the velocity before the kick the force is, to first order, (1 + a v) times another spring, and e does "
           "not depend on the spring; what is left is the onset of the force, like x^n");
       keep_worst(hunt_crossley, found.errors().back());
@@ -138,17 +138,13 @@ void check_impacts(Findings& findings, const Setup& setup) {
   });
   findings.figure(figure);
   const double finest = 1.0 / counts.back();
-  findings.expect(
-      "restitution of two discs, hertz, largest relative error", hertz, 0.0,
-      Tolerance::truncation(2.25 * finest, 1.0, "three times the measured constant of the first-order error, 0.75"));
-  findings.expect(
-      "restitution of two discs, hunt_crossley, largest relative error", hunt_crossley, 0.0,
-      Tolerance::truncation(1.4 * finest * finest, 1.0, "three times the measured constant of n = 1, 0.47 (step/T)^2"));
-  findings.expect("largest overlap of two discs, largest relative error", depth, 0.0,
-                  Tolerance::truncation(
-                      1.6 * finest, 1.0,
-                      "three times the measured constant of the first-order error, 0.52: the velocity of the dashpot"
-                      " is that of half a step before"));
+  findings.expect_truncation("restitution of two discs, hertz, largest relative error", hertz, 0.0, 2.25 * finest, 1.0,
+                             "three times the measured constant of the first-order error, 0.75");
+  findings.expect_truncation("restitution of two discs, hunt_crossley, largest relative error", hunt_crossley, 0.0,
+                             1.4 * finest * finest, 1.0, "three times the measured constant of n = 1, 0.47 (step/T)^2");
+  findings.expect_truncation("largest overlap of two discs, largest relative error", depth, 0.0, 1.6 * finest, 1.0,
+                             "three times the measured constant of the first-order error, 0.52: the velocity of the "
+                             "dashpot is that of half a step before");
 }
 
 // --- the rigid-body engine and the fast engine -----------------------------------------------------------------------
@@ -202,12 +198,10 @@ void check_engines(Findings& findings, const Setup& setup) {
   });
   const char* const why =
       "both round positions of 8 to 1e-15, a hundredth of which is the overlap; the forces of some sixty steps differ "
-      "by "
-      "1e-13 of themselves, and their sums by no more";
-  findings.expect("motion of two discs, fast disc engine less rigid bodies", motion, 0.0,
-                  Tolerance::round_off(1e-12, why));
-  findings.expect("energy dissipated and released, fast disc engine less rigid bodies", work, 0.0,
-                  Tolerance::round_off(1e-12, why));
+      "by 1e-13 of themselves, and their sums by no more";
+  findings.expect_round_off("motion of two discs, fast disc engine less rigid bodies", motion, 0.0, 1e-12, why);
+  findings.expect_round_off("energy dissipated and released, fast disc engine less rigid bodies", work, 0.0, 1e-12,
+                            why);
 }
 
 // --- a sheared cell --------------------------------------------------------------------------------------------------
@@ -216,11 +210,10 @@ constexpr double cell_modulus = 7e8, cell_radius = 2.5e-4;
 
 /// The cell of `talus cell`, with this law.
 ShearCell cell_of(const std::string& law) {
-  const std::string text =
-      "units = \"SI\"\n[cell]\n" + law +
-      "diameter = \"1 mm\"\nmass = \"7.2e-7 kg\"\ngravity = \"9.81 m/s^2\"\noverburden = \"8 kPa\"\nrows = 8\n"
-      "columns = 10\nwall_discs = 11\nblock_speed = \"5 m/s\"\nseed = 1\n"
-      "[run]\nstep = \"0.1 us\"\nevery = \"1 ms\"\nend = \"10 ms\"\n";
+  const std::string text = "units = \"SI\"\n[cell]\n" + law +
+                           "diameter = \"1 mm\"\nmass = \"7.2e-7 kg\"\ngravity = \"9.81 m/s^2\"\noverburden = \"8 "
+                           "kPa\"\nrows = 8\ncolumns = 10\nwall_discs = 11\nblock_speed = \"5 m/s\"\nseed = "
+                           "1\n[run]\nstep = \"0.1 us\"\nevery = \"1 ms\"\nend = \"10 ms\"\n";
   return read_cell(text, "cell.toml", {}).cell;
 }
 const std::string hertz_text = "law = \"hertz\"\nmodulus = \"700 MPa\"\nradius = \"0.25 mm\"\n";
@@ -269,15 +262,14 @@ void check_cells(Findings& findings, const Setup& setup) {
       balance.add(1.0 / steps, std::abs(missing) / ledger.dissipated);
     }
     std::visit([](const auto& law) { record_use(law); }, cell.law);
-    findings.in("cells")->expect(
-        "energy stored in contacts of a cell, " + of.name + ", less that of the formula", stored / largest, 0.0,
-        Tolerance::round_off(1e-12, "the same overlaps; powers and products of a few roundings each"));
-    findings.in("cells")->expect(
-        "energy balance error of a cell over the energy dissipated, " + of.name, balance.errors().back(), 0.0,
-        Tolerance::truncation(
-            0.6 / (setup.coarse ? 120.0 : 240.0), 1.0,
-            "powers are evaluated with the velocities before a kick: (w h)/10 of the energy of an impact, w h = pi/n "
-            "with n steps in a contact, times two for contacts that are shorter than that at the nominal speed"));
+    findings.expect_round_off(
+        {"cells", "energy stored in contacts of a cell, " + of.name + ", less that of the formula"}, stored / largest,
+        0.0, 1e-12, "the same overlaps; powers and products of a few roundings each");
+    findings.expect_truncation(
+        {"cells", "energy balance error of a cell over the energy dissipated, " + of.name}, balance.errors().back(),
+        0.0, 0.6 / (setup.coarse ? 120.0 : 240.0), 1.0,
+        "powers are evaluated with the velocities before a kick: (w h)/10 of the energy of an impact, w h = pi/n with "
+        "n steps in a contact, times two for contacts that are shorter than that at the nominal speed");
   }
 }
 
@@ -305,10 +297,9 @@ void check_speeds(Findings& findings, const Setup& setup) {
       keep_worst(worst, hunt.contact_time() / (events.contact_time * own / v) - 1.0);
     }
   }
-  findings.expect("restitution and contact time of a cell at its nominal speed, largest relative error", worst, 0.0,
-                  Tolerance::model(5e-14,
-                                   "accuracy to which solver and references integrate, and to which the solver "
-                                   "finds the dashpot of a restitution"));
+  findings.expect_model(
+      "restitution and contact time of a cell at its nominal speed, largest relative error", worst, 0.0, 5e-14,
+      "accuracy to which solver and references integrate, and to which the solver finds the dashpot of a restitution");
 }
 
 void run(Findings& findings, const Setup& setup) {

@@ -139,13 +139,12 @@ void check_moments(const Exact& exact, Findings& findings, const Setup& setup) {
   bool all = true;
   for (std::size_t m = 0; m < moments.size(); ++m) {
     all = all && strikes(exact, m);
-    findings.in("speeds")->expect(
-        fmt::format("final speeds of three discs, second impact while {}, largest error over 24 gaps", moments[m].name),
-        errors_of(exact, m, 60.0, findings, setup).max(), 0.0,
-        Tolerance::truncation(
-            16.0 * 3.3e-5, 1.5,
-            "steps a quarter as long had errors of 2.5e-5 to 3.3e-5, which second order scales by 16; half as much "
-            "again is allowed for the position of the kinks within a step"));
+    findings.expect_truncation(
+        {"speeds", fmt::format("final speeds of three discs, second impact while {}, largest error over 24 gaps",
+                               moments[m].name)},
+        errors_of(exact, m, 60.0, findings, setup).max(), 0.0, 16.0 * 3.3e-5, 1.5,
+        "steps a quarter as long had errors of 2.5e-5 to 3.3e-5, which second order scales by 16; half as much again "
+        "is allowed for the position of the kinks within a step");
   }
   findings.expect_true("second impact on the intended branch at every gap", all,
                        "the reference counts reloadings, and reloadings from slack, for each of the 72 gaps");
@@ -207,21 +206,20 @@ void check_restarts(Findings& findings, const Setup& setup) {
         differ += seen[i] == through[i] ? 0.0 : 1.0;
     }
   }
-  findings.expect("final speeds that differ after restarts every 1, 7 or 20 steps, out of 27", differ, 0.0,
-                  Tolerance::exact("the restored state is bit-identical to the saved one"));
+  findings.expect_exact("final speeds that differ after restarts every 1, 7 or 20 steps, out of 27", differ, 0.0,
+                        "the restored state is bit-identical to the saved one");
 }
 
 /// Skin so wide that discs do not leave it: a list that drops a pair would also drop its memory.
 constexpr double wide = 8.0;
 
 void show_mistakes(Findings& findings) {
-  Table table{
-      .name = "mistakes",
-      .caption =
-          "Final speed of the third disc at 60 steps in a contact, with the second impact while unloading, slack and "
-          "separated. M: largest overlap.",
-      .columns = {"g", "exact", "solver", "M reset at F = 0", "contact ended at F = 0", "M never reset",
-                  "M lost every 20 steps"}};
+  Table table{.name = "mistakes",
+              .caption =
+                  "Final speed of the third disc at 60 steps in a contact, with the second impact while unloading, "
+                  "slack and separated. M: largest overlap.",
+              .columns = {"g", "exact", "solver", "M reset at F = 0", "contact ended at F = 0", "M never reset",
+                          "M lost every 20 steps"}};
   const auto third = [](const Watched& seen) { return fmt::format("{:.4f}", seen.velocity[2]); };
   for (const double gap : gaps_of_restarts) {
     const double h = step_of_restarts();
@@ -247,15 +245,13 @@ void draw_speeds(Findings& findings) {
     add(kept, run_by(RetentiveLatch{law}, gap, h, 0.3, findings, wide).velocity[2]);
     if (i % 4 == 0) add(solver, run_by(law, gap, h, 0.3, findings).velocity[2]);
   }
-  findings.figure(
-      {.name = "speed_of_the_third",
-       .title = "Final speed of the third disc against the gap",
-       .caption =
-           "Exact solution, solver, and two faulty treatments of the largest overlap $M$. Ending the contact at $F "
-           "= 0$ is exact except for impacts while slack, which then give 0.85.",
-       .x = {.label = "gap between discs 1 and 2 when 2 touches 3"},
-       .y = {.label = "final speed of the third disc", .min = 2.2, .max = 2.65},
-       .series = {line, forgotten, kept, solver}});
+  findings.figure({.name = "speed_of_the_third",
+                   .title = "Final speed of the third disc against the gap",
+                   .caption = "Exact solution, solver, and two faulty treatments of the largest overlap $M$. Ending "
+                              "the contact at $F = 0$ is exact except for impacts while slack, which then give 0.85.",
+                   .x = {.label = "gap between discs 1 and 2 when 2 touches 3"},
+                   .y = {.label = "final speed of the third disc", .min = 2.2, .max = 2.65},
+                   .series = {line, forgotten, kept, solver}});
 }
 
 void draw_loops(Findings& findings) {

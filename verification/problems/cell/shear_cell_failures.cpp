@@ -126,14 +126,13 @@ bool within_limits(const Flow& flow) {
 }
 
 void add_rows(Findings& findings, const std::vector<Row>& rows) {
-  Table table{
-      .name = "failures",
-      .caption =
-          "The correct cell and faulty ones: the stress ratio, which reveals little, and quantities that reveal "
-          "more. A run is stopped (diverged) when its solid fraction leaves 0.02 to 5. Unaccounted: increase of "
-          "energy beyond the work of the drive, over this work.",
-      .columns = {"cell", "S/N", "mean solid fraction", "largest solid fraction", "largest overlap/D",
-                  "transverse kinetic energy/(m VXT^2)", "unaccounted", "limits"}};
+  Table table{.name = "failures",
+              .caption =
+                  "The correct cell and faulty ones: the stress ratio, which reveals little, and quantities that "
+                  "reveal more. A run is stopped (diverged) when its solid fraction leaves 0.02 to 5. Unaccounted: "
+                  "increase of energy beyond the work of the drive, over this work.",
+              .columns = {"cell", "S/N", "mean solid fraction", "largest solid fraction", "largest overlap/D",
+                          "transverse kinetic energy/(m VXT^2)", "unaccounted", "limits"}};
   for (const Row& row : rows) {
     const Flow& flow = row.flow;
     table.rows.push_back(cells("{} | {:.3f} | {:.3f} | {:.3f} | {:.3f} | {:.4f} | {} | {}", row.what, flow.ratio,
@@ -147,14 +146,13 @@ void add_rows(Findings& findings, const std::vector<Row>& rows) {
 }
 
 Figure figure_of(const std::vector<Row>& rows) {
-  Figure figure{
-      .name = "seen",
-      .title = "Stress ratio and largest solid fraction of correct and faulty cells",
-      .caption =
-          "Cells whose discs pass through each other may have the stress ratio of the correct cell. Dashed: largest "
-          "solid fraction that equal discs can fill.",
-      .x = {.label = "S/N", .min = 0.0, .max = 0.4},
-      .y = {.label = "largest solid fraction", .log = true}};
+  Figure figure{.name = "seen",
+                .title = "Stress ratio and largest solid fraction of correct and faulty cells",
+                .caption =
+                    "Cells whose discs pass through each other may have the stress ratio of the correct cell. Dashed: "
+                    "largest solid fraction that equal discs can fill.",
+                .x = {.label = "S/N", .min = 0.0, .max = 0.4},
+                .y = {.label = "largest solid fraction", .log = true}};
   for (const Row& row : rows)
     if (row.flow.ratio != 0.0)
       figure.series.push_back(
@@ -216,10 +214,10 @@ void expect_laws(Findings& findings, const Setup& setup, const ShearCell& cell, 
   brief.forget_every = setup.has("restarts_remember") ? 0.0 : 1e-4;
   const Flow restarted = right_flow(cell, brief, findings);
   rows.push_back({"d0 forgotten every 0.1 ms", restarted});
-  findings.expect_between(
-      "energy unaccounted for when contacts forget d0 every 0.1 ms", restarted.unaccounted, 0.1, 1.0,
-      "every eight contact times or so most existing contacts restart with K1 d and return more energy than they "
-      "received; the drive supplies as much in some ms");
+  findings.expect_between("energy unaccounted for when contacts forget d0 every 0.1 ms", restarted.unaccounted, 0.1,
+                          1.0,
+                          "every eight contact times or so most existing contacts restart with K1 d and return more "
+                          "energy than they received; the drive supplies as much in some ms");
 }
 
 /// Leapfrogs with long steps, over a longer time, because the ratio has a standard error.
@@ -265,10 +263,8 @@ void expect_long_steps(Findings& findings, const Setup& setup, const ShearCell& 
       mean += flow.ratio / static_cast<double>(cells.size());
     draw(by.steps, {.ratio = mean, .unaccounted = least->unaccounted});
     if (by.steps >= 2.9) {
-      findings.expect(
-          "stress ratio, " + name, mean, right.ratio,
-          Tolerance::model(setup.coarse ? 0.04 : 0.01,
-                           "the ratio hardly depends on the step: both have a standard error of 0.003 to 0.004"));
+      findings.expect_model("stress ratio, " + name, mean, right.ratio, setup.coarse ? 0.04 : 0.01,
+                            "the ratio hardly depends on the step: both have a standard error of 0.003 to 0.004");
     } else if (by.steps > 2.0) {
       findings.expect_between("stress ratio, mean of eight cells minus that with 20 steps, " + name, mean - right.ratio,
                               0.002, 0.02,
@@ -279,18 +275,16 @@ void expect_long_steps(Findings& findings, const Setup& setup, const ShearCell& 
                               "which of them do depends on the trajectories; sooner or later all diverge");
     }
   }
-  findings.figure(
-      {.name = "long_steps",
-       .title = "Energy balance and stress ratio with too long steps",
-       .caption =
-           "Unaccounted fraction of the work, and relative deviation of the stress ratio from that with 20 steps, "
-           "against steps in a contact: the energy balance reveals too long steps, the stress ratio does not. Dashed: "
-           "1 % of the work, above which `talus cell` warns; vertical: 3.3 steps, below which a disc among six is "
-           "unstable.",
-       .x = {.label = "steps in a contact", .log = true, .min = 1.5, .max = 25.0},
-       .y = {.label = "fraction", .log = true, .min = 1e-7, .max = 10.0},
-       .series = {unaccounted, ratio},
-       .lines = {{'y', CellRun::maximum_balance_error, ""}, {'x', 3.3, ""}}});
+  findings.figure({.name = "long_steps",
+                   .title = "Energy balance and stress ratio with too long steps",
+                   .caption = "Unaccounted fraction of the work, and relative deviation of the stress ratio from that "
+                              "with 20 steps, against steps in a contact: the energy balance reveals too long steps, "
+                              "the stress ratio does not. Dashed: 1 % of the work, above which `talus cell` warns; "
+                              "vertical: 3.3 steps, below which a disc among six is unstable.",
+                   .x = {.label = "steps in a contact", .log = true, .min = 1.5, .max = 25.0},
+                   .y = {.label = "fraction", .log = true, .min = 1e-7, .max = 10.0},
+                   .series = {unaccounted, ratio},
+                   .lines = {{'y', CellRun::maximum_balance_error, ""}, {'x', 3.3, ""}}});
 }
 
 /// Euler and Taylor steps, which add energy in every impact.

@@ -78,9 +78,9 @@ void expect_same(Findings& findings, const Setup& setup, const std::string& name
   findings.count(plain.evaluations() + fast.evaluations());
   constexpr auto lost = static_cast<std::size_t>(Law::dissipation);
   if constexpr (fast.has_history) fast_discs.work[lost] = plain_discs.work[lost];
-  findings.in("engines")->expect("values that differ from the plain engine, " + name,
-                                 static_cast<double>(differing(plain_discs, fast_discs)), 0.0,
-                                 Tolerance::exact("the same sums in the same order"));
+  findings.expect_exact({"engines", "values that differ from the plain engine, " + name},
+                        static_cast<double>(differing(plain_discs, fast_discs)), 0.0,
+                        "the same sums in the same order");
   if constexpr (!std::same_as<Law, LatchingSpring> || !std::same_as<Friction, Frictionless>) return;
   long touching = 0;
   fast.for_each_contact(fast_discs, [&](const DiscContact&) { ++touching; });
@@ -127,7 +127,7 @@ void expect_single_calls(Findings& findings, const Setup& setup) {
   of_plain.x[7] += 0.02, of_fast.x[7] += 0.02;
   evaluate();
   findings.count(plain.evaluations() + fast.evaluations());
-  findings.in("engines")->expect(name, differ, 0.0, Tolerance::exact("the same sums of the same numbers"));
+  findings.expect_exact({"engines", name}, differ, 0.0, "the same sums of the same numbers");
 }
 
 /// Several threads compared with one, over few steps: threads wait for each other where there are fewer processors.
@@ -147,8 +147,8 @@ void expect_threads(Findings& findings, const Setup& setup) {
     several.begin(together);
     if (setup.has("thread_off")) together.y[count - 1] = std::nextafter(together.y[count - 1], 100.0);
     several.advance(together, step, steps);
-    findings.in("threads")->expect(name, static_cast<double>(differing(together, alone)), 0.0,
-                                   Tolerance::exact("the same sums in the same order"));
+    findings.expect_exact({"threads", name}, static_cast<double>(differing(together, alone)), 0.0,
+                          "the same sums in the same order");
   }
 }
 
@@ -176,8 +176,8 @@ void expect_all_pairs(Findings& findings, const Setup& setup) {
   Discs those = discs;
   those.x = all.x, those.y = all.y, those.vx = all.vx, those.vy = all.vy;
   findings.count(system.evaluations());
-  findings.expect("values that differ from a loop over all pairs", static_cast<double>(differing(those, discs)), 0.0,
-                  Tolerance::exact("the same pairs in the same order; a list omits only pairs that do not touch"));
+  findings.expect_exact("values that differ from a loop over all pairs", static_cast<double>(differing(those, discs)),
+                        0.0, "the same pairs in the same order; a list omits only pairs that do not touch");
 }
 
 /// Effect of another order of the sums.
@@ -202,16 +202,14 @@ void show_order(Findings& findings) {
     other.y.push_back(std::max(furthest(reordered(turned, reverse), discs, start.box), 1e-17));
     same.y.push_back(std::max(furthest(of_plain, discs, start.box), 1e-17));
   }
-  findings.figure(
-      {.name = "order",
-       .title = "Effect of the order of summation",
-       .caption =
-           "Largest distance between positions of the same disc in two runs with latching springs: discs numbered "
-           "backwards, so that impulses are summed in another order (blue), and plain engine, which sums them in the "
-           "same order (orange; zero is drawn as $10^{-17}$).",
-       .x = {"step", "1"},
-       .y = {.label = "distance over d", .log = true, .min = 1e-18, .max = 10.0},
-       .series = {other, same}});
+  findings.figure({.name = "order",
+                   .title = "Effect of the order of summation",
+                   .caption = "Largest distance between positions of the same disc in two runs with latching springs: "
+                              "discs numbered backwards, so that impulses are summed in another order (blue), and "
+                              "plain engine, which sums them in the same order (orange; zero is drawn as $10^{-17}$).",
+                   .x = {"step", "1"},
+                   .y = {.label = "distance over d", .log = true, .min = 1e-18, .max = 10.0},
+                   .series = {other, same}});
 }
 
 void run(Findings& findings, const Setup& setup) {

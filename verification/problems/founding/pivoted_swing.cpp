@@ -94,15 +94,15 @@ void check_order(const PivotedRun& run, const State& start, double production_st
   findings.expect_order("order of the motion after the impact", errors, 1.98, 2.02,
                         "smooth motion with velocity Verlet: even powers of the step only");
   if (setup.coarse) return;
-  findings.expect("largest error of the angle after the impact, production step",
-                  largest_angle_error(run, start, production_step, setup, findings),
-                  predicted_error_constant(start) * std::pow(small_frequency() * production_step, 2),
-                  Tolerance::model(1.5e-5,
-                                   "predicted from velocity Verlet's modified Hamiltonian, without fitting; the next "
-                                   "even power of the step is 1e-6 of it, and 4600 roundings of 1e-16 accumulate to "
-                                   "1e-5 of it")
-                      .relative(),
-                  "rad");
+  findings.expect(
+      "largest error of the angle after the impact, production step",
+      largest_angle_error(run, start, production_step, setup, findings),
+      predicted_error_constant(start) * std::pow(small_frequency() * production_step, 2),
+      Tolerance::model(1.5e-5,
+                       "predicted from velocity Verlet's modified Hamiltonian, without fitting; the next even power of "
+                       "the step is 1e-6 of it, and 4600 roundings of 1e-16 accumulate to 1e-5 of it")
+          .relative(),
+      "rad");
   findings.expect("largest error of the angle after the impact, 160 steps", errors.errors()[3],
                   predicted_error_constant(start) * std::pow(small_frequency() * errors.steps()[3], 2),
                   Tolerance::model(1e-3,
@@ -180,15 +180,15 @@ void compare_over_time(Findings& findings, const Track& track, const State& end,
     if (i % 4 != 0) continue;
     angle.add(track.t[i], track.angle[i]);
   }
-  findings.expect(
-      "largest difference of the angle from the soft reference over 1.2 s", worst_angle, 0.0,
-      Tolerance::truncation(expected.error_of_angle, 1.0,
-                            expected.why + "; before the turning point an error of the angular velocity causes no "
-                                           "larger error than that of the largest angle"),
-      "rad");
-  findings.expect(
-      "largest difference of the angular velocity from the soft reference after the contact", worst_rate, 0.0,
-      Tolerance::truncation(expected.error_of_v1 / (0.5 * pivoted.length), 1.0, expected.why + ", over l/2"), "rad/s");
+  findings.expect_truncation("largest difference of the angle from the soft reference over 1.2 s", worst_angle, 0.0,
+                             expected.error_of_angle, 1.0,
+                             expected.why +
+                                 "; before the turning point an error of the angular velocity causes no larger error "
+                                 "than that of the largest angle",
+                             "rad");
+  findings.expect_truncation("largest difference of the angular velocity from the soft reference after the contact",
+                             worst_rate, 0.0, expected.error_of_v1 / (0.5 * pivoted.length), 1.0,
+                             expected.why + ", over l/2", "rad/s");
   const std::string lines =
       "Points: central difference at 100 steps per contact; lines: soft reference; dashed: velocities after the rigid "
       "impact.";
@@ -196,14 +196,15 @@ void compare_over_time(Findings& findings, const Track& track, const State& end,
                              "Corresponds to Fig. 11 of the report. " + lines, 0.7, track, soft));
   findings.figure(
       velocities("contact", "Horizontal velocities during the contact, enlarged", lines, 0.05, track, soft));
-  findings.figure({.name = "angle",
-                   .title = "Angle of the column after the impact",
-                   .caption = "Solver (points) and the elliptic functions through the solver's state at the end of the "
-                              "contact (line).",
-                   .x = {.label = "time", .unit = "s"},
-                   .y = {.label = "angle", .unit = "rad"},
-                   .series = {exact_angle, angle},
-                   .lines = {{'y', exact.motion.amplitude(), "largest angle"}}});
+  findings.figure(
+      {.name = "angle",
+       .title = "Angle of the column after the impact",
+       .caption =
+           "Solver (points) and the elliptic functions through the solver's state at the end of the contact (line).",
+       .x = {.label = "time", .unit = "s"},
+       .y = {.label = "angle", .unit = "rad"},
+       .series = {exact_angle, angle},
+       .lines = {{'y', exact.motion.amplitude(), "largest angle"}}});
 }
 
 }  // namespace
@@ -226,32 +227,28 @@ void check_swing(Findings& findings, const Setup& setup) {
       error_of_e * pivoted.approach_speed * impact_mass() / reference::effective_column_mass(pivoted);
   const std::string why =
       "largest first-order error of e at 100 steps per contact from the onset: half the jump at the end and the lag";
-  findings.expect("v1, production run", after.column, first.column_speed, Tolerance::truncation(error_of_v1, 1.0, why),
-                  "ft/s");
-  findings.expect(
-      "V1, production run", after.rock, first.at_end.rock_vx,
-      Tolerance::truncation(error_of_v1 * reference::effective_column_mass(pivoted) / pivoted.rock_mass, 1.0, why),
-      "ft/s");
+  findings.expect_truncation("v1, production run", after.column, first.column_speed, error_of_v1, 1.0, why, "ft/s");
+  findings.expect_truncation("V1, production run", after.rock, first.at_end.rock_vx,
+                             error_of_v1 * reference::effective_column_mass(pivoted) / pivoted.rock_mass, 1.0, why,
+                             "ft/s");
 
   const Track track = whole_run(run, step, 2.0 * first.at_end.t, setup, findings);
   const double turned = track.turned;
   // From energy, w1 dw1 = w0^2 sin(A) dA: dA = dw1/(w0 cos(A/2)).
   const double error_of_angle =
       error_of_v1 / (0.5 * pivoted.length) / (small_frequency() * std::cos(0.5 * first.largest_angle));
-  findings.in("largest_angle_swing")
-      ->expect("largest angle after the impact, production run", turned, first.largest_angle,
-               Tolerance::truncation(error_of_angle, 1.0, why + "; converted to the angle by conservation of energy"),
-               "rad");
-  findings.expect(
-      "largest angle against elliptic functions through the solver's state after the contact", turned,
-      exact.motion.amplitude(),
-      Tolerance::truncation(std::pow(small_frequency() * step, 2) * std::tan(0.5 * exact.motion.amplitude()) *
-                                std::abs(verlet_energy_swing(exact.motion.amplitude())) /
-                                (1.0 - std::cos(exact.motion.amplitude())),
-                            3.0,
-                            "the energy of the numerical solution oscillates by h^2 (sin^2 A/24 + (1 - cos A)/6) w0^2; "
-                            "the error of the angle is this over sin A"),
-      "rad");
+  findings.expect_truncation({"largest_angle_swing", "largest angle after the impact, production run"}, turned,
+                             first.largest_angle, error_of_angle, 1.0,
+                             why + "; converted to the angle by conservation of energy", "rad");
+  findings.expect_truncation("largest angle against elliptic functions through the solver's state after the contact",
+                             turned, exact.motion.amplitude(),
+                             std::pow(small_frequency() * step, 2) * std::tan(0.5 * exact.motion.amplitude()) *
+                                 std::abs(verlet_energy_swing(exact.motion.amplitude())) /
+                                 (1.0 - std::cos(exact.motion.amplitude())),
+                             3.0,
+                             "the energy of the numerical solution oscillates by h^2 (sin^2 A/24 + (1 - cos A)/6) "
+                             "w0^2; the error of the angle is this over sin A",
+                             "rad");
   check_order(run, after.at_end, step, findings, setup);
   if (setup.coarse) return;
 

@@ -65,13 +65,12 @@ void check_amplitudes(Findings& findings, const Setup& setup) {
     const double constant = verlet_period_constant(amplitude);
     worst = std::max(worst, std::abs((period / reference - 1.0) / (z * z) - constant));
     const auto claim = findings.in("integrator.velocity_verlet");
-    findings.in("periods")->expect(
-        fmt::format("period at {:g} degrees", degrees), period, reference,
-        Tolerance::truncation(std::abs(constant) * z * z, 1.05,
-                              "the derived second-order error of velocity Verlet's period; the next term is below 5 % "
-                              "of it")
-            .relative(),
-        "s");
+    findings.expect({"periods", fmt::format("period at {:g} degrees", degrees)}, period, reference,
+                    Tolerance::truncation(
+                        std::abs(constant) * z * z, 1.05,
+                        "the derived second-order error of velocity Verlet's period; the next term is below 5 % of it")
+                        .relative(),
+                    "s");
     measured.add(degrees, (period / reference - 1.0) / (z * z));
     ratio.add(degrees, period * bob_frequency() / (2.0 * pi));
     table.rows.push_back(cells("{:g} | {} | {:.10f} | {:.4e} | {:.4e}", degrees,
@@ -79,12 +78,11 @@ void check_amplitudes(Findings& findings, const Setup& setup) {
                                constant * z * z));
   }
   if (setup.coarse) return;
-  findings.in("integrator.velocity_verlet")
-      ->expect("error constant of velocity Verlet's period, largest deviation from the modified Hamiltonian", worst,
-               0.0,
-               Tolerance::truncation(17.0 / 5760.0 * z * z, 1.05,
-                                     "next term of the expansion, largest for small oscillations: z/(2 asin(z/2)) = 1 "
-                                     "- z^2/24 - 17 z^4/5760 ..."));
+  findings.expect_truncation(
+      {"integrator.velocity_verlet",
+       "error constant of velocity Verlet's period, largest deviation from the modified Hamiltonian"},
+      worst, 0.0, 17.0 / 5760.0 * z * z, 1.05,
+      "next term of the expansion, largest for small oscillations: z/(2 asin(z/2)) = 1 - z^2/24 - 17 z^4/5760 ...");
   findings.table(table);
   findings.figure(period_figure(ratio));
   findings.figure(constant_figure(measured));

@@ -39,13 +39,12 @@ Series study(const MethodRange& method, const Swing& swing, Findings& findings, 
     if (run.evaluations > 170000 || run.error < 2e-14 || (setup.coarse && steps >= 4096)) break;
   }
   const auto claim = findings.in(fmt::format("integrator.{}", method.name));
-  findings.in("order")->expect_order(
-      "order of " + std::string(method.name), convergence, method.order() - method.admitted(),
-      method.order() + method.admitted(),
-      fmt::format("declared order {}; the next two terms of the expansion, determined from the errors at three coarser "
-                  "steps, tilt the line fitted between {} and {} steps by {:+.2g}: 1.5 times this is allowed in either "
-                  "direction, for the higher terms",
-                  method.order(), method.first, method.last, method.tilt));
+  findings.expect_order({"order", "order of " + std::string(method.name)}, convergence,
+                        method.order() - method.admitted(), method.order() + method.admitted(),
+                        fmt::format("declared order {}; the next two terms of the expansion, determined from the "
+                                    "errors at three coarser steps, tilt the line fitted between {} and {} steps by "
+                                    "{:+.2g}: 1.5 times this is allowed in either direction, for the higher terms",
+                                    method.order(), method.first, method.last, method.tilt));
   return series;
 }
 
@@ -59,10 +58,11 @@ Series study_tolerance(const Swing& swing, Findings& findings) {
     kept.add(tolerance, run.error);
     stepless.add(static_cast<double>(run.evaluations), run.error);
   }
-  findings.in("integrator.odeint_bulirsch_stoer")
-      ->expect_order("order of the error of odeint_bulirsch_stoer in the tolerance", kept, 0.8, 1.2,
-                     "order and step are chosen so that the error of a step stays below the tolerance: the global "
-                     "error is proportional to it, with scatter from these choices");
+  findings.expect_order(
+      {"integrator.odeint_bulirsch_stoer", "order of the error of odeint_bulirsch_stoer in the tolerance"}, kept, 0.8,
+      1.2,
+      "order and step are chosen so that the error of a step stays below the tolerance: the global error is "
+      "proportional to it, with scatter from these choices");
   return stepless;
 }
 

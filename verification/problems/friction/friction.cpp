@@ -87,12 +87,11 @@ void check_shear_loop(Findings& findings, const Setup& setup) {
     block.draw(half % 2 == 0 ? -loop_amplitude : loop_amplitude, loop);
   const double limit = loop_friction * loop_normal;
   const double exact = 4.0 * limit * (loop_amplitude - limit / loop_stiffness);
-  findings.expect("area of the shear loop", (block.work() - work) / 2.0, exact,
-                  Tolerance::exact("all lengths and forces are small multiples of powers of two, and so are their sums "
-                                   "and products"),
-                  "J");
-  findings.expect("friction work in a shear loop", (block.lost() - lost) / 2.0, exact,
-                  Tolerance::exact("equal to the area; a closed path leaves the spring unchanged"), "J");
+  findings.expect_exact(
+      "area of the shear loop", (block.work() - work) / 2.0, exact,
+      "all lengths and forces are small multiples of powers of two, and so are their sums and products", "J");
+  findings.expect_exact("friction work in a shear loop", (block.lost() - lost) / 2.0, exact,
+                        "equal to the area; a closed path leaves the spring unchanged", "J");
   if (!setup.coarse) findings.figure(loop_figure(loop));
 }
 

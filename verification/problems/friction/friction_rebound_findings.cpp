@@ -35,12 +35,10 @@ void compare_without_slip(double kappa, double ratio, const Rebound& found, Tabl
   table.rows.push_back(cells("$k_s/k_n$ = {:.4f}, $v$ = {:.2f} $\\mu v_n$ | {:.4f} | {:.4f} | {:+.4f} | {:.4f}", kappa,
                              found.before / mu, formula, exact, formula - exact, solver));
   if (kappa != 0.25 || ratio != 0.5) return;
-  findings.expect("error of e_t = -cos(pi sqrt(3 k_s/k_n)) at k_s/k_n = 1/4, v = 2 mu v_n", formula - solver,
-                  formula - exact,
-                  Tolerance::truncation(0.084 * std::pow(std::numbers::pi / 100.5, 2) / found.before, 1.2,
-                                        "the constant of the rms error of all slip rates, 0.084 (w h)^2, over the "
-                                        "initial slip rate; the error of a mean of 64 phases is at most their rms "
-                                        "error"));
+  findings.expect_truncation("error of e_t = -cos(pi sqrt(3 k_s/k_n)) at k_s/k_n = 1/4, v = 2 mu v_n", formula - solver,
+                             formula - exact, 0.084 * std::pow(std::numbers::pi / 100.5, 2) / found.before, 1.2,
+                             "the constant of the rms error of all slip rates, 0.084 (w h)^2, over the initial slip "
+                             "rate; the error of a mean of 64 phases is at most their rms error");
 }
 
 /// -after/before as text, without a minus sign before zero.
@@ -60,15 +58,15 @@ Series exact_rebounds(double kappa) {
 void check_rebounds(Findings& findings, const Setup& setup) {
   Table table{.name = "rebounds",
               .caption =
-                  "Slip rate after an oblique impact over that before, $-v'/v$: exact and solver (velocity Verlet, "
-                  "100 steps per contact, mean of 64 phases). The unit of $v$ is $\\mu v_n k_n/k_s$.",
+                  "Slip rate after an oblique impact over that before, $-v'/v$: exact and solver (velocity Verlet, 100 "
+                  "steps per contact, mean of 64 phases). The unit of $v$ is $\\mu v_n k_n/k_s$.",
               .columns = {"k_s/k_n", "v", "exact", "solver", "rms error over v_n"}};
-  Table common = common_formula(
-      "tangential_restitution",
-      "**Tangential restitution of a contact that sticks, $e_t = -v'/v = -\\cos(\\pi\\sqrt{3 k_s/k_n})$.** It "
-      "neglects that the normal force falls to zero at the end, so that every contact with Coulomb's limit slips "
-      "there unless both springs oscillate in phase, $k_s/k_n$ = 1/3. Discs, undamped. Solver: velocity Verlet, 100 "
-      "steps per contact, mean of 64 phases.");
+  Table common =
+      common_formula("tangential_restitution",
+                     "**Tangential restitution of a contact that sticks, $e_t = -v'/v = -\\cos(\\pi\\sqrt{3 "
+                     "k_s/k_n})$.** It neglects that the normal force falls to zero at the end, so that every contact "
+                     "with Coulomb's limit slips there unless both springs oscillate in phase, $k_s/k_n$ = 1/3. Discs, "
+                     "undamped. Solver: velocity Verlet, 100 steps per contact, mean of 64 phases.");
   Figure figure{.name = "rebound",
                 .title = "Rebound of the contact point",
                 .caption =
@@ -90,9 +88,9 @@ void check_rebounds(Findings& findings, const Setup& setup) {
     figure.series.push_back(exact_rebounds(kappa));
     figure.series.push_back(points);
   }
-  findings.expect("rms error of the slip rate after the impact, largest of 4 stiffnesses x 6 obliquities", largest, 0.0,
-                  Tolerance::truncation(0.084 * std::pow(std::numbers::pi / 100.5, 2), 1.2,
-                                        "measured constant 0.084 (w h)^2, and a fifth for other phases"));
+  findings.expect_truncation("rms error of the slip rate after the impact, largest of 4 stiffnesses x 6 obliquities",
+                             largest, 0.0, 0.084 * std::pow(std::numbers::pi / 100.5, 2), 1.2,
+                             "measured constant 0.084 (w h)^2, and a fifth for other phases");
   findings.table(table);
   findings.table(common);
   findings.figure(figure);
@@ -119,11 +117,10 @@ void check_grazing(Findings& findings, const Setup& setup) {
   }
   findings.expect_true("no energy gain in grazing impacts of 60 to 88 degrees, mu = 0.01 to 1", gain <= 0.0,
                        "friction dissipates more than the error of the normal impact, of order (w h)^2, adds");
-  findings.expect(
+  findings.expect_truncation(
       "energy after a grazing impact, largest error over (w h)^2 times the initial energy", error / (step * step), 0.0,
-      Tolerance::truncation(
-          0.156, 1.2,
-          "measured constant 0.156 (w h)^2 at 31 steps per contact, and a fifth for the next power of the step"));
+      0.156, 1.2,
+      "measured constant 0.156 (w h)^2 at 31 steps per contact, and a fifth for the next power of the step");
 }
 
 }  // namespace talus::verification::problems

@@ -209,10 +209,10 @@ void check_leapfrogs(const Exercise& exercise, Figure& figure, Findings& finding
     expect_constant(findings.in(exercise.springs.damped ? "cables" : exercise.name), name, found, constant, order,
                     odd ? 1 : 2, setup.coarse ? 2e-4 : 3e-6);
     if (method.kind == reference::Leapfrog::velocity_verlet)
-      findings.expect_order("order, " + name, found, order - 0.003, order + 0.003,
-                            "the order of the method, because no cable or contact is released; the next power, w h "
-                            "= 0.03 (w = 8, at the largest step; squared without dashpots), bends the line by a "
-                            "twentieth of itself");
+      findings.expect_order(
+          "order, " + name, found, order - 0.003, order + 0.003,
+          "the order of the method, because no cable or contact is released; the next power, w h = 0.03 (w = 8, at the "
+          "largest step; squared without dashpots), bends the line by a twentieth of itself");
     if (method.kind == reference::Leapfrog::lagged_central_difference && !system.damped) continue;
     figure.series.push_back({name, found.steps(), found.errors(), Style::points});
     figure.series.push_back(curve("predicted", found.steps(), [&](double h) { return constant * std::pow(h, order); }));
@@ -236,11 +236,11 @@ void check_high_orders(const Exercise& exercise, Figure& figure, Findings& findi
     if (method.rolling_only && exercise.name != "rolling") continue;
     const auto claim = findings.in(fmt::format("integrator.{}", method.name));
     const Convergence found = errors(exercise, make_integrator(method.name), method.first, 3, findings, setup);
-    findings.expect_order(
-        fmt::format("order, {}, {}", exercise.name, method.name), found, method.order - 0.2, method.order + 0.2,
-        "the order of the method, because no cable or contact is released; the next power, w h = 0.1 to 0.8 for w = "
-        "8 at the largest step, times a constant of the method: at most 0.19 is measured, and it decreases with the "
-        "step");
+    findings.expect_order(fmt::format("order, {}, {}", exercise.name, method.name), found, method.order - 0.2,
+                          method.order + 0.2,
+                          "the order of the method, because no cable or contact is released; the next power, w h = 0.1 "
+                          "to 0.8 for w = 8 at the largest step, times a constant of the method: at most 0.19 is "
+                          "measured, and it decreases with the step");
     figure.series.push_back({exercise.name + ", " + method.name, found.steps(), found.errors(), Style::linespoints});
   }
 }

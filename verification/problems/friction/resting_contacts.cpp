@@ -107,21 +107,16 @@ void sliding_block(Findings& findings, const Setup& setup, Costs& costs) {
         "at 1e-6 a method of order 4 covers the slide in tens of steps of five stages, and start and stop are "
         "transients of about 15 periods; each decimal adds a fixed number: 300 per decimal beyond three");
     if (explicitly) continue;
-    findings.expect(name + "displacement", found.state.q[0], expected,
-                    Tolerance::truncation(0.1 * tolerance, 3.0,
-                                          "a tenth of the tolerance times the displacement is measured at 1e-6 and "
-                                          "1e-10"),
-                    "m");
-    findings.expect(
-        name + "speed at rest", std::hypot(found.state.v[0], found.state.v[1]), 0.0,
-        Tolerance::truncation(0.3 * tolerance * block.speed, 1.0,
-                              "errors of the method are relative to the largest speed, 3 m/s; a third is measured"),
-        "m/s");
-    findings.expect(name + "largest error of the energy balance", found.balance, 0.0,
-                    Tolerance::truncation(4.0 * tolerance * 0.5 * block.mass * block.speed * block.speed, 3.0,
-                                          "speeds have an error of the tolerance at every step, and the friction "
-                                          "work is the integral of its power; four times the tolerance is measured"),
-                    "N m");
+    findings.expect_truncation(name + "displacement", found.state.q[0], expected, 0.1 * tolerance, 3.0,
+                               "a tenth of the tolerance times the displacement is measured at 1e-6 and 1e-10", "m");
+    findings.expect_truncation(
+        name + "speed at rest", std::hypot(found.state.v[0], found.state.v[1]), 0.0, 0.3 * tolerance * block.speed, 1.0,
+        "errors of the method are relative to the largest speed, 3 m/s; a third is measured", "m/s");
+    findings.expect_truncation(name + "largest error of the energy balance", found.balance, 0.0,
+                               4.0 * tolerance * 0.5 * block.mass * block.speed * block.speed, 3.0,
+                               "speeds have an error of the tolerance at every step, and the friction work is the "
+                               "integral of its power; four times the tolerance is measured",
+                               "N m");
   }
   if (setup.coarse) return;
   Scene longer = scene;
@@ -145,8 +140,8 @@ void rolling_disc(Findings& findings, const Setup& setup, Costs& costs) {
     const std::string why =
         "the disc starts with an overlap of 0.3 instead of 18 micrometres: the arm of friction is longer by half of "
         "that during the oscillation of 5 ms, 9e-5 of the arm for 0.5 % of the time";
-    findings.expect(name + "displacement", along, reference::rolled_displacement(disc, end),
-                    Tolerance::model(9e-5 * 5e-3 / 10.0, why), "m");
+    findings.expect_model(name + "displacement", along, reference::rolled_displacement(disc, end), 9e-5 * 5e-3 / 10.0,
+                          why, "m");
     findings.expect(name + "spin", found.state.v[2], -reference::rolled_spin(disc, end),
                     Tolerance::model(9e-5 * 5e-3 / 10.0, why).relative(), "rad/s");
     findings.expect_between(name + "evaluations", static_cast<double>(found.evaluations), 100.0,
@@ -158,13 +153,10 @@ void nudged(Findings& findings, const Setup& setup) {
   const Ended found = ended(nudged_block(setup), 1e-10, findings);
   const double energy = 0.5 * block.mass * nudge * nudge;
   const double friction = found.accounts.dissipated[static_cast<std::size_t>(Mechanism::friction)];
-  findings.expect("nudged block: friction work over its kinetic energy", friction / energy, 1.0,
-                  Tolerance::truncation(1e-10, 1.0,
-                                        "the power of the dashpot is integrated to the tolerance, 1e-10, over about "
-                                        "10 periods"));
-  findings.expect("nudged block: speed at rest", std::hypot(found.state.v[0], found.state.v[1]), 0.0,
-                  Tolerance::truncation(1e-10 * nudge, 3.0, "errors of the method are relative to the largest speed"),
-                  "m/s");
+  findings.expect_truncation("nudged block: friction work over its kinetic energy", friction / energy, 1.0, 1e-10, 1.0,
+                             "the power of the dashpot is integrated to the tolerance, 1e-10, over about 10 periods");
+  findings.expect_truncation("nudged block: speed at rest", std::hypot(found.state.v[0], found.state.v[1]), 0.0,
+                             1e-10 * nudge, 3.0, "errors of the method are relative to the largest speed", "m/s");
 }
 
 /// A disc that spins and bounces, with a tangential dashpot so strong that it carries most of the friction: the spring
@@ -201,13 +193,13 @@ end = "0.2 s"
                                  "strong_dashpot");
   const double energy = 0.5 * 10.0 * 2.0 * 2.0 + 0.5 * 1.25 * 2.0 * 2.0;
   const Ended found = ended(scene, 1e-10, findings);
-  findings.expect(
-      "strong dashpot: error of the energy balance at the end", found.accounts.energy_balance_error / energy, 0.0,
-      Tolerance::truncation(1e-10, 1.0, "the powers are integrated to the tolerance, 1e-10, in about 100 steps"));
+  findings.expect_truncation("strong dashpot: error of the energy balance at the end",
+                             found.accounts.energy_balance_error / energy, 0.0, 1e-10, 1.0,
+                             "the powers are integrated to the tolerance, 1e-10, in about 100 steps");
   const double lost = found.accounts.dissipated[static_cast<std::size_t>(Mechanism::friction)];
-  findings.expect_between("strong dashpot: friction work over the initial energy", lost / energy, 0.0, 0.3,
-                          "friction dissipates at most the energy of the spin, including what it transfers to the "
-                          "centre");
+  findings.expect_between(
+      "strong dashpot: friction work over the initial energy", lost / energy, 0.0, 0.3,
+      "friction dissipates at most the energy of the spin, including what it transfers to the centre");
 }
 
 /// A body without contacts or forces, by every method with a tolerance: without motion there is no error to estimate.
@@ -224,8 +216,8 @@ void unmoved(Findings& findings) {
     most = std::max(most, static_cast<double>(end.evaluations));
   }
   const auto group = findings.in("unmoved");
-  findings.expect("body without forces: displacement and speed, largest of all methods", moved, 0.0,
-                  Tolerance::exact("sums of zeros"), "m, m/s");
+  findings.expect_exact("body without forces: displacement and speed, largest of all methods", moved, 0.0,
+                        "sums of zeros", "m, m/s");
   findings.expect_between("body without forces: evaluations of 1 s, maximum over the methods", most, 1.0, 26.0,
                           "without motion no step is too long: one step, or two of Fehlberg's thirteen evaluations");
 }
@@ -262,17 +254,17 @@ void smooth_beside_rough(Findings& findings) {
     keep_worst(rough_moved, moved(at_rough) - reference::rolled_displacement(disc, end));
   }
   const auto group = findings.in("smooth_beside_rough");
-  group->expect("smooth disc beside a rough one: displacement, largest relative error", smooth_moved, 0.0,
-                Tolerance::round_off(1e-12, "5000 additions to positions of up to 1.4 m, over 0.4 m"));
-  group->expect("smooth disc beside a rough one: spin, largest relative change", smooth_spin, 0.0,
-                Tolerance::exact("no force on it has a moment about its centre"));
+  group->expect_round_off("smooth disc beside a rough one: displacement, largest relative error", smooth_moved, 0.0,
+                          1e-12, "5000 additions to positions of up to 1.4 m, over 0.4 m");
+  group->expect_exact("smooth disc beside a rough one: spin, largest relative change", smooth_spin, 0.0,
+                      "no force on it has a moment about its centre");
   const double q = disc.inertia / (disc.mass * disc.radius * disc.radius);
   const double stretch = q / (1.0 + q) * disc.mass * along / disc.shear_stiffness;
-  group->expect("rough disc beside a smooth one: displacement, largest error", rough_moved, 0.0,
-                Tolerance::model(1.5 * q / (1.0 + q) * stretch,
-                                 "without a dashpot its friction spring oscillates about the stretch s of rolling, and "
-                                 "its centre by q s/(1 + q); half of that is allowed for the change of its arm"),
-                "m");
+  group->expect_model("rough disc beside a smooth one: displacement, largest error", rough_moved, 0.0,
+                      1.5 * q / (1.0 + q) * stretch,
+                      "without a dashpot its friction spring oscillates about the stretch s of rolling, and its centre "
+                      "by q s/(1 + q); half of that is allowed for the change of its arm",
+                      "m");
 }
 
 /// Draws the speed of the block with and without the tangential dashpot.
@@ -293,8 +285,8 @@ void draw_speeds(Findings& findings, const Setup& setup) {
   const Series undamped = curve("without a tangential dashpot");
   findings.figure({.name = "rest",
                    .title = "Speed of the block when it stops",
-                   .caption = "The block stops at 1.0194 s and its springs recover. Without a tangential dashpot "
-                              "only its rocking is damped.",
+                   .caption = "The block stops at 1.0194 s and its springs recover. Without a tangential dashpot only "
+                              "its rocking is damped.",
                    .x = {.label = "time", .unit = "s"},
                    .y = {.label = "speed of the centre", .unit = "m/s", .log = true},
                    .series = {damped, undamped},
@@ -309,13 +301,13 @@ void run(Findings& findings, const Setup& setup) {
   if (setup.fault.empty()) strong_dashpot(findings);
   if (setup.coarse) return;
   draw_speeds(findings, setup);
-  findings.figure({.name = "cost",
-                   .title = "Force evaluations against the tolerance",
-                   .caption = "Force evaluations of the whole run. With explicit steps only, the block takes 1.6 "
-                              "million at 1e-6.",
-                   .x = {.label = "tolerance", .log = true},
-                   .y = {.label = "force evaluations", .log = true, .min = 100.0, .max = 1e4},
-                   .series = {costs.block, costs.disc}});
+  findings.figure(
+      {.name = "cost",
+       .title = "Force evaluations against the tolerance",
+       .caption = "Force evaluations of the whole run. With explicit steps only, the block takes 1.6 million at 1e-6.",
+       .x = {.label = "tolerance", .log = true},
+       .y = {.label = "force evaluations", .log = true, .min = 100.0, .max = 1e4},
+       .series = {costs.block, costs.disc}});
   if (!setup.coarse) unmoved(findings), smooth_beside_rough(findings);
 }
 

@@ -19,40 +19,38 @@ void check_turn(Findings& findings, const Setup& setup) {
   const Turn one = turned_pair_of(sampled, setup);
   const double exact = exact_drift(sampled);
   const char* counted =
-      "512 steps, each with a dozen roundings of positions of up to 2, most of them of random sign: sqrt(512) x 12 "
-      "x 2.2e-16, times the stiffness for a force";
+      "512 steps, each with a dozen roundings of positions of up to 2, most of them of random sign: sqrt(512) x 12 x "
+      "2.2e-16, times the stiffness for a force";
   constexpr double roundings = 22.6 * 12.0 * epsilon;
-  findings.expect("spurious stretch in a full rotation of 256 steps", one.stretch, exact,
-                  Tolerance::round_off(roundings, counted), "m");
-  findings.expect("stretch after a full rotation forth and back", one.stretch_back, 0.0,
-                  Tolerance::round_off(roundings, counted), "m");
-  findings.expect("normal force in co-rotating directions, largest change", one.force, 0.0,
-                  Tolerance::round_off(2.0 * normal_stiffness * 12.0 * epsilon,
-                                       "a dozen roundings of the current positions, times the stiffness"),
-                  "N");
-  findings.expect(
-      "friction force in co-rotating directions, largest change beyond that of the stretch", one.drag, 0.0,
-      Tolerance::round_off(4.0 * 12.0 * epsilon, "a dozen roundings of a force of 4 N and of its directions"), "N");
+  findings.expect_round_off("spurious stretch in a full rotation of 256 steps", one.stretch, exact, roundings, counted,
+                            "m");
+  findings.expect_round_off("stretch after a full rotation forth and back", one.stretch_back, 0.0, roundings, counted,
+                            "m");
+  findings.expect_round_off("normal force in co-rotating directions, largest change", one.force, 0.0,
+                            2.0 * normal_stiffness * 12.0 * epsilon,
+                            "a dozen roundings of the current positions, times the stiffness", "N");
+  findings.expect_round_off("friction force in co-rotating directions, largest change beyond that of the stretch",
+                            one.drag, 0.0, 4.0 * 12.0 * epsilon,
+                            "a dozen roundings of a force of 4 N and of its directions", "N");
   const double stored = 0.5 * slip_stiffness * exact * (2.0 * first_stretch + exact);
-  findings.expect("spurious stored energy in a full rotation of 256 steps", one.energy, stored,
-                  Tolerance::round_off(4.0 * 12.0 * epsilon + 0.25 * roundings,
-                                       "the normal force of 4 N times the roundings of a position, the friction "
-                                       "force of 0.25 N times those of the stretch"),
-                  "J");
+  findings.expect_round_off("spurious stored energy in a full rotation of 256 steps", one.energy, stored,
+                            4.0 * 12.0 * epsilon + 0.25 * roundings,
+                            "the normal force of 4 N times the roundings of a position, the friction force of 0.25 N "
+                            "times those of the stretch",
+                            "J");
   const PredictedErrors drift = predicted_errors(doublings(16.0, setup.coarse ? 3 : 6), [&](double n) {
     return std::array{2.0 * std::numbers::pi / n, turned_pair_of(std::lround(n), setup).stretch,
                       2.0 / 3.0 * std::pow(std::numbers::pi, 3.0) * distance / (n * n)};
   });
   findings.expect_order(
       "order of the spurious stretch in a full rotation", drift.found(), setup.coarse ? 1.996 : 1.9985, 2.0,
-      "2 minus the effect of the next term, 1 - pi^2/(10 n^2), which is 0.004 at 16 steps and falls to a quarter "
-      "with each doubling: it tilts the line by 0.002 (from 16 to 64 steps) or 0.001 (to 512)");
+      "2 minus the effect of the next term, 1 - pi^2/(10 n^2), which is 0.004 at 16 steps and falls to a quarter with "
+      "each doubling: it tilts the line by 0.002 (from 16 to 64 steps) or 0.001 (to 512)");
   if (setup.coarse) return;
   findings.figure({.name = "turn",
                    .title = "Spurious stretch of a sticking pair in a full rotation",
-                   .caption =
-                       "Spurious stretch of the tangential spring in a full rotation against the angle per step. "
-                       "Line: prediction, no constant fitted.",
+                   .caption = "Spurious stretch of the tangential spring in a full rotation against the angle per "
+                              "step. Line: prediction, no constant fitted.",
                    .x = {"angle per step", "rad", true},
                    .y = {"spurious stretch", "m", true},
                    .series = {drift.points("solver"), drift.line("2/3 pi^3 D/n^2")}});
@@ -124,15 +122,15 @@ void check_loops(Findings& findings, const Setup& setup) {
   for (const Place& to : {Place{0.0625, 0.0, 0.0}, Place{0.0625, -0.03125, 0.0}, Place{-0.03125, -0.03125, 0.0},
                           Place{-0.03125, 0.015625, 0.0}, Place{0.0, 0.015625, 0.0}, Place{0.0, 0.0, 0.0}})
     slid.draw(to);
-  findings.expect("work of a closed path in x and y", slid.work(), 0.0, Tolerance::exact(dyadic), "J");
-  findings.expect("stretch after a closed path in x and y", slid.stretch(), 0.0, Tolerance::exact(dyadic), "m");
-  findings.expect("friction work of a closed path in x and y", slid.lost(), 0.0,
-                  Tolerance::exact("the contact sticks throughout"), "J");
+  findings.expect_exact("work of a closed path in x and y", slid.work(), 0.0, dyadic, "J");
+  findings.expect_exact("stretch after a closed path in x and y", slid.stretch(), 0.0, dyadic, "m");
+  findings.expect_exact("friction work of a closed path in x and y", slid.lost(), 0.0, "the contact sticks throughout",
+                        "J");
 
   DrawnDisc rolled{friction};
   for (const Place& to : {Place{0.0625, 0.0, 0.0}, Place{0.0625, 0.0, -0.0625}, Place{0.0, 0.0, -0.0625}, Place{}})
     rolled.draw(to);
-  findings.expect("work of a closed path in x and the angle", rolled.work(), 0.0, Tolerance::exact(dyadic), "J");
+  findings.expect_exact("work of a closed path in x and the angle", rolled.work(), 0.0, dyadic, "J");
 
   constexpr double low = -0.03125, turn = 0.5;
   DrawnDisc turned{friction};
@@ -140,14 +138,13 @@ void check_loops(Findings& findings, const Setup& setup) {
   for (const Place& to : corners)
     turned.draw(to);
   const double left = 0.5 * turn * low;
-  findings.expect("stretch after a closed path in y and the angle", turned.stretch(), left, Tolerance::exact(dyadic),
-                  "m");
-  findings.expect("work of a closed path in y and the angle", turned.work(), 0.5 * DrawnDisc::stiffness * left * left,
-                  Tolerance::exact(dyadic), "J");
+  findings.expect_exact("stretch after a closed path in y and the angle", turned.stretch(), left, dyadic, "m");
+  findings.expect_exact("work of a closed path in y and the angle", turned.work(),
+                        0.5 * DrawnDisc::stiffness * left * left, dyadic, "J");
   for (const Place& to : {corners[2], corners[1], corners[0], corners[3]})
     turned.draw(to);
-  findings.expect("work of a closed path in y and the angle and of the same path back", turned.work(), 0.0,
-                  Tolerance::exact(dyadic), "J");
+  findings.expect_exact("work of a closed path in y and the angle and of the same path back", turned.work(), 0.0,
+                        dyadic, "J");
 }
 
 void run(Findings& findings, const Setup& setup) {

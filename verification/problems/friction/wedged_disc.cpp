@@ -129,8 +129,8 @@ void check_leapfrogs(const Wedge& wedge, Figure& figure, Findings& findings, con
     expect_constant(findings.in("errors"), name, found, constant, 2, 2, 3e-6);
     if (method.kind != reference::Leapfrog::velocity_verlet) continue;
     const double admitted = setup.coarse ? 0.03 : 0.002;
-    findings.in("orders")->expect_order(
-        "order, " + name, found, 2.0 - admitted, 2.0 + admitted,
+    findings.expect_order(
+        {"orders", "order, " + name}, found, 2.0 - admitted, 2.0 + admitted,
         "no contact is released or slips. The next power, (w h)^2 = 4e-4 at the largest step (coarse: 0.007), bends "
         "the line by up to four times as much where the leading term happens to be small");
     figure.series.push_back({"solver, " + wedge.name(), found.steps(), found.errors(), Style::points});
@@ -153,14 +153,14 @@ void check_late(const Wedge& wedge, Figure& figure, Table& table, Findings& find
 }
 
 void run(Findings& findings, const Setup& setup) {
-  Figure figure{.name = "error",
-                .title = "Disc in a notch: error after seven oscillations",
-                .caption =
-                    "Error of position, angle and both stretches, combined in quadrature, by velocity Verlet "
-                    "against the step. Lines: prediction, no constant fitted. Crosses: slip along the directions at "
-                    "the end of the step.",
-                .x = {"step", "s", true},
-                .y = {"error", "m", true}};
+  Figure figure{
+      .name = "error",
+      .title = "Disc in a notch: error after seven oscillations",
+      .caption =
+          "Error of position, angle and both stretches, combined in quadrature, by velocity Verlet against the step. "
+          "Lines: prediction, no constant fitted. Crosses: slip along the directions at the end of the step.",
+      .x = {"step", "s", true},
+      .y = {"error", "m", true}};
   Table table{.name = "late",
               .caption =
                   "Predicted errors of velocity Verlet at the end, over the power of the step: with the slip at "
@@ -174,10 +174,9 @@ void run(Findings& findings, const Setup& setup) {
     if (setup.coarse) continue;
     check_late(wedge, figure, table, findings);
     if (ratio != 100.0) continue;
-    findings.in("integrator.rk4")
-        ->expect_order("order, rk4, R/r = 100", wedge.errors(RungeKutta4{}, 256.0, 3, false, findings), 3.95, 4.05,
-                       "the motion is smooth: the declared order, and the next power of w h = 0.16 at the largest "
-                       "step");
+    findings.expect_order(
+        {"integrator.rk4", "order, rk4, R/r = 100"}, wedge.errors(RungeKutta4{}, 256.0, 3, false, findings), 3.95, 4.05,
+        "the motion is smooth: the declared order, and the next power of w h = 0.16 at the largest step");
   }
   if (setup.coarse) return;
   findings.table(table);

@@ -121,19 +121,14 @@ void check_elastic(Findings& findings, const Setup& setup) {
     table.rows.push_back(cells("{:g} | {:.4f} | {:.4f} | {:.4f} | {:+.1e}", fraction, found.pressure.value,
                                found.pressure.error, found.hardened, found.heated));
   }
-  findings.expect(
+  findings.expect_model(
       "pressure of elastic discs over that of hard ones, worse of two solid fractions", pressed.pressure.value,
-      pressed.hardened,
-      Tolerance::model(
-          0.004 + 3.0 * pressed.pressure.error,
-          "three standard errors from 20 blocks of the run; 0.004 for the formula of chi and for three-body "
-          "collisions"));
-  findings.expect(
-      "change of the energy of elastic discs, worse of two solid fractions", heated.heated, 0.0,
-      Tolerance::truncation(
-          walk(heated), 3.0,
-          "each collision begins at a different phase of the step and changes its energy by the fraction 2*0.52/20^2 "
-          "(root mean square of an undamped impact, pi^2/sqrt(90)/20^2): a random walk"));
+      pressed.hardened, 0.004 + 3.0 * pressed.pressure.error,
+      "three standard errors from 20 blocks of the run; 0.004 for the formula of chi and for three-body collisions");
+  findings.expect_truncation(
+      "change of the energy of elastic discs, worse of two solid fractions", heated.heated, 0.0, walk(heated), 3.0,
+      "each collision begins at a different phase of the step and changes its energy by the fraction 2*0.52/20^2 (root "
+      "mean square of an undamped impact, pi^2/sqrt(90)/20^2): a random walk");
   // Counterexample: steps that are too long.
   for (const double steps : {6.0, 4.0}) {
     const Elastic found =
@@ -185,15 +180,12 @@ void run(Findings& findings, const Setup& setup) {
         drawn[which].add(found.time[i], found.temperature[i]);
     }
     const double allowed = 0.023 + 2.7 * 0.4 / std::sqrt(static_cast<double>(discs * seeds));
-    findings.in("slopes")->expect(
-        fmt::format("slope of T^-1/2, {}, over Haff's", drawn[which].label), slope[which], 1.0,
-        Tolerance::model(
-            allowed,
-            fmt::format(
-                "soft contacts dissipate less, by {:.3f} at first and less later; vortices contain energy that "
-                "collisions do not dissipate: 0.023 for both in 8 runs of 2025 discs with half the t_c of the table; "
-                "a run of N discs scatters by 0.4/sqrt(N), and 2.7 times that is allowed: {:.3f} in all",
-                softness, allowed)));
+    findings.expect_model(
+        {"slopes", fmt::format("slope of T^-1/2, {}, over Haff's", drawn[which].label)}, slope[which], 1.0, allowed,
+        fmt::format("soft contacts dissipate less, by {:.3f} at first and less later; vortices contain energy that "
+                    "collisions do not dissipate: 0.023 for both in 8 runs of 2025 discs with half the t_c of the "
+                    "table; a run of N discs scatters by 0.4/sqrt(N), and 2.7 times that is allowed: {:.3f} in all",
+                    softness, allowed));
   }
   const auto [least, most] = std::minmax_element(slopes.begin(), slopes.end());
   const double w1h = std::sqrt(2.0 * latching.stiffness) * contact_time / 20.0;
@@ -202,32 +194,29 @@ void run(Findings& findings, const Setup& setup) {
   // Collisions of a disc: each reduces T by the fraction (1 - e^2)/2, and T falls by the factor (1 + t/tau)^2.
   const double per_disc = 4.0 * std::log(1.0 + length) / loss;
   const double collisions = 0.5 * per_disc * count * static_cast<double>(seeds);
-  findings.expect(
+  findings.expect_truncation(
       "energy dissipated by latching springs over the energy lost by the discs", account, 1.0,
-      Tolerance::truncation(
-          w1h * w1h / (loss * std::sqrt(90.0)) * std::sqrt(2.5 / collisions), 1.5,
-          fmt::format(
-              "nothing of first order; each impact is off by (w1 h)^2/(1 - e^2) (u' (1 - u') - u (1 - u)) of its loss, "
-              "u and u' the fractions of a step at touch and end: at most 1/sqrt(90) for the root mean square of the "
-              "bracket; a random walk over {:.0f} collisions, whose different energies enlarge it by sqrt(2.5)",
-              collisions)));
-  findings.expect(
+      w1h * w1h / (loss * std::sqrt(90.0)) * std::sqrt(2.5 / collisions), 1.5,
+      fmt::format(
+          "nothing of first order; each impact is off by (w1 h)^2/(1 - e^2) (u' (1 - u') - u (1 - u)) of its loss, u "
+          "and u' the fractions of a step at touch and end: at most 1/sqrt(90) for the root mean square of the "
+          "bracket; a random walk over {:.0f} collisions, whose different energies enlarge it by sqrt(2.5)",
+          collisions));
+  findings.expect_round_off(
       "momentum, largest deviation from its initial value", momentum, 0.0,
-      Tolerance::round_off(
-          5.0 * (6.4e-17 * std::sqrt(20.0 * per_disc * count) + 6.4e-17 * drift * count * std::sqrt(count)),
-          "38 collisions per disc with 20 impulses each, which round velocities near 1 by 2.2e-16/sqrt(12) rms: 8e-14; "
-          "the sum over all discs is rounded by the same fraction of up to half their number at each term: 3e-12; five "
-          "times that for the worst of a thousand sums"));
+      5.0 * (6.4e-17 * std::sqrt(20.0 * per_disc * count) + 6.4e-17 * drift * count * std::sqrt(count)),
+      "38 collisions per disc with 20 impulses each, which round velocities near 1 by 2.2e-16/sqrt(12) rms: 8e-14; the "
+      "sum over all discs is rounded by the same fraction of up to half their number at each term: 3e-12; five times "
+      "that for the worst of a thousand sums");
   if (setup.needs("elastic discs")) check_elastic(findings, setup);
   if (setup.coarse) return;
   const auto haff = [](double t) { return 1.0 / ((1.0 + t) * (1.0 + t)); };
   findings.figure(
       {.name = "cooling",
        .title = "Temperature of the cooling gas",
-       .caption = fmt::format(
-           "Temperature over its initial value against time over $\\tau$, first of {} runs with each law; the slopes "
-           "of all runs are {:.3f} to {:.3f} of that of Haff's law.",
-           seeds, *least, *most),
+       .caption = fmt::format("Temperature over its initial value against time over $\\tau$, first of {} runs with "
+                              "each law; the slopes of all runs are {:.3f} to {:.3f} of that of Haff's law.",
+                              seeds, *least, *most),
        .x = {.label = "t/tau"},
        .y = {.label = "T/T0", .log = true},
        .series = {curve("Haff's law", multiples(0.01 * length, 0, 100), haff), drawn[0], drawn[1]}});

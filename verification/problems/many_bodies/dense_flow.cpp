@@ -5,12 +5,11 @@ namespace talus::verification::problems::dense_flow {
 namespace {
 
 void draw(Findings& findings, const std::vector<DenseFlow>& all) {
-  Table table{
-      .name = "flow",
-      .caption =
-          "Effective friction, with its standard error from ten blocks, at the inertial number that results from the "
-          "solid fraction; softness $p/K_1$; contacts per disc; mean overlap of a contact over $d$.",
-      .columns = {"phi", "I", "mu", "error", "p/K1", "contacts", "overlap"}};
+  Table table{.name = "flow",
+              .caption =
+                  "Effective friction, with its standard error from ten blocks, at the inertial number that results "
+                  "from the solid fraction; softness $p/K_1$; contacts per disc; mean overlap of a contact over $d$.",
+              .columns = {"phi", "I", "mu", "error", "p/K1", "contacts", "overlap"}};
   Series points{"discs", {}, {}, Style::errorbars};
   for (const DenseFlow& flow : all) {
     const auto [mu, error] = flow.friction;
@@ -48,12 +47,10 @@ void run(Findings& findings, const Setup& setup) {
   }
   const DenseFlow& slow = all.back();
   const double twice = 2.0 * slow.friction.error;
-  findings.expect_between(
-      "effective friction of the slowest flow", slow.friction.value, 0.10 - twice, 0.13 + twice,
-      fmt::format(
-          "runs of an independent code gave 0.10 to 0.13 at I = 0.003; the range is extended by two standard errors of "
-          "{:.4f}",
-          slow.friction.error));
+  findings.expect_between("effective friction of the slowest flow", slow.friction.value, 0.10 - twice, 0.13 + twice,
+                          fmt::format("runs of an independent code gave 0.10 to 0.13 at I = 0.003; the range is "
+                                      "extended by two standard errors of {:.4f}",
+                                      slow.friction.error));
   findings.expect_between("inertial number of the slowest flow", slow.inertial.value, 0.0025, 0.0040,
                           "so that the friction is that at I of about 0.003");
   if (!setup.coarse) draw(findings, all);

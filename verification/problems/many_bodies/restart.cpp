@@ -119,10 +119,10 @@ void check_restart(Findings& findings, const Setup& setup, const std::string& sc
   const Half whole = run_in_halves(scene, method.method, step, steps, Interrupted::never, setup, findings);
   const Half halves = run_in_halves(scene, method.method, step, steps, Interrupted::by_checkpoint, setup, findings);
   const auto claim = findings.in(fmt::format("integrator.{}", name(method.method))), group = findings.in(scene_name);
-  findings.in("restarts")
-      ->expect(fmt::format("values that differ after a restart, {}, {}", scene_name, method.name),
-               differing_numbers(whole.end, halves.end), 0.0,
-               Tolerance::exact("the file contains everything that a step depends on, with all digits"));
+  findings.expect_exact(
+      {"restarts", fmt::format("values that differ after a restart, {}, {}", scene_name, method.name)},
+      differing_numbers(whole.end, halves.end), 0.0,
+      "the file contains everything that a step depends on, with all digits");
   if (setup.coarse) return;
   const Half again = run_in_halves(scene, method.method, step, steps, Interrupted::from_state_alone, setup, findings);
   const Difference change = difference(whole.end, again.end);
@@ -147,12 +147,11 @@ Scene two_pressed_discs() {
 }
 
 void run(Findings& findings, const Setup& setup) {
-  Table table{
-      .name = "again",
-      .caption =
-          "Force evaluations of the uninterrupted run and of the resumed one, and the largest change of a coordinate "
-          "at the end when the method restarts from the state alone, as from a printed listing.",
-      .columns = {"scene", "method", "uninterrupted", "resumed", "restarted"}};
+  Table table{.name = "again",
+              .caption =
+                  "Force evaluations of the uninterrupted run and of the resumed one, and the largest change of a "
+                  "coordinate at the end when the method restarts from the state alone, as from a printed listing.",
+              .columns = {"scene", "method", "uninterrupted", "resumed", "restarted"}};
   const Scene yard = mixed_pile();
   const double step = 1e-3;
   const long steps = std::lround(0.8 / step);

@@ -78,27 +78,22 @@ void check(Findings& findings, const std::vector<Sheared>& all) {
       "Enskog's equation neglects correlations between the velocities of neighbours, and its closure is Gaussian: some "
       "percent at these e; contacts of finite duration: one or two percent; largest standard error of all runs {:.3f}",
       scatter);
-  findings.expect("effective friction over its prediction, worst gas", friction.value, 1.0,
-                  Tolerance::model(0.06, left_out));
-  findings.expect("temperature over its prediction, worst gas", temperature.value, 1.0,
-                  Tolerance::model(0.12, left_out));
-  findings.expect(
-      "dissipated energy over shear heating, worst gas", balance.value, 1.0,
-      Tolerance::model(
-          0.006 + 3.0 * balance.error,
-          "stress is sampled every tenth step; three standard deviations of the energy of the discs at both ends of "
-          "the run"));
+  findings.expect_model("effective friction over its prediction, worst gas", friction.value, 1.0, 0.06, left_out);
+  findings.expect_model("temperature over its prediction, worst gas", temperature.value, 1.0, 0.12, left_out);
+  findings.expect_model("dissipated energy over shear heating, worst gas", balance.value, 1.0,
+                        0.006 + 3.0 * balance.error,
+                        "stress is sampled every tenth step; three standard deviations of the energy of the discs at "
+                        "both ends of the run");
 }
 
 Table table_of(const std::vector<Sheared>& all) {
-  Table table{
-      .name = "shear",
-      .caption =
-          "Temperature in $m\\dot\\gamma^2d^2$ and effective friction, each also over its prediction with standard "
-          "errors (20 blocks); pressure over its prediction; difference of the normal stresses over the pressure, "
-          "measured and predicted; dissipated energy over shear heating; largest overlap.",
-      .columns = {"e", "phi", "T", "over prediction", "mu", "over prediction", "p over prediction", "N1/p",
-                  "N1/p predicted", "balance", "overlap"}};
+  Table table{.name = "shear",
+              .caption =
+                  "Temperature in $m\\dot\\gamma^2d^2$ and effective friction, each also over its prediction with "
+                  "standard errors (20 blocks); pressure over its prediction; difference of the normal stresses over "
+                  "the pressure, measured and predicted; dissipated energy over shear heating; largest overlap.",
+              .columns = {"e", "phi", "T", "over prediction", "mu", "over prediction", "p over prediction", "N1/p",
+                          "N1/p predicted", "balance", "overlap"}};
   for (const Sheared& s : all) {
     table.rows.push_back(cells(
         "{:g} | {:g} | {:.3g} | {:.3f}({:.0f}) | {:.4f} | {:.3f}({:.0f}) | {:.3f} | {:.3f} | {:.3f} | {:.4f} | {:.3f}",

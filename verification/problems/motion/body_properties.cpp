@@ -23,9 +23,9 @@ void check_solid(Findings& findings, const Setup& setup, const char* name, refer
     if (setup.has("sphere_for_ellipsoid")) found.inertia = 0.4 * found.mass * a * a;
     const reference::SolidMoments exact = reference::integrated_moments(solid, a, b);
     const std::string which = fmt::format("{} of half-lengths {:g} and {:g}", name, a, b);
-    findings.in("mass")->expect("mass, " + which, found.mass, density * exact.volume, few_roundings(), "kg");
-    findings.in("moment_of_inertia")
-        ->expect("moment of inertia, " + which, found.inertia, density * exact.polar, few_roundings(), "kg m^2");
+    findings.expect({"mass", "mass, " + which}, found.mass, density * exact.volume, few_roundings(), "kg");
+    findings.expect({"moment_of_inertia", "moment of inertia, " + which}, found.inertia, density * exact.polar,
+                    few_roundings(), "kg m^2");
   }
 }
 
@@ -39,13 +39,12 @@ void check_rectangle(Findings& findings) {
     const std::string which = fmt::format("rectangle of half-lengths {:g} and {:g}", a, b);
     const double area = reference::polygon_area(corners);
     const reference::Point centroid = reference::polygon_centroid(corners);
-    findings.in("area")->expect("area, " + which, area, 4.0 * a * b, few_roundings(), "m^2");
-    findings.in("centroid")
-        ->expect("largest coordinate of the centroid, " + which, std::max(std::abs(centroid.x), std::abs(centroid.y)),
-                 0.0, Tolerance::exact("the corners come in pairs of opposite sign and cancel exactly"), "m");
-    findings.in("polar_moment")
-        ->expect("polar moment divided by area, " + which, reference::polygon_polar_moment(corners) / area,
-                 (a * a + b * b) / 3.0, few_roundings(), "m^2");
+    findings.expect({"area", "area, " + which}, area, 4.0 * a * b, few_roundings(), "m^2");
+    findings.expect_exact({"centroid", "largest coordinate of the centroid, " + which},
+                          std::max(std::abs(centroid.x), std::abs(centroid.y)), 0.0,
+                          "the corners come in pairs of opposite sign and cancel exactly", "m");
+    findings.expect({"polar_moment", "polar moment divided by area, " + which},
+                    reference::polygon_polar_moment(corners) / area, (a * a + b * b) / 3.0, few_roundings(), "m^2");
   }
 }
 
@@ -73,9 +72,9 @@ void check_pin(Findings& findings, const Setup& setup) {
     const double expected = inertia + (setup.has("without_steiner") ? 0.0 : mass * arm * arm);
     farthest = std::max(farthest, std::abs(moment / rates.v[0] / expected - 1.0));
   }
-  findings.expect(
-      "inertia about a pin from the response to a moment, largest relative error of 24 pins", farthest, 0.0,
-      Tolerance::round_off(8.0 * 0x1p-53, "eight operations, each rounded by half a unit in the last place"));
+  findings.expect_round_off("inertia about a pin from the response to a moment, largest relative error of 24 pins",
+                            farthest, 0.0, 8.0 * 0x1p-53,
+                            "eight operations, each rounded by half a unit in the last place");
 }
 
 void run(Findings& findings, const Setup& setup) {

@@ -120,12 +120,11 @@ void check_two(Findings& findings, const Setup& setup, double xi, Figure& figure
   figure.series.push_back(points);
   figure.series.push_back(line);
   if (xi > 0.0) {
-    findings.in("order_undamped")
-        ->expect_order("order of the energy balance error, two discs, " + what, errors.last(3), 0.93, 1.06,
-                       "the dashpot's power is recorded with the velocity before the kick");
-    findings.in("energy_undamped")
-        ->expect_between("energy balance error, two discs, " + what + ", relative to its prediction", ratio, 0.95, 1.05,
-                         "xi w h (1 - 3 e^2); the next term is smaller by a factor of w h times a number of order one");
+    findings.expect_order({"order_undamped", "order of the energy balance error, two discs, " + what}, errors.last(3),
+                          0.93, 1.06, "the dashpot's power is recorded with the velocity before the kick");
+    findings.expect_between(
+        {"energy_undamped", "energy balance error, two discs, " + what + ", relative to its prediction"}, ratio, 0.95,
+        1.05, "xi w h (1 - 3 e^2); the next term is smaller by a factor of w h times a number of order one");
   } else {
     findings.expect_order("order of the energy balance error, two discs, undamped", errors.last(3), 1.98, 2.02,
                           "touch and release fall within a step, each with an error of (w h)^2");
@@ -157,24 +156,20 @@ void check_twenty(Findings& findings, const Setup& setup, double xi, double mu, 
   const std::string words =
       "each step rounds each momentum at random by u of its size: sqrt(n) u, times four for the worst of all steps, "
       "the sums and the moments";
-  findings.in("momentum")
-      ->expect("largest change of momentum, twenty discs, " + what, last.momentum, 0.0,
-               Tolerance::round_off(rounding * momentum / std::sqrt(20.0),
-                                    words + "; the twenty discs are rounded independently"),
-               "kg m/s");
-  findings.in("moment_of_momentum")
-      ->expect("largest change of angular momentum, twenty discs, " + what, last.moment, 0.0,
-               Tolerance::round_off(rounding * moment, words), "kg m^2/s");
+  findings.expect_round_off({"momentum", "largest change of momentum, twenty discs, " + what}, last.momentum, 0.0,
+                            rounding * momentum / std::sqrt(20.0),
+                            words + "; the twenty discs are rounded independently", "kg m/s");
+  findings.expect_round_off({"moment_of_momentum", "largest change of angular momentum, twenty discs, " + what},
+                            last.moment, 0.0, rounding * moment, words, "kg m^2/s");
   if (setup.coarse) return;
   Series points{what + ", twenty discs", {}, {}, Style::linespoints};
   for (std::size_t i = 0; i < errors.size(); ++i)
     points.add(std::sqrt(stiffness / 0.45) * errors.steps()[i], errors.errors()[i]);
   figure.series.push_back(points);
   const bool second = xi == 0.0;
-  findings.in("order_twenty_discs")
-      ->expect_order("order of the largest energy balance error, twenty discs, " + what, errors, second ? 1.7 : 0.8,
-                     second ? 2.3 : 1.2,
-                     "one run instead of a mean over phases: the largest error of some forty contacts");
+  findings.expect_order({"order_twenty_discs", "order of the largest energy balance error, twenty discs, " + what},
+                        errors, second ? 1.7 : 0.8, second ? 2.3 : 1.2,
+                        "one run instead of a mean over phases: the largest error of some forty contacts");
 }
 
 void run(Findings& findings, const Setup& setup) {

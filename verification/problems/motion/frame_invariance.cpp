@@ -121,10 +121,9 @@ class RoundedViews {
     const double most = std::max(found_difference.place, found_difference.velocity);
     const auto claim = findings_->in("integrator.velocity_verlet"), members = findings_->in(name_);
     findings_->in("differences")
-        ->expect(fmt::format("difference of final states, {}, {}", name_, how), most, 0.0,
-                 Tolerance::round_off(rounding,
-                                      "n u G: each step rounds each coordinate once, by at most u of the largest one, "
-                                      "and rounding errors grow by at most G, as do all differences of the motion"));
+        ->expect_round_off(fmt::format("difference of final states, {}, {}", name_, how), most, 0.0, rounding,
+                           "n u G: each step rounds each coordinate once, by at most u of the largest one, and "
+                           "rounding errors grow by at most G, as do all differences of the motion");
     table_.rows.push_back(
         {name_, how, fmt::format("{:.1f}", growth_), fmt::format("{:.1e}", most), fmt::format("{:.1e}", rounding)});
   }
@@ -138,8 +137,8 @@ class RoundedViews {
   State first_;
   Table table_{.name = "views",
                .caption =
-                   "Largest final difference of a coordinate or velocity between runs that round differently, and "
-                   "the bound n u G from rounding and the growth G of differences.",
+                   "Largest final difference of a coordinate or velocity between runs that round differently, and the "
+                   "bound n u G from rounding and the growth G of differences.",
                .columns = {"scene", "transformation", "growth G", "difference", "n u G"}};
 };
 
@@ -150,8 +149,8 @@ void check_bits(Findings& findings, const Setup& setup) {
   const auto expect = [&](const char* scene, const std::string& name, const Compared& two, const char* why,
                           const char* method = "velocity_verlet") {
     const auto claim = findings.in(fmt::format("integrator.{}", method)), members = findings.in(scene);
-    findings.in("numbers_that_differ")
-        ->expect("numbers that differ, " + name, differing_motion(two.expected, two.found), 0.0, Tolerance::exact(why));
+    findings.expect_exact({"numbers_that_differ", "numbers that differ, " + name},
+                          differing_motion(two.expected, two.found), 0.0, why);
   };
   expect("group", "group in a mirror", compare(group, mirror, VelocityVerlet{}, 0.8, setup, findings), mirrored);
   expect("particles", "round particles turned by 90 degrees",
@@ -160,8 +159,8 @@ void check_bits(Findings& findings, const Setup& setup) {
   if (setup.coarse) return;
   const Compared two = compare(yard, mirror, VelocityVerlet{}, 1.5, setup, findings);
   expect("yard", "level yard in a mirror", two, mirrored);
-  findings.in("yard")->expect_true("exactly mirrored state, level yard: contact history, modes, work, impulse",
-                                   two.expected == two.found, mirrored);
+  findings.expect_true({"yard", "exactly mirrored state, level yard: contact history, modes, work, impulse"},
+                       two.expected == two.found, mirrored);
   for (const char* name : {"central_difference", "rk4", "odeint_dopri5"})
     expect("yard", fmt::format("level yard in a mirror, {}", name),
            compare(yard, mirror, make_integrator(name), 0.8, setup, findings), mirrored, name);
@@ -232,16 +231,14 @@ void check_pairs(Findings& findings) {
     }
   }
   const auto group = findings.in("pairs");
-  findings.expect("accelerations of a pair listed in either order, largest difference", worst, 0.0,
-                  Tolerance::round_off(3e-12,
-                                       "a thousand roundings of forces of up to 1000 N on 1 kg, 3.3e-14 N rms each: "
-                                       "1e-12 as a random walk, three times that"),
-                  "m/s^2");
-  findings.expect("pairs that do not touch", apart, 0.0, Tolerance::exact("each pair starts with an overlap"));
-  findings.expect(
-      "pairs compared", compared, 22.0,
-      Tolerance::exact("five outlines, of which three can move, and two methods; terrain supports rectangles and "
-                       "superquadrics with nodal contact only"));
+  findings.expect_round_off("accelerations of a pair listed in either order, largest difference", worst, 0.0, 3e-12,
+                            "a thousand roundings of forces of up to 1000 N on 1 kg, 3.3e-14 N rms each: 1e-12 as a "
+                            "random walk, three times that",
+                            "m/s^2");
+  findings.expect_exact("pairs that do not touch", apart, 0.0, "each pair starts with an overlap");
+  findings.expect_exact("pairs compared", compared, 22.0,
+                        "five outlines, of which three can move, and two methods; terrain supports rectangles and "
+                        "superquadrics with nodal contact only");
 }
 
 void run(Findings& findings, const Setup& setup) {

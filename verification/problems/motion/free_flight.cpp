@@ -61,19 +61,17 @@ void check_method(Findings& findings, const Setup& setup, const std::string& met
   const std::string words = "one rounding by u of the largest number for each addition to a coordinate in a step";
   table.rows.push_back(
       cells("{} | {:.1e} | {:.1e} | {:.1e}", method, errors.worst_place(), errors.worst_speed(), rounding));
-  findings.expect(method + ", error of the velocities", errors.worst_speed(), 0.0,
-                  Tolerance::round_off(rounding, words));
+  findings.expect_round_off(method + ", error of the velocities", errors.worst_speed(), 0.0, rounding, words);
   if (traits.free_fall_error == 0.0) {
-    findings.expect(method + ", error of the coordinates", errors.worst_place(), 0.0,
-                    Tolerance::round_off(rounding, words));
+    findings.expect_round_off(method + ", error of the coordinates", errors.worst_place(), 0.0, rounding, words);
     return;
   }
   for (std::size_t i = 0; i < flights.size(); ++i) {
     const double late = reference::semi_implicit_euler_error(flights[i], production_step, steps);
     const bool early = traits.free_fall_error < 0.0;
-    findings.expect(
+    findings.expect_round_off(
         fmt::format("{}, error of {} over {}a h t/2", method, std::array{"x", "y", "the angle"}[i], early ? "-" : ""),
-        errors.place[i] / (early ? -late : late), 1.0, Tolerance::round_off(rounding / std::abs(late), words));
+        errors.place[i] / (early ? -late : late), 1.0, rounding / std::abs(late), words);
   }
 }
 
@@ -99,8 +97,8 @@ void check_angles(Findings& findings) {
       keep_worst(worst, static_cast<double>(static_cast<long double>(found.sine) - std::sin(angle)));
     }
   }
-  findings.expect("sine and cosine of bodies at angles of 0 to 1e300 rad, largest error", worst, 0.0,
-                  Tolerance::round_off(0x1p-52, "two units in the last place of a number below 1"));
+  findings.expect_round_off("sine and cosine of bodies at angles of 0 to 1e300 rad, largest error", worst, 0.0, 0x1p-52,
+                            "two units in the last place of a number below 1");
 }
 
 void draw_steps(Findings& findings, const Setup& setup) {

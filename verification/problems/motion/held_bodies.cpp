@@ -143,29 +143,24 @@ Missed missed_by(Mobility mobility, Findings& findings, const Setup& setup) {
 void check_balances(Mobility mobility, Missed& worst, Findings& findings, const Setup& setup) {
   const Missed missed = missed_by(mobility, findings, setup);
   const std::string name = name_of_mobility(mobility);
-  findings.in("energy_balance")
-      ->expect("energy balance, " + name, missed.energy, 0.0,
-               Tolerance::truncation(1e-12, 1.0,
-                                     "local errors of the motion below 1e-13, some ten of which add up; an omitted "
-                                     "term would be of the order 1e-2 to 1"));
+  findings.expect_truncation({"energy_balance", "energy balance, " + name}, missed.energy, 0.0, 1e-12, 1.0,
+                             "local errors of the motion below 1e-13, some ten of which add up; an omitted term would "
+                             "be of the order 1e-2 to 1");
   const bool held = mobility != Mobility::free && mobility != Mobility::particle;
   const Tolerance closes =
-      held
-          ? Tolerance::round_off(2e-13,
-                                 "the reaction of a pin or guide follows from the accelerations, which are accurate to "
-                                 "1e-13")
-          : Tolerance::round_off(1.5e-14,
-                                 "momenta and impulses are the same sums over two thousand steps, each rounded to "
-                                 "1.1e-16: 5e-15 as a random walk, three times that");
-  findings.in("momentum_balance")->expect("momentum balance with reactions, " + name, missed.momentum, 0.0, closes);
-  findings.in("angular_momentum_balance")
-      ->expect(
-          "angular momentum balance with reactions, " + name, missed.angular, 0.0,
-          mobility == Mobility::fixed
-              ? Tolerance::truncation(6e-9, 2.0,
-                                      "measured: the moment of the contact about the origin is integrated with the "
-                                      "steps of the motion, without error control; 3e-7 at a tolerance of 1e-11")
-              : closes);
+      held ? Tolerance::round_off(
+                 2e-13, "the reaction of a pin or guide follows from the accelerations, which are accurate to 1e-13")
+           : Tolerance::round_off(1.5e-14,
+                                  "momenta and impulses are the same sums over two thousand steps, each rounded to "
+                                  "1.1e-16: 5e-15 as a random walk, three times that");
+  findings.expect({"momentum_balance", "momentum balance with reactions, " + name}, missed.momentum, 0.0, closes);
+  findings.expect(
+      {"angular_momentum_balance", "angular momentum balance with reactions, " + name}, missed.angular, 0.0,
+      mobility == Mobility::fixed
+          ? Tolerance::truncation(6e-9, 2.0,
+                                  "measured: the moment of the contact about the origin is integrated with the steps "
+                                  "of the motion, without error control; 3e-7 at a tolerance of 1e-11")
+          : closes);
   keep_worst(worst.reported, missed.reported);
 }
 
@@ -202,12 +197,12 @@ void check_half(Mobility mobility, Findings& findings, const Setup& setup) {
                                 "F + F instead of 2 F: a rounding of 1e-16 in each of 1500 steps, of forces up to 40, "
                                 "which an impact amplifies by less than 10");
   };
-  findings.in("half_motion")
-      ->expect("difference of positions and velocities, half and full model, " + name, places, 0.0, same(1e-12));
-  findings.in("half_energies")
-      ->expect("difference of energies and losses, half and full model, " + name, energies, 0.0, same(1e-12));
-  findings.in("half_impulses")
-      ->expect("difference of impulses and momenta, half and full model, " + name, impulses, 0.0, same(1e-12));
+  findings.expect({"half_motion", "difference of positions and velocities, half and full model, " + name}, places, 0.0,
+                  same(1e-12));
+  findings.expect({"half_energies", "difference of energies and losses, half and full model, " + name}, energies, 0.0,
+                  same(1e-12));
+  findings.expect({"half_impulses", "difference of impulses and momenta, half and full model, " + name}, impulses, 0.0,
+                  same(1e-12));
 }
 
 /// Checks initial poses against those given, and their velocities against difference quotients.
@@ -234,13 +229,11 @@ void check_velocities(const std::vector<Mobility>& mobilities, Findings& finding
     const double by = std::asin(turn.cosine * after.R_WB.sine - turn.sine * after.R_WB.cosine);
     keep_worst(worst, 0.5 * by / h - now.w_WB);
   }
-  findings.expect("initial positions of poses, largest difference from the given ones", rest, 0.0,
-                  Tolerance::round_off(1e-15, "conversion from the centre to the pin and back: four roundings"));
-  findings.expect(
-      "velocities of poses, largest difference from difference quotients over all mobilities", worst, 0.0,
-      Tolerance::truncation(2e-11, 2.0,
-                            "h^2/6 times a third derivative of 1, and the rounding of a position divided by "
-                            "2 h: 1e-16/2e-5"));
+  findings.expect_round_off("initial positions of poses, largest difference from the given ones", rest, 0.0, 1e-15,
+                            "conversion from the centre to the pin and back: four roundings");
+  findings.expect_truncation(
+      "velocities of poses, largest difference from difference quotients over all mobilities", worst, 0.0, 2e-11, 2.0,
+      "h^2/6 times a third derivative of 1, and the rounding of a position divided by 2 h: 1e-16/2e-5");
 }
 
 /// Checks the impact of a disc on a slide on one that represents two, with a dashpot given by its damping ratio: both
@@ -267,12 +260,11 @@ void check_mirrored_impact(Findings& findings, const Setup& setup) {
                                     common + m / (m + 2.0 * each) * e * speed};
     expect_each(findings.in("mirrored_impact"),
                 fmt::format("speeds after an impact on a disc that represents two, {}", name), run.state.v, exact,
-                closed
-                    ? Tolerance::round_off(1.5e-14,
-                                           "three roundings in each of some twenty steps, and at the events, of speeds "
-                                           "below 2 m/s: 60 times 2.2e-16 if all have the same sign")
-                    : Tolerance::truncation(1e-12 * speed, 3.0,
-                                            "local errors below 1e-12 of the speed, a few of which add up"));
+                closed ? Tolerance::round_off(1.5e-14,
+                                              "three roundings in each of some twenty steps, and at the events, of "
+                                              "speeds below 2 m/s: 60 times 2.2e-16 if all have the same sign")
+                       : Tolerance::truncation(1e-12 * speed, 3.0,
+                                               "local errors below 1e-12 of the speed, a few of which add up"));
     const std::vector<double> impulses{(m + 2.0 * each) * gravity.x, 0.0, 0.0};
     expect_each(findings.in("mirrored_impulses"),
                 fmt::format("external impulses in the run with a disc that represents two, {}", name),
@@ -334,11 +326,11 @@ void check_ring(Findings& findings) {
     std::vector<double> exact{0.0, 0.0};
     for (const Vec2 direction : out)
       exact.insert(exact.end(), {e * speed * direction.x, e * speed * direction.y});
-    expect_each(findings, fmt::format("speeds after {} simultaneous impacts on one disc", count), run.state.v, exact,
-                Tolerance::model(2e-9,
-                                 "the initial overlap of 1e-10: the dashpot, c = 5.6, takes 5.6e-10 less from the "
-                                 "speed, and the spring sqrt(k/m) = 17 times 1e-10 more, of which less than that "
-                                 "remains at the end"));
+    expect_each(
+        findings, fmt::format("speeds after {} simultaneous impacts on one disc", count), run.state.v, exact,
+        Tolerance::model(2e-9,
+                         "the initial overlap of 1e-10: the dashpot, c = 5.6, takes 5.6e-10 less from the speed, and "
+                         "the spring sqrt(k/m) = 17 times 1e-10 more, of which less than that remains at the end"));
   }
 }
 
@@ -350,12 +342,10 @@ void run(Findings& findings, const Setup& setup) {
   if (setup.needs("balance") || setup.needs("reported")) {
     for (const Mobility mobility : mobilities)
       check_balances(mobility, worst, findings, setup);
-    findings.expect("reported energies, momenta and balances, largest difference from sums over all poses",
-                    worst.reported, 0.0,
-                    Tolerance::round_off(
-                        5e-15,
-                        "a dozen products for each of two bodies and as many sums, each about as large as the scale "
-                        "and rounded by 1.1e-16 of it: 5e-15 if all errors have the same sign"));
+    findings.expect_round_off("reported energies, momenta and balances, largest difference from sums over all poses",
+                              worst.reported, 0.0, 5e-15,
+                              "a dozen products for each of two bodies and as many sums, each about as large as the "
+                              "scale and rounded by 1.1e-16 of it: 5e-15 if all errors have the same sign");
   }
   if (setup.needs("half and full model")) {
     for (const Mobility mobility : mobilities)

@@ -193,13 +193,11 @@ void check_map(Findings& findings, const Method& method, Forces forces) {
   const SwingRun run = swing_in_numbers(swing, 113, forces);
   const auto claim = findings.in(fmt::format("integrator.{}", method.name));
   findings.count(run.evaluations);
-  findings.in("distance_from_map")
-      ->expect(
-          fmt::format("distance from the method's map in 113 bits, dashpot, {}", method.name),
-          reference::rounding_errors(swing, {run.place})[0], 0.0,
-          Tolerance::round_off(std::sqrt(static_cast<double>(method.additions * steps)) * 0x1p-113,
-                               "each addition rounds by at most half a unit in the last place of numbers up to 1, at "
-                               "random: sqrt(n) of these"));
+  findings.expect_round_off(
+      {"distance_from_map", fmt::format("distance from the method's map in 113 bits, dashpot, {}", method.name)},
+      reference::rounding_errors(swing, {run.place})[0], 0.0,
+      std::sqrt(static_cast<double>(method.additions * steps)) * 0x1p-113,
+      "each addition rounds by at most half a unit in the last place of numbers up to 1, at random: sqrt(n) of these");
 }
 
 /// Error over the runs at one step size.
@@ -268,17 +266,17 @@ void check_fall(Findings& findings, const Method& method, int bits, const Fall& 
                 Figure& figure, Table& table) {
   const std::string of = fmt::format("{}, {} bits", method.name, bits);
   const auto claim = findings.in(fmt::format("integrator.{}", method.name));
-  findings.in("error_against_step")
-      ->expect_order(fmt::format("order of the truncation error, {}", of), fall.method, method.order - 0.15,
-                     method.order + 0.35, "the order of the method; the next term of its error adds to it");
+  findings.expect_order({"error_against_step", fmt::format("order of the truncation error, {}", of)}, fall.method,
+                        method.order - 0.15, method.order + 0.35,
+                        "the order of the method; the next term of its error adds to it");
   if (fall.rounding.size() == 0) return;
   keep_worst(furthest.slope, fall.rounding.fit().order + 0.5);
   const auto least = std::min_element(fall.all.begin(), fall.all.end(),
                                       [](const ErrorAt& a, const ErrorAt& b) { return a.whole < b.whole; });
   keep_worst(furthest.step, std::log2(least->step / best_step(method, bits)));
-  findings.in("least_error")
-      ->expect_between(fmt::format("minimum error over its prediction, {}", of), least->whole / least->predicted, 0.65,
-                       1.5, "rounding errors of similar runs are not independent, nor are those of successive steps");
+  findings.expect_between({"least_error", fmt::format("minimum error over its prediction, {}", of)},
+                          least->whole / least->predicted, 0.65, 1.5,
+                          "rounding errors of similar runs are not independent, nor are those of successive steps");
   table.rows.push_back(cells("{} | {} | {:.1e} | {:.1e} | {:.1e}", method.name, bits, best_step(method, bits),
                              least->step, least->whole));
   // Without damping, the lagged central difference equals the central difference.
@@ -417,10 +415,10 @@ void check_scene(Findings& findings, const Setup& setup, SwingMethod method) {
   const double predicted = std::sqrt(static_cast<double>(steps) * (verlet ? 1.0 : 4.0) / 6.0) * 0x1p-53 / swing;
   const double left = solver_rounding(method, steps, setup, findings);
   const auto claim = findings.in(verlet ? "integrator.velocity_verlet" : "integrator.rk4");
-  findings.in("rounding_of_scene")
-      ->expect_between(
-          fmt::format("rounding error of a scene over its prediction, {}", verlet ? "velocity_verlet" : "rk4"),
-          left / predicted, 0.5, 2.0, "16 runs determine a root mean square to one fifth; the force is rounded, too");
+  findings.expect_between(
+      {"rounding_of_scene",
+       fmt::format("rounding error of a scene over its prediction, {}", verlet ? "velocity_verlet" : "rk4")},
+      left / predicted, 0.5, 2.0, "16 runs determine a root mean square to one fifth; the force is rounded, too");
 }
 
 void run(Findings& findings, const Setup& setup) {

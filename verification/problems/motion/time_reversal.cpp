@@ -141,22 +141,19 @@ void check_orders(Findings& findings, const Reversible& pendulum) {
 
 void run(Findings& findings, const Setup& setup) {
   const long steps = setup.coarse ? 1000 : reversal_steps;
-  Table table{
-      .name = "returns",
-      .caption =
-          "Return error of each scene after 10 000 steps forward and back, and sqrt(2n) u G, the rounding of all "
-          "steps times the measured growth G of differences.",
-      .columns = {"scene", "method", "return error", "sqrt(2n) u G", "G"}};
+  Table table{.name = "returns",
+              .caption =
+                  "Return error of each scene after 10 000 steps forward and back, and sqrt(2n) u G, the rounding of "
+                  "all steps times the measured growth G of differences.",
+              .columns = {"scene", "method", "return error", "sqrt(2n) u G", "G"}};
   for (const Reversible& one : reversible_scenes()) {
     for (const char* method : {"velocity_verlet", "central_difference"}) {
       const auto claim = findings.in(fmt::format("integrator.{}", method)), group = findings.in(one.name);
       const Return found =
           there_and_back(with_fault(one, setup), given(method, setup), one.step, steps, true, findings);
-      findings.in("returns")->expect(
-          fmt::format("return error of {}, {}", one.name, method), found.missed, 0.0,
-          Tolerance::round_off(4.0 * found.rounding,
-                               "sqrt(2n) u G, times four for the several roundings of a step and the worst "
-                               "of the numbers"));
+      findings.expect_round_off(
+          {"returns", fmt::format("return error of {}, {}", one.name, method)}, found.missed, 0.0, 4.0 * found.rounding,
+          "sqrt(2n) u G, times four for the several roundings of a step and the worst of the numbers");
       table.rows.push_back(
           cells("{} | {} | {:.1e} | {:.1e} | {:.0f}", one.name, method, found.missed, found.rounding, found.growth));
     }

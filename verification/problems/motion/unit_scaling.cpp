@@ -66,8 +66,8 @@ class Units {
     findings_->in(name_)
         ->in("numbers_that_differ")
         ->in(claim)
-        ->expect(fmt::format("numbers that differ, {}, {}, {}", name_, name(method_), how), differing(own_, other), 0.0,
-                 Tolerance::exact(same_bits));
+        ->expect_exact(fmt::format("numbers that differ, {}, {}, {}", name_, name(method_), how),
+                       differing(own_, other), 0.0, same_bits);
   }
   const UnitRun& own() const { return own_; }
 
@@ -112,11 +112,10 @@ void draw_range(Findings& findings, const Scene& scene) {
     figure.series.push_back(series);
   }
   findings.figure(figure);
-  findings.expect_between("log2 of the largest unit that changes no bit, smallest of mass, length and time", widest,
-                          200.0, 600.0,
-                          "energies contain the square of a length: half of the format's 1023 powers, less a few tens "
-                          "for the numbers themselves and for intermediate products; a quarter where a square is "
-                          "squared");
+  findings.expect_between(
+      "log2 of the largest unit that changes no bit, smallest of mass, length and time", widest, 200.0, 600.0,
+      "energies contain the square of a length: half of the format's 1023 powers, less a few tens for the numbers "
+      "themselves and for intermediate products; a quarter where a square is squared");
 }
 
 /// Tabulates the effect of units on odeint's steppers with step control. They compare errors with a pure number, so
@@ -166,12 +165,12 @@ void check_decks(Findings& findings, const Setup& setup) {
       "are squares; the tolerance of the static equilibrium is relative to the forces";
   scenes::Fence fence = rough_fence();
   const auto fences = findings.in("fence"), numbers = findings.in("numbers_that_differ");
-  findings.expect("numbers that differ, fence built from a deck in other units", differing_fences(fence, setup), 0.0,
-                  Tolerance::exact(why));
+  findings.expect_exact("numbers that differ, fence built from a deck in other units", differing_fences(fence, setup),
+                        0.0, why);
   fence.options.symmetry = scenes::FenceSymmetry::full;
   fence.stretched_cables = {{"top1", 0.03}, {"top-2", 0.02}, {"bottom1", 0.1}};
-  findings.expect("numbers that differ, fence after a first impact built from a deck in other units",
-                  differing_fences(fence, setup), 0.0, Tolerance::exact(why));
+  findings.expect_exact("numbers that differ, fence after a first impact built from a deck in other units",
+                        differing_fences(fence, setup), 0.0, why);
 }
 
 void check_fence(Findings& findings, const Setup& setup) {
@@ -181,9 +180,8 @@ void check_fence(Findings& findings, const Setup& setup) {
     const Units fence{findings, setup, "fence", made.scene, make_integrator(name), plan};
     fence.check("all units", all_units);
     if (std::string{name} != "velocity_verlet") continue;
-    findings.in("fence")->expect(
-        "number of active loss mechanisms, fence", mechanisms_at_work(fence.own().end), 5.0,
-        Tolerance::exact("contact damping and release, cable yield, breaking of a hanger, friction"));
+    findings.expect_exact({"fence", "number of active loss mechanisms, fence"}, mechanisms_at_work(fence.own().end),
+                          5.0, "contact damping and release, cable yield, breaking of a hanger, friction");
   }
 }
 
@@ -209,8 +207,8 @@ void run(Findings& findings, const Setup& setup) {
   verlet.check("all units", all_units);
   check_decks(findings, setup);
   if (setup.coarse) return;
-  findings.in("yard")->expect("number of active loss mechanisms, yard", mechanisms_at_work(verlet.own().end), 8.0,
-                              Tolerance::exact("the scene must use every loss mechanism"));
+  findings.expect_exact({"yard", "number of active loss mechanisms, yard"}, mechanisms_at_work(verlet.own().end), 8.0,
+                        "the scene must use every loss mechanism");
   verlet.check("unit of mass", {0x1p-11, 1.0, 1.0});
   verlet.check("unit of length", {1.0, 0x1p7, 1.0});
   verlet.check("unit of time", {1.0, 1.0, 0x1p-5});

@@ -45,8 +45,8 @@ Series check_rest(const std::string& how, double spacing, Findings& findings, co
     overlaps.push_back(probe.overlap(i)), forces[i] *= stiffness;
   expect_each(findings.in("overlaps"), fmt::format("overlaps of ten contacts, {}, largest error", how), overlaps, exact,
               Tolerance::round_off(1.2e-14,
-                                   "positions up to 20 are rounded to 3.6e-15; a disc stops once its displacement "
-                                   "in a step is smaller than that; three times that is allowed"));
+                                   "positions up to 20 are rounded to 3.6e-15; a disc stops once its displacement in a "
+                                   "step is smaller than that; three times that is allowed"));
   expect_each(findings.in("forces"), fmt::format("forces of ten contacts, {}, largest error", how),
               probe.forces().contacts, forces,
               Tolerance::round_off(512.0 * 1.2e-14, "k times the bound of the overlaps"));

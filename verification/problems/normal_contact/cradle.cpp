@@ -67,17 +67,16 @@ void check_gaps(Findings& findings, const Setup& setup) {
     const auto exact = reference::rebound(row).velocity;
     const double error = velocity_error(row, 100.0, findings, setup);
     table.rows.push_back(cells("{:g} | {:.5f} | {:.5f} | {:.5f} | {:.2e}", gap, exact[0], exact[1], exact[2], error));
-    findings.in("speeds")->expect(
-        fmt::format("speeds of the three discs, gap {:g}, rms error", gap), error, 0.0,
-        Tolerance::truncation(0.7 / (100.5 * 100.5), 1.5,
-                              "measured over four octaves of steps at gap 0: 0.69 divided by the square of "
-                              "the number of steps; the errors at other gaps are slightly smaller"));
+    findings.expect_truncation({"speeds", fmt::format("speeds of the three discs, gap {:g}, rms error", gap)}, error,
+                               0.0, 0.7 / (100.5 * 100.5), 1.5,
+                               "measured over four octaves of steps at gap 0: 0.69 divided by the square of the number "
+                               "of steps; the errors at other gaps are slightly smaller");
   }
   findings.table(table);
   const auto beyond = reference::rebound({1.0, 1.0, 1.0, 1.001 * limit}).velocity;
   const auto within = reference::rebound({1.0, 1.0, 1.0, 0.9 * limit}).velocity;
-  findings.expect("exact speed of the first disc, gap above pi v/(2 w)", beyond[0], 0.0,
-                  Tolerance::round_off(1e-45, "zero in 50 digits, of numbers up to one, in a few dozen operations"));
+  findings.expect_round_off("exact speed of the first disc, gap above pi v/(2 w)", beyond[0], 0.0, 1e-45,
+                            "zero in 50 digits, of numbers up to one, in a few dozen operations");
   findings.expect_true("exact speed of the first disc is not zero, gap below pi v/(2 w)", std::abs(within[0]) > 1e-6,
                        "the second disc meets the third while the first still pushes it");
 }
@@ -100,10 +99,9 @@ void check_order(Findings& findings, const Setup& setup) {
 
 void check_accounts(Findings& findings, const Setup& setup) {
   const RowRun found = run_row(touching, {0, std::numbers::pi / 100.4, 0.3}, 8.0, findings, setup);
-  findings.expect("momentum error of the three discs", found.momentum_error, 0.0,
-                  Tolerance::round_off(4e-15,
-                                       "at most 512 half kicks round three speeds below 1, each by 3.2e-17 rms: "
-                                       "sqrt(1536) x 3.2e-17 = 1.3e-15, three times that for the worst"));
+  findings.expect_round_off("momentum error of the three discs", found.momentum_error, 0.0, 4e-15,
+                            "at most 512 half kicks round three speeds below 1, each by 3.2e-17 rms: sqrt(1536) x "
+                            "3.2e-17 = 1.3e-15, three times that for the worst");
 }
 
 void show_speeds(Findings& findings, const Setup& setup) {

@@ -174,10 +174,9 @@ void check_masses(Findings& findings, const Setup& setup) {
   }
   findings.expect("rms relative error of e, mass ratios 1/100 ... 100", worst, predicted,
                   near_prediction(EndRule::clamped));
-  findings.expect("velocity of the common centre of mass, largest error", drift, 0.0,
-                  Tolerance::round_off(2e-14,
-                                       "110 equal and opposite kicks, each rounded at speeds up to 5: sqrt(110) "
-                                       "x 4.4e-16 = 5e-15, times four for the worst"));
+  findings.expect_round_off("velocity of the common centre of mass, largest error", drift, 0.0, 2e-14,
+                            "110 equal and opposite kicks, each rounded at speeds up to 5: sqrt(110) x 4.4e-16 = "
+                            "5e-15, times four for the worst");
 }
 
 void check_frames(Findings& findings, const Setup& setup) {
@@ -185,18 +184,17 @@ void check_frames(Findings& findings, const Setup& setup) {
   const Pose left{.p_WB = {-4.0, 0.0}, .R_WB = {}, .v_WB = {3.0, -7.0}};
   Pose right{.p_WB = {4.0, 0.0}, .R_WB = {}, .v_WB = left.v_WB};
   if (plus) right.v_WB = -right.v_WB;
-  findings.expect("closing rate of two discs that move together", depth_rate({0.0, {1.0, 0.0}, {}}, left, right), 0.0,
-                  Tolerance::exact("Eq. 20 with the minus sign: the difference of two equal numbers"));
+  findings.expect_exact("closing rate of two discs that move together", depth_rate({0.0, {1.0, 0.0}, {}}, left, right),
+                        0.0, "Eq. 20 with the minus sign: the difference of two equal numbers");
   const double at_rest = restitution_in_frame(0.0, plus, findings);
   double change = 0.0;
   for (const double frame : {-7.0, 3.0, 20.0}) {
     const double found = restitution_in_frame(frame, plus, findings) - at_rest;
     keep_worst(change, found);
   }
-  findings.expect("closing rate in moving frames, change of e", change, 0.0,
-                  Tolerance::round_off(4e-13,
-                                       "220 steps that round positions up to 130 to 1.4e-14 and speeds up to 21 to "
-                                       "1.8e-15: sqrt(220) x 1.4e-14 = 2e-13, times two for the worst"));
+  findings.expect_round_off("closing rate in moving frames, change of e", change, 0.0, 4e-13,
+                            "220 steps that round positions up to 130 to 1.4e-14 and speeds up to 21 to 1.8e-15: "
+                            "sqrt(220) x 1.4e-14 = 2e-13, times two for the worst");
 }
 
 void check_levers(Findings& findings, const Setup& setup) {
@@ -225,8 +223,8 @@ void check_levers(Findings& findings, const Setup& setup) {
       naive.add(arm(bar), bar_errors(bar, two_masses(bar), findings).mean_restitution);
     }
     // The overlap is 1e-6 of the bar: its rotation during contact is negligible, as in a central impact.
-    findings.in("rms_error_of_pairs")
-        ->expect("rms relative error of e, " + kind, worst, predicted, near_prediction(EndRule::attractive));
+    findings.expect({"rms_error_of_pairs", "rms relative error of e, " + kind}, worst, predicted,
+                    near_prediction(EndRule::attractive));
     figure.series.insert(figure.series.end(), {right, naive, closed_form_of_two_masses(pinned, kind)});
   }
   if (!setup.coarse) findings.figure(figure);

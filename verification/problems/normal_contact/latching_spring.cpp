@@ -17,31 +17,31 @@ void check_latching_path(Findings& findings, const Setup& setup) {
   const double before = disc.work();
   disc.press(0.46875);
   disc.press(0.4375);
-  findings.expect("work of a loop on the unloading line", disc.work() - before, 0.0, Tolerance::exact(exact), "J");
+  findings.expect_exact("work of a loop on the unloading line", disc.work() - before, 0.0, exact, "J");
   for (const double turn : {0.125, 0.453125, 0.625, 0.015625, 0.5, -0.015625})
     disc.press(turn);
   // The work depends only on the largest overlap M = 5/8, not on the turning points: K1 M^2/2 (1 - K1/K2).
-  findings.expect("work of the whole path until the surfaces separate", disc.work(), 0.5 * 64.0 * 0.390625 * 0.75,
-                  Tolerance::exact(exact), "J");
+  findings.expect_exact("work of the whole path until the surfaces separate", disc.work(), 0.5 * 64.0 * 0.390625 * 0.75,
+                        exact, "J");
   disc.press(0.25);
   const std::vector<double> lines = reference::latching_forces({64.0, 256.0, 0.0, 1.0, 1.0}, disc.path());
   double largest = 0.0;
   for (std::size_t i = 0; i < lines.size(); ++i)
     largest = std::max(largest, std::abs(disc.forces()[i] - lines[i]));
-  findings.in("force_along_prescribed_path")
-      ->expect("force along a prescribed path, largest difference", largest, 0.0, Tolerance::exact(exact), "N");
+  findings.expect_exact({"force_along_prescribed_path", "force along a prescribed path, largest difference"}, largest,
+                        0.0, exact, "N");
   if (setup.coarse) return;
   Series solver{"solver", {}, {}, Style::points};
   for (std::size_t i = 0; i < lines.size(); i += 24)
     solver.add(disc.path()[i], disc.forces()[i]);
-  findings.figure({.name = "path",
-                   .title = "Force along a prescribed path",
-                   .caption =
-                       "Successive overlaps: 1/2, 7/16, 15/32, 7/16, 1/8, 29/64, 5/8, 1/64, 1/2, separated, 1/4. "
-                       "After slack, reloading follows the stiff line; after separation, the soft line from zero.",
-                   .x = {.label = "overlap", .unit = "m"},
-                   .y = {.label = "force", .unit = "N"},
-                   .series = {{"reference", disc.path(), lines, Style::lines}, solver}});
+  findings.figure(
+      {.name = "path",
+       .title = "Force along a prescribed path",
+       .caption = "Successive overlaps: 1/2, 7/16, 15/32, 7/16, 1/8, 29/64, 5/8, 1/64, 1/2, separated, 1/4. After "
+                  "slack, reloading follows the stiff line; after separation, the soft line from zero.",
+       .x = {.label = "overlap", .unit = "m"},
+       .y = {.label = "force", .unit = "N"},
+       .series = {{"reference", disc.path(), lines, Style::lines}, solver}});
 }
 
 constexpr double production_steps = 100.0;
@@ -161,12 +161,12 @@ void check_targets(Findings& findings, const Setup& setup) {
                                number(f.balance_error.rms()), number(p.balance_error.rms())));
   }
   const auto expect = [&](const char* name, double value, double bound, const char* why) {
-    findings.in("impacts")->expect(fmt::format("{} over the predicted, worst of e = 0.9 ... 0.3", name), value, 1.0,
-                                   Tolerance::model(bound, why));
+    findings.expect_model({"impacts", fmt::format("{} over the predicted, worst of e = 0.9 ... 0.3", name)}, value, 1.0,
+                          bound, why);
   };
   expect("rms error of e", ratio.restitution, 0.005,
-         "predicted impact by impact, at the fractions of a step of the leapfrog's own events; the next order is "
-         "(w2 h)^2 of it, 0.0046 for e = 0.3");
+         "predicted impact by impact, at the fractions of a step of the leapfrog's own events; the next order is (w2 "
+         "h)^2 of it, 0.0046 for e = 0.3");
   expect("rms error of the contact time", ratio.contact_time, 6e-4,
          "the error is that of the leapfrog's period alone; the next power of the step is 0.11 (w2 h)^2 of it, 5e-4 "
          "for e = 0.3, and the interpolated end, off by up to 1.5 % of it at random, adds the square of that, 1e-4");
@@ -174,8 +174,8 @@ void check_targets(Findings& findings, const Setup& setup) {
   expect("rms error of the largest overlap", ratio.largest, 1e-3, of_overlap);
   expect("rms error of the residual overlap", ratio.residual, 1e-3, of_overlap);
   expect("energy balance error", ratio.balance_error, 0.015,
-         "predicted to first order; the next term of the sum over steps, h^2/12 times the slopes of the recorded "
-         "power at touch and at the largest overlap, is up to (4/(3 pi)) w1 h = 0.013 of it");
+         "predicted to first order; the next term of the sum over steps, h^2/12 times the slopes of the recorded power "
+         "at touch and at the largest overlap, is up to (4/(3 pi)) w1 h = 0.013 of it");
   findings.table(table);
 }
 
@@ -184,17 +184,15 @@ void check_order(Findings& findings, const Setup& setup) {
     const Comparison c = compare(latch(0.7, setup), n, findings, setup);
     return std::array{1.0 / n, c.found.restitution.rms(), c.predicted.restitution.rms()};
   });
-  findings.expect_order(
-      "order of the error of e = 0.7", all.found(), 1.85, 2.15,
-      "the force is continuous and its slope jumps at touch, largest overlap and end, which gives an error of h^2; the "
-      "fractions of a step at touch and largest overlap are correlated, which moves points by a third and the line "
-      "by 0.1");
+  findings.expect_order("order of the error of e = 0.7", all.found(), 1.85, 2.15,
+                        "the force is continuous and its slope jumps at touch, largest overlap and end, which gives an "
+                        "error of h^2; the fractions of a step at touch and largest overlap are correlated, which "
+                        "moves points by a third and the line by 0.1");
   findings.figure({.name = "error_of_e",
                    .title = "Error of the restitution against the step",
-                   .caption =
-                       "$e = 0.7$, root mean square over 64 phases, each with a different step. Line: predicted "
-                       "impact by impact, nothing is fitted. It is not straight: touch and largest overlap are a "
-                       "quarter period apart, which correlates their fractions of a step.",
+                   .caption = "$e = 0.7$, root mean square over 64 phases, each with a different step. Line: predicted "
+                              "impact by impact, nothing is fitted. It is not straight: touch and largest overlap are "
+                              "a quarter period apart, which correlates their fractions of a step.",
                    .x = {.label = "step / contact time", .log = true},
                    .y = {.label = "relative error of e", .log = true},
                    .series = {all.points("solver"), all.line()},
@@ -213,12 +211,10 @@ void check_growth(Findings& findings, const Setup& setup) {
   for (double speed = 0.04; speed < 25.0; speed *= 1.2) {
     line.add(speed, growing_latch(speed, {}).exact.restitution);
   }
-  findings.expect(
-      "rms error of e over the predicted, K2 growing with the force, worst of five speeds", worst, 1.0,
-      Tolerance::model(
-          0.0065,
-          "as for the constant ratio, with the error of the largest overlap in K2; the next order is (w2 h)^2 of it, "
-          "0.0065 at the highest speed"));
+  findings.expect_model("rms error of e over the predicted, K2 growing with the force, worst of five speeds", worst,
+                        1.0, 0.0065,
+                        "as for the constant ratio, with the error of the largest overlap in K2; the next order is (w2 "
+                        "h)^2 of it, 0.0065 at the highest speed");
   if (setup.coarse) return;
   findings.figure({.name = "speeds",
                    .title = "Restitution decreases with speed",
@@ -239,8 +235,8 @@ void check_speeds(Findings& findings) {
   double change = 0.0;
   for (int j = -8; j <= 8; ++j)
     change = std::max(change, std::abs(exit(std::ldexp(1.0, j)) - exit(1.0)));
-  findings.expect("change of e, speeds 2^-8 ... 2^8", change, 0.0,
-                  Tolerance::exact("powers of two change exponents only: every operation rounds alike"));
+  findings.expect_exact("change of e, speeds 2^-8 ... 2^8", change, 0.0,
+                        "powers of two change exponents only: every operation rounds alike");
 }
 
 /// Checks two discs on one wall, the first in contact while the second still approaches: the largest overlap stored by
@@ -269,16 +265,14 @@ void check_pair(Findings& findings) {
   double worst = 0.0;
   for (const std::size_t i : {1U, 3U})
     keep_worst(worst, end.state.v[i] - 0.5);
-  findings.expect("stored largest overlap of the first disc during loading, minus its overlap",
-                  seen > 10 ? behind : std::nan(""), 0.0, Tolerance::exact("during loading both are the same number"),
-                  "m");
-  findings.expect("speeds of two discs after successive impacts, sqrt(K1/K2) of the initial ones, largest error", worst,
-                  0.0,
-                  Tolerance::truncation(
-                      6e-11, 1.0,
-                      "a dozen steps per contact, within a tolerance of 1e-10 of the largest speed, a third of it "
-                      "on average: as a random walk sqrt(12)/3 times, of which the restitution of 0.5 leaves half"),
-                  "m/s");
+  findings.expect_exact("stored largest overlap of the first disc during loading, minus its overlap",
+                        seen > 10 ? behind : std::nan(""), 0.0, "during loading both are the same number", "m");
+  findings.expect_truncation(
+      "speeds of two discs after successive impacts, sqrt(K1/K2) of the initial ones, largest error", worst, 0.0, 6e-11,
+      1.0,
+      "a dozen steps per contact, within a tolerance of 1e-10 of the largest speed, a third of it on average: as a "
+      "random walk sqrt(12)/3 times, of which the restitution of 0.5 leaves half",
+      "m/s");
 }
 
 void run(Findings& findings, const Setup& setup) {

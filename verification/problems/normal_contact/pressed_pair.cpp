@@ -123,20 +123,17 @@ void check_undamped(Figure& figure, Findings& findings, const Setup& setup) {
     const long steps = 400;
     const double found = largest_error(pair, VelocityVerlet{}, steps,
                                        leapfrog_heights(pair, end_time / static_cast<double>(steps)), findings, setup);
-    findings.in("heights")->expect(
-        "heights against the exact leapfrog solution, " + name_of(pair), found, 0.0,
-        Tolerance::round_off(3.5e-13,
-                             "400 steps that round heights of 1 and 3 by 1.3e-16 rms; in an oscillation "
-                             "these errors add up as a random walk: sqrt(400) x 1.3e-16/0.03 = 9e-14, four times "
-                             "that for the worst of 400 steps"));
+    findings.expect_round_off(
+        {"heights", "heights against the exact leapfrog solution, " + name_of(pair)}, found, 0.0, 3.5e-13,
+        "400 steps that round heights of 1 and 3 by 1.3e-16 rms; in an oscillation these errors add up as a random "
+        "walk: sqrt(400) x 1.3e-16/0.03 = 9e-14, four times that for the worst of 400 steps");
     Convergence order;
     for (const double n : doublings(200.0, setup.coarse ? 2 : 4))
       order.add(end_time / n,
                 largest_error(pair, VelocityVerlet{}, std::lround(n), exact_heights(pair), findings, setup));
-    findings.in("order")->expect_order(
-        "order of the error of the heights, " + name_of(pair), order, 1.99, 2.01,
-        "no contact opens: the order is that of the method; the next power, (w h)^2 = 0.08 at 200 "
-        "steps, tilts the line by 0.005");
+    findings.expect_order({"order", "order of the error of the heights, " + name_of(pair)}, order, 1.99, 2.01,
+                          "no contact opens: the order is that of the method; the next power, (w h)^2 = 0.08 at 200 "
+                          "steps, tilts the line by 0.005");
     figure.series.push_back({name_of(pair), order.steps(), order.errors(), Style::points});
   }
 }
@@ -149,13 +146,12 @@ void check_damped(Figure& figure, Findings& findings, const Setup& setup) {
                  largest_error(pair, VelocityVerlet{}, std::lround(n), exact_heights(pair), findings, setup),
                  predicted_damped_error(pair, end_time / n));
     }
-    findings.in("error_at_finest_step")
-        ->expect(
-            "error of the heights over the predicted, finest step, " + name_of(pair), errors.last_ratio(), 1.0,
-            Tolerance::model(setup.coarse ? 0.1 : 0.02, "the next power of the step: ratio of w h^2 t/24 to xi h/2"));
-    findings.in("order")->expect_order(
-        "order of the error of the heights, " + name_of(pair), errors.found(), 0.9, 1.1,
-        "the dashpot's velocity is half a step late; the next power of the step tilts the line");
+    findings.expect_model(
+        {"error_at_finest_step", "error of the heights over the predicted, finest step, " + name_of(pair)},
+        errors.last_ratio(), 1.0, setup.coarse ? 0.1 : 0.02,
+        "the next power of the step: ratio of w h^2 t/24 to xi h/2");
+    findings.expect_order({"order", "order of the error of the heights, " + name_of(pair)}, errors.found(), 0.9, 1.1,
+                          "the dashpot's velocity is half a step late; the next power of the step tilts the line");
     figure.series.push_back(errors.points(name_of(pair)));
     figure.series.push_back(errors.line(name_of(pair) + ", predicted"));
   }

@@ -30,11 +30,10 @@ void check_damped(EndRule rule, const std::vector<double>& steps, Figure& figure
     const Convergence found = restitution_errors(b, integrator, steps, findings);
     const auto claim = findings.in(fmt::format("integrator.{}", talus::name(integrator))),
                group = findings.in(word_for(rule));
-    findings.in("order_of_e")
-        ->expect_order("order of the error of e, " + label, found, 0.93, 1.07,
-                       "the dashpot's force jumps at touch, which the steps resolve to half a step; the next "
-                       "power, w h = 0.2 of the first at 16 steps, tilts the fit by up to 0.05, uneven phases of the "
-                       "end (6 % of an rms) by 0.02");
+    findings.expect_order(
+        {"order_of_e", "order of the error of e, " + label}, found, 0.93, 1.07,
+        "the dashpot's force jumps at touch, which the steps resolve to half a step; the next power, w h = 0.2 of the "
+        "first at 16 steps, tilts the fit by up to 0.05, uneven phases of the end (6 % of an rms) by 0.02");
     figure.series.push_back({label, found.steps(), found.errors(), Style::points});
   }
   Series predicted{.label = fmt::format("predicted, {}", word_for(rule)), .x = {}, .y = {}, .style = Style::lines};
@@ -71,18 +70,18 @@ void check_undamped(const std::vector<double>& steps, Figure& figure, Findings& 
   for (const Integrator& integrator : {Integrator{VelocityVerlet{}}, Integrator{RungeKutta4{}}}) {
     const Convergence found = restitution_errors(elastic, integrator, steps, findings, setup.has("commensurate_step"));
     const auto claim = findings.in(fmt::format("integrator.{}", talus::name(integrator)));
-    findings.in("order_undamped")
-        ->expect_order(fmt::format("order of the error of e, undamped, {}", talus::name(integrator)), found, 1.85, 2.15,
-                       "the force is continuous; its slope jumps at touch and end, which gives an error of h^2");
+    findings.expect_order(
+        {"order_undamped", fmt::format("order of the error of e, undamped, {}", talus::name(integrator))}, found, 1.85,
+        2.15, "the force is continuous; its slope jumps at touch and end, which gives an error of h^2");
     figure.series.push_back(
         {fmt::format("e = 1, {}", talus::name(integrator)), found.steps(), found.errors(), Style::points});
     if (figure.slopes.empty()) {
-      findings.expect(
-          "rms error of e = 1 at 16 steps per contact", found.errors().front(), second_order_constant / (16.5 * 16.5),
-          Tolerance::model(uneven_end,
-                           "pi^2/(2 sqrt(90) N^2) from the fractions of a step at touch and end; the next term, "
-                           "(w h)^2, is 4 % of it, the 64 uneven phases of the end add 6 %")
-              .relative());
+      findings.expect("rms error of e = 1 at 16 steps per contact", found.errors().front(),
+                      second_order_constant / (16.5 * 16.5),
+                      Tolerance::model(uneven_end,
+                                       "pi^2/(2 sqrt(90) N^2) from the fractions of a step at touch and end; the next "
+                                       "term, (w h)^2, is 4 % of it, the 64 uneven phases of the end add 6 %")
+                          .relative());
       figure.slopes = {{1.0, 1.0 / 40.0, 0.06, "h"}, {2.0, 1.0 / 64.0, 0.1 * second_order_constant / 4096.0, "h^2"}};
     }
   }
@@ -91,16 +90,14 @@ void check_undamped(const std::vector<double>& steps, Figure& figure, Findings& 
 /// Checks the error of e against the step for a disc on a plane: order one with a dashpot and two without one, for
 /// every method. The figure also shows the predicted errors. Planted fault: `commensurate_step`.
 void check_restitution_orders(Findings& findings, const Setup& setup) {
-  Figure figure{
-      .name = "error_of_e",
-      .title = "Error of the restitution against the step",
-      .caption =
-          "Root mean square over 64 phases, each with a different step; e = 0.5 unless the key names another. "
-          "Points: the solver. Lines: the error predicted from lag and jumps (damped); nothing is fitted. With a "
-          "dashpot every method is of first "
-          "order, without a dashpot of second.",
-      .x = {.label = "step / contact time", .log = true},
-      .y = {.label = "relative error of e", .log = true}};
+  Figure figure{.name = "error_of_e",
+                .title = "Error of the restitution against the step",
+                .caption =
+                    "Root mean square over 64 phases, each with a different step; e = 0.5 unless the key names "
+                    "another. Points: the solver. Lines: the error predicted from lag and jumps (damped); nothing is "
+                    "fitted. With a dashpot every method is of first order, without a dashpot of second.",
+                .x = {.label = "step / contact time", .log = true},
+                .y = {.label = "relative error of e", .log = true}};
   const auto steps = doublings(16.0, setup.coarse ? 3 : 6);
   for (const EndRule rule : {EndRule::attractive, EndRule::clamped})
     check_damped(rule, steps, figure, findings, setup);
@@ -124,9 +121,8 @@ void check_bounce(double e, EndRule rule, Ratio& time, Ratio& depth, Ratio& iden
   const double wh = reduced_step(b.exact, production_steps);
   const ImpactError predicted = leapfrog_impact_error(b.xi, same(rule));
   const auto group = findings.in(word_for(rule));
-  findings.in("rms_error_of_e")
-      ->expect("rms relative error of e = " + name, found.restitution.rms(),
-               predicted_restitution_error(b, production_steps), near_prediction(rule));
+  findings.expect({"rms_error_of_e", "rms relative error of e = " + name}, found.restitution.rms(),
+                  predicted_restitution_error(b, production_steps), near_prediction(rule));
   // With a weak dashpot, the only error is that of Verlet's period, which is short by (w h)^2/24.
   const double predicted_time = predicted.contact_time * wh + wh * wh / 24.0;
   time.add(found.contact_time.rms(), predicted_time);
@@ -152,19 +148,15 @@ void check_targets(Findings& findings, const Setup& setup) {
     for (const double e : {0.9, 0.7, 0.5, 0.3, 0.1})
       check_bounce(e, rule, time, depth, identity, table, findings, setup);
     const std::string over = fmt::format(" over the predicted, worst of e = 0.9 ... 0.1, {}", word_for(rule));
-    findings.expect(
-        "rms error of the contact time" + over, time.farthest, 1.0,
-        Tolerance::model(next_power,
-                         "predicted from the half-step lag and the error of Verlet's period, without jumps; "
-                         "the next power of the step is 4 % of it"));
-    findings.in("largest_overlap")
-        ->expect("rms error of the largest overlap" + over, depth.farthest, 1.0,
-                 Tolerance::model(next_power,
-                                  "predicted from the half-step lag and the jump at touch; the next power of the "
-                                  "step is 4 % of it"));
+    findings.expect_model("rms error of the contact time" + over, time.farthest, 1.0, next_power,
+                          "predicted from the half-step lag and the error of Verlet's period, without jumps; the next "
+                          "power of the step is 4 % of it");
+    findings.expect_model(
+        {"largest_overlap", "rms error of the largest overlap" + over}, depth.farthest, 1.0, next_power,
+        "predicted from the half-step lag and the jump at touch; the next power of the step is 4 % of it");
     if (rule == EndRule::attractive) continue;
-    findings.expect("rms error of the identity e = (w d_max/v0)^2" + over, identity.farthest, 1.0,
-                    Tolerance::model(next_power, "as for both of its sides; the next power of the step is 4 % of it"));
+    findings.expect_model("rms error of the identity e = (w d_max/v0)^2" + over, identity.farthest, 1.0, next_power,
+                          "as for both of its sides; the next power of the step is 4 % of it");
   }
   findings.table(table);
 }
@@ -178,13 +170,13 @@ void check_pull(Findings& findings, const Setup& setup) {
   // and one and a half steps before it.
   const double slope = b.e * (1.0 - 4.0 * b.xi * b.xi);
   const double lead = std::hypot(1.0, 1.0 / std::sqrt(12.0)) * reduced_step(b.exact, production_steps);
-  findings.expect("pull at the end, e = 0.5, attractive, rms error over c e v0",
-                  found.pull.rms() / -b.exact.force_at_end, slope * lead / -b.exact.force_at_end,
-                  Tolerance::model(uneven_end,
-                                   "mean force of the last full step: the slope of F times the distance of that "
-                                   "step's middle from the end; the next power of the step is 4 % of it, the 64 uneven "
-                                   "phases of the end add 6 %")
-                      .relative());
+  findings.expect(
+      "pull at the end, e = 0.5, attractive, rms error over c e v0", found.pull.rms() / -b.exact.force_at_end,
+      slope * lead / -b.exact.force_at_end,
+      Tolerance::model(uneven_end,
+                       "mean force of the last full step: the slope of F times the distance of that step's middle from "
+                       "the end; the next power of the step is 4 % of it, the 64 uneven phases of the end add 6 %")
+          .relative());
   double least = 0.0;
   for (const double e : {0.9, 0.5, 0.1}) {
     Bounce clamped = bounce(e, EndRule::clamped, setup);
@@ -193,9 +185,8 @@ void check_pull(Findings& findings, const Setup& setup) {
                                               production_steps, VelocityVerlet{}, findings);
     least = std::min(least, forces.least_deceleration);
   }
-  findings.expect(
-      "largest pull of a clamped contact", least, 0.0,
-      Tolerance::exact("each kick adds a force >= 0 or none: the speed away from the plane never decreases"));
+  findings.expect_exact("largest pull of a clamped contact", least, 0.0,
+                        "each kick adds a force >= 0 or none: the speed away from the plane never decreases");
 }
 
 /// Checks that only xi enters e: the same steps per contact, phases and dashpot rule at other stiffnesses.
@@ -220,14 +211,12 @@ void check_scales(Findings& findings, const Setup& setup) {
   }
   for (const double k : {1e-2, 1e-1, 1e1, 1e2})
     decades = std::max(decades, std::abs(restitution_at(k, std::sqrt(k)) - plain));
-  findings.expect("change of e, k = 4^1 ... 4^8, h = 2^-1 ... 2^-8", powers, 0.0,
-                  Tolerance::exact("powers of two change exponents only: every operation rounds alike"));
-  findings.expect(
-      "change of e over four decades of k", decades, 0.0,
-      Tolerance::round_off(5e-14,
-                           "110 steps round positions ten times the overlap, by 6.4e-16 of it rms; a sum of "
-                           "these errors changes e by pi sqrt(110/3) times that, 1.2e-14, in each of two "
-                           "runs: 1.7e-14, three times that for the worst"));
+  findings.expect_exact("change of e, k = 4^1 ... 4^8, h = 2^-1 ... 2^-8", powers, 0.0,
+                        "powers of two change exponents only: every operation rounds alike");
+  findings.expect_round_off(
+      "change of e over four decades of k", decades, 0.0, 5e-14,
+      "110 steps round positions ten times the overlap, by 6.4e-16 of it rms; a sum of these errors changes e by pi "
+      "sqrt(110/3) times that, 1.2e-14, in each of two runs: 1.7e-14, three times that for the worst");
 }
 
 void run(Findings& findings, const Setup& setup) {

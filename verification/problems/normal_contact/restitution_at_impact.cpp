@@ -144,8 +144,8 @@ std::vector<Impact> impacts() {
       {"pinned bob, another pose", std::string{bob}, 0.6, 1, bob_speed},
       {"corner",
        joined(box,
-              "position = [\"0 m\", \"0.5 m\"]\nangle = \"35 deg\"\nvelocity = [\"0.5 m/s\", \"-2 m/s\"]\n"
-              "spin = \"-2 rad/s\"",
+              "position = [\"0 m\", \"0.5 m\"]\nangle = \"35 deg\"\nvelocity = [\"0.5 m/s\", \"-2 m/s\"]\nspin = \"-2 "
+              "rad/s\"",
               ground),
        0.4, 1, corner_speed},
       {"disc on a bar that has turned",
@@ -220,8 +220,8 @@ void run(Findings& findings, const Setup& setup) {
                 .title = "Error of the restitution at impact",
                 .caption =
                     "Largest error of the restitution over the impacts of a scene against the stiffness; 0.6 was "
-                    "requested. The pose changes during the contact, which takes a time of the order of "
-                    "$1/\\sqrt{k}$; where it does not, the error is that of the method, or of a tilt of 1e-6 degrees.",
+                    "requested. The pose changes during the contact, which takes a time of the order of $1/\\sqrt{k}$; "
+                    "where it does not, the error is that of the method, or of a tilt of 1e-6 degrees.",
                 .x = {.label = "stiffness", .unit = "N/m", .log = true},
                 .y = {.label = "error of e", .log = true}};
   Table table{"values",
@@ -248,13 +248,12 @@ void run(Findings& findings, const Setup& setup) {
     figure.series.push_back(series);
     for (std::size_t i = 0; i < impact.impacts; ++i) {
       const std::string which = impact.impacts == 1 ? "" : fmt::format(", number {}", i + 1);
-      findings.expect(
-          fmt::format("restitution, {}{}", name, which), last[i], wanted,
-          exact ? Tolerance::truncation(impact.bound, 1.0, impact.why)
-                : Tolerance::truncation(
-                      0.5 * std::abs(before[i] - wanted) + 1e-9, 1.2,
-                      "the changes during contact are proportional to the contact time, which is half of that at a "
-                      "quarter of the stiffness; a fifth for the terms of higher order"));
+      findings.expect(fmt::format("restitution, {}{}", name, which), last[i], wanted,
+                      exact ? Tolerance::truncation(impact.bound, 1.0, impact.why)
+                            : Tolerance::truncation(
+                                  0.5 * std::abs(before[i] - wanted) + 1e-9, 1.2,
+                                  "the changes during contact are proportional to the contact time, which is half of "
+                                  "that at a quarter of the stiffness; a fifth for the terms of higher order"));
     }
     if (!exact && !setup.coarse) {
       findings.expect_order(fmt::format("order of the error in 1/sqrt(k), {}", name), errors, 0.9, 1.1,

@@ -138,22 +138,22 @@ void check_loops(Findings& findings, const Setup& setup) {
     const double depth = std::sqrt(2.0 * loop.energy / stiffness);
     if (has_potential(pair)) worst = std::max(worst, std::abs(loop.work / loop.energy) / (2.0 * step / depth));
   }
-  findings.expect("work on a closed path round a corner, over force times step: largest of all outlines", worst, 0.0,
-                  Tolerance::truncation(2.0, 1.0,
-                                        "the trapezoidal rule errs by up to half a step times the jump of the force at "
-                                        "each kink of the path; about four kinks, of either sign"));
+  findings.expect_truncation("work on a closed path round a corner, over force times step: largest of all outlines",
+                             worst, 0.0, 2.0, 1.0,
+                             "the trapezoidal rule errs by up to half a step times the jump of the force at each kink "
+                             "of the path; about four kinks, of either sign");
   if (setup.coarse) return;
   findings.table(table);
   findings.figure(figure);
 }
 
 void check_slopes(Findings& findings, const Setup& setup) {
-  Table table{.name = "slopes",
-              .caption =
-                  "Forces compared with the gradient of the stored energy: positions tested at which the outlines "
-                  "overlap, positions at which the two differ by more than 1e-6, and the largest difference over the "
-                  "largest force.",
-              .columns = {"outlines and rule", "positions", "differ", "largest"}};
+  Table table{
+      .name = "slopes",
+      .caption =
+          "Forces compared with the gradient of the stored energy: positions tested at which the outlines overlap, "
+          "positions at which the two differ by more than 1e-6, and the largest difference over the largest force.",
+      .columns = {"outlines and rule", "positions", "differ", "largest"}};
   double of_resultants = 0.0, of_nodes = 0.0, smoother = 0.0, rays = 0.0;
   for (const TouchingPair& pair : pairs()) {
     if (setup.coarse && std::holds_alternative<Superquadric>(pair.b)) continue;
@@ -174,16 +174,16 @@ void check_slopes(Findings& findings, const Setup& setup) {
                                  "measured: delta^2/6 times the third derivative at the sharpest corners of the "
                                  "positions tested; the rounding error u V/delta is less than a tenth of it");
   };
-  findings.in("slope")->expect("force against the energy gradient, resultants: largest error", of_resultants, 0.0,
-                               bound(3e-8));
-  findings.in("slope_by_nodes")
-      ->expect("force against the energy gradient, nodes: largest error", of_nodes, 0.0, bound(3e-8));
+  findings.expect({"slope", "force against the energy gradient, resultants: largest error"}, of_resultants, 0.0,
+                  bound(3e-8));
+  findings.expect({"slope_by_nodes", "force against the energy gradient, nodes: largest error"}, of_nodes, 0.0,
+                  bound(3e-8));
   findings.expect("force against the energy gradient, cable: largest error", cable.largest, 0.0, bound(7e-10));
   if (setup.coarse) return;
   findings.expect_between("fraction of positions without a potential, rule of the smoother outline", smoother, 0.1, 0.5,
                           "positions at which a node's normal is used: a known property of the rule, and measured");
-  findings.expect("fraction of positions without a potential, centroid-ray rule", rays, 1.0,
-                  Tolerance::exact("all positions except on the axes: a known property of the 1993 rule"));
+  findings.expect_exact("fraction of positions without a potential, centroid-ray rule", rays, 1.0,
+                        "all positions except on the axes: a known property of the 1993 rule");
   findings.table(table);
 }
 

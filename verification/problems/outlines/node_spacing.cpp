@@ -79,15 +79,15 @@ void check_rolling(Findings& findings, const Setup& setup) {
     figure.series.push_back({"64 nodes, d = r/50", deep.turned, deep.force, Style::lines});
   }
   const std::string rounding = "a dozen roundings of lengths up to r";
-  findings.expect("ripple of the overlap against r (1 - cos(pi/M)), over r: largest error, 8 to 256 nodes", ratio, 0.0,
-                  Tolerance::round_off(12.0 * 0x1p-53, rounding));
-  findings.expect("force against the sum over the nodes: largest error", farthest, 0.0,
-                  Tolerance::round_off(36.0 * 0x1p-53 * radius * stiffness, rounding + ", for three nodes"), "N");
+  findings.expect_round_off("ripple of the overlap against r (1 - cos(pi/M)), over r: largest error, 8 to 256 nodes",
+                            ratio, 0.0, 12.0 * 0x1p-53, rounding);
+  findings.expect_round_off("force against the sum over the nodes: largest error", farthest, 0.0,
+                            36.0 * 0x1p-53 * radius * stiffness, rounding + ", for three nodes", "N");
   findings.expect_order("order of the ripple in 1/nodes", ripples.last(4), 1.999, 2.0005,
                         "second order; the next order is pi^2/(12 M^2) of it, 1e-3 at 32 nodes");
   const Rolled whole = roll(16, 0.01, ContactMethod::resultant, setup);
-  findings.expect("ripple of one resultant", whole.deepest - whole.shallowest, 0.0,
-                  Tolerance::exact("the disc's angle does not enter"), "m");
+  findings.expect_exact("ripple of one resultant", whole.deepest - whole.shallowest, 0.0,
+                        "the disc's angle does not enter", "m");
   if (!setup.coarse) findings.figure(figure);
 }
 
@@ -123,8 +123,8 @@ void check_deepest(Findings& findings) {
     }
     keep_worst(worst, dynamics.contact_depth(work, ContactId{0}) - deepest);
   }
-  findings.expect("largest overlap of 100 nodes with a plank: largest error over 100 rotations", worst, 0.0,
-                  Tolerance::round_off(12.0 * 0x1p-53, "a dozen roundings of lengths of about 1"), "m");
+  findings.expect_round_off("largest overlap of 100 nodes with a plank: largest error over 100 rotations", worst, 0.0,
+                            12.0 * 0x1p-53, "a dozen roundings of lengths of about 1", "m");
 }
 
 void check_curvature(Findings& findings, const Setup& setup) {
@@ -152,9 +152,9 @@ void check_curvature(Findings& findings, const Setup& setup) {
     }
     table.rows.push_back(cells("{:g} | {:.4f} | {:.4f} | {}", n, exact, 1.0 / exact, nodes));
   }
-  findings.expect(
-      "curvature at the corner against its formula, over n: largest relative error, n = 2 to 50", farthest, 0.0,
-      Tolerance::round_off(4.0 * 0x1p-53, "powers amplify the rounding of x by a factor of n; a few such roundings"));
+  findings.expect_round_off("curvature at the corner against its formula, over n: largest relative error, n = 2 to 50",
+                            farthest, 0.0, 4.0 * 0x1p-53,
+                            "powers amplify the rounding of x by a factor of n; a few such roundings");
   // Away from the diagonal of an outline with unequal axes: compared with the turn of the outward normal along it.
   double turned = 0.0;
   for (const double n : {2.0, 3.0, 8.0}) {
@@ -167,10 +167,10 @@ void check_curvature(Findings& findings, const Setup& setup) {
           std::max(turned, std::abs(curvature(shape, boundary_point(shape, t)) * norm(after - before) / turn - 1.0));
     }
   }
-  findings.expect("curvature with unequal axes against the rotation of the normal: largest relative error", turned, 0.0,
-                  Tolerance::truncation(3.5e-10, 1.2,
-                                        "3.48 h^2 at n = 8, the same with h = 1e-2, 1e-3 and 1e-4, plus "
-                                        "a rounding of 1e-16 over the rotation of 1e-5"));
+  findings.expect_truncation(
+      "curvature with unequal axes against the rotation of the normal: largest relative error", turned, 0.0, 3.5e-10,
+      1.2,
+      "3.48 h^2 at n = 8, the same with h = 1e-2, 1e-3 and 1e-4, plus a rounding of 1e-16 over the rotation of 1e-5");
   if (!setup.coarse) findings.table(table);
 }
 
@@ -211,8 +211,8 @@ void check_apart(Findings& findings, const Setup& setup) {
     probe.evaluate(state);
     keep_worst(worst, probe.overlap(0) + nearest);
   }
-  findings.expect("overlap of turned circles that are apart, by their nodes: largest error", worst, 0.0,
-                  Tolerance::round_off(4e-15, "distances of up to 6 in a few roundings"));
+  findings.expect_round_off("overlap of turned circles that are apart, by their nodes: largest error", worst, 0.0,
+                            4e-15, "distances of up to 6 in a few roundings");
 }
 
 void run(Findings& findings, const Setup& setup) {

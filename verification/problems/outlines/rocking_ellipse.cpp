@@ -43,11 +43,10 @@ void check_amplitudes(Findings& findings, const Setup& setup) {
     if (setup.coarse && amplitude > 0.02) continue;
     const double period = solver_period(amplitude, stiffness, step, setup);
     const double rigid = reference::rocking_period(ellipse, amplitude);
-    findings.in("periods")->expect(
-        fmt::format("period at {:g} rad over that of the rigid body", amplitude), period / rigid, 1.0,
-        Tolerance::model(1.5 * std::abs(shift(stiffness)),
-                         "contact springs: their frequency shift for small oscillations, and half of it for the larger "
-                         "angles"));
+    findings.expect_model(
+        {"periods", fmt::format("period at {:g} rad over that of the rigid body", amplitude)}, period / rigid, 1.0,
+        1.5 * std::abs(shift(stiffness)),
+        "contact springs: their frequency shift for small oscillations, and half of it for the larger angles");
     solver.add(amplitude, period / rest);
   }
   if (setup.coarse) return;
@@ -99,10 +98,10 @@ void check_steps(Findings& findings, const Setup& setup) {
     ratio = error / (-frequency * frequency * step * step / 24.0);
   }
   findings.expect_order("order of the period in the step", errors, 1.9, 2.15, "leapfrog");
-  findings.expect_between("error of the period due to the step over (w h)^2/24", ratio, 0.85, 1.15,
-                          "the leapfrog error of a body whose springs follow it instantly; neglected: the springs' "
-                          "dynamics, the fourth order, and the error of the finest step, which is used as the exact "
-                          "value (a hundredth)");
+  findings.expect_between(
+      "error of the period due to the step over (w h)^2/24", ratio, 0.85, 1.15,
+      "the leapfrog error of a body whose springs follow it instantly; neglected: the springs' dynamics, the fourth "
+      "order, and the error of the finest step, which is used as the exact value (a hundredth)");
 }
 
 void run(Findings& findings, const Setup& setup) {

@@ -77,12 +77,12 @@ void check_area(Findings& findings, const Setup& setup) {
                     "and its leading order with the constant (lines).",
                 .x = {.label = "nodes", .log = true},
                 .y = {.label = "area deficit", .log = true}};
-  Table table{.name = "areas",
-              .caption =
-                  "Area and polar moment, and the deficits of both for a polygon of 2048 boundary nodes over their "
-                  "leading order; the last columns extrapolate this ratio by its next terms, nodes^(-2/n) and "
-                  "nodes^(-6/n).",
-              .columns = {"n", "area", "moment", "deficit, area", "moment", "extrapolated, area", "moment"}};
+  Table table{
+      .name = "areas",
+      .caption =
+          "Area and polar moment, and the deficits of both for a polygon of 2048 boundary nodes over their leading "
+          "order; the last columns extrapolate this ratio by its next terms, nodes^(-2/n) and nodes^(-6/n).",
+      .columns = {"n", "area", "moment", "deficit, area", "moment", "extrapolated, area", "moment"}};
   double farthest = 0.0;
   for (const double n : {2.0, 3.0, 4.0, 8.0, 20.0, 50.0}) {
     if (setup.coarse && n != 20.0) continue;
@@ -92,25 +92,23 @@ void check_area(Findings& findings, const Setup& setup) {
     farthest = std::max({farthest, std::abs(area[1] - 1.0), std::abs(moment[1] - 1.0)});
     // From n = 8 on the next term, nodes^(-2/n), lowers the order at all numbers of nodes.
     const double low = n > 4.0 ? 1.96 : 1.98;
-    findings.in("order_of_area")
-        ->expect_order(fmt::format("order of the polygon's area in 1/nodes, n = {:g}", n), found.of_area, low, 2.01,
-                       "chords cut off an area of second order in their length; the next term, nodes^(-2/n) of that, "
-                       "slightly reduces the slope");
-    findings.in("order_of_polar_moment")
-        ->expect_order(fmt::format("order of the polygon's polar moment in 1/nodes, n = {:g}", n), found.of_moment, low,
-                       2.01, "as for the area");
+    findings.expect_order({"order_of_area", fmt::format("order of the polygon's area in 1/nodes, n = {:g}", n)},
+                          found.of_area, low, 2.01,
+                          "chords cut off an area of second order in their length; the next term, nodes^(-2/n) of "
+                          "that, slightly reduces the slope");
+    findings.expect_order(
+        {"order_of_polar_moment", fmt::format("order of the polygon's polar moment in 1/nodes, n = {:g}", n)},
+        found.of_moment, low, 2.01, "as for the area");
     draw(figure, found);
     table.rows.push_back(cells("{:g} | {:.6f} | {:.5f} | {:.4f} | {:.4f} | {:.5f} | {:.5f}", n, found.area,
                                found.moment, area[0], moment[0], area[1], moment[1]));
   }
-  findings.expect(
+  findings.expect_truncation(
       "area and moment deficits of polygons, extrapolated, over the leading order: largest error, n = 2 ... 50",
-      farthest, 0.0,
-      Tolerance::truncation(
-          1.2e-3, 1.3,
-          "terms of order nodes^(-2), which both extrapolation steps amplify, by (4 q - 1)/(1 - q) with q = 2^(-2/n) "
-          "and 2^(-6/n): 106 and 34 at n = 50, 3550 in total, which makes 8.5e-4 of 1/2048^2; their coefficient there "
-          "is 1.4, as measured from 1024 to 4096 nodes"));
+      farthest, 0.0, 1.2e-3, 1.3,
+      "terms of order nodes^(-2), which both extrapolation steps amplify, by (4 q - 1)/(1 - q) with q = 2^(-2/n) and "
+      "2^(-6/n): 106 and 34 at n = 50, 3550 in total, which makes 8.5e-4 of 1/2048^2; their coefficient there is 1.4, "
+      "as measured from 1024 to 4096 nodes");
   if (setup.coarse) return;
   findings.table(table);
   findings.figure(figure);
@@ -140,15 +138,15 @@ void check_support(Findings& findings, const Setup& setup) {
       reach_error = std::max(reach_error, std::abs(dot(lowest, down) - reach));
     }
   }
-  findings.expect("overlap of a superellipse with a plane: largest error, n = 2 ... 50, 180 angles", depth_error, 0.0,
-                  Tolerance::round_off(1e-14,
-                                       "a dozen roundings of lengths up to 8: sqrt(12) x 8 x 1.1e-16 = 3e-15, and "
-                                       "three times that for the worst of 1800 positions"),
-                  "m");
-  findings.expect("lowest point of a superellipse: largest deviation from its outline", outline_error, 0.0,
-                  Tolerance::round_off(1e-14, "as for the overlap, over half axes down to 1.25"));
-  findings.expect("lowest point of a superellipse: largest distance from the support line", reach_error, 0.0,
-                  Tolerance::round_off(2e-14, "as for the overlap, transformed to world axes and back"), "m");
+  findings.expect_round_off("overlap of a superellipse with a plane: largest error, n = 2 ... 50, 180 angles",
+                            depth_error, 0.0, 1e-14,
+                            "a dozen roundings of lengths up to 8: sqrt(12) x 8 x 1.1e-16 = 3e-15, and three times "
+                            "that for the worst of 1800 positions",
+                            "m");
+  findings.expect_round_off("lowest point of a superellipse: largest deviation from its outline", outline_error, 0.0,
+                            1e-14, "as for the overlap, over half axes down to 1.25");
+  findings.expect_round_off("lowest point of a superellipse: largest distance from the support line", reach_error, 0.0,
+                            2e-14, "as for the overlap, transformed to world axes and back", "m");
 }
 
 Figure support_figure() {
@@ -223,16 +221,15 @@ void check_depth(Findings& findings, const Setup& setup) {
     circle_error = std::max(circle_error,
                             std::abs(depth_below(Superquadric{1.0, 1.0, circle_exponent}, p).depth - (1.0 - norm(p))));
   }
-  findings.expect("overlap of a point with a superellipse: largest error against brute force, n = 2 ... 50",
-                  depth_error, 0.0,
-                  Tolerance::round_off(3e-15,
-                                       "a distance of up to 4: three units in its last place; its error is of second "
-                                       "order in that of the nearest point"),
-                  "m");
-  findings.expect("point moved by overlap and normal: largest deviation from the outline", normal_error, 0.0,
-                  Tolerance::round_off(3e-15, "as for the overlap, over half axes down to 1.25"));
-  findings.expect("overlap of a point with a circular superellipse: largest error", circle_error, 0.0,
-                  Tolerance::round_off(1e-15, "five roundings of numbers up to 2"), "m");
+  findings.expect_round_off(
+      "overlap of a point with a superellipse: largest error against brute force, n = 2 ... 50", depth_error, 0.0,
+      3e-15,
+      "a distance of up to 4: three units in its last place; its error is of second order in that of the nearest point",
+      "m");
+  findings.expect_round_off("point moved by overlap and normal: largest deviation from the outline", normal_error, 0.0,
+                            3e-15, "as for the overlap, over half axes down to 1.25");
+  findings.expect_round_off("overlap of a point with a circular superellipse: largest error", circle_error, 0.0, 1e-15,
+                            "five roundings of numbers up to 2", "m");
 }
 
 void run(Findings& findings, const Setup& setup) {

@@ -218,11 +218,11 @@ void check_question(const Question& question, Findings& findings, const Setup& s
   const auto check = [&](const char* what) { return fmt::format("{}: {}", question.name, what); };
   if (!findings.expect_true(check("advice given"), advice.best.has_value(), "the motion is regular")) return;
   const TriedMethod& best = *advice.best;
-  findings.expect_between(check("error of the reference value over the accuracy"),
-                          std::abs(advice.reference.value / question.truth - 1.0) / question.accuracy, 0.0,
-                          0.35 + question.doubt / question.accuracy,
-                          "0.1 of the accuracy within one method, 0.25 to the other, plus the uncertainty of an "
-                          "extrapolated exact value");
+  findings.expect_between(
+      check("error of the reference value over the accuracy"),
+      std::abs(advice.reference.value / question.truth - 1.0) / question.accuracy, 0.0,
+      0.35 + question.doubt / question.accuracy,
+      "0.1 of the accuracy within one method, 0.25 to the other, plus the uncertainty of an extrapolated exact value");
   const Run run = run_with(question, best.method, findings);
   const double beside = error_beside(question, best.method, findings);
   findings.expect_between(check("error of the advised run over the accuracy"), run.error / question.accuracy, 0.0, 1.0,
@@ -290,12 +290,12 @@ std::vector<Question> questions(Findings& findings, const Setup& setup) {
 }
 
 void run(Findings& findings, const Setup& setup) {
-  Table table{.name = "advice",
-              .caption =
-                  "Advice for each scene and accuracy; promised error (largest of the pilot runs), error of the "
-                  "advised run, largest error of twelve neighbouring runs; evaluations of the advised run, and minimum "
-                  "by brute force.",
-              .columns = {"scene", "accuracy", "advice", "promised", "error", "neighbours", "evaluations", "minimum"}};
+  Table table{
+      .name = "advice",
+      .caption =
+          "Advice for each scene and accuracy; promised error (largest of the pilot runs), error of the advised run, "
+          "largest error of twelve neighbouring runs; evaluations of the advised run, and minimum by brute force.",
+      .columns = {"scene", "accuracy", "advice", "promised", "error", "neighbours", "evaluations", "minimum"}};
   Figure figure{
       .name = "beside",
       .title = "Errors of the advised methods near the advice",

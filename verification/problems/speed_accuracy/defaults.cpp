@@ -79,17 +79,14 @@ void check_scenes(Findings& findings, const Setup& setup) {
                                found.value, truth.value, difference, found.balance, found.evaluations));
   }
   if (!setup.coarse) {
-    findings.expect("number of scenes", static_cast<double>(table.rows.size()), 30.0,
-                    Tolerance::exact("all scenes of the list"));
+    findings.expect_exact("number of scenes", static_cast<double>(table.rows.size()), 30.0, "all scenes of the list");
   }
-  findings.in("scenes")->expect(
-      "scenes: largest difference of a named result from its converged value", error.error, 0.0,
-      Tolerance::model(
-          0.01, "1 % is noticeable to an engineer; the converged runs have errors of 0.1 %; worst: " + error.where));
-  findings.expect(
-      "scenes: largest error of the energy balance over the largest energy", balance.error, 0.0,
-      Tolerance::truncation(1e-9, 3.0,
-                            "ten times the tolerance of a step, over some thousand steps; worst: " + balance.where));
+  findings.expect_model(
+      {"scenes", "scenes: largest difference of a named result from its converged value"}, error.error, 0.0, 0.01,
+      "1 % is noticeable to an engineer; the converged runs have errors of 0.1 %; worst: " + error.where);
+  findings.expect_truncation("scenes: largest error of the energy balance over the largest energy", balance.error, 0.0,
+                             1e-9, 3.0,
+                             "ten times the tolerance of a step, over some thousand steps; worst: " + balance.where);
   if (setup.coarse) return;
   findings.table(table);
   findings.figure({.name = "scenes",
@@ -152,14 +149,14 @@ class FenceDifferences {
   /// `bound`: of position and energy; the largest tension occurs before the paths diverge.
   void check(Findings& findings, double bound, double tension_bound, const std::string& why) const {
     const auto within = [&](const Worst& worst, const char* of, double most) {
-      findings.in("fences")->expect(fmt::format("fences: largest difference of {} from {}", of, reference_),
-                                    worst.error, 0.0, Tolerance::model(most, why + "; worst: " + worst.where));
+      findings.expect_model({"fences", fmt::format("fences: largest difference of {} from {}", of, reference_)},
+                            worst.error, 0.0, most, why + "; worst: " + worst.where);
     };
     within(position_, "the rock's final position", bound);
     within(energy_, "the rock's final energy", bound);
     within(tension_, "the largest tension", tension_bound);
-    findings.expect(fmt::format("fences: verdicts equal to those of {}", reference_), verdicts_, 20.0,
-                    Tolerance::exact("no verdict may depend on the method"));
+    findings.expect_exact(fmt::format("fences: verdicts equal to those of {}", reference_), verdicts_, 20.0,
+                          "no verdict may depend on the method");
   }
 
  private:
@@ -169,14 +166,13 @@ class FenceDifferences {
 };
 
 void check_fences(Findings& findings, const Setup& setup) {
-  Table table{
-      .name = "fences",
-      .caption =
-          "Twenty fences with all defaults; differences from runs of tolerance $10^{-13}$: of the rock's final "
-          "position over the width of its path, of its final kinetic energy over that of its approach, and of the "
-          "largest tension.",
-      .columns = {"fence", "verdict", "remaining energy", "position", "energy", "tension", "energy balance",
-                  "evaluations"}};
+  Table table{.name = "fences",
+              .caption =
+                  "Twenty fences with all defaults; differences from runs of tolerance $10^{-13}$: of the rock's final "
+                  "position over the width of its path, of its final kinetic energy over that of its approach, and of "
+                  "the largest tension.",
+              .columns = {"fence", "verdict", "remaining energy", "position", "energy", "tension", "energy balance",
+                          "evaluations"}};
   Worst balance;
   FenceDifferences tight{"runs of tolerance 1e-13"}, fixed{"runs of velocity Verlet"};
   for (const VariedScene& varied : varied_fences()) {
@@ -199,20 +195,17 @@ void check_fences(Findings& findings, const Setup& setup) {
                                100.0 * rock.end_energy / rock.approach_energy, differences[0], differences[1],
                                differences[2], found.balance, found.evaluations));
   }
-  findings.expect(
-      "fences: largest error of the energy balance over the largest energy", balance.error, 0.0,
-      Tolerance::truncation(1e-9, 3.0,
-                            "ten times the tolerance of a step, over some thousand steps; worst: " + balance.where));
+  findings.expect_truncation("fences: largest error of the energy balance over the largest energy", balance.error, 0.0,
+                             1e-9, 3.0,
+                             "ten times the tolerance of a step, over some thousand steps; worst: " + balance.where);
   if (setup.coarse) return;
-  tight.check(
-      findings, 0.01, 5e-9,
-      "1 % is noticeable to an engineer; the error of a tension is about ten times the default tolerance, 1e-10, and "
-      "five times that is allowed for the worst of twenty fences");
+  tight.check(findings, 0.01, 5e-9,
+              "1 % is noticeable to an engineer; the error of a tension is about ten times the default tolerance, "
+              "1e-10, and five times that is allowed for the worst of twenty fences");
   if (setup.tier == Tier::full) {
-    fixed.check(
-        findings, 0.02, 0.002,
-        "steps of 2 microseconds, about 1,000 in a contact, cause errors of 0.1 % of the speed in each of several "
-        "impacts, and later impacts amplify these: the rock keeps moving for half a second");
+    fixed.check(findings, 0.02, 0.002,
+                "steps of 2 microseconds, about 1,000 in a contact, cause errors of 0.1 % of the speed in each of "
+                "several impacts, and later impacts amplify these: the rock keeps moving for half a second");
   }
   findings.table(table);
 }
@@ -231,14 +224,13 @@ void check_even(Findings& findings, const Setup& setup) {
     found[i] = run_fence(file, findings);
   }
   const scenes::RockPassage &half = found[0].summary.rocks[0], &whole = found[1].summary.rocks[0];
-  findings.expect("even fence: final energy of the rock, half model over full model",
-                  half.end_energy / whole.end_energy, 1.0,
-                  Tolerance::truncation(1e-7, 3.0,
-                                        "the same motion with steps of the same tolerance, 1e-10; differences grow a "
-                                        "thousandfold in each of two impacts"));
-  findings.expect("even fence: largest tension, half model over full model",
-                  found[0].summary.largest_segment()->peak / found[1].summary.largest_segment()->peak, 1.0,
-                  Tolerance::truncation(1e-10, 1.0, "the tolerance: the peak occurs before differences grow"));
+  findings.expect_truncation("even fence: final energy of the rock, half model over full model",
+                             half.end_energy / whole.end_energy, 1.0, 1e-7, 3.0,
+                             "the same motion with steps of the same tolerance, 1e-10; differences grow a thousandfold "
+                             "in each of two impacts");
+  findings.expect_truncation("even fence: largest tension, half model over full model",
+                             found[0].summary.largest_segment()->peak / found[1].summary.largest_segment()->peak, 1.0,
+                             1e-10, 1.0, "the tolerance: the peak occurs before differences grow");
 }
 
 void run(Findings& findings, const Setup& setup) {

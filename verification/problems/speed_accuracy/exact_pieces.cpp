@@ -69,30 +69,30 @@ void check_bounce(Findings& findings, const Setup& setup, Table& table) {
       "segments of the reference: {} contacts, the last of which does not end; one flight, and for each other contact "
       "its loading and unloading, the exit during which the clamped law exerts no force, and a flight",
       contacts.size());
-  findings.expect("damped bounce to rest: force evaluations", static_cast<double>(found.evaluations), pieces,
-                  Tolerance::exact(words));
-  findings.expect_between("damped bounce to rest: force evaluations over the permitted 60",
-                          static_cast<double>(found.evaluations) / 60.0, 0.02, 1.0,
-                          "60 was set in advance; a result below a fiftieth would mean that evaluations are missing "
-                          "from the count");
+  findings.expect_exact("damped bounce to rest: force evaluations", static_cast<double>(found.evaluations), pieces,
+                        words);
+  findings.expect_between(
+      "damped bounce to rest: force evaluations over the permitted 60", static_cast<double>(found.evaluations) / 60.0,
+      0.02, 1.0,
+      "60 was set in advance; a result below a fiftieth would mean that evaluations are missing from the count");
   // Overlap at rest g/w^2 = 1e-3, largest overlap 0.036; positions are stored at about 1 from the origin.
   const double rounding = epsilon / (contacts.front().largest_depth);
-  findings.expect("damped bounce to rest: position, largest error over the drop height", place / drop.gap, 0.0,
-                  Tolerance::round_off(4.0 * rounding,
-                                       "eight positions at events, each rounded by half an epsilon of 1, relative to "
-                                       "the overlap of 0.036 that determines the impact"));
-  findings.expect("damped bounce to rest: velocity, largest error over the speed of the first impact",
-                  speed / contacts.front().start_speed, 0.0,
-                  Tolerance::round_off(8.0 * rounding,
-                                       "as for the position; if an output falls within a contact, a time error of "
-                                       "1e-16 changes the velocity by w times as much"));
+  findings.expect_round_off("damped bounce to rest: position, largest error over the drop height", place / drop.gap,
+                            0.0, 4.0 * rounding,
+                            "eight positions at events, each rounded by half an epsilon of 1, relative to the overlap "
+                            "of 0.036 that determines the impact");
+  findings.expect_round_off("damped bounce to rest: velocity, largest error over the speed of the first impact",
+                            speed / contacts.front().start_speed, 0.0, 8.0 * rounding,
+                            "as for the position; if an output falls within a contact, a time error of 1e-16 changes "
+                            "the velocity by w times as much");
   table.rows.push_back(
       {"damped bounce", fmt::format("{:.0f}", pieces), fmt::format("{}", found.evaluations),
        fmt::format("{:.1e}", place / drop.gap),
        fmt::format("{}", ran(scene, make_integrator("stormer_cowell", 1e-9), end, 1, findings).evaluations)});
   const Ran at_once = ran(scene, exact(setup), end, 1, findings);
-  findings.expect("damped bounce to rest: force evaluations with one output", static_cast<double>(at_once.evaluations),
-                  pieces, Tolerance::exact("outputs are evaluated from the segments and cost no evaluation"));
+  findings.expect_exact("damped bounce to rest: force evaluations with one output",
+                        static_cast<double>(at_once.evaluations), pieces,
+                        "outputs are evaluated from the segments and cost no evaluation");
   if (setup.coarse) return;
   Figure figure{.name = "bounce",
                 .title = "Damped bounce to rest with one force evaluation per segment",
@@ -133,15 +133,14 @@ void check_impacts(Findings& findings, const Setup& setup, Table& table) {
       worst_lost = std::max(worst_lost, std::abs(lost - 0.5 * (1.0 - e * e)));
     }
   }
-  findings.expect("impacts: force evaluations in total", static_cast<double>(evaluations), static_cast<double>(pieces),
-                  Tolerance::exact("one per segment"));
+  findings.expect_exact("impacts: force evaluations in total", static_cast<double>(evaluations),
+                        static_cast<double>(pieces), "one per segment");
   const double rounding = epsilon / (0.01 * std::exp(-1.0));
-  findings.expect("impacts: exit speed, largest error over the entry speed", worst, 0.0,
-                  Tolerance::round_off(rounding,
-                                       "positions about 1 from the origin are rounded by up to epsilon in total, "
-                                       "relative to the overlap v/w = 0.01, which damping reduces by e^-1"));
-  findings.expect("impacts: work of the dashpots, largest error over twice the energy", worst_lost, 0.0,
-                  Tolerance::round_off(2.0 * rounding, "the energy is quadratic in the speed"));
+  findings.expect_round_off("impacts: exit speed, largest error over the entry speed", worst, 0.0, rounding,
+                            "positions about 1 from the origin are rounded by up to epsilon in total, relative to the "
+                            "overlap v/w = 0.01, which damping reduces by e^-1");
+  findings.expect_round_off("impacts: work of the dashpots, largest error over twice the energy", worst_lost, 0.0,
+                            2.0 * rounding, "the energy is quadratic in the speed");
   table.rows.push_back(cells("{} impacts | {} | {} | {:.1e} | {}", runs, pieces, evaluations, worst, stormer));
 }
 
@@ -166,10 +165,9 @@ void check_latching(Findings& findings, const Setup& setup, Table& table) {
   }
   const std::string words =
       "positions up to 4 from the origin are rounded by up to 4 epsilon, three times until the end";
-  findings.expect("latching springs: exit speed, largest error", worst, 0.0,
-                  Tolerance::round_off(12.0 * epsilon, words));
-  findings.expect("latching springs: position a time of 1 after the end, largest error", worst_time, 0.0,
-                  Tolerance::round_off(12.0 * epsilon, words));
+  findings.expect_round_off("latching springs: exit speed, largest error", worst, 0.0, 12.0 * epsilon, words);
+  findings.expect_round_off("latching springs: position a time of 1 after the end, largest error", worst_time, 0.0,
+                            12.0 * epsilon, words);
   table.rows.push_back(cells("{} latching springs | - | {} | {:.1e} | {}", runs, evaluations, worst, stormer));
 }
 
@@ -204,11 +202,9 @@ void check_rows(Findings& findings, const Setup& setup, Table& table) {
     stormer +=
         ran(row_scene(row), make_integrator("stormer_cowell", 1e-9), truth.end_time + 1.0, 1, findings).evaluations;
   }
-  findings.expect(
-      "three discs on a line: velocities, largest error", worst, 0.0,
-      Tolerance::round_off(24.0 * epsilon,
-                           "positions 8 from the origin are rounded by half of 8 epsilon, for two discs in each of "
-                           "three changes of contact"));
+  findings.expect_round_off("three discs on a line: velocities, largest error", worst, 0.0, 24.0 * epsilon,
+                            "positions 8 from the origin are rounded by half of 8 epsilon, for two discs in each of "
+                            "three changes of contact");
   table.rows.push_back(cells("4 rows of three discs | {:.0f} | {} | {:.1e} | {}", pieces, evaluations, worst, stormer));
 }
 
@@ -281,15 +277,13 @@ void check_linear_overlaps(Findings& findings) {
     }
   }
   const auto pairs = findings.in("linear_overlaps");
-  findings.expect("pairs classified as linear whose overlap is nonlinear", wrong, 0.0,
-                  Tolerance::exact("second differences over 1e-3 are 5e-7 for nonlinear overlaps and 1e-15 for linear "
-                                   "ones"));
-  findings.expect("pairs of discs and planes with linear overlap, not classified as linear", left_out, 0.0,
-                  Tolerance::exact("as for the previous check"));
-  findings.expect(
-      "pairs classified as linear", accepted, 26.0,
-      Tolerance::exact("in either order: on a plane 4 kinds of discs and 3 of squares; for two discs on a line along "
-                       "which both slide or one is fixed, 3 each; none for a disc on a square"));
+  findings.expect_exact("pairs classified as linear whose overlap is nonlinear", wrong, 0.0,
+                        "second differences over 1e-3 are 5e-7 for nonlinear overlaps and 1e-15 for linear ones");
+  findings.expect_exact("pairs of discs and planes with linear overlap, not classified as linear", left_out, 0.0,
+                        "as for the previous check");
+  findings.expect_exact("pairs classified as linear", accepted, 26.0,
+                        "in either order: on a plane 4 kinds of discs and 3 of squares; for two discs on a line along "
+                        "which both slide or one is fixed, 3 each; none for a disc on a square");
 }
 
 void run(Findings& findings, const Setup& setup) {

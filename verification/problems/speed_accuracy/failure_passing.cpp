@@ -229,10 +229,10 @@ FailureFound check_long_step(Findings& findings, const Setup& setup) {
   findings.expect_true("long step: refusal at v h + g h^2/2 = 1.05 r, with v h = 0.8 r", !pulled(1.05).empty(),
                        "falling bodies pass each other sooner");
   findings.expect_true("long step: no refusal at v h + g h^2/2 = 0.95 r", pulled(0.95).empty(), "as without gravity");
-  findings.expect(
+  findings.expect_round_off(
       "long step: permitted step of rotating bars against half their widths over the speed of their ends, largest "
       "relative error",
-      spinning_error(), 0.0, Tolerance::round_off(1e-15, "about six operations"));
+      spinning_error(), 0.0, 1e-15, "about six operations");
   // Contacts of fewer than ten steps must be reported.
   const auto contact_of = [&](double steps) {
     const MonitorRules by{
@@ -244,47 +244,43 @@ FailureFound check_long_step(Findings& findings, const Setup& setup) {
                        "half a period of the spring is half a unit of time");
   const int passes = unseen_passes(4.4 * radius, findings), seen = unseen_passes(3.6 * radius, findings);
   const double phases = static_cast<double>(fewest_phases);
-  findings.expect("long step: fraction of 64 phases with undetected passage, monitor off, v h = 1.1 of 4 r",
-                  passes / phases, 1.0 - 1.0 / 1.1,
-                  Tolerance::model(1.0 / phases,
-                                   "discs overlap along a distance of 4 r, and the other phases step over it; of 64 "
-                                   "phases one more or fewer"));
-  findings.expect("long step: undetected passages in 64 phases, monitor off, v h = 0.9 of 4 r", seen, 0.0,
-                  Tolerance::exact("no step is longer than the overlap"));
+  findings.expect_model(
+      "long step: fraction of 64 phases with undetected passage, monitor off, v h = 1.1 of 4 r", passes / phases,
+      1.0 - 1.0 / 1.1, 1.0 / phases,
+      "discs overlap along a distance of 4 r, and the other phases step over it; of 64 phases one more or fewer");
+  findings.expect_exact("long step: undetected passages in 64 phases, monitor off, v h = 0.9 of 4 r", seen, 0.0,
+                        "no step is longer than the overlap");
   double worst_exit = 0.0;
   for (const std::string& method : integrator_names()) {
     if (!has_step_control(method)) continue;
     const auto claim = findings.in("integrator." + method);
     const ControlledFlights flights = controlled_flights(method, 1e-8, findings);
-    findings.expect(
+    findings.expect_exact(
         fmt::format("long step: {} with step control, impacts missed in 16 flights of one output interval", method),
         flights.passed, 0.0,
-        Tolerance::exact("step control detects no error in free flight, so that steps must end where discs may have "
-                         "met: no impact is missed"));
+        "step control detects no error in free flight, so that steps must end where discs may have met: no impact is "
+        "missed");
     if (method != "odeint_fehlberg78") {
       keep_worst(worst_exit, flights.error);
       continue;
     }
     // Fehlberg's estimate compares derivatives at the ends of the step alone: c = 0, 1, 0, 1.
     const ControlledFlights finer = controlled_flights(method, 1e-11, findings);
-    findings.expect(
-        "long step: odeint_fehlberg78 with step control, error of the exit speed at a thousandth of the "
-        "tolerance over that at 1e-8",
-        finer.error / flights.error, 1.0,
-        Tolerance::model(0.75,
-                         "its error estimate is a difference of derivatives at the two ends of a step and hardly "
-                         "detects a contact that begins within it: the tolerance has little effect"));
+    findings.expect_model(
+        "long step: odeint_fehlberg78 with step control, error of the exit speed at a thousandth of the tolerance over "
+        "that at 1e-8",
+        finer.error / flights.error, 1.0, 0.75,
+        "its error estimate is a difference of derivatives at the two ends of a step and hardly detects a contact that "
+        "begins within it: the tolerance has little effect");
   }
-  findings.expect(
+  findings.expect_model(
       "long step: exit speed with step control, largest error, methods with an error estimate in each stage",
-      worst_exit, 0.0,
-      Tolerance::model(
-          4e-5,
-          "steps that enter the contact are half a radius long at most, and an estimate that detects the kink "
-          "shortens them: a tenth of 4e-4, the error of Fehlberg's, which does not"));
-  findings.expect(
+      worst_exit, 0.0, 4e-5,
+      "steps that enter the contact are half a radius long at most, and an estimate that detects the kink shortens "
+      "them: a tenth of 4e-4, the error of Fehlberg's, which does not");
+  findings.expect_round_off(
       "long step: approach in the longest step of step control over the allowed one, rotating bars, largest error",
-      safe_step_error(), 0.0, Tolerance::round_off(2e-15, "about ten operations"));
+      safe_step_error(), 0.0, 2e-15, "about ten operations");
   if (!setup.coarse) findings.figure(pass_figure(findings));
   return {fmt::format("v h = 1.1 r: refused at t = 0; monitor off, 4.4 r: {} of 64 pass", passes),
           fmt::format("v h = 0.9 r: not refused; monitor off, 3.6 r: {}", seen)};
@@ -307,18 +303,15 @@ FailureFound check_deep_overlap(Findings& findings, const Setup& setup) {
     return watched_run(flight(0.1, 1.0 / (ratio * 2.0 * radius)), 0.005, 20.0, unmonitored, findings).end.v[0];
   };
   const double through = speed(1.1), back = speed(0.9);
-  findings.expect(
-      "deep overlap: speed beyond the disc, v/w = 1.1 of 2 r, monitor off", through, 1.0,
-      Tolerance::truncation(
-          0.5 * 0.005 * 4.0 * radius / std::pow(2.2 * radius, 2) * std::sqrt(1.0 - 1.0 / 1.21), 1.0,
-          "a spring compressed by 2 r absorbs all of v^2 if v/w = 2 r: above that, the disc leaves on the other side "
-          "with its initial speed. At the middle the force jumps by 4 r w^2, at a time known to half a step, at which "
-          "the speed is sqrt(1 - 1/1.21) v"));
-  findings.expect(
-      "deep overlap: speed after the rebound, v/w = 0.9 of 2 r, monitor off", back, -1.0,
-      Tolerance::truncation(std::pow(0.005 / 1.8, 2) / 8.0, 1.0,
-                            "the disc reverses before the middle; the leapfrog changes the speed of a bounce by at "
-                            "most a fraction (w h)^2/8"));
+  findings.expect_truncation("deep overlap: speed beyond the disc, v/w = 1.1 of 2 r, monitor off", through, 1.0,
+                             0.5 * 0.005 * 4.0 * radius / std::pow(2.2 * radius, 2) * std::sqrt(1.0 - 1.0 / 1.21), 1.0,
+                             "a spring compressed by 2 r absorbs all of v^2 if v/w = 2 r: above that, the disc leaves "
+                             "on the other side with its initial speed. At the middle the force jumps by 4 r w^2, at a "
+                             "time known to half a step, at which the speed is sqrt(1 - 1/1.21) v");
+  findings.expect_truncation("deep overlap: speed after the rebound, v/w = 0.9 of 2 r, monitor off", back, -1.0,
+                             std::pow(0.005 / 1.8, 2) / 8.0, 1.0,
+                             "the disc reverses before the middle; the leapfrog changes the speed of a bounce by at "
+                             "most a fraction (w h)^2/8");
   return {fmt::format("v/w = 1.1 of r/2: ended; monitor off, 1.1 of 2 r: passes at {:.2f} v", through),
           fmt::format("v/w = 0.9 of r/2: not ended; monitor off, 0.9 of 2 r: {:.2f} v", back)};
 }
@@ -330,20 +323,21 @@ FailureFound check_crossed_bars(Findings& findings, const Setup& setup) {
   const double overlap = penetration(bodies[0].shape, {}, bodies[1].shape, {});
   const WatchedRun silent = watched_run(plus, 0.125, 8.0, unmonitored, findings);
   const WatchedRun said = watched_run(plus, 0.125, 8.0, monitored, findings);
-  findings.expect("crossed bars: change of speed while crossing, by nodes, monitor off", silent.end.v[0] - 0.0625, 0.0,
-                  Tolerance::exact("no node is inside, so that no force acts: this is the failure"));
-  findings.expect("crossed bars: force of the plus by nodes", force(plus), 0.0,
-                  Tolerance::exact("as for the previous check"));
+  findings.expect_exact("crossed bars: change of speed while crossing, by nodes, monitor off", silent.end.v[0] - 0.0625,
+                        0.0, "no node is inside, so that no force acts: this is the failure");
+  findings.expect_exact("crossed bars: force of the plus by nodes", force(plus), 0.0, "as for the previous check");
   findings.expect_true(
       "crossed bars: overlap reported before the run",
       said.violation.find("no node of either is in the other") != std::string::npos && said.end.t == 0.0,
       "an overlap of 9 half widths that no node detects");
-  findings.expect("crossed bars: overlap of the plus, minimum over all directions, over the sum of the half sides",
-                  overlap / 1.125, 1.0, Tolerance::exact("both are sums of powers of two"));
-  findings.expect("crossed bars: force of the plus by one resultant", force(crossed(0.0, ContactMethod::resultant)),
-                  2.25, Tolerance::exact("at both ends of the side, k times the minimum overlap of the sides, 1.125"));
-  findings.expect("crossed bars: force of two corners inside, by nodes", force(corner), 0.125,
-                  Tolerance::exact("two nodes, each with an overlap of 1/16"));
+  findings.expect_exact(
+      "crossed bars: overlap of the plus, minimum over all directions, over the sum of the half sides", overlap / 1.125,
+      1.0, "both are sums of powers of two");
+  findings.expect_exact("crossed bars: force of the plus by one resultant",
+                        force(crossed(0.0, ContactMethod::resultant)), 2.25,
+                        "at both ends of the side, k times the minimum overlap of the sides, 1.125");
+  findings.expect_exact("crossed bars: force of two corners inside, by nodes", force(corner), 0.125,
+                        "two nodes, each with an overlap of 1/16");
   findings.expect_true("crossed bars: no report with corners inside",
                        watched_run(corner, 0.125, 0.125, monitored, findings).violation.empty(),
                        "the nodes detect them");

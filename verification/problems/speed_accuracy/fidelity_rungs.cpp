@@ -122,17 +122,17 @@ Table rung_table(const std::vector<Level>& levels, const std::vector<Rung>& rung
 }
 
 Figure rung_figure(const std::vector<Rung>& rungs, double own) {
-  Figure figure{.name = "ladder",
-                .title = "Error of a level against its cost",
-                .caption =
-                    "Hit at the centre, compared with the full fence. From left to right: hung column, free pair, on "
-                    "cables to the ends and to neighbours, half fence with 1, 3, ... 13 moving columns (the last has "
-                    "no error). Line: error of steps with a tolerance of 1e-7; errors below a hundredth of it are not "
-                    "drawn.",
-                .x = {.label = "force evaluations times degrees of freedom", .log = true},
-                .y = {.label = "error", .unit = "1", .log = true},
-                .series = {},
-                .lines = {{'y', own, "steps"}}};
+  Figure figure{
+      .name = "ladder",
+      .title = "Error of a level against its cost",
+      .caption =
+          "Hit at the centre, compared with the full fence. From left to right: hung column, free pair, on cables to "
+          "the ends and to neighbours, half fence with 1, 3, ... 13 moving columns (the last has no error). Line: "
+          "error of steps with a tolerance of 1e-7; errors below a hundredth of it are not drawn.",
+      .x = {.label = "force evaluations times degrees of freedom", .log = true},
+      .y = {.label = "error", .unit = "1", .log = true},
+      .series = {},
+      .lines = {{'y', own, "steps"}}};
   std::vector<std::size_t> order(full_fence - 1);
   for (std::size_t i = 0; i < order.size(); ++i)
     order[i] = i;
@@ -209,11 +209,11 @@ void check_rungs(Findings& findings, const Setup& setup) {
   const FenceNumbers numbers = fence_numbers(ladder_fence(0.0));
   const double moved =
       std::abs(passage(fence_of(0.02, 1, scenes::FenceSymmetry::half), tight, findings).exit - full.exit);
-  findings.expect("steps: speed at 0.2 s, tolerance 1e-7 against 1e-10, largest difference of all levels", own, 0.0,
-                  Tolerance::model(0.002 * moved,
-                                   "a five-hundredth of the change caused by a rock 0.02 ft higher; the rock cannot be "
-                                   "positioned more accurately than that"),
-                  "ft/s");
+  findings.expect_model("steps: speed at 0.2 s, tolerance 1e-7 against 1e-10, largest difference of all levels", own,
+                        0.0, 0.002 * moved,
+                        "a five-hundredth of the change caused by a rock 0.02 ft higher; the rock cannot be positioned "
+                        "more accurately than that",
+                        "ft/s");
   const auto digits_gained = [&](std::size_t beside) {
     const auto exit_miss = [&](std::size_t l) { return miss(rungs[first_moving + l].at[0].exit, full.exit); };
     return std::log10(exit_miss(beside) / exit_miss(beside + 1));

@@ -58,12 +58,12 @@ void check_motion(const ExactMotion& motion, const Bound& bound, double known, F
       "{:.0f} and {:.0f} evaluations are permitted for 1e-6 and 1e-9: {}; fewer than a fiftieth would mean that "
       "evaluations are missing from the count",
       bound.admitted[0], bound.admitted[1], bound.words);
-  findings.in("evaluations_to_1e_6")
-      ->expect_between(fmt::format("evaluations to reach 1e-6 over the permitted number, {}", motion.name),
-                       reached[0] / bound.admitted[0], 0.02, 1.0, words);
-  findings.in("evaluations_to_1e_9")
-      ->expect_between(fmt::format("evaluations to reach 1e-9 over the permitted number, {}", motion.name),
-                       reached[1] / bound.admitted[1], 0.02, 1.0, words);
+  findings.expect_between(
+      {"evaluations_to_1e_6", fmt::format("evaluations to reach 1e-6 over the permitted number, {}", motion.name)},
+      reached[0] / bound.admitted[0], 0.02, 1.0, words);
+  findings.expect_between(
+      {"evaluations_to_1e_9", fmt::format("evaluations to reach 1e-9 over the permitted number, {}", motion.name)},
+      reached[1] / bound.admitted[1], 0.02, 1.0, words);
   expect_counted(findings, motion.name, evaluations, known);
   const std::size_t last = points.size() - 1;
   const double digit = std::sqrt(points[last].evaluations / points[last - 4].evaluations);
@@ -126,10 +126,10 @@ void check_scheme_of_1993(const FenceHit& hit, const FenceExit& best, Findings& 
     }
     errors.add(mean, std::sqrt(squares));
   }
-  findings.expect_order("order of central_difference in the rock's speed at 0.05 s", errors, 0.6, 1.4,
-                        "events are late by up to a step: order 1. Root mean squares of 8 runs with steps spread over "
-                        "an octave, each uncertain by a fifth, which over two octaves changes the order by 0.2; twice "
-                        "that");
+  findings.expect_order(
+      "order of central_difference in the rock's speed at 0.05 s", errors, 0.6, 1.4,
+      "events are late by up to a step: order 1. Root mean squares of 8 runs with steps spread over an octave, each "
+      "uncertain by a fifth, which over two octaves changes the order by 0.2; twice that");
 }
 
 void check_fence(Findings& findings, const Setup& setup, Figure& figure) {
@@ -150,13 +150,12 @@ void check_fence(Findings& findings, const Setup& setup, Figure& figure) {
     const auto demand = [&](const char* what, double tension, double speed, double most) {
       const double found =
           std::max(evaluations_to_reach(errors.tensions, tension), evaluations_to_reach(errors.speeds, speed));
-      findings.in("fence_evaluations")
-          ->expect_between(
-              fmt::format("fence, evaluations to reach {} over {:.0f}", what, most), found / most, 0.1, 1.0,
-              fmt::format(
-                  "set in advance, for a method that locates events; the 1993 scheme takes {:.0f} steps of 2e-6 s; "
-                  "fewer than a tenth would mean that evaluations are missing from the count",
-                  end / 2e-6));
+      findings.expect_between(
+          {"fence_evaluations", fmt::format("fence, evaluations to reach {} over {:.0f}", what, most)}, found / most,
+          0.1, 1.0,
+          fmt::format("set in advance, for a method that locates events; the 1993 scheme takes {:.0f} steps of 2e-6 s; "
+                      "fewer than a tenth would mean that evaluations are missing from the count",
+                      end / 2e-6));
     };
     if (end == early) {
       demand("1e-5 of tension and 1.4e-4 of speed at 0.05 s", 1e-5, 1.4e-4, 561.0);
@@ -169,13 +168,12 @@ void check_fence(Findings& findings, const Setup& setup, Figure& figure) {
     furthest = std::max(furthest, distance_of_others(hit, end, best, findings));
   }
   expect_counted(findings, "fence", evaluations, counted_on_fence);
-  findings.expect("fence, speed of the rock at 0.05 and 0.2 s: largest difference of three odeint steppers at 1e-13",
-                  furthest, 0.0,
-                  Tolerance::truncation(100.0 * others_tolerance * std::abs(hit.scene.initial.v[hit.rock]), 1.0,
-                                        "the error of a step is kept below 1e-13 of the rock's initial speed, and the "
-                                        "errors of about ten thousand steps add up as a random walk: a hundred times "
-                                        "that"),
-                  "ft/s");
+  findings.expect_truncation(
+      "fence, speed of the rock at 0.05 and 0.2 s: largest difference of three odeint steppers at 1e-13", furthest, 0.0,
+      100.0 * others_tolerance * std::abs(hit.scene.initial.v[hit.rock]), 1.0,
+      "the error of a step is kept below 1e-13 of the rock's initial speed, and the errors of about ten thousand steps "
+      "add up as a random walk: a hundred times that",
+      "ft/s");
   findings.table(table);
 }
 
@@ -199,12 +197,11 @@ void check_grazing(Findings& findings) {
     const double left = end - (start - touch) / g - 2.0 / w * std::atan(touch * w / g);
     keep_worst(worst, run.state.q[1] - (radius + touch * left + 0.5 * g * left * left));
   }
-  findings.expect(
-      "position after a grazing contact: largest error of three overlaps", worst, 0.0,
-      Tolerance::truncation(2.0 * tolerance, 3.0,
-                            "local errors below 1e-11 of the distance travelled, 2 m, about ten of random sign; a "
-                            "missed contact changes the position by 1e-5 or more"),
-      "m");
+  findings.expect_truncation("position after a grazing contact: largest error of three overlaps", worst, 0.0,
+                             2.0 * tolerance, 3.0,
+                             "local errors below 1e-11 of the distance travelled, 2 m, about ten of random sign; a "
+                             "missed contact changes the position by 1e-5 or more",
+                             "m");
 }
 
 /// Checks which methods choose their own steps. A contact of half a period, pi, lasts a third of an output interval:
@@ -224,8 +221,8 @@ void check_choice(Findings& findings) {
   }
   findings.expect_between("methods that follow a contact between two outputs", choosing, 4.0,
                           static_cast<double>(methods.size()) - 5.0, "the list contains several methods of each kind");
-  findings.expect("methods wrongly reported as choosing or not choosing their steps", wrong, 0.0,
-                  Tolerance::exact("compared with their behaviour"));
+  findings.expect_exact("methods wrongly reported as choosing or not choosing their steps", wrong, 0.0,
+                        "compared with their behaviour");
 }
 
 /// Counts discs that do not rebound: a small disc is thrown fast at a small post from afar, and only the post can
@@ -247,7 +244,7 @@ void check_posts(Findings& findings) {
       if (!(dot(pose(scene.model, end.state, flying).v_WB, from) > 0.99 * speed)) lost += 1.0;
     }
   }
-  findings.expect("discs thrown at a post that do not rebound", lost, 0.0, Tolerance::exact("none of eight"));
+  findings.expect_exact("discs thrown at a post that do not rebound", lost, 0.0, "none of eight");
 }
 
 /// Checks a large disc that falls from rest on another, for so long that a step could last many seconds: only its
@@ -262,11 +259,10 @@ void check_falls(Findings& findings) {
   builder.add_contact("hit", falling, post, LinearSpringDashpot{1e6, 0.0});
   Scene scene = builder.at_rest("Fall");
   const RunEnd end = run_steps(scene, make_integrator("stormer_cowell", 1e-6), 2.5 * fall, 1, findings);
-  findings.expect("velocity of a disc 2.5 fall times after its release above a large disc, over its impact speed",
-                  end.state.v[1] / (gravity * fall), -0.5,
-                  Tolerance::model(1e-3,
-                                   "the contact lasts pi sqrt(m/k) = 0.003 s of 14 s; a disc that has passed through "
-                                   "continues to fall at 2.5"));
+  findings.expect_model(
+      "velocity of a disc 2.5 fall times after its release above a large disc, over its impact speed",
+      end.state.v[1] / (gravity * fall), -0.5, 1e-3,
+      "the contact lasts pi sqrt(m/k) = 0.003 s of 14 s; a disc that has passed through continues to fall at 2.5");
 
   const Scene bouncing =
       scenes::bouncing_disc({.gap = 0.5, .gravity = gravity, .contact = LinearSpringDashpot{1e6, 0.0}});
@@ -276,9 +272,9 @@ void check_falls(Findings& findings) {
     // The disc starts with a speed of 1, first touches at the time `first`, and each later flight lasts 2 u/g.
     const double u = std::sqrt(1.0 + 2.0 * gravity * 0.5), first = (u - 1.0) / gravity;
     const double bounces = std::floor((3.0 - first) / (2.0 * u / gravity)) + 1.0;
-    findings.expect(fmt::format("located events of a bouncing disc, {}", method),
-                    static_cast<double>(talus::located_events(bounced.method).value_or(0)), 2.0 * bounces,
-                    Tolerance::exact("each contact begins and ends"));
+    findings.expect_exact(fmt::format("located events of a bouncing disc, {}", method),
+                          static_cast<double>(talus::located_events(bounced.method).value_or(0)), 2.0 * bounces,
+                          "each contact begins and ends");
   }
 }
 
@@ -342,13 +338,11 @@ void check_rows(Findings& findings) {
     for (std::size_t i = 0; i < CableRow::masses; ++i)
       keep_worst(apart, last.q[2 * i] + first.q[2 * (CableRow::masses - 1 - i)]);
   }
-  findings.expect(
-      "runs of a row of cables that miss an outer cable which slackens for a moment, or find one that does "
-      "not",
-      wrong, 0.0, Tolerance::exact("both events of three speeds, none of two; the last and the first cable"));
-  findings.expect(
-      "positions in a row of cables against its mirror image, largest difference", apart, 0.0,
-      Tolerance::round_off(1e-12, "the same steps; sums of a hundred steps in another order of the masses"));
+  findings.expect_exact(
+      "runs of a row of cables that miss an outer cable which slackens for a moment, or find one that does not", wrong,
+      0.0, "both events of three speeds, none of two; the last and the first cable");
+  findings.expect_round_off("positions in a row of cables against its mirror image, largest difference", apart, 0.0,
+                            1e-12, "the same steps; sums of a hundred steps in another order of the masses");
 }
 
 void run(Findings& findings, const Setup& setup) {
@@ -362,8 +356,8 @@ void run(Findings& findings, const Setup& setup) {
   Figure figure{.name = "work_precision",
                 .title = "Error against force evaluations, located events",
                 .caption =
-                    "Each line is one scene with tolerances from 1e-3 to 1e-12. Dashed: order 2, for which ten "
-                    "times the evaluations give two digits.",
+                    "Each line is one scene with tolerances from 1e-3 to 1e-12. Dashed: order 2, for which ten times "
+                    "the evaluations give two digits.",
                 .x = {.label = "force evaluations", .unit = "1", .log = true},
                 .y = {.label = "error", .unit = "1", .log = true},
                 .series = {},
@@ -385,14 +379,14 @@ Case definition() {
           .family = "speed and accuracy",
           .requirements = {{"integrator.stormer_cowell",
                             {"evaluations_to_1e_6", "evaluations_to_1e_9", "fence_evaluations"}}},
-          .main_checks = {"evaluations to reach 1e-6 over the permitted number, pendulum, 90 degrees",
-                          "evaluations to reach 1e-9 over the permitted number, pendulum, 170 degrees",
-                          "evaluations to reach 1e-9 over the permitted number, two cables",
-                          "evaluations to reach 1e-9 over the permitted number, damped bounce",
-                          "factor of evaluations for a tenth of the tolerance, two cables",
-                          "fence, speed of the rock at 0.05 and 0.2 s: largest difference of three odeint steppers at "
-                          "1e-13",
-                          "fence, evaluations to reach 7e-5 of speed at 0.2 s over 2166"},
+          .main_checks =
+              {"evaluations to reach 1e-6 over the permitted number, pendulum, 90 degrees",
+               "evaluations to reach 1e-9 over the permitted number, pendulum, 170 degrees",
+               "evaluations to reach 1e-9 over the permitted number, two cables",
+               "evaluations to reach 1e-9 over the permitted number, damped bounce",
+               "factor of evaluations for a tenth of the tolerance, two cables",
+               "fence, speed of the rock at 0.05 and 0.2 s: largest difference of three odeint steppers at 1e-13",
+               "fence, evaluations to reach 7e-5 of speed at 0.2 s over 2166"},
           .source = "Stoermer 1907; Cowell & Crommelin 1910; Krogh 1974; Shampine & Gordon 1975; Alefeld et al. 1995",
           .faults = {{"no_events", "Fehlberg 7(8) with step control, which does not stop at events",
                       "evaluations to reach 1e-6 over the permitted number, damped bounce"},

@@ -115,10 +115,9 @@ void check_pairs(Findings& findings, const Setup& setup, Table& table, const cha
   const State visited = stepped(scene, searched, VelocityVerlet{}, RigidBodySystem{searched, true}, step, count, watch);
   const State all = stepped(scene, dynamics, VelocityVerlet{}, EveryPair{dynamics}, step, count, unwatched);
   findings.count(2 * count);
-  findings.in("state_at_end")
-      ->expect(fmt::format("{}: state at the end against the run with every pair, largest difference", name),
-               change(visited, all), 0.0,
-               Tolerance::exact("bodies out of reach exert no force, and neither does a node outside its target"));
+  findings.expect_exact(
+      {"state_at_end", fmt::format("{}: state at the end against the run with every pair, largest difference", name)},
+      change(visited, all), 0.0, "bodies out of reach exert no force, and neither does a node outside its target");
   StormerCowell located;
   located.tolerance = 1e-8;
   // Only a tenth of the duration, because events between crowded bodies follow each other closely.
@@ -128,9 +127,9 @@ void check_pairs(Findings& findings, const Setup& setup, Table& table, const cha
       setup.has("no_time_ahead")
           ? stepped(scene, dynamics, located, ShortSighted{RigidBodySystem{dynamics, true}}, interval, 1, unwatched)
           : stepped(scene, dynamics, located, RigidBodySystem{dynamics, true}, interval, 1, unwatched);
-  findings.expect(fmt::format("{}, located events: state against the run with every guard, largest difference", name),
-                  change(ahead, every), 0.0,
-                  Tolerance::exact("bodies that at their speed do not meet within five steps end no mode within one"));
+  findings.expect_exact(
+      fmt::format("{}, located events: state against the run with every guard, largest difference", name),
+      change(ahead, every), 0.0, "bodies that at their speed do not meet within five steps end no mode within one");
   table.rows.push_back(
       cells("pairs within reach, {} | {} | {:.2f} | none", name, dynamics.contacts().candidates(), near));
 }
@@ -208,11 +207,12 @@ void check_rows(Findings& findings, const Setup& setup, Table& table) {
   const State bare = stepped(scene, dynamics, VelocityVerlet{}, RigidBodySystem{dynamics, false}, 1e-5, count, watch);
   const auto [place, velocity] = difference(bare, full_state);
   findings.count(2 * count);
-  findings.expect("without ledger: state at the end against the run with ledger, largest difference",
-                  std::max(place, velocity), 0.0,
-                  Tolerance::exact("the force on a body is the same sum, whether the paths are computed or not"));
-  findings.expect("tensions of rows of cables against those of the individual laws, largest difference over a run",
-                  largest, 0.0, Tolerance::exact("the same operations on the same numbers, several at a time"), "lb");
+  findings.expect_exact("without ledger: state at the end against the run with ledger, largest difference",
+                        std::max(place, velocity), 0.0,
+                        "the force on a body is the same sum, whether the paths are computed or not");
+  findings.expect_exact(
+      "tensions of rows of cables against those of the individual laws, largest difference over a run", largest, 0.0,
+      "the same operations on the same numbers, several at a time", "lb");
   table.rows.push_back(cells("cables evaluated by their laws, fence that yields | {} | {:.2f} | none",
                              scene.model.cables.size(), by_law));
 }
@@ -267,10 +267,9 @@ LongRun run_long(const scenes::FenceScene& made, Findings& findings) {
 void check_sleep(Findings& findings, const Setup& setup, Table& table) {
   const auto with = [&](Sleep sleep) { return run_long(long_fence(101, Sag::fraction_of_span, sleep), findings); };
   const LongRun off = with(Sleep::off), exact = with(setup.has("default_for_exact") ? Sleep::on : Sleep::exact);
-  findings.expect("101 columns, sleep exact: state at 0.05 s against the run without sleep, largest difference",
-                  change(exact.state, off.state), 0.0,
-                  Tolerance::exact("sleeping bodies are in equilibrium at rest, and no force on them has changed by a "
-                                   "bit"));
+  findings.expect_exact("101 columns, sleep exact: state at 0.05 s against the run without sleep, largest difference",
+                        change(exact.state, off.state), 0.0,
+                        "sleeping bodies are in equilibrium at rest, and no force on them has changed by a bit");
   if (setup.coarse) return;
   const LongRun on = with(Sleep::on);
   const char* why =
@@ -280,11 +279,10 @@ void check_sleep(Findings& findings, const Setup& setup, Table& table) {
       "is of the same size";
   findings.expect("101 columns, sleep by default: speed of the rock against the run without sleep", on.state.v[0],
                   off.state.v[0], Tolerance::model(2e-13, why).relative(), "ft/s");
-  findings.expect("101 columns, sleep by default: largest difference of any coordinate or velocity",
-                  change(on.state, off.state), 0.0,
-                  Tolerance::model(2.2e-11,
-                                   "6.6e-9 lb during the whole 0.05 s on 14.9 slug: a column at the border that sleeps "
-                                   "although it would have moved if awake"));
+  findings.expect_model("101 columns, sleep by default: largest difference of any coordinate or velocity",
+                        change(on.state, off.state), 0.0, 2.2e-11,
+                        "6.6e-9 lb during the whole 0.05 s on 14.9 slug: a column at the border that sleeps although "
+                        "it would have moved if awake");
   table.rows.push_back({"sleep exact, 101 columns", "51", fmt::format("{:.1f}", exact.awake), "none"});
   table.rows.push_back(cells("sleep by default, 101 columns | 51 | {:.1f} | {:.1e} of the speed", on.awake,
                              std::abs(on.state.v[0] / off.state.v[0] - 1.0)));
@@ -308,10 +306,10 @@ void check_length(Findings& findings, const Setup& setup, Table& table) {
                               "nothing near the impact depends on the length of the fence except the tensions, which "
                               "differ by 0.7 %, and the slopes of the cables");
     } else {
-      findings.expect_between("columns awake in 0.05 s, sag a fixed fraction of the span: 1,001 columns over 101",
-                              ratio, 1.0, std::sqrt(whole.horizontal_tension / tenth.horizontal_tension),
-                              "motion spreads along a cable at a speed proportional to the root of its tension, and "
-                              "takes time to do so");
+      findings.expect_between(
+          "columns awake in 0.05 s, sag a fixed fraction of the span: 1,001 columns over 101", ratio, 1.0,
+          std::sqrt(whole.horizontal_tension / tenth.horizontal_tension),
+          "motion spreads along a cable at a speed proportional to the root of its tension, and takes time to do so");
     }
     const char* what = tight ? "equal tightness" : "fixed sag fraction";
     for (const auto& [columns, found] : {std::pair{51, &tenth}, std::pair{501, &whole}}) {
@@ -350,10 +348,9 @@ void check_guards(Findings& findings, const Setup& setup) {
       compared += 1.0, missing += guards[slot] == every[slot] && std::isfinite(guards[slot]) ? 0.0 : 1.0;
     }
   }
-  findings.expect(
+  findings.expect_exact(
       "guards ahead: cables at a moving column without the guard of their law, of 41", missing, 0.0,
-      Tolerance::exact("a column that moves by 10 ft within the horizon takes its cables off the linear branches of "
-                       "their laws"));
+      "a column that moves by 10 ft within the horizon takes its cables off the linear branches of their laws");
   // Rough discs that approach: friction cannot begin before the normal force.
   SceneBuilder builder;
   const BodyId a = builder.add_free("a", 1.0, 1.0, Circle{1.0});
@@ -367,13 +364,13 @@ void check_guards(Findings& findings, const Setup& setup) {
   RigidBodySystem approach{discs, true};
   approach.update_modes(state);
   (void)approach.guards(state, true, 1.0, guards);
-  findings.expect("guards ahead: guard of the normal law of approaching rough discs",
-                  guards[discs.layout().contact_slots[0].mode], 0.25, Tolerance::exact("the gap"));
+  findings.expect_exact("guards ahead: guard of the normal law of approaching rough discs",
+                        guards[discs.layout().contact_slots[0].mode], 0.25, "the gap");
   findings.expect_true("guards ahead: no guard for the friction of discs without contact",
                        std::isinf(guards[discs.layout().friction_slots[0].mode]),
                        "friction begins with the normal force");
-  findings.expect("guards ahead: cables compared", compared, 41.0,
-                  Tolerance::exact("21 columns with two cables each, but one at the central column"));
+  findings.expect_exact("guards ahead: cables compared", compared, 41.0,
+                        "21 columns with two cables each, but one at the central column");
 }
 
 void run(Findings& findings, const Setup& setup) {

@@ -8,6 +8,8 @@
 #include <limits>
 #include <utility>
 
+#include "verification/study/rows.hpp"
+
 namespace talus::verification::problems {
 namespace {
 
