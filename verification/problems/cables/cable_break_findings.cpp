@@ -245,8 +245,8 @@ void check_merged(Findings& findings, const Setup& setup) {
       run_cables(one, one.initial, VelocityVerlet{}, {step, first.end.t + left, false, true}, findings);
   double apart = 0.0, tensions = 0.0;
   for (std::size_t i = 0; i < a.time.size(); ++i) {
-    apart = std::max(apart, std::abs(a.tension[i] - b.tension[i]));
-    tensions = std::max(tensions, std::abs(a.tension[i] - a.second_tension[i]));
+    keep_largest(apart, a.tension[i] - b.tension[i]);
+    keep_largest(tensions, a.tension[i] - a.second_tension[i]);
   }
   findings.expect_round_off(
       "position of the mass, difference between two cables past the broken hanger and one cable",

@@ -55,7 +55,7 @@ ChainErrors errors(std::size_t count, double steps, const reference::ChainReboun
     }
     found.of_velocity.add(worst);
     const double momentum = std::accumulate(row.discs.vx.begin(), row.discs.vx.end(), 0.0) - 1.0;
-    found.momentum = std::max(found.momentum, std::abs(momentum));
+    keep_largest(found.momentum, momentum);
     found.last += row.discs.vx.back() / phases;
   }
   return found;

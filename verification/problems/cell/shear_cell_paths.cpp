@@ -223,7 +223,7 @@ void expect_jump(Findings& findings, const Setup& setup) {
   double fastest = 0.0;  // largest speed of the block
   while (!step_by_step.finished()) {
     step_by_step.advance();
-    fastest = std::max(fastest, std::abs(step_by_step.discs().vy.back()));
+    keep_largest(fastest, step_by_step.discs().vy.back());
   }
   run_to_end(step_by_step), run_to_end(jumping);
   const Discs end = step_by_step.discs();

@@ -144,7 +144,7 @@ void check_hanging(Findings& findings, const Setup& setup) {
       keep_worst(horizontal, segment.tension * std::abs(segment.line.z) / segment.length / (moment / fence.sag) - 1.0);
       for (const CableEnd& end : {cable.a, cable.b}) {
         const Vec3 p = reference_point(model, end);
-        lowest = std::min(lowest, p.y), highest = std::max(highest, p.y), farthest = std::max(farthest, std::abs(p.z));
+        lowest = std::min(lowest, p.y), highest = std::max(highest, p.y), keep_largest(farthest, p.z);
       }
     }
     keep_worst(sag, highest - lowest - fence.sag), keep_worst(span, 2.0 * farthest - fence.span);

@@ -328,7 +328,7 @@ void check_states(Findings& findings, const Sample2Run& run, const std::vector<D
   double fastest = 0.0;
   for (std::size_t element = 10; element < 18; ++element) {
     for (std::size_t i = 3; i < 6; ++i)
-      fastest = std::max(fastest, std::abs(run.states[0].at(element)[i]));
+      keep_largest(fastest, run.states[0].at(element)[i]);
   }
   findings.expect_exact("largest velocity in the second layer before it is touched", fastest, 0.0,
                         "the static shape is in equilibrium to the last bit; in 1993 it drifted by 1e-12",

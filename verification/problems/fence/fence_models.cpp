@@ -199,8 +199,8 @@ void check_calibration(Findings& findings, const Setup& setup) {
     if (setup.coarse && height != 3.0) continue;
     const OffCentre particles = off_centre(height, scenes::FenceCalibration::particles);
     const OffCentre felt = off_centre(height, effective);
-    worst_effective = std::max(worst_effective, std::abs(felt.measured - 0.4));
-    worst_particles = std::max(worst_particles, std::abs(particles.measured - particles.predicted));
+    keep_largest(worst_effective, felt.measured - 0.4);
+    keep_largest(worst_particles, particles.measured - particles.predicted);
     by_particles.add(height, particles.measured);
     predicted.add(height, particles.predicted);
     by_effective.add(height, felt.measured);

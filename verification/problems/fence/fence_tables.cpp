@@ -293,7 +293,7 @@ void check_pairs(Findings& findings, const std::vector<RowRun>& rows, const Setu
   double worst = 0.0;
   for (const RowRun& row : rows) {
     if (row.printed.plastic) continue;
-    worst = std::max(worst, std::abs(row.run.peaks.joint / segment.joint(row.run.peaks.top) - 1.0));
+    keep_largest(worst, row.run.peaks.joint / segment.joint(row.run.peaks.top) - 1.0);
   }
   findings.expect_round_off(
       {"pull_at_a_joint", "joint = 2 T sin in the elastic runs, worst relative error"}, worst, 0.0, 5e-13,

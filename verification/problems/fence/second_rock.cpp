@@ -299,7 +299,7 @@ void check_summary(Findings& findings, const Setup& setup) {
   double farthest = 0.0;
   for (const scenes::ColumnRecord& column : summary.columns) {
     const auto x = [&](const State& state) { return pose(made.scene.model, state, column.body).p_WB.x; };
-    farthest = std::max(farthest, std::abs(x(summary.at_travel) - x(start)));
+    keep_largest(farthest, x(summary.at_travel) - x(start));
   }
   findings.expect_exact("largest displacement of the columns in the state recorded for it", farthest, summary.travel,
                         "the same difference of two numbers", "ft");

@@ -237,7 +237,7 @@ BalanceError balance_error_of(const Scene& scene, const Integrator& method, doub
   const double before = about_pin(scene.initial);
   BalanceError found;
   const RunEnd ended = run_scene(scene, method, {step, end, end, true}, findings, [&](const State& state, const auto&) {
-    found.momentum = std::max(found.momentum, std::abs(about_pin(state) / before - 1.0));
+    keep_largest(found.momentum, about_pin(state) / before - 1.0);
     found.energy = ledger(state).energy_balance_error;
   });
   found.energy = ended.finished ? found.energy / ledger.energy().energy_scale() : std::nan("");

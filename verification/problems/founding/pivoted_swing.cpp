@@ -49,7 +49,7 @@ double largest_angle_error(const PivotedRun& run, const State& start, double ste
   Scene scene = scene_of(run, setup);
   scene.initial = start;
   const Watcher watch = [&](const State& seen, const StepInfo&) {
-    largest = std::max(largest, std::abs(seen.q[0] - exact.motion.at(exact.since + seen.t - start.t).angle));
+    keep_largest(largest, seen.q[0] - exact.motion.at(exact.since + seen.t - start.t).angle);
   };
   const RunEnd end = run_scene(scene, method, {step, swing_time, swing_time, false}, findings, watch);
   return end.finished ? largest : std::nan("");
@@ -81,7 +81,7 @@ double predicted_error_constant(const State& start) {
     const Vector k1 = rates(y), k2 = rates(moved(y, k1, 0.5 * h)), k3 = rates(moved(y, k2, 0.5 * h)),
                  k4 = rates(moved(y, k3, h));
     y = moved(moved(moved(moved(y, k1, h / 6.0), k2, h / 3.0), k3, h / 3.0), k4, h / 6.0);
-    largest = std::max(largest, std::abs(y[2]));
+    keep_largest(largest, y[2]);
   }
   return largest;
 }
@@ -173,9 +173,9 @@ void compare_over_time(Findings& findings, const Track& track, const State& end,
   Series exact_angle{.label = "elliptic functions", .style = Style::lines};
   Series angle{.label = "solver", .style = Style::points};
   for (std::size_t i = 0; i < track.t.size(); ++i) {
-    worst_angle = std::max(worst_angle, std::abs(track.angle[i] - soft.samples[i].angle));
+    keep_largest(worst_angle, track.angle[i] - soft.samples[i].angle);
     if (track.t[i] < end.t) continue;
-    worst_rate = std::max(worst_rate, std::abs(track.rate[i] - soft.samples[i].rate));
+    keep_largest(worst_rate, track.rate[i] - soft.samples[i].rate);
     exact_angle.add(track.t[i], exact.motion.at(exact.since + track.t[i] - end.t).angle);
     if (i % 4 != 0) continue;
     angle.add(track.t[i], track.angle[i]);

@@ -63,7 +63,7 @@ void check_amplitudes(Findings& findings, const Setup& setup) {
     const double reference = bob_motion(amplitude).period();
     const double period = period_of(scenes::pendulum(bob(setup, amplitude)), verlet(setup), h, 3.0 * reference);
     const double constant = verlet_period_constant(amplitude);
-    worst = std::max(worst, std::abs((period / reference - 1.0) / (z * z) - constant));
+    keep_largest(worst, (period / reference - 1.0) / (z * z) - constant);
     const auto claim = findings.in("integrator.velocity_verlet");
     findings.expect({"periods", fmt::format("period at {:g} degrees", degrees)}, period, reference,
                     Tolerance::truncation(

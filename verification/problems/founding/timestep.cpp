@@ -194,7 +194,7 @@ void check_gain(Findings& findings) {
       largest = std::max(largest, exact);
       least = std::min(least, exact);
       seen = std::max(seen, solver);
-      worst = std::max(worst, std::abs(solver - exact));
+      keep_largest(worst, solver - exact);
     }
     table.rows.push_back(cells("$\\omega h$ = {:g} | 1 | {:.3f} | {:.3f} | {:+.1f} % | {:.3f}", eta, largest, least,
                                100.0 * (1.0 / largest - 1.0), seen));

@@ -30,7 +30,7 @@ Launch launched(const reference::TwoCableMotion& motion, double turning_time, do
     const double theta = std::atan(seen.q[0] / problem.length);
     if (finder.found() || theta >= motion.largest_angle()) return;
     const double exact = motion.speed_at_angle(theta);
-    launch.curve_error = std::max(launch.curve_error, std::abs(seen.v[0] * seen.v[0] - exact * exact));
+    keep_largest(launch.curve_error, seen.v[0] * seen.v[0] - exact * exact);
     if (info.step % 8 != 0) return;
     launch.curve.add(theta, seen.v[0]);
   };
@@ -350,7 +350,7 @@ void check_rigid_limit(Findings& findings, const Setup& setup) {
     time.add(1.0 / k, std::abs(run.turning.time - motion.time_to_turning()));
     soft_distance.push_back(std::abs(soft.turning_distance - motion.largest_distance()));
     soft_time.push_back(std::abs(soft.turning_time - motion.time_to_turning()));
-    apart = std::max(apart, std::abs(run.turning.value - soft.turning_distance));
+    keep_largest(apart, run.turning.value - soft.turning_distance);
   }
   findings.expect_truncation(
       "turning distance with step control, largest difference from the soft reference", apart, 0.0, 1e-9, 1.0,

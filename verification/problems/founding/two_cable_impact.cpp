@@ -26,7 +26,7 @@ class ParticleMonitor {
       speed_after = v;
       energy_ = v * v + 2.0 * stretch_energy(x);
     }
-    if (ended_ && v > 0.0) curve_error = std::max(curve_error, std::abs(v * v + 2.0 * stretch_energy(x) - energy_));
+    if (ended_ && v > 0.0) keep_largest(curve_error, v * v + 2.0 * stretch_energy(x) - energy_);
   }
 
   bool ended() const { return ended_; }
@@ -87,7 +87,7 @@ TwoCableRun simulated(Scene scene, double gap, double step, bool to_the_turn, Fi
     if (!to_the_turn) return;
     const Accounts accounts = ledger(state);
     run.energy_balance_error = accounts.energy_balance_error;
-    run.momentum_balance_error = std::max(run.momentum_balance_error, std::abs(accounts.momentum_balance_error.x));
+    keep_largest(run.momentum_balance_error, accounts.momentum_balance_error.x);
   };
   const Until stop = [&](const State&) { return to_the_turn ? finder.found().has_value() : watch.ended(); };
   const RunEnd end = run_scene(scene, scene.integrator, {step, 5.0, 5.0, to_the_turn}, findings, watcher, stop);

@@ -75,9 +75,9 @@ void check_gross_sliding(Findings& findings, const Setup& setup) {
   for (std::size_t i = 0; i < fewest_phases; ++i) {
     const ObliqueRun run = run_oblique(scene, std::numbers::pi, 100.0, i, findings);
     const double along = impact.slip_rate - run.end.v[0], across = run.end.v[1] + 1.0;
-    ratio = std::max(ratio, std::abs(along / across / mu - 1.0));
+    keep_largest(ratio, along / across / mu - 1.0);
     const double turned = run.end.v.size() > 2 ? -run.end.v[2] * radius : 0.0;
-    spin = std::max(spin, std::abs(turned / (2.0 * along) - 1.0));
+    keep_largest(spin, turned / (2.0 * along) - 1.0);
     lost.add(along / reference::speed_lost_by_gross_sliding(oblique_friction, 1.0, 1.0) - 1.0);
   }
   findings.expect_round_off(

@@ -208,7 +208,7 @@ void check_rolling(Findings& findings, const Setup& setup) {
   double largest = 0.0;
   for (std::size_t i = 0; i < run.time.size(); ++i) {
     if (run.time[i] > exact.phases()[1].begin + step)
-      largest = std::max(largest, std::abs(run.speed[i] - run.rim[i] * arm / slope_radius));
+      keep_largest(largest, run.speed[i] - run.rim[i] * arm / slope_radius);
   }
   const double wh = std::sqrt(3.0 * stiffness / slope_mass) * step;
   findings.expect_truncation("slip rate of the oscillation after sliding over mu g sqrt(3 m/k_s)", largest / swing, 1.0,

@@ -73,7 +73,7 @@ Met meet(double ratio, double count, const Setup& setup, Findings& findings) {
     const double turned_first = 0.5 * first_mass * first_radius * (scene.initial.v[2] - end.v[2]);
     const double turned_second = 0.5 * second_mass * second_radius * (scene.initial.v[5] - end.v[5]);
     for (const double other : {-first, turned_first, turned_second})
-      met.impulse_difference = std::max(met.impulse_difference, std::abs(other / second - 1.0));
+      keep_largest(met.impulse_difference, other / second - 1.0);
   }
   met.error = std::sqrt(met.error);
   return met;

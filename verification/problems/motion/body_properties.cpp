@@ -70,7 +70,7 @@ void check_pin(Findings& findings, const Setup& setup) {
     dynamics.update(state, work);
     dynamics.rates(state, work, rates);
     const double expected = inertia + (setup.has("without_steiner") ? 0.0 : mass * arm * arm);
-    farthest = std::max(farthest, std::abs(moment / rates.v[0] / expected - 1.0));
+    keep_largest(farthest, moment / rates.v[0] / expected - 1.0);
   }
   findings.expect_round_off("inertia about a pin from the response to a moment, largest relative error of 24 pins",
                             farthest, 0.0, 8.0 * 0x1p-53,

@@ -27,9 +27,9 @@ Ledger run_ledger(const Scene& scene, double step, double end, const Setup& setu
     const Accounts now = ledger(seen);
     const Vec2 drift = now.momenta.linear - start.momenta.linear;
     found.left_over = now.energy_balance_error / start.energies.kinetic;
-    found.largest = std::max(found.largest, std::abs(found.left_over));
+    keep_largest(found.largest, found.left_over);
     found.momentum = std::max({found.momentum, std::abs(drift.x), std::abs(drift.y)});
-    found.moment = std::max(found.moment, std::abs(now.momenta.angular - start.momenta.angular));
+    keep_largest(found.moment, now.momenta.angular - start.momenta.angular);
   };
   if (!run_scene(scene, VelocityVerlet{}, {step, end, end, true}, findings, account).finished)
     found.largest = std::nan("");

@@ -114,7 +114,7 @@ class RoundedViews {
     double largest = 0.0;
     for (const State* state : {&expected, &found, static_cast<const State*>(&first_)}) {
       for (const double q : state->q)
-        largest = std::max(largest, std::abs(q));
+        keep_largest(largest, q);
     }
     const double rounding = end_ / step * 0x1p-53 * largest * growth_;
     const Difference found_difference = difference(expected, found);
@@ -223,7 +223,7 @@ void check_pairs(Findings& findings) {
         double largest = 0.0;
         for (std::size_t k = 0; k < one.size(); ++k) {
           keep_worst(worst, one[k] - other[k]);
-          largest = std::max(largest, std::abs(one[k]));
+          keep_largest(largest, one[k]);
         }
         compared += 1.0;
         apart += largest > 1.0 ? 0.0 : 1.0;

@@ -136,8 +136,8 @@ void tabulate_step_control(Findings& findings, const Scene& scene) {
       const UnitRun other = run_in_units(scene, method, plan, {1.0, unit, 1.0}, Setup{}, findings);
       double change = 0.0, largest = 0.0;
       for (std::size_t i = 0; i < one.end.q.size(); ++i) {
-        change = std::max(change, std::abs(one.end.q[i] - other.end.q[i]));
-        largest = std::max(largest, std::abs(one.end.q[i]));
+        keep_largest(change, one.end.q[i] - other.end.q[i]);
+        keep_largest(largest, one.end.q[i]);
       }
       row.push_back(fmt::format("{:.1e}", change / largest));
     }

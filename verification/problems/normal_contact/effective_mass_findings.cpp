@@ -170,7 +170,7 @@ void check_masses(Findings& findings, const Setup& setup) {
     const State& end = impact.at_end;
     centre = (end.v[0] + ratio * end.v[2]) / (1.0 + ratio);
     worst = farther(worst, found.restitution.rms(), predicted);
-    drift = std::max(drift, std::abs(centre - (3.0 + 1.0 / (1.0 + ratio))));
+    keep_largest(drift, centre - (3.0 + 1.0 / (1.0 + ratio)));
   }
   findings.expect("rms relative error of e, mass ratios 1/100 ... 100", worst, predicted,
                   near_prediction(EndRule::clamped));

@@ -196,7 +196,7 @@ void check_speeds(Findings& findings) {
   };
   double change = 0.0;
   for (int j = -3; j <= 3; ++j)
-    change = std::max(change, std::abs(rebound(j) - rebound(0)));
+    keep_largest(change, rebound(j) - rebound(0));
   findings.expect_exact("change of e with the dashpot, speeds 2^-15 ... 2^15", change, 0.0,
                         "all scale factors and their roots are powers of two: every operation rounds alike");
 }

@@ -27,21 +27,21 @@ void check_latching_path(Findings& findings, const Setup& setup) {
   const std::vector<double> lines = reference::latching_forces({64.0, 256.0, 0.0, 1.0, 1.0}, disc.path());
   double largest = 0.0;
   for (std::size_t i = 0; i < lines.size(); ++i)
-    largest = std::max(largest, std::abs(disc.forces()[i] - lines[i]));
+    keep_largest(largest, disc.forces()[i] - lines[i]);
   findings.expect_exact({"force_along_prescribed_path", "force along a prescribed path, largest difference"}, largest,
                         0.0, exact, "N");
   if (setup.coarse) return;
   Series solver{"solver", {}, {}, Style::points};
   for (std::size_t i = 0; i < lines.size(); i += 24)
     solver.add(disc.path()[i], disc.forces()[i]);
-  findings.figure(
-      {.name = "path",
-       .title = "Force along a prescribed path",
-       .caption = "Successive overlaps: 1/2, 7/16, 15/32, 7/16, 1/8, 29/64, 5/8, 1/64, 1/2, separated, 1/4. After "
-                  "slack, reloading follows the stiff line; after separation, the soft line from zero.",
-       .x = {.label = "overlap", .unit = "m"},
-       .y = {.label = "force", .unit = "N"},
-       .series = {{"reference", disc.path(), lines, Style::lines}, solver}});
+  findings.figure({.name = "path",
+                   .title = "Force along a prescribed path",
+                   .caption =
+                       "Successive overlaps: 1/2, 7/16, 15/32, 7/16, 1/8, 29/64, 5/8, 1/64, 1/2, separated, 1/4. After "
+                       "slack, reloading follows the stiff line; after separation, the soft line from zero.",
+                   .x = {.label = "overlap", .unit = "m"},
+                   .y = {.label = "force", .unit = "N"},
+                   .series = {{"reference", disc.path(), lines, Style::lines}, solver}});
 }
 
 constexpr double production_steps = 100.0;
@@ -234,7 +234,7 @@ void check_speeds(Findings& findings) {
   };
   double change = 0.0;
   for (int j = -8; j <= 8; ++j)
-    change = std::max(change, std::abs(exit(std::ldexp(1.0, j)) - exit(1.0)));
+    keep_largest(change, exit(std::ldexp(1.0, j)) - exit(1.0));
   findings.expect_exact("change of e, speeds 2^-8 ... 2^8", change, 0.0,
                         "powers of two change exponents only: every operation rounds alike");
 }

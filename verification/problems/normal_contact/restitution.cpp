@@ -210,7 +210,7 @@ void check_scales(Findings& findings, const Setup& setup) {
     if (std::abs(change) >= std::abs(powers)) powers = change;
   }
   for (const double k : {1e-2, 1e-1, 1e1, 1e2})
-    decades = std::max(decades, std::abs(restitution_at(k, std::sqrt(k)) - plain));
+    keep_largest(decades, restitution_at(k, std::sqrt(k)) - plain);
   findings.expect_exact("change of e, k = 4^1 ... 4^8, h = 2^-1 ... 2^-8", powers, 0.0,
                         "powers of two change exponents only: every operation rounds alike");
   findings.expect_round_off(

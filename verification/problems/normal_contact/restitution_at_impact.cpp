@@ -241,7 +241,7 @@ void run(Findings& findings, const Setup& setup) {
       last.resize(impact.impacts, 0.0);
       double worst = 0.0;
       for (const double e : last)
-        worst = std::max(worst, std::abs(e - wanted));
+        keep_largest(worst, e - wanted);
       series.add(stiffness, std::max(worst, 1e-16));
       if (stiffness > 1e6) errors.add(1.0 / std::sqrt(stiffness), worst);
     }

@@ -68,7 +68,7 @@ Mismatch mismatch(const Model& model, double reach, const Setup& setup) {
     const std::vector<double> forces = potential.forces(state);
     double largest = 0.0;
     for (std::size_t k = 0; k < forces.size(); ++k)
-      largest = std::max(largest, std::abs(forces[k]));
+      keep_largest(largest, forces[k]);
     if (largest < 0.02 * stiffness * reach) continue;
     double worst = 0.0;
     bool smooth = true;
@@ -87,7 +87,7 @@ Mismatch mismatch(const Model& model, double reach, const Setup& setup) {
       // With a kink within reach the slope changes with the step by far more than delta^2.
       smooth = smooth && std::abs(slope - wide) < 1e-4 * largest;
       const double force = setup.has("moments_halved") && k % 3 == 2 ? 0.5 * forces[k] : forces[k];
-      worst = std::max(worst, std::abs(force + (setup.has("energy_off") ? 1.001 : 1.0) * slope));
+      keep_largest(worst, force + (setup.has("energy_off") ? 1.001 : 1.0) * slope);
     }
     if (smooth) found.push_back(worst / largest);
   }

@@ -48,7 +48,7 @@ Rolled roll(int nodes, double overlap, ContactMethod method, const Setup& setup)
     for (int j = 0; j < nodes; ++j)
       sum += stiffness * std::max(0.0, overlap - radius * (1.0 + std::sin(angle + 2.0 * std::numbers::pi * j / nodes)));
     if (method == ContactMethod::resultant) sum = stiffness * overlap;
-    rolled.force_error = std::max(rolled.force_error, std::abs(forces.contacts[0] - sum));
+    keep_largest(rolled.force_error, forces.contacts[0] - sum);
     rolled.turned.push_back(angle * nodes / (2.0 * std::numbers::pi));
     rolled.force.push_back(forces.contacts[0] / (stiffness * overlap));
   }
@@ -163,8 +163,7 @@ void check_curvature(Findings& findings, const Setup& setup) {
       constexpr double h = 1e-5;
       const Vec2 before = boundary_point(shape, t - h), after = boundary_point(shape, t + h);
       const double turn = std::asin(cross(outward_normal(shape, before), outward_normal(shape, after)));
-      turned =
-          std::max(turned, std::abs(curvature(shape, boundary_point(shape, t)) * norm(after - before) / turn - 1.0));
+      keep_largest(turned, curvature(shape, boundary_point(shape, t)) * norm(after - before) / turn - 1.0);
     }
   }
   findings.expect_truncation(

@@ -132,10 +132,10 @@ void check_support(Findings& findings, const Setup& setup) {
       const Vec2 up = plane.R_WB * Vec2{0.0, 1.0};
       const Vec2 down = unrotate(body.R_WB, -up);
       const double reach = reference::support({a, b, n}, down.x, down.y);
-      depth_error = std::max(depth_error, std::abs(found.depth - (reach - dot(body.p_WB - plane.p_WB, up))));
+      keep_largest(depth_error, found.depth - (reach - dot(body.p_WB - plane.p_WB, up)));
       const Vec2 lowest = unrotate(body.R_WB, found.p_WC - 0.5 * found.depth * up - body.p_WB);
       outline_error = std::max(outline_error, std::abs(reference::excess({a, b, n}, {lowest.x, lowest.y})) / n);
-      reach_error = std::max(reach_error, std::abs(dot(lowest, down) - reach));
+      keep_largest(reach_error, dot(lowest, down) - reach);
     }
   }
   findings.expect_round_off("overlap of a superellipse with a plane: largest error, n = 2 ... 50, 180 angles",
@@ -210,7 +210,7 @@ void check_depth(Findings& findings, const Setup& setup) {
       const Depth found = depth_below(superellipse_of(n, setup), p);
       const reference::NearestPoint brute = reference::nearest_point(shape, {p.x, p.y}, 400);
       const double sign = reference::excess(shape, {p.x, p.y}) < 0.0 ? 1.0 : -1.0;
-      depth_error = std::max(depth_error, std::abs(found.depth - sign * brute.distance));
+      keep_largest(depth_error, found.depth - sign * brute.distance);
       const Vec2 reached = p + found.depth * found.normal;
       normal_error = std::max(normal_error, std::abs(reference::excess(shape, {reached.x, reached.y})) / n);
     }
@@ -218,8 +218,7 @@ void check_depth(Findings& findings, const Setup& setup) {
   const double circle_exponent = setup.has("exponent_off") ? 2.002 : 2.0;
   for (int i = 0; i < 200; ++i) {
     const Vec2 p{any(random), any(random)};
-    circle_error = std::max(circle_error,
-                            std::abs(depth_below(Superquadric{1.0, 1.0, circle_exponent}, p).depth - (1.0 - norm(p))));
+    keep_largest(circle_error, depth_below(Superquadric{1.0, 1.0, circle_exponent}, p).depth - (1.0 - norm(p)));
   }
   findings.expect_round_off(
       "overlap of a point with a superellipse: largest error against brute force, n = 2 ... 50", depth_error, 0.0,

@@ -132,7 +132,7 @@ void check_pairs(Findings& findings, const Setup& setup) {
         const double brute = reference::least_displacement(A, B, count);
         const double found = pair_depth(kinds[i], A, kinds[j], B, setup);
         double& worst = brute > 0.0 ? worst_inside : worst_apart;
-        worst = std::max(worst, std::abs(found - brute));
+        keep_largest(worst, found - brute);
         least = std::min(least, brute);
       }
     }

@@ -77,7 +77,7 @@ void check_crest(Findings& findings, const Setup& setup) {
   double worst = std::nan(""), balance_error = 0.0;  // NaN until the crest is reached
   const Watcher watch = [&](const State& seen, const StepInfo&) {
     if (!ledger) ledger.emplace(scene.model, seen);  // first state with updated modes: contact closed
-    balance_error = std::max(balance_error, std::abs((*ledger)(seen).energy_balance_error));
+    keep_largest(balance_error, (*ledger)(seen).energy_balance_error);
     const double s = cosine * seen.q[0] - sine * seen.q[1];
     if (s < 0.0) return;
     const double v = cosine * seen.v[0] - sine * seen.v[1];

@@ -90,10 +90,10 @@ WorkPoint run_motion(const ExactMotion& motion, Integrator integrator, long step
   const Watcher compare = [&](const State& seen, const StepInfo& info) {
     if (info.step == 0 || info.step % steps != 0) return;
     const PlaceAndVelocity& exact = motion.exact[static_cast<std::size_t>(info.step / steps)];
-    place = std::max(place, std::abs(seen.q[motion.coordinate] - exact.place));
-    velocity = std::max(velocity, std::abs(seen.v[motion.coordinate] - exact.velocity));
-    largest_place = std::max(largest_place, std::abs(exact.place));
-    largest_velocity = std::max(largest_velocity, std::abs(exact.velocity));
+    keep_largest(place, seen.q[motion.coordinate] - exact.place);
+    keep_largest(velocity, seen.v[motion.coordinate] - exact.velocity);
+    keep_largest(largest_place, exact.place);
+    keep_largest(largest_velocity, exact.velocity);
   };
   const double interval = motion.duration / compared_times;
   const RunPlan plan{interval / static_cast<double>(steps), motion.duration, interval, false};

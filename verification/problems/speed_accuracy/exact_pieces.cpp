@@ -58,8 +58,8 @@ void check_bounce(Findings& findings, const Setup& setup, Table& table) {
     gap.add(seen.t, seen.q[1] - 1.0);
     if (info.step == 0) return;
     const auto& exact_state = truth[static_cast<std::size_t>(info.step - 1)];
-    place = std::max(place, std::abs(seen.q[1] - 1.0 - exact_state.gap));
-    speed = std::max(speed, std::abs(seen.v[1] + exact_state.velocity));
+    keep_largest(place, seen.q[1] - 1.0 - exact_state.gap);
+    keep_largest(speed, seen.v[1] + exact_state.velocity);
   };
   const Ran found = ran(scene, exact(setup), end, outputs, findings, compare);
   const auto contacts = reference::bounces(drop, 100);
@@ -121,7 +121,7 @@ void check_impacts(Findings& findings, const Setup& setup, Table& table) {
       const Scene scene =
           scenes::bouncing_disc({.gap = 0.1, .speed = 1.0, .contact = LinearSpringDashpot{1e4, damping, rule_of(end)}});
       const Ran found = ran(scene, exact(setup), 1.0, 1, findings);
-      worst = std::max(worst, std::abs(found.state.v[1] - e));
+      keep_largest(worst, found.state.v[1] - e);
       evaluations += found.evaluations, ++runs;
       // Flight, push, flight; under the clamped rule the force ends before the disc has left, which adds a segment.
       pieces += end == reference::EndRule::clamped && xi > 0.0 ? 4 : 3;
@@ -130,7 +130,7 @@ void check_impacts(Findings& findings, const Setup& setup, Table& table) {
       double lost = 0.0;
       for (const double work : kept.state.work)
         lost += work;
-      worst_lost = std::max(worst_lost, std::abs(lost - 0.5 * (1.0 - e * e)));
+      keep_largest(worst_lost, lost - 0.5 * (1.0 - e * e));
     }
   }
   findings.expect_exact("impacts: force evaluations in total", static_cast<double>(evaluations),
@@ -157,9 +157,9 @@ void check_latching(Findings& findings, const Setup& setup, Table& table) {
     const Scene scene = scenes::bouncing_disc({.radius = 4.0, .gap = 0.25, .speed = 1.0, .contact = law});
     const double end = 0.25 + truth.contact_time + 1.0;
     const Ran found = ran(scene, exact(setup), end, 1, findings);
-    worst = std::max(worst, std::abs(found.state.v[1] - truth.restitution));
+    keep_largest(worst, found.state.v[1] - truth.restitution);
     // The force ends at the residual overlap, after which the disc flies for a time of 1.
-    worst_time = std::max(worst_time, std::abs(found.state.q[1] - 4.0 + truth.residual_depth - truth.restitution));
+    keep_largest(worst_time, found.state.q[1] - 4.0 + truth.residual_depth - truth.restitution);
     evaluations += found.evaluations, ++runs;
     stormer += ran(scene, make_integrator("stormer_cowell", 1e-9), end, 1, findings).evaluations;
   }
@@ -196,7 +196,7 @@ void check_rows(Findings& findings, const Setup& setup, Table& table) {
     const auto truth = reference::rebound(row);
     const Ran found = ran(row_scene(row), exact(setup), truth.end_time + 1.0, 1, findings);
     for (std::size_t i = 0; i < 3; ++i)
-      worst = std::max(worst, std::abs(found.state.v[i] - truth.velocity[i]));
+      keep_largest(worst, found.state.v[i] - truth.velocity[i]);
     evaluations += found.evaluations;
     pieces += static_cast<double>(truth.changes.size());
     stormer +=

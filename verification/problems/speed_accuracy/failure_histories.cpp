@@ -78,7 +78,7 @@ std::vector<double> accelerations(bool backwards) {
 double difference(const std::vector<double>& a, const std::vector<double>& b) {
   double largest = 0.0;
   for (std::size_t i = 0; i < a.size(); ++i)
-    largest = std::max(largest, std::abs(a[i] - b[i]));
+    keep_largest(largest, a[i] - b[i]);
   return largest;
 }
 

@@ -158,11 +158,11 @@ double spinning_error() {
       std::vector<double> guards;
       for (const double horizon : {0.5 * exact, 2.0 * exact}) {
         const double found = system.guards(scene.initial, false, horizon, guards).longest_step;
-        worst = std::max(worst, std::abs(found / std::min(horizon, exact) - 1.0));
+        keep_largest(worst, found / std::min(horizon, exact) - 1.0);
       }
       Workspace work = dynamics.workspace();
       dynamics.update(scene.initial, work);
-      worst = std::max(worst, std::abs(dynamics.longest_step(work) / exact - 1.0));
+      keep_largest(worst, dynamics.longest_step(work) / exact - 1.0);
     }
   }
   return worst;

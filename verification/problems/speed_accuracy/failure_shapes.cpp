@@ -12,6 +12,7 @@
 #include "solver/geometry/superquadric.hpp"
 #include "verification/problems/speed_accuracy/failure_rows.hpp"
 #include "verification/reference/superellipse.hpp"
+#include "verification/study/expectations.hpp"
 #include "verification/study/touching_pair.hpp"
 
 namespace talus::verification::problems {
@@ -163,7 +164,7 @@ FailureFound check_common_normal(Findings& findings, const Setup& setup) {
   for (int i = 0; i < 60; ++i) {
     const Vec2 p{inside(random), 0.7 * inside(random)};
     const double exact = reference::nearest_point({1.0, 0.7, 50.0}, {p.x, p.y}, 400).distance;
-    farthest = std::max(farthest, std::abs(std::abs(depth_below(Superquadric{1.0, 0.7, 50.0}, p).depth) - exact));
+    keep_largest(farthest, std::abs(depth_below(Superquadric{1.0, 0.7, 50.0}, p).depth) - exact);
   }
   findings.expect_round_off("common normal: solver's nearest points, n = 50, largest error of 60 against brute force",
                             farthest, 0.0, 3e-15, "a dozen roundings of lengths up to one (case nearest_points)");

@@ -43,7 +43,7 @@ Drift ln_speed(const char* method, double eta, long bounces, double xi, Findings
     if (inside && !now) {
       ++done;
       drift.end = std::log(std::abs(seen.v[0]));
-      drift.farthest = std::max(drift.farthest, std::abs(drift.end));
+      keep_largest(drift.farthest, drift.end);
     }
     inside = now;
     return done == bounces;

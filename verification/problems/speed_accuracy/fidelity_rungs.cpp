@@ -202,7 +202,7 @@ void check_rungs(Findings& findings, const Setup& setup) {
     for (std::size_t i = 0; i < heights.size(); ++i)
       rung.at[i] = passage(level.scene(heights[i]), tight, findings);
     rung.usual = passage(level.scene(0.0), usual, findings);
-    own = std::max(own, std::abs(rung.usual.exit - rung.at[0].exit));
+    keep_largest(own, rung.usual.exit - rung.at[0].exit);
     rungs.push_back(std::move(rung));
   }
   const Passage& full = rungs[full_fence].at[0];

@@ -200,7 +200,7 @@ void check_rows(Findings& findings, const Setup& setup, Table& table) {
       for (const talus::CableSpan& run : runs) {
         if (!run.on_linear_branch) by_law += static_cast<double>(run.count) / count;
         for (std::size_t c = run.cable; c < run.cable + run.count; ++c)
-          largest = std::max(largest, std::abs(work.paths.tension[c] - forces.tensions[c]));
+          keep_largest(largest, work.paths.tension[c] - forces.tensions[c]);
       }
     }
   };
