@@ -38,10 +38,11 @@ void check_both_sides(Findings& findings, const Setup& setup) {
     for (std::size_t l = 0; l < 4; ++l)
       broken[l] += broke(throw_once(laws[l], step, phase, findings)) ? 1 : 0;
   }
-  const char* const names[] = {"number of broken cables, strength 1.001 times the peak tension",
-                               "number of broken cables, strength 0.999 times the peak tension",
-                               "number of broken cables, rupture stretch 1.001 times the largest plastic stretch",
-                               "number of broken cables, rupture stretch 0.999 times the largest plastic stretch"};
+  const CheckName names[] = {
+      {"broken/strong", "number of broken cables, strength 1.001 times the peak tension"},
+      {"broken/weak", "number of broken cables, strength 0.999 times the peak tension"},
+      {"broken/long rupture", "number of broken cables, rupture stretch 1.001 times the largest plastic stretch"},
+      {"broken/short rupture", "number of broken cables, rupture stretch 0.999 times the largest plastic stretch"}};
   for (std::size_t l = 0; l < 4; ++l)
     findings.expect_exact(names[l], broken[l], l % 2 == 0 ? 0.0 : static_cast<double>(phases(setup)),
                           "the error of velocity Verlet's peak, (w h)^2/8 = 8e-6, is about 1 % of the margin of 0.001: "
@@ -73,16 +74,17 @@ void check_release(Findings& findings, const Setup& setup) {
     ratio = energy.rms() / (strength * left * step / std::sqrt(3.0));
     open_ratio = open.rms() / (0.5 * strength * left * step);
   }
-  findings.expect_order("order of the energy released by a cable break", released, 0.95, 1.05,
+  findings.expect_order({"break/order", "order of the energy released by a cable break"}, released, 0.95, 1.05,
                         "the cable breaks at the first step at which its tension exceeds its strength, late by a "
                         "uniformly distributed fraction of a step");
   findings.expect_model(
-      "energy released by a cable break, rms error over its prediction", ratio, 1.0, 0.03,
+      {"break/energy", "energy released by a cable break, rms error over its prediction"}, ratio, 1.0, 0.03,
       "T v u h with u uniformly distributed in (0, 1): rms T v h/sqrt(3); the next order in h is 2 % of it");
   findings.expect_order(
-      "order of the energy balance error, cable break", balance_error, 0.95, 1.05,
+      {"break_balance/order", "order of the energy balance error, cable break"}, balance_error, 0.95, 1.05,
       "the force ends with the half kick before the break is detected, but the energy is recorded at the detection");
-  findings.expect_model("energy balance error over its prediction, cable break", open_ratio, 1.0, 0.03,
+  findings.expect_model({"break_balance/error", "energy balance error over its prediction, cable break"}, open_ratio,
+                        1.0, 0.03,
                         "the half kick before the detection is omitted although the cable still counts as intact: T v "
                         "h/2 for every phase; the next order in h is 2 % of it");
 }
@@ -213,14 +215,16 @@ void check_hanger_orders(Findings& findings, const Setup& setup) {
       "h/sqrt(3) times the reference's derivative with respect to the time of the break, that of speeds half as much, "
       "because the half kick before the detection already omits the hanger; the energy balance error is h/2 times the "
       "change of the power; the next order in h adds 2 %, and 64 unevenly spread phases 1 %");
-  findings.expect("speed of the mass released by the hanger, rms error over its prediction", ratios[0], 1.0, near);
-  findings.expect("energy lost in the hanger break, rms error over its prediction", ratios[1], 1.0, near);
+  findings.expect({"hanger/speed", "speed of the mass released by the hanger, rms error over its prediction"},
+                  ratios[0], 1.0, near);
+  findings.expect({"hanger_energy/loss", "energy lost in the hanger break, rms error over its prediction"}, ratios[1],
+                  1.0, near);
   findings.expect("exit speed of the mass on the merged cable, rms error over its prediction", ratios[2], 1.0, near);
-  findings.expect("energy balance error over its prediction, hanger break", ratios[3], 1.0, near);
-  findings.expect_order("order of the speed of the mass released by the hanger", speed_b, 0.98, 1.02,
-                        "the hanger breaks at the first step at which its load exceeds its strength");
+  findings.expect({"hanger_balance", "energy balance error over its prediction, hanger break"}, ratios[3], 1.0, near);
+  findings.expect_order({"hanger/order_of_speed", "order of the speed of the mass released by the hanger"}, speed_b,
+                        0.98, 1.02, "the hanger breaks at the first step at which its load exceeds its strength");
   findings.expect_order(
-      "order of the energy balance error, hanger break", balance_error, 0.98, 1.02,
+      {"hanger_energy/order", "order of the energy balance error, hanger break"}, balance_error, 0.98, 1.02,
       "the forces change with the half kick before the break is detected, but the energy is recorded at the detection");
 }
 
@@ -249,13 +253,15 @@ void check_merged(Findings& findings, const Setup& setup) {
     keep_largest(tensions, a.tension[i] - a.second_tension[i]);
   }
   findings.expect_round_off(
-      "position of the mass, difference between two cables past the broken hanger and one cable",
+      {"hanger/merged_position",
+       "position of the mass, difference between two cables past the broken hanger and one cable"},
       std::abs(a.end.q[1] - b.end.q[1]), 0.0, 1e-13,
       "round-off of the tensions, 1e-14, over 1 s^2 and a few hundred steps, accumulated as a random walk", "m");
-  findings.expect_round_off("tension, difference between two cables past the broken hanger and one cable", apart, 0.0,
-                            3e-14, "as for the difference between the two cables, once more for each cable", "N");
   findings.expect_round_off(
-      "tension, difference between the two cables past the broken hanger", tensions, 0.0, 3e-14,
+      {"merged_tension", "tension, difference between two cables past the broken hanger and one cable"}, apart, 0.0,
+      3e-14, "as for the difference between the two cables, once more for each cable", "N");
+  findings.expect_round_off(
+      {"hanger/tensions", "tension, difference between the two cables past the broken hanger"}, tensions, 0.0, 3e-14,
       "k (l - l0) with lengths near 8 m: four roundings of half an ulp of 8, times the stiffness 5", "N");
 }
 
@@ -297,11 +303,11 @@ void check_hanger_exactly(Findings& findings, const Setup& setup) {
   const reference::HangerBreak exact = reference::break_hanger(pair, 0.7 * reference::first_load_peak(pair).load);
   const CableRunResult run = run_pair(strength, exact.slack_time / 40.0, 0.5, 1.1 * exact.slack_time,
                                       make_integrator("odeint_dopri5", 1e-11), findings);
-  findings.expect_truncation("energy lost in the hanger break with step control",
+  findings.expect_truncation({"hanger_loss", "energy lost in the hanger break with step control"},
                              recorded_work(run.end, Mechanism::hanger_break), exact.lost, 2e-8, 1.0, control_words,
                              "J");
-  findings.expect_truncation("exit speed of the mass on the merged cable with step control", -run.end.v[1],
-                             exact.exit_speed_c, 2e-9, 1.0, control_words, "m/s");
+  findings.expect_truncation({"hanger/exit_speed", "exit speed of the mass on the merged cable with step control"},
+                             -run.end.v[1], exact.exit_speed_c, 2e-9, 1.0, control_words, "m/s");
   // A method that locates the break finds it also if a hanger that holds comes first in the list.
   Scene scene = hung_pair(pair, strength);
   scene.model.hangers.insert(scene.model.hangers.begin(), Hanger{"holds", *find_body(scene.model, "c"), {}, 1e9});

@@ -132,7 +132,8 @@ void check_nets(Findings& findings) {
         keep_worst(worst, norm(Vec2{rates.v[2 * i], rates.v[2 * i + 1]} - expected[i]));
     }
   }
-  findings.expect_round_off("accelerations of bodies in 200 nets of cables, largest error", worst, 0.0, 1.3e-13,
+  findings.expect_round_off({"nets", "accelerations of bodies in 200 nets of cables, largest error"}, worst, 0.0,
+                            1.3e-13,
                             "forces of up to 100 N with a dozen roundings of at most 7e-15 N each, three of them on a "
                             "body of at least 1 kg: 4e-14 as a random walk, three times that",
                             "m/s^2");

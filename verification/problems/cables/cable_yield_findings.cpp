@@ -97,13 +97,13 @@ void check_orders(Findings& findings, const Setup& setup) {
     balance_error.add(step, errors.balance_error);
     last = errors.balance_error;
   }
-  findings.expect_order("order of the exit speed, perfectly plastic", exit, 1.85, 2.15,
+  findings.expect_order({"plastic/order_of_exit", "order of the exit speed, perfectly plastic"}, exit, 1.85, 2.15,
                         "yield and turning point each lie within a step, which causes errors of second order");
-  findings.expect_order("order of the residual stretch, perfectly plastic", stretch, 1.85, 2.15,
-                        "as for the exit speed");
-  findings.expect_order("order of the energy balance error, yielding cable", balance_error, 0.95, 1.05,
-                        "the work of yielding is computed with the velocity of half a step before");
-  findings.expect_model("energy balance error over its prediction, yielding cable",
+  findings.expect_order({"plastic/order_of_stretch", "order of the residual stretch, perfectly plastic"}, stretch, 1.85,
+                        2.15, "as for the exit speed");
+  findings.expect_order({"yield_balance/order", "order of the energy balance error, yielding cable"}, balance_error,
+                        0.95, 1.05, "the work of yielding is computed with the velocity of half a step before");
+  findings.expect_model({"yield_balance/error", "energy balance error over its prediction, yielding cable"},
                         last / (step * yield * speed_at_yield(speed) / std::sqrt(3.0)), 1.0, 0.03,
                         "the velocity of half a step before is too large by h Y/(2 m), which gives h Y v1/2 with the "
                         "speed v1 at the onset of yielding; the step of the onset adds an error uniformly distributed "
@@ -139,22 +139,24 @@ void check_speeds(Findings& findings, const Setup& setup) {
     exit = std::max(exit, errors.exit.rms());
     stretch = std::max(stretch, errors.stretch.rms());
     if (ratio == 0.999) {
-      findings.expect_exact("residual stretch at 0.999 times the lowest speed at which the cable yields",
-                            errors.stretch.max(), 0.0,
-                            "a cable that never reaches its yield force has no plastic stretch", "m");
+      findings.expect_exact(
+          {"yield_limit/below", "residual stretch at 0.999 times the lowest speed at which the cable yields"},
+          errors.stretch.max(), 0.0, "a cable that never reaches its yield force has no plastic stretch", "m");
     } else if (ratio == 1.001) {
       findings.expect_true(
-          "residual stretch at 1.001 times the lowest speed at which the cable yields",
+          {"yield_limit/above", "residual stretch at 1.001 times the lowest speed at which the cable yields"},
           errors.stretch.max() < exact.stretch,
           "the error of velocity Verlet's peak tension, (w h)^2/8 = 8e-6, is about 1 % of the margin of 0.001");
     }
     shown.rows.push_back(cells("{:g} | {:.6f} | {:.1e} | {:.6f} | {:.1e}", ratio, exact.exit_speed, errors.exit.rms(),
                                exact.stretch, errors.stretch.rms()));
   }
-  findings.expect_truncation("exit speed, perfectly plastic, largest rms relative error of six speeds", exit, 0.0,
-                             elastic_error(400.0), 1.2, exit_words);
-  findings.expect_truncation("residual stretch, perfectly plastic, largest rms error of six speeds", stretch, 0.0,
-                             stretch_error(400.0, std::pow(4.0 * limit, 2)), 1.0, stretch_words, "m");
+  findings.expect_truncation(
+      {"plastic/exit", "exit speed, perfectly plastic, largest rms relative error of six speeds"}, exit, 0.0,
+      elastic_error(400.0), 1.2, exit_words);
+  findings.expect_truncation(
+      {"plastic/stretch", "residual stretch, perfectly plastic, largest rms error of six speeds"}, stretch, 0.0,
+      stretch_error(400.0, std::pow(4.0 * limit, 2)), 1.0, stretch_words, "m");
   if (!setup.coarse) findings.table(shown);
 }
 
@@ -212,14 +214,14 @@ void check_cycles(Findings& findings, const Setup& setup, const std::string& ste
     exit.add(-runs.back().end.v[0] / exact.back().exit_speed - 1.0);
   }
   findings.expect_truncation(
-      {"work_of_throws", "work of yielding over " + name + ", rms relative error"}, yield_work.rms(), 0.0, work / lost,
-      1.1,
+      {"work_of_throws/" + name, "work of yielding over " + name + ", rms relative error"}, yield_work.rms(), 0.0,
+      work / lost, 1.1,
       "for each throw, h times Y v1/sqrt(3), as for a perfectly plastic cable, plus h times half the growth of the "
       "yield force at the mean speed v1/2; 10 % more because the phases of successive throws are correlated");
-  findings.expect_truncation({"residual_stretch", "residual stretch after " + name + ", rms error"}, residual.rms(),
-                             0.0, stretch_error(200.0, squares), 1.0, stretch_words, "m");
-  findings.expect_truncation({"exit_speed", "exit speed after " + name + ", rms relative error"}, exit.rms(), 0.0,
-                             elastic_error(200.0), 1.2, exit_words);
+  findings.expect_truncation({"residual_stretch/" + name, "residual stretch after " + name + ", rms error"},
+                             residual.rms(), 0.0, stretch_error(200.0, squares), 1.0, stretch_words, "m");
+  findings.expect_truncation({"exit_speed/" + name, "exit speed after " + name + ", rms relative error"}, exit.rms(),
+                             0.0, elastic_error(200.0), 1.2, exit_words);
   if (setup.coarse) return;
   const double step = offset_step(half_swing, 200.0, 0);
   findings.figure(loops(stem, "Tension and elongation: " + name,

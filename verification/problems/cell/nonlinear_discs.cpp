@@ -138,10 +138,12 @@ void check_impacts(Findings& findings, const Setup& setup) {
   });
   findings.figure(figure);
   const double finest = 1.0 / counts.back();
-  findings.expect_truncation("restitution of two discs, hertz, largest relative error", hertz, 0.0, 2.25 * finest, 1.0,
+  findings.expect_truncation({"restitution/hertz", "restitution of two discs, hertz, largest relative error"}, hertz,
+                             0.0, 2.25 * finest, 1.0,
                              "three times the measured constant of the first-order error, 0.75");
-  findings.expect_truncation("restitution of two discs, hunt_crossley, largest relative error", hunt_crossley, 0.0,
-                             1.4 * finest * finest, 1.0, "three times the measured constant of n = 1, 0.47 (step/T)^2");
+  findings.expect_truncation(
+      {"restitution/hunt_crossley", "restitution of two discs, hunt_crossley, largest relative error"}, hunt_crossley,
+      0.0, 1.4 * finest * finest, 1.0, "three times the measured constant of n = 1, 0.47 (step/T)^2");
   findings.expect_truncation("largest overlap of two discs, largest relative error", depth, 0.0, 1.6 * finest, 1.0,
                              "three times the measured constant of the first-order error, 0.52: the velocity of the "
                              "dashpot is that of half a step before");
@@ -298,7 +300,8 @@ void check_speeds(Findings& findings, const Setup& setup) {
     }
   }
   findings.expect_model(
-      "restitution and contact time of a cell at its nominal speed, largest relative error", worst, 0.0, 5e-14,
+      {"nominal_speed", "restitution and contact time of a cell at its nominal speed, largest relative error"}, worst,
+      0.0, 5e-14,
       "accuracy to which solver and references integrate, and to which the solver finds the dashpot of a restitution");
 }
 
@@ -313,12 +316,11 @@ void run(Findings& findings, const Setup& setup) {
 }  // namespace
 
 Case definition() {
-  const std::string hertz = "restitution of two discs, hertz, largest relative error",
-                    hunt_crossley = "restitution of two discs, hunt_crossley, largest relative error",
+  const std::string hertz = "restitution/hertz", hunt_crossley = "restitution/hunt_crossley",
                     motion = "motion of two discs, fast disc engine less rigid bodies",
                     stored = "energy stored in contacts of a cell, hertz, tsuji, less that of the formula",
                     balance = "energy balance error of a cell over the energy dissipated, hertz, tsuji",
-                    at_speed = "restitution and contact time of a cell at its nominal speed, largest relative error";
+                    at_speed = "nominal_speed";
   return {.id = "nonlinear_discs",
           .title = "Hertz and Hunt-Crossley contacts of discs",
           .family = "the shear cell",

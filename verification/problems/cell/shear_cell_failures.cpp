@@ -199,12 +199,13 @@ void expect_laws(Findings& findings, const Setup& setup, const ShearCell& cell, 
   const Flow forgotten = setup.has("d0_remembered") ? right : wrong_flow<Wrong::d0_forgotten>(cell, brief, findings);
   rows.push_back({"correct law", right}), rows.push_back({"(a) flag cleared at F = 0", cleared});
   rows.push_back({"(b) d0 forgotten at F = 0", forgotten});
-  findings.expect_true("solid fraction and overlap within the limits, correct law", within_limits(right),
-                       "equal discs with small overlaps");
-  findings.expect_true("limits exceeded, contacts cleared at zero force", !within_limits(cleared),
+  findings.expect_true({"within_limits", "solid fraction and overlap within the limits, correct law"},
+                       within_limits(right), "equal discs with small overlaps");
+  findings.expect_true({"limits_exceeded", "limits exceeded, contacts cleared at zero force"}, !within_limits(cleared),
                        "discs that are pressed again feel no force and pass through each other");
   findings.expect_between(
-      "transverse kinetic energy of contacts that forget d0 at zero force, over that of the correct cell",
+      {"transverse_energy",
+       "transverse kinetic energy of contacts that forget d0 at zero force, over that of the correct cell"},
       forgotten.motion / right.motion, 1.1, 3.0,
       "such a contact returns at least K1 d0^2/2 more: e^2 = 0.49 + 0.26 in a single impact, and the kinetic energy is "
       "larger by that much or, as impacts follow each other, by several times that");
@@ -214,8 +215,8 @@ void expect_laws(Findings& findings, const Setup& setup, const ShearCell& cell, 
   brief.forget_every = setup.has("restarts_remember") ? 0.0 : 1e-4;
   const Flow restarted = right_flow(cell, brief, findings);
   rows.push_back({"d0 forgotten every 0.1 ms", restarted});
-  findings.expect_between("energy unaccounted for when contacts forget d0 every 0.1 ms", restarted.unaccounted, 0.1,
-                          1.0,
+  findings.expect_between({"unaccounted", "energy unaccounted for when contacts forget d0 every 0.1 ms"},
+                          restarted.unaccounted, 0.1, 1.0,
                           "every eight contact times or so most existing contacts restart with K1 d and return more "
                           "energy than they received; the drive supplies as much in some ms");
 }
@@ -336,26 +337,20 @@ Case definition() {
       .id = "shear_cell_failures",
       .title = "Sheared cell: failures and their detection",
       .family = "the shear cell",
-      .requirements = {{"law.latching_spring", {"solid fraction and overlap within the limits, correct law"}}},
-      .main_checks =
-          {"solid fraction and overlap within the limits, correct law",
-           "limits exceeded, contacts cleared at zero force",
-           "transverse kinetic energy of contacts that forget d0 at zero force, over that of the correct cell",
-           "stress ratio with contacts cleared at zero force",
-           "energy unaccounted for when contacts forget d0 every 0.1 ms",
-           "energy unaccounted for, velocity Verlet, 6 steps in a contact",
-           "energy unaccounted for, velocity Verlet, 2.9 steps in a contact",
-           "stress ratio, velocity Verlet, 2.9 steps in a contact", "limits exceeded, Euler with 10 steps in a contact",
-           "limits exceeded, Taylor with 5 steps in a contact"},
+      .requirements = {{"law.latching_spring", {"within_limits"}}},
+      .main_checks = {"within_limits", "limits_exceeded", "transverse_energy",
+                      "stress ratio with contacts cleared at zero force", "unaccounted",
+                      "energy unaccounted for, velocity Verlet, 6 steps in a contact",
+                      "energy unaccounted for, velocity Verlet, 2.9 steps in a contact",
+                      "stress ratio, velocity Verlet, 2.9 steps in a contact",
+                      "limits exceeded, Euler with 10 steps in a contact",
+                      "limits exceeded, Taylor with 5 steps in a contact"},
       .source = "Talus; law of Walton & Braun 1986",
-      .faults = {{"wrong_law_for_the_right", "law with cleared contacts in place of the correct law",
-                  "solid fraction and overlap within the limits, correct law"},
+      .faults = {{"wrong_law_for_the_right", "law with cleared contacts in place of the correct law", "within_limits"},
                  {"right_law_for_the_wrong", "correct law in place of the law with cleared contacts",
-                  "limits exceeded, contacts cleared at zero force"},
-                 {"d0_remembered", "correct law in place of the law that forgets d0",
-                  "transverse kinetic energy of contacts that forget d0 at zero force, over that of the correct cell"},
-                 {"restarts_remember", "contacts that do not forget d0 every 0.1 ms",
-                  "energy unaccounted for when contacts forget d0 every 0.1 ms"},
+                  "limits_exceeded"},
+                 {"d0_remembered", "correct law in place of the law that forgets d0", "transverse_energy"},
+                 {"restarts_remember", "contacts that do not forget d0 every 0.1 ms", "unaccounted"},
                  {"elastic_discs", "elastic discs in the cells with long steps",
                   "stress ratio, velocity Verlet, 2.9 steps in a contact"},
                  {"shorter_steps", "20 steps in a contact in all cells with long steps",

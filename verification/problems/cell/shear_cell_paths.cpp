@@ -79,7 +79,8 @@ void expect_virtual(Findings& findings, const Setup& setup) {
       "contacts across the border in the first half of the run", across >= 10,
       fmt::format("without them no virtual disc acts; seen {} times, each contact about twice", across));
   findings.expect_round_off(
-      "positions against virtual discs and all pairs, largest difference over a diameter", early, 0.0, 1e-12,
+      {"virtual_discs", "positions against virtual discs and all pairs, largest difference over a diameter"}, early,
+      0.0, 1e-12,
       "positions of some diameters are rounded to 1e-15 of a diameter at each of thousands of steps, in boxes whose "
       "borders discs cross at different times; contacts amplify this by an amount that depends on the trajectories: to "
       "1.6e-13 with this seed, and to 2e-16 ... 1.8e-11 with eleven others. Other roundings of the same trajectories "
@@ -118,7 +119,8 @@ void expect_own_virtual(Findings& findings, const Setup& setup) {
   findings.count(nearest.evaluations() + virtual_discs.evaluations());
   const Discs end = virtual_discs.discs();
   findings.expect_round_off(
-      "positions of rough discs, neighbour list against virtual discs, largest difference over a diameter",
+      {"rough_virtual_discs",
+       "positions of rough discs, neighbour list against virtual discs, largest difference over a diameter"},
       apart(nearest.discs(), end.x, end.y, cell.width()) / cell.diameter, 0.0, 1e-12,
       "as against the reference, in 200 instead of 250 contact times: zero until wrapping a disc back into the field "
       "first rounds its position, by 1e-15 of a diameter");
@@ -140,10 +142,10 @@ void expect_mirror(Findings& findings, const Setup& setup) {
   CellRun other{cell, plan, mirrored};
   run_to_end(one), run_to_end(other);
   const double shear = one.impulse_on_block().x, mirror = other.impulse_on_block().x;
-  findings.expect_exact("impulse along x on the block, mirrored cell over original cell", mirror / shear, -1.0,
-                        "only signs change, no digit does");
-  findings.expect_true("bit-identical heights of all discs in the mirrored cell", one.discs().y == other.discs().y,
-                       "no sum along y depends on the mirror image");
+  findings.expect_exact({"mirrored_impulse", "impulse along x on the block, mirrored cell over original cell"},
+                        mirror / shear, -1.0, "only signs change, no digit does");
+  findings.expect_true({"mirrored_heights", "bit-identical heights of all discs in the mirrored cell"},
+                       one.discs().y == other.discs().y, "no sum along y depends on the mirror image");
 }
 
 /// Restores the saved state of the first run into a second one; runs both to their ends.
@@ -227,10 +229,11 @@ void expect_jump(Findings& findings, const Setup& setup) {
   }
   run_to_end(step_by_step), run_to_end(jumping);
   const Discs end = step_by_step.discs();
-  findings.expect_round_off("positions with jumps over contact-free time, largest difference over a diameter",
-                            apart(jumping.discs(), end.x, end.y, cell.width()) / cell.diameter, 0.0, 1e-9,
-                            "free flights of thousands of steps, at once and step by step, are rounded to 1e-13, which "
-                            "grows over the contacts of 500 contact times");
+  findings.expect_round_off(
+      {"jumps", "positions with jumps over contact-free time, largest difference over a diameter"},
+      apart(jumping.discs(), end.x, end.y, cell.width()) / cell.diameter, 0.0, 1e-9,
+      "free flights of thousands of steps, at once and step by step, are rounded to 1e-13, which grows over the "
+      "contacts of 500 contact times");
   const double depth = step_by_step.mean(CellQuantity::depth).value;
   findings.expect_truncation("mean depth with jumps over contact-free time, over that with single steps",
                              jumping.mean(CellQuantity::depth).value / depth, 1.0, 0.5 * plan.step * fastest / depth,
@@ -262,30 +265,20 @@ Case definition() {
       .id = "shear_cell_paths",
       .title = "Sheared cell: equivalent formulations",
       .family = "the shear cell",
-      .requirements =
-          {{"F3",
-            {"positions against virtual discs and all pairs, largest difference over a diameter",
-             "positions of rough discs, neighbour list against virtual discs, largest difference over a diameter"}},
-           {"F5", {"bit-identical final state of a resumed run"}}},
-      .main_checks =
-          {"positions against virtual discs and all pairs, largest difference over a diameter",
-           "positions of rough discs, neighbour list against virtual discs, largest difference over a diameter",
-           "impulse along x on the block, mirrored cell over original cell",
-           "bit-identical heights of all discs in the mirrored cell", "bit-identical final state of a resumed run",
-           "positions with jumps over contact-free time, largest difference over a diameter"},
+      .requirements = {{"F3", {"virtual_discs", "rough_virtual_discs"}},
+                       {"F5", {"bit-identical final state of a resumed run"}}},
+      .main_checks = {"virtual_discs", "rough_virtual_discs", "mirrored_impulse", "mirrored_heights",
+                      "bit-identical final state of a resumed run", "jumps"},
       .source = "Lacy 1989, Virtual Elements and Periodic Boundaries",
-      .faults = {{"field_too_wide", "virtual discs too far away by 1e-7 of the field width",
-                  "positions against virtual discs and all pairs, largest difference over a diameter"},
-                 {"latch_weaker", "K2 of the reference smaller by the fraction 1e-9",
-                  "positions against virtual discs and all pairs, largest difference over a diameter"},
+      .faults = {{"field_too_wide", "virtual discs too far away by 1e-7 of the field width", "virtual_discs"},
+                 {"latch_weaker", "K2 of the reference smaller by the fraction 1e-9", "virtual_discs"},
                  {"friction_less", "friction coefficient of the cell with virtual discs smaller by the fraction 1e-8",
-                  "positions of rough discs, neighbour list against virtual discs, largest difference over a diameter"},
+                  "rough_virtual_discs"},
                  {"one_disc_off", "one disc of the mirrored cell higher by one unit in the last place",
-                  "bit-identical heights of all discs in the mirrored cell"},
+                  "mirrored_heights"},
                  {"restart_of_1989", "largest overlap of contacts lost at the restart",
                   "bit-identical final state of a resumed run"},
-                 {"stiffer_discs", "K1 of the cell with jumps larger by the fraction 1e-6",
-                  "positions with jumps over contact-free time, largest difference over a diameter"}},
+                 {"stiffer_discs", "K1 of the cell with jumps larger by the fraction 1e-6", "jumps"}},
       .seconds = 3.0,
       .run = run};
 }

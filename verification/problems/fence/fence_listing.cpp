@@ -242,11 +242,11 @@ void check_derived(Findings& findings, const Sample2Run& run) {
     table.rows.push_back({number.name, number.unit, number.printed, number.ours});
     differing += number.printed == number.ours ? 0 : 1;
   }
-  findings.expect_exact("number of derived quantities that differ from the printed listing",
+  findings.expect_exact({"derived", "number of derived quantities that differ from the printed listing"},
                         static_cast<double>(differing), 0.0,
                         "both are printed in the same number format and compared as text");
   const HeadLines lines = head_lines(run);
-  findings.expect_exact("number of lines before the first state that differ from the printed listing",
+  findings.expect_exact({"head_lines", "number of lines before the first state that differ from the printed listing"},
                         static_cast<double>(lines.printed - lines.same), 0.0,
                         "compared word for word; the number of blanks between words is not known");
   findings.table(table);
@@ -294,33 +294,37 @@ Kick kick(const Sample2Run& run, const scenes::FenceContactLaw& law, double spee
 }
 
 void check_states(Findings& findings, const Sample2Run& run, const std::vector<Deviation>& all) {
-  const auto expect = [&](const std::string& name, std::size_t print, int first, int last, double bound,
-                          const std::string& why) {
-    findings.expect_model(name, largest_deviation(all, print, first, last), 0.0, bound, why);
+  const auto expect = [&](const std::string& group, const char* elements, std::size_t print, int first, int last,
+                          double bound, const std::string& why) {
+    const auto part = findings.in(group);
+    findings.expect_model(
+        {fmt::format("{}_{}", group, print + 1), fmt::format("{} at {} s, largest deviation in units of the last digit",
+                                                             elements, print == 0 ? "0.00496" : "0.00993")},
+        largest_deviation(all, print, first, last), 0.0, bound, why);
   };
   const double rock_arm = run.fence.rocks[0].a * 0.5;  // nodes lie at 30 degrees
   const Kick rock = kick(run, run.made.rock_column, 65.0, rock_arm);
   const Kick layers = kick(run, run.made.column_column, 37.7, 3.8637);
   const std::string print_rounding =
       "half a unit for the rounding of the printed value, half a unit for differences of the rules";
-  expect("rock at 0.00496 s, largest deviation in units of the last digit", 0, 2, 2, 1.0, print_rounding);
-  expect("rock at 0.00993 s, largest deviation in units of the last digit", 1, 2, 2, 1.0, print_rounding);
-  expect("element 3 at 0.00496 s, largest deviation in units of the last digit", 0, 3, 3, 6.5,
+  expect("rock", "rock", 0, 2, 2, 1.0, print_rounding);
+  expect("rock", "rock", 1, 2, 2, 1.0, print_rounding);
+  expect("element_3", "element 3", 0, 3, 3, 6.5,
          fmt::format("measured: 6.0 (theta; omega 3.3); contact of a node begins at a step, and the first dashpot "
                      "force changes the column's spin in one step by {:.3f} rad/s, {:.0f} units, so that the deviation "
                      "of omega is a sixth of one such kick",
                      rock.spin, rock.spin / 0.001));
-  expect("element 3 at 0.00993 s, largest deviation in units of the last digit", 1, 3, 3, 13.0,
+  expect("element_3", "element 3", 1, 3, 3, 13.0,
          fmt::format("measured: 12.6 (omega), 11.5 (vy); nodes near the corners of the two layers have touched, and "
                      "one dashpot changes the column's spin in one step by {:.3f} rad/s, {:.0f} units",
                      layers.spin, layers.spin / 0.001));
-  expect("columns 4 to 7 at 0.00496 s, largest deviation in units of the last digit", 0, 4, 7, 4.5,
+  expect("columns", "columns 4 to 7", 0, 4, 7, 4.5,
          "measured: 4.1 (element 7), 0.5 at element 4: at the front of the wave each further column follows the early "
          "motion of the one before and adds about 1.2 units");
-  expect("columns 4 to 8 at 0.00993 s, largest deviation in units of the last digit", 1, 4, 8, 4.0,
+  expect("columns", "columns 4 to 8", 1, 4, 8, 4.0,
          "measured: 3.8 (element 8), 0.7 at element 4; cause as for columns 4 to 7 at 0.00496 s, about 0.8 units each");
   expect(
-      "elements 11 to 13 at 0.00993 s, largest deviation in units of the last digit", 1, 11, 13, 170.0,
+      "layer_2", "elements 11 to 13", 1, 11, 13, 170.0,
       fmt::format("measured: 164 (vy of 12), 107 (vy of 11), 5.8 (vx of 11). The column of the second layer has been "
                   "in contact for a few steps only: one dashpot changes its velocity in one step by {:.3f} ft/s, a "
                   "tenth of its speed, while the errors are 0.058 ft/s (vx) and 0.011 ft/s (vy); 12 and 13 follow 11",
@@ -330,7 +334,7 @@ void check_states(Findings& findings, const Sample2Run& run, const std::vector<D
     for (std::size_t i = 3; i < 6; ++i)
       keep_largest(fastest, run.states[0].at(element)[i]);
   }
-  findings.expect_exact("largest velocity in the second layer before it is touched", fastest, 0.0,
+  findings.expect_exact({"second_layer", "largest velocity in the second layer before it is touched"}, fastest, 0.0,
                         "the static shape is in equilibrium to the last bit; in 1993 it drifted by 1e-12",
                         "ft/s, rad/s");
 }
@@ -382,140 +386,35 @@ Case definition() {
   return {.id = "fence_listing",
           .title = "Printed listing of sample2, to its last digits",
           .family = "the fence",
-          .requirements = {{"Eq. 1", {"elements 11 to 13 at 0.00993 s, largest deviation in units of the last digit"}},
-                           {"Eq. 2",
-                            {"element 3 at 0.00496 s, largest deviation in units of the last digit",
-                             "element 3 at 0.00993 s, largest deviation in units of the last digit",
-                             "columns 4 to 7 at 0.00496 s, largest deviation in units of the last digit",
-                             "columns 4 to 8 at 0.00993 s, largest deviation in units of the last digit"}},
-                           {"Eq. 3",
-                            {"element 3 at 0.00496 s, largest deviation in units of the last digit",
-                             "element 3 at 0.00993 s, largest deviation in units of the last digit",
-                             "columns 4 to 7 at 0.00496 s, largest deviation in units of the last digit",
-                             "columns 4 to 8 at 0.00993 s, largest deviation in units of the last digit"}},
-                           {"Eq. 4",
-                            {"element 3 at 0.00496 s, largest deviation in units of the last digit",
-                             "element 3 at 0.00993 s, largest deviation in units of the last digit",
-                             "columns 4 to 7 at 0.00496 s, largest deviation in units of the last digit",
-                             "columns 4 to 8 at 0.00993 s, largest deviation in units of the last digit"}},
-                           {"Eq. 5",
-                            {"element 3 at 0.00496 s, largest deviation in units of the last digit",
-                             "element 3 at 0.00993 s, largest deviation in units of the last digit",
-                             "columns 4 to 7 at 0.00496 s, largest deviation in units of the last digit",
-                             "columns 4 to 8 at 0.00993 s, largest deviation in units of the last digit"}},
-                           {"Eq. 6",
-                            {"element 3 at 0.00496 s, largest deviation in units of the last digit",
-                             "element 3 at 0.00993 s, largest deviation in units of the last digit",
-                             "largest velocity in the second layer before it is touched"}},
-                           {"Eq. 7",
-                            {"element 3 at 0.00496 s, largest deviation in units of the last digit",
-                             "element 3 at 0.00993 s, largest deviation in units of the last digit",
-                             "columns 4 to 7 at 0.00496 s, largest deviation in units of the last digit",
-                             "columns 4 to 8 at 0.00993 s, largest deviation in units of the last digit"}},
-                           {"Eq. 8",
-                            {"rock at 0.00496 s, largest deviation in units of the last digit",
-                             "rock at 0.00993 s, largest deviation in units of the last digit"}},
-                           {"Eq. 9",
-                            {"rock at 0.00496 s, largest deviation in units of the last digit",
-                             "rock at 0.00993 s, largest deviation in units of the last digit"}},
-                           {"Eq. 10",
-                            {"rock at 0.00496 s, largest deviation in units of the last digit",
-                             "rock at 0.00993 s, largest deviation in units of the last digit"}},
-                           {"Eq. 11",
-                            {"number of derived quantities that differ from the printed listing",
-                             "largest velocity in the second layer before it is touched"}},
-                           {"Eq. 12",
-                            {"columns 4 to 7 at 0.00496 s, largest deviation in units of the last digit",
-                             "columns 4 to 8 at 0.00993 s, largest deviation in units of the last digit",
-                             "largest velocity in the second layer before it is touched"}},
-                           {"Eq. 13",
-                            {"columns 4 to 7 at 0.00496 s, largest deviation in units of the last digit",
-                             "columns 4 to 8 at 0.00993 s, largest deviation in units of the last digit"}},
-                           {"Eq. 14",
-                            {"columns 4 to 7 at 0.00496 s, largest deviation in units of the last digit",
-                             "columns 4 to 8 at 0.00993 s, largest deviation in units of the last digit"}},
-                           {"Eq. 15",
-                            {"columns 4 to 7 at 0.00496 s, largest deviation in units of the last digit",
-                             "columns 4 to 8 at 0.00993 s, largest deviation in units of the last digit"}},
-                           {"Eq. 16",
-                            {"columns 4 to 7 at 0.00496 s, largest deviation in units of the last digit",
-                             "columns 4 to 8 at 0.00993 s, largest deviation in units of the last digit",
-                             "largest velocity in the second layer before it is touched"}},
-                           {"Eq. 17",
-                            {"rock at 0.00496 s, largest deviation in units of the last digit",
-                             "rock at 0.00993 s, largest deviation in units of the last digit",
-                             "element 3 at 0.00496 s, largest deviation in units of the last digit",
-                             "element 3 at 0.00993 s, largest deviation in units of the last digit"}},
-                           {"Eq. 19",
-                            {"rock at 0.00496 s, largest deviation in units of the last digit",
-                             "rock at 0.00993 s, largest deviation in units of the last digit",
-                             "element 3 at 0.00496 s, largest deviation in units of the last digit",
-                             "element 3 at 0.00993 s, largest deviation in units of the last digit"}},
-                           {"Eq. 20",
-                            {"rock at 0.00496 s, largest deviation in units of the last digit",
-                             "rock at 0.00993 s, largest deviation in units of the last digit",
-                             "element 3 at 0.00496 s, largest deviation in units of the last digit",
-                             "element 3 at 0.00993 s, largest deviation in units of the last digit"}},
-                           {"Eq. 21",
-                            {"rock at 0.00496 s, largest deviation in units of the last digit",
-                             "rock at 0.00993 s, largest deviation in units of the last digit"}},
-                           {"Eq. 22",
-                            {"rock at 0.00496 s, largest deviation in units of the last digit",
-                             "rock at 0.00993 s, largest deviation in units of the last digit",
-                             "columns 4 to 7 at 0.00496 s, largest deviation in units of the last digit",
-                             "columns 4 to 8 at 0.00993 s, largest deviation in units of the last digit"}},
-                           {"Eq. 23",
-                            {"columns 4 to 7 at 0.00496 s, largest deviation in units of the last digit",
-                             "columns 4 to 8 at 0.00993 s, largest deviation in units of the last digit"}},
-                           {"Eq. 24",
-                            {"columns 4 to 7 at 0.00496 s, largest deviation in units of the last digit",
-                             "columns 4 to 8 at 0.00993 s, largest deviation in units of the last digit"}},
-                           {"law.linear_spring_dashpot",
-                            {"rock at 0.00496 s, largest deviation in units of the last digit",
-                             "rock at 0.00993 s, largest deviation in units of the last digit"}},
-                           {"law.elastic_plastic",
-                            {"columns 4 to 7 at 0.00496 s, largest deviation in units of the last digit",
-                             "columns 4 to 8 at 0.00993 s, largest deviation in units of the last digit"}},
-                           {"end_rule.attractive",
-                            {"rock at 0.00496 s, largest deviation in units of the last digit",
-                             "rock at 0.00993 s, largest deviation in units of the last digit"}},
-                           {"method.nodes",
-                            {"rock at 0.00496 s, largest deviation in units of the last digit",
-                             "rock at 0.00993 s, largest deviation in units of the last digit"}},
-                           {"shape.superquadric",
-                            {"element 3 at 0.00496 s, largest deviation in units of the last digit",
-                             "element 3 at 0.00993 s, largest deviation in units of the last digit",
-                             "elements 11 to 13 at 0.00993 s, largest deviation in units of the last digit"}},
-                           {"integrator.lagged_central_difference",
-                            {"element 3 at 0.00496 s, largest deviation in units of the last digit",
-                             "element 3 at 0.00993 s, largest deviation in units of the last digit",
-                             "columns 4 to 7 at 0.00496 s, largest deviation in units of the last digit",
-                             "columns 4 to 8 at 0.00993 s, largest deviation in units of the last digit"}}},
-          .main_checks = {"number of derived quantities that differ from the printed listing",
-                          "number of lines before the first state that differ from the printed listing",
-                          "rock at 0.00496 s, largest deviation in units of the last digit",
-                          "rock at 0.00993 s, largest deviation in units of the last digit",
-                          "columns 4 to 8 at 0.00993 s, largest deviation in units of the last digit",
-                          "elements 11 to 13 at 0.00993 s, largest deviation in units of the last digit"},
+          .requirements = {{"Eq. 1", {"layer_2_2"}},
+                           {"Eq. 2, Eq. 3, Eq. 4, Eq. 5", {"element_3", "columns"}},
+                           {"Eq. 6", {"element_3", "second_layer"}},
+                           {"Eq. 7", {"element_3", "columns"}},
+                           {"Eq. 8, Eq. 9, Eq. 10", {"rock"}},
+                           {"Eq. 11", {"derived", "second_layer"}},
+                           {"Eq. 12", {"columns", "second_layer"}},
+                           {"Eq. 13, Eq. 14, Eq. 15", {"columns"}},
+                           {"Eq. 16", {"columns", "second_layer"}},
+                           {"Eq. 17, Eq. 19, Eq. 20", {"rock", "element_3"}},
+                           {"Eq. 21", {"rock"}},
+                           {"Eq. 22", {"rock", "columns"}},
+                           {"Eq. 23, Eq. 24", {"columns"}},
+                           {"law.linear_spring_dashpot", {"rock"}},
+                           {"law.elastic_plastic", {"columns"}},
+                           {"end_rule.attractive, method.nodes", {"rock"}},
+                           {"shape.superquadric", {"element_3", "layer_2_2"}},
+                           {"integrator.lagged_central_difference", {"element_3", "columns"}}},
+          .main_checks = {"derived", "head_lines", "rock_1", "rock_2", "columns_2", "layer_2_2"},
           .source = "Mustoe & Huttelmaier 1993, Appendix II.5.1 and II.5.2, sample2.DAT and sample2.OUT",
-          .faults = {{"damping_halved", "half of the dashpot at each node",
-                      "rock at 0.00496 s, largest deviation in units of the last digit"},
-                     {"sixteen_nodes", "sixteen nodes on the rock",
-                      "rock at 0.00496 s, largest deviation in units of the last digit"},
-                     {"clamped", "contact forces clamped at zero",
-                      "element 3 at 0.00496 s, largest deviation in units of the last digit"},
-                     {"plain_start", "no half kick before the start",
-                      "columns 4 to 7 at 0.00496 s, largest deviation in units of the last digit"},
-                     {"no_lag", "dashpots use the velocities of half a step before",
-                      "element 3 at 0.00993 s, largest deviation in units of the last digit"},
-                     {"sharp_columns", "columns of exponent 40",
-                      "elements 11 to 13 at 0.00993 s, largest deviation in units of the last digit"},
-                     {"half_density", "columns of half the density",
-                      "number of lines before the first state that differ from the printed listing"},
-                     {"ground_factor_one", "stiffness of ground and rock without its factor 2",
-                      "number of derived quantities that differ from the printed listing"},
-                     {"unbalanced", "static equilibrium without the correction of its last digit",
-                      "largest velocity in the second layer before it is touched"}},
+          .faults = {{"damping_halved", "half of the dashpot at each node", "rock_1"},
+                     {"sixteen_nodes", "sixteen nodes on the rock", "rock_1"},
+                     {"clamped", "contact forces clamped at zero", "element_3_1"},
+                     {"plain_start", "no half kick before the start", "columns_1"},
+                     {"no_lag", "dashpots use the velocities of half a step before", "element_3_2"},
+                     {"sharp_columns", "columns of exponent 40", "layer_2_2"},
+                     {"half_density", "columns of half the density", "head_lines"},
+                     {"ground_factor_one", "stiffness of ground and rock without its factor 2", "derived"},
+                     {"unbalanced", "static equilibrium without the correction of its last digit", "second_layer"}},
           .run = run};
 }
 

@@ -91,11 +91,11 @@ void check_order(const PivotedRun& run, const State& start, double production_st
   Convergence errors;
   for (const double n : doublings(20.0, setup.coarse ? 3 : 5))
     errors.add(swing_time / (n + 0.38), largest_angle_error(run, start, swing_time / (n + 0.38), setup, findings));
-  findings.expect_order("order of the motion after the impact", errors, 1.98, 2.02,
+  findings.expect_order({"order_after_impact", "order of the motion after the impact"}, errors, 1.98, 2.02,
                         "smooth motion with velocity Verlet: even powers of the step only");
   if (setup.coarse) return;
   findings.expect(
-      "largest error of the angle after the impact, production step",
+      {"swing_error/production", "largest error of the angle after the impact, production step"},
       largest_angle_error(run, start, production_step, setup, findings),
       predicted_error_constant(start) * std::pow(small_frequency() * production_step, 2),
       Tolerance::model(1.5e-5,
@@ -103,7 +103,7 @@ void check_order(const PivotedRun& run, const State& start, double production_st
                        "the step is 1e-6 of it, and 4600 roundings of 1e-16 accumulate to 1e-5 of it")
           .relative(),
       "rad");
-  findings.expect("largest error of the angle after the impact, 160 steps", errors.errors()[3],
+  findings.expect({"swing_error/160", "largest error of the angle after the impact, 160 steps"}, errors.errors()[3],
                   predicted_error_constant(start) * std::pow(small_frequency() * errors.steps()[3], 2),
                   Tolerance::model(1e-3,
                                    "the same prediction; the next even power is (w0 h)^2 = 3e-4 of it, and the largest "
@@ -180,15 +180,15 @@ void compare_over_time(Findings& findings, const Track& track, const State& end,
     if (i % 4 != 0) continue;
     angle.add(track.t[i], track.angle[i]);
   }
-  findings.expect_truncation("largest difference of the angle from the soft reference over 1.2 s", worst_angle, 0.0,
-                             expected.error_of_angle, 1.0,
+  findings.expect_truncation({"soft_angle", "largest difference of the angle from the soft reference over 1.2 s"},
+                             worst_angle, 0.0, expected.error_of_angle, 1.0,
                              expected.why +
                                  "; before the turning point an error of the angular velocity causes no larger error "
                                  "than that of the largest angle",
                              "rad");
-  findings.expect_truncation("largest difference of the angular velocity from the soft reference after the contact",
-                             worst_rate, 0.0, expected.error_of_v1 / (0.5 * pivoted.length), 1.0,
-                             expected.why + ", over l/2", "rad/s");
+  findings.expect_truncation(
+      {"soft_rate", "largest difference of the angular velocity from the soft reference after the contact"}, worst_rate,
+      0.0, expected.error_of_v1 / (0.5 * pivoted.length), 1.0, expected.why + ", over l/2", "rad/s");
   const std::string lines =
       "Points: central difference at 100 steps per contact; lines: soft reference; dashed: velocities after the rigid "
       "impact.";
@@ -227,8 +227,9 @@ void check_swing(Findings& findings, const Setup& setup) {
       error_of_e * pivoted.approach_speed * impact_mass() / reference::effective_column_mass(pivoted);
   const std::string why =
       "largest first-order error of e at 100 steps per contact from the onset: half the jump at the end and the lag";
-  findings.expect_truncation("v1, production run", after.column, first.column_speed, error_of_v1, 1.0, why, "ft/s");
-  findings.expect_truncation("V1, production run", after.rock, first.at_end.rock_vx,
+  findings.expect_truncation({"production/v1", "v1, production run"}, after.column, first.column_speed, error_of_v1,
+                             1.0, why, "ft/s");
+  findings.expect_truncation({"production/V1", "V1, production run"}, after.rock, first.at_end.rock_vx,
                              error_of_v1 * reference::effective_column_mass(pivoted) / pivoted.rock_mass, 1.0, why,
                              "ft/s");
 
@@ -237,18 +238,18 @@ void check_swing(Findings& findings, const Setup& setup) {
   // From energy, w1 dw1 = w0^2 sin(A) dA: dA = dw1/(w0 cos(A/2)).
   const double error_of_angle =
       error_of_v1 / (0.5 * pivoted.length) / (small_frequency() * std::cos(0.5 * first.largest_angle));
-  findings.expect_truncation({"largest_angle_swing", "largest angle after the impact, production run"}, turned,
-                             first.largest_angle, error_of_angle, 1.0,
+  findings.expect_truncation({"largest_angle_swing/production", "largest angle after the impact, production run"},
+                             turned, first.largest_angle, error_of_angle, 1.0,
                              why + "; converted to the angle by conservation of energy", "rad");
-  findings.expect_truncation("largest angle against elliptic functions through the solver's state after the contact",
-                             turned, exact.motion.amplitude(),
-                             std::pow(small_frequency() * step, 2) * std::tan(0.5 * exact.motion.amplitude()) *
-                                 std::abs(verlet_energy_swing(exact.motion.amplitude())) /
-                                 (1.0 - std::cos(exact.motion.amplitude())),
-                             3.0,
-                             "the energy of the numerical solution oscillates by h^2 (sin^2 A/24 + (1 - cos A)/6) "
-                             "w0^2; the error of the angle is this over sin A",
-                             "rad");
+  findings.expect_truncation(
+      {"elliptic_functions", "largest angle against elliptic functions through the solver's state after the contact"},
+      turned, exact.motion.amplitude(),
+      std::pow(small_frequency() * step, 2) * std::tan(0.5 * exact.motion.amplitude()) *
+          std::abs(verlet_energy_swing(exact.motion.amplitude())) / (1.0 - std::cos(exact.motion.amplitude())),
+      3.0,
+      "the energy of the numerical solution oscillates by h^2 (sin^2 A/24 + (1 - cos A)/6) w0^2; the error of the "
+      "angle is this over sin A",
+      "rad");
   check_order(run, after.at_end, step, findings, setup);
   if (setup.coarse) return;
 

@@ -88,9 +88,10 @@ void check_rebounds(Findings& findings, const Setup& setup) {
     figure.series.push_back(exact_rebounds(kappa));
     figure.series.push_back(points);
   }
-  findings.expect_truncation("rms error of the slip rate after the impact, largest of 4 stiffnesses x 6 obliquities",
-                             largest, 0.0, 0.084 * std::pow(std::numbers::pi / 100.5, 2), 1.2,
-                             "measured constant 0.084 (w h)^2, and a fifth for other phases");
+  findings.expect_truncation(
+      {"slip_rates", "rms error of the slip rate after the impact, largest of 4 stiffnesses x 6 obliquities"}, largest,
+      0.0, 0.084 * std::pow(std::numbers::pi / 100.5, 2), 1.2,
+      "measured constant 0.084 (w h)^2, and a fifth for other phases");
   findings.table(table);
   findings.table(common);
   findings.figure(figure);
@@ -115,11 +116,12 @@ void check_grazing(Findings& findings, const Setup& setup) {
       }
     }
   }
-  findings.expect_true("no energy gain in grazing impacts of 60 to 88 degrees, mu = 0.01 to 1", gain <= 0.0,
+  findings.expect_true({"grazing/gain", "no energy gain in grazing impacts of 60 to 88 degrees, mu = 0.01 to 1"},
+                       gain <= 0.0,
                        "friction dissipates more than the error of the normal impact, of order (w h)^2, adds");
   findings.expect_truncation(
-      "energy after a grazing impact, largest error over (w h)^2 times the initial energy", error / (step * step), 0.0,
-      0.156, 1.2,
+      {"grazing/energy", "energy after a grazing impact, largest error over (w h)^2 times the initial energy"},
+      error / (step * step), 0.0, 0.156, 1.2,
       "measured constant 0.156 (w h)^2 at 31 steps per contact, and a fifth for the next power of the step");
 }
 

@@ -153,10 +153,12 @@ void nudged(Findings& findings, const Setup& setup) {
   const Ended found = ended(nudged_block(setup), 1e-10, findings);
   const double energy = 0.5 * block.mass * nudge * nudge;
   const double friction = found.accounts.dissipated[static_cast<std::size_t>(Mechanism::friction)];
-  findings.expect_truncation("nudged block: friction work over its kinetic energy", friction / energy, 1.0, 1e-10, 1.0,
+  findings.expect_truncation({"nudged_work", "nudged block: friction work over its kinetic energy"}, friction / energy,
+                             1.0, 1e-10, 1.0,
                              "the power of the dashpot is integrated to the tolerance, 1e-10, over about 10 periods");
-  findings.expect_truncation("nudged block: speed at rest", std::hypot(found.state.v[0], found.state.v[1]), 0.0,
-                             1e-10 * nudge, 3.0, "errors of the method are relative to the largest speed", "m/s");
+  findings.expect_truncation({"nudged_speed", "nudged block: speed at rest"},
+                             std::hypot(found.state.v[0], found.state.v[1]), 0.0, 1e-10 * nudge, 3.0,
+                             "errors of the method are relative to the largest speed", "m/s");
 }
 
 /// A disc that spins and bounces, with a tangential dashpot so strong that it carries most of the friction: the spring
@@ -320,16 +322,14 @@ Case definition() {
       .family = "C: friction and rotation",
       .requirements = {{"Eq. 18", {"block, tolerance 1e-10: displacement"}},
                        {"integrator.stormer_cowell", {"block, tolerance 1e-10: evaluations"}},
-                       {"mechanism.friction", {"nudged block: friction work over its kinetic energy"}},
+                       {"mechanism.friction", {"nudged_work"}},
                        {"regime.friction.sticking",
-                        {"disc, tolerance 1e-08: displacement", "nudged block: friction work over its kinetic energy",
-                         "nudged block: speed at rest"}},
-                       {"regime.friction.slipping_backward", {"block, tolerance 1e-10: displacement"}},
-                       {"pair.rectangle.half_plane", {"block, tolerance 1e-10: displacement"}},
+                        {"disc, tolerance 1e-08: displacement", "nudged_work", "nudged_speed"}},
+                       {"regime.friction.slipping_backward, pair.rectangle.half_plane",
+                        {"block, tolerance 1e-10: displacement"}},
                        {"pair.circle.half_plane", {"disc, tolerance 1e-08: spin"}}},
       .main_checks = {"block, tolerance 1e-10: displacement", "block, tolerance 1e-06: evaluations",
-                      "block, tolerance 1e-10: speed at rest", "disc, tolerance 1e-08: displacement",
-                      "nudged block: friction work over its kinetic energy"},
+                      "block, tolerance 1e-10: speed at rest", "disc, tolerance 1e-08: displacement", "nudged_work"},
       .source = "Kennedy & Carpenter 2003 (implicit steps); the springs of bodies at rest are derived here",
       .faults = {{"friction_too_large", "a coefficient of friction too large by 1e-6",
                   "block, tolerance 1e-10: displacement"},
@@ -337,7 +337,7 @@ Case definition() {
                   "disc, tolerance 1e-08: spin"},
                  {"explicit_steps", "a system without linearization, so that all steps are explicit",
                   "block, tolerance 1e-06: evaluations"},
-                 {"no_shear_dashpot", "no tangential dashpot while the contact sticks", "nudged block: speed at rest"}},
+                 {"no_shear_dashpot", "no tangential dashpot while the contact sticks", "nudged_speed"}},
       .run = run};
 }
 

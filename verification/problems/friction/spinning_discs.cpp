@@ -94,8 +94,9 @@ void check_unlike(Findings& findings, const Setup& setup) {
     table.rows.push_back(cells("{:g} | {:.5f} | {:.5f} | {:.1e}", ratio, exact / before, met.mean / before, met.error));
   }
   const double h = std::numbers::pi / 100.0;
-  findings.expect_truncation("rms error of the slip rate of discs of different size, largest of 5 spins", farthest, 0.0,
-                             0.054 * h * h, 1.2, "measured constant 0.054 (w h)^2, and a fifth for other phases");
+  findings.expect_truncation(
+      {"unequal_spins", "rms error of the slip rate of discs of different size, largest of 5 spins"}, farthest, 0.0,
+      0.054 * h * h, 1.2, "measured constant 0.054 (w h)^2, and a fifth for other phases");
   findings.expect_model(
       "impulses from speeds and spins of both discs, largest relative difference", impulse_difference, 0.0,
       0.5 * std::sqrt(reduced_mass) * (1.0 / first_radius + 1.0 / second_radius),
@@ -150,12 +151,12 @@ void check_rolling(Findings& findings, const Setup& setup) {
   const State end = end_of(scene, time, offset_step(time, 100.0, 5), 5, findings);
   const double changed = std::max({std::abs(end.v[1]), std::abs(end.v[4]), std::abs(end.v[2] - scene.initial.v[2]),
                                    std::abs(end.v[5] - scene.initial.v[5])});
-  findings.expect_round_off("change of lateral speeds and spins of equal discs with opposite spins", changed, 0.0,
-                            8.0 * 2.2e-16,
+  findings.expect_round_off({"opposite_spins", "change of lateral speeds and spins of equal discs with opposite spins"},
+                            changed, 0.0, 8.0 * 2.2e-16,
                             "rim speeds of 2, each a rounded product: a slip rate of 2 eps times 2 during the contact "
                             "time of 2.2, at k_s = 2/7, acts on each mass");
-  findings.expect_truncation("speed transferred to the struck one of two equal discs", end.v[3], 1.0,
-                             0.06 * std::pow(std::numbers::pi / 100.0, 2), 1.2,
+  findings.expect_truncation({"transferred_speed", "speed transferred to the struck one of two equal discs"}, end.v[3],
+                             1.0, 0.06 * std::pow(std::numbers::pi / 100.0, 2), 1.2,
                              "undamped leapfrog contact: |e - 1| up to 0.12 (w h)^2, half of it for each disc");
 }
 
@@ -168,36 +169,20 @@ void run(Findings& findings, const Setup& setup) {
 }  // namespace
 
 Case definition() {
-  return {
-      .id = "spinning_discs",
-      .title = "Impacts of spinning discs",
-      .requirements =
-          {{"C6",
-            {"rms error of the slip rate of discs of different size, largest of 5 spins", "order_slip_rate_unlike"}},
-           {"Eq. 18",
-            {"rms error of the slip rate of discs of different size, largest of 5 spins", "order_slip_rate_unlike",
-             "change of lateral speeds and spins of equal discs with opposite spins"}},
-           {"law.linear_spring_dashpot",
-            {"rms error of the slip rate of discs of different size, largest of 5 spins", "order_slip_rate_unlike"}},
-           {"shape.circle",
-            {"rms error of the slip rate of discs of different size, largest of 5 spins", "order_slip_rate_unlike",
-             "change of lateral speeds and spins of equal discs with opposite spins",
-             "speed transferred to the struck one of two equal discs"}},
-           {"pair.circle.circle",
-            {"rms error of the slip rate of discs of different size, largest of 5 spins", "order_slip_rate_unlike",
-             "change of lateral speeds and spins of equal discs with opposite spins",
-             "speed transferred to the struck one of two equal discs"}},
-           {"integrator.velocity_verlet", {"order_slip_rate_unlike"}}},
-      .main_checks = {"rms error of the slip rate of discs of different size, largest of 5 spins",
-                      "impulses from speeds and spins of both discs, largest relative difference",
-                      "order of the slip rate of discs of different size",
-                      "change of lateral speeds and spins of equal discs with opposite spins"},
-      .source = "Chung & Ooi 2011, tests 7 and 8 (for spheres)",
-      .faults = {{"friction_halved", "half the coefficient of friction",
-                  "rms error of the slip rate of discs of different size, largest of 5 spins"},
-                 {"second_spin_reversed", "second spin with the wrong sign",
-                  "change of lateral speeds and spins of equal discs with opposite spins"}},
-      .run = run};
+  return {.id = "spinning_discs",
+          .title = "Impacts of spinning discs",
+          .requirements = {{"C6", {"unequal_spins", "order_slip_rate_unlike"}},
+                           {"Eq. 18", {"unequal_spins", "order_slip_rate_unlike", "opposite_spins"}},
+                           {"law.linear_spring_dashpot", {"unequal_spins", "order_slip_rate_unlike"}},
+                           {"shape.circle, pair.circle.circle",
+                            {"unequal_spins", "order_slip_rate_unlike", "opposite_spins", "transferred_speed"}},
+                           {"integrator.velocity_verlet", {"order_slip_rate_unlike"}}},
+          .main_checks = {"unequal_spins", "impulses from speeds and spins of both discs, largest relative difference",
+                          "order of the slip rate of discs of different size", "opposite_spins"},
+          .source = "Chung & Ooi 2011, tests 7 and 8 (for spheres)",
+          .faults = {{"friction_halved", "half the coefficient of friction", "unequal_spins"},
+                     {"second_spin_reversed", "second spin with the wrong sign", "opposite_spins"}},
+          .run = run};
 }
 
 }  // namespace talus::verification::problems::spinning_discs

@@ -122,8 +122,8 @@ void check_elastic(Findings& findings, const Setup& setup) {
                                found.pressure.error, found.hardened, found.heated));
   }
   findings.expect_model(
-      "pressure of elastic discs over that of hard ones, worse of two solid fractions", pressed.pressure.value,
-      pressed.hardened, 0.004 + 3.0 * pressed.pressure.error,
+      {"elastic_pressure", "pressure of elastic discs over that of hard ones, worse of two solid fractions"},
+      pressed.pressure.value, pressed.hardened, 0.004 + 3.0 * pressed.pressure.error,
       "three standard errors from 20 blocks of the run; 0.004 for the formula of chi and for three-body collisions");
   findings.expect_truncation(
       "change of the energy of elastic discs, worse of two solid fractions", heated.heated, 0.0, walk(heated), 3.0,
@@ -195,7 +195,7 @@ void run(Findings& findings, const Setup& setup) {
   const double per_disc = 4.0 * std::log(1.0 + length) / loss;
   const double collisions = 0.5 * per_disc * count * static_cast<double>(seeds);
   findings.expect_truncation(
-      "energy dissipated by latching springs over the energy lost by the discs", account, 1.0,
+      {"latching_loss", "energy dissipated by latching springs over the energy lost by the discs"}, account, 1.0,
       w1h * w1h / (loss * std::sqrt(90.0)) * std::sqrt(2.5 / collisions), 1.5,
       fmt::format(
           "nothing of first order; each impact is off by (w1 h)^2/(1 - e^2) (u' (1 - u') - u (1 - u)) of its loss, u "
@@ -229,23 +229,17 @@ Case definition() {
       .id = "cooling_gas",
       .title = "Homogeneous cooling of a gas of discs",
       .requirements = {{"F1", {"slopes"}},
-                       {"law.latching_spring",
-                        {"slope of T^-1/2, latching spring, over Haff's",
-                         "energy dissipated by latching springs over the energy lost by the discs"}},
+                       {"law.latching_spring", {"slope of T^-1/2, latching spring, over Haff's", "latching_loss"}},
                        {"law.linear_spring_dashpot", {"slope of T^-1/2, spring and dashpot, over Haff's"}},
-                       {"mechanism.contact_damping",
-                        {"energy dissipated by latching springs over the energy lost by the discs"}}},
+                       {"mechanism.contact_damping", {"latching_loss"}}},
       .main_checks = {"slope of T^-1/2, latching spring, over Haff's",
-                      "slope of T^-1/2, spring and dashpot, over Haff's",
-                      "energy dissipated by latching springs over the energy lost by the discs",
-                      "pressure of elastic discs over that of hard ones, worse of two solid fractions"},
+                      "slope of T^-1/2, spring and dashpot, over Haff's", "latching_loss", "elastic_pressure"},
       .source = "Haff 1983; Henderson 1975",
       .faults = {{"restitution_for_its_square", "K1/K2 = e instead of e^2",
                   "slope of T^-1/2, latching spring, over Haff's"},
                  {"discs_uncorrelated", "Haff's law without chi", "slope of T^-1/2, spring and dashpot, over Haff's"},
                  {"drift_in_temperature", "mean flow included in T", "slope of T^-1/2, latching spring, over Haff's"},
-                 {"pressure_without_motion", "pressure from contacts alone",
-                  "pressure of elastic discs over that of hard ones, worse of two solid fractions"},
+                 {"pressure_without_motion", "pressure from contacts alone", "elastic_pressure"},
                  {"elastic_steps_short", "20 steps in a contact instead of 4",
                   "change of the energy of elastic discs, 4 steps in a contact"}},
       .seconds = 4.0,

@@ -66,13 +66,14 @@ void check_slopes(Findings& findings, const std::vector<DenseFlow>& flows) {
     least_fall = std::min(least_fall, over_error(loose.inertial.value - dense.inertial.value, loose.inertial.error,
                                                  dense.inertial.error));
   }
-  findings.expect_between("increase of friction with the inertial number, smallest step over its error", least_rise,
-                          3.0, 100.0,
-                          "three standard errors between any two neighbouring flows; above 100 the errors would be too "
-                          "small for flows of this length");
-  findings.expect_between("decrease of solid fraction with the inertial number, smallest step over its error",
-                          least_fall, 3.0, 100.0,
-                          "as for friction: each denser flow has a smaller I by three standard errors");
+  findings.expect_between(
+      {"friction_increase", "increase of friction with the inertial number, smallest step over its error"}, least_rise,
+      3.0, 100.0,
+      "three standard errors between any two neighbouring flows; above 100 the errors would be too small for flows of "
+      "this length");
+  findings.expect_between(
+      {"fraction_decrease", "decrease of solid fraction with the inertial number, smallest step over its error"},
+      least_fall, 3.0, 100.0, "as for friction: each denser flow has a smaller I by three standard errors");
 }
 
 /// Stiffer discs: only p/K1 changes.
@@ -84,10 +85,11 @@ void check_stiffness(Findings& findings, const Plan& plan, const std::vector<Den
   const DenseFlow other = run_all(plan.smooth_base, {{plan.stiffer.fraction, rate}}, findings).front();
   const double error = std::hypot(known->inertial.error, other.inertial.error);
   findings.expect_model(
-      "inertial number of discs four times as stiff", other.inertial.value, known->inertial.value, 3.0 * error,
+      {"stiffer_inertial_number", "inertial number of discs four times as stiff"}, other.inertial.value,
+      known->inertial.value, 3.0 * error,
       "three standard errors of the difference; overlaps of 3e-4 d or less shift phi by 5e-4 and I by about 2e-3");
-  findings.expect_model("friction of discs four times as stiff", other.friction.value, known->friction.value,
-                        3.0 * std::hypot(known->friction.error, other.friction.error),
+  findings.expect_model({"stiffer_friction", "friction of discs four times as stiff"}, other.friction.value,
+                        known->friction.value, 3.0 * std::hypot(known->friction.error, other.friction.error),
                         "three standard errors of the difference");
 }
 
@@ -112,7 +114,7 @@ void check_rough(Findings& findings, const std::vector<DenseFlow>& smooth, const
   const auto least = [](const std::vector<double>& all) {
     return all.empty() ? 0.0 : *std::min_element(all.begin(), all.end());
   };
-  findings.expect_between("excess friction of rough discs over its error", least(excess), 3.0, 100.0,
+  findings.expect_between({"rough_excess", "excess friction of rough discs over its error"}, least(excess), 3.0, 100.0,
                           "three standard errors above the next faster smooth flow, whose friction is above that of "
                           "smooth discs at the same I");
   findings.expect_between("lower solid fraction of rough discs at the same inertial number", least(loss), 0.005, 0.1,
@@ -150,7 +152,7 @@ constexpr double rough_friction_power = 0.6;  ///< 1 - 2 b of DeGiuli et al., of
 void check_slow_friction(Findings& findings, const std::vector<DenseFlow>& smooth) {
   const auto fit = reference::fit_power(frictions(smooth));
   findings.expect_model(
-      "friction of an infinitely slow flow", fit.limit, 0.11, 0.005 + 2.0 * fit.limit_error,
+      {"slow_limit", "friction of an infinitely slow flow"}, fit.limit, 0.11, 0.005 + 2.0 * fit.limit_error,
       fmt::format(
           "half a unit of the last printed digit of 0.11, and two standard errors of {:.4f} of the fitted limit",
           fit.limit_error));
@@ -315,23 +317,14 @@ Case definition() {
       .id = "dense_rheology",
       .title = "Rheology of dense flows: friction and solid fraction",
       .requirements = {{"F7",
-                        {"increase of friction with the inertial number, smallest step over its error",
-                         "decrease of solid fraction with the inertial number, smallest step over its error",
-                         "inertial number of discs four times as stiff", "friction of discs four times as stiff",
-                         "excess friction of rough discs over its error",
-                         "lower solid fraction of rough discs at the same inertial number",
-                         "friction of an infinitely slow flow"}}},
-      .main_checks = {"friction of an infinitely slow flow",
-                      "increase of friction with the inertial number, smallest step over its error",
-                      "decrease of solid fraction with the inertial number, smallest step over its error",
-                      "friction of discs four times as stiff", "excess friction of rough discs over its error"},
+                        {"friction_increase", "fraction_decrease", "stiffer_inertial_number", "stiffer_friction",
+                         "rough_excess", "lower solid fraction of rough discs at the same inertial number",
+                         "slow_limit"}}},
+      .main_checks = {"slow_limit", "friction_increase", "fraction_decrease", "stiffer_friction", "rough_excess"},
       .source = "da Cruz et al. 2005; Clark et al. 2017; Vagberg et al. 2015; Peyneau & Roux 2008; DeGiuli et al. 2015",
-      .faults = {{"still_box", "periodic images that do not slide",
-                  "increase of friction with the inertial number, smallest step over its error"},
-                 {"soft_discs", "discs 256 times softer instead of four times stiffer",
-                  "inertial number of discs four times as stiff"},
-                 {"smooth_discs", "no friction between the rough discs",
-                  "excess friction of rough discs over its error"}},
+      .faults = {{"still_box", "periodic images that do not slide", "friction_increase"},
+                 {"soft_discs", "discs 256 times softer instead of four times stiffer", "stiffer_inertial_number"},
+                 {"smooth_discs", "no friction between the rough discs", "rough_excess"}},
       .seconds = 6.0,
       .full_seconds = 45.0,
       .time_limit = 600.0,

@@ -114,8 +114,7 @@ Scene scene_of(Mobility mobility, std::size_t cables, const Setup& setup) {
                       {id, {line.point.x, line.point.y}}, norm(line.anchor - (at + turned(line.point, tilt))) - 0.1,
                       TensionOnly{stiffness, damping});
   }
-  Scene scene = builder.at_rest("Held body");
-  return scene;
+  return builder.at_rest("Held body");
 }
 
 const Tolerance by_differences =

@@ -143,9 +143,7 @@ Case definition() {
       .title = "Free flight with spin",
       .requirements =
           {{"A1", {"errors"}},
-           {"Eq. 2",
-            {"central_difference, error of the coordinates", "lagged_central_difference, error of the coordinates"}},
-           {"Eq. 3",
+           {"Eq. 2, Eq. 3",
             {"central_difference, error of the coordinates", "lagged_central_difference, error of the coordinates"}},
            {"Eq. 23",
             {"central_difference, error of the velocities", "lagged_central_difference, error of the velocities"}},

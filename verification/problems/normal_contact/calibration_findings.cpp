@@ -63,7 +63,7 @@ void find_calibration_curves(Findings& findings) {
                                   events.contact_time / 200.5);
     }
     findings.expect(
-        "largest error of the mean e, e = 0.05 ... 1, " + label, errors.max(), shift,
+        {"mean_e/" + std::string{label}, "largest error of the mean e, e = 0.05 ... 1, " + label}, errors.max(), shift,
         (attractive
              ? Tolerance::model(0.05,
                                 "shift of e by the half-step lag at 200 steps per contact, largest over the twenty "
@@ -152,7 +152,8 @@ void check_solver_formulas(Findings& findings) {
   const double eps = 0x1p-52;
   findings.expect_round_off("solver's damping ratio and restitution near xi = 1, clamped, relative error", near_one,
                             0.0, 16.0 * eps, "as for the damping ratio at any e, with an exponent of 2");
-  findings.expect_round_off("solver's damping ratio for e = 0.005 ... 1, relative error", inverse, 0.0, 16.0 * eps,
+  findings.expect_round_off({"formula_ratio", "solver's damping ratio for e = 0.005 ... 1, relative error"}, inverse,
+                            0.0, 16.0 * eps,
                             "log, square root, acos, three products and the last bracket of two units of the root "
                             "search: 8 eps, times two for the worst of 400");
   findings.expect_round_off("solver's restitution for a damping ratio, relative error", direct, 0.0, 32.0 * eps,
@@ -170,7 +171,7 @@ void check_solver_formulas(Findings& findings) {
   findings.expect_round_off("solver's contact time, relative error", time, 0.0, 32.0 * eps,
                             "xi from c, k, m with 4 roundings, amplified by xi^2/(1 - xi^2) <= 2.9 (attractive, e = "
                             "0.005), and as many again");
-  findings.expect_round_off("solver's largest overlap, relative error", depth, 0.0, 16.0 * eps,
+  findings.expect_round_off({"formula_overlap", "solver's largest overlap, relative error"}, depth, 0.0, 16.0 * eps,
                             "xi with 4 roundings in an exponent <= 3, and 4 more");
 }
 
@@ -194,8 +195,10 @@ void check_step_advice(Findings& findings) {
       }
       const std::string name =
           fmt::format("{}, bound {:g}", rule == EndRule::attractive ? "attractive" : "clamped", bound);
-      findings.expect_truncation("largest error of e with the advised step at other phases, " + name, errors.max(), 0.0,
-                                 bound, 1.0, "the requested bound");
+      findings.expect_truncation(
+          {fmt::format("advised_step/{}/{:g}", rule == EndRule::attractive ? "attractive" : "clamped", bound),
+           "largest error of e with the advised step at other phases, " + name},
+          errors.max(), 0.0, bound, 1.0, "the requested bound");
       const double time = reference::impact_events({1.0, law.damping, 1.0, 1.0}, same(rule)).contact_time;
       table.rows.push_back(cells("{} | {:g} | {:.0f} | {:.3e} | {:.3e}",
                                  rule == EndRule::attractive ? "attractive" : "clamped", bound, time / advice.step,

@@ -172,9 +172,10 @@ void check_masses(Findings& findings, const Setup& setup) {
     worst = farther(worst, found.restitution.rms(), predicted);
     keep_largest(drift, centre - (3.0 + 1.0 / (1.0 + ratio)));
   }
-  findings.expect("rms relative error of e, mass ratios 1/100 ... 100", worst, predicted,
+  findings.expect({"mass_ratios", "rms relative error of e, mass ratios 1/100 ... 100"}, worst, predicted,
                   near_prediction(EndRule::clamped));
-  findings.expect_round_off("velocity of the common centre of mass, largest error", drift, 0.0, 2e-14,
+  findings.expect_round_off({"centre_of_mass", "velocity of the common centre of mass, largest error"}, drift, 0.0,
+                            2e-14,
                             "110 equal and opposite kicks, each rounded at speeds up to 5: sqrt(110) x 4.4e-16 = "
                             "5e-15, times four for the worst");
 }
@@ -192,7 +193,7 @@ void check_frames(Findings& findings, const Setup& setup) {
     const double found = restitution_in_frame(frame, plus, findings) - at_rest;
     keep_worst(change, found);
   }
-  findings.expect_round_off("closing rate in moving frames, change of e", change, 0.0, 4e-13,
+  findings.expect_round_off({"moving_frames", "closing rate in moving frames, change of e"}, change, 0.0, 4e-13,
                             "220 steps that round positions up to 130 to 1.4e-14 and speeds up to 21 to 1.8e-15: "
                             "sqrt(220) x 1.4e-14 = 2e-13, times two for the worst");
 }

@@ -35,8 +35,7 @@ Scene pair_scene(const Pair& pair, const Setup& setup) {
   builder.add_contact("on_floor", floor, lower, law);
   builder.add_contact("between", lower, upper, middle);
   builder.add_contact("on_ceiling", ceiling, upper, law);
-  Scene scene = builder.at_rest("Two discs between walls");
-  return scene;
+  return builder.at_rest("Two discs between walls");
 }
 
 /// Largest difference of both heights from `expected(t)` over the run, relative to the first displacement.
@@ -197,11 +196,9 @@ Case definition() {
           .requirements = {{"B10", {"heights", "order"}},
                            {"law.linear_spring_dashpot", {"error_at_finest_step"}},
                            {"end_rule.attractive", {"order of the error of the heights, equal discs, damped"}},
-                           {"shape.circle", {"heights"}},
-                           {"shape.half_plane", {"heights"}},
+                           {"shape.circle, shape.half_plane", {"heights"}},
                            {"integrator.velocity_verlet", {"order"}},
-                           {"pair.circle.circle", {"heights"}},
-                           {"pair.circle.half_plane", {"heights"}}},
+                           {"pair.circle.circle, pair.circle.half_plane", {"heights"}}},
           .main_checks = {"heights against the exact leapfrog solution, equal discs",
                           "order of the error of the heights, equal discs",
                           "error of the heights over the predicted, finest step, dissimilar discs with weight, damped"},

@@ -206,8 +206,7 @@ void run(Findings& findings, const Setup& setup) {
 Case definition() {
   return {.id = "nearest_points",
           .title = "Nearest-point search: map of convergence",
-          .requirements = {{"E2", {"nearest_points", "distances"}},
-                           {"shape.superquadric", {"nearest_points", "distances"}},
+          .requirements = {{"E2, shape.superquadric", {"nearest_points", "distances"}},
                            {"method.nodes",
                             {"points for which the nearest point is not found, inside a corner",
                              "distance from the nearest point: largest error against brute force, inside a corner"}}},

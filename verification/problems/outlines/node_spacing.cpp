@@ -79,14 +79,15 @@ void check_rolling(Findings& findings, const Setup& setup) {
     figure.series.push_back({"64 nodes, d = r/50", deep.turned, deep.force, Style::lines});
   }
   const std::string rounding = "a dozen roundings of lengths up to r";
-  findings.expect_round_off("ripple of the overlap against r (1 - cos(pi/M)), over r: largest error, 8 to 256 nodes",
-                            ratio, 0.0, 12.0 * 0x1p-53, rounding);
-  findings.expect_round_off("force against the sum over the nodes: largest error", farthest, 0.0,
+  findings.expect_round_off(
+      {"ripple", "ripple of the overlap against r (1 - cos(pi/M)), over r: largest error, 8 to 256 nodes"}, ratio, 0.0,
+      12.0 * 0x1p-53, rounding);
+  findings.expect_round_off({"sum_over_nodes", "force against the sum over the nodes: largest error"}, farthest, 0.0,
                             36.0 * 0x1p-53 * radius * stiffness, rounding + ", for three nodes", "N");
-  findings.expect_order("order of the ripple in 1/nodes", ripples.last(4), 1.999, 2.0005,
+  findings.expect_order({"order_of_ripple", "order of the ripple in 1/nodes"}, ripples.last(4), 1.999, 2.0005,
                         "second order; the next order is pi^2/(12 M^2) of it, 1e-3 at 32 nodes");
   const Rolled whole = roll(16, 0.01, ContactMethod::resultant, setup);
-  findings.expect_exact("ripple of one resultant", whole.deepest - whole.shallowest, 0.0,
+  findings.expect_exact({"ripple_of_resultant", "ripple of one resultant"}, whole.deepest - whole.shallowest, 0.0,
                         "the disc's angle does not enter", "m");
   if (!setup.coarse) findings.figure(figure);
 }
@@ -152,9 +153,9 @@ void check_curvature(Findings& findings, const Setup& setup) {
     }
     table.rows.push_back(cells("{:g} | {:.4f} | {:.4f} | {}", n, exact, 1.0 / exact, nodes));
   }
-  findings.expect_round_off("curvature at the corner against its formula, over n: largest relative error, n = 2 to 50",
-                            farthest, 0.0, 4.0 * 0x1p-53,
-                            "powers amplify the rounding of x by a factor of n; a few such roundings");
+  findings.expect_round_off(
+      {"corner_curvature", "curvature at the corner against its formula, over n: largest relative error, n = 2 to 50"},
+      farthest, 0.0, 4.0 * 0x1p-53, "powers amplify the rounding of x by a factor of n; a few such roundings");
   // Away from the diagonal of an outline with unequal axes: compared with the turn of the outward normal along it.
   double turned = 0.0;
   for (const double n : {2.0, 3.0, 8.0}) {
@@ -210,8 +211,8 @@ void check_apart(Findings& findings, const Setup& setup) {
     probe.evaluate(state);
     keep_worst(worst, probe.overlap(0) + nearest);
   }
-  findings.expect_round_off("overlap of turned circles that are apart, by their nodes: largest error", worst, 0.0,
-                            4e-15, "distances of up to 6 in a few roundings");
+  findings.expect_round_off({"apart", "overlap of turned circles that are apart, by their nodes: largest error"}, worst,
+                            0.0, 4e-15, "distances of up to 6 in a few roundings");
 }
 
 void run(Findings& findings, const Setup& setup) {
@@ -224,37 +225,21 @@ void run(Findings& findings, const Setup& setup) {
 }  // namespace
 
 Case definition() {
-  return {
-      .id = "node_spacing",
-      .title = "Boundary nodes: spacing and sharp corners",
-      .requirements = {{"E4",
-                        {"ripple of the overlap against r (1 - cos(pi/M)), over r: largest error, 8 to 256 nodes",
-                         "force against the sum over the nodes: largest error", "order of the ripple in 1/nodes",
-                         "ripple of one resultant"}},
-                       {"E5",
-                        {"curvature at the corner against its formula, over n: largest relative error, n = 2 to 50"}},
-                       {"method.nodes",
-                        {"ripple of the overlap against r (1 - cos(pi/M)), over r: largest error, 8 to 256 nodes",
-                         "force against the sum over the nodes: largest error",
-                         "overlap of turned circles that are apart, by their nodes: largest error"}},
-                       {"method.resultant", {"ripple of one resultant"}},
-                       {"shape.circle",
-                        {"ripple of the overlap against r (1 - cos(pi/M)), over r: largest error, 8 to 256 nodes",
-                         "order of the ripple in 1/nodes", "ripple of one resultant"}},
-                       {"shape.superquadric",
-                        {"curvature at the corner against its formula, over n: largest relative error, n = 2 to 50"}}},
-      .main_checks = {"ripple of the overlap against r (1 - cos(pi/M)), over r: largest error, 8 to 256 nodes",
-                      "order of the ripple in 1/nodes",
-                      "curvature at the corner against its formula, over n: largest relative error, n = 2 to 50"},
-      .source = "Mustoe & Huttelmaier 1993, section 3.5",
-      .faults = {{"a_node_left_out", "one node too few", "force against the sum over the nodes: largest error"},
-                 {"angle_off", "one of two circles that are apart is not turned",
-                  "overlap of turned circles that are apart, by their nodes: largest error"},
-                 {"radius_off", "a radius 0.1 % too large",
-                  "ripple of the overlap against r (1 - cos(pi/M)), over r: largest error, 8 to 256 nodes"},
-                 {"exponent_off", "an exponent 0.01 % too large",
-                  "curvature at the corner against its formula, over n: largest relative error, n = 2 to 50"}},
-      .run = run};
+  return {.id = "node_spacing",
+          .title = "Boundary nodes: spacing and sharp corners",
+          .requirements = {{"E4", {"ripple", "sum_over_nodes", "order_of_ripple", "ripple_of_resultant"}},
+                           {"E5", {"corner_curvature"}},
+                           {"method.nodes", {"ripple", "sum_over_nodes", "apart"}},
+                           {"method.resultant", {"ripple_of_resultant"}},
+                           {"shape.circle", {"ripple", "order_of_ripple", "ripple_of_resultant"}},
+                           {"shape.superquadric", {"corner_curvature"}}},
+          .main_checks = {"ripple", "order_of_ripple", "corner_curvature"},
+          .source = "Mustoe & Huttelmaier 1993, section 3.5",
+          .faults = {{"a_node_left_out", "one node too few", "sum_over_nodes"},
+                     {"angle_off", "one of two circles that are apart is not turned", "apart"},
+                     {"radius_off", "a radius 0.1 % too large", "ripple"},
+                     {"exponent_off", "an exponent 0.01 % too large", "corner_curvature"}},
+          .run = run};
 }
 
 }  // namespace talus::verification::problems::node_spacing

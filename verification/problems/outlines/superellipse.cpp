@@ -104,7 +104,8 @@ void check_area(Findings& findings, const Setup& setup) {
                                found.moment, area[0], moment[0], area[1], moment[1]));
   }
   findings.expect_truncation(
-      "area and moment deficits of polygons, extrapolated, over the leading order: largest error, n = 2 ... 50",
+      {"polygon_deficits",
+       "area and moment deficits of polygons, extrapolated, over the leading order: largest error, n = 2 ... 50"},
       farthest, 0.0, 1.2e-3, 1.3,
       "terms of order nodes^(-2), which both extrapolation steps amplify, by (4 q - 1)/(1 - q) with q = 2^(-2/n) and "
       "2^(-6/n): 106 and 34 at n = 50, 3550 in total, which makes 8.5e-4 of 1/2048^2; their coefficient there is 1.4, "
@@ -138,15 +139,17 @@ void check_support(Findings& findings, const Setup& setup) {
       keep_largest(reach_error, dot(lowest, down) - reach);
     }
   }
-  findings.expect_round_off("overlap of a superellipse with a plane: largest error, n = 2 ... 50, 180 angles",
-                            depth_error, 0.0, 1e-14,
-                            "a dozen roundings of lengths up to 8: sqrt(12) x 8 x 1.1e-16 = 3e-15, and three times "
-                            "that for the worst of 1800 positions",
-                            "m");
-  findings.expect_round_off("lowest point of a superellipse: largest deviation from its outline", outline_error, 0.0,
-                            1e-14, "as for the overlap, over half axes down to 1.25");
-  findings.expect_round_off("lowest point of a superellipse: largest distance from the support line", reach_error, 0.0,
-                            2e-14, "as for the overlap, transformed to world axes and back", "m");
+  findings.expect_round_off(
+      {"plane_overlap", "overlap of a superellipse with a plane: largest error, n = 2 ... 50, 180 angles"}, depth_error,
+      0.0, 1e-14,
+      "a dozen roundings of lengths up to 8: sqrt(12) x 8 x 1.1e-16 = 3e-15, and three times that for the worst of "
+      "1800 positions",
+      "m");
+  findings.expect_round_off({"lowest_on_outline", "lowest point of a superellipse: largest deviation from its outline"},
+                            outline_error, 0.0, 1e-14, "as for the overlap, over half axes down to 1.25");
+  findings.expect_round_off(
+      {"lowest_on_support", "lowest point of a superellipse: largest distance from the support line"}, reach_error, 0.0,
+      2e-14, "as for the overlap, transformed to world axes and back", "m");
 }
 
 Figure support_figure() {
@@ -221,14 +224,14 @@ void check_depth(Findings& findings, const Setup& setup) {
     keep_largest(circle_error, depth_below(Superquadric{1.0, 1.0, circle_exponent}, p).depth - (1.0 - norm(p)));
   }
   findings.expect_round_off(
-      "overlap of a point with a superellipse: largest error against brute force, n = 2 ... 50", depth_error, 0.0,
-      3e-15,
+      {"point_overlap", "overlap of a point with a superellipse: largest error against brute force, n = 2 ... 50"},
+      depth_error, 0.0, 3e-15,
       "a distance of up to 4: three units in its last place; its error is of second order in that of the nearest point",
       "m");
   findings.expect_round_off("point moved by overlap and normal: largest deviation from the outline", normal_error, 0.0,
                             3e-15, "as for the overlap, over half axes down to 1.25");
-  findings.expect_round_off("overlap of a point with a circular superellipse: largest error", circle_error, 0.0, 1e-15,
-                            "five roundings of numbers up to 2", "m");
+  findings.expect_round_off({"circle_overlap", "overlap of a point with a circular superellipse: largest error"},
+                            circle_error, 0.0, 1e-15, "five roundings of numbers up to 2", "m");
 }
 
 void run(Findings& findings, const Setup& setup) {
@@ -249,84 +252,32 @@ Case definition() {
   return {
       .id = "superellipse",
       .title = "Superellipses and the contact search",
-      .requirements =
-          {{"Eq. 1",
-            {"order_of_area", "order_of_polar_moment",
-             "lowest point of a superellipse: largest deviation from its outline",
-             "lowest point of a superellipse: largest distance from the support line",
-             "overlap of a point with a superellipse: largest error against brute force, n = 2 ... 50",
-             "overlap of a point with a circular superellipse: largest error"}},
-           {"A3",
-            {"order_of_area", "order_of_polar_moment",
-             "area and moment deficits of polygons, extrapolated, over the leading order: largest error, n = 2 ... "
-             "50"}},
-           {"E1",
-            {"overlap of a superellipse with a plane: largest error, n = 2 ... 50, 180 angles",
-             "lowest point of a superellipse: largest deviation from its outline",
-             "lowest point of a superellipse: largest distance from the support line"}},
-           {"E2",
-            {"overlap of a point with a superellipse: largest error against brute force, n = 2 ... 50",
-             "overlap of a point with a circular superellipse: largest error",
-             "overlap of pairs of superellipses and rectangles: largest error against brute force",
-             "distance of pairs of superellipses and rectangles: largest error against brute force"}},
-           {"E10",
-            {"touching pairs omitted by the contact search", "fraction of separate pairs omitted by the contact search",
-             "random scenes whose contacts or accelerations differ if no pair is omitted"}},
-           {"shape.superquadric",
-            {"order_of_area", "order_of_polar_moment",
-             "area and moment deficits of polygons, extrapolated, over the leading order: largest error, n = 2 ... 50",
-             "overlap of a superellipse with a plane: largest error, n = 2 ... 50, 180 angles",
-             "lowest point of a superellipse: largest deviation from its outline",
-             "lowest point of a superellipse: largest distance from the support line",
-             "overlap of a point with a superellipse: largest error against brute force, n = 2 ... 50",
-             "overlap of a point with a circular superellipse: largest error",
-             "overlap of pairs of superellipses and rectangles: largest error against brute force",
-             "distance of pairs of superellipses and rectangles: largest error against brute force",
-             "touching pairs omitted by the contact search",
-             "fraction of separate pairs omitted by the contact search"}},
-           {"shape.half_plane",
-            {"overlap of a superellipse with a plane: largest error, n = 2 ... 50, 180 angles",
-             "touching pairs omitted by the contact search",
-             "fraction of separate pairs omitted by the contact search"}},
-           {"shape.circle",
-            {"touching pairs omitted by the contact search", "fraction of separate pairs omitted by the contact search",
-             "random scenes whose contacts or accelerations differ if no pair is omitted"}},
-           {"shape.rectangle",
-            {"touching pairs omitted by the contact search", "fraction of separate pairs omitted by the contact search",
-             "random scenes whose contacts or accelerations differ if no pair is omitted"}},
-           {"method.resultant",
-            {"overlap of a superellipse with a plane: largest error, n = 2 ... 50, 180 angles",
-             "random scenes whose contacts or accelerations differ if no pair is omitted"}},
-           {"method.nodes",
-            {"overlap of a point with a superellipse: largest error against brute force, n = 2 ... 50",
-             "overlap of a point with a circular superellipse: largest error",
-             "random scenes whose contacts or accelerations differ if no pair is omitted"}},
-           {"pair.superquadric.superquadric",
-            {"overlap of pairs of superellipses and rectangles: largest error against brute force",
-             "distance of pairs of superellipses and rectangles: largest error against brute force"}},
-           {"pair.rectangle.superquadric",
-            {"overlap of pairs of superellipses and rectangles: largest error against brute force",
-             "distance of pairs of superellipses and rectangles: largest error against brute force"}},
-           {"pair.superquadric.half_plane",
-            {"overlap of a superellipse with a plane: largest error, n = 2 ... 50, 180 angles"}}},
-      .main_checks = {"order of the polygon's area in 1/nodes, n = 20",
-                      "overlap of a superellipse with a plane: largest error, n = 2 ... 50, 180 angles",
-                      "overlap of a point with a superellipse: largest error against brute force, n = 2 ... 50",
-                      "overlap of pairs of superellipses and rectangles: largest error against brute force",
-                      "touching pairs omitted by the contact search",
-                      "random scenes whose contacts or accelerations differ if no pair is omitted"},
+      .requirements = {{"Eq. 1",
+                        {"order_of_area", "order_of_polar_moment", "lowest_on_outline", "lowest_on_support",
+                         "point_overlap", "circle_overlap"}},
+                       {"A3", {"order_of_area", "order_of_polar_moment", "polygon_deficits"}},
+                       {"E1", {"plane_overlap", "lowest_on_outline", "lowest_on_support"}},
+                       {"E2", {"point_overlap", "circle_overlap", "pair_overlap", "pair_distance"}},
+                       {"E10", {"omitted_touching", "omitted_separate", "unculled_scenes"}},
+                       {"shape.superquadric",
+                        {"order_of_area", "order_of_polar_moment", "polygon_deficits", "plane_overlap",
+                         "lowest_on_outline", "lowest_on_support", "point_overlap", "circle_overlap", "pair_overlap",
+                         "pair_distance", "omitted_touching", "omitted_separate"}},
+                       {"shape.half_plane", {"plane_overlap", "omitted_touching", "omitted_separate"}},
+                       {"shape.circle, shape.rectangle", {"omitted_touching", "omitted_separate", "unculled_scenes"}},
+                       {"method.resultant", {"plane_overlap", "unculled_scenes"}},
+                       {"method.nodes", {"point_overlap", "circle_overlap", "unculled_scenes"}},
+                       {"pair.superquadric.superquadric, pair.rectangle.superquadric",
+                        {"pair_overlap", "pair_distance"}},
+                       {"pair.superquadric.half_plane", {"plane_overlap"}}},
+      .main_checks = {"order of the polygon's area in 1/nodes, n = 20", "plane_overlap", "point_overlap",
+                      "pair_overlap", "omitted_touching", "unculled_scenes"},
       .source = "Mustoe & Huttelmaier 1993, Eq. 1; Barr 1981",
-      .faults =
-          {{"exponent_off", "an exponent 0.1 % too large",
-            "overlap of a point with a superellipse: largest error against brute force, n = 2 ... 50"},
-           {"pair_exponent_off", "exponents of pairs 5 % too large",
-            "overlap of pairs of superellipses and rectangles: largest error against brute force"},
-           {"half_axis_off", "a half axis too long by 1e-6",
-            "overlap of a superellipse with a plane: largest error, n = 2 ... 50, 180 angles"},
-           {"nodes_left_out", "every other node omitted",
-            "area and moment deficits of polygons, extrapolated, over the leading order: largest error, n = 2 ... 50"},
-           {"boxes_too_small", "bounding boxes of the search 10 % too narrow",
-            "touching pairs omitted by the contact search"}},
+      .faults = {{"exponent_off", "an exponent 0.1 % too large", "point_overlap"},
+                 {"pair_exponent_off", "exponents of pairs 5 % too large", "pair_overlap"},
+                 {"half_axis_off", "a half axis too long by 1e-6", "plane_overlap"},
+                 {"nodes_left_out", "every other node omitted", "polygon_deficits"},
+                 {"boxes_too_small", "bounding boxes of the search 10 % too narrow", "omitted_touching"}},
       .seconds = 3.0,
       .run = run};
 }

@@ -138,14 +138,14 @@ void check_pairs(Findings& findings, const Setup& setup) {
     }
   }
   findings.expect_truncation(
-      "overlap of pairs of superellipses and rectangles: largest error against brute force", worst_inside, 0.0, 6.1e-6,
-      2.0,
+      {"pair_overlap", "overlap of pairs of superellipses and rectangles: largest error against brute force"},
+      worst_inside, 0.0, 6.1e-6, 2.0,
       "boundary points spaced by 2 pi/900 of the parametric angle, between which chords cut off up to (2 pi/900)^2/8 = "
       "6.1e-6 of the half axis of 1 m for n = 2, and 2.2e-6 m for n = 20; twice that for both outlines",
       "m");
-  findings.expect_truncation("distance of pairs of superellipses and rectangles: largest error against brute force",
-                             worst_apart, 0.0, 6.1e-6, 2.0, "the distance of the same polygons: as for the overlap",
-                             "m");
+  findings.expect_truncation(
+      {"pair_distance", "distance of pairs of superellipses and rectangles: largest error against brute force"},
+      worst_apart, 0.0, 6.1e-6, 2.0, "the distance of the same polygons: as for the overlap", "m");
 }
 
 void check_search(Findings& findings, const Setup& setup) {
@@ -166,9 +166,9 @@ void check_search(Findings& findings, const Setup& setup) {
                                  found.left_out_touching, found.apart, found.left_out_apart));
     }
   }
-  findings.expect_exact("touching pairs omitted by the contact search", left_out_touching, 0.0,
+  findings.expect_exact({"omitted_touching", "touching pairs omitted by the contact search"}, left_out_touching, 0.0,
                         "the bounding box of a touching shape cannot be separated from that of the other shape");
-  findings.expect_between("fraction of separate pairs omitted by the contact search",
+  findings.expect_between({"omitted_separate", "fraction of separate pairs omitted by the contact search"},
                           static_cast<double>(left_out_apart) / apart, 0.8, 1.0,
                           "a search that omits nothing would always pass the previous check; the separate pairs that "
                           "it may not omit are those whose boxes overlap at their corners");
@@ -197,8 +197,9 @@ void check_scenes(Findings& findings, const Setup& setup) {
     for (const Mode mode : a.mode)
       touching += mode != 0 ? 1.0 / count : 0.0;
   }
-  findings.expect_exact("random scenes whose contacts or accelerations differ if no pair is omitted", differing, 0.0,
-                        "the same operations on the touching pairs");
+  findings.expect_exact(
+      {"unculled_scenes", "random scenes whose contacts or accelerations differ if no pair is omitted"}, differing, 0.0,
+      "the same operations on the touching pairs");
   findings.note(fmt::format("On average {:.1f} contact laws act in a random scene.", touching));
 }
 

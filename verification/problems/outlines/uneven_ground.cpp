@@ -21,8 +21,7 @@ Scene disc_on(const std::vector<Body>& ground, Vec2 place, const LinearSpringDas
     const BodyId below = builder.add(body);
     builder.add_contact("on_" + body.name, disc, below, law, friction);
   }
-  Scene scene = builder.at_rest("Disc on uneven ground");
-  return scene;
+  return builder.at_rest("Disc on uneven ground");
 }
 
 Body fixed_body(const Shape& shape, double angle = 0.0) {
@@ -59,7 +58,7 @@ void check_straight(Findings& findings, const Setup& setup) {
     compare(ends[0].z, ends[1].z);
   }
   findings.expect_exact(
-      "numbers that differ between straight terrain and a half-plane", differ, 0.0,
+      {"straight_terrain", "numbers that differ between straight terrain and a half-plane"}, differ, 0.0,
       "above a segment on the body's x axis the height is the body's y, and the normal is (0, 1), without rounding");
   findings.expect_exact("numbers compared", compared, 21.0, "three runs of 3 positions, 3 velocities and a stretch");
 }
@@ -91,12 +90,13 @@ void check_crest(Findings& findings, const Setup& setup) {
   const double step = 4e-5;
   if (!run_scene(scene, VelocityVerlet{}, {step, 1.0, 1e9, false}, findings, watch).finished) worst = std::nan("");
   const double first = std::sqrt(start_speed * start_speed + 4.0 / 3.0 * gravity * radius * (1.0 - cosine));
-  findings.expect_model("speed down the slope beyond a crest, largest error", worst, 0.0,
+  findings.expect_model({"slope_speed", "speed down the slope beyond a crest, largest error"}, worst, 0.0,
                         overlap * (2.0 / 3.0 * gravity / first + 2.0 / (6.0 * radius)),
                         "the overlap changes heights and the rolling radius by at most its own value: 2 g d/(3 v), "
                         "largest where the disc is slowest, and v d/(6 r), with v up to 2",
                         "m/s");
-  findings.expect_truncation("energy balance over the crest: largest error", balance_error, 0.0, 4.6 * step * step, 2.0,
+  findings.expect_truncation({"crest_energy", "energy balance over the crest: largest error"}, balance_error, 0.0,
+                             4.6 * step * step, 2.0,
                              "leapfrog conserves H + h^2 (v V'' v/12 - F^2/(24 m)), whose second part changes by a few "
                              "J/s^2 with the forces of 20 N; measured: 4.6 h^2 at steps from 2e-5 to 4e-5",
                              "J");
@@ -127,12 +127,12 @@ void check_notch(Findings& findings, const Setup& setup) {
   const auto depth = [](const State& end) { return radius - cosine * end.q[1]; };
   const State one = rest_in_notch(false, setup, step, findings), two = rest_in_notch(true, setup, step, findings);
   const double slowest = 3.0 * gravity * tangent * step;
-  findings.expect_truncation("position across the notch", one.q[0], 0.0, slowest * slowest / (2.0 * gravity * tangent),
-                             2.0,
+  findings.expect_truncation({"notch_position", "position across the notch"}, one.q[0], 0.0,
+                             slowest * slowest / (2.0 * gravity * tangent), 2.0,
                              "measured: the disc oscillates at about three times g tan a h, at all steps from 1/1024 "
                              "to 1/16384; the displacement within which the sides reverse that speed",
                              "m");
-  findings.expect_truncation("overlap in the notch, over m g/(k cos a)",
+  findings.expect_truncation({"notch_overlap", "overlap in the notch, over m g/(k cos a)"},
                              depth(one) * stiffness * cosine / (mass * gravity), 1.0, 6.0 * step, 2.0,
                              "measured: six times the step, due to the dashpot's lag");
   Convergence overlaps;
@@ -140,12 +140,12 @@ void check_notch(Findings& findings, const Setup& setup) {
     const double rest = depth(rest_in_notch(false, setup, 1.0 / count, findings));
     overlaps.add(1.0 / count, std::abs(rest * stiffness * cosine / (mass * gravity) - 1.0));
   }
-  findings.expect_order("order of the overlap in the notch", overlaps, 0.9, 1.1,
+  findings.expect_order({"order_in_notch", "order of the overlap in the notch"}, overlaps, 0.9, 1.1,
                         "the dashpot uses a velocity that results from a force whose direction alternates in each "
                         "step: first order; the phase of the oscillation at the end changes the order by up to 0.1");
   findings.expect_round_off(
-      "overlap between two slopes, over m g/(2 k cos a)", depth(two) * 2.0 * stiffness * cosine / (mass * gravity), 1.0,
-      3e-13,
+      {"two_slopes", "overlap between two slopes, over m g/(2 k cos a)"},
+      depth(two) * 2.0 * stiffness * cosine / (mass * gravity), 1.0, 3e-13,
       "a disc stops where it moves by less than half a unit in the last place of its position, 5.5e-17, in a step: it "
       "is short of rest by c/k times that over the step, 1.8e-15, over an overlap of 0.006");
   findings.expect_round_off("position across between two slopes", two.q[0], 0.0, 1e-15,
@@ -161,44 +161,26 @@ void run_all(Findings& findings, const Setup& setup) {
 }  // namespace
 
 Case definition() {
-  return {
-      .id = "uneven_ground",
-      .title = "Uneven ground: slope, crest and notch",
-      .family = "E: outlines in contact",
-      .requirements = {{"shape.terrain",
-                        {"numbers that differ between straight terrain and a half-plane",
-                         "speed down the slope beyond a crest, largest error",
-                         "energy balance over the crest: largest error", "position across the notch",
-                         "overlap in the notch, over m g/(k cos a)", "order of the overlap in the notch"}},
-                       {"shape.circle",
-                        {"numbers that differ between straight terrain and a half-plane",
-                         "speed down the slope beyond a crest, largest error",
-                         "energy balance over the crest: largest error", "position across the notch",
-                         "overlap in the notch, over m g/(k cos a)", "order of the overlap in the notch"}},
-                       {"pair.circle.terrain",
-                        {"numbers that differ between straight terrain and a half-plane",
-                         "speed down the slope beyond a crest, largest error",
-                         "energy balance over the crest: largest error", "position across the notch",
-                         "overlap in the notch, over m g/(k cos a)", "order of the overlap in the notch",
-                         "overlap between two slopes, over m g/(2 k cos a)", "position across between two slopes"}},
-                       {"C2",
-                        {"speed down the slope beyond a crest, largest error",
-                         "energy balance over the crest: largest error"}},
-                       {"law.linear_spring_dashpot",
-                        {"numbers that differ between straight terrain and a half-plane", "position across the notch",
-                         "overlap in the notch, over m g/(k cos a)", "order of the overlap in the notch"}},
-                       {"mechanism.friction", {"energy balance over the crest: largest error"}}},
-      .main_checks = {"numbers that differ between straight terrain and a half-plane",
-                      "speed down the slope beyond a crest, largest error",
-                      "energy balance over the crest: largest error", "position across the notch",
-                      "overlap in the notch, over m g/(k cos a)", "overlap between two slopes, over m g/(2 k cos a)"},
-      .source = "Textbook mechanics, derived here",
-      .faults = {{"bent_ground", "ground bent by 1e-12 at its joints",
-                  "numbers that differ between straight terrain and a half-plane"},
-                 {"slope_too_flat", "a slope beyond the crest 0.7 % too flat",
-                  "speed down the slope beyond a crest, largest error"},
-                 {"lopsided_notch", "one side of the notch flatter", "position across the notch"}},
-      .run = run_all};
+  return {.id = "uneven_ground",
+          .title = "Uneven ground: slope, crest and notch",
+          .family = "E: outlines in contact",
+          .requirements = {{"shape.terrain, shape.circle",
+                            {"straight_terrain", "slope_speed", "crest_energy", "notch_position", "notch_overlap",
+                             "order_in_notch"}},
+                           {"pair.circle.terrain",
+                            {"straight_terrain", "slope_speed", "crest_energy", "notch_position", "notch_overlap",
+                             "order_in_notch", "two_slopes", "position across between two slopes"}},
+                           {"C2", {"slope_speed", "crest_energy"}},
+                           {"law.linear_spring_dashpot",
+                            {"straight_terrain", "notch_position", "notch_overlap", "order_in_notch"}},
+                           {"mechanism.friction", {"crest_energy"}}},
+          .main_checks = {"straight_terrain", "slope_speed", "crest_energy", "notch_position", "notch_overlap",
+                          "two_slopes"},
+          .source = "Textbook mechanics, derived here",
+          .faults = {{"bent_ground", "ground bent by 1e-12 at its joints", "straight_terrain"},
+                     {"slope_too_flat", "a slope beyond the crest 0.7 % too flat", "slope_speed"},
+                     {"lopsided_notch", "one side of the notch flatter", "notch_position"}},
+          .run = run_all};
 }
 
 }  // namespace talus::verification::problems::uneven_ground

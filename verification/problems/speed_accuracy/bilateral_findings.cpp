@@ -103,10 +103,7 @@ Contact closed(const std::string& name, BodyId a, BodyId b) {
   return {.name = name, .a = a, .b = b, .law = LinearSpringDashpot{stiffness, 0.0, EndRule::clamped}};
 }
 
-Scene at_rest(const SceneBuilder& builder) {
-  Scene scene = builder.at_rest("Held together");
-  return scene;
-}
+Scene at_rest(const SceneBuilder& builder) { return builder.at_rest("Held together"); }
 
 /// A disc pressed on a plane and sticking to it.
 Scene pressed_on_plane(double tangential) {

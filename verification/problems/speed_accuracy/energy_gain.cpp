@@ -108,8 +108,7 @@ Scene struck_plane(const Setup& setup) {
   const BodyId disc = builder.add({.name = "disc", .mobility = Mobility::particle, .mass = 1.0, .shape = Circle{1.0}});
   const BodyId plane = builder.add({.name = "plane", .mobility = Mobility::fixed, .shape = HalfPlane{}});
   builder.add_contact("contact", disc, plane, LinearSpringDashpot{k, c, EndRule::clamped});
-  Scene scene = builder.at_rest("Disc against a plane");
-  return scene;
+  return builder.at_rest("Disc against a plane");
 }
 
 /// A disc that hits a plane, for repeated runs with different methods, steps and phases.

@@ -69,28 +69,29 @@ void check_bounce(Findings& findings, const Setup& setup, Table& table) {
       "segments of the reference: {} contacts, the last of which does not end; one flight, and for each other contact "
       "its loading and unloading, the exit during which the clamped law exerts no force, and a flight",
       contacts.size());
-  findings.expect_exact("damped bounce to rest: force evaluations", static_cast<double>(found.evaluations), pieces,
-                        words);
+  findings.expect_exact({"rest_evaluations", "damped bounce to rest: force evaluations"},
+                        static_cast<double>(found.evaluations), pieces, words);
   findings.expect_between(
-      "damped bounce to rest: force evaluations over the permitted 60", static_cast<double>(found.evaluations) / 60.0,
-      0.02, 1.0,
+      {"rest/permitted", "damped bounce to rest: force evaluations over the permitted 60"},
+      static_cast<double>(found.evaluations) / 60.0, 0.02, 1.0,
       "60 was set in advance; a result below a fiftieth would mean that evaluations are missing from the count");
   // Overlap at rest g/w^2 = 1e-3, largest overlap 0.036; positions are stored at about 1 from the origin.
   const double rounding = epsilon / (contacts.front().largest_depth);
-  findings.expect_round_off("damped bounce to rest: position, largest error over the drop height", place / drop.gap,
-                            0.0, 4.0 * rounding,
+  findings.expect_round_off({"rest_position", "damped bounce to rest: position, largest error over the drop height"},
+                            place / drop.gap, 0.0, 4.0 * rounding,
                             "eight positions at events, each rounded by half an epsilon of 1, relative to the overlap "
                             "of 0.036 that determines the impact");
-  findings.expect_round_off("damped bounce to rest: velocity, largest error over the speed of the first impact",
-                            speed / contacts.front().start_speed, 0.0, 8.0 * rounding,
-                            "as for the position; if an output falls within a contact, a time error of 1e-16 changes "
-                            "the velocity by w times as much");
+  findings.expect_round_off(
+      {"rest/velocity", "damped bounce to rest: velocity, largest error over the speed of the first impact"},
+      speed / contacts.front().start_speed, 0.0, 8.0 * rounding,
+      "as for the position; if an output falls within a contact, a time error of 1e-16 changes the velocity by w times "
+      "as much");
   table.rows.push_back(
       {"damped bounce", fmt::format("{:.0f}", pieces), fmt::format("{}", found.evaluations),
        fmt::format("{:.1e}", place / drop.gap),
        fmt::format("{}", ran(scene, make_integrator("stormer_cowell", 1e-9), end, 1, findings).evaluations)});
   const Ran at_once = ran(scene, exact(setup), end, 1, findings);
-  findings.expect_exact("damped bounce to rest: force evaluations with one output",
+  findings.expect_exact({"rest/one_output", "damped bounce to rest: force evaluations with one output"},
                         static_cast<double>(at_once.evaluations), pieces,
                         "outputs are evaluated from the segments and cost no evaluation");
   if (setup.coarse) return;
@@ -136,11 +137,12 @@ void check_impacts(Findings& findings, const Setup& setup, Table& table) {
   findings.expect_exact("impacts: force evaluations in total", static_cast<double>(evaluations),
                         static_cast<double>(pieces), "one per segment");
   const double rounding = epsilon / (0.01 * std::exp(-1.0));
-  findings.expect_round_off("impacts: exit speed, largest error over the entry speed", worst, 0.0, rounding,
+  findings.expect_round_off({"exit_speed", "impacts: exit speed, largest error over the entry speed"}, worst, 0.0,
+                            rounding,
                             "positions about 1 from the origin are rounded by up to epsilon in total, relative to the "
                             "overlap v/w = 0.01, which damping reduces by e^-1");
-  findings.expect_round_off("impacts: work of the dashpots, largest error over twice the energy", worst_lost, 0.0,
-                            2.0 * rounding, "the energy is quadratic in the speed");
+  findings.expect_round_off({"dashpot_work", "impacts: work of the dashpots, largest error over twice the energy"},
+                            worst_lost, 0.0, 2.0 * rounding, "the energy is quadratic in the speed");
   table.rows.push_back(cells("{} impacts | {} | {} | {:.1e} | {}", runs, pieces, evaluations, worst, stormer));
 }
 
@@ -165,9 +167,11 @@ void check_latching(Findings& findings, const Setup& setup, Table& table) {
   }
   const std::string words =
       "positions up to 4 from the origin are rounded by up to 4 epsilon, three times until the end";
-  findings.expect_round_off("latching springs: exit speed, largest error", worst, 0.0, 12.0 * epsilon, words);
-  findings.expect_round_off("latching springs: position a time of 1 after the end, largest error", worst_time, 0.0,
+  findings.expect_round_off({"latching_exit", "latching springs: exit speed, largest error"}, worst, 0.0,
                             12.0 * epsilon, words);
+  findings.expect_round_off(
+      {"latching_position", "latching springs: position a time of 1 after the end, largest error"}, worst_time, 0.0,
+      12.0 * epsilon, words);
   table.rows.push_back(cells("{} latching springs | - | {} | {:.1e} | {}", runs, evaluations, worst, stormer));
 }
 
@@ -202,7 +206,8 @@ void check_rows(Findings& findings, const Setup& setup, Table& table) {
     stormer +=
         ran(row_scene(row), make_integrator("stormer_cowell", 1e-9), truth.end_time + 1.0, 1, findings).evaluations;
   }
-  findings.expect_round_off("three discs on a line: velocities, largest error", worst, 0.0, 24.0 * epsilon,
+  findings.expect_round_off({"three_discs", "three discs on a line: velocities, largest error"}, worst, 0.0,
+                            24.0 * epsilon,
                             "positions 8 from the origin are rounded by half of 8 epsilon, for two discs in each of "
                             "three changes of contact");
   table.rows.push_back(cells("4 rows of three discs | {:.0f} | {} | {:.1e} | {}", pieces, evaluations, worst, stormer));
@@ -303,38 +308,22 @@ void run(Findings& findings, const Setup& setup) {
 }  // namespace
 
 Case definition() {
-  return {.id = "exact_pieces",
-          .title = "Exact solution between events",
-          .family = "speed and accuracy",
-          .requirements = {{"integrator.exact",
-                            {"damped bounce to rest: force evaluations",
-                             "damped bounce to rest: force evaluations over the permitted 60",
-                             "damped bounce to rest: position, largest error over the drop height",
-                             "damped bounce to rest: velocity, largest error over the speed of the first impact",
-                             "damped bounce to rest: force evaluations with one output",
-                             "impacts: force evaluations in total",
-                             "impacts: exit speed, largest error over the entry speed",
-                             "impacts: work of the dashpots, largest error over twice the energy",
-                             "latching springs: exit speed, largest error",
-                             "latching springs: position a time of 1 after the end, largest error",
-                             "three discs on a line: velocities, largest error", "linear_overlaps"}}},
-          .main_checks = {"damped bounce to rest: force evaluations",
-                          "damped bounce to rest: position, largest error over the drop height",
-                          "impacts: exit speed, largest error over the entry speed",
-                          "latching springs: exit speed, largest error",
-                          "three discs on a line: velocities, largest error"},
-          .source = "Alefeld et al. 1995; Abramowitz & Stegun 1964",
-          .faults = {{"odeint_for_exact", "Fehlberg 7(8) with step control instead of the propagator",
-                      "three discs on a line: velocities, largest error"},
-                     {"stiffness_by_1e-9", "a stiffness with a relative error of 1e-9",
-                      "damped bounce to rest: position, largest error over the drop height"},
-                     {"other_end_rule", "a contact that is attractive before it ends",
-                      "damped bounce to rest: force evaluations"},
-                     {"dashpot_by_1e-9", "a dashpot with a relative error of 1e-9",
-                      "impacts: exit speed, largest error over the entry speed"},
-                     {"growth_lost", "a latching spring that does not stiffen with the largest force",
-                      "latching springs: exit speed, largest error"}},
-          .run = run};
+  return {
+      .id = "exact_pieces",
+      .title = "Exact solution between events",
+      .family = "speed and accuracy",
+      .requirements = {{"integrator.exact",
+                        {"rest_evaluations", "rest/permitted", "rest_position", "rest/velocity", "rest/one_output",
+                         "impacts: force evaluations in total", "exit_speed", "dashpot_work", "latching_exit",
+                         "latching_position", "three_discs", "linear_overlaps"}}},
+      .main_checks = {"rest_evaluations", "rest_position", "exit_speed", "latching_exit", "three_discs"},
+      .source = "Alefeld et al. 1995; Abramowitz & Stegun 1964",
+      .faults = {{"odeint_for_exact", "Fehlberg 7(8) with step control instead of the propagator", "three_discs"},
+                 {"stiffness_by_1e-9", "a stiffness with a relative error of 1e-9", "rest_position"},
+                 {"other_end_rule", "a contact that is attractive before it ends", "rest_evaluations"},
+                 {"dashpot_by_1e-9", "a dashpot with a relative error of 1e-9", "exit_speed"},
+                 {"growth_lost", "a latching spring that does not stiffen with the largest force", "latching_exit"}},
+      .run = run};
 }
 
 }  // namespace talus::verification::problems::exact_pieces

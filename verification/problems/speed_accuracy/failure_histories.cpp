@@ -127,10 +127,11 @@ FailureFound check_creep(Findings& findings, const Setup& setup) {
   Slope held = slope;
   if (setup.has("slope_too_steep")) held.angle = std::atan(1.01 * mu);
   const RunEnd run = run_steps(slope_scene(held), VelocityVerlet{}, step, steps, findings);
-  findings.expect_round_off("creep: displacement of a block held by spring and slider, over the stretch of its spring",
-                            run.state.q[0] / held_stretch(slope), 0.0, 0x1p-53 * std::sqrt(static_cast<double>(steps)),
-                            "the spring oscillates about its equilibrium by a rounding of its force, to which each "
-                            "step adds another one of either sign");
+  findings.expect_round_off(
+      {"creep", "creep: displacement of a block held by spring and slider, over the stretch of its spring"},
+      run.state.q[0] / held_stretch(slope), 0.0, 0x1p-53 * std::sqrt(static_cast<double>(steps)),
+      "the spring oscillates about its equilibrium by a rounding of its force, to which each step adds another one of "
+      "either sign");
   const double farthest = check_swinging_block(slope, step, steps / 10, findings);
   return {fmt::format("F = mu N v/v_reg: {:.2f} m in {:.0f} s", creep, time),
           fmt::format("spring and slider, {} steps: {:g} m; oscillation up to 0.9 mu N: {:.3f} of the amplitude", steps,
@@ -155,11 +156,13 @@ FailureFound check_latch_reload(Findings& findings, const Setup& setup) {
   const char* why = "all overlaps, forces and their products are short sums of powers of two";
   const double forgotten = reload(slack, !setup.has("retained")), kept = reload(slack, false),
                parted = reload(-0.0625, false);
-  findings.expect_exact("latch reload: work of a reload before the surfaces separate, history lost at its start",
-                        forgotten, 0.5 * soft * (most * most - slack * slack) - had_back, why, "J");
-  findings.expect_exact("latch reload: work of a reload before the surfaces separate", kept, 0.0, why, "J");
-  findings.expect_exact("latch reload: work of a reload after the surfaces have separated", parted,
-                        0.5 * soft * most * most - had_back, why, "J");
+  findings.expect_exact(
+      {"latch_reload/lost", "latch reload: work of a reload before the surfaces separate, history lost at its start"},
+      forgotten, 0.5 * soft * (most * most - slack * slack) - had_back, why, "J");
+  findings.expect_exact({"latch_reload/before", "latch reload: work of a reload before the surfaces separate"}, kept,
+                        0.0, why, "J");
+  findings.expect_exact({"latch_reload/after", "latch reload: work of a reload after the surfaces have separated"},
+                        parted, 0.5 * soft * most * most - had_back, why, "J");
   return {fmt::format("history lost while force-free: a reload costs {:g} J", forgotten),
           fmt::format("before separation {:g} J, after it {:g} J", kept, parted)};
 }

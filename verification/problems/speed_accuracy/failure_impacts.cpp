@@ -108,12 +108,13 @@ FailureFound check_pull_at_end(Findings& findings, const Setup& setup) {
     }
   }
   findings.expect_model(
-      "attraction at the end: minimum force over 64 phases, attractive rule, e = 0.5, over c e v0", pull / -exact, -1.0,
-      0.5 * std::numbers::pi / production_steps,
+      {"pull_at_end/attractive",
+       "attraction at the end: minimum force over 64 phases, attractive rule, e = 0.5, over c e v0"},
+      pull / -exact, -1.0, 0.5 * std::numbers::pi / production_steps,
       "speeds after the jump at touch are off by 2 xi w h u, |u| <= 1/2, xi = 0.215: 0.7 % at w h = pi/100; the lag of "
       "the dashpot and the distance of the last phase from the end add as much again");
-  findings.expect_exact("attraction at the end: minimum force over 64 phases, clamped rule", kept, 0.0,
-                        "an attractive force is not exerted");
+  findings.expect_exact({"pull_at_end/clamped", "attraction at the end: minimum force over 64 phases, clamped rule"},
+                        kept, 0.0, "an attractive force is not exerted");
   return {fmt::format("attractive: minimum F = {:.2f} c e v0", pull / -exact),
           fmt::format("clamped: minimum F = {:g}", kept)};
 }
@@ -137,8 +138,10 @@ FailureFound check_clamped_restitution(Findings& findings, const Setup& setup) {
   };
   const double xi = 0.5 * reference::eq_21_damping(0.5, 1.0, 1.0);
   const double exact = reference::restitution(xi, reference::EndRule::clamped);
-  findings.expect("clamped restitution: mean e with the dashpot of Eq. 21 for 0.5", fails, exact, near(xi, exact));
-  findings.expect("clamped restitution: mean e with the dashpot solved for 0.5", holds, 0.5, near(0.5 * solved, 0.5));
+  findings.expect({"clamped_restitution/eq_21", "clamped restitution: mean e with the dashpot of Eq. 21 for 0.5"},
+                  fails, exact, near(xi, exact));
+  findings.expect({"clamped_restitution/solved", "clamped restitution: mean e with the dashpot solved for 0.5"}, holds,
+                  0.5, near(0.5 * solved, 0.5));
   return {fmt::format("Eq. 21 for e = 0.5, clamped: {:.3f}", fails),
           fmt::format("solved for the clamped rule: {:.3f}", holds)};
 }

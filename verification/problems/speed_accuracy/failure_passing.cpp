@@ -215,10 +215,10 @@ FailureFound check_long_step(Findings& findings, const Setup& setup) {
   const MonitorRules rules = setup.has("not_watched") ? unmonitored : monitored;
   const WatchedRun beyond = watched_run(flight(20.0, 0.5), 1.1 * radius, 18.0, rules, findings);
   const WatchedRun within = watched_run(flight(20.0, 0.5), 0.9 * radius, 18.0, monitored, findings);
-  findings.expect_true("long step: refusal before the run at v h = 1.1 r, 20 r before the touch",
+  findings.expect_true({"long_step/refused", "long step: refusal before the run at v h = 1.1 r, 20 r before the touch"},
                        !beyond.violation.empty() && beyond.end.t == 0.0,
                        "a step may carry the disc past the middle of the other one");
-  findings.expect_true("long step: no refusal at v h = 0.9 r", within.violation.empty(),
+  findings.expect_true({"long_step/permitted", "long step: no refusal at v h = 0.9 r"}, within.violation.empty(),
                        "the disc is sampled on either side of the middle");
   // Gravity adds g h^2/2 to the distance travelled in the first step.
   constexpr double step = 0.8 * radius;
@@ -245,11 +245,12 @@ FailureFound check_long_step(Findings& findings, const Setup& setup) {
   const int passes = unseen_passes(4.4 * radius, findings), seen = unseen_passes(3.6 * radius, findings);
   const double phases = static_cast<double>(fewest_phases);
   findings.expect_model(
-      "long step: fraction of 64 phases with undetected passage, monitor off, v h = 1.1 of 4 r", passes / phases,
-      1.0 - 1.0 / 1.1, 1.0 / phases,
+      {"long_step/passages", "long step: fraction of 64 phases with undetected passage, monitor off, v h = 1.1 of 4 r"},
+      passes / phases, 1.0 - 1.0 / 1.1, 1.0 / phases,
       "discs overlap along a distance of 4 r, and the other phases step over it; of 64 phases one more or fewer");
-  findings.expect_exact("long step: undetected passages in 64 phases, monitor off, v h = 0.9 of 4 r", seen, 0.0,
-                        "no step is longer than the overlap");
+  findings.expect_exact(
+      {"long_step/detected", "long step: undetected passages in 64 phases, monitor off, v h = 0.9 of 4 r"}, seen, 0.0,
+      "no step is longer than the overlap");
   double worst_exit = 0.0;
   for (const std::string& method : integrator_names()) {
     if (!has_step_control(method)) continue;
@@ -295,23 +296,25 @@ FailureFound check_deep_overlap(Findings& findings, const Setup& setup) {
             {.radius = radius, .gap = 0.1, .speed = 1.0, .contact = LinearSpringDashpot{w * w, 0.0, EndRule::clamped}}),
         0.005, 3.0, by, findings);
   };
-  findings.expect_true("deep overlap: run ended during the impact at v/w = 1.1 of r/2",
+  findings.expect_true({"deep_overlap/ended", "deep overlap: run ended during the impact at v/w = 1.1 of r/2"},
                        !fall(1.1, rules).violation.empty(), "the largest overlap is v/w");
-  findings.expect_true("deep overlap: run not ended at v/w = 0.9 of r/2", fall(0.9, monitored).violation.empty(),
-                       "as for the previous check");
+  findings.expect_true({"deep_overlap/not_ended", "deep overlap: run not ended at v/w = 0.9 of r/2"},
+                       fall(0.9, monitored).violation.empty(), "as for the previous check");
   const auto speed = [&](double ratio) {
     return watched_run(flight(0.1, 1.0 / (ratio * 2.0 * radius)), 0.005, 20.0, unmonitored, findings).end.v[0];
   };
   const double through = speed(1.1), back = speed(0.9);
-  findings.expect_truncation("deep overlap: speed beyond the disc, v/w = 1.1 of 2 r, monitor off", through, 1.0,
-                             0.5 * 0.005 * 4.0 * radius / std::pow(2.2 * radius, 2) * std::sqrt(1.0 - 1.0 / 1.21), 1.0,
-                             "a spring compressed by 2 r absorbs all of v^2 if v/w = 2 r: above that, the disc leaves "
-                             "on the other side with its initial speed. At the middle the force jumps by 4 r w^2, at a "
-                             "time known to half a step, at which the speed is sqrt(1 - 1/1.21) v");
-  findings.expect_truncation("deep overlap: speed after the rebound, v/w = 0.9 of 2 r, monitor off", back, -1.0,
-                             std::pow(0.005 / 1.8, 2) / 8.0, 1.0,
-                             "the disc reverses before the middle; the leapfrog changes the speed of a bounce by at "
-                             "most a fraction (w h)^2/8");
+  findings.expect_truncation(
+      {"deep_overlap/through", "deep overlap: speed beyond the disc, v/w = 1.1 of 2 r, monitor off"}, through, 1.0,
+      0.5 * 0.005 * 4.0 * radius / std::pow(2.2 * radius, 2) * std::sqrt(1.0 - 1.0 / 1.21), 1.0,
+      "a spring compressed by 2 r absorbs all of v^2 if v/w = 2 r: above that, the disc leaves on the other side with "
+      "its initial speed. At the middle the force jumps by 4 r w^2, at a time known to half a step, at which the speed "
+      "is sqrt(1 - 1/1.21) v");
+  findings.expect_truncation(
+      {"deep_overlap/rebound", "deep overlap: speed after the rebound, v/w = 0.9 of 2 r, monitor off"}, back, -1.0,
+      std::pow(0.005 / 1.8, 2) / 8.0, 1.0,
+      "the disc reverses before the middle; the leapfrog changes the speed of a bounce by at most a fraction (w "
+      "h)^2/8");
   return {fmt::format("v/w = 1.1 of r/2: ended; monitor off, 1.1 of 2 r: passes at {:.2f} v", through),
           fmt::format("v/w = 0.9 of r/2: not ended; monitor off, 0.9 of 2 r: {:.2f} v", back)};
 }
@@ -323,22 +326,25 @@ FailureFound check_crossed_bars(Findings& findings, const Setup& setup) {
   const double overlap = penetration(bodies[0].shape, {}, bodies[1].shape, {});
   const WatchedRun silent = watched_run(plus, 0.125, 8.0, unmonitored, findings);
   const WatchedRun said = watched_run(plus, 0.125, 8.0, monitored, findings);
-  findings.expect_exact("crossed bars: change of speed while crossing, by nodes, monitor off", silent.end.v[0] - 0.0625,
-                        0.0, "no node is inside, so that no force acts: this is the failure");
-  findings.expect_exact("crossed bars: force of the plus by nodes", force(plus), 0.0, "as for the previous check");
+  findings.expect_exact(
+      {"crossed_bars/crossing", "crossed bars: change of speed while crossing, by nodes, monitor off"},
+      silent.end.v[0] - 0.0625, 0.0, "no node is inside, so that no force acts: this is the failure");
+  findings.expect_exact({"crossed_bars/plus_by_nodes", "crossed bars: force of the plus by nodes"}, force(plus), 0.0,
+                        "as for the previous check");
   findings.expect_true(
-      "crossed bars: overlap reported before the run",
+      {"crossed_bars/plus_overlap", "crossed bars: overlap reported before the run"},
       said.violation.find("no node of either is in the other") != std::string::npos && said.end.t == 0.0,
       "an overlap of 9 half widths that no node detects");
   findings.expect_exact(
-      "crossed bars: overlap of the plus, minimum over all directions, over the sum of the half sides", overlap / 1.125,
-      1.0, "both are sums of powers of two");
-  findings.expect_exact("crossed bars: force of the plus by one resultant",
+      {"crossed_bars/plus_minimum",
+       "crossed bars: overlap of the plus, minimum over all directions, over the sum of the half sides"},
+      overlap / 1.125, 1.0, "both are sums of powers of two");
+  findings.expect_exact({"crossed_bars/plus_by_resultant", "crossed bars: force of the plus by one resultant"},
                         force(crossed(0.0, ContactMethod::resultant)), 2.25,
                         "at both ends of the side, k times the minimum overlap of the sides, 1.125");
-  findings.expect_exact("crossed bars: force of two corners inside, by nodes", force(corner), 0.125,
-                        "two nodes, each with an overlap of 1/16");
-  findings.expect_true("crossed bars: no report with corners inside",
+  findings.expect_exact({"crossed_bars/corners_by_nodes", "crossed bars: force of two corners inside, by nodes"},
+                        force(corner), 0.125, "two nodes, each with an overlap of 1/16");
+  findings.expect_true({"crossed_bars/corners_unreported", "crossed bars: no report with corners inside"},
                        watched_run(corner, 0.125, 0.125, monitored, findings).violation.empty(),
                        "the nodes detect them");
   return {fmt::format("a plus, by nodes: F = {:g} k L at an overlap of {:g}; reported at t = 0", force(plus), overlap),

@@ -113,12 +113,13 @@ FailureFound check_corner_normal(Findings& findings, const Setup& setup) {
   const auto [one, other] = std::pair{corner_in_corner(off + 1e-9), corner_in_corner(off - 1e-9)};
   const double jump = turned(one.n_AB, other.n_AB);
   const double beside = turned(corner_in_corner(0.05 + 1e-9).n_AB, corner_in_corner(0.05 - 1e-9).n_AB);
-  findings.expect_exact("corner normal: jump between offsets of -1e-9 and 1e-9 from the diagonal", jump, 90.0,
-                        "the normal is that of the nearest side, and two sides are equally near", "degrees");
-  findings.expect_exact("corner normal: change between the same offsets beside the diagonal", beside, 0.0,
-                        "one side is nearer", "degrees");
-  findings.expect_round_off("corner normal: difference of the overlaps at the two offsets", one.depth - other.depth,
-                            0.0, 2.0 * 0x1p-53, "two sums of numbers up to one, mirrored");
+  findings.expect_exact(
+      {"corner_normal/jump", "corner normal: jump between offsets of -1e-9 and 1e-9 from the diagonal"}, jump, 90.0,
+      "the normal is that of the nearest side, and two sides are equally near", "degrees");
+  findings.expect_exact({"corner_normal/beside", "corner normal: change between the same offsets beside the diagonal"},
+                        beside, 0.0, "one side is nearer", "degrees");
+  findings.expect_round_off({"corner_normal/overlaps", "corner normal: difference of the overlaps at the two offsets"},
+                            one.depth - other.depth, 0.0, 2.0 * 0x1p-53, "two sums of numbers up to one, mirrored");
   const Rectangle square{0.3, 0.3}, box{CornerLoop::corner.x, CornerLoop::corner.y};
   const Superquadric rounded{0.3, 0.3, 20.0}, column{CornerLoop::corner.x, CornerLoop::corner.y, 20.0};
   const int steps = setup.coarse ? 200 : 400;
@@ -128,13 +129,15 @@ FailureFound check_corner_normal(Findings& findings, const Setup& setup) {
   const double made = sides.work / sides.energy, kept = nearest.work / nearest.energy;
   const double step = 2.0 * std::numbers::pi * CornerLoop::radius / steps;
   findings.expect_between(
-      "corner normal: work round a corner by side faces, over the energy", std::abs(made), 0.05, 2.0,
+      {"corner_normal/side_faces", "corner normal: work round a corner by side faces, over the energy"}, std::abs(made),
+      0.05, 2.0,
       "the overlap of nodes pushed out of the nearer side face jumps at the top: the work is of the size of the energy "
       "itself, once or twice; a twentieth is beyond the bound of the other rule (next check)");
-  findings.expect_truncation("corner normal: work round a corner by the nearest side, over the energy", kept, 0.0,
-                             2.0 * step / std::sqrt(0.002 * nearest.energy), 2.0,
-                             "the trapezoidal rule errs by half a step times the jump of the force at each of about "
-                             "four kinks (case energy_slope)");
+  findings.expect_truncation(
+      {"corner_normal/nearest_side", "corner normal: work round a corner by the nearest side, over the energy"}, kept,
+      0.0, 2.0 * step / std::sqrt(0.002 * nearest.energy), 2.0,
+      "the trapezoidal rule errs by half a step times the jump of the force at each of about four kinks (case "
+      "energy_slope)");
   return {fmt::format("+-1e-9 off the diagonal: {:.0f} degrees; work by side faces {:+.2f} E", jump, made),
           fmt::format("beside it: {:.0f} degrees; work by the nearest side {:+.1g} E", beside, kept)};
 }

@@ -169,8 +169,9 @@ FailureFound check_changed_step(Findings& findings, const Setup& setup) {
   const char* why =
       "twenty steps with overlaps that are differences of lengths of 8, each rounded by 8.9e-16 at most: a random "
       "walk, twice that for the energy";
-  findings.expect_round_off("change of step: energy gain if the step is doubled half-way, over the energy at touch",
-                            2.0 * (leaves - 0.5), 0.25 * x * x * (first * first - 0.04), 2.0 * round_off, why);
+  findings.expect_round_off(
+      {"change_of_step", "change of step: energy gain if the step is doubled half-way, over the energy at touch"},
+      2.0 * (leaves - 0.5), 0.25 * x * x * (first * first - 0.04), 2.0 * round_off, why);
   findings.expect_round_off("change of step: energy gain with a constant step, over the energy at touch",
                             2.0 * (kept_energy(kept.state, radius, first) - 0.5), 0.0, 2.0 * round_off, why);
   findings.expect_round_off("change of step: energy gain until half-way, over the energy at touch", 2.0 * (came - 0.5),

@@ -106,11 +106,13 @@ void check_contact_ladder(Findings& findings, const Setup& setup) {
       {"formula", "0", "0", fmt::format("{:.2} %", 100.0 * std::abs(formula / exact.exit - 1.0)), "", "-", "-"});
   const Blow single =
       blow(struck_column(n, {linear.stiffness, linear.damping, EndRule::clamped}, 0, 0.0), end, findings);
-  findings.expect_truncation("one resultant: speed against the formula", single.exit, formula, 6.5e-7, 1.0,
+  findings.expect_truncation({"resultant_speed", "one resultant: speed against the formula"}, single.exit, formula,
+                             6.5e-7, 1.0,
                              "a prediction may have an error of 1e-7 of the largest speed; the corrected value is more "
                              "accurate by one order: a tenth",
                              "ft/s");
-  findings.expect("one resultant: peak force against its closed form", single.push, events.largest_force,
+  findings.expect({"resultant_force", "one resultant: peak force against its closed form"}, single.push,
+                  events.largest_force,
                   Tolerance::truncation(2e-5, 1.0,
                                         "sampled every 0.0015 of the contact time, up to half of that beside the peak: "
                                         "(w h)^2/8 with w h = 0.0045 is 3e-6; the steps add 1e-7 of the speed")
@@ -138,17 +140,17 @@ void check_contact_ladder(Findings& findings, const Setup& setup) {
          fmt::format("{:.2} %", 100.0 * found.exit.rms()), fmt::format("{:.2} %", 100.0 * found.exit.max()),
          fmt::format("{:.3} %", 100.0 * found.push.rms()), fmt::format("{:.3} %", 100.0 * found.push.max())});
   }
-  findings.expect_order("order of the peak force in the node spacing", push_errors, 0.7, 1.3,
+  findings.expect_order({"order_of_force", "order of the peak force in the node spacing"}, push_errors, 0.7, 1.3,
                         "first order: the dashpot of the next node sets in with a jump of c v or not; less where only "
                         "a few nodes form the peak");
   findings.expect_order(
-      "order of the speed in the node spacing", speed_errors, 2.2, 3.3,
+      {"order_of_speed", "order of the speed in the node spacing"}, speed_errors, 2.2, 3.3,
       "5/2: a node at the rim dissipates c v^2 over a short time, and v there falls with the root of its overlap; 3 "
       "where the rock's spin, of order 3/2 because its nodes are not symmetric, takes more");
   if (setup.coarse) return;
   const double single_miss = std::abs(single.exit / exact.exit - 1.0);
   findings.expect_between(
-      "12 nodes: speed error over that of one resultant", coarsest / single_miss, 1.0, 10.0,
+      {"twelve_nodes", "12 nodes: speed error over that of one resultant"}, coarsest / single_miss, 1.0, 10.0,
       "their spacing, 0.50 ft, is more than half of the 0.68 ft of outline in contact: one or two nodes act. From the "
       "spacing alone the speed is uncertain by a few times (0.50/0.68)^(5/2) of the dashpot's contribution, a tenth");
   findings.table(table);
@@ -181,8 +183,8 @@ void check_formula(Findings& findings, const Setup& setup) {
                                "ft/s");
   }
   findings.expect_model(
-      "hung column: speed against the formula with I_p/h^2", passage(hung_column(n, 0.0), tight, findings).exit,
-      speed_by_formula(n, mass(hung_column_mass(n, 0.0))), 0.18,
+      {"hung_column", "hung column: speed against the formula with I_p/h^2"},
+      passage(hung_column(n, 0.0), tight, findings).exit, speed_by_formula(n, mass(hung_column_mass(n, 0.0))), 0.18,
       "during the contact the column rotates by 0.0115 rad, which moves the line of force 2.2 ft x 0.0115 closer to "
       "the pin: 0.39 % of h, 0.78 % of the mass, 0.18 ft/s if it applied from the start",
       "ft/s");
@@ -242,7 +244,7 @@ void check_fences(Findings& findings, const Setup& setup) {
     };
     apart = std::max(apart, norm(place(half_scene, half.end) - place(full_scene, full.end)));
   }
-  findings.expect_exact("half fence against the full one at 0.2 s, largest distance", apart, 0.0,
+  findings.expect_exact({"half_against_full", "half fence against the full one at 0.2 s, largest distance"}, apart, 0.0,
                         "T + T is 2 T, and the steps are chosen by the largest errors, which are equal", "ft");
   if (setup.coarse) return;
   const FenceNumbers n = fence_numbers(ladder_fence(0.0));
@@ -259,8 +261,9 @@ void check_fences(Findings& findings, const Setup& setup) {
                         "ft/s");
   const double ends = passage(particle_on_cables(n, 0.0, Held::ends, {}), tight, findings).pull;
   const double neighbours = passage(particle_on_cables(n, 0.0, Held::neighbours, {}), tight, findings).pull;
-  findings.expect_between("fence: largest tension of a top cable, between those of the two particles", full.pull, ends,
-                          neighbours, "neighbours are neither fixed nor massless", "lb");
+  findings.expect_between(
+      {"cable_tension", "fence: largest tension of a top cable, between those of the two particles"}, full.pull, ends,
+      neighbours, "neighbours are neither fixed nor massless", "lb");
 }
 
 void run(Findings& findings, const Setup& setup) {
@@ -278,35 +281,21 @@ Case definition() {
       .id = "fidelity_ladder",
       .title = "Fidelity ladder: error and cost of simplified models",
       .family = "speed and accuracy",
-      .requirements =
-          {{"integrator.stormer_cowell",
-            {"half fence against the full one at 0.2 s, largest distance",
-             "steps: speed at 0.2 s, tolerance 1e-7 against 1e-10, largest difference of all levels"}},
-           {"method.nodes", {"order of the peak force in the node spacing", "order of the speed in the node spacing"}},
-           {"method.resultant",
-            {"one resultant: speed against the formula", "one resultant: peak force against its closed form",
-             "12 nodes: speed error over that of one resultant"}},
-           {"pair.circle.rectangle",
-            {"one resultant: speed against the formula", "one resultant: peak force against its closed form",
-             "order of the peak force in the node spacing", "order of the speed in the node spacing",
-             "12 nodes: speed error over that of one resultant"}}},
-      .main_checks = {"free pair, 1.5 ft off centre: speed against the formula",
-                      "hung column: speed against the formula with I_p/h^2",
-                      "particle on cables to the neighbours: largest tension against its energy",
-                      "half fence against the full one at 0.2 s, largest distance",
-                      "fence: largest tension of a top cable, between those of the two particles",
-                      "speed at 0.2 s: digits gained by 7 columns that move in place of 5",
-                      "12 nodes: speed error over that of one resultant", "order of the peak force in the node spacing",
-                      "order of the speed in the node spacing"},
+      .requirements = {{"integrator.stormer_cowell", {"half_against_full", "tolerance_of_levels"}},
+                       {"method.nodes", {"order_of_force", "order_of_speed"}},
+                       {"method.resultant", {"resultant_speed", "resultant_force", "twelve_nodes"}},
+                       {"pair.circle.rectangle",
+                        {"resultant_speed", "resultant_force", "order_of_force", "order_of_speed", "twelve_nodes"}}},
+      .main_checks = {"free pair, 1.5 ft off centre: speed against the formula", "hung_column",
+                      "particle on cables to the neighbours: largest tension against its energy", "half_against_full",
+                      "cable_tension", "digits_gained", "twelve_nodes", "order_of_force", "order_of_speed"},
       .source = "Mustoe & Huttelmaier 1993, Table 2",
-      .faults = {{"arm_forgotten", "the hung column's mass instead of I_p/h^2",
-                  "hung column: speed against the formula with I_p/h^2"},
+      .faults = {{"arm_forgotten", "the hung column's mass instead of I_p/h^2", "hung_column"},
                  {"cable_stiffness_halved", "cables of the particle with half the stiffness",
                   "particle on cables to the neighbours: largest tension against its energy"},
-                 {"half_column", "a half fence with half of its central column",
-                  "half fence against the full one at 0.2 s, largest distance"},
+                 {"half_column", "a half fence with half of its central column", "half_against_full"},
                  {"stiffness_per_node", "spring and dashpot of a node independent of the number of nodes, as in 1993",
-                  "order of the peak force in the node spacing"}},
+                  "order_of_force"}},
       .full_seconds = 4.0,
       .run = run};
 }

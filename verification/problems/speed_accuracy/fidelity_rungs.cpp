@@ -209,17 +209,18 @@ void check_rungs(Findings& findings, const Setup& setup) {
   const FenceNumbers numbers = fence_numbers(ladder_fence(0.0));
   const double moved =
       std::abs(passage(fence_of(0.02, 1, scenes::FenceSymmetry::half), tight, findings).exit - full.exit);
-  findings.expect_model("steps: speed at 0.2 s, tolerance 1e-7 against 1e-10, largest difference of all levels", own,
-                        0.0, 0.002 * moved,
-                        "a five-hundredth of the change caused by a rock 0.02 ft higher; the rock cannot be positioned "
-                        "more accurately than that",
-                        "ft/s");
+  findings.expect_model(
+      {"tolerance_of_levels", "steps: speed at 0.2 s, tolerance 1e-7 against 1e-10, largest difference of all levels"},
+      own, 0.0, 0.002 * moved,
+      "a five-hundredth of the change caused by a rock 0.02 ft higher; the rock cannot be positioned more accurately "
+      "than that",
+      "ft/s");
   const auto digits_gained = [&](std::size_t beside) {
     const auto exit_miss = [&](std::size_t l) { return miss(rungs[first_moving + l].at[0].exit, full.exit); };
     return std::log10(exit_miss(beside) / exit_miss(beside + 1));
   };
-  findings.expect_between("speed at 0.2 s: digits gained by 7 columns that move in place of 5", digits_gained(2), 1.7,
-                          6.0,
+  findings.expect_between({"digits_gained", "speed at 0.2 s: digits gained by 7 columns that move in place of 5"},
+                          digits_gained(2), 1.7, 6.0,
                           "the response of the held columns comes back when the rock has almost left; six more digits "
                           "would mean that it never came back before");
   findings.expect_between("speed at 0.2 s: digits gained by 9 columns that move in place of 7", digits_gained(3), 1.7,

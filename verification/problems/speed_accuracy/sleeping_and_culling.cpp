@@ -207,12 +207,13 @@ void check_rows(Findings& findings, const Setup& setup, Table& table) {
   const State bare = stepped(scene, dynamics, VelocityVerlet{}, RigidBodySystem{dynamics, false}, 1e-5, count, watch);
   const auto [place, velocity] = difference(bare, full_state);
   findings.count(2 * count);
-  findings.expect_exact("without ledger: state at the end against the run with ledger, largest difference",
-                        std::max(place, velocity), 0.0,
-                        "the force on a body is the same sum, whether the paths are computed or not");
   findings.expect_exact(
-      "tensions of rows of cables against those of the individual laws, largest difference over a run", largest, 0.0,
-      "the same operations on the same numbers, several at a time", "lb");
+      {"without_ledger", "without ledger: state at the end against the run with ledger, largest difference"},
+      std::max(place, velocity), 0.0, "the force on a body is the same sum, whether the paths are computed or not");
+  findings.expect_exact(
+      {"row_tensions",
+       "tensions of rows of cables against those of the individual laws, largest difference over a run"},
+      largest, 0.0, "the same operations on the same numbers, several at a time", "lb");
   table.rows.push_back(cells("cables evaluated by their laws, fence that yields | {} | {:.2f} | none",
                              scene.model.cables.size(), by_law));
 }
@@ -267,9 +268,10 @@ LongRun run_long(const scenes::FenceScene& made, Findings& findings) {
 void check_sleep(Findings& findings, const Setup& setup, Table& table) {
   const auto with = [&](Sleep sleep) { return run_long(long_fence(101, Sag::fraction_of_span, sleep), findings); };
   const LongRun off = with(Sleep::off), exact = with(setup.has("default_for_exact") ? Sleep::on : Sleep::exact);
-  findings.expect_exact("101 columns, sleep exact: state at 0.05 s against the run without sleep, largest difference",
-                        change(exact.state, off.state), 0.0,
-                        "sleeping bodies are in equilibrium at rest, and no force on them has changed by a bit");
+  findings.expect_exact(
+      {"exact_sleep", "101 columns, sleep exact: state at 0.05 s against the run without sleep, largest difference"},
+      change(exact.state, off.state), 0.0,
+      "sleeping bodies are in equilibrium at rest, and no force on them has changed by a bit");
   if (setup.coarse) return;
   const LongRun on = with(Sleep::on);
   const char* why =
@@ -277,8 +279,8 @@ void check_sleep(Findings& findings, const Setup& setup, Table& table) {
       "during a thousandth of a second, in which the motion of the next column doubles many times, on 14.9 slug cause "
       "4.4e-13 ft/s at the border, 8e-14 of the rock's 5.5 ft/s, and less in the middle; the round-off of 25 000 steps "
       "is of the same size";
-  findings.expect("101 columns, sleep by default: speed of the rock against the run without sleep", on.state.v[0],
-                  off.state.v[0], Tolerance::model(2e-13, why).relative(), "ft/s");
+  findings.expect({"default_sleep", "101 columns, sleep by default: speed of the rock against the run without sleep"},
+                  on.state.v[0], off.state.v[0], Tolerance::model(2e-13, why).relative(), "ft/s");
   findings.expect_model("101 columns, sleep by default: largest difference of any coordinate or velocity",
                         change(on.state, off.state), 0.0, 2.2e-11,
                         "6.6e-9 lb during the whole 0.05 s on 14.9 slug: a column at the border that sleeps although "
@@ -302,13 +304,14 @@ void check_length(Findings& findings, const Setup& setup, Table& table) {
     const bool tight = sag == Sag::as_tight;
     const double ratio = whole.awake / tenth.awake;
     if (tight) {
-      findings.expect_between("columns awake in 0.05 s, equal tightness: 1,001 columns over 101", ratio, 0.9, 1.1,
+      findings.expect_between({"awake_columns", "columns awake in 0.05 s, equal tightness: 1,001 columns over 101"},
+                              ratio, 0.9, 1.1,
                               "nothing near the impact depends on the length of the fence except the tensions, which "
                               "differ by 0.7 %, and the slopes of the cables");
     } else {
       findings.expect_between(
-          "columns awake in 0.05 s, sag a fixed fraction of the span: 1,001 columns over 101", ratio, 1.0,
-          std::sqrt(whole.horizontal_tension / tenth.horizontal_tension),
+          {"wide_fences", "columns awake in 0.05 s, sag a fixed fraction of the span: 1,001 columns over 101"}, ratio,
+          1.0, std::sqrt(whole.horizontal_tension / tenth.horizontal_tension),
           "motion spreads along a cable at a speed proportional to the root of its tension, and takes time to do so");
     }
     const char* what = tight ? "equal tightness" : "fixed sag fraction";
@@ -349,7 +352,7 @@ void check_guards(Findings& findings, const Setup& setup) {
     }
   }
   findings.expect_exact(
-      "guards ahead: cables at a moving column without the guard of their law, of 41", missing, 0.0,
+      {"guards_ahead", "guards ahead: cables at a moving column without the guard of their law, of 41"}, missing, 0.0,
       "a column that moves by 10 ft within the horizon takes its cables off the linear branches of their laws");
   // Rough discs that approach: friction cannot begin before the normal force.
   SceneBuilder builder;
@@ -395,33 +398,25 @@ Case definition() {
       .title = "Sleeping bodies and culled contacts: results unchanged",
       .family = "speed and accuracy",
       .requirements = {{"E10", {"state_at_end"}}},
-      .main_checks = {"101 columns, sleep exact: state at 0.05 s against the run without sleep, largest difference",
-                      "101 columns, sleep by default: speed of the rock against the run without sleep",
-                      "columns awake in 0.05 s, equal tightness: 1,001 columns over 101",
-                      "columns awake in 0.05 s, sag a fixed fraction of the span: 1,001 columns over 101",
+      .main_checks = {"exact_sleep", "default_sleep", "awake_columns", "wide_fences",
                       "yard: state at the end against the run with every pair, largest difference",
                       "16 discs: state at the end against the run with every pair, largest difference",
                       "fence of two layers: state at the end against the run with every pair, largest difference",
                       "yard, located events: state against the run with every guard, largest difference",
                       "16 discs, located events: state against the run with every guard, largest difference",
                       "fence of two layers, located events: state against the run with every guard, largest difference",
-                      "tensions of rows of cables against those of the individual laws, largest difference over a run",
-                      "without ledger: state at the end against the run with ledger, largest difference"},
+                      "row_tensions", "without_ledger"},
       .source = "Verlet 1967 and Baraff 1992 for the contact search",
-      .faults = {{"default_for_exact", "the default threshold where `exact` is required",
-                  "101 columns, sleep exact: state at 0.05 s against the run without sleep, largest difference"},
-                 {"never_asleep", "a fence that never sleeps",
-                  "columns awake in 0.05 s, equal tightness: 1,001 columns over 101"},
+      .faults = {{"default_for_exact", "the default threshold where `exact` is required", "exact_sleep"},
+                 {"never_asleep", "a fence that never sleeps", "awake_columns"},
                  {"pair_forgotten", "one pair of the yard never found",
                   "yard: state at the end against the run with every pair, largest difference"},
                  {"no_time_ahead", "located events without the guards of inactive modes",
                   "yard, located events: state against the run with every guard, largest difference"},
-                 {"columns_at_rest", "columns at rest, whose cables stay on their linear branches",
-                  "guards ahead: cables at a moving column without the guard of their law, of 41"},
-                 {"line_of_another", "the law of one cable stiffer by 1e-15",
-                  "tensions of rows of cables against those of the individual laws, largest difference over a run"},
+                 {"columns_at_rest", "columns at rest, whose cables stay on their linear branches", "guards_ahead"},
+                 {"line_of_another", "the law of one cable stiffer by 1e-15", "row_tensions"},
                  {"paths_of_another", "the run with ledger for a fence with one cable stiffer by 1e-15",
-                  "without ledger: state at the end against the run with ledger, largest difference"}},
+                  "without_ledger"}},
       .seconds = 3.0,
       .run = run};
 }

@@ -29,8 +29,7 @@ inline Scene squeezed_disc(const SqueezedDisc& p) {
                                       .angle = std::acos(-1.0)});
   builder.add_contact("below", disc, floor, law);
   builder.add_contact("above", disc, ceiling, law);
-  Scene scene = builder.at_rest("Disc squeezed between two planes");
-  return scene;
+  return builder.at_rest("Disc squeezed between two planes");
 }
 
 /// Distance from the middle, and velocity over w [m].
