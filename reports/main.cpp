@@ -6,7 +6,7 @@
 #include <cstdio>
 #include <thread>
 
-#include "reports/error.hpp"
+#include "reports/base/error.hpp"
 #include "reports/numbers.hpp"
 #include "reports/report.hpp"
 #include "solver/command_line/usage_error.hpp"

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "reports/pictures.hpp"
+#include "reports/figures/pictures.hpp"
 
 namespace talus::reports {
 

@@ -3,10 +3,10 @@
 #include <kainjow/mustache.hpp>
 #include <utility>
 
-#include "reports/drawing.hpp"
-#include "reports/error.hpp"
-#include "reports/file.hpp"
-#include "reports/page_script.hpp"
+#include "reports/base/error.hpp"
+#include "reports/base/file.hpp"
+#include "reports/figures/drawing.hpp"
+#include "reports/figures/page_script.hpp"
 #include "reports/report.hpp"
 #include "verification/record/figure_points.hpp"
 #include "verification/record/plots.hpp"

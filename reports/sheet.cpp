@@ -4,15 +4,15 @@
 #include <kainjow/mustache.hpp>
 #include <map>
 
-#include "reports/document.hpp"
-#include "reports/drawing.hpp"
-#include "reports/error.hpp"
-#include "reports/file.hpp"
-#include "reports/process.hpp"
+#include "reports/base/error.hpp"
+#include "reports/base/file.hpp"
+#include "reports/base/process.hpp"
+#include "reports/figures/drawing.hpp"
 #include "reports/report.hpp"
-#include "reports/sheet_drawing.hpp"
-#include "reports/sheet_tables.hpp"
-#include "reports/sheet_verdict.hpp"
+#include "reports/sheet/sheet_drawing.hpp"
+#include "reports/sheet/sheet_tables.hpp"
+#include "reports/sheet/sheet_verdict.hpp"
+#include "reports/text/document.hpp"
 #include "verification/record/whole_file.hpp"
 
 namespace talus::reports {

@@ -12,12 +12,12 @@
 #include <string_view>
 #include <utility>
 
-#include "solver/app/calibrate_options.hpp"
+#include "solver/app/calibration/calibrate_options.hpp"
+#include "solver/app/calibration/impact_calibration.hpp"
+#include "solver/app/calibration/latching_calibration.hpp"
+#include "solver/app/calibration/law_options.hpp"
+#include "solver/app/calibration/range_calibration.hpp"
 #include "solver/app/command.hpp"
-#include "solver/app/impact_calibration.hpp"
-#include "solver/app/latching_calibration.hpp"
-#include "solver/app/law_options.hpp"
-#include "solver/app/range_calibration.hpp"
 #include "solver/base/error.hpp"
 #include "solver/base/progress.hpp"
 #include "solver/calibrate/impact.hpp"

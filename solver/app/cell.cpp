@@ -9,8 +9,8 @@
 #include <optional>
 #include <sstream>
 
-#include "solver/app/cell_files.hpp"
-#include "solver/app/cell_summary.hpp"
+#include "solver/app/cell/cell_files.hpp"
+#include "solver/app/cell/cell_summary.hpp"
 #include "solver/app/command.hpp"
 #include "solver/app/life_cycle.hpp"
 #include "solver/integrate/euler.hpp"

@@ -10,10 +10,10 @@
 #include <span>
 #include <vector>
 
-#include "solver/app/cell_summary.hpp"
+#include "solver/app/cell/cell_summary.hpp"
 #include "solver/app/command.hpp"
-#include "solver/app/output_size.hpp"
-#include "solver/app/start_warnings.hpp"
+#include "solver/app/outputs/output_size.hpp"
+#include "solver/app/run/start_warnings.hpp"
 #include "solver/base/error.hpp"
 #include "solver/base/progress.hpp"
 #include "solver/dynamics/rigid_body_system.hpp"

@@ -10,7 +10,7 @@
 #include <thread>
 #include <utility>
 
-#include "reports/error.hpp"
+#include "reports/base/error.hpp"
 #include "reports/report.hpp"
 #include "solver/base/error.hpp"
 #include "solver/io/file/atomic_file.hpp"

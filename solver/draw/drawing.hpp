@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "reports/pictures.hpp"
+#include "reports/figures/pictures.hpp"
 #include "solver/io/output/run_folder.hpp"
 
 namespace CLI {

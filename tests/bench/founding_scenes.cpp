@@ -23,8 +23,8 @@
 #include "tests/bench/structure.hpp"
 #include "tests/bench/timing.hpp"
 #include "tests/bench/user_runs.hpp"
-#include "verification/reference/pendulum.hpp"
-#include "verification/reference/two_cable.hpp"
+#include "verification/reference/cables/two_cable.hpp"
+#include "verification/reference/motion/pendulum.hpp"
 
 namespace {
 

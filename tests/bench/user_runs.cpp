@@ -9,7 +9,7 @@
 #include <optional>
 #include <vector>
 
-#include "solver/app/scene_run.hpp"
+#include "solver/app/run/scene_run.hpp"
 #include "solver/base/error.hpp"
 #include "solver/io/file/atomic_file.hpp"
 #include "solver/io/read_scene_file.hpp"

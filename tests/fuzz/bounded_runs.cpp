@@ -6,9 +6,9 @@
 #include <stdexcept>
 
 #include "solver/app/life_cycle.hpp"
-#include "solver/app/run_summary.hpp"
+#include "solver/app/run/run_summary.hpp"
+#include "solver/app/run/scene_run.hpp"
 #include "solver/app/scene_request.hpp"
-#include "solver/app/scene_run.hpp"
 #include "solver/base/archive.hpp"
 #include "solver/base/error.hpp"
 #include "solver/cell/cell_run.hpp"

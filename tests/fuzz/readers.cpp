@@ -9,8 +9,8 @@
 #include <string_view>
 #include <typeinfo>
 
-#include "reports/plot.hpp"
-#include "reports/sheet_record.hpp"
+#include "reports/figures/plot.hpp"
+#include "reports/sheet/sheet_record.hpp"
 #include "solver/app/life_cycle.hpp"
 #include "solver/base/error.hpp"
 #include "solver/io/cell/cell_restart.hpp"

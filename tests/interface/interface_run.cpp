@@ -20,7 +20,7 @@
 #include <thread>
 #include <vector>
 
-#include "reports/process.hpp"
+#include "reports/base/process.hpp"
 #include "solver/base/progress.hpp"
 #include "solver/threads/parallel_for.hpp"
 #include "tests/interface/known_gaps.hpp"

@@ -19,7 +19,7 @@
 #include <string>
 #include <vector>
 
-#include "reports/process.hpp"
+#include "reports/base/process.hpp"
 #include "tests/interface/interface_text.hpp"
 #include "verification/record/whole_file.hpp"
 

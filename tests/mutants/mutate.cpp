@@ -85,10 +85,10 @@ std::uint64_t order_of(const Candidate& candidate, std::uint64_t seed) {
 std::vector<std::string> mutated_files(const Options& options) {
   std::set<std::string> files;
   for (const std::string& folder : options.folders) {
-    for (const auto& entry : fs::directory_iterator(options.root / folder)) {
+    for (const auto& entry : fs::recursive_directory_iterator(options.root / folder)) {
       const fs::path extension = entry.path().extension();
       if (extension == ".cpp" || (extension == ".hpp" && !options.sources))
-        files.insert(folder + "/" + entry.path().filename().string());
+        files.insert(fs::relative(entry.path(), options.root).generic_string());
     }
   }
   return {files.begin(), files.end()};

@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "reports/process.hpp"
+#include "reports/base/process.hpp"
 #include "tests/reports/scratch.hpp"
 #include "verification/record/whole_file.hpp"
 

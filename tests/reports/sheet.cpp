@@ -3,10 +3,10 @@
 #include <algorithm>
 #include <boost/test/unit_test.hpp>
 
-#include "reports/error.hpp"
-#include "reports/process.hpp"
-#include "reports/sheet_tables.hpp"
-#include "reports/sheet_verdict.hpp"
+#include "reports/base/error.hpp"
+#include "reports/base/process.hpp"
+#include "reports/sheet/sheet_tables.hpp"
+#include "reports/sheet/sheet_verdict.hpp"
 #include "tests/reports/scratch.hpp"
 #include "verification/record/whole_file.hpp"
 

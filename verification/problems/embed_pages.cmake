@@ -5,7 +5,7 @@ foreach(page IN LISTS PAGES)
   file(READ ${page} text)
   string(APPEND entries "  if (name == \"${case}\") return R\"page(\n${text})page\";\n")
 endforeach()
-file(WRITE ${OUT} "// Generated from verification/problems/*/*.md.
+file(WRITE ${OUT} "// Generated from the pages of verification/problems.
 #include \"verification/problems/pages.hpp\"
 
 #include <stdexcept>

@@ -7,7 +7,7 @@
 #include <sstream>
 #include <string>
 
-#include "tests/solver/app/program.hpp"
+#include "tests/solver/app/requested.hpp"
 
 // `talus calibrate`: the printed lines give the restitution when pasted into a scene, and an impact is judged as by
 // `talus run`.
@@ -123,4 +123,47 @@ BOOST_AUTO_TEST_CASE(an_impact_that_a_run_refuses_is_not_calibrated) {
   const std::size_t words = run.err.find("overlap");
   BOOST_REQUIRE(words != std::string::npos);
   BOOST_TEST(holds(calibrated.err, "overlap"), calibrated.err);
+}
+
+// A panel for each quantity that differs between the pairs, with the restitution wanted and its largest deviations.
+BOOST_AUTO_TEST_CASE(a_range_of_calibrated_pairs_is_drawn) {
+  const Folder folder;
+  const Requested requested{{"calibrate",   "--law",     "hertz",
+                             "--dashpot",   "constant",  "--restitution",
+                             "0.7",         "--modulus", "1 GPa",
+                             "--speeds",    "0.1 m/s",   "10 m/s",
+                             "3",           "--radii",   "1 mm",
+                             "5 mm",        "2",         "--density",
+                             "2500 kg/m^3", "--out",     folder.path.string(),
+                             "--format",    "svg",       "--units",
+                             "US"}};
+  BOOST_TEST(requested.request.target == folder.path);
+  BOOST_TEST((requested.request.formats == std::vector<std::string>{"svg"}));
+  BOOST_TEST(requested.request.lists_files);
+  BOOST_TEST(requested.page().name == "calibration");
+  BOOST_TEST(holds(requested.page().title, "hertz, constant dashpot, clamped end rule, damping = "));
+  BOOST_REQUIRE(requested.page().panels.size() == 3U);
+  const std::vector<std::string> labels{"sphere radius", "speed", "effective mass"}, units{"ft", "ft/s", "slug"};
+  for (std::size_t i = 0; i < 3; ++i) {
+    const talus::records::Figure& panel = requested.panel(i);
+    BOOST_TEST(panel.x.label == labels[i]);
+    BOOST_TEST(panel.x.unit == units[i]);
+    BOOST_TEST(panel.x.log == (i > 0));  // five times the radius, a hundred times the speed, 125 times the mass
+    BOOST_TEST(panel.y.label == "restitution");
+    BOOST_REQUIRE(panel.series.size() == 1U);
+    BOOST_TEST(panel.series[0].x.size() == 6U);
+    const auto [least, largest] = std::minmax_element(panel.series[0].y.begin(), panel.series[0].y.end());
+    BOOST_REQUIRE(panel.lines.size() == 3U);
+    BOOST_TEST(panel.lines[0].at == 0.7);
+    BOOST_TEST(panel.lines[1].at == *least, boost::test_tools::tolerance(1e-12));
+    BOOST_TEST(panel.lines[2].at == *largest, boost::test_tools::tolerance(1e-12));
+  }
+  BOOST_TEST(requested.panel(1).series[0].x[1] == 1.0 / 0.3048, boost::test_tools::tolerance(1e-12));
+  // Equal pairs have a panel, too.
+  const fs::path file = folder.file("pairs.csv", "mass_2 [kg]\n2\n2\n");
+  const Requested equal{{"calibrate", "--restitution", "0.7", "--stiffness", "1 N/m", "--pairs", file.string(), "--out",
+                         folder.path.string(), "--json"}};
+  BOOST_REQUIRE(equal.page().panels.size() == 1U);
+  BOOST_TEST(equal.panel(0).x.label == "effective mass");
+  BOOST_TEST(!equal.request.lists_files);
 }

@@ -6,8 +6,8 @@
 
 #include "solver/scenes/bouncing_disc.hpp"
 #include "solver/scenes/pendulum.hpp"
-#include "verification/study/program_options.hpp"
-#include "verification/study/recorded_run.hpp"
+#include "verification/study/program/program_options.hpp"
+#include "verification/study/runs/recorded_run.hpp"
 #include "verification/study/toolkit.hpp"
 
 using namespace talus;

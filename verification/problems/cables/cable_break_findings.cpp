@@ -1,6 +1,6 @@
 #include "verification/problems/cables/cable_findings.hpp"
-#include "verification/reference/cable_draw.hpp"
-#include "verification/study/cable_scenes.hpp"
+#include "verification/reference/cables/cable_draw.hpp"
+#include "verification/study/scenes/cable_scenes.hpp"
 #include "verification/study/toolkit.hpp"
 
 namespace talus::verification::problems {

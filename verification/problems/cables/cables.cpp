@@ -1,9 +1,9 @@
 #include "verification/problems/cables/cable_findings.hpp"
-#include "verification/reference/cable_draw.hpp"
-#include "verification/reference/restitution.hpp"
-#include "verification/study/cable_scenes.hpp"
-#include "verification/study/followed_impact.hpp"
-#include "verification/study/leapfrog_impact_error.hpp"
+#include "verification/reference/cables/cable_draw.hpp"
+#include "verification/reference/impacts/restitution.hpp"
+#include "verification/study/impacts/followed_impact.hpp"
+#include "verification/study/impacts/leapfrog_impact_error.hpp"
+#include "verification/study/scenes/cable_scenes.hpp"
 #include "verification/study/toolkit.hpp"
 
 namespace talus::verification::problems::cables {

@@ -1,5 +1,5 @@
-#include "verification/reference/damped_bounce.hpp"
-#include "verification/study/cable_scenes.hpp"
+#include "verification/reference/impacts/damped_bounce.hpp"
+#include "verification/study/scenes/cable_scenes.hpp"
 #include "verification/study/toolkit.hpp"
 
 namespace talus::verification::problems::damped_bungee {

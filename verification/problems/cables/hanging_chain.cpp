@@ -1,4 +1,4 @@
-#include "verification/reference/hanging_chain.hpp"
+#include "verification/reference/cables/hanging_chain.hpp"
 #include "verification/study/toolkit.hpp"
 
 namespace talus::verification::problems::hanging_chain {

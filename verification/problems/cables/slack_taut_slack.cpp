@@ -1,5 +1,5 @@
-#include "verification/reference/restitution.hpp"
-#include "verification/study/cable_scenes.hpp"
+#include "verification/reference/impacts/restitution.hpp"
+#include "verification/study/scenes/cable_scenes.hpp"
 #include "verification/study/toolkit.hpp"
 
 namespace talus::verification::problems::slack_taut_slack {

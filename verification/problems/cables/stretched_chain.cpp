@@ -1,4 +1,4 @@
-#include "verification/reference/stretched_chain.hpp"
+#include "verification/reference/cables/stretched_chain.hpp"
 #include "verification/study/toolkit.hpp"
 
 namespace talus::verification::problems::stretched_chain {

@@ -1,4 +1,4 @@
-#include "verification/reference/mid_span.hpp"
+#include "verification/reference/cables/mid_span.hpp"
 #include "verification/study/toolkit.hpp"
 
 namespace talus::verification::problems::transverse_oscillator {

@@ -1,5 +1,5 @@
 #include "verification/problems/cell/cell_runs.hpp"
-#include "verification/study/usage.hpp"
+#include "verification/study/runs/usage.hpp"
 
 namespace talus::verification::problems {
 

@@ -7,7 +7,7 @@
 #include "solver/granular/list_skin.hpp"
 #include "solver/granular/neighbour_list.hpp"
 #include "verification/problems/cell/cell_runs.hpp"
-#include "verification/reference/all_pairs.hpp"
+#include "verification/reference/many_bodies/all_pairs.hpp"
 #include "verification/study/toolkit.hpp"
 
 namespace talus::verification::problems::disc_lists {

@@ -6,7 +6,7 @@
 
 #include "solver/granular/disc_method.hpp"
 #include "solver/granular/disc_system.hpp"
-#include "verification/study/usage.hpp"
+#include "verification/study/runs/usage.hpp"
 
 /// Rows of equal discs along x, from left to right, run by DiscSystem.
 namespace talus::verification::problems {

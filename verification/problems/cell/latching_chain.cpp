@@ -2,8 +2,8 @@
 
 #include "solver/laws/latching_spring.hpp"
 #include "verification/problems/cell/disc_row.hpp"
-#include "verification/reference/latching_chain.hpp"
-#include "verification/study/common_formula.hpp"
+#include "verification/reference/many_bodies/latching_chain.hpp"
+#include "verification/study/findings/common_formula.hpp"
 #include "verification/study/toolkit.hpp"
 
 namespace talus::verification::problems::latching_chain {

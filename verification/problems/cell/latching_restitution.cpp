@@ -3,9 +3,9 @@
 #include "solver/calibrate/latching_calibration.hpp"
 #include "solver/granular/disc_method.hpp"
 #include "verification/problems/cell/disc_row.hpp"
-#include "verification/reference/latching_impact.hpp"
-#include "verification/reference/stepped_latch.hpp"
-#include "verification/study/plane_impact.hpp"
+#include "verification/reference/impacts/latching_impact.hpp"
+#include "verification/reference/integration/stepped_latch.hpp"
+#include "verification/study/impacts/plane_impact.hpp"
 #include "verification/study/toolkit.hpp"
 
 namespace talus::verification::problems::latching_restitution {

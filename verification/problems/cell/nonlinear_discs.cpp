@@ -3,9 +3,9 @@
 #include "solver/io/cell/read_cell.hpp"
 #include "verification/problems/cell/cell_runs.hpp"
 #include "verification/problems/cell/disc_row.hpp"
-#include "verification/reference/hertz_impact.hpp"
-#include "verification/reference/power_law_impact.hpp"
-#include "verification/study/followed_impact.hpp"
+#include "verification/reference/impacts/hertz_impact.hpp"
+#include "verification/reference/impacts/power_law_impact.hpp"
+#include "verification/study/impacts/followed_impact.hpp"
 #include "verification/study/toolkit.hpp"
 
 namespace talus::verification::problems::nonlinear_discs {

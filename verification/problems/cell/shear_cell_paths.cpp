@@ -1,7 +1,7 @@
 #include "solver/io/cell/cell_restart.hpp"
 #include "solver/io/cell/write_cell.hpp"
 #include "verification/problems/cell/cell_runs.hpp"
-#include "verification/reference/virtual_discs.hpp"
+#include "verification/reference/many_bodies/virtual_discs.hpp"
 #include "verification/study/toolkit.hpp"
 
 namespace talus::verification::problems::shear_cell_paths {

@@ -9,7 +9,7 @@
 #include "solver/laws/hunt_crossley.hpp"
 #include "solver/laws/latching_spring.hpp"
 #include "solver/laws/linear_spring_dashpot.hpp"
-#include "verification/reference/all_pairs.hpp"
+#include "verification/reference/many_bodies/all_pairs.hpp"
 #include "verification/study/toolkit.hpp"
 
 namespace talus::verification::problems::swept_discs {

@@ -1,6 +1,6 @@
 #include "verification/problems/fence/fence_impact.hpp"
 #include "verification/problems/fence/fence_snapshots.hpp"
-#include "verification/study/fence_table.hpp"
+#include "verification/study/scenes/fence_table.hpp"
 #include "verification/study/toolkit.hpp"
 
 namespace talus::verification::problems::fence_appendix {

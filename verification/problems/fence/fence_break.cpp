@@ -1,5 +1,5 @@
+#include "verification/study/scenes/weak_hangers.hpp"
 #include "verification/study/toolkit.hpp"
-#include "verification/study/weak_hangers.hpp"
 
 namespace talus::verification::problems::fence_break {
 namespace {

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "verification/problems/fence/fence_impact.hpp"
-#include "verification/study/fence_table.hpp"
+#include "verification/study/scenes/fence_table.hpp"
 #include "verification/study/toolkit.hpp"
 
 /// Runs of the rows of Tables 2 and 3, each with its twins: the same fence with small changes of settings that the

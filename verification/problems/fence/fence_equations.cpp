@@ -1,5 +1,5 @@
 #include "solver/scenes/fence_scene.hpp"
-#include "verification/study/fence_table.hpp"
+#include "verification/study/scenes/fence_table.hpp"
 #include "verification/study/toolkit.hpp"
 
 namespace talus::verification::problems::fence_equations {

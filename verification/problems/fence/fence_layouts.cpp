@@ -3,7 +3,7 @@
 #include "solver/integrate/linear_segment.hpp"
 #include "solver/scenes/fence_scene.hpp"
 #include "solver/scenes/fence_summary.hpp"
-#include "verification/study/fence_table.hpp"
+#include "verification/study/scenes/fence_table.hpp"
 #include "verification/study/toolkit.hpp"
 
 namespace talus::verification::problems::fence_layouts {

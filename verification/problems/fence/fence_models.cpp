@@ -2,7 +2,7 @@
 
 #include "solver/io/fence1993/read_deck.hpp"
 #include "solver/scenes/fence_scene.hpp"
-#include "verification/reference/restitution.hpp"
+#include "verification/reference/impacts/restitution.hpp"
 #include "verification/study/toolkit.hpp"
 
 namespace talus::verification::problems::fence_models {

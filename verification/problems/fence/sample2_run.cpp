@@ -5,7 +5,7 @@
 
 #include "solver/io/fence1993/out_listing.hpp"
 #include "solver/io/fence1993/read_deck.hpp"
-#include "verification/study/scene_run.hpp"
+#include "verification/study/runs/scene_run.hpp"
 
 namespace talus::verification::problems {
 namespace {

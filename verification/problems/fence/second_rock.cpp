@@ -4,9 +4,9 @@
 #include "solver/scenes/fence_scene.hpp"
 #include "solver/scenes/fence_summary.hpp"
 #include "verification/problems/fence/watched_summary.hpp"
-#include "verification/reference/cable_draw.hpp"
-#include "verification/study/cable_scenes.hpp"
-#include "verification/study/fence_table.hpp"
+#include "verification/reference/cables/cable_draw.hpp"
+#include "verification/study/scenes/cable_scenes.hpp"
+#include "verification/study/scenes/fence_table.hpp"
 #include "verification/study/toolkit.hpp"
 
 namespace talus::verification::problems::second_rock {

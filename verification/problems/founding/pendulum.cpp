@@ -6,9 +6,9 @@
 #include "verification/problems/founding/leapfrog_swing.hpp"
 #include "verification/problems/founding/swing_period_findings.hpp"
 #include "verification/problems/founding/work_precision_findings.hpp"
-#include "verification/reference/elastic_pendulum.hpp"
-#include "verification/reference/pendulum_steppers.hpp"
-#include "verification/study/swing.hpp"
+#include "verification/reference/integration/pendulum_steppers.hpp"
+#include "verification/reference/motion/elastic_pendulum.hpp"
+#include "verification/study/runs/swing.hpp"
 #include "verification/study/toolkit.hpp"
 
 namespace talus::verification::problems::pendulum {

@@ -1,8 +1,8 @@
-#include "verification/reference/pivoted_cylinder.hpp"
+#include "verification/reference/impacts/pivoted_cylinder.hpp"
 #include "verification/problems/founding/pivoted_swing.hpp"
-#include "verification/reference/restitution.hpp"
-#include "verification/study/leapfrog_impact_error.hpp"
-#include "verification/study/pivoted_impact.hpp"
+#include "verification/reference/impacts/restitution.hpp"
+#include "verification/study/impacts/leapfrog_impact_error.hpp"
+#include "verification/study/impacts/pivoted_impact.hpp"
 #include "verification/study/toolkit.hpp"
 
 namespace talus::verification::problems::pivoted_cylinder {

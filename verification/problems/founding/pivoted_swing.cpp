@@ -3,9 +3,9 @@
 #include "solver/run/simulate.hpp"
 #include "solver/run/turning_point.hpp"
 #include "verification/problems/founding/leapfrog_swing.hpp"
-#include "verification/reference/restitution.hpp"
-#include "verification/study/leapfrog_impact_error.hpp"
-#include "verification/study/pivoted_impact.hpp"
+#include "verification/reference/impacts/restitution.hpp"
+#include "verification/study/impacts/leapfrog_impact_error.hpp"
+#include "verification/study/impacts/pivoted_impact.hpp"
 #include "verification/study/toolkit.hpp"
 
 namespace talus::verification::problems {

@@ -6,9 +6,9 @@
 #include "solver/scenes/bouncing_disc.hpp"
 #include "solver/scenes/pivoted_cylinder.hpp"
 #include "solver/scenes/two_cable.hpp"
-#include "verification/reference/pivoted_cylinder.hpp"
-#include "verification/reference/restitution.hpp"
-#include "verification/reference/two_cable_contact.hpp"
+#include "verification/reference/cables/two_cable_contact.hpp"
+#include "verification/reference/impacts/pivoted_cylinder.hpp"
+#include "verification/reference/impacts/restitution.hpp"
 
 namespace talus::verification::problems {
 namespace {

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "verification/reference/end_rule.hpp"
-#include "verification/study/phase_sweep.hpp"
+#include "verification/reference/impacts/end_rule.hpp"
+#include "verification/study/runs/phase_sweep.hpp"
 
 /// The three impacts of the time-step study, as input of sweeps, and the predictions of their errors.
 namespace talus::verification::problems {

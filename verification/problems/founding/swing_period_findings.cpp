@@ -1,7 +1,7 @@
 #include "verification/problems/founding/swing_period_findings.hpp"
 
 #include "verification/problems/founding/leapfrog_swing.hpp"
-#include "verification/study/swing.hpp"
+#include "verification/study/runs/swing.hpp"
 #include "verification/study/toolkit.hpp"
 
 namespace talus::verification::problems {

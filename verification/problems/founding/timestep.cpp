@@ -1,11 +1,11 @@
 #include "solver/scenes/pivoted_cylinder.hpp"
 #include "solver/scenes/two_cable.hpp"
 #include "verification/problems/founding/struck_scenes.hpp"
-#include "verification/reference/pivoted_cylinder.hpp"
-#include "verification/reference/restitution.hpp"
-#include "verification/reference/two_cable.hpp"
-#include "verification/study/common_formula.hpp"
-#include "verification/study/leapfrog_impact_error.hpp"
+#include "verification/reference/cables/two_cable.hpp"
+#include "verification/reference/impacts/pivoted_cylinder.hpp"
+#include "verification/reference/impacts/restitution.hpp"
+#include "verification/study/findings/common_formula.hpp"
+#include "verification/study/impacts/leapfrog_impact_error.hpp"
 #include "verification/study/toolkit.hpp"
 
 namespace talus::verification::problems::timestep {

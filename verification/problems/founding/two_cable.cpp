@@ -1,8 +1,8 @@
-#include "verification/reference/two_cable.hpp"
+#include "verification/reference/cables/two_cable.hpp"
 #include "verification/problems/founding/two_cable_impact.hpp"
-#include "verification/reference/restitution.hpp"
-#include "verification/study/followed_impact.hpp"
-#include "verification/study/leapfrog_impact_error.hpp"
+#include "verification/reference/impacts/restitution.hpp"
+#include "verification/study/impacts/followed_impact.hpp"
+#include "verification/study/impacts/leapfrog_impact_error.hpp"
 #include "verification/study/toolkit.hpp"
 
 namespace talus::verification::problems::two_cable {
@@ -52,7 +52,7 @@ double kept_in_addition(double x, double v) {
 }
 
 /// Integral of D over the quarter period launched at v1, by Simpson's rule in u with x = x_max sin u: dt = du
-/// sqrt(s_max (L_max + L)/ (1 + s/s_max))/v1, s the elongation (verification/reference/two_cable.hpp).
+/// sqrt(s_max (L_max + L)/ (1 + s/s_max))/v1, s the elongation (verification/reference/cables/two_cable.hpp).
 double integral_in_addition(double v1) {
   const reference::TwoCableMotion motion{problem, v1};
   const double furthest = motion.largest_distance();

@@ -2,8 +2,8 @@
 
 #include "solver/laws/restitution.hpp"
 #include "solver/scenes/two_cable.hpp"
-#include "verification/reference/restitution.hpp"
-#include "verification/study/followed_impact.hpp"
+#include "verification/reference/impacts/restitution.hpp"
+#include "verification/study/impacts/followed_impact.hpp"
 #include "verification/study/toolkit.hpp"
 
 namespace talus::verification::problems {

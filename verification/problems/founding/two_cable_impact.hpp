@@ -3,8 +3,8 @@
 #include "solver/run/turning_point.hpp"
 #include "solver/scenes/scene.hpp"
 #include "verification/check/case.hpp"
-#include "verification/reference/two_cable.hpp"
-#include "verification/reference/two_cable_contact.hpp"
+#include "verification/reference/cables/two_cable.hpp"
+#include "verification/reference/cables/two_cable_contact.hpp"
 
 /// The solver's two-cable problem with the reference's data, and the run of one impact.
 namespace talus::verification::problems {

@@ -1,6 +1,6 @@
 #include "verification/problems/founding/work_precision_findings.hpp"
 
-#include "verification/study/swing.hpp"
+#include "verification/study/runs/swing.hpp"
 #include "verification/study/toolkit.hpp"
 
 namespace talus::verification::problems {

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "verification/check/case.hpp"
-#include "verification/study/swing.hpp"
+#include "verification/study/runs/swing.hpp"
 
 namespace talus::verification::problems {
 

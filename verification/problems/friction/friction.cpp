@@ -1,5 +1,5 @@
 #include "verification/problems/friction/friction_findings.hpp"
-#include "verification/study/sliding_scenes.hpp"
+#include "verification/study/scenes/sliding_scenes.hpp"
 #include "verification/study/toolkit.hpp"
 
 namespace talus::verification::problems::friction {

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "verification/check/case.hpp"
-#include "verification/study/oblique_runs.hpp"
+#include "verification/study/impacts/oblique_runs.hpp"
 
 /// Parts of the case `friction`.
 namespace talus::verification::problems {

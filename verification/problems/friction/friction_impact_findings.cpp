@@ -1,6 +1,6 @@
 #include "verification/problems/friction/friction_findings.hpp"
-#include "verification/study/oblique_runs.hpp"
-#include "verification/study/phase_sweep.hpp"
+#include "verification/study/impacts/oblique_runs.hpp"
+#include "verification/study/runs/phase_sweep.hpp"
 #include "verification/study/toolkit.hpp"
 
 namespace talus::verification::problems {

@@ -1,6 +1,6 @@
 #include "verification/problems/friction/friction_findings.hpp"
-#include "verification/study/common_formula.hpp"
-#include "verification/study/oblique_runs.hpp"
+#include "verification/study/findings/common_formula.hpp"
+#include "verification/study/impacts/oblique_runs.hpp"
 #include "verification/study/toolkit.hpp"
 
 namespace talus::verification::problems {

@@ -2,7 +2,7 @@
 
 #include "solver/dynamics/springs.hpp"
 #include "solver/io/scene/read_scene.hpp"
-#include "verification/reference/mindlin_impact.hpp"
+#include "verification/reference/friction/mindlin_impact.hpp"
 #include "verification/study/toolkit.hpp"
 
 namespace talus::verification::problems::mindlin {

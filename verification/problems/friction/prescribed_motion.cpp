@@ -1,7 +1,7 @@
 #include "solver/integrate/advance.hpp"
 #include "verification/problems/friction/method_run.hpp"
-#include "verification/reference/held_body.hpp"
-#include "verification/reference/smooth_motion.hpp"
+#include "verification/reference/motion/held_body.hpp"
+#include "verification/reference/motion/smooth_motion.hpp"
 #include "verification/study/toolkit.hpp"
 
 namespace talus::verification::problems::prescribed_motion {

@@ -2,8 +2,8 @@
 
 #include "solver/io/read_scene_file.hpp"
 #include "solver/io/scene/read_scene.hpp"
-#include "verification/reference/resting_contact.hpp"
-#include "verification/study/recorded_run.hpp"
+#include "verification/reference/friction/resting_contact.hpp"
+#include "verification/study/runs/recorded_run.hpp"
 #include "verification/study/toolkit.hpp"
 
 namespace talus::verification::problems::resting_contacts {

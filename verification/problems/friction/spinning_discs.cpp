@@ -3,8 +3,8 @@
 #include "solver/granular/disc_system.hpp"
 #include "solver/granular/fast_disc_system.hpp"
 #include "solver/integrate/euler_cromer.hpp"
-#include "verification/reference/oblique_impact.hpp"
-#include "verification/study/oblique_runs.hpp"
+#include "verification/reference/friction/oblique_impact.hpp"
+#include "verification/study/impacts/oblique_runs.hpp"
 #include "verification/study/toolkit.hpp"
 
 namespace talus::verification::problems::spinning_discs {

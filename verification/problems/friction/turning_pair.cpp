@@ -1,6 +1,6 @@
 #include "verification/problems/friction/late_slip.hpp"
+#include "verification/study/scenes/turned_pair.hpp"
 #include "verification/study/toolkit.hpp"
-#include "verification/study/turned_pair.hpp"
 
 namespace talus::verification::problems::turning_pair {
 namespace {

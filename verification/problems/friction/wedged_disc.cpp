@@ -1,6 +1,6 @@
 #include "verification/problems/friction/late_slip.hpp"
 #include "verification/problems/friction/method_run.hpp"
-#include "verification/reference/held_body.hpp"
+#include "verification/reference/motion/held_body.hpp"
 #include "verification/study/toolkit.hpp"
 
 namespace talus::verification::problems::wedged_disc {

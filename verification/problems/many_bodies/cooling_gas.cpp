@@ -1,6 +1,6 @@
 #include "solver/cell/block_means.hpp"
 #include "verification/problems/many_bodies/followed_discs.hpp"
-#include "verification/reference/gas_of_discs.hpp"
+#include "verification/reference/many_bodies/gas_of_discs.hpp"
 #include "verification/study/toolkit.hpp"
 
 namespace talus::verification::problems::cooling_gas {

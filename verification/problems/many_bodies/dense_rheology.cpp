@@ -1,5 +1,5 @@
 #include "verification/problems/many_bodies/dense_runs.hpp"
-#include "verification/reference/power_fit.hpp"
+#include "verification/reference/mathematics/power_fit.hpp"
 #include "verification/study/toolkit.hpp"
 
 namespace talus::verification::problems::dense_rheology {

@@ -3,7 +3,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "verification/reference/restitution.hpp"
+#include "verification/reference/impacts/restitution.hpp"
 
 namespace talus::verification::problems {
 

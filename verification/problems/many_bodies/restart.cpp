@@ -6,9 +6,9 @@
 #include "solver/run/run_state.hpp"
 #include "solver/run/simulate.hpp"
 #include "solver/scenes/bouncing_disc.hpp"
-#include "verification/study/moved_scene.hpp"
-#include "verification/study/scaled_scene.hpp"
-#include "verification/study/scenes_in_motion.hpp"
+#include "verification/study/scenes/moved_scene.hpp"
+#include "verification/study/scenes/scaled_scene.hpp"
+#include "verification/study/scenes/scenes_in_motion.hpp"
 #include "verification/study/toolkit.hpp"
 
 namespace talus::verification::problems::restart {

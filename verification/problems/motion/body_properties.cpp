@@ -1,5 +1,5 @@
 #include "solver/geometry/mass_properties.hpp"
-#include "verification/reference/solid_moments.hpp"
+#include "verification/reference/outlines/solid_moments.hpp"
 #include "verification/study/toolkit.hpp"
 
 namespace talus::verification::problems::body_properties {

@@ -1,6 +1,6 @@
 #include <random>
 
-#include "verification/reference/restitution.hpp"
+#include "verification/reference/impacts/restitution.hpp"
 #include "verification/study/toolkit.hpp"
 
 namespace talus::verification::problems::colliding_discs {

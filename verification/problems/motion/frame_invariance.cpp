@@ -2,8 +2,8 @@
 #include <stdexcept>
 
 #include "solver/base/error.hpp"
-#include "verification/study/moved_scene.hpp"
-#include "verification/study/scenes_in_motion.hpp"
+#include "verification/study/scenes/moved_scene.hpp"
+#include "verification/study/scenes/scenes_in_motion.hpp"
 #include "verification/study/toolkit.hpp"
 
 namespace talus::verification::problems::frame_invariance {

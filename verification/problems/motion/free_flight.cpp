@@ -1,4 +1,4 @@
-#include "verification/reference/constant_force.hpp"
+#include "verification/reference/motion/constant_force.hpp"
 #include "verification/study/toolkit.hpp"
 
 namespace talus::verification::problems::free_flight {

@@ -1,4 +1,4 @@
-#include "verification/reference/restitution.hpp"
+#include "verification/reference/impacts/restitution.hpp"
 #include "verification/study/toolkit.hpp"
 
 namespace talus::verification::problems::held_bodies {

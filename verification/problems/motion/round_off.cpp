@@ -9,7 +9,7 @@
 #include "solver/integrate/lagged_central_difference.hpp"
 #include "solver/integrate/runge_kutta4.hpp"
 #include "solver/integrate/velocity_verlet.hpp"
-#include "verification/reference/stepped_swing.hpp"
+#include "verification/reference/integration/stepped_swing.hpp"
 #include "verification/study/toolkit.hpp"
 
 namespace talus::verification::problems::round_off {

@@ -2,7 +2,7 @@
 
 #include "solver/scenes/bouncing_disc.hpp"
 #include "solver/scenes/pendulum.hpp"
-#include "verification/study/moved_scene.hpp"
+#include "verification/study/scenes/moved_scene.hpp"
 #include "verification/study/toolkit.hpp"
 
 namespace talus::verification::problems::time_reversal {

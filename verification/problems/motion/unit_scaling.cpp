@@ -1,7 +1,7 @@
 #include <tuple>
 
-#include "verification/study/scaled_scene.hpp"
-#include "verification/study/scenes_in_motion.hpp"
+#include "verification/study/scenes/scaled_scene.hpp"
+#include "verification/study/scenes/scenes_in_motion.hpp"
 #include "verification/study/toolkit.hpp"
 
 namespace talus::verification::problems::unit_scaling {

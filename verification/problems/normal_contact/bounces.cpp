@@ -1,9 +1,9 @@
 #include "solver/scenes/bouncing_disc.hpp"
-#include "verification/reference/damped_bounce.hpp"
-#include "verification/reference/restitution.hpp"
-#include "verification/study/followed_impact.hpp"
-#include "verification/study/leapfrog_impact_error.hpp"
-#include "verification/study/plane_impact.hpp"
+#include "verification/reference/impacts/damped_bounce.hpp"
+#include "verification/reference/impacts/restitution.hpp"
+#include "verification/study/impacts/followed_impact.hpp"
+#include "verification/study/impacts/leapfrog_impact_error.hpp"
+#include "verification/study/impacts/plane_impact.hpp"
 #include "verification/study/toolkit.hpp"
 
 namespace talus::verification::problems::bounces {

@@ -3,11 +3,11 @@
 #include "solver/calibrate/impact.hpp"
 #include "solver/scenes/bouncing_disc.hpp"
 #include "solver/scenes/pivoted_cylinder.hpp"
-#include "verification/reference/pivoted_cylinder.hpp"
-#include "verification/reference/restitution.hpp"
-#include "verification/study/common_formula.hpp"
-#include "verification/study/followed_impact.hpp"
-#include "verification/study/leapfrog_impact_error.hpp"
+#include "verification/reference/impacts/pivoted_cylinder.hpp"
+#include "verification/reference/impacts/restitution.hpp"
+#include "verification/study/findings/common_formula.hpp"
+#include "verification/study/impacts/followed_impact.hpp"
+#include "verification/study/impacts/leapfrog_impact_error.hpp"
 #include "verification/study/toolkit.hpp"
 
 namespace talus::verification::problems {

@@ -1,4 +1,4 @@
-#include "verification/reference/pressed_discs.hpp"
+#include "verification/reference/many_bodies/pressed_discs.hpp"
 #include "verification/study/toolkit.hpp"
 
 namespace talus::verification::problems::column {

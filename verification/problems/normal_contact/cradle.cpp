@@ -1,4 +1,4 @@
-#include "verification/reference/struck_row.hpp"
+#include "verification/reference/many_bodies/struck_row.hpp"
 #include "verification/study/toolkit.hpp"
 
 namespace talus::verification::problems::cradle {

@@ -2,7 +2,7 @@
 
 #include "solver/integrate/velocity_verlet.hpp"
 #include "solver/laws/linear_spring_dashpot.hpp"
-#include "verification/study/disc_bounce.hpp"
+#include "verification/study/impacts/disc_bounce.hpp"
 #include "verification/study/toolkit.hpp"
 
 namespace talus::verification::problems {

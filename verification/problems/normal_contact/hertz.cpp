@@ -1,8 +1,8 @@
-#include "verification/reference/hertz_impact.hpp"
-#include "verification/reference/hurwitz_zeta.hpp"
-#include "verification/reference/restitution.hpp"
-#include "verification/study/followed_impact.hpp"
-#include "verification/study/plane_impact.hpp"
+#include "verification/reference/impacts/hertz_impact.hpp"
+#include "verification/reference/impacts/restitution.hpp"
+#include "verification/reference/mathematics/hurwitz_zeta.hpp"
+#include "verification/study/impacts/followed_impact.hpp"
+#include "verification/study/impacts/plane_impact.hpp"
 #include "verification/study/toolkit.hpp"
 
 namespace talus::verification::problems::hertz {

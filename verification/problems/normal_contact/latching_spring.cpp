@@ -1,7 +1,7 @@
 #include "solver/scenes/bouncing_disc.hpp"
-#include "verification/reference/latching_impact.hpp"
-#include "verification/study/plane_impact.hpp"
-#include "verification/study/pressed_disc.hpp"
+#include "verification/reference/impacts/latching_impact.hpp"
+#include "verification/study/impacts/plane_impact.hpp"
+#include "verification/study/impacts/pressed_disc.hpp"
 #include "verification/study/toolkit.hpp"
 
 namespace talus::verification::problems::latching_spring {

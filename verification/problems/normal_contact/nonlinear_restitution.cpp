@@ -1,11 +1,11 @@
 #include <variant>
 
 #include "solver/scenes/bouncing_disc.hpp"
-#include "verification/reference/hertz_impact.hpp"
-#include "verification/reference/power_law_impact.hpp"
-#include "verification/reference/restitution.hpp"
-#include "verification/study/common_formula.hpp"
-#include "verification/study/followed_impact.hpp"
+#include "verification/reference/impacts/hertz_impact.hpp"
+#include "verification/reference/impacts/power_law_impact.hpp"
+#include "verification/reference/impacts/restitution.hpp"
+#include "verification/study/findings/common_formula.hpp"
+#include "verification/study/impacts/followed_impact.hpp"
 #include "verification/study/toolkit.hpp"
 
 namespace talus::verification::problems::nonlinear_restitution {

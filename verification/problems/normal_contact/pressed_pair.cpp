@@ -1,5 +1,5 @@
-#include "verification/reference/pressed_discs.hpp"
-#include "verification/study/plane_impact.hpp"
+#include "verification/reference/many_bodies/pressed_discs.hpp"
+#include "verification/study/impacts/plane_impact.hpp"
 #include "verification/study/toolkit.hpp"
 
 namespace talus::verification::problems::pressed_pair {

@@ -1,9 +1,9 @@
-#include "verification/reference/restitution.hpp"
+#include "verification/reference/impacts/restitution.hpp"
 #include "solver/scenes/bouncing_disc.hpp"
 #include "verification/problems/normal_contact/calibration_findings.hpp"
 #include "verification/problems/normal_contact/effective_mass_findings.hpp"
-#include "verification/study/disc_bounce.hpp"
-#include "verification/study/leapfrog_impact_error.hpp"
+#include "verification/study/impacts/disc_bounce.hpp"
+#include "verification/study/impacts/leapfrog_impact_error.hpp"
 #include "verification/study/toolkit.hpp"
 
 namespace talus::verification::problems::restitution {

@@ -1,4 +1,4 @@
-#include "verification/study/moved_scene.hpp"
+#include "verification/study/scenes/moved_scene.hpp"
 #include "verification/study/toolkit.hpp"
 
 namespace talus::verification::problems::dropped_square {

@@ -1,7 +1,7 @@
 #include <random>
 
+#include "verification/study/scenes/touching_pair.hpp"
 #include "verification/study/toolkit.hpp"
-#include "verification/study/touching_pair.hpp"
 
 namespace talus::verification::problems::energy_slope {
 namespace {

@@ -2,7 +2,7 @@
 
 #include "solver/geometry/gap.hpp"
 #include "solver/geometry/node_depth.hpp"
-#include "verification/reference/superellipse.hpp"
+#include "verification/reference/outlines/superellipse.hpp"
 #include "verification/study/toolkit.hpp"
 
 namespace talus::verification::problems::nearest_points {

@@ -1,4 +1,4 @@
-#include "verification/reference/superellipse.hpp"
+#include "verification/reference/outlines/superellipse.hpp"
 #include "verification/study/toolkit.hpp"
 
 namespace talus::verification::problems::node_spacing {

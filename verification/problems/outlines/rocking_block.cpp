@@ -1,4 +1,4 @@
-#include "verification/reference/rocking_block.hpp"
+#include "verification/reference/outlines/rocking_block.hpp"
 #include "verification/study/toolkit.hpp"
 
 namespace talus::verification::problems::rocking_block {

@@ -1,4 +1,4 @@
-#include "verification/reference/rocking_ellipse.hpp"
+#include "verification/reference/outlines/rocking_ellipse.hpp"
 #include "verification/study/toolkit.hpp"
 
 namespace talus::verification::problems::rocking_ellipse {

@@ -3,7 +3,7 @@
 #include "solver/geometry/gap.hpp"
 #include "solver/geometry/shape.hpp"
 #include "verification/problems/outlines/superellipse_findings.hpp"
-#include "verification/reference/superellipse.hpp"
+#include "verification/reference/outlines/superellipse.hpp"
 #include "verification/study/toolkit.hpp"
 
 namespace talus::verification::problems::superellipse {

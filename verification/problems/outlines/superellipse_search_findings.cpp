@@ -2,7 +2,7 @@
 
 #include "solver/dynamics/candidates.hpp"
 #include "verification/problems/outlines/superellipse_findings.hpp"
-#include "verification/reference/overlap.hpp"
+#include "verification/reference/outlines/overlap.hpp"
 #include "verification/study/toolkit.hpp"
 
 namespace talus::verification::problems {

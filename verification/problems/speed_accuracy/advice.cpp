@@ -2,11 +2,11 @@
 #include "solver/advise/pilot.hpp"
 #include "solver/scenes/bouncing_disc.hpp"
 #include "solver/scenes/fence_scene.hpp"
-#include "verification/reference/hertz_impact.hpp"
-#include "verification/study/fence_table.hpp"
-#include "verification/study/oblique_runs.hpp"
-#include "verification/study/recorded_run.hpp"
-#include "verification/study/sliding_scenes.hpp"
+#include "verification/reference/impacts/hertz_impact.hpp"
+#include "verification/study/impacts/oblique_runs.hpp"
+#include "verification/study/runs/recorded_run.hpp"
+#include "verification/study/scenes/fence_table.hpp"
+#include "verification/study/scenes/sliding_scenes.hpp"
 #include "verification/study/toolkit.hpp"
 
 namespace talus::verification::problems::advice {

@@ -4,7 +4,7 @@
 
 #include "solver/run/simulate.hpp"
 #include "solver/scenes/fence_scene.hpp"
-#include "verification/study/fence_table.hpp"
+#include "verification/study/scenes/fence_table.hpp"
 #include "verification/study/toolkit.hpp"
 
 namespace talus::verification::problems {

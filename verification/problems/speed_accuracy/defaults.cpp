@@ -1,9 +1,9 @@
 #include "solver/io/scene/read_scene.hpp"
 #include "solver/scenes/fence_summary.hpp"
 #include "solver/stability/step_advice.hpp"
-#include "verification/study/recorded_run.hpp"
+#include "verification/study/runs/recorded_run.hpp"
+#include "verification/study/scenes/varied_scenes.hpp"
 #include "verification/study/toolkit.hpp"
-#include "verification/study/varied_scenes.hpp"
 
 namespace talus::verification::problems::defaults {
 namespace {

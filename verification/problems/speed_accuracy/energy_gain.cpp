@@ -1,6 +1,6 @@
 #include <cstdint>
 
-#include "verification/reference/leapfrog_bounce.hpp"
+#include "verification/reference/integration/leapfrog_bounce.hpp"
 #include "verification/study/toolkit.hpp"
 
 namespace talus::verification::problems::energy_gain {

@@ -2,9 +2,9 @@
 
 #include "solver/scenes/bouncing_disc.hpp"
 #include "solver/scenes/pendulum.hpp"
-#include "verification/reference/damped_bounce.hpp"
-#include "verification/reference/two_cable.hpp"
-#include "verification/study/swing.hpp"
+#include "verification/reference/cables/two_cable.hpp"
+#include "verification/reference/impacts/damped_bounce.hpp"
+#include "verification/study/runs/swing.hpp"
 #include "verification/study/toolkit.hpp"
 
 namespace talus::verification::problems {

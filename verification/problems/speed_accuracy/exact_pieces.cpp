@@ -1,9 +1,9 @@
 #include "solver/dynamics/closed_form.hpp"
 #include "solver/scenes/bouncing_disc.hpp"
-#include "verification/reference/damped_bounce.hpp"
-#include "verification/reference/latching_impact.hpp"
-#include "verification/reference/restitution.hpp"
-#include "verification/reference/struck_row.hpp"
+#include "verification/reference/impacts/damped_bounce.hpp"
+#include "verification/reference/impacts/latching_impact.hpp"
+#include "verification/reference/impacts/restitution.hpp"
+#include "verification/reference/many_bodies/struck_row.hpp"
 #include "verification/study/toolkit.hpp"
 
 namespace talus::verification::problems::exact_pieces {

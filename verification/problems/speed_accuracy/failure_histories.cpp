@@ -1,8 +1,8 @@
 #include "verification/problems/speed_accuracy/failure_rows.hpp"
-#include "verification/study/pressed_disc.hpp"
-#include "verification/study/sliding_scenes.hpp"
+#include "verification/study/impacts/pressed_disc.hpp"
+#include "verification/study/scenes/sliding_scenes.hpp"
+#include "verification/study/scenes/turned_pair.hpp"
 #include "verification/study/toolkit.hpp"
-#include "verification/study/turned_pair.hpp"
 
 namespace talus::verification::problems {
 namespace {

@@ -7,11 +7,11 @@
 
 #include "verification/problems/speed_accuracy/failure_rows.hpp"
 #include "verification/problems/speed_accuracy/squeezed_disc.hpp"
-#include "verification/reference/amplification.hpp"
-#include "verification/reference/leapfrog_bounce.hpp"
-#include "verification/study/disc_bounce.hpp"
-#include "verification/study/leapfrog_impact_error.hpp"
-#include "verification/study/plane_impact.hpp"
+#include "verification/reference/integration/amplification.hpp"
+#include "verification/reference/integration/leapfrog_bounce.hpp"
+#include "verification/study/impacts/disc_bounce.hpp"
+#include "verification/study/impacts/leapfrog_impact_error.hpp"
+#include "verification/study/impacts/plane_impact.hpp"
 
 namespace talus::verification::problems {
 namespace {

@@ -11,9 +11,9 @@
 #include "solver/geometry/pose.hpp"
 #include "solver/geometry/superquadric.hpp"
 #include "verification/problems/speed_accuracy/failure_rows.hpp"
-#include "verification/reference/superellipse.hpp"
-#include "verification/study/expectations.hpp"
-#include "verification/study/touching_pair.hpp"
+#include "verification/reference/outlines/superellipse.hpp"
+#include "verification/study/findings/expectations.hpp"
+#include "verification/study/scenes/touching_pair.hpp"
 
 namespace talus::verification::problems {
 namespace {

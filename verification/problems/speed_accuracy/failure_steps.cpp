@@ -1,8 +1,8 @@
 #include "solver/run/simulate.hpp"
 #include "solver/scenes/bouncing_disc.hpp"
 #include "verification/problems/speed_accuracy/failure_rows.hpp"
-#include "verification/study/cable_scenes.hpp"
-#include "verification/study/disc_bounce.hpp"
+#include "verification/study/impacts/disc_bounce.hpp"
+#include "verification/study/scenes/cable_scenes.hpp"
 #include "verification/study/toolkit.hpp"
 
 namespace talus::verification::problems {

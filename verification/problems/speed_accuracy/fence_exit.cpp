@@ -1,7 +1,7 @@
 #include "verification/problems/speed_accuracy/fence_exit.hpp"
 
 #include "solver/scenes/fence_scene.hpp"
-#include "verification/study/fence_table.hpp"
+#include "verification/study/scenes/fence_table.hpp"
 #include "verification/study/toolkit.hpp"
 
 namespace talus::verification::problems {

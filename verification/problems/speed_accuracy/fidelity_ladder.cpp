@@ -1,6 +1,6 @@
 #include "verification/problems/speed_accuracy/fidelity_levels.hpp"
 #include "verification/problems/speed_accuracy/fidelity_rungs.hpp"
-#include "verification/reference/bed_of_springs.hpp"
+#include "verification/reference/impacts/bed_of_springs.hpp"
 #include "verification/study/toolkit.hpp"
 
 namespace talus::verification::problems::fidelity_ladder {

@@ -4,7 +4,7 @@
 
 #include "solver/laws/restitution.hpp"
 #include "solver/scenes/pivoted_cylinder.hpp"
-#include "verification/study/fence_table.hpp"
+#include "verification/study/scenes/fence_table.hpp"
 #include "verification/study/toolkit.hpp"
 
 namespace talus::verification::problems {

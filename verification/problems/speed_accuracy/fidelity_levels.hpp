@@ -2,7 +2,7 @@
 
 #include "solver/scenes/fence_scene.hpp"
 #include "verification/check/case.hpp"
-#include "verification/reference/restitution.hpp"
+#include "verification/reference/impacts/restitution.hpp"
 
 /// One impact at increasing levels of fidelity: the rock of Table 2 against increasingly complete models of its fence.
 namespace talus::verification::problems {

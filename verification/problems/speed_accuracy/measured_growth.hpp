@@ -1,7 +1,7 @@
 #pragma once
 
 #include "verification/problems/speed_accuracy/squeezed_disc.hpp"
-#include "verification/reference/amplification.hpp"
+#include "verification/reference/integration/amplification.hpp"
 #include "verification/study/toolkit.hpp"
 
 /// The methods with fixed steps, and the growth of their runs of a squeezed disc.

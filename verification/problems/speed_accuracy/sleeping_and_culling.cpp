@@ -1,9 +1,9 @@
 #include <random>
 
 #include "solver/scenes/fence_scene.hpp"
-#include "verification/study/fence_table.hpp"
-#include "verification/study/moved_scene.hpp"
-#include "verification/study/scenes_in_motion.hpp"
+#include "verification/study/scenes/fence_table.hpp"
+#include "verification/study/scenes/moved_scene.hpp"
+#include "verification/study/scenes/scenes_in_motion.hpp"
 #include "verification/study/toolkit.hpp"
 
 namespace talus::verification::problems::sleeping_and_culling {

@@ -3,8 +3,8 @@
 #include "solver/stability/step_advice.hpp"
 #include "verification/problems/speed_accuracy/bilateral_findings.hpp"
 #include "verification/problems/speed_accuracy/measured_growth.hpp"
-#include "verification/reference/amplification.hpp"
-#include "verification/study/common_formula.hpp"
+#include "verification/reference/integration/amplification.hpp"
+#include "verification/study/findings/common_formula.hpp"
 #include "verification/study/toolkit.hpp"
 
 namespace talus::verification::problems::stability_maps {

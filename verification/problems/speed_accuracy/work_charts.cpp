@@ -8,7 +8,7 @@
 #include <limits>
 #include <utility>
 
-#include "verification/study/rows.hpp"
+#include "verification/study/findings/rows.hpp"
 
 namespace talus::verification::problems {
 namespace {

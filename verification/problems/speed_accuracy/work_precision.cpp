@@ -5,7 +5,7 @@
 
 #include "solver/run/simulate.hpp"
 #include "verification/problems/speed_accuracy/work_charts.hpp"
-#include "verification/study/leapfrog_impact_error.hpp"
+#include "verification/study/impacts/leapfrog_impact_error.hpp"
 #include "verification/study/toolkit.hpp"
 
 namespace talus::verification::problems::work_precision {

@@ -5,8 +5,8 @@
 #include "solver/stability/step_advice.hpp"
 #include "verification/problems/speed_accuracy/exact_motions.hpp"
 #include "verification/problems/speed_accuracy/fence_exit.hpp"
-#include "verification/study/disc_bounce.hpp"
-#include "verification/study/pivoted_impact.hpp"
+#include "verification/study/impacts/disc_bounce.hpp"
+#include "verification/study/impacts/pivoted_impact.hpp"
 #include "verification/study/toolkit.hpp"
 
 namespace talus::verification::problems {

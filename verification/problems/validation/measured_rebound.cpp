@@ -14,12 +14,12 @@
 #include "solver/model/model_builder.hpp"
 #include "verification/check/case.hpp"
 #include "verification/record/csv.hpp"
-#include "verification/reference/mindlin_impact.hpp"
-#include "verification/reference/oblique_impact.hpp"
-#include "verification/reference/restitution.hpp"
-#include "verification/study/curves.hpp"
-#include "verification/study/expectations.hpp"
-#include "verification/study/scene_run.hpp"
+#include "verification/reference/friction/mindlin_impact.hpp"
+#include "verification/reference/friction/oblique_impact.hpp"
+#include "verification/reference/impacts/restitution.hpp"
+#include "verification/study/findings/curves.hpp"
+#include "verification/study/findings/expectations.hpp"
+#include "verification/study/runs/scene_run.hpp"
 
 namespace talus::verification::problems::measured_rebound {
 namespace {

@@ -1,0 +1,159 @@
+#include "reports/base/process.hpp"
+
+#include <fcntl.h>
+#include <fmt/format.h>
+#include <poll.h>
+#include <spawn.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <array>
+#include <cerrno>
+#include <cstdlib>
+#include <cstring>
+#include <sstream>
+
+#include "reports/base/error.hpp"
+
+extern "C" char** environ;
+
+namespace talus::reports {
+namespace {
+
+/// A pipe that closes both ends in its destructor. They are close-on-exec from the start: a child started meanwhile by
+/// another thread must not inherit them, or reading would wait for its end.
+struct Pipe {
+  std::array<int, 2> ends{-1, -1};
+  Pipe() {
+    if (pipe2(ends.data(), O_CLOEXEC) != 0) throw OutputError(fmt::format("no pipe: {}", std::strerror(errno)));
+  }
+  ~Pipe() {
+    close_end(0);
+    close_end(1);
+  }
+  Pipe(const Pipe&) = delete;
+  Pipe& operator=(const Pipe&) = delete;
+  void close_end(std::size_t end) {
+    if (ends[end] >= 0) close(ends[end]);
+    ends[end] = -1;
+  }
+};
+
+std::vector<std::string> environment_of(const Command& command) {
+  std::vector<std::string> entries;
+  for (char** entry = environ; *entry != nullptr; ++entry) {
+    const std::string text = *entry;
+    if (command.environment.count(text.substr(0, text.find('='))) == 0) entries.push_back(text);
+  }
+  for (const auto& [name, value] : command.environment)
+    entries.push_back(name + "=" + value);
+  return entries;
+}
+
+std::vector<char*> pointers(std::vector<std::string>& texts) {
+  std::vector<char*> result;
+  for (std::string& text : texts)
+    result.push_back(text.data());
+  result.push_back(nullptr);
+  return result;
+}
+
+/// Reads both pipes as they fill, so that neither can block the child.
+void drain(Pipe& out, Pipe& err, Finished& finished) {
+  std::array<pollfd, 2> watched{pollfd{out.ends[0], POLLIN, 0}, pollfd{err.ends[0], POLLIN, 0}};
+  std::array<std::string*, 2> sinks{&finished.output, &finished.messages};
+  int open = 2;
+  while (open > 0) {
+    if (poll(watched.data(), watched.size(), -1) < 0) {
+      if (errno == EINTR) continue;
+      throw OutputError(fmt::format("poll: {}", std::strerror(errno)));
+    }
+    for (std::size_t i = 0; i < watched.size(); ++i) {
+      if (watched[i].fd < 0 || watched[i].revents == 0) continue;
+      std::array<char, 4096> buffer{};
+      const ssize_t count = read(watched[i].fd, buffer.data(), buffer.size());
+      if (count > 0) {
+        sinks[i]->append(buffer.data(), static_cast<std::size_t>(count));
+      } else if (count == 0 || errno != EINTR) {
+        watched[i].fd = -1;
+        --open;
+      }
+    }
+  }
+}
+
+/// Debian packages of the programs needed for reports and pictures.
+const std::map<std::string, std::string> packages{
+    {"gnuplot", "gnuplot-nox"}, {"pandoc", "pandoc"}, {"pdflatex", "texlive-latex-recommended and lmodern"}};
+
+OutputError cannot_start(const std::string& program, int failure) {
+  const auto package = packages.find(program);
+  const std::string debian = package == packages.end() ? "" : " Debian's packages: " + package->second + ";";
+  return OutputError(fmt::format("{}: cannot be started: {}{}", program, std::strerror(failure),
+                                 failure != ENOENT ? ""
+                                                   : fmt::format(" (is it installed?{} scripts/setup installs what "
+                                                                 "reports and pictures need)",
+                                                                 debian)));
+}
+
+pid_t start(const Command& command, Pipe& out, Pipe& err) {
+  std::vector<std::string> words{command.program};
+  words.insert(words.end(), command.arguments.begin(), command.arguments.end());
+  std::vector<std::string> entries = environment_of(command);
+
+  posix_spawn_file_actions_t actions{};
+  posix_spawn_file_actions_init(&actions);
+  posix_spawn_file_actions_addopen(&actions, STDIN_FILENO, "/dev/null", O_RDONLY, 0);
+  posix_spawn_file_actions_adddup2(&actions, out.ends[1], STDOUT_FILENO);
+  posix_spawn_file_actions_adddup2(&actions, err.ends[1], STDERR_FILENO);
+  if (!command.folder.empty()) posix_spawn_file_actions_addchdir_np(&actions, command.folder.c_str());
+  pid_t child = 0;
+  const int failure = posix_spawnp(&child, command.program.c_str(), &actions, nullptr, pointers(words).data(),
+                                   pointers(entries).data());
+  posix_spawn_file_actions_destroy(&actions);
+  if (failure == 0) return child;
+  if (!command.folder.empty() && !std::filesystem::is_directory(command.folder)) {
+    throw OutputError(fmt::format("{}: cannot be started in {}: {}", command.program, command.folder.string(),
+                                  std::strerror(failure)));
+  }
+  throw cannot_start(command.program, failure);
+}
+
+}  // namespace
+
+Finished run(const Command& command) {
+  Pipe out;
+  Pipe err;
+  const pid_t child = start(command, out, err);
+  out.close_end(1);
+  err.close_end(1);
+  Finished finished;
+  drain(out, err, finished);
+  int status = 0;
+  while (waitpid(child, &status, 0) < 0) {
+    if (errno != EINTR) throw OutputError(fmt::format("{}: {}", command.program, std::strerror(errno)));
+  }
+  finished.status = WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status);
+  return finished;
+}
+
+void demand_program(const std::string& name) {
+  const char* path = std::getenv("PATH");
+  std::istringstream folders{path != nullptr ? path : ""};
+  for (std::string folder; std::getline(folders, folder, ':');)
+    if (::access((std::filesystem::path{folder} / name).c_str(), X_OK) == 0) return;
+  throw cannot_start(name, ENOENT);
+}
+
+Finished run_or_throw(const Command& command, const std::string& purpose) {
+  Finished finished = run(command);
+  if (finished.status != 0) {
+    std::string& words = finished.messages.empty() ? finished.output : finished.messages;
+    words.erase(words.find_last_not_of('\n') + 1);
+    throw OutputError(
+        fmt::format("{} failed on {} (exit status {}):\n{}", command.program, purpose, finished.status, words));
+  }
+  return finished;
+}
+
+}  // namespace talus::reports

@@ -1,0 +1,157 @@
+#include "solver/app/calibration/impact_calibration.hpp"
+
+#include <fmt/format.h>
+
+#include <nlohmann/json.hpp>
+#include <optional>
+#include <variant>
+#include <vector>
+
+#include "solver/app/calibration/impact_bodies.hpp"
+#include "solver/app/calibration/law_options.hpp"
+#include "solver/base/error.hpp"
+#include "solver/base/exit_code.hpp"
+#include "solver/base/progress.hpp"
+#include "solver/calibrate/impact.hpp"
+#include "solver/calibrate/impact_range.hpp"
+#include "solver/io/file/quantity_text.hpp"
+
+namespace talus::app {
+namespace {
+
+/// Result of a calibration; all values in SI units.
+struct ImpactCalibration {
+  ContactLaw law;
+  double effective_mass{};
+  double speed{};
+  double restitution{};  ///< requested, or in closed form
+  KnownImpact known;
+  double undamped_time{};  ///< contact time without the dashpot
+  ImpactStep step;
+};
+
+/// Sets the dashpot that the restitution requires, unless the options give the dashpot. Errors: InputError if both or
+/// none are given.
+ContactLaw damped_law(const CalibrateOptions& options, ContactLaw law, double effective_mass, double speed) {
+  const bool is_given = gives_dissipation(options, law);
+  if (is_given == options.restitution.has_value()) {
+    throw InputError{fmt::format("--restitution: found {} of --restitution and {}; give one of the two",
+                                 is_given ? "both" : "none", option_name(dissipation_of(law).name))};
+  }
+  if (is_given) return law;
+  return with_dissipation(law, exact_dissipation({law, effective_mass, speed}, *options.restitution));
+}
+
+ImpactCalibration calibrated(const CalibrateOptions& options) {
+  const ElapsedTime elapsed{"calibrating"};
+  ImpactCalibration found;
+  const ContactLaw law = law_of_options(options);
+  if (options.masses.empty())
+    throw InputError{"--masses: it is missing; give one or two, e.g. --masses \"2 kg\" \"1 kg\""};
+  found.effective_mass = effective_mass_of(options);
+  found.speed = option_quantity("--speed", options.speed, dimension::velocity, si);
+  found.law = damped_law(options, law, found.effective_mass, found.speed);
+  found.known = known_impact(found.law, found.effective_mass, found.speed);
+  found.undamped_time = known_impact(with_dissipation(found.law, 0.0), found.effective_mass, found.speed).contact_time;
+  found.restitution = options.restitution.value_or(found.known.restitution);
+  found.step = advise_impact_step(found.law, found.effective_mass, found.speed, options.bound,
+                                  make_integrator(options.integrator));
+  return found;
+}
+
+/// The damping ratio of the impact, for laws that have one.
+std::optional<double> damping_ratio_of(const ImpactCalibration& found) {
+  return std::visit(
+      [&]<class L>(L law) -> std::optional<double> {
+        if constexpr (HasDampingRatio<L>) {
+          law.set_every_restitution(found.restitution, found.speed);
+          return law.damping_ratio;
+        }
+        return {};
+      },
+      found.law);
+}
+
+void print_json(const ImpactCalibration& found, const CalibrateOptions& options) {
+  nlohmann::ordered_json json{{"law", options.law}};
+  for (const LawParameter& parameter : parameters_of(found.law))
+    json[parameter.name] = parameter.value;
+  for (const auto& [name, value] : choices_of(found.law))
+    json[name] = value;
+  if (const auto xi = damping_ratio_of(found)) json["damping_ratio"] = *xi;
+  json["effective_mass"] = found.effective_mass;
+  json["contact_time"] = found.known.contact_time;
+  json["undamped_contact_time"] = found.undamped_time;
+  json["speed"] = found.speed;
+  json["largest_overlap"] = found.known.largest_overlap;
+  json["exact_restitution"] = found.restitution;
+  json["step"] = found.step.step;
+  json["restitution"] = found.step.restitution;
+  json["restitution_error"] = found.step.largest_error;
+  json["units"] = "SI";
+  fmt::print("{}\n", json.dump(2));
+}
+
+void print_text(const ImpactCalibration& found, const CalibrateOptions& options) {
+  const UnitSystem units = unit_system(options.units);
+  const auto line = [&units](std::string_view what, double in_si, Dimension dimension) {
+    fmt::print("  {:<32}{:>16.9g} {}\n", what, in_si / si_size(units, dimension), symbol(units, dimension));
+  };
+  const LawParameter dissipation = dissipation_of(found.law);
+  if (options.restitution) {
+    fmt::print("{} for a restitution of {} ({})\n", dissipation.name, *options.restitution, law_text(found.law));
+  } else {
+    fmt::print("restitution with this {} ({})\n", dissipation.name, law_text(found.law));
+  }
+  fmt::print("{}", bodies_text(options, units));
+  line("effective mass", found.effective_mass, dimension::mass);
+  line(dissipation.name == "damping" ? "damping c" : dissipation.name, dissipation.value, dissipation.dimension);
+  if (const auto xi = damping_ratio_of(found)) line("damping ratio xi", *xi, dimension::number);
+  line("restitution, exact", found.restitution, dimension::number);
+  line("contact time", found.known.contact_time, dimension::time);
+  line("undamped contact time", found.undamped_time, dimension::time);
+  line("speed of approach", found.speed, dimension::velocity);
+  line("largest overlap at that speed", found.known.largest_overlap, dimension::length);
+  line("step", found.step.step, dimension::time);
+  line("step over undamped contact time", found.step.step / found.undamped_time, dimension::number);
+  line("restitution simulated with it", found.step.restitution, dimension::number);
+  fmt::print("  simulated with {}; its error over all phases of the step is at most {:.3g}, required {:.3g}\n",
+             options.integrator, found.step.largest_error, options.bound);
+  if (restitution_varies(found.law))
+    fmt::print("  the restitution holds at this speed: others are more or less elastic\n");
+  fmt::print("in a scene, for these bodies and this line of impact:\n");
+  if (options.law != LinearSpringDashpot::name) fmt::print("  law = \"{}\"\n", options.law);
+  for (const LawParameter& parameter : parameters_of(found.law)) {
+    if (parameter.dimension == dimension::number) {
+      fmt::print("  {} = {:.17g}\n", parameter.name, parameter.value);
+    } else {
+      fmt::print("  {} = \"{:.17g} {}\"\n", parameter.name, parameter.value / si_size(units, parameter.dimension),
+                 symbol(units, parameter.dimension));
+    }
+  }
+  for (const auto& [name, value] : choices_of(found.law))
+    fmt::print("  {} = \"{}\"\n", name, value);
+  if (!options.restitution) return;
+  const std::string at_speed =
+      restitution_varies(found.law)
+          ? fmt::format(", restitution_speed = \"{:.17g} {}\"", found.speed / si_size(units, dimension::velocity),
+                        symbol(units, dimension::velocity))
+          : "";
+  fmt::print("for every impact, whatever the bodies: restitution = {}{} in place of {}\n", *options.restitution,
+             at_speed, dissipation.name);
+}
+
+}  // namespace
+
+int calibrate_impact(const CalibrateOptions& options) {
+  static_cast<void>(unit_system(options.units));
+  const ImpactCalibration found = calibrated(options);
+  if (options.json) {
+    print_json(found, options);
+  } else {
+    print_text(found, options);
+  }
+  return ok;
+}
+
+}  // namespace talus::app

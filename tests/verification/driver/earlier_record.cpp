@@ -1,0 +1,105 @@
+// Records of an earlier run that are not made again (--reuse).
+#define BOOST_TEST_MODULE earlier_record
+#include <unistd.h>
+
+#include <boost/test/unit_test.hpp>
+#include <cctype>
+#include <filesystem>
+#include <fstream>
+#include <sstream>
+#include <string>
+#include <vector>
+
+#include "tests/verification/driver/driver_run.hpp"
+#include "tests/verification/driver/synthetic_cases.hpp"
+
+using namespace talus::verification;
+namespace fs = std::filesystem;
+
+namespace {
+
+/// Files of a test, in a folder that is removed at its end.
+struct Scratch {
+  fs::path folder = fs::temp_directory_path() / ("talus_reuse_" + std::to_string(::getpid()));
+  Scratch() { fs::create_directories(folder); }
+  ~Scratch() { fs::remove_all(folder); }
+  Scratch(const Scratch&) = delete;
+  Scratch& operator=(const Scratch&) = delete;
+
+  void write(const std::string& name, const std::string& text) const { std::ofstream(folder / name) << text; }
+  /// Text of a file, which is then removed; empty if there is none.
+  std::string take(const std::string& name) const {
+    std::ostringstream text;
+    text << std::ifstream(folder / name).rdbuf();
+    fs::remove(folder / name);
+    return text.str();
+  }
+};
+
+/// A case that records how it is run: a letter for the right setup, the coarse one, and each fault; in capitals in the
+/// full tier.
+Case noted(const std::string& id, double full_seconds) {
+  Case one = synthetic(id, [](Findings& f, const Setup& setup) {
+    std::string letter = !setup.fault.empty() ? "f" : setup.coarse ? "c" : "r";
+    if (setup.tier == Tier::full) letter[0] = static_cast<char>(std::toupper(letter[0]));
+    std::ofstream(spoiled_folder, std::ios::app) << letter;
+    f.expect("value", setup.fault.empty() ? 1.0 : 2.0, 1.0, Tolerance::model(0.1, "chosen"));
+  });
+  one.full_seconds = full_seconds;
+  return one;
+}
+
+}  // namespace
+
+BOOST_AUTO_TEST_CASE(what_the_same_program_found_is_taken_over) {
+  const Scratch scratch;
+  const std::string out = (scratch.folder / "out").string(), letters = "letters", data = "data";
+  spoiled_folder = (scratch.folder / letters).string();
+  scratch.write(data, "1\n");
+  const auto letters_of = [&](const Case& one, std::vector<const char*> options) {
+    options.insert(options.begin(), {"talus_verify", "--out", out.c_str()});
+    BOOST_TEST(
+        verify({one}, TALUS_CATALOGUE, static_cast<int>(options.size()), options.data(), {scratch.folder / data}) == 0);
+    return scratch.take(letters);
+  };
+  const Case plain = noted("plain", 0.0), longer = noted("longer", 1.0);
+  BOOST_TEST(letters_of(plain, {}) == "rcf");
+  BOOST_TEST(letters_of(longer, {}) == "rcf");
+  // A case without a full part is the same in both tiers; for another case the controls are.
+  BOOST_TEST(letters_of(plain, {"--full", "--reuse"}) == "");
+  BOOST_TEST(letters_of(longer, {"--full", "--reuse"}) == "R");
+  BOOST_TEST(letters_of(plain, {"--full"}) == "rcf");
+  BOOST_TEST(letters_of(longer, {"--full"}) == "Rcf");
+  // A file that cases read has changed.
+  scratch.write(data, "2\n");
+  BOOST_TEST(letters_of(plain, {"--reuse"}) == "rcf");
+  BOOST_TEST(letters_of(plain, {"--reuse"}) == "");
+  // The record has changed, or a file of it is missing.
+  const fs::path record = fs::path{out} / "plain" / "record.json";
+  std::ofstream(record, std::ios::app) << "\n";
+  BOOST_TEST(letters_of(plain, {"--reuse"}) == "rcf");
+  fs::remove(record);
+  BOOST_TEST(letters_of(plain, {"--reuse"}) == "rcf");
+  // Records of other rounding modes are not reused.
+  BOOST_TEST(letters_of(plain, {"--rounding", "upward"}) == "rcf");
+  BOOST_TEST(letters_of(plain, {"--reuse"}) == "rcf");
+}
+
+BOOST_AUTO_TEST_CASE(a_failed_case_is_run_again) {
+  const Scratch scratch;
+  const std::string out = (scratch.folder / "out").string();
+  const Case failing = synthetic("failing", [](Findings& f, const Setup&) {
+    std::ofstream(spoiled_folder, std::ios::app) << "x";
+    f.expect("value", 3.0, 1.0, Tolerance::model(0.1, "chosen"));
+  });
+  spoiled_folder = (scratch.folder / "letters").string();
+  const std::vector<const char*> options{"talus_verify", "--out", out.c_str(), "--reuse"};
+  for (int run = 0; run < 2; ++run) {
+    BOOST_TEST(verify({failing}, TALUS_CATALOGUE, 4, options.data()) == 1);
+    BOOST_TEST(!scratch.take("letters").empty());
+  }
+}
+
+BOOST_AUTO_TEST_CASE(nothing_is_taken_over_under_another_rounding) {
+  BOOST_TEST(Run({synthetic("sound", sound)}, {"--reuse", "--rounding", "upward"}).status == 2);
+}

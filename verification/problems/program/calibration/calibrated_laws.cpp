@@ -1,0 +1,191 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "verification/check/case.hpp"
+#include "verification/problems/program/calibration/calibrated_ranges.hpp"
+#include "verification/problems/program/calibration/impact_request.hpp"
+#include "verification/record/json_node.hpp"
+#include "verification/reference/impacts/restitution.hpp"
+#include "verification/study/findings/expectations.hpp"
+#include "verification/study/program/program_options.hpp"
+#include "verification/study/program/program_run.hpp"
+
+namespace talus::verification::problems::calibrated_laws {
+namespace {
+
+using records::Json;
+
+constexpr double bound = 1e-3;
+
+/// The lines of a contact that the program prints for a scene; with `every`, those for all impacts in place of the
+/// dashpot.
+std::string lines_of(const std::string& printed, const std::string& parameter, bool every) {
+  const std::size_t from = printed.find('\n', printed.find("in a scene")) + 1, to = printed.find("for every impact");
+  std::string lines = printed.substr(from, to - from);
+  if (!every) return lines;
+  const std::size_t at = lines.find("  " + parameter + " = ");
+  lines.erase(at, lines.find('\n', at) + 1 - at);
+  const std::size_t rest = printed.find("restitution = ", to), end = printed.find(" in place of", rest);
+  std::string restitution = printed.substr(rest, end - rest);
+  if (const std::size_t comma = restitution.find(", "); comma != std::string::npos) restitution.replace(comma, 2, "\n");
+  return lines + restitution + "\n";
+}
+
+/// Restitution of a run of two bodies, or of one and a wall, with these lines.
+double restitution_of_run(const Program& program, const ImpactRequest& request, const std::string& lines, double step,
+                          const ExactImpact& exact) {
+  const double radius = 300.0 * exact.overlap, gap = 3.3 * step * request.speed;
+  const auto body = [&](const char* which, double mass, double x, double speed) {
+    return fmt::format(
+        "[[body]]\nname = \"{}\"\nmobility = \"particle\"\nmass = \"{} kg\"\nshape = {{ kind = \"circle\", radius = "
+        "\"{} m\" }}\nposition = [\"{} m\", \"0 m\"]\nvelocity = [\"{} m/s\", \"0 m/s\"]\n",
+        which, mass, radius, x, speed);
+  };
+  std::string scene = "units = \"SI\"\n" + body("a", request.masses[0], -radius - gap, request.speed);
+  scene += request.masses.size() > 1
+               ? body("b", request.masses[1], radius, 0.0)
+               : "[[body]]\nname = \"b\"\nmobility = \"fixed\"\nposition = [\"0 m\", \"0 m\"]\nangle "
+                 "= \"90 deg\"\nshape = { kind = \"half_plane\" }\n";
+  scene += "[[contact]]\nname = \"hit\"\nbetween = [\"a\", \"b\"]\n";
+  if (lines.find("law = ") == std::string::npos) scene += "law = \"linear_spring_dashpot\"\n";
+  scene += lines + fmt::format(
+                       "[run]\nintegrator = \"velocity_verlet\"\nstep = \"{0} s\"\nend = \"{1} s\"\ninterval = "
+                       "\"{1} s\"\nwatch = \"off\"\n",
+                       step, 1.3 * exact.time + 8.0 * step);
+  program.write("pasted.toml", scene);
+  const Json state = program.json({"run", "pasted.toml"}, {{"--json", {}}});
+  const auto velocity = [&](std::size_t which) {
+    return state.at("bodies").at(which).at("velocity").at(0).get<double>();
+  };
+  return ((request.masses.size() > 1 ? velocity(1) : 0.0) - velocity(0)) / request.speed;
+}
+
+/// Calibrations of one pair.
+void check_pairs(const Program& program, Findings& findings, const Setup& setup) {
+  Differences differ;
+  ImpactDraw draw;
+  double damping = 0.0, time = 0.0, undamped = 0.0, overlap = 0.0, reverse = 0.0, pasted = 0.0, fraction = 0.0;
+  const std::size_t count = setup.tier == Tier::full ? 200 : setup.coarse ? 8 : 20;
+  for (std::size_t number = 0; number < count; ++number) {
+    const ImpactRequest request = draw.request(number);
+    const ExactImpact exact = exact_of(request);
+    const std::string parameter = request.is_hunt_crossley() ? "hysteresis" : "damping";
+    const Options common = options_of(request, bound);
+    const auto with = [&common](Options more) {
+      more.insert(more.end(), common.begin(), common.end());
+      return more;
+    };
+    const Option wanted{"--restitution", {fmt::format("{}", request.restitution)}};
+    const Json found = program.json({"calibrate"}, with({wanted, {"--json", {}}}));
+    keep_worst(damping, found.at(parameter).get<double>() / exact.damping - 1.0);
+    keep_worst(time, found.at("contact_time").get<double>() / exact.time - 1.0);
+    keep_worst(overlap, found.at("largest_overlap").get<double>() / exact.overlap - 1.0);
+    keep_worst(undamped, found.at("undamped_contact_time").get<double>() / undamped_time(request) - 1.0);
+
+    const std::string unit = request.is_hunt_crossley() ? "s/m" : "N s/m";
+    const Json back = program.json(
+        {"calibrate"}, with({{"--" + parameter, {fmt::format("{} {}", exact.damping, unit)}}, {"--json", {}}}));
+    keep_worst(reverse, back.at("exact_restitution").get<double>() - request.restitution);
+
+    const std::string printed = program.run({"calibrate"}, with({wanted}));
+    keep_worst(fraction, number_after(printed, "step over undamped contact time ") * undamped_time(request) /
+                                 found.at("step").get<double>() -
+                             1.0);
+    const std::string lines = lines_of(printed, parameter, number % 8 > 3);
+    keep_worst(pasted, restitution_of_run(program, request, lines, found.at("step").get<double>(), exact) -
+                           request.restitution);
+
+    differ.compare("law", found.at("law").get<std::string>(), request.law);
+    differ.compare("speed", found.at("speed").get<double>(), request.speed);
+    differ.compare("exact_restitution", found.at("exact_restitution").get<double>(), request.restitution);
+    differ.compare("units", found.at("units").get<std::string>(), std::string{"SI"});
+    differ.compare("effective_mass",
+                   std::abs(found.at("effective_mass").get<double>() / request.effective_mass() - 1.0) < 1e-15, true);
+    differ.compare(
+        "simulated restitution and its error",
+        std::abs(found.at("restitution").get<double>() - request.restitution) <= found.at("restitution_error") &&
+            found.at("restitution_error") <= bound,
+        true);
+    std::size_t members = 12;
+    if (request.is_hertz()) {
+      differ.compare("modulus", found.at("modulus").get<double>(), request.stiffness);
+      differ.compare("radius", found.at("radius").get<double>(), request.radius);
+      differ.compare("dashpot", found.at("dashpot").get<std::string>(),
+                     std::string{request.constant ? "constant" : "tsuji"});
+      members += 3;
+    } else {
+      differ.compare("stiffness", found.at("stiffness").get<double>(), request.stiffness);
+      members += 1;
+    }
+    if (request.is_hunt_crossley()) {
+      differ.compare("reference_overlap", found.at("reference_overlap").get<double>(), request.radius);
+      differ.compare("exponent", found.at("exponent").get<double>(), request.exponent);
+      members += 2;
+    } else {
+      differ.compare("end_rule", found.at("end_rule").get<std::string>(), name_of(request.rule));
+      members += 2;  // and the damping ratio
+      if (!request.constant)
+        differ.compare("damping_ratio",
+                       std::abs(found.at("damping_ratio").get<double>() /
+                                    reference::damping_ratio(request.restitution, request.rule) -
+                                1.0) < 1e-12,
+                       true);
+    }
+    differ.compare("number of members", found.size(), members);
+  }
+  const Tolerance integrated = Tolerance::model(1e-13, "both sides integrate to 1e-14");
+  findings.expect(
+      "damping over the exact one, largest deviation from 1", damping, 0.0,
+      Tolerance::model(4e-13, "1e-14 in e on both sides, of which a weak dashpot takes 1/ln(1/e) = 20 times"));
+  findings.expect("contact time over the exact one, largest deviation from 1", time, 0.0, integrated);
+  findings.expect("undamped contact time over the exact one, largest deviation from 1", undamped, 0.0, integrated);
+  findings.expect("printed fraction of the undamped contact time over the exact one, largest deviation from 1",
+                  fraction, 0.0,
+                  Tolerance::model(5.1e-9, "nine digits are printed: half a unit of the last one, and round-off"));
+  findings.expect("largest overlap over the exact one, largest deviation from 1", overlap, 0.0, integrated);
+  findings.expect("restitution of a given damping, largest error", reverse, 0.0, integrated);
+  findings.expect("restitution of runs with the printed lines, largest error", pasted, 0.0,
+                  Tolerance::truncation(bound, 1.0, "the requested error with the advised step"));
+  differ.expect_none(findings, "members of the output that differ from the request", "numbers and texts");
+}
+
+void run(Findings& findings, const Setup& setup) {
+  const auto group = findings.in("calibration");
+  const Program program{setup};
+  const bool is_of_pair =
+      std::ranges::any_of(setup.needed, [](const auto& name) { return !name.starts_with("ranges: "); });
+  if (setup.needed.empty() || is_of_pair) check_pairs(program, findings, setup);
+  if (setup.needs("ranges: ")) check_ranges(program, findings);
+}
+
+}  // namespace
+
+Case definition() {
+  const std::string pasted = "restitution of runs with the printed lines, largest error",
+                    damping = "damping over the exact one, largest deviation from 1",
+                    members = "members of the output that differ from the request",
+                    of_pairs = "ranges: dashpots of the pairs over the exact ones, largest deviation from 1",
+                    minimax = "ranges: largest deviation with the minimax dashpot less that by a search",
+                    wrong_ranges = "ranges: outputs that differ from the request";
+  return {.id = "calibrated_laws",
+          .title = "Damping of Hertz and Hunt-Crossley contacts by the program",
+          .requirements = {{"G3", {"calibration"}}},
+          .main_checks = {pasted, damping, members, of_pairs, minimax},
+          .source = "Hunt & Crossley 1975; Tsuji, Tanaka & Ishida 1992; Schwager & Poeschel 2007",
+          .faults = {{"without_speed", "speed of approach not given", damping},
+                     {"without_dashpot", "dashpot not given", damping},
+                     {"without_end_rule", "end rule not given", damping},
+                     {"without_units", "units of the table not given", wrong_ranges},
+                     {"other_mass", "effective mass of a sphere against a wall in place of two spheres", of_pairs},
+                     {"mean_dashpot", "mean of the exact dashpots in place of the minimax one", minimax}},
+          .seconds = 12.0,
+          .full_seconds = 50.0,
+          .run = run};
+}
+
+}  // namespace talus::verification::problems::calibrated_laws

@@ -1,0 +1,69 @@
+#pragma once
+
+#include <cstddef>
+#include <random>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "verification/reference/impacts/end_rule.hpp"
+#include "verification/study/program/program_options.hpp"
+
+/// Requests to `talus calibrate` and their exact results; part of the case `calibrated_laws`.
+namespace talus::verification::problems::calibrated_laws {
+
+/// The impact of a pair; SI units.
+struct ImpactRequest {
+  std::string law;
+  bool constant{};  ///< the dashpot of hertz
+  reference::EndRule rule{};
+  double restitution{}, speed{};
+  std::vector<double> masses;
+  double stiffness{};           ///< or modulus
+  double radius{}, exponent{};  ///< or reference overlap
+
+  [[nodiscard]] bool is_hertz() const { return law == "hertz"; }
+  [[nodiscard]] bool is_hunt_crossley() const { return law == "hunt_crossley"; }
+  [[nodiscard]] bool varies() const { return constant || is_hunt_crossley(); }
+  [[nodiscard]] double effective_mass() const;
+  /// K of the force K x^n, and n.
+  [[nodiscard]] std::pair<double, double> spring() const;
+  /// Length (m v^2/K)^(1/(n + 1)) of the impact [m].
+  [[nodiscard]] double length() const;
+  /// Name of the parameter that sets the restitution.
+  [[nodiscard]] std::string parameter() const { return is_hunt_crossley() ? "hysteresis" : "damping"; }
+};
+
+/// Requests from a fixed seed. The numbers of a standard engine are the same everywhere; those of its distributions are
+/// not, so that the bits are scaled here.
+class ImpactDraw {
+ public:
+  double between(double low, double high);
+  double decades(double low, double high);
+  /// Request of the law with that number, modulo the number of laws.
+  ImpactRequest request(std::size_t number);
+
+ private:
+  std::mt19937_64 engine_{20261126};
+};
+
+[[nodiscard]] std::string name_of(reference::EndRule rule);
+
+/// The options of the law: its name, parameters and choices.
+[[nodiscard]] Options law_options(const ImpactRequest& request);
+/// The options of a request without its restitution.
+[[nodiscard]] Options options_of(const ImpactRequest& request, double bound);
+
+/// The dashpot for a restitution, contact time and largest overlap, by the references.
+struct ExactImpact {
+  double damping{}, time{}, overlap{};
+};
+[[nodiscard]] ExactImpact exact_of(const ImpactRequest& request);
+
+/// Contact time without a dashpot, by the references [s].
+[[nodiscard]] double undamped_time(const ImpactRequest& request);
+
+/// Restitution of the pair with another dashpot, by the references; 0 if the contact does not end.
+[[nodiscard]] double restitution_with(const ImpactRequest& request, double damping);
+
+}  // namespace talus::verification::problems::calibrated_laws

@@ -1,0 +1,323 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <stdexcept>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "verification/check/case.hpp"
+#include "verification/record/csv.hpp"
+#include "verification/record/json_node.hpp"
+#include "verification/record/whole_file.hpp"
+#include "verification/study/findings/expectations.hpp"
+#include "verification/study/program/program_run.hpp"
+
+namespace talus::verification::problems::two_rocks {
+namespace {
+
+using records::Csv;
+using records::Json;
+using records::Node;
+
+// International foot and avoirdupois pound, exact by definition (1959), and standard gravity.
+constexpr double metre = 0.3048, newton = 0.45359237 * 9.80665, joule = newton * metre;
+const std::string integrator = "auto", end = "30 ms";
+
+void replace(std::string& text, const std::string& old, const std::string& with) {
+  const std::size_t at = text.find(old);
+  if (at == std::string::npos) throw std::runtime_error("sample2.toml: '" + old + "' is expected in it");
+  text.replace(at, old.size(), with);
+}
+
+/// The sample deck as a scene, with a second, smaller rock that hits above the first and a little later. The history
+/// has a row for every step.
+std::string scene_text(const std::string& deck) {
+  std::string text = deck;
+  const std::size_t first = text.find("[[fence.rock]]"), column = text.find("[fence.column]");
+  std::string rock = text.substr(first, column - first), second = rock;
+  for (std::string* const of : {&rock, &second}) {
+    const bool is_first = of == &rock;
+    if (!is_first)
+      replace(*of, "a = \"1.201 ft\"", "a = \"1.1 ft\""), replace(*of, "b = \"1.201 ft\"", "b = \"1.1 ft\"");
+    replace(*of, "position = [\"2.451 ft\", \"0 ft\"]",
+            is_first ? "position = [\"2.451 ft\", \"-1.3 ft\"]" : "position = [\"2.55 ft\", \"1.3 ft\"]");
+    if (!is_first) replace(*of, "-65 ft/s", "-50 ft/s"), replace(*of, "34 rad/s", "-20 rad/s");
+  }
+  text.replace(first, column - first, rock + second);
+  replace(text, "history_every = 30", "history_every = 1");
+  return text;
+}
+
+std::vector<double> column(const Csv& table, const std::string& name) {
+  const auto found =
+      std::ranges::find_if(table.header(), [&](const std::string& cell) { return cell.starts_with(name + " ["); });
+  if (found == table.header().end()) throw std::runtime_error("no column " + name);
+  std::vector<double> values(table.rows());
+  for (std::size_t row = 0; row < values.size(); ++row)
+    values[row] = table.number(row, static_cast<std::size_t>(found - table.header().begin()));
+  return values;
+}
+
+/// Largest difference between a sheet's numbers and their references, each relative to its scale.
+class Worst {
+ public:
+  void compare(double found, double exact, double scale) { keep_worst(worst_, (found - exact) / scale); }
+  double error() const { return worst_; }
+
+ private:
+  double worst_{};
+};
+
+Tolerance of_units() {
+  return Tolerance::round_off(
+      5e-15,
+      "about ten roundings between feet and metres, 1.1e-16 each, in 17 digits, and as many again "
+      "in the program's numbers; twice that");
+}
+
+/// A rock touches the fence in the rows in which it overlaps a column or presses it: at the start it may press without
+/// overlap.
+void check_rocks(const Node& sheet, const Csv& history, const Csv& codes, Findings& findings, const Setup& setup) {
+  const std::vector<double> time = column(history, "time");
+  const std::size_t last = time.size() - 1;
+  Worst velocities, energies, times, travels;
+  for (const std::size_t r : {0U, 1U}) {
+    const Node rock = sheet.at("rocks").list().at(r);
+    const std::size_t of = setup.has("first_rock_alone") ? 0 : r;
+    const std::string name = fmt::format("rock{}", of + 1), element = fmt::format("element{}", of + 2);
+    const std::vector<double> x = column(history, name + ".x"), vx = column(history, name + ".vx"),
+                              vy = column(history, name + ".vy"), spin = column(history, name + ".spin"),
+                              front = column(history, name + "-column1.overlap"),
+                              back = column(history, name + "-back_column1.overlap"),
+                              front_force = column(history, name + "-column1.force"),
+                              back_force = column(history, name + "-back_column1.force"),
+                              along = column(codes, element + ".kinetic_translation"),
+                              about = column(codes, element + ".kinetic_rotation");
+    std::size_t touch = last + 1, exit = 0;
+    for (std::size_t row = 0; row <= last; ++row)
+      if (std::max({front[row], back[row], front_force[row], back_force[row]}) > 0.0)
+        touch = std::min(touch, row), exit = std::min(row + 1, last);
+    const auto velocity = [&](const char* key, double along_x, double along_y) {
+      const std::vector<Node> v = rock.at(key).list();
+      velocities.compare(v.at(0).number(), metre * along_x, 10.0);
+      velocities.compare(v.at(1).number(), metre * along_y, 10.0);
+    };
+    const auto energy = [&](std::size_t row) { return joule * (along[row] + about[row]); };
+    // The approach is the row before the touch; for a rock that touches from the start, the scene's initial values.
+    double approach = 0.0;
+    if (touch > 0) {
+      velocity("approach_velocity", vx[touch - 1], vy[touch - 1]);
+      velocities.compare(rock.at("approach_spin").number(), spin[touch - 1], 10.0);
+      approach = energy(touch - 1);
+    } else {
+      velocity("approach_velocity", -65.0, 0.0);
+      velocities.compare(rock.at("approach_spin").number(), 34.0, 10.0);
+      approach = joule * (along[0] * 65.0 * 65.0 / (vx[0] * vx[0] + vy[0] * vy[0]) +
+                          about[0] * 34.0 * 34.0 / (spin[0] * spin[0]));
+    }
+    velocity("exit_velocity", vx[exit], vy[exit]), velocity("end_velocity", vx[last], vy[last]);
+    velocities.compare(rock.at("exit_spin").number(), spin[exit], 10.0);
+    energies.compare(rock.at("approach_energy").number(), approach, approach);
+    energies.compare(rock.at("exit_energy").number(), energy(exit), approach);
+    energies.compare(rock.at("end_energy").number(), energy(last), approach);
+    energies.compare(rock.at("energy_loss_fraction").number(), 1.0 - energy(exit) / approach, 1.0);
+    times.compare(rock.at("touch_time").number(), time[touch], time[last]);
+    times.compare(rock.at("exit_time").number(), time[exit], time[last]);
+    double travel = 0.0;
+    for (std::size_t row = touch; row <= exit; ++row)
+      travel = std::max(travel, x[touch] - x[row]);
+    travels.compare(rock.at("travel").number(), metre * travel, 0.1);
+  }
+  findings.expect("sheet: velocities and spins of both rocks, largest error", velocities.error(), 0.0, of_units());
+  findings.expect("sheet: energies of both rocks over those at the start, largest error", energies.error(), 0.0,
+                  of_units());
+  findings.expect("sheet: times of touch and exit of both rocks over the duration, largest error", times.error(), 0.0,
+                  of_units());
+  findings.expect("sheet: travel of both rocks, largest error", travels.error(), 0.0, of_units());
+}
+
+/// Peaks and integrals of all columns and segments, including the second layer, from the rows of all steps.
+void check_parts(const Node& sheet, const Csv& history, const Csv& codes, Findings& findings) {
+  const std::vector<double> time = column(history, "time");
+  Worst travels, peaks, impulses, times;
+  const auto peak_row = [&](const std::vector<double>& values) {
+    return static_cast<std::size_t>(std::ranges::max_element(values) - values.begin());
+  };
+  double fence = 0.0;
+  for (const Node& part : sheet.at("columns").list()) {
+    const std::vector<double> x = column(history, part.at("name").text() + ".x");
+    std::vector<double> away;
+    for (const double at : x)
+      away.push_back(metre * std::abs(at - x.front()));
+    const std::size_t row = peak_row(away);
+    travels.compare(part.at("travel").number(), away[row], 0.1);
+    fence = std::max(fence, away[row]);
+    if (away[row] > 0.0) times.compare(part.at("travel_time").number(), time[row], time.back());
+  }
+  travels.compare(sheet.at("fence").at("travel").number(), fence, 0.1);
+  // The first columns of the first layer are elements 4 to 6.
+  for (const std::size_t c : {0U, 1U, 2U}) {
+    const std::vector<double> force = column(codes, fmt::format("element{}.top_joint_force", c + 4));
+    const Node hanger = sheet.at("columns").list().at(c).at("hanger");
+    peaks.compare(hanger.at("peak").number(), newton * force[peak_row(force)], newton * 1e4);
+    times.compare(hanger.at("peak_time").number(), time[peak_row(force)], time.back());
+  }
+  for (const Node& part : sheet.at("segments").list()) {
+    const std::vector<double> tension = column(history, part.at("name").text() + ".tension");
+    double impulse = 0.0;
+    for (std::size_t row = 1; row < time.size(); ++row)
+      impulse += 0.5 * (tension[row] + tension[row - 1]) * (time[row] - time[row - 1]);
+    peaks.compare(part.at("peak").number(), newton * tension[peak_row(tension)], newton * 1e5);
+    impulses.compare(part.at("impulse").number(), newton * impulse, newton * 1e3);
+    times.compare(part.at("peak_time").number(), time[peak_row(tension)], time.back());
+  }
+  findings.expect("sheet: travel of all columns, largest error", travels.error(), 0.0, of_units());
+  findings.expect("sheet: largest forces of hangers and segments, largest error", peaks.error(), 0.0, of_units());
+  findings.expect("sheet: impulses of the segments, largest error", impulses.error(), 0.0,
+                  Tolerance::round_off(1e-14,
+                                       "trapezoidal sums of 363 terms, each rounded by 1.1e-16 of the sum: 2e-15 as a "
+                                       "walk, five times that"));
+  findings.expect("sheet: times of the largest travels and forces over the duration, largest error", times.error(), 0.0,
+                  of_units());
+  Worst rows;
+  const Node drawn = sheet.at("history");
+  const std::vector<std::string> names = drawn.at("columns").texts();
+  const std::vector<Node> lines = drawn.at("rows").list();
+  for (std::size_t i = 0; i < names.size(); ++i) {
+    if (!names[i].starts_with("rock")) continue;
+    const std::vector<double> values = column(history, names[i]);
+    for (std::size_t row = 0; row < std::max(lines.size(), values.size()); row += 20)
+      rows.compare(lines.at(row).list().at(i).number(), metre * values.at(row), 10.0);
+  }
+  findings.expect("sheet: history of the rocks, largest error", rows.error(), 0.0, of_units());
+}
+
+/// Compares the verdicts and numbers of summary.json, in the scene's units, with those of the sheet.
+void check_verdict(const Node& sheet, const Node& summary, Findings& findings) {
+  Worst worst;
+  const Node verdict = summary.at("verdict");
+  double words = verdict.at("fence").text() == sheet.at("verdict").text() ? 0.0 : 1.0;
+  for (const std::size_t r : {0U, 1U}) {
+    const Node rock = verdict.at("rocks").list().at(r), known = sheet.at("rocks").list().at(r);
+    words += rock.at("verdict").text() == known.at("verdict").text() ? 0.0 : 1.0;
+    words += rock.at("still_touching").flag() == !known.at("separated").flag() ? 0.0 : 1.0;
+    worst.compare(rock.at("approach_energy").number(), known.at("approach_energy").number() / joule, 1e4);
+    worst.compare(rock.at("energy_at_end").number(), known.at("end_energy").number() / joule, 1e4);
+    worst.compare(rock.at("velocity_at_end").list().at(0).number(),
+                  known.at("end_velocity").list().at(0).number() / metre, 10.0);
+    worst.compare(rock.at("last_contact_time").number(), known.at("exit_time").number(), 1e-2);
+    if (!known.at("separated").flag()) continue;
+    worst.compare(rock.at("energy_after").number(), known.at("exit_energy").number() / joule, 1e4);
+    worst.compare(rock.at("velocity_after").list().at(1).number(),
+                  known.at("exit_velocity").list().at(1).number() / metre, 10.0);
+  }
+  double largest = 0.0;
+  for (const Node& part : sheet.at("segments").list())
+    largest = std::max(largest, part.at("peak").number());
+  worst.compare(verdict.at("largest_cable_force").at("peak").number(), largest / newton, 1e5);
+  findings.expect("summary.json: verdicts that differ from those of the sheet", words, 0.0,
+                  Tolerance::exact("for the fence and each rock"));
+  findings.expect("summary.json: numbers of the verdict against those of the sheet, largest error", worst.error(), 0.0,
+                  of_units());
+}
+
+/// Data of the animation page: outlines of bodies relative to their positions, ends of cables, in six digits.
+void check_player(const TemporaryFolder& folder, Findings& findings, const Setup& setup) {
+  (void)talus_output(folder, {"animate", "out"});
+  const std::string page = folder.read("out/plots/animation.html"), begin = "id=\"data\">";
+  const std::size_t from = page.find(begin) + begin.size();
+  const Json data = Json::parse(page.substr(from, page.find("</script>", from) - from));
+  const Node player{data, "animation.html"};
+  const std::vector<GeometryState> states = geometry_states(folder, "out", "fence");
+  const std::vector<Node> frames = player.at("frames").list(), bodies = player.at("bodies").list();
+  findings.expect("animation: frames", static_cast<double>(frames.size()), static_cast<double>(states.size()),
+                  Tolerance::exact("one for each state of the geometry"));
+  Worst outlines, cables;
+  for (std::size_t f = 0; f < std::min(frames.size(), states.size()); ++f) {
+    const std::string& text = states[setup.has("frame_one_late") ? (f + 1) % states.size() : f].text;
+    const std::vector<double> points = data_array(text, "Points"), offsets = data_array(text, "offsets"),
+                              tensions = data_array(text, "tension");
+    outlines.compare(frames[f].at("t").number(), states[f].time, states.back().time);
+    const std::vector<Node> places = frames[f].at("bodies").list(), lines = frames[f].at("cables").list();
+    std::size_t point = 0;
+    for (std::size_t line = 0; line < offsets.size(); ++line) {
+      const auto past = static_cast<std::size_t>(offsets[line]);
+      if (line < bodies.size()) {
+        const std::vector<Node> outline = bodies[line].at("outline").list(), place = places.at(line).list();
+        const double x = place.at(0).number(), y = place.at(1).number(), c = std::cos(place.at(2).number()),
+                     s = std::sin(place.at(2).number());
+        // The animation draws the ground longer than the VTK file does.
+        const bool ground = bodies[line].at("kind").text() == "ground";
+        for (std::size_t i = 0; point < past; ++point, ++i) {
+          if (ground) continue;
+          const double u = outline.at(i).list().at(0).number(), v = outline[i].list().at(1).number();
+          outlines.compare(x + c * u - s * v, points.at(3 * point), 1.0);
+          outlines.compare(y + s * u + c * v, points.at(3 * point + 1), 1.0);
+        }
+        continue;
+      }
+      const std::vector<Node> cable = lines.at(line - bodies.size()).list();
+      for (std::size_t i = 0; point < past; ++point)
+        for (std::size_t axis = 0; axis < 3; ++axis, ++i)
+          cables.compare(cable.at(i).number(), points.at(3 * point + axis), 30.0);
+      cables.compare(cable.at(6).number(), tensions.at(line), 1e5);
+    }
+  }
+  findings.expect("animation: outlines of the bodies, largest error", outlines.error(), 0.0,
+                  Tolerance::model(1.5e-5, "six digits: 5e-6 for each of two lengths and for an angle of up to 3.2"));
+  findings.expect("animation: ends and tensions of the cables, largest error", cables.error(), 0.0,
+                  Tolerance::model(5.1e-6, "half a unit of the sixth digit"));
+}
+
+void run(Findings& findings, const Setup& setup) {
+  const auto group = findings.in("rocks");
+  const TemporaryFolder folder;
+  folder.write("sample2.DAT", records::read_whole(TALUS_CASES "/fence/sample2.DAT"));
+  (void)talus_output(folder, {"convert", "sample2.DAT", "sample2.toml"});
+  const std::string deck = folder.read("sample2.toml");
+  folder.write("fence.toml", scene_text(deck));
+  std::vector<std::string> arguments{"run", "fence.toml", "--out", "out", "--integrator", integrator, "--end", end};
+  const bool sheet_is_needed = setup.needs("sheet: ");
+  if (sheet_is_needed) arguments.emplace_back("--sheet");
+  (void)talus_output(folder, arguments);
+  if (setup.needs("animation")) check_player(folder, findings, setup);
+  if (!sheet_is_needed) return;
+  const Json sheet_json = records::read_json(folder.path() / "out/sheet.json"),
+             summary_json = records::read_json(folder.path() / "out/summary.json");
+  const Node sheet{sheet_json, "sheet.json"}, summary{summary_json, "summary.json"};
+  findings.count(summary.at("evaluations").count());
+  const Csv history = records::read_csv(folder.path() / "out/history.csv"),
+            codes = records::read_csv(folder.path() / "out/fence.history.csv");
+  check_rocks(sheet, history, codes, findings, setup);
+  check_parts(sheet, history, codes, findings);
+  check_verdict(sheet, summary, findings);
+  const Node repeat = sheet.at("quality").at("repeat");
+  const double growth = repeat.at("change_of_largest_cable_force").number() / repeat.at("change_of_speed").number();
+  findings.expect_between("sheet: change of the largest cable force over that of the rocks' speed", growth, 0.25, 4.0,
+                          "the peak force of a spring is proportional to the speed; slack and gaps increase its "
+                          "growth, forces present at rest reduce it. A run with the deck's speeds changed cannot serve "
+                          "as reference, because the stiffness of the contacts follows from these speeds");
+}
+
+}  // namespace
+
+Case definition() {
+  return {.id = "two_rocks",
+          .title = "Output files of a fence with two rocks and two layers",
+          .requirements = {{"G7", {"rocks"}}},
+          .main_checks = {"sheet: velocities and spins of both rocks, largest error",
+                          "sheet: largest forces of hangers and segments, largest error",
+                          "sheet: change of the largest cable force over that of the rocks' speed",
+                          "animation: outlines of the bodies, largest error"},
+          .source = "Mustoe & Huttelmaier 1993, sample deck (fence and first rock)",
+          .faults = {{"first_rock_alone", "the second rock compared with the history of the first",
+                      "sheet: velocities and spins of both rocks, largest error"},
+                     {"frame_one_late", "frames compared with the next state",
+                      "animation: outlines of the bodies, largest error"}},
+          .run = run};
+}
+
+}  // namespace talus::verification::problems::two_rocks

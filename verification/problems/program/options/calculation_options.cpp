@@ -1,0 +1,452 @@
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <filesystem>
+#include <map>
+#include <numbers>
+#include <set>
+#include <sstream>
+#include <string>
+#include <vector>
+
+#include "verification/check/case.hpp"
+#include "verification/problems/program/options/calibration_options.hpp"
+#include "verification/problems/program/options/study_options.hpp"
+#include "verification/record/csv.hpp"
+#include "verification/record/json_node.hpp"
+#include "verification/reference/impacts/restitution.hpp"
+#include "verification/reference/integration/stepped_latch.hpp"
+#include "verification/reference/motion/constant_force.hpp"
+#include "verification/reference/motion/damped_oscillator.hpp"
+#include "verification/study/findings/expectations.hpp"
+#include "verification/study/program/program_options.hpp"
+#include "verification/study/program/program_run.hpp"
+
+namespace talus::verification::problems::calculation_options {
+namespace {
+
+using records::Json;
+using Names = std::set<std::string>;
+
+// --- scenes --------------------------------------------------------------------------------------------------------
+
+constexpr double hung_mass = 1.5, hung_stiffness = 96.0, hung_y = -0.3, rope_top = 2.0, rope_length = 2.1;
+constexpr double hung_rest = rope_top - rope_length - hung_mass * gravity / hung_stiffness;
+
+/// A body that slides up and down on a cable, which stays taut; `method`: fields of its [run].
+std::string hung_text(const std::string& method) {
+  return fmt::format(R"(title = "Hung body"
+units = "SI"
+gravity = ["0 m/s^2", "{} m/s^2"]
+[[body]]
+name = "hung"
+mobility = "sliding_y"
+mass = "{} kg"
+position = ["0 m", "{} m"]
+
+[[cable]]
+name = "rope"
+law = "tension_only"
+from = {{ body = "hung", point = ["0 m", "0 m"] }}
+to = {{ point = ["0 m", "{} m"] }}
+stiffness = "{} N/m"
+rest_length = "{} m"
+
+[run]
+interval = "0.1 s"
+{})",
+                     -gravity, hung_mass, hung_y, rope_top, hung_stiffness, rope_length, method);
+}
+
+/// Displacement from rest, and velocity.
+reference::OscillatorState hung_state(double t) {
+  return reference::state_at({std::sqrt(hung_stiffness / hung_mass), 0.0, hung_y - hung_rest, 0.0}, t);
+}
+
+/// A cell with K1/K2 = 0.45 and the step of 1989, as --historical requires.
+std::string cell_text(const std::string& fields, const std::string& method) {
+  return fmt::format(R"(title = "Sheared discs"
+units = "SI"
+[cell]
+stiffness = "9 kN/m"
+unloading_stiffness = "20 kN/m"
+diameter = "1 mm"
+mass = "7.2e-7 kg"
+gravity = "9.81 m/s^2"
+overburden = "8 kPa"
+rows = 4
+columns = 5
+wall_discs = 6
+block_speed = "5 m/s"
+{}
+[run]
+step = "1e-7 s"
+every = "0.25 ms"
+end = "1 ms"
+{}
+)",
+                     fields, method);
+}
+
+/// The number with n significant digits.
+double rounded(double value, int digits) { return std::strtod(fmt::format("{:.{}g}", value, digits).c_str(), nullptr); }
+
+// --- run -----------------------------------------------------------------------------------------------------------
+
+/// The rows of the printed table of extremes against summary.json: largest relative error; NaN if a quantity that
+/// varies is missing.
+double extremes_error(const std::string& printed, const Json& summary) {
+  double worst = 0.0;
+  for (const Json& extreme : summary.at("extremes")) {
+    const auto name = extreme.at("name").get<std::string>();
+    const auto low = extreme.at("minimum").get<double>(), high = extreme.at("maximum").get<double>();
+    const bool varies = high - low > 1e-6 * std::max(std::abs(low), std::abs(high));
+    if (!varies || name.starts_with("balance_error")) continue;
+    const std::size_t at = printed.find("\n  " + name + " ");
+    if (at == std::string::npos) return std::nan("");
+    std::istringstream row{printed.substr(at + 3 + name.size())};
+    double found_low{}, low_time{}, found_high{}, high_time{};
+    row >> found_low >> low_time >> found_high >> high_time;
+    const std::array errors{found_low - low, low_time - extreme.at("minimum_time").get<double>(), found_high - high,
+                            high_time - extreme.at("maximum_time").get<double>()};
+    const std::array sizes{low, extreme.at("minimum_time").get<double>(), high,
+                           extreme.at("maximum_time").get<double>()};
+    for (std::size_t i = 0; i < errors.size(); ++i)
+      keep_worst(worst, sizes.at(i) == 0.0 ? errors.at(i) : errors.at(i) / sizes.at(i));
+  }
+  return worst;
+}
+
+void check_run(const Program& program, Findings& findings, Differences& differ) {
+  program.write("plain.toml", hung_text("integrator = \"velocity_verlet\"\nstep = \"10 ms\"\nend = \"1 s\"\n"));
+  program.write("hung.toml",
+                hung_text("integrator = \"odeint_dopri5\"\ntolerance = 1e-10\nstep = \"20 ms\"\nend = \"0.8 s\"\n"));
+  const std::string printed = program.run({"run", "plain.toml"}, {{"--integrator", {"odeint_dopri5"}},
+                                                                  {"--tolerance", {"1e-10"}},
+                                                                  {"--step", {"20 ms"}},
+                                                                  {"--end", {"0.8 s"}},
+                                                                  {"--frames", {"5"}},
+                                                                  {"--out", {"options"}},
+                                                                  {"--all", {}}});
+  (void)program.run({"run", "hung.toml"}, {{"--out", {"fields"}}});
+  differ.compare("run: history by options and by fields", program.read("options/history.csv"),
+                 program.read("fields/history.csv"));
+  const Json summary = program.file("options/summary.json");
+  differ.compare("run: summary by options and by fields", summary, program.file("fields/summary.json"));
+  differ.compare("run: integrator", summary.at("integrator").get<std::string>(), std::string{"odeint_dopri5"});
+  differ.compare("run: step", summary.at("step").get<double>(), 0.02);
+  differ.compare("run: end", summary.at("end").get<double>(), 0.8);
+  differ.compare("run: steps", summary.at("steps").get<int>(), 40);
+  double times = 0.0;
+  int states = 0;
+  for (const auto& [time, text] : geometry_states(program.folder(), "options", "plain"))
+    keep_worst(times, time - 0.16 * states++);
+  differ.compare("run: states of the geometry", states, 6);
+  findings.expect("talus run --frames: times of the states, largest error", times, 0.0,
+                  Tolerance::round_off(1e-15, "multiples of the step, up to 0.8: a unit in the last place and a half"),
+                  "s");
+  const records::Csv history = program.csv("options/history.csv");
+  double error = 0.0;
+  for (std::size_t row = 0; row < history.rows(); ++row)
+    keep_worst(error, history.number(row, history.column("hung.y [m]")) - hung_rest -
+                          hung_state(history.number(row, 0)).displacement);
+  findings.expect("talus run --tolerance: largest error of y over its largest value", error / hung_y, 0.0,
+                  Tolerance::truncation(4e-9, 1.0,
+                                        "40 output intervals, in each an error of at most 1e-10 of the largest value. "
+                                        "Without a tolerance, each is one step, and the error is 2.7e-8"));
+  findings.expect("talus run --all: printed extremes over those of summary.json, largest relative error",
+                  extremes_error(printed, summary), 0.0,
+                  Tolerance::model(5e-7, "seven digits are printed: half a unit of the last one"));
+
+  const Json whole = program.json({"run", "plain.toml"}, {{"--json", {}}});
+  (void)program.run({"run", "plain.toml"}, {{"--until", {"0.45 s"}}, {"--out", {"half"}}});
+  const Json half = program.file("half/summary.json");
+  differ.compare("run: outcome of --until", half.at("outcome").at("kind").get<std::string>(), std::string{"stopped"});
+  differ.compare("run: steps up to --until", half.at("steps").get<int>(), 45);
+  differ.compare("run: rows up to --until", program.csv("half/history.csv").rows(), 6UL);
+  const Json resumed = program.json({"run"}, {{"--resume", {"half"}}, {"--json", {}}});
+  differ.compare("run: extremes after --resume", resumed.at("extremes"), whole.at("extremes"));
+  differ.compare("run: bodies after --resume", resumed.at("bodies"), whole.at("bodies"));
+  differ.compare("run: steps after --resume", resumed.at("steps").get<int>(), 100);
+}
+
+/// Every integrator of `talus list integrators` moves a falling disc; explicit and semi-implicit Euler by a h t/2 less
+/// or more than exactly.
+void check_listed_integrators(const Program& program, Findings& findings) {
+  constexpr double step = 1e-4, end = 0.1;
+  double worst = 0.0, listed = 0.0;
+  std::istringstream lines{program.run({"list", "integrators"}, {})};
+  for (std::string line; std::getline(lines, line);) {
+    if (!line.starts_with("  ")) continue;
+    std::istringstream words{line};
+    std::string name;
+    words >> name;
+    ++listed;
+    const Json summary = program.json({"run", "drop.toml", "--integrator", name, "--step", fmt::format("{} s", step),
+                                       "--end", fmt::format("{} s", end)},
+                                      {{"--json", {}}});
+    const double late = reference::semi_implicit_euler_error(drop, step, std::lround(end / step));
+    const double error = name == "euler" ? -late : name == "euler_cromer" ? late : 0.0;
+    keep_worst(worst, summary.at("bodies").at(0).at("position").at(1).get<double>() - place_at(drop, end) - error);
+  }
+  findings.expect("talus list integrators: methods", listed, 16.0, Tolerance::exact("the methods of the reference"));
+  findings.expect(
+      "listed integrators: position of a falling disc after 1000 steps, largest error", worst, 0.0,
+      Tolerance::round_off(1e-13,
+                           "closed forms of a constant force; two roundings of 1e-16 in each of 1000 steps, "
+                           "of both position and speed; methods with a tolerance are exact for parabolas"),
+      "m");
+}
+
+// --- cell ----------------------------------------------------------------------------------------------------------
+
+void check_cell(const Program& program, Findings& findings, Differences& differ) {
+  struct Choice {
+    std::string name;
+    Options options;
+    std::string fields, method;  ///< the same in the scene
+    std::string parameter;       ///< of summary.json
+    Json value;
+  };
+  const std::vector<Choice> choices{
+      {"seed", {{"--seed", {"3"}}}, "seed = 3", "", "seed", 3},
+      {"integrator", {{"--integrator", {"taylor"}}}, "", "integrator = \"taylor\"", "integrator", "taylor"},
+      {"historical", {{"--historical", {}}}, "", "integrator = \"euler\"\nhistorical = \"on\"", "historical", true},
+      {"jump", {{"--jump", {}}}, "", "jump = \"on\"", "jump", true},
+      {"virtual", {{"--virtual", {}}}, "", "images = \"virtual\"", "images", "virtual"}};
+  program.write("cell.toml", cell_text("", ""));
+  (void)program.run({"cell", "cell.toml"}, {{"--out", {"cell"}}});
+  const std::string plain = program.read("cell/RESTART.DAT");
+  for (const Choice& choice : choices) {
+    const std::string by_options = "cell_" + choice.name, by_fields = "fields_" + choice.name;
+    Options options = choice.options;
+    options.push_back({"--out", {by_options}});
+    options.push_back({"--json", {}});
+    const Json summary = program.json({"cell", "cell.toml"}, options);
+    program.write("fields.toml", cell_text(choice.fields, choice.method));
+    (void)program.run({"cell", "fields.toml"}, {{"--out", {by_fields}}});
+    const std::string state = program.read(by_options + "/RESTART.DAT");
+    differ.compare("cell: state by --" + choice.name + " and by its field", state,
+                   program.read(by_fields + "/RESTART.DAT"));
+    differ.compare("cell: state without --" + choice.name, state == plain, false);
+    differ.compare("cell: summary by --" + choice.name, summary.at("parameters").at(choice.parameter), choice.value);
+    differ.compare("cell: summary printed and written", summary, program.file(by_options + "/summary.json"));
+  }
+  differ.compare("cell: integrator of --historical",
+                 program.file("cell_historical/summary.json").at("parameters").at("integrator"), Json("euler"));
+  const std::string ended = program.run({"cell"}, {{"--resume", {"cell"}}});
+  differ.compare("cell: --resume of a run that has ended", ended.find("finished") != std::string::npos, true);
+  const auto kinetic = [&](const std::string& folder) {
+    return program.file(folder + "/summary.json").at("energy").at("kinetic").get<double>();
+  };
+  findings.expect("talus cell --virtual: kinetic energy over that with the nearest images, deviation from 1",
+                  kinetic("cell_virtual") / kinetic("cell") - 1.0, 0.0,
+                  Tolerance::round_off(1e-12,
+                                       "the same forces in another order: rounding of 1e-16 relative to a position, in "
+                                       "contacts whose overlaps are a thousandth of it, in few contacts of a disc"));
+}
+
+// --- advise --------------------------------------------------------------------------------------------------------
+
+void check_advice(const Program& program, Findings& findings, Differences& differ) {
+  constexpr double accuracy = 1e-4, end = 1.0;
+  const Names among{"rk4", "blanes_moan4"};
+  const Options options{{"--accuracy", {"1e-4"}},
+                        {"--of", {"hung.vy.end"}},
+                        {"--among", {"rk4,blanes_moan4"}},
+                        {"--out", {"advised.toml"}}};
+  Options in_json = options, few = options;
+  in_json.push_back({"--json", {}});
+  few.push_back({"--evaluations", {"100"}}), few[3].second = {"few.toml"};
+  const Json advice = program.json({"advise", "plain.toml"}, in_json);
+  const std::string printed = program.run({"advise", "plain.toml"}, options);
+  const Json& best = advice.at("advice");
+  Names tried;
+  for (const Json& method : advice.at("tried"))
+    tried.insert(method.at("integrator").get<std::string>());
+  differ.compare("advise: methods of --among", tried, among);
+  const std::string words = fmt::format("with {} force evaluations", best.at("evaluations").get<long>());
+  differ.compare("advise: evaluations printed and in JSON", printed.find(words) != std::string::npos, true);
+  differ.compare("advise: request", advice.at("quantity") == "hung.vy.end" && advice.at("accuracy") == accuracy, true);
+  differ.compare("advise: value printed", number_after(printed, "value "),
+                 rounded(advice.at("value").get<double>(), 10));
+  differ.compare("advise: pilots printed", number_after(printed, "pilots: "),
+                 advice.at("evaluations_of_pilots").get<double>());
+  const Json& growth = advice.at("growth");
+  differ.compare(
+      "advise: growth printed",
+      printed.find(fmt::format("differences of {:.0e} in the start grow to {:.0e}", growth.at("start").get<double>(),
+                               growth.at("result").get<double>())) != std::string::npos,
+      true);
+  differ.compare("advise: units", advice.value("units", "SI"), std::string("SI"));
+  bool is_tried = false;
+  for (const Json& method : advice.at("tried")) {
+    if (!method.contains("evaluations")) {  // not run; only without --among
+      differ.compare("advise: " + method.at("integrator").get<std::string>() + " not run", true, false);
+      continue;
+    }
+    const std::string error =
+        method.contains("error") ? fmt::format("{:.1e}", method.at("error").get<double>()) : "failed";
+    const std::string row =
+        fmt::format("{} - {:.6g} {} {} {}", method.at("integrator").get<std::string>(), method.at("step").get<double>(),
+                    error, method.at("evaluations").get<long>(), method.at("verdict").get<std::string>());
+    differ.compare("advise: row " + row, squeezed(printed).find(row) != std::string::npos, true);
+    is_tried = is_tried || (method.at("step") == best.at("step") && method.value("error", -1.0) == best.at("error") &&
+                            method.at("evaluations") == best.at("evaluations"));
+  }
+  differ.compare("advise: the advised method among those tried", is_tried, true);
+  differ.compare("advise: file of --out", program.has("advised.toml"), true);
+  if (!program.has("advised.toml")) return;
+  const Json summary = program.json({"run", "advised.toml"}, {{"--json", {}}});
+  differ.compare("advise: integrator of the advised scene", summary.at("integrator"), best.at("integrator"));
+  differ.compare("advise: evaluations of the advised run", summary.at("evaluations"), best.at("evaluations"));
+  findings.expect("talus advise: speed at the end with the advised method over the exact one, deviation from 1",
+                  summary.at("bodies").at(0).at("velocity").at(1).get<double>() / hung_state(end).velocity - 1.0, 0.0,
+                  Tolerance::truncation(accuracy, 1.0, "the required accuracy"));
+  const ProgramEnd refused = program.end({"advise", "plain.toml"}, few);
+  differ.compare("advise: exit status with 100 evaluations", refused.exit_code, 5);
+  differ.compare("advise: file with 100 evaluations", program.has("few.toml"), false);
+
+  const Options loose{
+      {"--accuracy", {"0.2"}}, {"--of", {"disc.vy.end"}}, {"--among", {"velocity_verlet"}}, {"--json", {}}};
+  Options warned = loose;
+  warned.push_back({"--allow-warnings", {}});
+  const auto evaluations = [&](const Options& chosen) {
+    return program.json({"advise", "drop.toml"}, chosen).at("advice").at("evaluations").get<double>();
+  };
+  const double careful = evaluations(loose), careless = evaluations(warned);
+  findings.expect_between("talus advise --allow-warnings: evaluations over those without it", careless / careful, 0.01,
+                          0.5,
+                          "the contact lasts 30 ms of 200 ms: ten steps in it are 67 evaluations, an accuracy of 0.2 "
+                          "needs three");
+}
+
+// --- export, new, check, list -------------------------------------------------------------------------------
+
+void check_other_commands(const Program& program, Differences& differ) {
+  (void)program.run({"export", "lammps", "cell.toml"}, {{"--dashpot", {}}, {"--steps", {"77"}}, {"--out", {"lammps"}}});
+  differ.compare("export: steps", program.read("lammps/in.discs").find("\nrun 77\n") != std::string::npos, true);
+  for (const std::string kind : {"scene", "fence", "cell"}) {
+    for (const std::string units : {"SI", "US"}) {
+      const std::string text = program.run({"new", kind}, {{"--units", {units}}}), file = "new.toml";
+      differ.compare("new: units", text.find(fmt::format("\nunits = \"{}\"", units)) != std::string::npos, true);
+      program.write(file, text);
+      differ.compare("new: " + kind + " is accepted by check", program.end({"check", file}, {}).exit_code, 0);
+    }
+  }
+  const ProgramEnd version = program.end({}, {{"--version", {}}});
+  differ.compare("version: exit status", version.exit_code, 0);
+  differ.compare("version: text", version.output.starts_with("talus ") && version.output.size() < 20, true);
+  for (const std::string command : {"run", "check", "advise", "calibrate", "cell", "convert", "export", "plot",
+                                    "snapshot", "animate", "study", "list", "new"}) {
+    const ProgramEnd help = run_talus(program.folder(), {command, "--help"});
+    differ.compare("help of " + command,
+                   help.exit_code == 0 && help.output.find("Usage: talus " + command) != std::string::npos, true);
+    differ.compare("unknown option of " + command, run_talus(program.folder(), {command, "--nothing"}).exit_code, 2);
+  }
+  differ.compare("unknown command", run_talus(program.folder(), {"nothing"}).exit_code, 2);
+  std::string discs = "units = \"SI\"\n";
+  for (int i = 0; i < 634; ++i)
+    discs += fmt::format(
+        "[[body]]\nname = \"disc{}\"\nmobility = \"particle\"\nmass = \"1 kg\"\n"
+        "shape = {{ kind = \"circle\", radius = \"1 m\" }}\nposition = [\"{} m\", \"0 m\"]\n",
+        i, 3 * i);
+  program.write("discs.toml", discs + "[run]\nintegrator = \"euler_cromer\"\nstep = \"1 ms\"\nend = \"1 ms\"\n");
+  for (const std::string command : {"run", "check"})
+    differ.compare(
+        "200661 pairs without a contact, more than are checked: " + command,
+        run_talus(program.folder(), {command, "discs.toml"})
+                .messages.find("more than 200000 pairs of bodies have no contact between them") != std::string::npos,
+        true);
+  for (const auto& [inertia, warns] : {std::pair{"0.5", false}, {"0.51", true}}) {
+    program.write(
+        "hoop.toml",
+        fmt::format("units = \"SI\"\n[[body]]\nname = \"hoop\"\nmobility = \"free\"\nmass = \"2 kg\"\n"
+                    "inertia = \"{} kg m^2\"\nshape = {{ kind = \"circle\", radius = \"0.5 m\" }}\n"
+                    "position = [\"0 m\", \"0 m\"]\n[run]\nintegrator = \"rk4\"\nstep = \"1 ms\"\nend = \"1 ms\"\n",
+                    inertia));
+    for (const std::string command : {"run", "check"})
+      differ.compare(
+          fmt::format("warning about a moment of inertia of {} kg m^2: {}", inertia, command),
+          run_talus(program.folder(), {command, "hoop.toml"}).messages.find("more than m R^2 = 0.5 kg m^2") !=
+              std::string::npos,
+          warns);
+  }
+  program.write("often.toml", hung_text("integrator = \"velocity_verlet\"\nstep = \"0.2 s\"\nend = \"1 s\"\n"));
+  for (const std::string command : {"run", "check"}) {
+    const ProgramEnd often = run_talus(program.folder(), {command, "often.toml"});
+    differ.compare("interval shorter than the step: " + command,
+                   often.exit_code == 2 && often.messages.find("interval: found \"0.1 s\"; ") != std::string::npos,
+                   true);
+  }
+  program.write("chosen.toml",
+                "units = \"SI\"\n[[body]]\nname = \"free\"\nmobility = \"particle\"\nmass = \"2 kg\"\n"
+                "position = [\"0 m\", \"0 m\"]\n[run]\nend = \"1 s\"\ninterval = \"0.5 ms\"\n");
+  const Json chosen = Json::parse(talus_output(program.folder(), {"run", "chosen.toml", "--json"}));
+  differ.compare("step chosen for a thousandth of the end or the interval", chosen.at("step").get<double>(), 5e-4);
+  for (const std::string command : {"plot", "snapshot", "animate"}) {
+    const ProgramEnd nowhere = run_talus(program.folder(), {command, "nowhere"});
+    differ.compare("folder that is missing: " + command,
+                   nowhere.exit_code == 4 && nowhere.messages.find("talus: nowhere: found no folder") == 0, true);
+  }
+  const ProgramEnd in_the_way = run_talus(program.folder(), {"run", "plain.toml", "--out", "plain.toml"});
+  differ.compare("folder that is a file",
+                 in_the_way.exit_code == 4 && in_the_way.messages.find("talus: plain.toml: found a file; ") == 0, true);
+  differ.compare("missing file", run_talus(program.folder(), {"run", "nothing.toml"}).exit_code, 4);
+  std::string parts;
+  for (const std::string topic : {"integrators", "laws", "shapes", "units"})
+    parts += program.run({"list", topic}, {});
+  differ.compare("list: all topics", program.run({"list"}, {}), parts);
+}
+
+void run(Findings& findings, const Setup& setup) {
+  const auto group = findings.in("options");
+  const Program program{setup};
+  program.write("drop.toml", drop_text());
+  program.write("plain.toml", hung_text("integrator = \"velocity_verlet\"\nstep = \"10 ms\"\nend = \"1 s\"\n"));
+  const std::string of_runs = "results that differ from the options of run, cell and study",
+                    of_others = "results that differ from the options of advise, calibrate, export, new and list";
+  Differences runs, others;
+  if (setup.needs("talus run") || setup.needs(of_runs)) check_run(program, findings, runs);
+  if (setup.needs("listed integrators")) check_listed_integrators(program, findings);
+  if (setup.needs("talus cell") || setup.needs(of_runs)) check_cell(program, findings, runs);
+  if (!setup.coarse) check_study(program, runs);
+  runs.expect_none(findings, of_runs, "results by options and by fields of the scene, counts and texts");
+  if (setup.needs("talus advise") || setup.needs(of_others)) check_advice(program, findings, others);
+  if (setup.needs("talus calibrate") || setup.needs(of_others)) check_calibration(program, findings, others);
+  if (setup.needs(of_others)) {
+    program.write("cell.toml", cell_text("", ""));
+    check_other_commands(program, others);
+  }
+  others.expect_none(findings, of_others, "files, texts and exit statuses");
+}
+
+}  // namespace
+
+Case definition() {
+  const std::string of_runs = "results that differ from the options of run, cell and study",
+                    of_others = "results that differ from the options of advise, calibrate, export, new and list";
+  return {.id = "calculation_options",
+          .title = "Options of the commands that calculate",
+          .requirements = {{"G12", {"options"}}},
+          .main_checks = {of_runs, of_others},
+          .source = "Textbook mechanics; Schwager & Poeschel 2007; Walton & Braun 1986",
+          .faults = {{"without_tolerance", "tolerance of a run not given",
+                      "talus run --tolerance: largest error of y over its largest value"},
+                     {"without_seed", "seed of a cell not given", of_runs},
+                     {"without_frames", "number of states not given",
+                      "talus run --frames: times of the states, largest error"},
+                     {"without_speed", "speed of approach not given",
+                      "talus calibrate --speed: largest overlap over the exact one, deviation from 1"},
+                     {"pulling_contact", "exact damping of a contact that may pull",
+                      "talus calibrate --contact: damping of a dropped disc over the exact one, deviation from 1"},
+                     {"without_among", "methods to choose from not given", of_others},
+                     {"without_steps", "steps of an exported cell not given", of_others}},
+          .seconds = 4.0,
+          .run = run};
+}
+
+}  // namespace talus::verification::problems::calculation_options

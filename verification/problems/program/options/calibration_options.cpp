@@ -1,0 +1,173 @@
+#include "verification/problems/program/options/calibration_options.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <numbers>
+
+#include "verification/reference/impacts/restitution.hpp"
+#include "verification/reference/integration/stepped_latch.hpp"
+#include "verification/reference/motion/damped_oscillator.hpp"
+#include "verification/study/findings/expectations.hpp"
+
+namespace talus::verification::problems::calculation_options {
+namespace {
+
+using records::Json;
+
+constexpr double drop_mass = 2.0, drop_radius = 0.5, drop_stiffness = 2e4;
+
+/// Impact of the dropped disc.
+struct DroppedImpact {
+  double contact_time{};  ///< [s]
+  double restitution{};
+};
+
+/// The impact with this damping, until the force ends (clamped), or until the disc leaves the ground. The contact is an
+/// oscillator about the overlap m g/k at rest.
+DroppedImpact dropped_impact(double damping, bool clamped) {
+  const double frequency = std::sqrt(drop_stiffness / drop_mass), rest = drop_mass * gravity / drop_stiffness;
+  const double speed = std::sqrt(2.0 * gravity * (drop.place - drop_radius));
+  const auto at = [&](double t) {
+    const double xi = damping / (2.0 * std::sqrt(drop_stiffness * drop_mass));
+    return reference::state_at({frequency, xi, -rest, speed}, t);
+  };
+  const auto pushes = [&](double t) {
+    const reference::OscillatorState state = at(t);
+    const double overlap = rest + state.displacement;
+    return (clamped ? drop_stiffness * overlap + damping * state.velocity : overlap) > 0.0;
+  };
+  // The largest overlap is before a half period, and the end before a whole one.
+  double before = std::numbers::pi / (2.0 * frequency), after = 2.0 * std::numbers::pi / frequency;
+  for (int n = 0; n < 60; ++n) {
+    const double t = 0.5 * (before + after);
+    (pushes(t) ? before : after) = t;
+  }
+  return {before, -at(before).velocity / speed};
+}
+
+/// The damping that gives the dropped disc this restitution, by bisection.
+double dropped_damping(double restitution, bool clamped) {
+  double low = 0.0, high = 200.0;
+  for (int n = 0; n < 60; ++n) {
+    const double c = 0.5 * (low + high);
+    (dropped_impact(c, clamped).restitution > restitution ? low : high) = c;
+  }
+  return low;
+}
+
+}  // namespace
+
+std::string drop_text() {
+  return fmt::format(R"(title = "Dropped disc"
+units = "SI"
+gravity = ["0 m/s^2", "{} m/s^2"]
+[[body]]
+name = "disc"
+mobility = "particle"
+mass = "{} kg"
+shape = {{ kind = "circle", radius = "{} m" }}
+position = ["0 m", "{} m"]
+[[body]]
+name = "ground"
+mobility = "fixed"
+shape = {{ kind = "half_plane" }}
+position = ["0 m", "0 m"]
+[[contact]]
+name = "impact"
+between = ["disc", "ground"]
+law = "linear_spring_dashpot"
+stiffness = "{} N/m"
+damping = "20 N s/m"
+[run]
+integrator = "velocity_verlet"
+step = "0.1 ms"
+end = "0.2 s"
+)",
+                     -gravity, drop_mass, drop_radius, drop.place, drop_stiffness);
+}
+
+void check_calibration(const Program& program, Findings& findings, Differences& differ) {
+  constexpr double restitution = 0.6, stiffness = 1e5, mass = 0.75, bound = 0.01, foot = 0.3048, speed = 3.0 * foot,
+                   pound = 4.4482216152605, slug = pound / foot;
+  const Options options{{"--restitution", {"0.6"}}, {"--masses", {"3 kg", "1 kg"}}, {"--stiffness", {"1e5 N/m"}},
+                        {"--speed", {"3 ft/s"}},    {"--bound", {"0.01"}},          {"--integrator", {"rk4"}}};
+  Options in_json = options, in_feet = options;
+  in_json.push_back({"--json", {}});
+  in_feet.push_back({"--units", {"US"}});
+  const Json found = program.json({"calibrate"}, in_json);
+  const std::string printed = program.run({"calibrate"}, in_feet);
+  const double ratio = reference::damping_ratio(restitution, reference::EndRule::clamped);
+  const reference::ImpactEvents impact = reference::impact_events(
+      {stiffness, 2.0 * ratio * std::sqrt(stiffness * mass), mass, speed}, reference::EndRule::clamped);
+  findings.expect("talus calibrate --speed: largest overlap over the exact one, deviation from 1",
+                  found.at("largest_overlap").get<double>() / impact.largest_depth - 1.0, 0.0,
+                  Tolerance::round_off(3e-15, "closed forms of about ten operations and one root on both sides"));
+  findings.expect_between("talus calibrate --bound: error of the advised step over the bound",
+                          found.at("restitution_error").get<double>() / bound, 0.1, 1.0,
+                          "steps are tried in powers of two, and the error is of first order or higher");
+  struct Line {
+    std::string text, member;
+    double unit;
+  };
+  double worst = 0.0;
+  for (const auto& [text, member, unit] :
+       {Line{"effective mass ", "effective_mass", slug}, Line{"damping c ", "damping", pound / foot},
+        Line{"damping ratio xi ", "damping_ratio", 1.0}, Line{"contact time ", "contact_time", 1.0},
+        Line{"speed of approach ", "speed", foot}, Line{"largest overlap at that speed ", "largest_overlap", foot},
+        Line{"\n  step ", "step", 1.0}, Line{"restitution simulated with it ", "restitution", 1.0}})
+    keep_worst(worst, number_after(printed, text) * unit / found.at(member).get<double>() - 1.0);
+  findings.expect("talus calibrate --units US: printed numbers over those of JSON, largest deviation from 1", worst,
+                  0.0, Tolerance::model(5.1e-9, "nine digits are printed: half a unit of the last one, and round-off"));
+  differ.compare(
+      "calibrate: method and bound printed",
+      printed.find("simulated with rk4") != std::string::npos && printed.find("required 0.01") != std::string::npos,
+      true);
+
+  const Json latching = program.json({"calibrate"}, {{"--law", {"latching_spring"}},
+                                                     {"--restitution", {"0.7"}},
+                                                     {"--step", {"1e-7 s"}},
+                                                     {"--integrator", {"euler"}},
+                                                     {"--json", {}}});
+  const double angle = 1e-7 * std::sqrt(1.7e4 / 3.6e-7);
+  findings.expect(
+      "talus calibrate --law latching_spring --step: restitution of its K1/K2, deviation from the required one",
+      reference::mean_restitution({latching.at("ratio_by_simulation").get<double>(), angle, reference::StepMap::euler}),
+      0.7,
+      Tolerance::truncation(4.6e-9, 1.0,
+                            "the reference is exact to the third power of z = w2 h = 0.0324; the squares of its terms "
+                            "z^2 g/2, whose g^2 has the mean 1/30, are z^4/240"));
+
+  const Options of_contact{{"--contact", {"impact"}}, {"--restitution", {"0.6"}}};
+  Options contact_in_json = of_contact;
+  contact_in_json.push_back({"--json", {}});
+  const Json scene = program.json({"calibrate", "drop.toml"}, contact_in_json);
+  const double damping = dropped_damping(0.6, !program.setup().has("pulling_contact"));
+  constexpr double drop_step = 1e-4;
+  findings.expect("talus calibrate --contact: damping of a dropped disc over the exact one, deviation from 1",
+                  scene.at("damping").get<double>() / damping - 1.0, 0.0,
+                  Tolerance::truncation(
+                      damping * drop_step / (2.0 * drop_mass) / -std::log(0.6), 1.0,
+                      "the first kick with c v is up to half a step early or late: c h/(2 m) of the speed, and "
+                      "as e = exp(-const c), this over ln(1/e) of the damping; gravity is in the exact solution"));
+  const long contact_steps = scene.at("contact_steps").get<long>();
+  const double excess = static_cast<double>(contact_steps) -
+                        dropped_impact(damping, !program.setup().has("pulling_contact")).contact_time / drop_step;
+  findings.expect_between("talus calibrate --contact: steps of the contact, more than the exact time over the step",
+                          excess, 0.0, 2.0,
+                          "counted from the last step before the contact to the first one after it: up to a step more "
+                          "at each end");
+  differ.compare("calibrate: time of the contact over its steps",
+                 fmt::format("{:.12g}", scene.at("contact_time").get<double>() / static_cast<double>(contact_steps)),
+                 fmt::format("{:.12g}", drop_step));
+  const std::string contact_text = program.run({"calibrate", "drop.toml"}, of_contact);
+  differ.compare(
+      "calibrate: contact and number of runs printed",
+      contact_text.find(fmt::format("contact '{}' calibrated by {} runs", scene.at("contact").get<std::string>(),
+                                    scene.at("runs").get<int>())) != std::string::npos,
+      true);
+  differ.compare("calibrate: steps of the contact printed",
+                 contact_text.find(fmt::format(" s: {} steps, ", contact_steps)) != std::string::npos, true);
+}
+
+}  // namespace talus::verification::problems::calculation_options

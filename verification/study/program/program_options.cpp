@@ -1,0 +1,56 @@
+#include "verification/study/program/program_options.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <limits>
+
+namespace talus::verification::problems {
+
+std::vector<std::string> with_options(std::vector<std::string> command, const Options& options, const Setup& setup) {
+  for (const auto& [name, values] : options) {
+    std::string fault = "without_" + name.substr(2);
+    std::ranges::replace(fault, '-', '_');
+    if (setup.has(fault)) continue;
+    command.push_back(name);
+    command.insert(command.end(), values.begin(), values.end());
+  }
+  return command;
+}
+
+std::string Program::run(const std::vector<std::string>& command, const Options& options) const {
+  return talus_output(folder_, with_options(command, options, *setup_));
+}
+records::Json Program::json(const std::vector<std::string>& command, const Options& options) const {
+  return records::Json::parse(run(command, options));
+}
+ProgramEnd Program::end(const std::vector<std::string>& command, const Options& options) const {
+  return run_talus(folder_, with_options(command, options, *setup_));
+}
+bool Program::has(const std::string& name) const { return std::filesystem::exists(folder_.path() / name); }
+std::string Program::read(const std::string& name) const { return has(name) ? folder_.read(name) : "missing " + name; }
+records::Json Program::file(const std::string& name) const { return records::read_json(folder_.path() / name); }
+records::Csv Program::csv(const std::string& name) const { return records::read_csv(folder_.path() / name); }
+
+std::string squeezed(const std::string& text) {
+  std::string result;
+  for (const char letter : text)
+    if (letter != ' ' || result.empty() || result.back() != ' ') result += letter;
+  return result;
+}
+
+double number_after(const std::string& text, const std::string& before) {
+  const std::size_t at = text.find(before);
+  return at == std::string::npos ? std::nan("") : std::strtod(text.c_str() + at + before.size(), nullptr);
+}
+
+void Differences::expect_none(Findings& findings, const std::string& check, const std::string& why) const {
+  const std::string found = differing_.empty() ? "" : fmt::format(". Differing: {}", fmt::join(differing_, ", "));
+  const double count =
+      compared_ > 0 ? static_cast<double>(differing_.size()) : std::numeric_limits<double>::quiet_NaN();
+  findings.expect(check, count, 0.0, Tolerance::exact(fmt::format("{} comparisons: {}{}", compared_, why, found)));
+}
+
+}  // namespace talus::verification::problems

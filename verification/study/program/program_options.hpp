@@ -1,0 +1,73 @@
+#pragma once
+
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "verification/check/case.hpp"
+#include "verification/record/csv.hpp"
+#include "verification/record/json_node.hpp"
+#include "verification/study/program/program_run.hpp"
+
+/// Command lines whose options are checked one by one.
+namespace talus::verification::problems {
+
+/// An option of the program with its values, e.g. {"--window", {"0", "0", "1", "1"}}.
+using Option = std::pair<std::string, std::vector<std::string>>;
+using Options = std::vector<Option>;
+
+/// The command with the options. The fault without_NAME leaves option --NAME out (dashes in NAME as underscores).
+[[nodiscard]] std::vector<std::string> with_options(std::vector<std::string> command, const Options& options,
+                                                    const Setup& setup);
+
+/// The program in a temporary folder; faults without_NAME leave options out.
+class Program {
+ public:
+  explicit Program(const Setup& setup) : setup_{&setup} {}
+
+  [[nodiscard]] const Setup& setup() const { return *setup_; }
+  [[nodiscard]] const TemporaryFolder& folder() const { return folder_; }
+
+  /// Standard output of a run that must succeed. Throws std::runtime_error.
+  [[nodiscard]] std::string run(const std::vector<std::string>& command, const Options& options) const;
+  [[nodiscard]] records::Json json(const std::vector<std::string>& command, const Options& options) const;
+  [[nodiscard]] ProgramEnd end(const std::vector<std::string>& command, const Options& options) const;
+
+  void write(const std::string& name, const std::string& text) const { folder_.write(name, text); }
+  [[nodiscard]] bool has(const std::string& name) const;
+  /// Text of a file of the folder; "missing NAME" if there is none.
+  [[nodiscard]] std::string read(const std::string& name) const;
+  /// A JSON or CSV file of the folder. Throws records::FileError.
+  [[nodiscard]] records::Json file(const std::string& name) const;
+  [[nodiscard]] records::Csv csv(const std::string& name) const;
+
+ private:
+  TemporaryFolder folder_;
+  const Setup* setup_;
+};
+
+/// The text with single blanks in place of several.
+[[nodiscard]] std::string squeezed(const std::string& text);
+
+/// The first number after a text; NaN if the text does not occur.
+[[nodiscard]] double number_after(const std::string& text, const std::string& before);
+
+/// Counts texts, numbers and files that differ from those expected, and keeps their names.
+class Differences {
+ public:
+  template <class T>
+  void compare(const std::string& name, const T& found, const T& expected) {
+    ++compared_;
+    if (!(found == expected)) differing_.push_back(name);
+  }
+
+  /// Checks that there are none; a red check names them. The check fails if nothing was compared: the loop that was to
+  /// compare found no items.
+  void expect_none(Findings& findings, const std::string& check, const std::string& why) const;
+
+ private:
+  int compared_{};
+  std::vector<std::string> differing_;
+};
+
+}  // namespace talus::verification::problems
