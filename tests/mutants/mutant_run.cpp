@@ -28,6 +28,7 @@
 #include "tests/mutants/mutant_switch.hpp"
 #include "tests/mutants/schema_report.hpp"
 #include "verification/check/findings.hpp"
+#include "verification/check/record.hpp"
 #include "verification/driver/case_list.hpp"
 #include "verification/record/mutants.hpp"
 #include "verification/record/whole_file.hpp"
@@ -88,7 +89,8 @@ Trial tried(const Case& one, records::Tier tier) {
     trial.ratio = ratio;
     trial.check = check.name;
   }
-  for (const std::string& name : one.main_checks) {
+  const Case with_names = verification::with_check_names(one, findings);
+  for (const std::string& name : with_names.main_checks) {
     if (findings.find(name) != nullptr) continue;
     return {one.id, TrialEnd::fail, std::numeric_limits<double>::infinity(), name};
   }

@@ -40,13 +40,13 @@ struct Setup {
 struct Fault {
   std::string name;       ///< One word or snake_case, as in Setup::has.
   std::string what;       ///< Description of the error.
-  std::string turns_red;  ///< Name of the check of the same case that must fail.
+  std::string turns_red;  ///< Name or id of the check of the same case that must fail.
 };
 
-/// A requirement and the checks that verify it. A member of the solver's closed lists can be claimed only if a run of
-/// the case has used it (usage.hpp).
+/// Requirements and the checks that verify each of them. A member of the solver's closed lists can be claimed only if a
+/// run of the case has used it (usage.hpp).
 struct Claim {
-  std::string requirement;          ///< Id from the catalogue: "Eq. 21", "law.NAME", "integrator.NAME", ...
+  std::string requirement;          ///< Id from the catalogue: "Eq. 21", "law.NAME", ...; several: "Eq. 23, Eq. 24".
   std::vector<std::string> checks;  ///< Each the name of a check or the id of a group of checks; all must exist.
 };
 
@@ -60,7 +60,7 @@ struct Case {
   /// rule, contact method, integrator, pair of shapes, and the shapes of this pair, if it is the only one of its kind
   /// in all runs of the case.
   std::vector<std::string> checks_of_runs{};
-  std::vector<std::string> main_checks{};  ///< Names of the checks on the first page; all must exist.
+  std::vector<std::string> main_checks{};  ///< Names or ids of the checks on the first page; all must exist.
   std::string source;                      ///< Full citation with page or equation.
   std::string page{};  ///< Markdown of the file beside the source: problem, sketch, equations, parameters, faults that
                        ///< would break it. Filled in by the catalogue.

@@ -29,10 +29,13 @@ void demand_rows(const Thing& thing, const std::string& what) {
 
 }  // namespace
 
-bool Findings::add(Check check) {
+bool Findings::add(Check check, std::string id) {
   demand_new(checks_, check.name, "check");
   checks_.push_back(std::move(check));
   groups_.push_back(open_groups_);
+  for (std::size_t slash = id.find('/'); slash != std::string::npos; slash = id.find('/', slash + 1))
+    groups_.back().push_back(id.substr(0, slash));
+  if (!id.empty()) groups_.back().push_back(std::move(id));
   if (std::erase(needed_, checks_.back().name) > 0 && needed_.empty()) throw Decided{};
   return checks_.back().pass;
 }
@@ -42,27 +45,46 @@ Findings::Group Findings::in(std::string id) {
   return Group{*this, std::move(id)};
 }
 
-bool Findings::expect(std::string name, double measured, double reference, const Tolerance& tolerance,
-                      std::string unit) {
-  return add(compare(std::move(name), measured, reference, tolerance, std::move(unit)));
+bool Findings::expect(CheckName name, double measured, double reference, const Tolerance& tolerance, std::string unit) {
+  return add(compare(std::move(name.name), measured, reference, tolerance, std::move(unit)), std::move(name.id));
 }
 
-bool Findings::expect_between(std::string name, double measured, double low, double high, std::string why,
+bool Findings::expect_exact(CheckName name, double measured, double reference, std::string why, std::string unit) {
+  return expect(std::move(name), measured, reference, Tolerance::exact(std::move(why)), std::move(unit));
+}
+
+bool Findings::expect_round_off(CheckName name, double measured, double reference, double bound, std::string why,
+                                std::string unit) {
+  return expect(std::move(name), measured, reference, Tolerance::round_off(bound, std::move(why)), std::move(unit));
+}
+
+bool Findings::expect_truncation(CheckName name, double measured, double reference, double predicted_error,
+                                 double factor, std::string why, std::string unit) {
+  return expect(std::move(name), measured, reference, Tolerance::truncation(predicted_error, factor, std::move(why)),
+                std::move(unit));
+}
+
+bool Findings::expect_model(CheckName name, double measured, double reference, double bound, std::string why,
+                            std::string unit) {
+  return expect(std::move(name), measured, reference, Tolerance::model(bound, std::move(why)), std::move(unit));
+}
+
+bool Findings::expect_between(CheckName name, double measured, double low, double high, std::string why,
                               std::string unit) {
-  return add(compare_between(std::move(name), measured, low, high, std::move(why), std::move(unit)));
+  return add(compare_between(std::move(name.name), measured, low, high, std::move(why), std::move(unit)),
+             std::move(name.id));
 }
 
-bool Findings::expect_true(std::string name, bool holds, std::string why) {
-  Check check = compare(std::move(name), holds ? 1.0 : 0.0, 1.0, Tolerance::exact(std::move(why)), "1");
+bool Findings::expect_true(CheckName name, bool holds, std::string why) {
+  Check check = compare(std::move(name.name), holds ? 1.0 : 0.0, 1.0, Tolerance::exact(std::move(why)), "1");
   check.text_measured = holds ? "true" : "false";
-  return add(std::move(check));
+  return add(std::move(check), std::move(name.id));
 }
 
-bool Findings::expect_order(std::string name, const Convergence& convergence, double low, double high,
-                            std::string why) {
-  Check check = compare_between(std::move(name), convergence.fit().order, low, high, std::move(why), "1");
+bool Findings::expect_order(CheckName name, const Convergence& convergence, double low, double high, std::string why) {
+  Check check = compare_between(std::move(name.name), convergence.fit().order, low, high, std::move(why), "1");
   check.order = true;
-  return add(std::move(check));
+  return add(std::move(check), std::move(name.id));
 }
 
 void Findings::figure(Figure figure) {

@@ -13,6 +13,18 @@
 
 namespace talus::verification {
 
+/// Name of a check, and optionally its id: {"overlaps", "overlaps of ten contacts, largest error"}. The definition of a
+/// case refers to a check by name or id, and to several checks by an id that they share: checks {"overlaps/apart", ...}
+/// and {"overlaps/pressed", ...} are both "overlaps".
+struct CheckName {
+  CheckName(std::string text) : name{std::move(text)} {}
+  CheckName(const char* text) : name{text} {}
+  CheckName(std::string id_of_check, std::string text) : id{std::move(id_of_check)}, name{std::move(text)} {}
+
+  std::string id{};  ///< Empty: none.
+  std::string name;
+};
+
 /// Results of a case: checks, figures, tables and notes, in order of creation.
 ///
 /// Each `expect...` returns whether the check passed, and never throws because it failed. Programming errors throw:
@@ -42,24 +54,33 @@ class Findings {
     Findings* findings_;
   };
 
-  /// Adds checks to a group, whose id claims refer to: one check by `findings.in("overlaps")->expect(...)`, or all
-  /// checks made during the lifetime of the returned group. Groups nest; a check belongs to all open groups. A group
-  /// whose id is a requirement of the solver's lists, such as "integrator.rk4", claims it. Errors:
-  /// std::invalid_argument if the id is empty.
+  /// Adds all checks made during the lifetime of the returned group to it; the definition of the case refers to them by
+  /// its id. Groups nest; a check belongs to all open groups, and to that of its CheckName. A group whose id is a
+  /// requirement of the solver's lists, such as "integrator.rk4", claims it. Errors: std::invalid_argument if the id is
+  /// empty.
   [[nodiscard]] Group in(std::string id);
 
   /// Checks `measured` against `reference` within `tolerance`.
-  bool expect(std::string name, double measured, double reference, const Tolerance& tolerance, std::string unit = "1");
+  bool expect(CheckName name, double measured, double reference, const Tolerance& tolerance, std::string unit = "1");
+
+  /// The same with a tolerance of one kind, whose bound and justification follow the reference: see Tolerance.
+  bool expect_exact(CheckName name, double measured, double reference, std::string why, std::string unit = "1");
+  bool expect_round_off(CheckName name, double measured, double reference, double bound, std::string why,
+                        std::string unit = "1");
+  bool expect_truncation(CheckName name, double measured, double reference, double predicted_error, double factor,
+                         std::string why, std::string unit = "1");
+  bool expect_model(CheckName name, double measured, double reference, double bound, std::string why,
+                    std::string unit = "1");
 
   /// Checks `low <= measured <= high`; `why` explains both ends.
-  bool expect_between(std::string name, double measured, double low, double high, std::string why,
+  bool expect_between(CheckName name, double measured, double low, double high, std::string why,
                       std::string unit = "1");
 
   /// Checks that `holds` is true: for identities without a size (bit-identical results, a rejected scene).
-  bool expect_true(std::string name, bool holds, std::string why);
+  bool expect_true(CheckName name, bool holds, std::string why);
 
   /// Checks that the order fitted to all points of `convergence` lies in [low, high]; too high an order fails, too.
-  bool expect_order(std::string name, const Convergence& convergence, double low, double high, std::string why);
+  bool expect_order(CheckName name, const Convergence& convergence, double low, double high, std::string why);
 
   /// Adds a figure. A point that is not finite adds a failed check; points that are not positive on a log axis are
   /// omitted and counted in the caption.
@@ -85,7 +106,7 @@ class Findings {
   [[nodiscard]] const Check* find(const std::string& name) const;
 
  private:
-  bool add(Check check);
+  bool add(Check check, std::string id);
 
   std::vector<std::string> needed_;  ///< Not yet made.
   std::vector<Check> checks_;

@@ -82,10 +82,42 @@ Trace traced(const Claim& claim, const Findings& findings, const Usage& usage) {
   return trace;
 }
 
+/// The name of the check that `id` means: that of the only check with this name or of this group; otherwise `id`.
+std::string check_name(const std::string& id, const Findings& findings) {
+  std::string name;
+  for (std::size_t index = 0; index < findings.checks().size(); ++index) {
+    if (!means(id, findings, index)) continue;
+    if (!name.empty()) return id;
+    name = findings.checks()[index].name;
+  }
+  return name.empty() ? id : name;
+}
+
 }  // namespace
 
+std::vector<Claim> claims_of(const Case& verification_case) {
+  std::vector<Claim> claims;
+  for (const Claim& claim : verification_case.requirements) {
+    const std::string separator = ", ";
+    std::size_t begin = 0;
+    for (std::size_t end = 0; end != std::string::npos; begin = end + separator.size()) {
+      end = claim.requirement.find(separator, begin);
+      claims.push_back({claim.requirement.substr(begin, end == std::string::npos ? end : end - begin), claim.checks});
+    }
+  }
+  return claims;
+}
+
+Case with_check_names(Case verification_case, const Findings& findings) {
+  for (std::string& check : verification_case.main_checks)
+    check = check_name(check, findings);
+  for (Fault& fault : verification_case.faults)
+    fault.turns_red = check_name(fault.turns_red, findings);
+  return verification_case;
+}
+
 std::vector<Trace> traced(const Case& verification_case, const Findings& findings, const Usage& usage) {
-  Claims claims{verification_case.requirements};
+  Claims claims{claims_of(verification_case)};
   for (const auto& groups : findings.groups()) {
     for (const std::string& group : groups) {
       if (!kind_of_use(group).empty()) claims.add(group, {group});
@@ -106,7 +138,7 @@ Record record_of(const Case& verification_case) {
   record.id = verification_case.id;
   record.title = verification_case.title;
   record.family = verification_case.family;
-  for (const Claim& claim : verification_case.requirements)
+  for (const Claim& claim : claims_of(verification_case))
     record.requirements.push_back({.requirement = claim.requirement, .checks = {}});
   record.main_checks = verification_case.main_checks;
   record.source = verification_case.source;

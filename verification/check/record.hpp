@@ -17,6 +17,14 @@ using records::Status;
 using records::Trace;
 using records::write_record;
 
+/// A claim for each requirement, in the order of the definition: `{"Eq. 2, Eq. 3", {"columns"}}` becomes two.
+[[nodiscard]] std::vector<Claim> claims_of(const Case& verification_case);
+
+/// The case with the names of its main checks and of the checks that its faults turn red, where its definition gives
+/// ids. `findings` are those of the correct setup. An id that means no check, or several, stays, and no check has that
+/// name.
+[[nodiscard]] Case with_check_names(Case verification_case, const Findings& findings);
+
 /// A record with the case's description, without results.
 [[nodiscard]] Record record_of(const Case& verification_case);
 

@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "verification/check/evidence.hpp"
+#include "verification/check/record.hpp"
 
 namespace talus::verification {
 
@@ -18,12 +19,12 @@ bool is_snake_case(const std::string& word) {
 }
 
 std::string requirements_error(const Case& verification_case, const Catalogue& catalogue) {
-  for (const auto& claim : verification_case.requirements) {
+  const std::vector<Claim> claims = claims_of(verification_case);
+  for (const auto& claim : claims) {
     const std::string& id = claim.requirement;
     if (catalogue.requirement(id) == nullptr) return fmt::format("requirement '{}' is in no closed list", id);
     if (claim.checks.empty()) return fmt::format("it names no check for requirement '{}'", id);
     const auto same = [&](const Claim& other) { return other.requirement == id; };
-    const auto& claims = verification_case.requirements;
     if (std::count_if(claims.begin(), claims.end(), same) > 1)
       return fmt::format("requirement '{}' is listed twice", id);
   }
@@ -32,7 +33,7 @@ std::string requirements_error(const Case& verification_case, const Catalogue& c
 
 std::string family_error(const Case& verification_case, const Catalogue& catalogue) {
   std::vector<std::string> ids;
-  for (const auto& claim : verification_case.requirements)
+  for (const auto& claim : claims_of(verification_case))
     ids.push_back(claim.requirement);
   const std::string family = catalogue.family_of(verification_case.family, ids);
   if (family.empty()) return "it names no family and claims no problem of the catalogue";

@@ -99,6 +99,8 @@ std::string missing_checks(const Record& record, bool must_claim) {
     const auto named = [&](const Check& check) { return check.name == name; };
     if (std::none_of(record.checks.begin(), record.checks.end(), named))
       add(fmt::format("main check '{}' was not made", name));
+    const auto& names = record.main_checks;
+    if (std::count(names.begin(), names.end(), name) > 1) add(fmt::format("main check '{}' is listed twice", name));
   }
   if (must_claim && record.requirements.empty()) add(fmt::format("case {}: it claims no requirement", record.id));
   for (const auto& trace : record.requirements) {
@@ -130,6 +132,8 @@ Record run_case(const Case& verification_case, Tier tier, const Record* earlier)
     usage = recording.usage();
     return words;
   }();
+  const Case with_names = with_check_names(verification_case, findings);
+  record.main_checks = with_names.main_checks;
   record.evaluations = findings.evaluations();
   record.checks = findings.checks();
   mark_main_checks(record);
@@ -142,13 +146,13 @@ Record run_case(const Case& verification_case, Tier tier, const Record* earlier)
     if (earlier != nullptr) {
       record.controls = earlier->controls;
     } else {
-      plant_all(verification_case, record);
+      plant_all(with_names, record);
     }
     judge(verification_case, record);
   } else {
     record.status = Status::error;
     record.message = thrown;
-    for (const auto& fault : verification_case.faults)
+    for (const auto& fault : with_names.faults)
       record.controls.push_back(untried(fault));
   }
   record.seconds = std::chrono::duration<double>(Clock::now() - start).count();

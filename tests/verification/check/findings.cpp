@@ -1,9 +1,12 @@
 #define BOOST_TEST_MODULE findings
 #include "verification/check/findings.hpp"
 
+#include <array>
 #include <boost/test/unit_test.hpp>
 #include <limits>
 #include <stdexcept>
+#include <string>
+#include <vector>
 
 #include "verification/check/case.hpp"
 
@@ -28,6 +31,40 @@ BOOST_AUTO_TEST_CASE(names_are_unique_and_not_empty) {
   const Table table{"t", "caption", {"x"}, {{"1"}}};
   findings.table(table);
   BOOST_CHECK_THROW(findings.table(table), std::logic_error);
+}
+
+BOOST_AUTO_TEST_CASE(each_kind_of_tolerance_has_its_call) {
+  Findings findings;
+  BOOST_TEST(findings.expect_exact("exact", 1.0, 1.0, "why", "m"));
+  BOOST_TEST(!findings.expect_exact("not exact", 1.0 + 1e-15, 1.0, "why"));
+  BOOST_TEST(findings.expect_round_off("round-off", 1.05, 1.0, 0.1, "why", "m"));
+  BOOST_TEST(findings.expect_truncation("truncation", 1.25, 1.0, 0.15, 2.0, "why", "m"));
+  BOOST_TEST(!findings.expect_model("model", 1.25, 1.0, 0.125, "why", "m"));
+  const std::array kinds{Kind::exact, Kind::exact, Kind::round_off, Kind::truncation, Kind::model};
+  const std::array bounds{0.0, 0.0, 0.1, 0.3, 0.125};
+  for (std::size_t i = 0; i < kinds.size(); ++i) {
+    const Check& check = findings.checks().at(i);
+    BOOST_TEST((check.kind == kinds[i]));
+    BOOST_TEST(check.bound == bounds[i]);
+    BOOST_TEST(check.why == "why");
+    BOOST_TEST(check.unit == (i == 1 ? "1" : "m"));
+    BOOST_TEST(!check.relative);
+  }
+}
+
+BOOST_AUTO_TEST_CASE(a_check_has_an_id_and_belongs_to_what_precedes_a_slash) {
+  using Ids = std::vector<std::string>;
+  Findings findings;
+  findings.expect_true("alone", true, "why");
+  findings.expect_true({"a", "of a"}, true, "why");
+  const auto outer = findings.in("outer");
+  findings.expect_order({"order/damped/rk4", "an order"}, {{1.0, 0.5}, {1.0, 0.5}}, 0.9, 1.1, "why");
+  findings.expect_between({"b", "of b"}, 1.0, 0.0, 2.0, "why");
+  BOOST_TEST(findings.find("an order") != nullptr);
+  BOOST_TEST(findings.groups().at(0) == Ids{});
+  BOOST_TEST(findings.groups().at(1) == Ids{"a"});
+  BOOST_TEST((findings.groups().at(2) == Ids{"outer", "order", "order/damped", "order/damped/rk4"}));
+  BOOST_TEST((findings.groups().at(3) == Ids{"outer", "b"}));
 }
 
 BOOST_AUTO_TEST_CASE(an_order_is_gated_on_both_sides) {

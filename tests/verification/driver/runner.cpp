@@ -326,6 +326,42 @@ BOOST_AUTO_TEST_CASE(a_main_check_that_is_not_made_fails) {
   demand_failure(c, "fail", "main check 'gone' was not made");
 }
 
+/// Two checks that share the id "values", of which "values/first" is red with the fault.
+void two_values(Findings& findings, const Setup& setup) {
+  findings.expect_model({"values/first", "value"}, setup.has("shifted") ? 2.0 : 1.05, 1.0, 0.1, "chosen");
+  findings.expect_model({"values/second", "other value"}, 1.05, 1.0, 0.1, "chosen");
+}
+
+BOOST_AUTO_TEST_CASE(a_definition_names_checks_by_their_ids) {
+  Case c = synthetic("by_id", two_values);
+  c.main_checks = {"values/first"};
+  c.faults[0].turns_red = "values/first";
+  c.requirements = {{"Eq. 14, Eq. 21", {"values"}}, {"Eq. 22", {"values/second"}}};
+  const Run run({c});
+  BOOST_TEST(run.status == 0);
+  const auto& record = run.record();
+  BOOST_TEST(record.at("main_checks").dump() == R"(["value"])");
+  BOOST_TEST(record.at("controls").at(0).at("turns_red") == "value");
+  BOOST_TEST(record.at("requirements").dump() == R"(["Eq. 14","Eq. 21","Eq. 22"])");
+  BOOST_TEST(record.at("traces").at(1).at("checks").dump() == R"(["value","other value"])");
+  BOOST_TEST(record.at("traces").at(2).at("checks").dump() == R"(["other value"])");
+}
+
+BOOST_AUTO_TEST_CASE(an_id_of_several_checks_is_no_main_check_and_turns_nothing_red) {
+  Case c = synthetic("several", two_values);
+  c.main_checks = {"values"};
+  demand_failure(c, "fail", "main check 'values' was not made");
+  c.main_checks = {"value"};
+  c.faults[0].turns_red = "values";
+  demand_failure(c, "fail", "1 of 1 controls did not turn red");
+}
+
+BOOST_AUTO_TEST_CASE(a_main_check_named_by_its_name_and_its_id_is_listed_twice) {
+  Case c = synthetic("twice", two_values);
+  c.main_checks = {"value", "values/first"};
+  demand_failure(c, "fail", "main check 'value' is listed twice");
+}
+
 BOOST_AUTO_TEST_CASE(a_requirement_without_its_check_fails) {
   Case c = synthetic("partial", sound);
   c.requirements.push_back({"Eq. 21", {"value", "gone"}});
@@ -399,6 +435,8 @@ BOOST_AUTO_TEST_CASE(a_case_that_is_not_well_formed_fails_without_being_run) {
   refuse([](Case& c) { c.requirements = {{"Eq. 99", {"value"}}}; }, "'Eq. 99' is in no closed list");
   refuse([](Case& c) { c.requirements = {{"Eq. 14", {}}}; }, "names no check for requirement 'Eq. 14'");
   refuse([](Case& c) { c.requirements.push_back(c.requirements[0]); }, "'Eq. 14' is listed twice");
+  refuse([](Case& c) { c.requirements = {{"Eq. 14, Eq. 14", {"value"}}}; }, "'Eq. 14' is listed twice");
+  refuse([](Case& c) { c.requirements = {{"Eq. 14, Eq. 99", {"value"}}}; }, "'Eq. 99' is in no closed list");
   refuse([](Case& c) { c.main_checks.clear(); }, "names no main check");
   refuse([](Case& c) { c.main_checks.push_back("value"); }, "main check 'value' is listed twice");
   refuse([](Case& c) { c.page.clear(); }, "page is empty");

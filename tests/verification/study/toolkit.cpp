@@ -6,13 +6,9 @@
 
 #include "solver/scenes/bouncing_disc.hpp"
 #include "solver/scenes/pendulum.hpp"
-#include "verification/study/findings/curves.hpp"
-#include "verification/study/findings/expectations.hpp"
-#include "verification/study/findings/predicted_errors.hpp"
 #include "verification/study/program/program_options.hpp"
-#include "verification/study/runs/phases.hpp"
 #include "verification/study/runs/recorded_run.hpp"
-#include "verification/study/runs/scene_run.hpp"
+#include "verification/study/toolkit.hpp"
 
 using namespace talus;
 using namespace talus::verification;
@@ -70,6 +66,66 @@ BOOST_AUTO_TEST_CASE(the_worst_keeps_its_sign_and_a_nan_stays) {
   BOOST_TEST(worst_ratio(0.8, 1.1) == 0.8);
   BOOST_TEST(std::isnan(worst_ratio(1.1, not_a_number)));
   BOOST_TEST(std::isnan(worst_ratio(not_a_number, 1.1)));
+}
+
+BOOST_AUTO_TEST_CASE(the_largest_is_a_magnitude_and_a_nan_stays) {
+  double largest = 0.0;
+  for (const double error : {-2.0, 1.0})
+    keep_largest(largest, error);
+  BOOST_TEST(largest == 2.0);
+  keep_largest(largest, not_a_number);
+  keep_largest(largest, 3.0);
+  BOOST_TEST(std::isnan(largest));
+}
+
+BOOST_AUTO_TEST_CASE(a_row_has_the_cells_of_its_format) {
+  using Cells = std::vector<std::string>;
+  BOOST_TEST((cells("{} | {:.2f} | {}", "disc", 0.125, 3) == Cells{"disc", "0.12", "3"}));
+  BOOST_TEST((cells("{} |  | {}", "", 'c') == Cells{"", "", "c"}));
+  BOOST_TEST((cells("one cell") == Cells{"one cell"}));
+}
+
+BOOST_AUTO_TEST_CASE(a_scene_builder_adds_parts_as_their_members_say) {
+  SceneBuilder builder;
+  builder.gravity({0.0, -2.0});
+  const BodyId wall = builder.add_fixed("wall", HalfPlane{}, {0.0, -1.0}, 0.5);
+  const BodyId disc = builder.add_free("disc", 2.0, 0.25, Circle{0.5}, {3.0, 1.0}, 0.125);
+  const BodyId bob = builder.add_particle("bob", 3.0, {4.0, 2.0});
+  builder.add_contact("touch", wall, disc, LinearSpringDashpot{64.0, 1.0}, CoulombFriction{0.5, 32.0});
+  builder.add_cable("cable", {disc, {}}, {bob, {}}, 1.5, TensionOnly{10.0, 0.0});
+  const Scene scene = builder.at_rest("Parts");
+  ModelBuilder plain;
+  plain.gravity({0.0, -2.0});
+  plain.add(Body{.name = "wall", .mobility = Mobility::fixed, .shape = HalfPlane{}, .p_WB = {0.0, -1.0}, .angle = 0.5});
+  plain.add(
+      Body{.name = "disc", .mass = 2.0, .inertia = 0.25, .shape = Circle{0.5}, .p_WB = {3.0, 1.0}, .angle = 0.125});
+  plain.add(Body{.name = "bob", .mobility = Mobility::particle, .mass = 3.0, .p_WB = {4.0, 2.0}});
+  plain.add(Contact{.name = "touch",
+                    .a = wall,
+                    .b = disc,
+                    .law = LinearSpringDashpot{64.0, 1.0},
+                    .friction = CoulombFriction{0.5, 32.0}});
+  plain.add(Cable{.name = "cable", .a = {disc, {}}, .b = {bob, {}}, .rest_length = 1.5, .law = TensionOnly{10.0, 0.0}});
+  BOOST_TEST(scene.title == "Parts");
+  const Model model = plain.build();
+  BOOST_TEST(scene.initial.q == rest_state(model).q, boost::test_tools::per_element());
+  const Dynamics of_scene{scene.model}, of_plain{model};
+  State state = rest_state(model);
+  state.q[0] -= 0.25;
+  RigidBodySystem one{of_scene}, other{of_plain};
+  State a = state, b = state;
+  one.begin(a), other.begin(b);
+  Rates rates_a{a}, rates_b{b};
+  one.evaluate(a, rates_a), other.evaluate(b, rates_b);
+  BOOST_TEST(rates_a.v == rates_b.v, boost::test_tools::per_element());
+  for (std::size_t i = 0; i < model.bodies.size(); ++i) {
+    BOOST_TEST(scene.model.bodies[i].name == model.bodies[i].name);
+    BOOST_TEST((scene.model.bodies[i].mobility == model.bodies[i].mobility));
+    BOOST_TEST(scene.model.bodies[i].mass == model.bodies[i].mass);
+    BOOST_TEST(scene.model.bodies[i].inertia == model.bodies[i].inertia);
+    BOOST_TEST(scene.model.bodies[i].angle == model.bodies[i].angle);
+  }
+  BOOST_TEST(scene.model.contacts[0].friction.has_value());
 }
 
 BOOST_AUTO_TEST_CASE(each_component_is_compared_by_one_check) {

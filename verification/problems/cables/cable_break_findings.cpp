@@ -1,16 +1,7 @@
-#include <fmt/format.h>
-
-#include <algorithm>
-#include <cmath>
-#include <numbers>
-
-#include "solver/integrate/integrator_list.hpp"
-#include "solver/run/snapshot.hpp"
-#include "verification/check/convergence.hpp"
 #include "verification/problems/cables/cable_findings.hpp"
 #include "verification/reference/cables/cable_draw.hpp"
-#include "verification/study/findings/expectations.hpp"
 #include "verification/study/scenes/cable_scenes.hpp"
+#include "verification/study/toolkit.hpp"
 
 namespace talus::verification::problems {
 namespace {
@@ -47,14 +38,15 @@ void check_both_sides(Findings& findings, const Setup& setup) {
     for (std::size_t l = 0; l < 4; ++l)
       broken[l] += broke(throw_once(laws[l], step, phase, findings)) ? 1 : 0;
   }
-  const char* const names[] = {"number of broken cables, strength 1.001 times the peak tension",
-                               "number of broken cables, strength 0.999 times the peak tension",
-                               "number of broken cables, rupture stretch 1.001 times the largest plastic stretch",
-                               "number of broken cables, rupture stretch 0.999 times the largest plastic stretch"};
+  const CheckName names[] = {
+      {"broken/strong", "number of broken cables, strength 1.001 times the peak tension"},
+      {"broken/weak", "number of broken cables, strength 0.999 times the peak tension"},
+      {"broken/long rupture", "number of broken cables, rupture stretch 1.001 times the largest plastic stretch"},
+      {"broken/short rupture", "number of broken cables, rupture stretch 0.999 times the largest plastic stretch"}};
   for (std::size_t l = 0; l < 4; ++l)
-    findings.expect(names[l], broken[l], l % 2 == 0 ? 0.0 : static_cast<double>(phases(setup)),
-                    Tolerance::exact("the error of velocity Verlet's peak, (w h)^2/8 = 8e-6, is about 1 % of the "
-                                     "margin of 0.001: the cable breaks in all of the 64 phases or in none"));
+    findings.expect_exact(names[l], broken[l], l % 2 == 0 ? 0.0 : static_cast<double>(phases(setup)),
+                          "the error of velocity Verlet's peak, (w h)^2/8 = 8e-6, is about 1 % of the margin of 0.001: "
+                          "the cable breaks in all of the 64 phases or in none");
 }
 
 /// Energy released by a break, and the energy balance error.
@@ -82,20 +74,19 @@ void check_release(Findings& findings, const Setup& setup) {
     ratio = energy.rms() / (strength * left * step / std::sqrt(3.0));
     open_ratio = open.rms() / (0.5 * strength * left * step);
   }
-  findings.expect_order("order of the energy released by a cable break", released, 0.95, 1.05,
+  findings.expect_order({"break/order", "order of the energy released by a cable break"}, released, 0.95, 1.05,
                         "the cable breaks at the first step at which its tension exceeds its strength, late by a "
                         "uniformly distributed fraction of a step");
-  findings.expect("energy released by a cable break, rms error over its prediction", ratio, 1.0,
-                  Tolerance::model(0.03,
-                                   "T v u h with u uniformly distributed in (0, 1): rms T v h/sqrt(3); the next order "
-                                   "in h is 2 % of it"));
-  findings.expect_order("order of the energy balance error, cable break", balance_error, 0.95, 1.05,
-                        "the force ends with the half kick before the break is detected, but the energy is recorded at "
-                        "the detection");
-  findings.expect("energy balance error over its prediction, cable break", open_ratio, 1.0,
-                  Tolerance::model(0.03,
-                                   "the half kick before the detection is omitted although the cable still counts as "
-                                   "intact: T v h/2 for every phase; the next order in h is 2 % of it"));
+  findings.expect_model(
+      {"break/energy", "energy released by a cable break, rms error over its prediction"}, ratio, 1.0, 0.03,
+      "T v u h with u uniformly distributed in (0, 1): rms T v h/sqrt(3); the next order in h is 2 % of it");
+  findings.expect_order(
+      {"break_balance/order", "order of the energy balance error, cable break"}, balance_error, 0.95, 1.05,
+      "the force ends with the half kick before the break is detected, but the energy is recorded at the detection");
+  findings.expect_model({"break_balance/error", "energy balance error over its prediction, cable break"}, open_ratio,
+                        1.0, 0.03,
+                        "the half kick before the detection is omitted although the cable still counts as intact: T v "
+                        "h/2 for every phase; the next order in h is 2 % of it");
 }
 
 /// Cables that yield until they break, at a rupture stretch or when they have hardened to their strength, by the
@@ -132,20 +123,15 @@ void check_located_breaks(Findings& findings, const Setup& setup) {
           "27 to 44 steps with local errors below 1e-10 of the distance travelled and the speed, a third of that on "
           "average: as a random walk, sqrt(44)/3 = 2.2 times; the event itself is located to round-off";
       const std::string by = fmt::format(", {}, {}", what, name);
-      findings.in("located_breaks")
-          ->expect("speed after a located break" + by, run.end.v[0],
-                   reference::speed_kept(cable, mass, thrown, stretch),
-                   Tolerance::truncation(tolerance * thrown, 3.0, words), "m/s");
-      findings.in("located_breaks")
-          ->expect("plastic stretch at a located break" + by, run.end.z[0], stretch,
-                   Tolerance::round_off(4e-15,
-                                        "the event is defined by the plastic stretch itself: a difference of lengths "
-                                        "of up to 10 m"),
-                   "m");
+      findings.expect_truncation({"located_breaks", "speed after a located break" + by}, run.end.v[0],
+                                 reference::speed_kept(cable, mass, thrown, stretch), tolerance * thrown, 3.0, words,
+                                 "m/s");
+      findings.expect_round_off(
+          {"located_breaks", "plastic stretch at a located break" + by}, run.end.z[0], stretch, 4e-15,
+          "the event is defined by the plastic stretch itself: a difference of lengths of up to 10 m", "m");
       if (!law.table.empty()) continue;  // the power of yielding jumps at its corners, which are not events
-      findings.in("located_breaks")
-          ->expect("energy balance error after a located break" + by, run.balance_error, 0.0,
-                   Tolerance::truncation(tolerance * mass * thrown * thrown, 3.0, words), "J");
+      findings.expect_truncation({"located_breaks", "energy balance error after a located break" + by},
+                                 run.balance_error, 0.0, tolerance * mass * thrown * thrown, 3.0, words, "J");
     }
   }
 }
@@ -229,15 +215,17 @@ void check_hanger_orders(Findings& findings, const Setup& setup) {
       "h/sqrt(3) times the reference's derivative with respect to the time of the break, that of speeds half as much, "
       "because the half kick before the detection already omits the hanger; the energy balance error is h/2 times the "
       "change of the power; the next order in h adds 2 %, and 64 unevenly spread phases 1 %");
-  findings.expect("speed of the mass released by the hanger, rms error over its prediction", ratios[0], 1.0, near);
-  findings.expect("energy lost in the hanger break, rms error over its prediction", ratios[1], 1.0, near);
+  findings.expect({"hanger/speed", "speed of the mass released by the hanger, rms error over its prediction"},
+                  ratios[0], 1.0, near);
+  findings.expect({"hanger_energy/loss", "energy lost in the hanger break, rms error over its prediction"}, ratios[1],
+                  1.0, near);
   findings.expect("exit speed of the mass on the merged cable, rms error over its prediction", ratios[2], 1.0, near);
-  findings.expect("energy balance error over its prediction, hanger break", ratios[3], 1.0, near);
-  findings.expect_order("order of the speed of the mass released by the hanger", speed_b, 0.98, 1.02,
-                        "the hanger breaks at the first step at which its load exceeds its strength");
-  findings.expect_order("order of the energy balance error, hanger break", balance_error, 0.98, 1.02,
-                        "the forces change with the half kick before the break is detected, but the energy is recorded "
-                        "at the detection");
+  findings.expect({"hanger_balance", "energy balance error over its prediction, hanger break"}, ratios[3], 1.0, near);
+  findings.expect_order({"hanger/order_of_speed", "order of the speed of the mass released by the hanger"}, speed_b,
+                        0.98, 1.02, "the hanger breaks at the first step at which its load exceeds its strength");
+  findings.expect_order(
+      {"hanger_energy/order", "order of the energy balance error, hanger break"}, balance_error, 0.98, 1.02,
+      "the forces change with the half kick before the break is detected, but the energy is recorded at the detection");
 }
 
 /// Compares the two cables past the broken hanger with a scene that has a single cable.
@@ -261,25 +249,20 @@ void check_merged(Findings& findings, const Setup& setup) {
       run_cables(one, one.initial, VelocityVerlet{}, {step, first.end.t + left, false, true}, findings);
   double apart = 0.0, tensions = 0.0;
   for (std::size_t i = 0; i < a.time.size(); ++i) {
-    apart = std::max(apart, std::abs(a.tension[i] - b.tension[i]));
-    tensions = std::max(tensions, std::abs(a.tension[i] - a.second_tension[i]));
+    keep_largest(apart, a.tension[i] - b.tension[i]);
+    keep_largest(tensions, a.tension[i] - a.second_tension[i]);
   }
-  findings.expect(
-      "position of the mass, difference between two cables past the broken hanger and one cable",
-      std::abs(a.end.q[1] - b.end.q[1]), 0.0,
-      Tolerance::round_off(1e-13,
-                           "round-off of the tensions, 1e-14, over 1 s^2 and a few hundred steps, accumulated as a "
-                           "random walk"),
-      "m");
-  findings.expect("tension, difference between two cables past the broken hanger and one cable", apart, 0.0,
-                  Tolerance::round_off(3e-14, "as for the difference between the two cables, once more for each cable"),
-                  "N");
-  findings.expect(
-      "tension, difference between the two cables past the broken hanger", tensions, 0.0,
-      Tolerance::round_off(3e-14,
-                           "k (l - l0) with lengths near 8 m: four roundings of half an ulp of 8, times the "
-                           "stiffness 5"),
-      "N");
+  findings.expect_round_off(
+      {"hanger/merged_position",
+       "position of the mass, difference between two cables past the broken hanger and one cable"},
+      std::abs(a.end.q[1] - b.end.q[1]), 0.0, 1e-13,
+      "round-off of the tensions, 1e-14, over 1 s^2 and a few hundred steps, accumulated as a random walk", "m");
+  findings.expect_round_off(
+      {"merged_tension", "tension, difference between two cables past the broken hanger and one cable"}, apart, 0.0,
+      3e-14, "as for the difference between the two cables, once more for each cable", "N");
+  findings.expect_round_off(
+      {"hanger/tensions", "tension, difference between the two cables past the broken hanger"}, tensions, 0.0, 3e-14,
+      "k (l - l0) with lengths near 8 m: four roundings of half an ulp of 8, times the stiffness 5", "N");
 }
 
 /// Two cables with different plastic stretch also have one tension, given by the sum of their lengths.
@@ -296,18 +279,17 @@ void check_merged_plastic(Findings& findings) {
   const double elongation = run.end.q[1] - 2.0 * cable_length - drawn[0] - drawn[1];
   double apart = std::abs(run.tension.back() - run.second_tension.back());
   keep_worst(apart, run.tension.back() - exact.merged_stiffness * elongation);
-  findings.expect(
+  findings.expect_round_off(
       "tensions of two plastically stretched cables past the broken hanger, difference from one cable",
-      run.hanger_broken ? apart : std::nan(""), 0.0,
-      Tolerance::round_off(1e-13, "k (l - l0 - p) with lengths near 16 m: a few roundings, times the stiffness 5"),
-      "N");
+      run.hanger_broken ? apart : std::nan(""), 0.0, 1e-13,
+      "k (l - l0 - p) with lengths near 16 m: a few roundings, times the stiffness 5", "N");
   // The first cable ends at the point between the cables: at its plastic length plus the elastic elongation.
   const Dynamics dynamics{scene.model};
   const Snapshot seen{dynamics, run.end};
   const double place = seen.geometry().joints.p_WP(dynamics.cables().ends()[0].b).x;
-  findings.expect("end point of the first of two plastically stretched cables past the broken hanger", place,
-                  cable_length + drawn[0] + exact.merged_stiffness * elongation / pair.stiffness_1,
-                  Tolerance::round_off(1e-14, "a few roundings of lengths near 8 m"), "m");
+  findings.expect_round_off("end point of the first of two plastically stretched cables past the broken hanger", place,
+                            cable_length + drawn[0] + exact.merged_stiffness * elongation / pair.stiffness_1, 1e-14,
+                            "a few roundings of lengths near 8 m", "m");
 }
 
 constexpr const char* control_words =
@@ -321,10 +303,11 @@ void check_hanger_exactly(Findings& findings, const Setup& setup) {
   const reference::HangerBreak exact = reference::break_hanger(pair, 0.7 * reference::first_load_peak(pair).load);
   const CableRunResult run = run_pair(strength, exact.slack_time / 40.0, 0.5, 1.1 * exact.slack_time,
                                       make_integrator("odeint_dopri5", 1e-11), findings);
-  findings.expect("energy lost in the hanger break with step control", recorded_work(run.end, Mechanism::hanger_break),
-                  exact.lost, Tolerance::truncation(2e-8, 1.0, control_words), "J");
-  findings.expect("exit speed of the mass on the merged cable with step control", -run.end.v[1], exact.exit_speed_c,
-                  Tolerance::truncation(2e-9, 1.0, control_words), "m/s");
+  findings.expect_truncation({"hanger_loss", "energy lost in the hanger break with step control"},
+                             recorded_work(run.end, Mechanism::hanger_break), exact.lost, 2e-8, 1.0, control_words,
+                             "J");
+  findings.expect_truncation({"hanger/exit_speed", "exit speed of the mass on the merged cable with step control"},
+                             -run.end.v[1], exact.exit_speed_c, 2e-9, 1.0, control_words, "m/s");
   // A method that locates the break finds it also if a hanger that holds comes first in the list.
   Scene scene = hung_pair(pair, strength);
   scene.model.hangers.insert(scene.model.hangers.begin(), Hanger{"holds", *find_body(scene.model, "c"), {}, 1e9});

@@ -1,14 +1,5 @@
-#include <fmt/format.h>
-
-#include <algorithm>
-#include <array>
-#include <optional>
-#include <vector>
-
-#include "solver/model/model_builder.hpp"
-#include "solver/run/snapshot.hpp"
 #include "verification/problems/cables/cable_findings.hpp"
-#include "verification/study/findings/expectations.hpp"
+#include "verification/study/toolkit.hpp"
 
 namespace talus::verification::problems {
 namespace {
@@ -43,7 +34,7 @@ Body hung(const char* name, double x, int multiplicity = 1) {
 
 LaidChain laid(const std::vector<ChainPoint>& points, const std::vector<ChainCable>& cables, const Listing& listing,
                int multiplicity = 1) {
-  ModelBuilder builder;
+  SceneBuilder builder;
   std::vector<CableEnd> ends;
   for (const ChainPoint& point : points)
     ends.push_back({point.body ? std::optional{builder.add(*point.body)} : std::nullopt, point.p});
@@ -105,14 +96,14 @@ void check_listings(Findings& findings) {
       }
     }
   } while (std::next_permutation(listing.order.begin(), listing.order.end()));
-  findings.expect("tension of three cables past broken hangers, largest error over 48 listing orders", force_error, 0.0,
-                  Tolerance::round_off(1.5e-13,
-                                       "a dozen roundings of lengths near 10 m, 5.1e-16 m rms, times the stiffness of "
-                                       "29 N/m: 5e-14 as a random walk, three times that"),
-                  "N");
-  findings.expect(
+  findings.expect_round_off("tension of three cables past broken hangers, largest error over 48 listing orders",
+                            force_error, 0.0, 1.5e-13,
+                            "a dozen roundings of lengths near 10 m, 5.1e-16 m rms, times the stiffness of 29 N/m: "
+                            "5e-14 as a random walk, three times that",
+                            "N");
+  findings.expect_round_off(
       "positions of the points between three cables past broken hangers, largest error over 48 listing orders",
-      place_error, 0.0, Tolerance::round_off(1e-14, "a dozen roundings of lengths near 10 m"), "m");
+      place_error, 0.0, 1e-14, "a dozen roundings of lengths near 10 m", "m");
 }
 
 /// Chain at a plane of symmetry: the body in the plane represents only itself, the cables and the next body represent
@@ -134,18 +125,15 @@ void check_mirror_image(Findings& findings) {
         keep_worst(place_error, norm(place - Vec2{0.0, 3.0}));
     }
   }
-  findings.expect(
+  findings.expect_round_off(
       "tension of two cables past broken hangers up to a plane of symmetry, largest error over 8 listing orders",
-      force_error, 0.0,
-      Tolerance::round_off(
-          1.8e-13,
-          "a dozen roundings of lengths near 10 m, 5.1e-16 m rms, times the stiffness of 33 N/m: 6e-14 "
-          "as a random walk, three times that"),
+      force_error, 0.0, 1.8e-13,
+      "a dozen roundings of lengths near 10 m, 5.1e-16 m rms, times the stiffness of 33 N/m: 6e-14 as a random walk, "
+      "three times that",
       "N");
-  findings.expect(
+  findings.expect_exact(
       "positions of the points of two cables along the fence past broken hangers, largest error over 8 listing orders",
-      place_error, 0.0,
-      Tolerance::exact("the cables run straight along the fence: in the plane, all points coincide with the last one"),
+      place_error, 0.0, "the cables run straight along the fence: in the plane, all points coincide with the last one",
       "m");
 }
 
@@ -159,14 +147,13 @@ void check_break_within(Findings& findings) {
   double left = 0.0;
   for (const double t : found.tensions)
     keep_worst(left, t);
-  findings.expect("largest tension in a chain after the break of its middle cable", left, 0.0,
-                  Tolerance::exact("no cable of a broken chain carries tension"), "N");
-  findings.expect("energy loss when the middle cable of a chain breaks", found.lost,
-                  0.5 * tension * tension * compliance_of_three,
-                  Tolerance::round_off(1e-13,
-                                       "a dozen roundings of lengths near 10 m, 5.1e-16 m rms, times the tension of 29 "
-                                       "N: 5e-14 as a random walk, twice that"),
-                  "J");
+  findings.expect_exact("largest tension in a chain after the break of its middle cable", left, 0.0,
+                        "no cable of a broken chain carries tension", "N");
+  findings.expect_round_off("energy loss when the middle cable of a chain breaks", found.lost,
+                            0.5 * tension * tension * compliance_of_three, 1e-13,
+                            "a dozen roundings of lengths near 10 m, 5.1e-16 m rms, times the tension of 29 N: 5e-14 "
+                            "as a random walk, twice that",
+                            "J");
 }
 
 }  // namespace

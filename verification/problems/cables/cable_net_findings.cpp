@@ -1,15 +1,7 @@
-#include <fmt/format.h>
-
-#include <algorithm>
-#include <cmath>
-#include <optional>
 #include <random>
-#include <vector>
 
-#include "solver/dynamics/dynamics.hpp"
-#include "solver/model/model_builder.hpp"
 #include "verification/problems/cables/cable_findings.hpp"
-#include "verification/study/findings/expectations.hpp"
+#include "verification/study/toolkit.hpp"
 
 namespace talus::verification::problems {
 namespace {
@@ -87,23 +79,16 @@ Net drawn_net(NetDraw& draw) {
 }
 
 Model model_of(const Net& net) {
-  ModelBuilder builder;
+  SceneBuilder builder;
   std::vector<BodyId> bodies;
   for (std::size_t i = 0; i < net.places.size(); ++i)
-    bodies.push_back(builder.add(Body{.name = fmt::format("body{}", i),
-                                      .mobility = Mobility::particle,
-                                      .mass = net.masses[i],
-                                      .p_WB = net.places[i]}));
+    bodies.push_back(builder.add_particle(fmt::format("body{}", i), net.masses[i], net.places[i]));
   const auto end = [&](const NetEnd& e) {
     return e.body ? CableEnd{bodies[*e.body], {}} : CableEnd{{}, {e.place.x, e.place.y, 0.0}};
   };
   for (std::size_t c = 0; c < net.cables.size(); ++c) {
     const NetCable& cable = net.cables[c];
-    builder.add(Cable{.name = fmt::format("cable{}", c),
-                      .a = end(cable.a),
-                      .b = end(cable.b),
-                      .rest_length = cable.rest,
-                      .law = TensionOnly{cable.stiffness}});
+    builder.add_cable(fmt::format("cable{}", c), end(cable.a), end(cable.b), cable.rest, TensionOnly{cable.stiffness});
   }
   return builder.build();
 }
@@ -147,11 +132,11 @@ void check_nets(Findings& findings) {
         keep_worst(worst, norm(Vec2{rates.v[2 * i], rates.v[2 * i + 1]} - expected[i]));
     }
   }
-  findings.expect("accelerations of bodies in 200 nets of cables, largest error", worst, 0.0,
-                  Tolerance::round_off(1.3e-13,
-                                       "forces of up to 100 N with a dozen roundings of at most 7e-15 N each, three of "
-                                       "them on a body of at least 1 kg: 4e-14 as a random walk, three times that"),
-                  "m/s^2");
+  findings.expect_round_off({"nets", "accelerations of bodies in 200 nets of cables, largest error"}, worst, 0.0,
+                            1.3e-13,
+                            "forces of up to 100 N with a dozen roundings of at most 7e-15 N each, three of them on a "
+                            "body of at least 1 kg: 4e-14 as a random walk, three times that",
+                            "m/s^2");
 }
 
 }  // namespace talus::verification::problems

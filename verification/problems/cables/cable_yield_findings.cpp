@@ -1,14 +1,7 @@
-#include <fmt/format.h>
-
-#include <algorithm>
-#include <cmath>
-#include <numbers>
-
-#include "verification/check/convergence.hpp"
 #include "verification/problems/cables/cable_findings.hpp"
 #include "verification/reference/cables/cable_draw.hpp"
-#include "verification/study/runs/phases.hpp"
 #include "verification/study/scenes/cable_scenes.hpp"
+#include "verification/study/toolkit.hpp"
 
 namespace talus::verification::problems {
 namespace {
@@ -104,19 +97,17 @@ void check_orders(Findings& findings, const Setup& setup) {
     balance_error.add(step, errors.balance_error);
     last = errors.balance_error;
   }
-  findings.expect_order("order of the exit speed, perfectly plastic", exit, 1.85, 2.15,
+  findings.expect_order({"plastic/order_of_exit", "order of the exit speed, perfectly plastic"}, exit, 1.85, 2.15,
                         "yield and turning point each lie within a step, which causes errors of second order");
-  findings.expect_order("order of the residual stretch, perfectly plastic", stretch, 1.85, 2.15,
-                        "as for the exit speed");
-  findings.expect_order("order of the energy balance error, yielding cable", balance_error, 0.95, 1.05,
-                        "the work of yielding is computed with the velocity of half a step before");
-  findings.expect("energy balance error over its prediction, yielding cable",
-                  last / (step * yield * speed_at_yield(speed) / std::sqrt(3.0)), 1.0,
-                  Tolerance::model(0.03,
-                                   "the velocity of half a step before is too large by h Y/(2 m), which gives h Y v1/2 "
-                                   "with the speed v1 at the onset of yielding; the step of the onset adds an error "
-                                   "uniformly distributed in +-h Y v1/2: rms h Y v1/sqrt(3); the next order in h is 2 "
-                                   "% of this"));
+  findings.expect_order({"plastic/order_of_stretch", "order of the residual stretch, perfectly plastic"}, stretch, 1.85,
+                        2.15, "as for the exit speed");
+  findings.expect_order({"yield_balance/order", "order of the energy balance error, yielding cable"}, balance_error,
+                        0.95, 1.05, "the work of yielding is computed with the velocity of half a step before");
+  findings.expect_model({"yield_balance/error", "energy balance error over its prediction, yielding cable"},
+                        last / (step * yield * speed_at_yield(speed) / std::sqrt(3.0)), 1.0, 0.03,
+                        "the velocity of half a step before is too large by h Y/(2 m), which gives h Y v1/2 with the "
+                        "speed v1 at the onset of yielding; the step of the onset adds an error uniformly distributed "
+                        "in +-h Y v1/2: rms h Y v1/sqrt(3); the next order in h is 2 % of this");
   findings.figure(
       {.name = "yield_orders",
        .title = "Convergence with the step for a mass thrown on a yielding cable",
@@ -148,23 +139,24 @@ void check_speeds(Findings& findings, const Setup& setup) {
     exit = std::max(exit, errors.exit.rms());
     stretch = std::max(stretch, errors.stretch.rms());
     if (ratio == 0.999) {
-      findings.expect("residual stretch at 0.999 times the lowest speed at which the cable yields",
-                      errors.stretch.max(), 0.0,
-                      Tolerance::exact("a cable that never reaches its yield force has no plastic stretch"), "m");
+      findings.expect_exact(
+          {"yield_limit/below", "residual stretch at 0.999 times the lowest speed at which the cable yields"},
+          errors.stretch.max(), 0.0, "a cable that never reaches its yield force has no plastic stretch", "m");
     } else if (ratio == 1.001) {
-      findings.expect_true("residual stretch at 1.001 times the lowest speed at which the cable yields",
-                           errors.stretch.max() < exact.stretch,
-                           "the error of velocity Verlet's peak tension, (w h)^2/8 = 8e-6, is about 1 % of the margin "
-                           "of 0.001");
+      findings.expect_true(
+          {"yield_limit/above", "residual stretch at 1.001 times the lowest speed at which the cable yields"},
+          errors.stretch.max() < exact.stretch,
+          "the error of velocity Verlet's peak tension, (w h)^2/8 = 8e-6, is about 1 % of the margin of 0.001");
     }
-    shown.rows.push_back({fmt::format("{:g}", ratio), fmt::format("{:.6f}", exact.exit_speed),
-                          fmt::format("{:.1e}", errors.exit.rms()), fmt::format("{:.6f}", exact.stretch),
-                          fmt::format("{:.1e}", errors.stretch.rms())});
+    shown.rows.push_back(cells("{:g} | {:.6f} | {:.1e} | {:.6f} | {:.1e}", ratio, exact.exit_speed, errors.exit.rms(),
+                               exact.stretch, errors.stretch.rms()));
   }
-  findings.expect("exit speed, perfectly plastic, largest rms relative error of six speeds", exit, 0.0,
-                  Tolerance::truncation(elastic_error(400.0), 1.2, exit_words));
-  findings.expect("residual stretch, perfectly plastic, largest rms error of six speeds", stretch, 0.0,
-                  Tolerance::truncation(stretch_error(400.0, std::pow(4.0 * limit, 2)), 1.0, stretch_words), "m");
+  findings.expect_truncation(
+      {"plastic/exit", "exit speed, perfectly plastic, largest rms relative error of six speeds"}, exit, 0.0,
+      elastic_error(400.0), 1.2, exit_words);
+  findings.expect_truncation(
+      {"plastic/stretch", "residual stretch, perfectly plastic, largest rms error of six speeds"}, stretch, 0.0,
+      stretch_error(400.0, std::pow(4.0 * limit, 2)), 1.0, stretch_words, "m");
   if (!setup.coarse) findings.table(shown);
 }
 
@@ -221,18 +213,15 @@ void check_cycles(Findings& findings, const Setup& setup, const std::string& ste
     residual.add(runs.back().end.z[0] - stretch);
     exit.add(-runs.back().end.v[0] / exact.back().exit_speed - 1.0);
   }
-  findings.in("work_of_throws")
-      ->expect("work of yielding over " + name + ", rms relative error", yield_work.rms(), 0.0,
-               Tolerance::truncation(work / lost, 1.1,
-                                     "for each throw, h times Y v1/sqrt(3), as for a perfectly plastic cable, plus h "
-                                     "times half the growth of the yield force at the mean speed v1/2; 10 % more "
-                                     "because the phases of successive throws are correlated"));
-  findings.in("residual_stretch")
-      ->expect("residual stretch after " + name + ", rms error", residual.rms(), 0.0,
-               Tolerance::truncation(stretch_error(200.0, squares), 1.0, stretch_words), "m");
-  findings.in("exit_speed")
-      ->expect("exit speed after " + name + ", rms relative error", exit.rms(), 0.0,
-               Tolerance::truncation(elastic_error(200.0), 1.2, exit_words));
+  findings.expect_truncation(
+      {"work_of_throws/" + name, "work of yielding over " + name + ", rms relative error"}, yield_work.rms(), 0.0,
+      work / lost, 1.1,
+      "for each throw, h times Y v1/sqrt(3), as for a perfectly plastic cable, plus h times half the growth of the "
+      "yield force at the mean speed v1/2; 10 % more because the phases of successive throws are correlated");
+  findings.expect_truncation({"residual_stretch/" + name, "residual stretch after " + name + ", rms error"},
+                             residual.rms(), 0.0, stretch_error(200.0, squares), 1.0, stretch_words, "m");
+  findings.expect_truncation({"exit_speed/" + name, "exit speed after " + name + ", rms relative error"}, exit.rms(),
+                             0.0, elastic_error(200.0), 1.2, exit_words);
   if (setup.coarse) return;
   const double step = offset_step(half_swing, 200.0, 0);
   findings.figure(loops(stem, "Tension and elongation: " + name,

@@ -1,13 +1,10 @@
-#include <cmath>
-
-#include "verification/check/convergence.hpp"
 #include "verification/problems/cables/cable_findings.hpp"
 #include "verification/reference/cables/cable_draw.hpp"
 #include "verification/reference/impacts/restitution.hpp"
 #include "verification/study/impacts/followed_impact.hpp"
 #include "verification/study/impacts/leapfrog_impact_error.hpp"
-#include "verification/study/runs/phases.hpp"
 #include "verification/study/scenes/cable_scenes.hpp"
+#include "verification/study/toolkit.hpp"
 
 namespace talus::verification::problems::cables {
 namespace {
@@ -71,30 +68,31 @@ void check_bungee(Findings& findings, const Setup& setup) {
       depth.add(1.0 / count, of_depth.rms());
       time.add(1.0 / count, of_period.rms());
     }
-    const std::string by = std::string{", "} + method.name;
+    const std::string name = method.name;
     const char* const words =
         "the order of the method; the cable becomes taut and slack within a step, which causes errors of second order";
     if (!setup.coarse) {
-      findings.in("order_of_depth")
-          ->expect_order("order of the largest elongation in a fall" + by, depth, 1.9, 2.1, words);
-      findings.in("order_of_period")->expect_order("order of the period of a fall" + by, time, 1.9, 2.1, words);
+      findings.expect_order({"order_of_depth/" + name, "order of the largest elongation in a fall, " + name}, depth,
+                            1.9, 2.1, words);
+      findings.expect_order({"order_of_period/" + name, "order of the period of a fall, " + name}, time, 1.9, 2.1,
+                            words);
     }
     const double wh = std::sqrt(fall.stiffness / fall.mass) * period / counts.back();
     const char* const measured = "measured constant times (w h)^2, plus 20 % for other phases";
-    findings.in("depth")->expect("largest elongation in a fall, rms relative error at the smallest step" + by,
-                                 depth.errors().back(), 0.0,
-                                 Tolerance::truncation(method.depth * wh * wh, 1.2, measured));
-    findings.in("period")->expect("period of a fall, rms relative error at the smallest step" + by,
-                                  time.errors().back(), 0.0,
-                                  Tolerance::truncation(method.period * wh * wh, 1.2, measured));
+    findings.expect_truncation(
+        {"depth/" + name, "largest elongation in a fall, rms relative error at the smallest step, " + name},
+        depth.errors().back(), 0.0, method.depth * wh * wh, 1.2, measured);
+    findings.expect_truncation({"period/" + name, "period of a fall, rms relative error at the smallest step, " + name},
+                               time.errors().back(), 0.0, method.period * wh * wh, 1.2, measured);
     if (setup.coarse) return;
   }
   const double step = offset_step(period, 256.0, 0);
   const Fall a = run_fall(TensionOnly{fall.stiffness}, gravity, step, VelocityVerlet{}, findings);
   const Fall b = run_fall(ElasticPlastic{.stiffness = fall.stiffness}, gravity, step, VelocityVerlet{}, findings);
-  findings.expect(
-      "elastic_plastic cable that never yields, difference from a tension_only cable at the end of the fall",
-      a.end.q[0] - b.end.q[0], 0.0, Tolerance::exact("both laws use the same operations: k times the elongation"), "m");
+  findings.expect_exact(
+      {"unyielding",
+       "elastic_plastic cable that never yields, difference from a tension_only cable at the end of the fall"},
+      a.end.q[0] - b.end.q[0], 0.0, "both laws use the same operations: k times the elongation", "m");
 }
 
 void check_damped_throw(Findings& findings, const Setup& setup) {
@@ -117,22 +115,21 @@ void check_damped_throw(Findings& findings, const Setup& setup) {
     damped.add(recorded_work(run.end, Mechanism::cable_damping) / eaten - 1.0);
   }
   const ImpactError predicted = leapfrog_impact_error(xi, reference::EndRule::clamped);
-  findings.expect("exit speed on a cable with a dashpot, rms error over its prediction",
-                  exit.rms() / (predicted.restitution * wh), 1.0,
-                  Tolerance::model(0.04,
-                                   "the half-step lag of the dashpot and the jump of its force when the cable becomes "
-                                   "taut, as in `restitution`; the next order in h is 4 % of it"));
-  findings.expect("energy released by a cable with a dashpot, rms relative error", let_go.rms(),
+  findings.expect_model({"damped_exit", "exit speed on a cable with a dashpot, rms error over its prediction"},
+                        exit.rms() / (predicted.restitution * wh), 1.0, 0.04,
+                        "the half-step lag of the dashpot and the jump of its force when the cable becomes taut, as in "
+                        "`restitution`; the next order in h is 4 % of it");
+  findings.expect({"release_energy", "energy released by a cable with a dashpot, rms relative error"}, let_go.rms(),
                   wh / (xi * std::sqrt(3.0)),
                   Tolerance::model(0.04,
                                    "the release is late by a uniformly distributed fraction of a step, while the "
                                    "elongation decreases at e v: w h/(xi sqrt(3)); the next order in h is 4 % of it")
                       .relative());
-  findings.expect("energy dissipated by the dashpot of a cable, rms relative error", damped.rms(), 0.0,
-                  Tolerance::truncation(wh * 2.0 * xi / std::sqrt(12.0) / eaten, 1.1,
-                                        "its power jumps to c v^2 when the cable becomes taut, at a time that is off "
-                                        "by up to +-h/2, uniformly distributed; the half-step lag of its velocity "
-                                        "compensates part of this"));
+  findings.expect_truncation(
+      {"dashpot_energy", "energy dissipated by the dashpot of a cable, rms relative error"}, damped.rms(), 0.0,
+      wh * 2.0 * xi / std::sqrt(12.0) / eaten, 1.1,
+      "its power jumps to c v^2 when the cable becomes taut, at a time that is off by up to +-h/2, uniformly "
+      "distributed; the half-step lag of its velocity compensates part of this");
 }
 
 namespace {
@@ -151,142 +148,66 @@ void run(Findings& findings, const Setup& setup) {
 }  // namespace
 
 Case definition() {
-  return {
-      .id = "cables",
-      .title = "Yielding and breaking cables",
-      .requirements =
-          {{"Eq. 14",
-            {"order_of_depth", "order_of_period", "depth", "period",
-             "exit speed on a cable with a dashpot, rms error over its prediction"}},
-           {"D1", {"order_of_depth", "order_of_period", "depth", "period"}},
-           {"D3",
-            {"residual stretch at 0.999 times the lowest speed at which the cable yields",
-             "residual stretch at 1.001 times the lowest speed at which the cable yields",
-             "exit speed, perfectly plastic, largest rms relative error of six speeds",
-             "residual stretch, perfectly plastic, largest rms error of six speeds",
-             "order of the exit speed, perfectly plastic", "order of the residual stretch, perfectly plastic",
-             "residual_stretch"}},
-           {"D4",
-            {"work of yielding over two throws, linear hardening, rms relative error",
-             "work of yielding over three throws, tabulated hardening, rms relative error",
-             "residual stretch after two throws, linear hardening, rms error",
-             "residual stretch after three throws, tabulated hardening, rms error",
-             "exit speed after two throws, linear hardening, rms relative error",
-             "exit speed after three throws, tabulated hardening, rms relative error"}},
-           {"D9",
-            {"number of broken cables, strength 1.001 times the peak tension",
-             "number of broken cables, strength 0.999 times the peak tension",
-             "number of broken cables, rupture stretch 1.001 times the largest plastic stretch",
-             "number of broken cables, rupture stretch 0.999 times the largest plastic stretch",
-             "order of the energy released by a cable break",
-             "energy released by a cable break, rms error over its prediction", "located_breaks"}},
-           {"law.tension_only",
-            {"order_of_depth", "order_of_period", "depth", "period",
-             "accelerations of bodies in 200 nets of cables, largest error",
-             "elastic_plastic cable that never yields, difference from a tension_only cable at the end of the fall",
-             "exit speed on a cable with a dashpot, rms error over its prediction",
-             "energy released by a cable with a dashpot, rms relative error"}},
-           {"law.elastic_plastic",
-            {"elastic_plastic cable that never yields, difference from a tension_only cable at the end of the fall",
-             "residual stretch at 0.999 times the lowest speed at which the cable yields",
-             "residual stretch at 1.001 times the lowest speed at which the cable yields",
-             "exit speed, perfectly plastic, largest rms relative error of six speeds",
-             "residual stretch, perfectly plastic, largest rms error of six speeds",
-             "order of the exit speed, perfectly plastic",
-             "order of the residual stretch, perfectly plastic",
-             "work_of_throws",
-             "residual_stretch",
-             "exit_speed",
-             "number of broken cables, strength 1.001 times the peak tension",
-             "number of broken cables, strength 0.999 times the peak tension",
-             "number of broken cables, rupture stretch 1.001 times the largest plastic stretch",
-             "number of broken cables, rupture stretch 0.999 times the largest plastic stretch",
-             "speed of the mass released by the hanger, rms error over its prediction",
-             "order of the speed of the mass released by the hanger",
-             "position of the mass, difference between two cables past the broken hanger and one cable",
-             "tension, difference between two cables past the broken hanger and one cable",
-             "tension, difference between the two cables past the broken hanger",
-             "chains"}},
-           {"mechanism.cable_damping", {"energy dissipated by the dashpot of a cable, rms relative error"}},
-           {"mechanism.cable_release", {"energy released by a cable with a dashpot, rms relative error"}},
-           {"mechanism.cable_yield",
-            {"order of the energy balance error, yielding cable",
-             "energy balance error over its prediction, yielding cable", "work_of_throws"}},
-           {"mechanism.cable_break",
-            {"order of the energy released by a cable break",
-             "energy released by a cable break, rms error over its prediction",
-             "order of the energy balance error, cable break",
-             "energy balance error over its prediction, cable break"}},
-           {"mechanism.hanger_break",
-            {"energy lost in the hanger break, rms error over its prediction",
-             "energy balance error over its prediction, hanger break",
-             "order of the energy balance error, hanger break", "energy lost in the hanger break with step control"}},
-           {"integrator.velocity_verlet",
-            {"order of the largest elongation in a fall, velocity_verlet",
-             "order of the period of a fall, velocity_verlet",
-             "largest elongation in a fall, rms relative error at the smallest step, velocity_verlet",
-             "period of a fall, rms relative error at the smallest step, velocity_verlet",
-             "exit speed, perfectly plastic, largest rms relative error of six speeds",
-             "residual stretch, perfectly plastic, largest rms error of six speeds",
-             "order of the exit speed, perfectly plastic", "order of the residual stretch, perfectly plastic",
-             "work of yielding over two throws, perfectly plastic, rms relative error",
-             "residual stretch after two throws, perfectly plastic, rms error",
-             "exit speed after two throws, perfectly plastic, rms relative error"}},
-           {"integrator.central_difference",
-            {"order of the largest elongation in a fall, central_difference",
-             "order of the period of a fall, central_difference",
-             "largest elongation in a fall, rms relative error at the smallest step, central_difference",
-             "period of a fall, rms relative error at the smallest step, central_difference"}},
-           {"integrator.stormer_cowell", {"located_breaks"}},
-           {"integrator.odeint_dopri5",
-            {"energy lost in the hanger break with step control",
-             "exit speed of the mass on the merged cable with step control"}},
-           {"regime.tension_only.slack", {"order_of_depth", "order_of_period", "depth", "period"}},
-           {"regime.tension_only.taut", {"order_of_depth", "order_of_period", "depth", "period"}},
-           {"regime.tension_only.released", {"energy released by a cable with a dashpot, rms relative error"}},
-           {"regime.elastic_plastic.slack",
-            {"residual stretch at 0.999 times the lowest speed at which the cable yields",
-             "residual stretch at 1.001 times the lowest speed at which the cable yields",
-             "residual stretch, perfectly plastic, largest rms error of six speeds",
-             "order of the residual stretch, perfectly plastic", "residual_stretch"}},
-           {"regime.elastic_plastic.taut",
-            {"elastic_plastic cable that never yields, difference from a tension_only cable at the end of the fall"}},
-           {"regime.elastic_plastic.yielding",
-            {"exit speed, perfectly plastic, largest rms relative error of six speeds",
-             "residual stretch, perfectly plastic, largest rms error of six speeds",
-             "order of the exit speed, perfectly plastic", "order of the residual stretch, perfectly plastic",
-             "work of yielding over two throws, perfectly plastic, rms relative error",
-             "residual stretch after two throws, perfectly plastic, rms error",
-             "exit speed after two throws, perfectly plastic, rms relative error"}},
-           {"regime.elastic_plastic.broken",
-            {"order of the energy released by a cable break",
-             "energy released by a cable break, rms error over its prediction"}}},
-      .main_checks = {"order of the exit speed, perfectly plastic",
-                      "work of yielding over three throws, tabulated hardening, rms relative error",
-                      "number of broken cables, strength 0.999 times the peak tension",
-                      "energy lost in the hanger break with step control",
-                      "energy balance error over its prediction, hanger break"},
-      .source = "Mustoe & Huttelmaier 1993, sections 2.4 and 3.3, Eq. 14",
-      .faults = {{"weight_halved", "gravity halved",
-                  "largest elongation in a fall, rms relative error at the smallest step, velocity_verlet"},
-                 {"dashpot_halved", "dashpot coefficient halved",
-                  "exit speed on a cable with a dashpot, rms error over its prediction"},
-                 {"never_yields", "cables without a yield force",
-                  "exit speed, perfectly plastic, largest rms relative error of six speeds"},
-                 {"without_hardening", "cables with a constant yield force",
-                  "work of yielding over two throws, linear hardening, rms relative error"},
-                 {"stretch_forgotten", "each throw starts with zero plastic stretch",
-                  "residual stretch after three throws, tabulated hardening, rms error"},
-                 {"strength_unread", "cables and hangers 0.2 % weaker",
-                  "number of broken cables, strength 1.001 times the peak tension"},
-                 {"break_not_booked", "the energy released by a cable break is omitted from the energy balance",
-                  "energy balance error over its prediction, cable break"},
-                 {"hanger_not_booked", "the energy lost in a hanger break is omitted from the energy balance",
-                  "energy balance error over its prediction, hanger break"},
-                 {"two_cables_side_by_side",
-                  "after the break, two stiffnesses added as in parallel instead of in series",
-                  "tension, difference between two cables past the broken hanger and one cable"}},
-      .run = run};
+  return {.id = "cables",
+          .title = "Yielding and breaking cables",
+          .requirements =
+              {{"Eq. 14", {"order_of_depth", "order_of_period", "depth", "period", "damped_exit"}},
+               {"D1", {"order_of_depth", "order_of_period", "depth", "period"}},
+               {"D3", {"yield_limit", "plastic", "residual_stretch"}},
+               {"D4",
+                {"work_of_throws/two throws, linear hardening", "work_of_throws/three throws, tabulated hardening",
+                 "residual_stretch/two throws, linear hardening", "residual_stretch/three throws, tabulated hardening",
+                 "exit_speed/two throws, linear hardening", "exit_speed/three throws, tabulated hardening"}},
+               {"D9", {"broken", "break", "located_breaks"}},
+               {"law.tension_only",
+                {"order_of_depth", "order_of_period", "depth", "period", "nets", "unyielding", "damped_exit",
+                 "release_energy"}},
+               {"law.elastic_plastic",
+                {"unyielding", "yield_limit", "plastic", "work_of_throws", "residual_stretch", "exit_speed", "broken",
+                 "hanger/speed", "hanger/order_of_speed", "hanger/merged_position", "merged_tension", "hanger/tensions",
+                 "chains"}},
+               {"mechanism.cable_damping", {"dashpot_energy"}},
+               {"mechanism.cable_release", {"release_energy"}},
+               {"mechanism.cable_yield", {"yield_balance", "work_of_throws"}},
+               {"mechanism.cable_break", {"break", "break_balance"}},
+               {"mechanism.hanger_break", {"hanger_energy", "hanger_balance", "hanger_loss"}},
+               {"integrator.velocity_verlet",
+                {"order_of_depth/velocity_verlet", "order_of_period/velocity_verlet", "depth/velocity_verlet",
+                 "period/velocity_verlet", "plastic", "work_of_throws/two throws, perfectly plastic",
+                 "residual_stretch/two throws, perfectly plastic", "exit_speed/two throws, perfectly plastic"}},
+               {"integrator.central_difference",
+                {"order_of_depth/central_difference", "order_of_period/central_difference", "depth/central_difference",
+                 "period/central_difference"}},
+               {"integrator.stormer_cowell", {"located_breaks"}},
+               {"integrator.odeint_dopri5", {"hanger_loss", "hanger/exit_speed"}},
+               {"regime.tension_only.slack, regime.tension_only.taut",
+                {"order_of_depth", "order_of_period", "depth", "period"}},
+               {"regime.tension_only.released", {"release_energy"}},
+               {"regime.elastic_plastic.slack",
+                {"yield_limit", "plastic/stretch", "plastic/order_of_stretch", "residual_stretch"}},
+               {"regime.elastic_plastic.taut", {"unyielding"}},
+               {"regime.elastic_plastic.yielding",
+                {"plastic", "work_of_throws/two throws, perfectly plastic",
+                 "residual_stretch/two throws, perfectly plastic", "exit_speed/two throws, perfectly plastic"}},
+               {"regime.elastic_plastic.broken", {"break"}}},
+          .main_checks = {"plastic/order_of_exit", "work_of_throws/three throws, tabulated hardening", "broken/weak",
+                          "hanger_loss", "hanger_balance"},
+          .source = "Mustoe & Huttelmaier 1993, sections 2.4 and 3.3, Eq. 14",
+          .faults = {{"weight_halved", "gravity halved", "depth/velocity_verlet"},
+                     {"dashpot_halved", "dashpot coefficient halved", "damped_exit"},
+                     {"never_yields", "cables without a yield force", "plastic/exit"},
+                     {"without_hardening", "cables with a constant yield force",
+                      "work_of_throws/two throws, linear hardening"},
+                     {"stretch_forgotten", "each throw starts with zero plastic stretch",
+                      "residual_stretch/three throws, tabulated hardening"},
+                     {"strength_unread", "cables and hangers 0.2 % weaker", "broken/strong"},
+                     {"break_not_booked", "the energy released by a cable break is omitted from the energy balance",
+                      "break_balance/error"},
+                     {"hanger_not_booked", "the energy lost in a hanger break is omitted from the energy balance",
+                      "hanger_balance"},
+                     {"two_cables_side_by_side",
+                      "after the break, two stiffnesses added as in parallel instead of in series", "merged_tension"}},
+          .run = run};
 }
 
 }  // namespace talus::verification::problems::cables

@@ -1,17 +1,5 @@
-#include <fmt/format.h>
-
-#include <algorithm>
-#include <cmath>
-#include <string>
-#include <vector>
-
-#include "solver/dynamics/rigid_body_system.hpp"
-#include "solver/model/model_builder.hpp"
-#include "verification/check/case.hpp"
 #include "verification/reference/cables/hanging_chain.hpp"
-#include "verification/study/findings/expectations.hpp"
-#include "verification/study/findings/predicted_errors.hpp"
-#include "verification/study/runs/scene_run.hpp"
+#include "verification/study/toolkit.hpp"
 
 namespace talus::verification::problems::hanging_chain {
 namespace {
@@ -21,30 +9,23 @@ constexpr double gravity = 1.0, mass = chain.weight / gravity;
 constexpr auto joints = static_cast<std::size_t>(chain.joints);
 
 Scene chain_scene(double stiffness, const reference::HungChain& start, const Setup& setup) {
-  ModelBuilder builder;
+  SceneBuilder builder;
   builder.gravity({0.0, -gravity});
   std::vector<CableEnd> ends{CableEnd{}};
   for (std::size_t i = 0; i < joints; ++i) {
     const bool heavier = i == 2 && setup.has("third_weight_heavier");
-    ends.push_back({builder.add(Body{.name = fmt::format("weight{}", i + 1),
-                                     .mobility = Mobility::particle,
-                                     .mass = heavier ? 1.001 * mass : mass,
-                                     .p_WB = {start.x[i], start.y[i]}}),
-                    {}});
+    ends.push_back(
+        {builder.add_particle(fmt::format("weight{}", i + 1), heavier ? 1.001 * mass : mass, {start.x[i], start.y[i]}),
+         {}});
   }
   ends.push_back({.body = {}, .p = {chain.span, chain.rise, 0.0}});
   for (std::size_t i = 0; i < ends.size() - 1; ++i) {
     const double longer = i == 4 && setup.has("fifth_link_longer") ? 1.001 : 1.0;
     const double softer = setup.has("links_softer") ? 0.9 : 1.0;
-    builder.add(Cable{.name = fmt::format("link{}", i + 1),
-                      .a = ends[i],
-                      .b = ends[i + 1],
-                      .rest_length = longer * chain.link,
-                      .law = TensionOnly{softer * stiffness, std::sqrt(stiffness * mass)}});
+    builder.add_cable(fmt::format("link{}", i + 1), ends[i], ends[i + 1], longer * chain.link,
+                      TensionOnly{softer * stiffness, std::sqrt(stiffness * mass)});
   }
-  Scene scene{.title = "Hanging chain", .model = builder.build()};
-  scene.initial = rest_state(scene.model);
-  return scene;
+  return builder.at_rest("Hanging chain");
 }
 
 /// Root mean square distance of the weights from a shape [L].
@@ -100,10 +81,9 @@ void check_balance(Findings& findings, const Setup& setup) {
       keep_worst(largest, ratio);
     }
   }
-  findings.expect("largest acceleration at the exact equilibrium positions, as a displacement", largest, 0.0,
-                  Tolerance::round_off(2e-16,
-                                       "positions and lengths below 1, rounded by at most 5.5e-17; two links at each "
-                                       "weight"));
+  findings.expect_round_off(
+      {"acceleration_at_rest", "largest acceleration at the exact equilibrium positions, as a displacement"}, largest,
+      0.0, 2e-16, "positions and lengths below 1, rounded by at most 5.5e-17; two links at each weight");
 }
 
 void check_limit(Findings& findings, const Setup& setup) {
@@ -119,18 +99,18 @@ void check_limit(Findings& findings, const Setup& setup) {
     const double error = distance(state, reference::hung_chain(chain, 1.0 / stiffness)) / away;
     keep_worst(farthest, error);
   }
-  findings.expect(
-      "relaxed chain, distance from the exact elastic shape over that from the catenary", farthest, 0.0,
-      Tolerance::model(1e-10,
-                       "remainder of the relaxation after 100 peaks of the kinetic energy: each peak removes a fixed "
-                       "fraction; 2.4e-11 was measured"));
-  findings.expect("distance from the catenary at the largest stiffness over the first-order term", errors.last_ratio(),
-                  1.0,
-                  Tolerance::model(1e-3,
-                                   "the second-order term, 3.3 n W/(k L) of the first-order term according to the "
-                                   "exact elastic shapes"));
+  findings.expect_model(
+      {"relaxed_chain", "relaxed chain, distance from the exact elastic shape over that from the catenary"}, farthest,
+      0.0, 1e-10,
+      "remainder of the relaxation after 100 peaks of the kinetic energy: each peak removes a fixed fraction; 2.4e-11 "
+      "was measured");
+  findings.expect_model(
+      {"catenary_distance", "distance from the catenary at the largest stiffness over the first-order term"},
+      errors.last_ratio(), 1.0, 1e-3,
+      "the second-order term, 3.3 n W/(k L) of the first-order term according to the exact elastic shapes");
   if (setup.coarse) return;
-  findings.expect_order("order of the distance from the catenary in 1/k", errors.found(), 0.98, 1.0,
+  findings.expect_order({"order_in_stiffness", "order of the distance from the catenary in 1/k"}, errors.found(), 0.98,
+                        1.0,
                         "the second-order term reduces the first by 4.5 % at k = 64 and 0.1 % at k = 4096, which tilts "
                         "the fitted line by -0.01");
   findings.figure({.name = "limit",
@@ -172,27 +152,15 @@ void run(Findings& findings, const Setup& setup) {
 }  // namespace
 
 Case definition() {
-  const std::string balance = "largest acceleration at the exact equilibrium positions, as a displacement";
-  const std::string shape = "relaxed chain, distance from the exact elastic shape over that from the catenary";
-  const std::string limit = "distance from the catenary at the largest stiffness over the first-order term";
+  const std::string balance = "acceleration_at_rest";
+  const std::string shape = "relaxed_chain";
+  const std::string limit = "catenary_distance";
   return {.id = "hanging_chain",
           .title = "Hanging chain",
-          .requirements = {{"D7",
-                            {"largest acceleration at the exact equilibrium positions, as a displacement",
-                             "relaxed chain, distance from the exact elastic shape over that from the catenary",
-                             "distance from the catenary at the largest stiffness over the first-order term",
-                             "order of the distance from the catenary in 1/k"}},
-                           {"Eq. 13", {"largest acceleration at the exact equilibrium positions, as a displacement"}},
-                           {"Eq. 14",
-                            {"largest acceleration at the exact equilibrium positions, as a displacement",
-                             "relaxed chain, distance from the exact elastic shape over that from the catenary"}},
-                           {"Eq. 15",
-                            {"largest acceleration at the exact equilibrium positions, as a displacement",
-                             "relaxed chain, distance from the exact elastic shape over that from the catenary"}},
-                           {"law.tension_only",
-                            {"largest acceleration at the exact equilibrium positions, as a displacement",
-                             "distance from the catenary at the largest stiffness over the first-order term",
-                             "order of the distance from the catenary in 1/k"}}},
+          .requirements = {{"D7", {"acceleration_at_rest", "relaxed_chain", "catenary_distance", "order_in_stiffness"}},
+                           {"Eq. 13", {"acceleration_at_rest"}},
+                           {"Eq. 14, Eq. 15", {"acceleration_at_rest", "relaxed_chain"}},
+                           {"law.tension_only", {"acceleration_at_rest", "catenary_distance", "order_in_stiffness"}}},
           .main_checks = {balance, shape, limit},
           .source = "Statics of the funicular polygon; Barnes, Int. J. Space Structures 14 (1999) 89",
           .faults = {{"third_weight_heavier", "one weight heavier by 0.1 %", balance},

@@ -1,16 +1,6 @@
-#include <fmt/format.h>
-
-#include <algorithm>
-#include <cmath>
-#include <numbers>
-#include <string>
-
-#include "verification/check/case.hpp"
 #include "verification/reference/impacts/restitution.hpp"
-#include "verification/study/findings/expectations.hpp"
-#include "verification/study/findings/predicted_errors.hpp"
-#include "verification/study/runs/phases.hpp"
 #include "verification/study/scenes/cable_scenes.hpp"
+#include "verification/study/toolkit.hpp"
 
 namespace talus::verification::problems::slack_taut_slack {
 namespace {
@@ -83,13 +73,13 @@ void check_undamped(Findings& findings, const Setup& setup) {
     keep_worst(farthest, std::abs(error - predicted));
     keep_worst(largest, std::abs(error));
   }
-  findings.expect("peak tension, undamped: largest deviation of the error from its prediction, in units of (w h)^2",
-                  farthest, 0.0,
-                  Tolerance::model(step * step, "the next order in h: (w h)^2 of an error of at most (w h)^2/8"));
-  findings.expect_between("peak tension, undamped: largest error of 64 phases, in units of (w h)^2", largest, 0.1,
-                          0.125,
-                          "at most 1/8, reached if onset and peak both coincide with a step or both lie half-way "
-                          "between steps");
+  findings.expect_model(
+      {"tension_deviation",
+       "peak tension, undamped: largest deviation of the error from its prediction, in units of (w h)^2"},
+      farthest, 0.0, step * step, "the next order in h: (w h)^2 of an error of at most (w h)^2/8");
+  findings.expect_between(
+      {"tension_error", "peak tension, undamped: largest error of 64 phases, in units of (w h)^2"}, largest, 0.1, 0.125,
+      "at most 1/8, reached if onset and peak both coincide with a step or both lie half-way between steps");
   findings.figure({.name = "phases",
                    .title = "Error of the peak tension against the onset phase",
                    .caption = "Undamped, 50.4 steps while taut: measured and predicted error for each of 64 phases.",
@@ -115,23 +105,22 @@ void check_orders(Findings& findings, const Setup& setup) {
       errors.add(1.0 / n, all.error.rms(), predicted_rms(xi, all.step));
       slack = slack && all.slack;
     }
-    findings.in("tension")->expect(
-        "peak tension, rms error at the smallest step over its prediction, " + name, errors.last_ratio(), 1.0,
-        xi == 0.0 ? Tolerance::model(0.05,
-                                     "the prediction assumes uniformly distributed, independent phases of onset and "
-                                     "peak; 64 pairs of phases leave a few percent")
-                  : Tolerance::model(0.02, "the next order in h, w h = 0.024"));
+    findings.expect({"tension", "peak tension, rms error at the smallest step over its prediction, " + name},
+                    errors.last_ratio(), 1.0,
+                    xi == 0.0 ? Tolerance::model(0.05,
+                                                 "the prediction assumes uniformly distributed, independent phases of "
+                                                 "onset and peak; 64 pairs of phases leave a few percent")
+                              : Tolerance::model(0.02, "the next order in h, w h = 0.024"));
     if (!setup.coarse)
-      findings.in("order_of_tension")
-          ->expect_order("order of the peak tension, " + name, errors.found(), xi == 0.0 ? 1.9 : 0.9,
-                         xi == 0.0 ? 2.1 : 1.1,
-                         xi == 0.0 ? "the slope of the tension jumps when the cable becomes taut: h^2"
-                                   : "the tension jumps when the cable becomes taut, and the dashpot lags by half a "
-                                     "step: h");
+      findings.expect_order(
+          {"order_of_tension", "order of the peak tension, " + name}, errors.found(), xi == 0.0 ? 1.9 : 0.9,
+          xi == 0.0 ? 2.1 : 1.1,
+          xi == 0.0 ? "the slope of the tension jumps when the cable becomes taut: h^2"
+                    : "the tension jumps when the cable becomes taut, and the dashpot lags by half a step: h");
     figure.series.push_back(errors.points(name));
     figure.series.push_back(errors.line(name + ", predicted"));
   }
-  findings.expect_true("slack cable and mass moving back at the end of every throw", slack,
+  findings.expect_true({"slack_at_end", "slack cable and mass moving back at the end of every throw"}, slack,
                        "the mode of the cable follows its state at every phase");
   if (!setup.coarse) findings.figure(figure);
 }
@@ -144,32 +133,22 @@ void run(Findings& findings, const Setup& setup) {
 }  // namespace
 
 Case definition() {
-  const std::string phases =
-      "peak tension, undamped: largest deviation of the error from its prediction, in units of (w h)^2";
+  const std::string phases = "tension_deviation";
   const std::string damped = "peak tension, rms error at the smallest step over its prediction, xi = 0.3";
-  return {.id = "slack_taut_slack",
-          .title = "Cable becoming taut and slack again: peak tension",
-          .requirements = {{"D8",
-                            {"peak tension, undamped: largest deviation of the error from its prediction, in units of "
-                             "(w h)^2",
-                             "peak tension, undamped: largest error of 64 phases, in units of (w h)^2", "tension",
-                             "order_of_tension", "slack cable and mass moving back at the end of every throw"}},
-                           {"Eq. 14",
-                            {"peak tension, undamped: largest deviation of the error from its prediction, in units of "
-                             "(w h)^2",
-                             "peak tension, undamped: largest error of 64 phases, in units of (w h)^2"}},
-                           {"law.tension_only",
-                            {"peak tension, undamped: largest deviation of the error from its prediction, in units of "
-                             "(w h)^2",
-                             "peak tension, undamped: largest error of 64 phases, in units of (w h)^2", "tension",
-                             "order_of_tension", "slack cable and mass moving back at the end of every throw"}},
-                           {"integrator.velocity_verlet", {"order_of_tension"}}},
-          .main_checks = {phases, damped},
-          .source = "Mustoe & Huttelmaier 1993, Eq. 14",
-          .faults = {{"cable_softer", "cable softer by 0.1 %", phases},
-                     {"rk4", "RK4 instead of velocity Verlet", phases},
-                     {"dashpot_stronger", "dashpot coefficient 5 % too large", damped}},
-          .run = run};
+  return {
+      .id = "slack_taut_slack",
+      .title = "Cable becoming taut and slack again: peak tension",
+      .requirements = {{"D8", {"tension_deviation", "tension_error", "tension", "order_of_tension", "slack_at_end"}},
+                       {"Eq. 14", {"tension_deviation", "tension_error"}},
+                       {"law.tension_only",
+                        {"tension_deviation", "tension_error", "tension", "order_of_tension", "slack_at_end"}},
+                       {"integrator.velocity_verlet", {"order_of_tension"}}},
+      .main_checks = {phases, damped},
+      .source = "Mustoe & Huttelmaier 1993, Eq. 14",
+      .faults = {{"cable_softer", "cable softer by 0.1 %", phases},
+                 {"rk4", "RK4 instead of velocity Verlet", phases},
+                 {"dashpot_stronger", "dashpot coefficient 5 % too large", damped}},
+      .run = run};
 }
 
 }  // namespace talus::verification::problems::slack_taut_slack

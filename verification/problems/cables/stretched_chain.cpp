@@ -1,16 +1,5 @@
-#include <fmt/format.h>
-
-#include <algorithm>
-#include <cmath>
-#include <numbers>
-#include <string>
-#include <vector>
-
-#include "solver/model/model_builder.hpp"
-#include "verification/check/case.hpp"
 #include "verification/reference/cables/stretched_chain.hpp"
-#include "verification/study/findings/expectations.hpp"
-#include "verification/study/runs/scene_run.hpp"
+#include "verification/study/toolkit.hpp"
 
 namespace talus::verification::problems::stretched_chain {
 namespace {
@@ -30,7 +19,7 @@ reference::StretchedChain exact_chain(Direction direction) {
 
 /// The row at rest, displaced by its modes with these amplitudes.
 Scene chain_scene(Direction direction, const std::vector<double>& amplitudes, const Setup& setup) {
-  ModelBuilder builder;
+  SceneBuilder builder;
   std::vector<CableEnd> ends{CableEnd{}};
   for (int i = 1; i <= chain.masses; ++i) {
     const double mass = i == 3 && setup.has("third_mass_heavier") ? (1.0 + 1e-9) * chain.mass : chain.mass;
@@ -45,14 +34,11 @@ Scene chain_scene(Direction direction, const std::vector<double>& amplitudes, co
   for (std::size_t i = 0; i + 1 < ends.size(); ++i) {
     const bool softer = i == 0 && setup.has("first_cable_softer");
     const bool longer = i == 0 && setup.has("first_cable_longer");
-    builder.add(Cable{.name = fmt::format("cable{}", i + 1),
-                      .a = ends[i],
-                      .b = ends[i + 1],
-                      .rest_length = longer ? (1.0 + 1e-8) * rest_length : rest_length,
-                      .law = TensionOnly{softer ? (1.0 - 1e-9) * chain.stiffness : chain.stiffness}});
+    builder.add_cable(fmt::format("cable{}", i + 1), ends[i], ends[i + 1],
+                      longer ? (1.0 + 1e-8) * rest_length : rest_length,
+                      TensionOnly{softer ? (1.0 - 1e-9) * chain.stiffness : chain.stiffness});
   }
-  Scene scene{.title = "Stretched chain", .model = builder.build()};
-  scene.initial = rest_state(scene.model);
+  Scene scene = builder.at_rest("Stretched chain");
   for (std::size_t j = 0; j < modes; ++j) {
     const auto shape = reference::chain_shape(chain, static_cast<int>(j) + 1);
     for (std::size_t i = 0; i < modes; ++i)
@@ -165,25 +151,22 @@ void check_frequencies(Findings& findings, const Setup& setup) {
       figure.series.back().y.push_back(found.frequencies[j] / w[j]);
     }
   }
-  findings.expect(
-      "frequencies along the row, largest relative error against the leapfrog's numerical frequencies", worst, 0.0,
-      Tolerance::round_off(4e-15,
-                           "rounding of a phase of several thousand radians, of its time and of 2 pi, and the phase "
-                           "error that corresponds to the error of the displacements (next check): a few eps"));
-  findings.expect("displacements of all modes along the row over 4096 steps, largest error", farthest, 0.0,
-                  Tolerance::round_off(4e-12,
-                                       "phases of up to 9200 rad, a product of three rounded factors: 3e-12; in "
-                                       "addition, positions below 8 rounded to 2.6e-16 rms at 4096 steps, 64 times "
-                                       "that over 0.03: 6e-13"));
-  findings.expect("frequencies across the row, largest relative error against the leapfrog's numerical frequencies",
-                  across, 0.0,
-                  Tolerance::model(
-                      5e-13,
-                      "the oscillation itself stretches the cables, which adds the fraction (k L - T0)/(2 T0) slope^2, "
-                      "half a slope^2, to each force, and three times that to its slope: with a mean square slope of "
-                      "4e-14 from eight modes, 6e-14 of a stiffness and 3e-14 of a frequency. tan(a)/a = 14.6 with "
-                      "sin(a) = 0.999 amplifies it in the numerical frequency, to 4.4e-13 at 0.999 of the limit; a "
-                      "seventh more for the unequal parts of the modes"));
+  findings.expect_round_off(
+      {"along", "frequencies along the row, largest relative error against the leapfrog's numerical frequencies"},
+      worst, 0.0, 4e-15,
+      "rounding of a phase of several thousand radians, of its time and of 2 pi, and the phase error that corresponds "
+      "to the error of the displacements (next check): a few eps");
+  findings.expect_round_off({"all_modes", "displacements of all modes along the row over 4096 steps, largest error"},
+                            farthest, 0.0, 4e-12,
+                            "phases of up to 9200 rad, a product of three rounded factors: 3e-12; in addition, "
+                            "positions below 8 rounded to 2.6e-16 rms at 4096 steps, 64 times that over 0.03: 6e-13");
+  findings.expect_model(
+      {"across", "frequencies across the row, largest relative error against the leapfrog's numerical frequencies"},
+      across, 0.0, 5e-13,
+      "the oscillation itself stretches the cables, which adds the fraction (k L - T0)/(2 T0) slope^2, half a slope^2, "
+      "to each force, and three times that to its slope: with a mean square slope of 4e-14 from eight modes, 6e-14 of "
+      "a stiffness and 3e-14 of a frequency. tan(a)/a = 14.6 with sin(a) = 0.999 amplifies it in the numerical "
+      "frequency, to 4.4e-13 at 0.999 of the limit; a seventh more for the unequal parts of the modes");
   findings.figure(figure);
 }
 
@@ -208,17 +191,15 @@ void check_growth(Findings& findings, const Setup& setup) {
   const double rate = std::log(grown.y[last] / grown.y[first]) / static_cast<double>(last - first);
   const double exact =
       std::log(reference::leapfrog_growth(2.0 / limit(Direction::along), 1.02 * limit(Direction::along)));
-  findings.expect(
-      "growth rate of the last mode beyond the step limit over the exact rate", rate / exact, 1.0,
-      Tolerance::truncation(1.7e-10, 1.2,
-                            "contribution of the decaying root, g^-52 = 9.5e-10 of the amplitude at the first of 14 "
-                            "steps, over 14 ln g"));
+  findings.expect_truncation(
+      {"growth_beyond", "growth rate of the last mode beyond the step limit over the exact rate"}, rate / exact, 1.0,
+      1.7e-10, 1.2,
+      "contribution of the decaying root, g^-52 = 9.5e-10 of the amplitude at the first of 14 steps, over 14 ln g");
   if (setup.coarse) return;
   findings.figure({.name = "growth",
                    .title = "Last mode below and beyond the step limit",
-                   .caption =
-                       "Amplitude of the last mode, initially $10^{-9}$: bounded just below $\\omega_n h = 2$; beyond "
-                       "it growing by the factor $g$ per step (line).",
+                   .caption = "Amplitude of the last mode, initially $10^{-9}$: bounded just below $\\omega_n h = 2$; "
+                              "beyond it growing by the factor $g$ per step (line).",
                    .x = {.label = "step"},
                    .y = {.label = "amplitude", .log = true},
                    .series = {last_mode(0.999, last, setup, findings),
@@ -237,34 +218,17 @@ void run(Findings& findings, const Setup& setup) {
 }  // namespace
 
 Case definition() {
-  const std::string along =
-      "frequencies along the row, largest relative error against the leapfrog's numerical frequencies";
-  const std::string across =
-      "frequencies across the row, largest relative error against the leapfrog's numerical frequencies";
-  const std::string growth = "growth rate of the last mode beyond the step limit over the exact rate";
+  const std::string along = "along";
+  const std::string across = "across";
+  const std::string growth = "growth_beyond";
   return {.id = "stretched_chain",
           .title = "Chain of masses under tension",
-          .requirements = {{"D6",
-                            {"frequencies along the row, largest relative error against the leapfrog's numerical "
-                             "frequencies",
-                             "displacements of all modes along the row over 4096 steps, largest error",
-                             "frequencies across the row, largest relative error against the leapfrog's numerical "
-                             "frequencies",
-                             "growth rate of the last mode beyond the step limit over the exact rate"}},
-                           {"Eq. 14",
-                            {"frequencies along the row, largest relative error against the leapfrog's numerical "
-                             "frequencies"}},
-                           {"Eq. 15",
-                            {"frequencies across the row, largest relative error against the leapfrog's numerical "
-                             "frequencies"}},
-                           {"Eq. 25", {"growth rate of the last mode beyond the step limit over the exact rate"}},
-                           {"law.tension_only",
-                            {"frequencies along the row, largest relative error against the leapfrog's numerical "
-                             "frequencies"}},
-                           {"integrator.velocity_verlet",
-                            {"frequencies along the row, largest relative error against the leapfrog's numerical "
-                             "frequencies",
-                             "displacements of all modes along the row over 4096 steps, largest error"}}},
+          .requirements = {{"D6", {"along", "all_modes", "across", "growth_beyond"}},
+                           {"Eq. 14", {"along"}},
+                           {"Eq. 15", {"across"}},
+                           {"Eq. 25", {"growth_beyond"}},
+                           {"law.tension_only", {"along"}},
+                           {"integrator.velocity_verlet", {"along", "all_modes"}}},
           .main_checks = {along, across, growth},
           .source = "Rayleigh 1877, The Theory of Sound I, chapter VI",
           .faults = {{"third_mass_heavier", "one mass heavier by 1e-9", along},

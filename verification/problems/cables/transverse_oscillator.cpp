@@ -1,15 +1,5 @@
-#include <fmt/format.h>
-
-#include <cmath>
-#include <numbers>
-#include <string>
-
-#include "solver/model/model_builder.hpp"
-#include "verification/check/case.hpp"
 #include "verification/reference/cables/mid_span.hpp"
-#include "verification/study/findings/expectations.hpp"
-#include "verification/study/findings/predicted_errors.hpp"
-#include "verification/study/runs/scene_run.hpp"
+#include "verification/study/toolkit.hpp"
 
 namespace talus::verification::problems::transverse_oscillator {
 namespace {
@@ -17,20 +7,16 @@ namespace {
 constexpr reference::MidSpan span{1.0, 1.0, 1.0};
 
 Scene mid_span(double w, double load, const Setup& setup) {
-  ModelBuilder builder;
+  SceneBuilder builder;
   const BodyId mass =
       builder.add(Body{.name = "mass", .mobility = Mobility::sliding_y, .mass = span.mass, .force = {0.0, load}});
   const double tight = setup.has("trace_of_tension") ? 1e-6 : setup.has("trace_of_slack") ? -1e-6 : 0.0;
   for (const double side : {-1.0, 1.0}) {
     const bool softer = side > 0.0 && setup.has("one_cable_softer");
-    builder.add(Cable{.name = side > 0.0 ? "right" : "left",
-                      .a = {.body = {}, .p = {side * span.length, 0.0, 0.0}},
-                      .b = {mass, {}},
-                      .rest_length = (1.0 - tight) * span.length,
-                      .law = TensionOnly{(softer ? 0.999 : 1.0) * span.stiffness}});
+    builder.add_cable(side > 0.0 ? "right" : "left", {.body = {}, .p = {side * span.length, 0.0, 0.0}}, {mass, {}},
+                      (1.0 - tight) * span.length, TensionOnly{(softer ? 0.999 : 1.0) * span.stiffness});
   }
-  Scene scene{.title = "Mass at mid-span", .model = builder.build()};
-  scene.initial = rest_state(scene.model);
+  Scene scene = builder.at_rest("Mass at mid-span");
   scene.initial.q[0] = w;
   return scene;
 }
@@ -49,13 +35,13 @@ void check_steps(Findings& findings, const Setup& setup) {
     return std::array{1.0 / steps, std::abs(period(amplitude, steps, setup) / exact - 1.0),
                       -reference::longer_by_steps(span, amplitude, exact / steps)};
   });
-  findings.expect_order("order of the period in the step", errors.found(), 1.99, 2.01,
-                        "smooth motion: even powers of the step only; at 80 steps the fourth order is a few "
-                        "thousandths of the second");
-  findings.expect("period, error at the smallest step over its prediction", errors.last_ratio(), 1.0,
-                  Tolerance::model(setup.coarse ? 0.01 : 1e-3,
-                                   "the prediction is for the cubic oscillator, without terms of (A/L)^2 = 4e-4 and "
-                                   "the next power of the step"));
+  findings.expect_order(
+      {"order_of_period", "order of the period in the step"}, errors.found(), 1.99, 2.01,
+      "smooth motion: even powers of the step only; at 80 steps the fourth order is a few thousandths of the second");
+  findings.expect_model(
+      {"period_at_smallest", "period, error at the smallest step over its prediction"}, errors.last_ratio(), 1.0,
+      setup.coarse ? 0.01 : 1e-3,
+      "the prediction is for the cubic oscillator, without terms of (A/L)^2 = 4e-4 and the next power of the step");
   findings.figure({.name = "steps",
                    .title = "Error of the period against the step",
                    .caption = "Amplitude 0.02 L, relative to the exact period at this amplitude.",
@@ -74,14 +60,13 @@ void check_amplitudes(Findings& findings, const Setup& setup) {
     points.add(amplitude, found);
     if (amplitude < 0.2) longer.add(amplitude, found / reference::cubic_period(span, amplitude) - 1.0);
   }
-  findings.expect("period at A = 0.02 L against the cubic oscillator", points.y.front(),
+  findings.expect({"cubic_period", "period at A = 0.02 L against the cubic oscillator"}, points.y.front(),
                   reference::cubic_period(span, 0.02),
                   Tolerance::model(1.5e-4, "the finite amplitude: 0.296 (A/L)^2 = 1.2e-4").relative());
-  findings.expect("lengthening of the period at A = 0.02 L over its prediction",
-                  longer.errors().front() / reference::longer_by_amplitude(span, 0.02), 1.0,
-                  Tolerance::model(4e-3,
-                                   "2000 steps shorten the period by 0.85/2000^2, 0.0018 of its lengthening; the next "
-                                   "power of (A/L)^2 = 4e-4"));
+  findings.expect_model(
+      {"lengthening", "lengthening of the period at A = 0.02 L over its prediction"},
+      longer.errors().front() / reference::longer_by_amplitude(span, 0.02), 1.0, 4e-3,
+      "2000 steps shorten the period by 0.85/2000^2, 0.0018 of its lengthening; the next power of (A/L)^2 = 4e-4");
   if (setup.coarse) return;
   findings.expect_order("order of the lengthening in the amplitude", longer, 1.99, 2.01,
                         "even in A; at A = 0.16 L the next power contributes less than 1 %");
@@ -91,9 +76,8 @@ void check_amplitudes(Findings& findings, const Setup& setup) {
   }
   findings.figure({.name = "period",
                    .title = "Period against amplitude",
-                   .caption =
-                       "The cubic oscillator is the limit of small amplitudes; at large amplitudes the period tends to "
-                       "$2\\pi\\sqrt{m/2k}$.",
+                   .caption = "The cubic oscillator is the limit of small amplitudes; at large amplitudes the period "
+                              "tends to $2\\pi\\sqrt{m/2k}$.",
                    .x = {.label = "A / L", .log = true},
                    .y = {.label = "T / sqrt(m/k)", .log = true},
                    .series = {exact, cubic, points},
@@ -119,13 +103,12 @@ void check_balance(Findings& findings, const Setup& setup) {
     const double fraction = away * stretch / (1.0 + stretch);
     keep_worst(largest, fraction);
   }
-  findings.expect(
-      "equilibrium at w under the load P(w), largest displacement as a relative error of the cable length", largest,
-      0.0,
-      Tolerance::round_off(6e-16,
-                           "the cable length is rounded by 1.1e-16 of itself, which changes the tension by this error "
-                           "over the relative elongation; three more roundings at large displacements; the mass "
-                           "oscillates about the displaced equilibrium"));
+  findings.expect_round_off(
+      {"static_equilibrium",
+       "equilibrium at w under the load P(w), largest displacement as a relative error of the cable length"},
+      largest, 0.0, 6e-16,
+      "the cable length is rounded by 1.1e-16 of itself, which changes the tension by this error over the relative "
+      "elongation; three more roundings at large displacements; the mass oscillates about the displaced equilibrium");
 }
 
 void run(Findings& findings, const Setup& setup) {
@@ -137,37 +120,24 @@ void run(Findings& findings, const Setup& setup) {
 }  // namespace
 
 Case definition() {
-  const std::string steps = "period, error at the smallest step over its prediction";
-  const std::string limit = "period at A = 0.02 L against the cubic oscillator";
-  const std::string loads =
-      "equilibrium at w under the load P(w), largest displacement as a relative error of the cable length";
+  const std::string steps = "period_at_smallest";
+  const std::string limit = "cubic_period";
+  const std::string loads = "static_equilibrium";
   return {
       .id = "transverse_oscillator",
       .title = "Transverse oscillator: mass between two untensioned cables",
       .requirements = {{"D5",
-                        {"order of the period in the step", "period, error at the smallest step over its prediction",
-                         "period at A = 0.02 L against the cubic oscillator",
-                         "lengthening of the period at A = 0.02 L over its prediction",
-                         "equilibrium at w under the load P(w), largest displacement as a relative error of the cable "
-                         "length"}},
-                       {"Eq. 13",
-                        {"equilibrium at w under the load P(w), largest displacement as a relative error of the cable "
-                         "length"}},
-                       {"Eq. 14",
-                        {"period at A = 0.02 L against the cubic oscillator",
-                         "lengthening of the period at A = 0.02 L over its prediction"}},
-                       {"law.tension_only",
-                        {"period at A = 0.02 L against the cubic oscillator",
-                         "lengthening of the period at A = 0.02 L over its prediction",
-                         "equilibrium at w under the load P(w), largest displacement as a relative error of the cable "
-                         "length"}},
-                       {"integrator.velocity_verlet", {"order of the period in the step"}}},
+                        {"order_of_period", "period_at_smallest", "cubic_period", "lengthening", "static_equilibrium"}},
+                       {"Eq. 13", {"static_equilibrium"}},
+                       {"Eq. 14", {"cubic_period", "lengthening"}},
+                       {"law.tension_only", {"cubic_period", "lengthening", "static_equilibrium"}},
+                       {"integrator.velocity_verlet", {"order_of_period"}}},
       .main_checks = {limit, steps, loads},
       .source = "Kovacic & Brennan (eds.), The Duffing Equation, 2011, section 2",
       .faults = {{"trace_of_tension", "cables shorter by 1e-6", steps},
                  {"trace_of_slack", "cables longer by 1e-6", loads},
                  {"one_cable_softer", "one cable softer by 0.1 %", limit},
-                 {"rk4", "RK4 instead of velocity Verlet", "order of the period in the step"}},
+                 {"rk4", "RK4 instead of velocity Verlet", "order_of_period"}},
       .run = run};
 }
 

@@ -1,13 +1,4 @@
-#include <fmt/format.h>
-
-#include <algorithm>
-#include <array>
-#include <cmath>
-#include <numbers>
 #include <numeric>
-#include <string>
-#include <utility>
-#include <vector>
 
 #include "solver/base/error.hpp"
 #include "solver/granular/disc_method.hpp"
@@ -15,11 +6,9 @@
 #include "solver/granular/fast_disc_system.hpp"
 #include "solver/granular/list_skin.hpp"
 #include "solver/granular/neighbour_list.hpp"
-#include "verification/check/case.hpp"
 #include "verification/problems/cell/cell_runs.hpp"
 #include "verification/reference/many_bodies/all_pairs.hpp"
-#include "verification/study/findings/expectations.hpp"
-#include "verification/study/runs/usage.hpp"
+#include "verification/study/toolkit.hpp"
 
 namespace talus::verification::problems::disc_lists {
 namespace {
@@ -84,10 +73,10 @@ void expect_edges(Findings& findings, const Setup& setup) {
     fast_differs += static_cast<double>(differing(of_fast, exact));
     met += all.vx[1] > 0.0 ? 1.0 : 0.0;
   }
-  findings.expect("pairs that collided and separated", met, gaps, Tolerance::exact("all pairs collide head on"));
+  findings.expect_exact("pairs that collided and separated", met, gaps, "all pairs collide head on");
   const Tolerance same = Tolerance::exact("a list omits only pairs that do not touch");
-  findings.in("edges")->expect("values that differ from a loop over all pairs, plain engine", plain_differs, 0.0, same);
-  findings.in("edges")->expect("values that differ from a loop over all pairs, fast engine", fast_differs, 0.0, same);
+  findings.expect({"edges", "values that differ from a loop over all pairs, plain engine"}, plain_differs, 0.0, same);
+  findings.expect({"edges", "values that differ from a loop over all pairs, fast engine"}, fast_differs, 0.0, same);
 }
 
 enum class Numbering { by_rows, scattered };
@@ -158,9 +147,8 @@ void expect_stripes(Findings& findings, const Setup& setup, Numbering numbering)
                  [&] { block += h * fast.wall_force(block_wall), base += h * fast.wall_force(base_wall); });
     findings.count(fast.evaluations());
     const double walls = (block == on_block ? 0.0 : 1.0) + (base == on_base ? 0.0 : 1.0);
-    findings.in("stripes")->expect(
-        name, static_cast<double>(differing(of_fast, of_plain)) + walls, 0.0,
-        Tolerance::exact("the same sums in the same order: positions, velocities, spins, impulses on both walls"));
+    findings.expect_exact({"stripes", name}, static_cast<double>(differing(of_fast, of_plain)) + walls, 0.0,
+                          "the same sums in the same order: positions, velocities, spins, impulses on both walls");
   }
 }
 
@@ -217,16 +205,13 @@ void expect_losses(Findings& findings, const Setup& setup, const std::string& en
                           "with xi = 0.069 the discs overlap 1/sqrt(1 - xi^2) = 1.0024 times as long, less 4 xi^3/(3 "
                           "pi) = 0.0001, because the clamped force ends before the overlap; half a step, 0.0001, at "
                           "each end, and 0.0002 for the rotation of the pair, twice each");
-  findings.expect(
-      "reported overlap and force, largest error against positions and velocities, " + engine, wrong, 0.0,
-      Tolerance::round_off(
-          1e-14,
-          "differences of positions of about 1; the force of an overlap of a thousandth of that with the stiffness "
-          "1e4, over 1000"));
-  findings.expect(
-      "energy dissipated by contacts over the kinetic energy lost, " + engine, kept / lost, 1.0,
-      Tolerance::truncation(contact_time * std::sqrt(law.stiffness * 3.0) / static_cast<double>(per_contact), 1.0,
-                            "powers are evaluated at the beginning of each step: first order in w h"));
+  findings.expect_round_off("reported overlap and force, largest error against positions and velocities, " + engine,
+                            wrong, 0.0, 1e-14,
+                            "differences of positions of about 1; the force of an overlap of a thousandth of that with "
+                            "the stiffness 1e4, over 1000");
+  findings.expect_truncation("energy dissipated by contacts over the kinetic energy lost, " + engine, kept / lost, 1.0,
+                             contact_time * std::sqrt(law.stiffness * 3.0) / static_cast<double>(per_contact), 1.0,
+                             "powers are evaluated at the beginning of each step: first order in w h");
 }
 
 /// The skin of a list is the one that was fastest for the nearest of the tabulated solid fractions and decades: it
@@ -241,10 +226,9 @@ void expect_skins(Findings& findings) {
   demand(31622, 0.84, 10000, 0.84), demand(31623, 0.84, 100000, 0.84);
   const bool differ = list_skin(100, 0.3) < list_skin(100, 0.5) && list_skin(1000, 0.3) > list_skin(100, 0.3) &&
                       list_skin(10000, 0.84) > list_skin(100000, 0.84) && list_skin(100, 0.9) < list_skin(100, 0.3);
-  findings.expect(
-      "skins that differ from the table entry of the nearest solid fraction and decade", wrong + (differ ? 0.0 : 1.0),
-      0.0,
-      Tolerance::exact("the table contains the fastest skins; dilute gases need a thick skin, dense flows a thin one"));
+  findings.expect_exact("skins that differ from the table entry of the nearest solid fraction and decade",
+                        wrong + (differ ? 0.0 : 1.0), 0.0,
+                        "the table contains the fastest skins; dilute gases need a thick skin, dense flows a thin one");
 }
 
 /// Two discs that never meet, by every method that steps discs: states are reported at the time of their velocities,
@@ -280,8 +264,8 @@ void expect_flight(Findings& findings, const std::string& engine) {
     }
     keep_worst(worst, end.shear_displacement - steps * h * box.sliding());
   }
-  findings.in("flight")->expect("positions in free flight, largest error of all methods, " + engine, worst, 0.0,
-                                Tolerance::round_off(1e-14, "eleven additions to coordinates of up to 3"));
+  findings.expect_round_off({"flight", "positions in free flight, largest error of all methods, " + engine}, worst, 0.0,
+                            1e-14, "eleven additions to coordinates of up to 3");
 }
 
 /// NeighbourList::find compared with a search through the whole list, for listed and unlisted pairs.
@@ -302,10 +286,9 @@ void expect_places(Findings& findings) {
       listed += places[i * discs.size() + j] < list.size() ? 1.0 : 0.0;
     }
   }
-  findings.in("edges")->expect("indices of pairs in a list that differ from a full search", differ, 0.0,
-                               Tolerance::exact("indices of pairs are integers"));
-  findings.expect("pairs found in a list", listed, static_cast<double>(list.size()),
-                  Tolerance::exact("each pair is listed once"));
+  findings.expect_exact({"edges", "indices of pairs in a list that differ from a full search"}, differ, 0.0,
+                        "indices of pairs are integers");
+  findings.expect_exact("pairs found in a list", listed, static_cast<double>(list.size()), "each pair is listed once");
 }
 
 void run(Findings& findings, const Setup& setup) {

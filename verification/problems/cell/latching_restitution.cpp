@@ -1,20 +1,12 @@
-#include <fmt/format.h>
-
-#include <algorithm>
-#include <array>
-#include <cmath>
 #include <map>
-#include <numbers>
-#include <vector>
 
 #include "solver/calibrate/latching_calibration.hpp"
 #include "solver/granular/disc_method.hpp"
-#include "verification/check/case.hpp"
 #include "verification/problems/cell/disc_row.hpp"
 #include "verification/reference/impacts/latching_impact.hpp"
 #include "verification/reference/integration/stepped_latch.hpp"
-#include "verification/study/findings/expectations.hpp"
 #include "verification/study/impacts/plane_impact.hpp"
+#include "verification/study/toolkit.hpp"
 
 namespace talus::verification::problems::latching_restitution {
 namespace {
@@ -160,23 +152,22 @@ void check_means(const Measured& measured, Findings& findings) {
       keep_worst(worst, over);
     }
   }
-  findings.expect(
-      "mean restitution by four methods, 5 to 120 steps in a contact: largest relative error over (w2 h)^4", worst, 0.0,
-      Tolerance::model(
-          0.02,
-          "the prediction neglects the fourth order: half the variance of ln e over the phases, at most (z2^2/8)^2/2 = "
-          "0.008 z2^4, and as much from the kinks of the force; z2 = 0.76 at five steps"));
+  findings.expect_model(
+      {"mean_by_four",
+       "mean restitution by four methods, 5 to 120 steps in a contact: largest relative error over (w2 h)^4"},
+      worst, 0.0, 0.02,
+      "the prediction neglects the fourth order: half the variance of ln e over the phases, at most (z2^2/8)^2/2 = "
+      "0.008 z2^4, and as much from the kinks of the force; z2 = 0.76 at five steps");
   const auto gains = [&](std::size_t scheme, double coarse, double fine) {
     const PhasesOfLatch &fails = measured[scheme].at(coarse), &works = measured[scheme].at(fine);
-    findings.in("gains_of_speed")
-        ->expect_true(
-            fmt::format("{}: restitution above 1 at {} steps in a contact, below 1 at {}", latch_schemes[scheme].label,
-                        coarse, fine),
-            fails.least > 1.0 && works.most < 1.0,
-            fmt::format(
-                "at every phase; measured e >= {:.3f} and e <= {:.3f}; the full growth formula gives {:.3f} and {:.3f}",
-                fails.least, works.most, reference::mean_restitution(latch_of(latch_schemes[scheme], coarse)),
-                reference::mean_restitution(latch_of(latch_schemes[scheme], fine))));
+    findings.expect_true(
+        {"gains_of_speed", fmt::format("{}: restitution above 1 at {} steps in a contact, below 1 at {}",
+                                       latch_schemes[scheme].label, coarse, fine)},
+        fails.least > 1.0 && works.most < 1.0,
+        fmt::format(
+            "at every phase; measured e >= {:.3f} and e <= {:.3f}; the full growth formula gives {:.3f} and {:.3f}",
+            fails.least, works.most, reference::mean_restitution(latch_of(latch_schemes[scheme], coarse)),
+            reference::mean_restitution(latch_of(latch_schemes[scheme], fine))));
   };
   gains(0, 10.0, 20.0);
   gains(1, 5.0, 10.0);
@@ -188,13 +179,13 @@ void check_limit(Findings& findings, const Setup& setup) {
   const auto of = [&](double steps) { return phases_of(latch_of(latch_schemes[3], steps), method, findings, setup); };
   const PhasesOfLatch beyond = of(1.8), before = of(2.9);
   findings.expect_true(
-      "Verlet: restitution above 1 at some phases with 1.8 steps in a contact, at none with 2.9",
+      {"stability_limit", "Verlet: restitution above 1 at some phases with 1.8 steps in a contact, at none with 2.9"},
       beyond.most > 1.0 && before.most < 1.0,
-      fmt::format(
-          "w2 h is {:.2f} and {:.2f}, the stability limit 2; measured e from {:.2f} to {:.2f} (mean {:.2f}) and from "
-          "{:.2f} to {:.2f} (mean {:.2f})",
-          latch_step(1.8, shown_ratio) / std::sqrt(shown_ratio), latch_step(2.9, shown_ratio) / std::sqrt(shown_ratio),
-          beyond.least, beyond.most, beyond.mean, before.least, before.most, before.mean));
+      fmt::format("w2 h is {:.2f} and {:.2f}, the stability limit 2; measured e from {:.2f} to {:.2f} (mean {:.2f}) "
+                  "and from {:.2f} to {:.2f} (mean {:.2f})",
+                  latch_step(1.8, shown_ratio) / std::sqrt(shown_ratio),
+                  latch_step(2.9, shown_ratio) / std::sqrt(shown_ratio), beyond.least, beyond.most, beyond.mean,
+                  before.least, before.most, before.mean));
 }
 
 void record(const Measured& measured, Findings& findings) {
@@ -205,10 +196,9 @@ void record(const Measured& measured, Findings& findings) {
   for (std::size_t k = 0; k < latch_schemes.size(); ++k) {
     for (const auto& [steps, seen] : measured[k]) {
       const SteppedLatch latch = latch_of(latch_schemes[k], steps);
-      data.rows.push_back({latch_schemes[k].name, fmt::format("{}", steps), fmt::format("{}", latch.step),
-                           fmt::format("{}", latch_phases), fmt::format("{}", seen.mean),
-                           fmt::format("{}", seen.deviation), fmt::format("{}", reference::leading_restitution(latch)),
-                           fmt::format("{}", reference::mean_restitution(latch))});
+      data.rows.push_back(cells("{} | {} | {} | {} | {} | {} | {} | {}", latch_schemes[k].name, steps, latch.step,
+                                latch_phases, seen.mean, seen.deviation, reference::leading_restitution(latch),
+                                reference::mean_restitution(latch)));
     }
   }
   findings.data(data);
@@ -309,17 +299,17 @@ void check_verlet(Findings& findings, const Setup& setup) {
     keep_worst(predicted_rms, e * s.predicted.rms()), keep_worst(predicted, e * s.predicted.max());
     over = worst_ratio(over, s.found.rms() / s.predicted.rms());
   }
-  findings.expect("restitution by Verlet at 60 steps in a contact, rms error, largest of three ratios", rms, 0.0,
-                  Tolerance::truncation(predicted_rms, 3e-4 / predicted_rms,
-                                        "3e-4 is required; the prediction for each impact gives two thirds of that"));
-  findings.expect(
-      "restitution by Verlet at 60 steps in a contact, largest error of 600 impacts", largest, 0.0,
-      Tolerance::truncation(
-          predicted, 1.1,
-          "as predicted for each impact; 10 % is allowed for the difference between errors of e and of ln e, and for "
-          "the fourth order"));
-  findings.expect("restitution by Verlet, rms error over its prediction, worst of three ratios", over, 1.0,
-                  Tolerance::model(0.005, "the prediction is of third order; (w2 h)^2 is at most 0.006"));
+  findings.expect_truncation(
+      {"rms_error", "restitution by Verlet at 60 steps in a contact, rms error, largest of three ratios"}, rms, 0.0,
+      predicted_rms, 3e-4 / predicted_rms, "3e-4 is required; the prediction for each impact gives two thirds of that");
+  findings.expect_truncation(
+      {"largest_error", "restitution by Verlet at 60 steps in a contact, largest error of 600 impacts"}, largest, 0.0,
+      predicted, 1.1,
+      "as predicted for each impact; 10 % is allowed for the difference between errors of e and of ln e, and for the "
+      "fourth order");
+  findings.expect_model(
+      {"rms_over_predicted", "restitution by Verlet, rms error over its prediction, worst of three ratios"}, over, 1.0,
+      0.005, "the prediction is of third order; (w2 h)^2 is at most 0.006");
 }
 
 /// Growth for w1 h <= 0.045 and K1/K2 >= 0.25.
@@ -339,23 +329,21 @@ void check_growth(Findings& findings, const Setup& setup) {
         keep_worst(beyond, s.beyond / std::pow(step / std::sqrt(ratio), 4));
       }
     }
-    findings.in("mean_restitution")
-        ->expect(fmt::format("mean restitution by {} against the closed form, w1 h <= 0.045, largest of nine errors",
-                             scheme.label),
-                 worst, 0.0,
-                 Tolerance::truncation(predicted, 1.2,
-                                       euler ? "3e-4 is required; the closed form neglects the third order of growth"
-                                             : "3e-4 is required; the closed form neglects (z2^2 - z1^2)/16"));
-    findings.expect(
+    findings.expect_truncation(
+        {fmt::format("mean_restitution/{}", scheme.label),
+         fmt::format("mean restitution by {} against the closed form, w1 h <= 0.045, largest of nine errors",
+                     scheme.label)},
+        worst, 0.0, predicted, 1.2,
+        euler ? "3e-4 is required; the closed form neglects the third order of growth"
+              : "3e-4 is required; the closed form neglects (z2^2 - z1^2)/16");
+    findings.expect_round_off(
         fmt::format("restitution by {} by which a step of a cell is judged, against the closed form", scheme.label),
-        stated, 0.0, Tolerance::round_off(1e-14, "an exponential and half a dozen operations"));
-    findings.in("each_impact")
-        ->expect(
-            fmt::format("ln e of each impact by {}: largest of 1800 errors over (w2 h)^4", scheme.label), beyond, 0.0,
-            Tolerance::truncation(
-                euler ? 0.12 : 0.05, 1.2,
-                "the prediction neglects the fourth order; the constant is measured on the map itself, against which "
-                "the reference is tested"));
+        stated, 0.0, 1e-14, "an exponential and half a dozen operations");
+    findings.expect_truncation(
+        {"each_impact", fmt::format("ln e of each impact by {}: largest of 1800 errors over (w2 h)^4", scheme.label)},
+        beyond, 0.0, euler ? 0.12 : 0.05, 1.2,
+        "the prediction neglects the fourth order; the constant is measured on the map itself, against which the "
+        "reference is tested");
   }
 }
 
@@ -376,26 +364,23 @@ void check_history(Findings& findings, const Setup& setup) {
     const bool euler = scheme.map == StepMap::euler;
     const SteppedLatch latch{setup.has("ratio_of_exact_steps") ? 0.49 : 0.45, euler ? 0.02177 : 0.0434, scheme.map};
     const PhasesOfLatch s = phases_of(latch, scheme.name, findings, setup);
-    findings.expect(
-        fmt::format("restitution with K1/K2 = 0.45 by {} at w1 h = {}", scheme.label, latch.step), s.mean, 0.7,
-        Tolerance::model(euler ? 7e-6 : 3.5e-5,
-                         "5e-4 is required; half a unit of the last digit of w1 h, times c pi (1 + w2/w1) e"));
+    findings.expect_model({fmt::format("snoflo/{}", scheme.label),
+                           fmt::format("restitution with K1/K2 = 0.45 by {} at w1 h = {}", scheme.label, latch.step)},
+                          s.mean, 0.7, euler ? 7e-6 : 3.5e-5,
+                          "5e-4 is required; half a unit of the last digit of w1 h, times c pi (1 + w2/w1) e");
     const double step = setup.has("step_of_another_contact") ? 1.01 * latch.step : latch.step;
     const SteppedContact contact{1.0, 1.0, step, make_disc_method(scheme.name)};
-    findings.expect(
-        fmt::format("K1/K2 for a restitution of 0.7 by {}, calibrated by formula", scheme.label),
-        ratio_by_formula(contact, 0.7), ratio_for_seven_tenths(latch, reference::leading_restitution),
-        Tolerance::round_off(
-            2e-15,
-            "Lambert function against bisection: about ten roundings of 0.45, of 5.6e-17 at most, and an exponential "
-            "each, and twice that"));
-    findings.expect(
+    findings.expect_round_off(fmt::format("K1/K2 for a restitution of 0.7 by {}, calibrated by formula", scheme.label),
+                              ratio_by_formula(contact, 0.7),
+                              ratio_for_seven_tenths(latch, reference::leading_restitution), 2e-15,
+                              "Lambert function against bisection: about ten roundings of 0.45, of 5.6e-17 at most, "
+                              "and an exponential each, and twice that");
+    findings.expect_truncation(
         fmt::format("K1/K2 for a restitution of 0.7 by {}, calibrated by simulation", scheme.label),
         ratio_by_simulation(contact, 0.7), ratio_for_seven_tenths(latch, reference::mean_restitution),
-        Tolerance::truncation(
-            0.0125 * std::pow(latch.step / std::sqrt(0.45), 4) * 0.9, 2.0,
-            "the prediction neglects the fourth order of the mean restitution, the fraction 0.0125 (w2 h)^4 of e and "
-            "twice that of the ratio"));
+        0.0125 * std::pow(latch.step / std::sqrt(0.45), 4) * 0.9, 2.0,
+        "the prediction neglects the fourth order of the mean restitution, the fraction 0.0125 (w2 h)^4 of e and twice "
+        "that of the ratio");
   }
 }
 
@@ -412,9 +397,10 @@ void check_times(Findings& findings, const Setup& setup) {
     }
     keep_worst(of_time, z1 * z2 / 24.0), keep_worst(of_depth, 0.125 * z1 * z1);
   }
-  const auto expect = [&](const char* what, double error, double predicted, const char* why) {
-    findings.expect(fmt::format("{} at 60 steps in a contact, largest relative error of 600 impacts", what), error, 0.0,
-                    Tolerance::truncation(predicted, 1.2, why));
+  const auto expect = [&](const std::string& what, double error, double predicted, const char* why) {
+    findings.expect_truncation(
+        {"at_60_steps/" + what, what + " at 60 steps in a contact, largest relative error of 600 impacts"}, error, 0.0,
+        predicted, 1.2, why);
   };
   expect("contact time", time, of_time, "1e-3 is required; the leapfrog's period is shorter by the fraction z1 z2/24");
   expect("largest overlap", largest, of_depth,
@@ -433,13 +419,10 @@ void check_speeds(Findings& findings, const Setup& setup) {
   double change = 0.0;
   for (const double speed : {5e-2, 5e-3, 5e-4, 5e-5})
     keep_worst(change, std::abs(restitution(speed) - fastest));
-  findings.expect(
-      "restitution over four decades of speed, largest change", change, 0.0,
-      Tolerance::round_off(
-          1e-10,
-          "positions near 2 are rounded by 6.4e-17 rms, 1.3e-12 of the smallest overlap of 5e-5, at each of 60 steps; "
-          "a sum of these errors changes e by w2^2 T sqrt(60/3) times 1.3e-12, w2^2 T = 5.5: 3e-11, and three times "
-          "that for the worst of four speeds"));
+  findings.expect_round_off({"speeds", "restitution over four decades of speed, largest change"}, change, 0.0, 1e-10,
+                            "positions near 2 are rounded by 6.4e-17 rms, 1.3e-12 of the smallest overlap of 5e-5, at "
+                            "each of 60 steps; a sum of these errors changes e by w2^2 T sqrt(60/3) times 1.3e-12, "
+                            "w2^2 T = 5.5: 3e-11, and three times that for the worst of four speeds");
 }
 
 void run(Findings& findings, const Setup& setup) {
@@ -454,70 +437,39 @@ void run(Findings& findings, const Setup& setup) {
 }  // namespace
 
 Case definition() {
-  return {
-      .id = "latching_restitution",
-      .title = "Restitution of latching contacts, four integrators",
-      .family = "the shear cell",
-      .requirements =
-          {{"B14",
-            {"mean_restitution", "each_impact",
-             "mean restitution by four methods, 5 to 120 steps in a contact: largest relative error over (w2 h)^4",
-             "gains_of_speed",
-             "Verlet: restitution above 1 at some phases with 1.8 steps in a contact, at none with 2.9"}},
-           {"B11",
-            {"restitution by Verlet at 60 steps in a contact, rms error, largest of three ratios",
-             "restitution by Verlet at 60 steps in a contact, largest error of 600 impacts",
-             "restitution by Verlet, rms error over its prediction, worst of three ratios",
-             "contact time at 60 steps in a contact, largest relative error of 600 impacts",
-             "residual overlap at 60 steps in a contact, largest relative error of 600 impacts",
-             "restitution over four decades of speed, largest change"}},
-           {"law.latching_spring",
-            {"restitution by Verlet at 60 steps in a contact, rms error, largest of three ratios",
-             "restitution by Verlet at 60 steps in a contact, largest error of 600 impacts",
-             "restitution by Verlet, rms error over its prediction, worst of three ratios",
-             "residual overlap at 60 steps in a contact, largest relative error of 600 impacts"}},
-           {"regime.latching_spring.loading",
-            {"largest overlap at 60 steps in a contact, largest relative error of 600 impacts"}},
-           {"regime.latching_spring.unloading",
-            {"contact time at 60 steps in a contact, largest relative error of 600 impacts"}},
-           {"regime.latching_spring.slack",
-            {"residual overlap at 60 steps in a contact, largest relative error of 600 impacts"}},
-           {"integrator.euler",
-            {"mean restitution by Euler against the closed form, w1 h <= 0.045, largest of nine errors"}},
-           {"integrator.taylor",
-            {"mean restitution by Taylor against the closed form, w1 h <= 0.045, largest of nine errors"}},
-           {"integrator.euler_cromer",
-            {"mean restitution by four methods, 5 to 120 steps in a contact: largest relative error over (w2 h)^4"}},
-           {"integrator.velocity_verlet",
-            {"restitution by Verlet at 60 steps in a contact, rms error, largest of three ratios",
-             "restitution by Verlet at 60 steps in a contact, largest error of 600 impacts",
-             "restitution by Verlet, rms error over its prediction, worst of three ratios"}}},
-      .main_checks = {"restitution by Verlet at 60 steps in a contact, rms error, largest of three ratios",
-                      "mean restitution by Euler against the closed form, w1 h <= 0.045, largest of nine errors",
-                      "mean restitution by Taylor against the closed form, w1 h <= 0.045, largest of nine errors",
-                      "restitution with K1/K2 = 0.45 by Euler at w1 h = 0.02177",
-                      "restitution over four decades of speed, largest change",
-                      "contact time at 60 steps in a contact, largest relative error of 600 impacts"},
-      .source = "Walton & Braun 1986; Lacy 1989",
-      .faults = {{"ratio_for_root", "K1/K2 = e instead of e^2",
-                  "restitution by Verlet at 60 steps in a contact, rms error, largest of three ratios"},
-                 {"methods_exchanged", "Euler and Taylor methods exchanged",
-                  "mean restitution by Taylor against the closed form, w1 h <= 0.045, largest of nine errors"},
-                 {"ratio_of_exact_steps", "K1/K2 = 0.49, as for short steps",
-                  "restitution with K1/K2 = 0.45 by Euler at w1 h = 0.02177"},
-                 {"step_of_another_contact", "calibration for a step that is 1 % longer",
-                  "K1/K2 for a restitution of 0.7 by Taylor, calibrated by simulation"},
-                 {"one_disc_heavier", "one disc 1 % heavier",
-                  "contact time at 60 steps in a contact, largest relative error of 600 impacts"},
-                 {"gap_not_scaled", "initial gap of the fastest pair at all speeds",
-                  "restitution over four decades of speed, largest change"},
-                 {"verlet_for_euler", "Verlet method in place of Euler",
-                  "Euler: restitution above 1 at 10 steps in a contact, below 1 at 20"},
-                 {"euler_for_verlet", "Euler method in place of Verlet",
-                  "Verlet: restitution above 1 at some phases with 1.8 steps in a contact, at none with 2.9"},
-                 {"verlet_for_taylor", "Verlet method in place of Taylor",
-                  "Taylor: restitution above 1 at 5 steps in a contact, below 1 at 10"}},
-      .run = run};
+  return {.id = "latching_restitution",
+          .title = "Restitution of latching contacts, four integrators",
+          .family = "the shear cell",
+          .requirements = {{"B14",
+                            {"mean_restitution", "each_impact", "mean_by_four", "gains_of_speed", "stability_limit"}},
+                           {"B11",
+                            {"rms_error", "largest_error", "rms_over_predicted", "at_60_steps/contact time",
+                             "at_60_steps/residual overlap", "speeds"}},
+                           {"law.latching_spring",
+                            {"rms_error", "largest_error", "rms_over_predicted", "at_60_steps/residual overlap"}},
+                           {"regime.latching_spring.loading", {"at_60_steps/largest overlap"}},
+                           {"regime.latching_spring.unloading", {"at_60_steps/contact time"}},
+                           {"regime.latching_spring.slack", {"at_60_steps/residual overlap"}},
+                           {"integrator.euler", {"mean_restitution/Euler"}},
+                           {"integrator.taylor", {"mean_restitution/Taylor"}},
+                           {"integrator.euler_cromer", {"mean_by_four"}},
+                           {"integrator.velocity_verlet", {"rms_error", "largest_error", "rms_over_predicted"}}},
+          .main_checks = {"rms_error", "mean_restitution/Euler", "mean_restitution/Taylor", "snoflo/Euler", "speeds",
+                          "at_60_steps/contact time"},
+          .source = "Walton & Braun 1986; Lacy 1989",
+          .faults = {{"ratio_for_root", "K1/K2 = e instead of e^2", "rms_error"},
+                     {"methods_exchanged", "Euler and Taylor methods exchanged", "mean_restitution/Taylor"},
+                     {"ratio_of_exact_steps", "K1/K2 = 0.49, as for short steps", "snoflo/Euler"},
+                     {"step_of_another_contact", "calibration for a step that is 1 % longer",
+                      "K1/K2 for a restitution of 0.7 by Taylor, calibrated by simulation"},
+                     {"one_disc_heavier", "one disc 1 % heavier", "at_60_steps/contact time"},
+                     {"gap_not_scaled", "initial gap of the fastest pair at all speeds", "speeds"},
+                     {"verlet_for_euler", "Verlet method in place of Euler",
+                      "Euler: restitution above 1 at 10 steps in a contact, below 1 at 20"},
+                     {"euler_for_verlet", "Euler method in place of Verlet", "stability_limit"},
+                     {"verlet_for_taylor", "Verlet method in place of Taylor",
+                      "Taylor: restitution above 1 at 5 steps in a contact, below 1 at 10"}},
+          .run = run};
 }
 
 }  // namespace talus::verification::problems::latching_restitution

@@ -1,20 +1,9 @@
-#include <fmt/format.h>
-
-#include <algorithm>
-#include <array>
-#include <cmath>
-#include <numbers>
 #include <random>
-#include <string>
-#include <utility>
-#include <vector>
 
 #include "solver/cell/block_means.hpp"
 #include "solver/study/shear_study.hpp"
-#include "verification/check/case.hpp"
 #include "verification/problems/cell/cell_runs.hpp"
-#include "verification/study/findings/curves.hpp"
-#include "verification/study/findings/expectations.hpp"
+#include "verification/study/toolkit.hpp"
 
 namespace talus::verification::problems::mean_errors {
 namespace {
@@ -84,8 +73,7 @@ void expect_coverage(Findings& findings, const Setup& setup) {
       .name = "coverage",
       .caption =
           "Reported standard errors of means over 200 successive values with the autocorrelation a^lag, and of ratios "
-          "of two such means: root mean square over the exact error, and fraction of means within two standard "
-          "errors.",
+          "of two such means: root mean square over the exact error, and fraction of means within two standard errors.",
       .columns = {"a", "quantity", "error over exact error", "within two errors"}};
   for (const bool of_ratio : {false, true}) {
     for (const double a : {0.0, 0.5, 0.8}) {
@@ -94,17 +82,16 @@ void expect_coverage(Findings& findings, const Setup& setup) {
       Coverage found = coverage(a, length, count, of_ratio);
       // The error for independent neighbours is smaller by sqrt((1 - a)/(1 + a)).
       if (setup.has("neighbours_independent")) found.ratio *= std::sqrt((1.0 - a) / (1.0 + a));
-      findings.in("errors")->expect_between(
-          "reported standard error over the exact one, " + name, found.ratio, 0.8, 1.12,
+      findings.expect_between(
+          {"errors", "reported standard error over the exact one, " + name}, found.ratio, 0.8, 1.12,
           "blocks of finite length reduce the variance by the fraction (correlation length)/(block length), here about "
           "0.05 to 0.3; the rest is the scatter of 60 series; an error that treats successive values as independent is "
           "0.58 (a = 0.5) and 0.33 (a = 0.8) of the exact one");
-      findings.expect_between(
-          "fraction of means within two standard errors, " + name, found.within, 0.8, 1.0,
-          "0.954 for normally distributed means with the exact error, 0.89 with 0.8 of it; three standard deviations "
-          "over 60 series are 0.12");
-      table.rows.push_back({fmt::format("{}", a), of_ratio ? "ratio" : "mean", fmt::format("{:.3f}", found.ratio),
-                            fmt::format("{:.2f}", found.within)});
+      findings.expect_between("fraction of means within two standard errors, " + name, found.within, 0.8, 1.0,
+                              "0.954 for normally distributed means with the exact error, 0.89 with 0.8 of it; three "
+                              "standard deviations over 60 series are 0.12");
+      table.rows.push_back(
+          cells("{} | {} | {:.3f} | {:.2f}", a, of_ratio ? "ratio" : "mean", found.ratio, found.within));
     }
   }
   if (!setup.coarse) findings.table(table);
@@ -138,14 +125,14 @@ void expect_study(Findings& findings, const Setup& setup) {
       differences += (depths[i] - depths[j]) * (depths[i] - depths[j]);
     keep_worst(errors, point.of(Q::depth).error / std::sqrt(differences / 18.0) - 1.0);
   }
-  findings.expect("study: depth, largest overlap and seed of each run, largest difference from separate runs", numbers,
-                  0.0, Tolerance::exact("the same cell and the same steps"));
-  findings.expect("study: mean depths over seeds, largest error", means, 0.0,
-                  Tolerance::round_off(1e-14, "sums of three depths of about ten diameters"));
-  findings.expect(
-      "study: standard errors over seeds, largest relative error", errors, 0.0,
-      Tolerance::round_off(
-          1e-12, "depths of ten diameters differ by some thousandths, so that 12 digits of their differences remain"));
+  findings.expect_exact(
+      {"study_runs", "study: depth, largest overlap and seed of each run, largest difference from separate runs"},
+      numbers, 0.0, "the same cell and the same steps");
+  findings.expect_round_off("study: mean depths over seeds, largest error", means, 0.0, 1e-14,
+                            "sums of three depths of about ten diameters");
+  findings.expect_round_off(
+      "study: standard errors over seeds, largest relative error", errors, 0.0, 1e-12,
+      "depths of ten diameters differ by some thousandths, so that 12 digits of their differences remain");
 }
 
 /// Study point with these numbers for its seeds, and their mean and standard error.
@@ -218,15 +205,13 @@ void expect_verdicts(Findings& findings, const Setup& setup) {
     const Outturn outturn = !(p < 0.01) ? Outturn::not_shown : sign[k] * t > 0.0 ? Outturn::holds : Outturn::opposed;
     outturns += found[k].outturn == outturn ? 0.0 : 1.0;
   }
-  findings.expect("verdicts: Student's t, largest relative error", significance, 0.0,
-                  Tolerance::round_off(1e-13, "differences of numbers up to 9, of which 13 digits remain"));
-  findings.expect("verdicts: probabilities, largest error", chances, 0.0,
-                  Tolerance::round_off(3e-14,
-                                       "Student's distribution with 4 and 5 degrees of freedom in closed form: some "
-                                       "twenty roundings of numbers up to one, and a quarter of the relative error of "
-                                       "t, 1e-13, at most"));
-  findings.expect("verdicts that disagree with t and its probability", outturns, 0.0,
-                  Tolerance::exact("each verdict follows from both"));
+  findings.expect_round_off("verdicts: Student's t, largest relative error", significance, 0.0, 1e-13,
+                            "differences of numbers up to 9, of which 13 digits remain");
+  findings.expect_round_off({"probabilities", "verdicts: probabilities, largest error"}, chances, 0.0, 3e-14,
+                            "Student's distribution with 4 and 5 degrees of freedom in closed form: some twenty "
+                            "roundings of numbers up to one, and a quarter of the relative error of t, 1e-13, at most");
+  findings.expect_exact("verdicts that disagree with t and its probability", outturns, 0.0,
+                        "each verdict follows from both");
 }
 
 void run(Findings& findings, const Setup& setup) {
@@ -244,15 +229,12 @@ Case definition() {
           .requirements = {{"F8", {"errors"}}},
           .main_checks = {"reported standard error over the exact one, mean, a = 0.8",
                           "reported standard error over the exact one, ratio, a = 0.8",
-                          "study: standard errors over seeds, largest relative error",
-                          "verdicts: probabilities, largest error"},
+                          "study: standard errors over seeds, largest relative error", "probabilities"},
           .source = "Student's distribution and series with exponential memory in closed form; Welch 1947",
           .faults = {{"neighbours_independent", "errors computed as for independent successive values",
                       "reported standard error over the exact one, mean, a = 0.8"},
-                     {"one_seed", "all cells with one seed instead of three",
-                      "study: depth, largest overlap and seed of each run, largest difference from separate runs"},
-                     {"one_freedom_more", "five degrees of freedom instead of four",
-                      "verdicts: probabilities, largest error"}},
+                     {"one_seed", "all cells with one seed instead of three", "study_runs"},
+                     {"one_freedom_more", "five degrees of freedom instead of four", "probabilities"}},
           .run = run};
 }
 

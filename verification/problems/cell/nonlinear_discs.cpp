@@ -1,27 +1,12 @@
-#include <fmt/format.h>
-
-#include <algorithm>
-#include <array>
-#include <cmath>
-#include <string>
-#include <utility>
-#include <vector>
-
-#include "solver/dynamics/rigid_body_system.hpp"
 #include "solver/granular/fast_disc_system.hpp"
 #include "solver/integrate/euler_cromer.hpp"
 #include "solver/io/cell/read_cell.hpp"
-#include "solver/model/model_builder.hpp"
-#include "verification/check/case.hpp"
 #include "verification/problems/cell/cell_runs.hpp"
 #include "verification/problems/cell/disc_row.hpp"
 #include "verification/reference/impacts/hertz_impact.hpp"
 #include "verification/reference/impacts/power_law_impact.hpp"
-#include "verification/study/findings/expectations.hpp"
-#include "verification/study/findings/predicted_errors.hpp"
 #include "verification/study/impacts/followed_impact.hpp"
-#include "verification/study/runs/phases.hpp"
-#include "verification/study/runs/usage.hpp"
+#include "verification/study/toolkit.hpp"
 
 namespace talus::verification::problems::nonlinear_discs {
 namespace {
@@ -137,13 +122,13 @@ void check_impacts(Findings& findings, const Setup& setup) {
       return std::pair{1.0 / count, error.rms()};
     });
     if constexpr (std::same_as<decltype(law), const Hertz>) {
-      findings.in("orders")->expect_order("order of the error of e, " + impact.name, found, 0.85, 1.15,
-                                          "a dashpot's force is evaluated with the velocity before the kick");
+      findings.expect_order({"orders", "order of the error of e, " + impact.name}, found, 0.85, 1.15,
+                            "a dashpot's force is evaluated with the velocity before the kick");
       keep_worst(hertz, found.errors().back());
     } else {
       const double order = impact.law.exponent + 1.0;
-      findings.in("orders")->expect_order(
-          "order of the error of e, " + impact.name, found, order - 0.15, order + 0.15,
+      findings.expect_order(
+          {"orders", "order of the error of e, " + impact.name}, found, order - 0.15, order + 0.15,
           "with the velocity before the kick the force is, to first order, (1 + a v) times another spring, and e does "
           "not depend on the spring; what is left is the onset of the force, like x^n");
       keep_worst(hunt_crossley, found.errors().back());
@@ -153,17 +138,15 @@ void check_impacts(Findings& findings, const Setup& setup) {
   });
   findings.figure(figure);
   const double finest = 1.0 / counts.back();
-  findings.expect(
-      "restitution of two discs, hertz, largest relative error", hertz, 0.0,
-      Tolerance::truncation(2.25 * finest, 1.0, "three times the measured constant of the first-order error, 0.75"));
-  findings.expect(
-      "restitution of two discs, hunt_crossley, largest relative error", hunt_crossley, 0.0,
-      Tolerance::truncation(1.4 * finest * finest, 1.0, "three times the measured constant of n = 1, 0.47 (step/T)^2"));
-  findings.expect("largest overlap of two discs, largest relative error", depth, 0.0,
-                  Tolerance::truncation(
-                      1.6 * finest, 1.0,
-                      "three times the measured constant of the first-order error, 0.52: the velocity of the dashpot"
-                      " is that of half a step before"));
+  findings.expect_truncation({"restitution/hertz", "restitution of two discs, hertz, largest relative error"}, hertz,
+                             0.0, 2.25 * finest, 1.0,
+                             "three times the measured constant of the first-order error, 0.75");
+  findings.expect_truncation(
+      {"restitution/hunt_crossley", "restitution of two discs, hunt_crossley, largest relative error"}, hunt_crossley,
+      0.0, 1.4 * finest * finest, 1.0, "three times the measured constant of n = 1, 0.47 (step/T)^2");
+  findings.expect_truncation("largest overlap of two discs, largest relative error", depth, 0.0, 1.6 * finest, 1.0,
+                             "three times the measured constant of the first-order error, 0.52: the velocity of the "
+                             "dashpot is that of half a step before");
 }
 
 // --- the rigid-body engine and the fast engine -----------------------------------------------------------------------
@@ -173,16 +156,13 @@ template <class L>
 std::array<double, 2> apart(const Impact<L>& impact, const Setup& setup, Findings& findings) {
   const double step = impact.exact.contact_time / 60.382, gap = 0.37 * step * speed;
   FilledRow row = approaching(gap);
-  ModelBuilder builder{si};
+  SceneBuilder builder{si};
   const auto disc = [&](std::size_t i) {
-    return builder.add(Body{.name = fmt::format("disc{}", i),
-                            .mobility = Mobility::particle,
-                            .mass = disc_mass,
-                            .shape = Circle{disc_radius},
-                            .p_WB = {row.discs.x[i], row.discs.y[i]}});
+    return builder.add_particle(fmt::format("disc{}", i), disc_mass, {row.discs.x[i], row.discs.y[i]},
+                                Circle{disc_radius});
   };
   const BodyId a = disc(0), b = disc(1);
-  builder.add(Contact{.name = "touch", .a = a, .b = b, .law = given(impact.law, setup)});
+  builder.add_contact("touch", a, b, given(impact.law, setup));
   const Model model = builder.build();
   State state = rest_state(model);
   set_velocity(model, state, a, {row.discs.vx[0], 0.0}, 0.0),
@@ -220,12 +200,10 @@ void check_engines(Findings& findings, const Setup& setup) {
   });
   const char* const why =
       "both round positions of 8 to 1e-15, a hundredth of which is the overlap; the forces of some sixty steps differ "
-      "by "
-      "1e-13 of themselves, and their sums by no more";
-  findings.expect("motion of two discs, fast disc engine less rigid bodies", motion, 0.0,
-                  Tolerance::round_off(1e-12, why));
-  findings.expect("energy dissipated and released, fast disc engine less rigid bodies", work, 0.0,
-                  Tolerance::round_off(1e-12, why));
+      "by 1e-13 of themselves, and their sums by no more";
+  findings.expect_round_off("motion of two discs, fast disc engine less rigid bodies", motion, 0.0, 1e-12, why);
+  findings.expect_round_off("energy dissipated and released, fast disc engine less rigid bodies", work, 0.0, 1e-12,
+                            why);
 }
 
 // --- a sheared cell --------------------------------------------------------------------------------------------------
@@ -234,11 +212,10 @@ constexpr double cell_modulus = 7e8, cell_radius = 2.5e-4;
 
 /// The cell of `talus cell`, with this law.
 ShearCell cell_of(const std::string& law) {
-  const std::string text =
-      "units = \"SI\"\n[cell]\n" + law +
-      "diameter = \"1 mm\"\nmass = \"7.2e-7 kg\"\ngravity = \"9.81 m/s^2\"\noverburden = \"8 kPa\"\nrows = 8\n"
-      "columns = 10\nwall_discs = 11\nblock_speed = \"5 m/s\"\nseed = 1\n"
-      "[run]\nstep = \"0.1 us\"\nevery = \"1 ms\"\nend = \"10 ms\"\n";
+  const std::string text = "units = \"SI\"\n[cell]\n" + law +
+                           "diameter = \"1 mm\"\nmass = \"7.2e-7 kg\"\ngravity = \"9.81 m/s^2\"\noverburden = \"8 "
+                           "kPa\"\nrows = 8\ncolumns = 10\nwall_discs = 11\nblock_speed = \"5 m/s\"\nseed = "
+                           "1\n[run]\nstep = \"0.1 us\"\nevery = \"1 ms\"\nend = \"10 ms\"\n";
   return read_cell(text, "cell.toml", {}).cell;
 }
 const std::string hertz_text = "law = \"hertz\"\nmodulus = \"700 MPa\"\nradius = \"0.25 mm\"\n";
@@ -287,15 +264,14 @@ void check_cells(Findings& findings, const Setup& setup) {
       balance.add(1.0 / steps, std::abs(missing) / ledger.dissipated);
     }
     std::visit([](const auto& law) { record_use(law); }, cell.law);
-    findings.in("cells")->expect(
-        "energy stored in contacts of a cell, " + of.name + ", less that of the formula", stored / largest, 0.0,
-        Tolerance::round_off(1e-12, "the same overlaps; powers and products of a few roundings each"));
-    findings.in("cells")->expect(
-        "energy balance error of a cell over the energy dissipated, " + of.name, balance.errors().back(), 0.0,
-        Tolerance::truncation(
-            0.6 / (setup.coarse ? 120.0 : 240.0), 1.0,
-            "powers are evaluated with the velocities before a kick: (w h)/10 of the energy of an impact, w h = pi/n "
-            "with n steps in a contact, times two for contacts that are shorter than that at the nominal speed"));
+    findings.expect_round_off(
+        {"cells", "energy stored in contacts of a cell, " + of.name + ", less that of the formula"}, stored / largest,
+        0.0, 1e-12, "the same overlaps; powers and products of a few roundings each");
+    findings.expect_truncation(
+        {"cells", "energy balance error of a cell over the energy dissipated, " + of.name}, balance.errors().back(),
+        0.0, 0.6 / (setup.coarse ? 120.0 : 240.0), 1.0,
+        "powers are evaluated with the velocities before a kick: (w h)/10 of the energy of an impact, w h = pi/n with "
+        "n steps in a contact, times two for contacts that are shorter than that at the nominal speed");
   }
 }
 
@@ -323,10 +299,10 @@ void check_speeds(Findings& findings, const Setup& setup) {
       keep_worst(worst, hunt.contact_time() / (events.contact_time * own / v) - 1.0);
     }
   }
-  findings.expect("restitution and contact time of a cell at its nominal speed, largest relative error", worst, 0.0,
-                  Tolerance::model(5e-14,
-                                   "accuracy to which solver and references integrate, and to which the solver "
-                                   "finds the dashpot of a restitution"));
+  findings.expect_model(
+      {"nominal_speed", "restitution and contact time of a cell at its nominal speed, largest relative error"}, worst,
+      0.0, 5e-14,
+      "accuracy to which solver and references integrate, and to which the solver finds the dashpot of a restitution");
 }
 
 void run(Findings& findings, const Setup& setup) {
@@ -340,12 +316,11 @@ void run(Findings& findings, const Setup& setup) {
 }  // namespace
 
 Case definition() {
-  const std::string hertz = "restitution of two discs, hertz, largest relative error",
-                    hunt_crossley = "restitution of two discs, hunt_crossley, largest relative error",
+  const std::string hertz = "restitution/hertz", hunt_crossley = "restitution/hunt_crossley",
                     motion = "motion of two discs, fast disc engine less rigid bodies",
                     stored = "energy stored in contacts of a cell, hertz, tsuji, less that of the formula",
                     balance = "energy balance error of a cell over the energy dissipated, hertz, tsuji",
-                    at_speed = "restitution and contact time of a cell at its nominal speed, largest relative error";
+                    at_speed = "nominal_speed";
   return {.id = "nonlinear_discs",
           .title = "Hertz and Hunt-Crossley contacts of discs",
           .family = "the shear cell",

@@ -1,18 +1,9 @@
-#include <fmt/format.h>
-
-#include <algorithm>
-#include <array>
-#include <cmath>
-#include <numbers>
 #include <span>
-#include <string>
-#include <vector>
 
 #include "solver/laws/latching_spring.hpp"
-#include "verification/check/case.hpp"
 #include "verification/problems/cell/disc_row.hpp"
 #include "verification/reference/many_bodies/latching_chain.hpp"
-#include "verification/study/findings/expectations.hpp"
+#include "verification/study/toolkit.hpp"
 
 namespace talus::verification::problems::recontact_history {
 namespace {
@@ -148,13 +139,13 @@ void check_moments(const Exact& exact, Findings& findings, const Setup& setup) {
   bool all = true;
   for (std::size_t m = 0; m < moments.size(); ++m) {
     all = all && strikes(exact, m);
-    findings.in("speeds")->expect(
-        fmt::format("final speeds of three discs, second impact while {}, largest error over 24 gaps", moments[m].name),
-        errors_of(exact, m, 60.0, findings, setup).max(), 0.0,
-        Tolerance::truncation(
-            16.0 * 3.3e-5, 1.5,
-            "steps a quarter as long had errors of 2.5e-5 to 3.3e-5, which second order scales by 16; half as much "
-            "again is allowed for the position of the kinks within a step"));
+    findings.expect_truncation(
+        {fmt::format("speeds/{}", moments[m].name),
+         fmt::format("final speeds of three discs, second impact while {}, largest error over 24 gaps",
+                     moments[m].name)},
+        errors_of(exact, m, 60.0, findings, setup).max(), 0.0, 16.0 * 3.3e-5, 1.5,
+        "steps a quarter as long had errors of 2.5e-5 to 3.3e-5, which second order scales by 16; half as much again "
+        "is allowed for the position of the kinks within a step");
   }
   findings.expect_true("second impact on the intended branch at every gap", all,
                        "the reference counts reloadings, and reloadings from slack, for each of the 72 gaps");
@@ -216,8 +207,8 @@ void check_restarts(Findings& findings, const Setup& setup) {
         differ += seen[i] == through[i] ? 0.0 : 1.0;
     }
   }
-  findings.expect("final speeds that differ after restarts every 1, 7 or 20 steps, out of 27", differ, 0.0,
-                  Tolerance::exact("the restored state is bit-identical to the saved one"));
+  findings.expect_exact({"restarts", "final speeds that differ after restarts every 1, 7 or 20 steps, out of 27"},
+                        differ, 0.0, "the restored state is bit-identical to the saved one");
 }
 
 /// Final speeds of two discs, the first of which hits the second, by a law or a mistaken one.
@@ -257,22 +248,20 @@ void check_single_impacts(Findings& findings) {
 constexpr double wide = 8.0;
 
 void show_mistakes(Findings& findings) {
-  Table table{
-      .name = "mistakes",
-      .caption =
-          "Final speed of the third disc at 60 steps in a contact, with the second impact while unloading, slack and "
-          "separated. M: largest overlap.",
-      .columns = {"g", "exact", "solver", "M reset at F = 0", "contact ended at F = 0", "M never reset",
-                  "M lost every 20 steps"}};
+  Table table{.name = "mistakes",
+              .caption =
+                  "Final speed of the third disc at 60 steps in a contact, with the second impact while unloading, "
+                  "slack and separated. M: largest overlap.",
+              .columns = {"g", "exact", "solver", "M reset at F = 0", "contact ended at F = 0", "M never reset",
+                          "M lost every 20 steps"}};
   const auto third = [](const Watched& seen) { return fmt::format("{:.4f}", seen.velocity[2]); };
   for (const double gap : gaps_of_restarts) {
     const double h = step_of_restarts();
-    table.rows.push_back({fmt::format("{}", gap), fmt::format("{:.4f}", exact_of(gap).velocity[2]),
-                          third(run_by(law, gap, h, 0.3, findings)),
-                          third(run_by(ForgettingLatch{law}, gap, h, 0.3, findings)),
-                          third(run_by(ClearedLatch{law}, gap, h, 0.3, findings)),
-                          third(run_by(RetentiveLatch{law}, gap, h, 0.3, findings, wide)),
-                          fmt::format("{:.4f}", restarted(gap, h, 20, true)[2])});
+    table.rows.push_back(
+        cells("{} | {:.4f} | {} | {} | {} | {} | {:.4f}", gap, exact_of(gap).velocity[2],
+              third(run_by(law, gap, h, 0.3, findings)), third(run_by(ForgettingLatch{law}, gap, h, 0.3, findings)),
+              third(run_by(ClearedLatch{law}, gap, h, 0.3, findings)),
+              third(run_by(RetentiveLatch{law}, gap, h, 0.3, findings, wide)), restarted(gap, h, 20, true)[2]));
   }
   findings.table(table);
 }
@@ -290,15 +279,13 @@ void draw_speeds(Findings& findings) {
     add(kept, run_by(RetentiveLatch{law}, gap, h, 0.3, findings, wide).velocity[2]);
     if (i % 4 == 0) add(solver, run_by(law, gap, h, 0.3, findings).velocity[2]);
   }
-  findings.figure(
-      {.name = "speed_of_the_third",
-       .title = "Final speed of the third disc against the gap",
-       .caption =
-           "Exact solution, solver, and two faulty treatments of the largest overlap $M$. Ending the contact at $F "
-           "= 0$ is exact except for impacts while slack, which then give 0.85.",
-       .x = {.label = "gap between discs 1 and 2 when 2 touches 3"},
-       .y = {.label = "final speed of the third disc", .min = 2.2, .max = 2.65},
-       .series = {line, forgotten, kept, solver}});
+  findings.figure({.name = "speed_of_the_third",
+                   .title = "Final speed of the third disc against the gap",
+                   .caption = "Exact solution, solver, and two faulty treatments of the largest overlap $M$. Ending "
+                              "the contact at $F = 0$ is exact except for impacts while slack, which then give 0.85.",
+                   .x = {.label = "gap between discs 1 and 2 when 2 touches 3"},
+                   .y = {.label = "final speed of the third disc", .min = 2.2, .max = 2.65},
+                   .series = {line, forgotten, kept, solver}});
 }
 
 void draw_loops(Findings& findings) {
@@ -339,27 +326,16 @@ Case definition() {
                          "final speeds that differ after restarts every 1, 7 or 20 steps, out of 27"}},
                        {"F5", {"final speeds that differ after restarts every 1, 7 or 20 steps, out of 27"}},
                        {"law.latching_spring", {"speeds"}},
-                       {"regime.latching_spring.unloading",
-                        {"final speeds of three discs, second impact while unloading, largest error over 24 gaps"}},
-                       {"regime.latching_spring.slack",
-                        {"final speeds of three discs, second impact while slack, largest error over 24 gaps"}},
-                       {"regime.latching_spring.loading",
-                        {"final speeds of three discs, second impact while separated, largest error over 24 gaps"}}},
-      .main_checks = {"final speeds of three discs, second impact while unloading, largest error over 24 gaps",
-                      "final speeds of three discs, second impact while slack, largest error over 24 gaps",
-                      "final speeds of three discs, second impact while separated, largest error over 24 gaps",
-                      "final speeds that differ after restarts every 1, 7 or 20 steps, out of 27"},
+                       {"regime.latching_spring.unloading", {"speeds/unloading"}},
+                       {"regime.latching_spring.slack", {"speeds/slack"}},
+                       {"regime.latching_spring.loading", {"speeds/separated"}}},
+      .main_checks = {"speeds/unloading", "speeds/slack", "speeds/separated", "restarts"},
       .source = "Walton & Braun 1986",
-      .faults = {{"forgotten_at_zero_force", "largest overlap M reset when the force vanishes",
-                  "final speeds of three discs, second impact while slack, largest error over 24 gaps"},
-                 {"ended_at_zero_force", "contact ended when the force vanishes",
-                  "final speeds of three discs, second impact while slack, largest error over 24 gaps"},
-                 {"never_forgotten", "largest overlap M retained after the discs have separated",
-                  "final speeds of three discs, second impact while separated, largest error over 24 gaps"},
-                 {"way_back_softer", "K2 1 % smaller",
-                  "final speeds of three discs, second impact while unloading, largest error over 24 gaps"},
-                 {"memory_dropped_at_restart", "contact memory lost at each restart",
-                  "final speeds that differ after restarts every 1, 7 or 20 steps, out of 27"}},
+      .faults = {{"forgotten_at_zero_force", "largest overlap M reset when the force vanishes", "speeds/slack"},
+                 {"ended_at_zero_force", "contact ended when the force vanishes", "speeds/slack"},
+                 {"never_forgotten", "largest overlap M retained after the discs have separated", "speeds/separated"},
+                 {"way_back_softer", "K2 1 % smaller", "speeds/unloading"},
+                 {"memory_dropped_at_restart", "contact memory lost at each restart", "restarts"}},
       .run = run};
 }
 

@@ -1,11 +1,5 @@
-#include <fmt/format.h>
-
-#include <array>
-#include <cmath>
-
-#include "verification/check/case.hpp"
 #include "verification/problems/cell/cell_runs.hpp"
-#include "verification/study/runs/usage.hpp"
+#include "verification/study/toolkit.hpp"
 
 namespace talus::verification::problems::rough_cell {
 namespace {
@@ -33,12 +27,11 @@ void expect_balances(Findings& findings, const Setup& setup) {
   }
   Vec2 walls = run.impulse_on_block() + run.impulse_on_base();
   if (setup.has("friction_off_the_base")) walls.x -= 1e-6 * run.impulse_on_base().x;
-  findings.expect(
-      "momentum balance error of the free discs",
-      norm(gained + walls) / (static_cast<double>(cell.free_discs()) * cell.mass * cell.block_speed), 0.0,
-      Tolerance::round_off(3e-13,
-                           "as in case shear_cell: 2.9e5 steps round the impulses on the walls, up to 4.5 in "
-                           "this unit: sqrt(2.9e5) x 4.5 x 1.1e-16"));
+  findings.expect_round_off(
+      {"momentum", "momentum balance error of the free discs"},
+      norm(gained + walls) / (static_cast<double>(cell.free_discs()) * cell.mass * cell.block_speed), 0.0, 3e-13,
+      "as in case shear_cell: 2.9e5 steps round the impulses on the walls, up to 4.5 in this unit: sqrt(2.9e5) x 4.5 x "
+      "1.1e-16");
   const CellRun::Ledger ledger = run.ledger();
   if (ledger.friction_work > 0.0) record_use("mechanism.friction");
   if (ledger.dissipated > ledger.friction_work) record_use("mechanism.contact_damping");
@@ -47,12 +40,10 @@ void expect_balances(Findings& findings, const Setup& setup) {
   if (setup.has("friction_not_booked")) missing -= ledger.friction_work;
   // 2 xi w0 h with w0 = sqrt(2 k/m), xi = c/(2 sqrt(k m/2)): 2 c h/m.
   const double off = 2.0 * std::get<LinearSpringDashpot>(cell.law).damping * run.plan().step / cell.mass;
-  findings.expect(
-      "energy balance error over the energy dissipated by contacts", missing / ledger.dissipated, 0.0,
-      Tolerance::truncation(
-          off, 1.0,
-          "2 xi w0 h of the energy dissipated by dashpots; friction work and the spring energy released at the end of "
-          "contacts have errors of the same order and the opposite sign"));
+  findings.expect_truncation({"balance_error", "energy balance error over the energy dissipated by contacts"},
+                             missing / ledger.dissipated, 0.0, off, 1.0,
+                             "2 xi w0 h of the energy dissipated by dashpots; friction work and the spring energy "
+                             "released at the end of contacts have errors of the same order and the opposite sign");
 }
 
 /// Means after the start-up. `torque` is that of friction on the free discs, over its value if all contacts turned them
@@ -81,15 +72,14 @@ class Accounts {
       series_[i].add(1e3 * static_cast<double>(run.steps()) * run.plan().step, numbers[i] / unit_);
   }
   void draw(Findings& findings) const {
-    findings.figure(
-        {.name = "accounts",
-         .title = "Energy balance of the cell",
-         .caption = "Accumulated work of the drive, energy dissipated by dashpots and by friction, and increase of the "
-                    "kinetic, potential and stored energy since the first sample; over the kinetic energy of all free "
-                    "discs at the block's speed.",
-         .x = {"time", "ms"},
-         .y = {.label = "energy", .unit = "1"},
-         .series = {series_.begin(), series_.end()}});
+    findings.figure({.name = "accounts",
+                     .title = "Energy balance of the cell",
+                     .caption = "Accumulated work of the drive, energy dissipated by dashpots and by friction, and "
+                                "increase of the kinetic, potential and stored energy since the first sample; over the "
+                                "kinetic energy of all free discs at the block's speed.",
+                     .x = {"time", "ms"},
+                     .y = {.label = "energy", .unit = "1"},
+                     .series = {series_.begin(), series_.end()}});
   }
 
  private:
@@ -116,9 +106,8 @@ double spins_over_rates(Findings& findings, const CellRun& run, double depth) {
   findings.figure(
       {.name = "spins",
        .title = "Spin of the discs and half the local shear rate",
-       .caption =
-           "Mean spin, clockwise, and half the shear rate between layers of half a diameter, against the height above "
-           "the base up to the mean height of the block; after the start-up.",
+       .caption = "Mean spin, clockwise, and half the shear rate between layers of half a diameter, against the height "
+                  "above the base up to the mean height of the block; after the start-up.",
        .x = {"height", "d"},
        .y = {.label = "rate", .unit = "speed of the block / d"},
        .series = {spins, rates}});
@@ -166,28 +155,22 @@ void run(Findings& findings, const Setup& setup) {
   if (!of_flow) expect_balances(findings, setup);
   if (!of_flow && !setup.fault.empty()) return;
   const Flow rough = flow(findings, setup, true);
-  findings.expect(
-      "net torque of friction on the free discs, over the sum of its magnitudes", rough.torque, 0.0,
-      Tolerance::model(
-          0.005,
-          "the larger of two halves of the averaging time, each with 12,000 samples of about 25 contacts, each "
-          "contact seen about twice: a random sum is 1/sqrt(1.5e5) = 0.0026 of the sum of magnitudes, and twice that "
-          "is allowed; the change of spin from start to end contributes less"));
+  findings.expect_model({"net_torque", "net torque of friction on the free discs, over the sum of its magnitudes"},
+                        rough.torque, 0.0, 0.005,
+                        "the larger of two halves of the averaging time, each with 12,000 samples of about 25 "
+                        "contacts, each contact seen about twice: a random sum is 1/sqrt(1.5e5) = 0.0026 of the sum of "
+                        "magnitudes, and twice that is allowed; the change of spin from start to end contributes less");
   findings.expect_between(
-      "mean spin over half the shear rate between the walls", -2.0 * rough.spin / rough.rate, 0.8, 1.5,
+      {"mean_spin", "mean spin over half the shear rate between the walls"}, -2.0 * rough.spin / rough.rate, 0.8, 1.5,
       "1 if contact directions are isotropic, 2 <n_y^2> otherwise: discs in rows touch neighbours above and below more "
       "often than those beside, at most three times as often; slip at the walls takes part of the shear rate");
-  findings.expect(
-      "mean spin over half the local shear rate, inner layers", rough.layers, 1.0,
-      Tolerance::model(
-          0.2,
-          "inside, a disc has contacts in all directions and turns as if it rolled between its neighbours; the ratios "
-          "of single layers scatter by that much in this time"));
-  findings.expect_between(
-      "fraction of contact time in sliding contacts", rough.sliding, 0.15, 0.65,
-      "impacts at all angles: a contact slides from its start if the impact angle exceeds about atan(2 mu (1 + "
-      "1/e)), and every contact slides at its end, where the normal force falls to zero; so neither none nor most "
-      "of the time");
+  findings.expect_model("mean spin over half the local shear rate, inner layers", rough.layers, 1.0, 0.2,
+                        "inside, a disc has contacts in all directions and turns as if it rolled between its "
+                        "neighbours; the ratios of single layers scatter by that much in this time");
+  findings.expect_between("fraction of contact time in sliding contacts", rough.sliding, 0.15, 0.65,
+                          "impacts at all angles: a contact slides from its start if the impact angle exceeds about "
+                          "atan(2 mu (1 + 1/e)), and every contact slides at its end, where the normal force falls to "
+                          "zero; so neither none nor most of the time");
   findings.expect_between(
       "friction work over the energy dissipated by contacts", rough.friction_work, 0.35, 0.75,
       "dashpots dissipate 1 - e^2, half of the normal energy of an impact; friction dissipates at most a third of the "
@@ -205,25 +188,17 @@ Case definition() {
       .id = "rough_cell",
       .title = "Sheared cell of rough discs: momentum, energy and spin",
       .family = "the shear cell",
-      .requirements = {{"mechanism.contact_damping", {"energy balance error over the energy dissipated by contacts"}},
+      .requirements = {{"mechanism.contact_damping", {"balance_error"}},
                        {"mechanism.friction", {"friction work over the energy dissipated by contacts"}}},
-      .main_checks = {"momentum balance error of the free discs",
-                      "energy balance error over the energy dissipated by contacts",
-                      "net torque of friction on the free discs, over the sum of its magnitudes",
-                      "mean spin over half the shear rate between the walls",
+      .main_checks = {"momentum", "balance_error", "net_torque", "mean_spin",
                       "mean spin over half the local shear rate, inner layers"},
       .source = "Cundall & Strack 1979; balances and spin, derived here",
-      .faults = {{"friction_off_the_base", "a millionth of the shear impulse on the base omitted",
-                  "momentum balance error of the free discs"},
-                 {"spin_without_energy", "rotational kinetic energy omitted",
-                  "energy balance error over the energy dissipated by contacts"},
-                 {"friction_not_booked", "friction work omitted",
-                  "energy balance error over the energy dissipated by contacts"},
-                 {"one_way_torque", "friction torque on the second disc of a pair with the wrong sign",
-                  "net torque of friction on the free discs, over the sum of its magnitudes"},
-                 {"walls_turn", "torques on the wall discs, which do not turn, included",
-                  "net torque of friction on the free discs, over the sum of its magnitudes"},
-                 {"smooth_discs", "no friction", "mean spin over half the shear rate between the walls"}},
+      .faults = {{"friction_off_the_base", "a millionth of the shear impulse on the base omitted", "momentum"},
+                 {"spin_without_energy", "rotational kinetic energy omitted", "balance_error"},
+                 {"friction_not_booked", "friction work omitted", "balance_error"},
+                 {"one_way_torque", "friction torque on the second disc of a pair with the wrong sign", "net_torque"},
+                 {"walls_turn", "torques on the wall discs, which do not turn, included", "net_torque"},
+                 {"smooth_discs", "no friction", "mean_spin"}},
       .run = run};
 }
 

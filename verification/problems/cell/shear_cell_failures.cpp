@@ -1,17 +1,10 @@
-#include <fmt/format.h>
-
-#include <algorithm>
-#include <array>
-#include <cmath>
 #include <concepts>
 #include <type_traits>
-#include <vector>
 
 #include "solver/granular/disc_system.hpp"
 #include "solver/granular/fast_disc_system.hpp"
-#include "verification/check/case.hpp"
 #include "verification/problems/cell/cell_runs.hpp"
-#include "verification/study/runs/usage.hpp"
+#include "verification/study/toolkit.hpp"
 
 namespace talus::verification::problems::shear_cell_failures {
 namespace {
@@ -133,35 +126,33 @@ bool within_limits(const Flow& flow) {
 }
 
 void add_rows(Findings& findings, const std::vector<Row>& rows) {
-  Table table{
-      .name = "failures",
-      .caption =
-          "The correct cell and faulty ones: the stress ratio, which reveals little, and quantities that reveal "
-          "more. A run is stopped (diverged) when its solid fraction leaves 0.02 to 5. Unaccounted: increase of "
-          "energy beyond the work of the drive, over this work.",
-      .columns = {"cell", "S/N", "mean solid fraction", "largest solid fraction", "largest overlap/D",
-                  "transverse kinetic energy/(m VXT^2)", "unaccounted", "limits"}};
+  Table table{.name = "failures",
+              .caption =
+                  "The correct cell and faulty ones: the stress ratio, which reveals little, and quantities that "
+                  "reveal more. A run is stopped (diverged) when its solid fraction leaves 0.02 to 5. Unaccounted: "
+                  "increase of energy beyond the work of the drive, over this work.",
+              .columns = {"cell", "S/N", "mean solid fraction", "largest solid fraction", "largest overlap/D",
+                          "transverse kinetic energy/(m VXT^2)", "unaccounted", "limits"}};
   for (const Row& row : rows) {
     const Flow& flow = row.flow;
-    table.rows.push_back({row.what, fmt::format("{:.3f}", flow.ratio), fmt::format("{:.3f}", flow.fraction),
-                          fmt::format("{:.3f}", flow.fullest), fmt::format("{:.3f}", flow.largest_overlap),
-                          fmt::format("{:.4f}", flow.motion), flow.burst ? "" : fmt::format("{:.2g}", flow.unaccounted),
-                          within_limits(flow) ? "met"
-                          : flow.burst        ? "diverged"
-                                              : "exceeded"});
+    table.rows.push_back(cells("{} | {:.3f} | {:.3f} | {:.3f} | {:.3f} | {:.4f} | {} | {}", row.what, flow.ratio,
+                               flow.fraction, flow.fullest, flow.largest_overlap, flow.motion,
+                               flow.burst ? "" : fmt::format("{:.2g}", flow.unaccounted),
+                               within_limits(flow) ? "met"
+                               : flow.burst        ? "diverged"
+                                                   : "exceeded"));
   }
   findings.table(table);
 }
 
 Figure figure_of(const std::vector<Row>& rows) {
-  Figure figure{
-      .name = "seen",
-      .title = "Stress ratio and largest solid fraction of correct and faulty cells",
-      .caption =
-          "Cells whose discs pass through each other may have the stress ratio of the correct cell. Dashed: largest "
-          "solid fraction that equal discs can fill.",
-      .x = {.label = "S/N", .min = 0.0, .max = 0.4},
-      .y = {.label = "largest solid fraction", .log = true}};
+  Figure figure{.name = "seen",
+                .title = "Stress ratio and largest solid fraction of correct and faulty cells",
+                .caption =
+                    "Cells whose discs pass through each other may have the stress ratio of the correct cell. Dashed: "
+                    "largest solid fraction that equal discs can fill.",
+                .x = {.label = "S/N", .min = 0.0, .max = 0.4},
+                .y = {.label = "largest solid fraction", .log = true}};
   for (const Row& row : rows)
     if (row.flow.ratio != 0.0)
       figure.series.push_back(
@@ -208,12 +199,13 @@ void expect_laws(Findings& findings, const Setup& setup, const ShearCell& cell, 
   const Flow forgotten = setup.has("d0_remembered") ? right : wrong_flow<Wrong::d0_forgotten>(cell, brief, findings);
   rows.push_back({"correct law", right}), rows.push_back({"(a) flag cleared at F = 0", cleared});
   rows.push_back({"(b) d0 forgotten at F = 0", forgotten});
-  findings.expect_true("solid fraction and overlap within the limits, correct law", within_limits(right),
-                       "equal discs with small overlaps");
-  findings.expect_true("limits exceeded, contacts cleared at zero force", !within_limits(cleared),
+  findings.expect_true({"within_limits", "solid fraction and overlap within the limits, correct law"},
+                       within_limits(right), "equal discs with small overlaps");
+  findings.expect_true({"limits_exceeded", "limits exceeded, contacts cleared at zero force"}, !within_limits(cleared),
                        "discs that are pressed again feel no force and pass through each other");
   findings.expect_between(
-      "transverse kinetic energy of contacts that forget d0 at zero force, over that of the correct cell",
+      {"transverse_energy",
+       "transverse kinetic energy of contacts that forget d0 at zero force, over that of the correct cell"},
       forgotten.motion / right.motion, 1.1, 3.0,
       "such a contact returns at least K1 d0^2/2 more: e^2 = 0.49 + 0.26 in a single impact, and the kinetic energy is "
       "larger by that much or, as impacts follow each other, by several times that");
@@ -223,10 +215,10 @@ void expect_laws(Findings& findings, const Setup& setup, const ShearCell& cell, 
   brief.forget_every = setup.has("restarts_remember") ? 0.0 : 1e-4;
   const Flow restarted = right_flow(cell, brief, findings);
   rows.push_back({"d0 forgotten every 0.1 ms", restarted});
-  findings.expect_between(
-      "energy unaccounted for when contacts forget d0 every 0.1 ms", restarted.unaccounted, 0.1, 1.0,
-      "every eight contact times or so most existing contacts restart with K1 d and return more energy than they "
-      "received; the drive supplies as much in some ms");
+  findings.expect_between({"unaccounted", "energy unaccounted for when contacts forget d0 every 0.1 ms"},
+                          restarted.unaccounted, 0.1, 1.0,
+                          "every eight contact times or so most existing contacts restart with K1 d and return more "
+                          "energy than they received; the drive supplies as much in some ms");
 }
 
 /// Leapfrogs with long steps, over a longer time, because the ratio has a standard error.
@@ -272,10 +264,8 @@ void expect_long_steps(Findings& findings, const Setup& setup, const ShearCell& 
       mean += flow.ratio / static_cast<double>(cells.size());
     draw(by.steps, {.ratio = mean, .unaccounted = least->unaccounted});
     if (by.steps >= 2.9) {
-      findings.expect(
-          "stress ratio, " + name, mean, right.ratio,
-          Tolerance::model(setup.coarse ? 0.04 : 0.01,
-                           "the ratio hardly depends on the step: both have a standard error of 0.003 to 0.004"));
+      findings.expect_model("stress ratio, " + name, mean, right.ratio, setup.coarse ? 0.04 : 0.01,
+                            "the ratio hardly depends on the step: both have a standard error of 0.003 to 0.004");
     } else if (by.steps > 2.0) {
       findings.expect_between("stress ratio, mean of eight cells minus that with 20 steps, " + name, mean - right.ratio,
                               0.002, 0.02,
@@ -286,18 +276,16 @@ void expect_long_steps(Findings& findings, const Setup& setup, const ShearCell& 
                               "which of them do depends on the trajectories; sooner or later all diverge");
     }
   }
-  findings.figure(
-      {.name = "long_steps",
-       .title = "Energy balance and stress ratio with too long steps",
-       .caption =
-           "Unaccounted fraction of the work, and relative deviation of the stress ratio from that with 20 steps, "
-           "against steps in a contact: the energy balance reveals too long steps, the stress ratio does not. Dashed: "
-           "1 % of the work, above which `talus cell` warns; vertical: 3.3 steps, below which a disc among six is "
-           "unstable.",
-       .x = {.label = "steps in a contact", .log = true, .min = 1.5, .max = 25.0},
-       .y = {.label = "fraction", .log = true, .min = 1e-7, .max = 10.0},
-       .series = {unaccounted, ratio},
-       .lines = {{'y', CellRun::maximum_balance_error, ""}, {'x', 3.3, ""}}});
+  findings.figure({.name = "long_steps",
+                   .title = "Energy balance and stress ratio with too long steps",
+                   .caption = "Unaccounted fraction of the work, and relative deviation of the stress ratio from that "
+                              "with 20 steps, against steps in a contact: the energy balance reveals too long steps, "
+                              "the stress ratio does not. Dashed: 1 % of the work, above which `talus cell` warns; "
+                              "vertical: 3.3 steps, below which a disc among six is unstable.",
+                   .x = {.label = "steps in a contact", .log = true, .min = 1.5, .max = 25.0},
+                   .y = {.label = "fraction", .log = true, .min = 1e-7, .max = 10.0},
+                   .series = {unaccounted, ratio},
+                   .lines = {{'y', CellRun::maximum_balance_error, ""}, {'x', 3.3, ""}}});
 }
 
 /// Euler and Taylor steps, which add energy in every impact.
@@ -349,26 +337,20 @@ Case definition() {
       .id = "shear_cell_failures",
       .title = "Sheared cell: failures and their detection",
       .family = "the shear cell",
-      .requirements = {{"law.latching_spring", {"solid fraction and overlap within the limits, correct law"}}},
-      .main_checks =
-          {"solid fraction and overlap within the limits, correct law",
-           "limits exceeded, contacts cleared at zero force",
-           "transverse kinetic energy of contacts that forget d0 at zero force, over that of the correct cell",
-           "stress ratio with contacts cleared at zero force",
-           "energy unaccounted for when contacts forget d0 every 0.1 ms",
-           "energy unaccounted for, velocity Verlet, 6 steps in a contact",
-           "energy unaccounted for, velocity Verlet, 2.9 steps in a contact",
-           "stress ratio, velocity Verlet, 2.9 steps in a contact", "limits exceeded, Euler with 10 steps in a contact",
-           "limits exceeded, Taylor with 5 steps in a contact"},
+      .requirements = {{"law.latching_spring", {"within_limits"}}},
+      .main_checks = {"within_limits", "limits_exceeded", "transverse_energy",
+                      "stress ratio with contacts cleared at zero force", "unaccounted",
+                      "energy unaccounted for, velocity Verlet, 6 steps in a contact",
+                      "energy unaccounted for, velocity Verlet, 2.9 steps in a contact",
+                      "stress ratio, velocity Verlet, 2.9 steps in a contact",
+                      "limits exceeded, Euler with 10 steps in a contact",
+                      "limits exceeded, Taylor with 5 steps in a contact"},
       .source = "Talus; law of Walton & Braun 1986",
-      .faults = {{"wrong_law_for_the_right", "law with cleared contacts in place of the correct law",
-                  "solid fraction and overlap within the limits, correct law"},
+      .faults = {{"wrong_law_for_the_right", "law with cleared contacts in place of the correct law", "within_limits"},
                  {"right_law_for_the_wrong", "correct law in place of the law with cleared contacts",
-                  "limits exceeded, contacts cleared at zero force"},
-                 {"d0_remembered", "correct law in place of the law that forgets d0",
-                  "transverse kinetic energy of contacts that forget d0 at zero force, over that of the correct cell"},
-                 {"restarts_remember", "contacts that do not forget d0 every 0.1 ms",
-                  "energy unaccounted for when contacts forget d0 every 0.1 ms"},
+                  "limits_exceeded"},
+                 {"d0_remembered", "correct law in place of the law that forgets d0", "transverse_energy"},
+                 {"restarts_remember", "contacts that do not forget d0 every 0.1 ms", "unaccounted"},
                  {"elastic_discs", "elastic discs in the cells with long steps",
                   "stress ratio, velocity Verlet, 2.9 steps in a contact"},
                  {"shorter_steps", "20 steps in a contact in all cells with long steps",

@@ -1,14 +1,8 @@
-#include <fmt/format.h>
-
-#include <algorithm>
-#include <cmath>
-#include <vector>
-
 #include "solver/io/cell/cell_restart.hpp"
 #include "solver/io/cell/write_cell.hpp"
-#include "verification/check/case.hpp"
 #include "verification/problems/cell/cell_runs.hpp"
 #include "verification/reference/many_bodies/virtual_discs.hpp"
+#include "verification/study/toolkit.hpp"
 
 namespace talus::verification::problems::shear_cell_paths {
 namespace {
@@ -84,29 +78,25 @@ void expect_virtual(Findings& findings, const Setup& setup) {
   findings.expect_true(
       "contacts across the border in the first half of the run", across >= 10,
       fmt::format("without them no virtual disc acts; seen {} times, each contact about twice", across));
-  findings.expect(
-      "positions against virtual discs and all pairs, largest difference over a diameter", early, 0.0,
-      Tolerance::round_off(
-          1e-12,
-          "positions of some diameters are rounded to 1e-15 of a diameter at each of thousands of steps, in boxes "
-          "whose borders discs cross at different times; contacts amplify this by an amount that depends on the "
-          "trajectories: to 1.6e-13 with this seed, and to 2e-16 ... 1.8e-11 with eleven others. Other roundings of "
-          "the same trajectories change the errors, but hardly their amplification: six times the measured error"));
-  findings.expect(
-      "positions after twice as many steps, largest difference over a diameter", most, 0.0,
-      Tolerance::round_off(
-          3e-9, "neighbouring trajectories diverge: 1.6e-13 grows to 2.9e-10, and ten times that is allowed"));
-  findings.figure(
-      {.name = "difference",
-       .title = "Minimum image against virtual discs",
-       .caption =
-           "Largest difference of positions over a diameter between the solver (neighbour list, nearest image) and the "
-           "reference (all pairs, a virtual disc beside the field for each disc); dashed: bound for the first half of "
-           "the steps.",
-       .x = {"step", "1"},
-       .y = {.label = "difference over D", .log = true, .min = 1e-16, .max = 1e-8},
-       .series = {difference},
-       .lines = {{'y', 1e-12, "bound"}}});
+  findings.expect_round_off(
+      {"virtual_discs", "positions against virtual discs and all pairs, largest difference over a diameter"}, early,
+      0.0, 1e-12,
+      "positions of some diameters are rounded to 1e-15 of a diameter at each of thousands of steps, in boxes whose "
+      "borders discs cross at different times; contacts amplify this by an amount that depends on the trajectories: to "
+      "1.6e-13 with this seed, and to 2e-16 ... 1.8e-11 with eleven others. Other roundings of the same trajectories "
+      "change the errors, but hardly their amplification: six times the measured error");
+  findings.expect_round_off(
+      "positions after twice as many steps, largest difference over a diameter", most, 0.0, 3e-9,
+      "neighbouring trajectories diverge: 1.6e-13 grows to 2.9e-10, and ten times that is allowed");
+  findings.figure({.name = "difference",
+                   .title = "Minimum image against virtual discs",
+                   .caption = "Largest difference of positions over a diameter between the solver (neighbour list, "
+                              "nearest image) and the reference (all pairs, a virtual disc beside the field for each "
+                              "disc); dashed: bound for the first half of the steps.",
+                   .x = {"step", "1"},
+                   .y = {.label = "difference over D", .log = true, .min = 1e-16, .max = 1e-8},
+                   .series = {difference},
+                   .lines = {{'y', 1e-12, "bound"}}});
 }
 
 /// The solver's neighbour list compared with its virtual discs, for rough discs with dashpots.
@@ -128,12 +118,12 @@ void expect_own_virtual(Findings& findings, const Setup& setup) {
   }
   findings.count(nearest.evaluations() + virtual_discs.evaluations());
   const Discs end = virtual_discs.discs();
-  findings.expect("positions of rough discs, neighbour list against virtual discs, largest difference over a diameter",
-                  apart(nearest.discs(), end.x, end.y, cell.width()) / cell.diameter, 0.0,
-                  Tolerance::round_off(
-                      1e-12,
-                      "as against the reference, in 200 instead of 250 contact times: zero until wrapping a disc back "
-                      "into the field first rounds its position, by 1e-15 of a diameter"));
+  findings.expect_round_off(
+      {"rough_virtual_discs",
+       "positions of rough discs, neighbour list against virtual discs, largest difference over a diameter"},
+      apart(nearest.discs(), end.x, end.y, cell.width()) / cell.diameter, 0.0, 1e-12,
+      "as against the reference, in 200 instead of 250 contact times: zero until wrapping a disc back into the field "
+      "first rounds its position, by 1e-15 of a diameter");
   findings.expect_true("sliding of rough discs and contacts across the border",
                        nearest.ledger().friction_work > 0.0 && across > 20,
                        "otherwise neither friction nor virtual discs would be compared");
@@ -152,10 +142,10 @@ void expect_mirror(Findings& findings, const Setup& setup) {
   CellRun other{cell, plan, mirrored};
   run_to_end(one), run_to_end(other);
   const double shear = one.impulse_on_block().x, mirror = other.impulse_on_block().x;
-  findings.expect("impulse along x on the block, mirrored cell over original cell", mirror / shear, -1.0,
-                  Tolerance::exact("only signs change, no digit does"));
-  findings.expect_true("bit-identical heights of all discs in the mirrored cell", one.discs().y == other.discs().y,
-                       "no sum along y depends on the mirror image");
+  findings.expect_exact({"mirrored_impulse", "impulse along x on the block, mirrored cell over original cell"},
+                        mirror / shear, -1.0, "only signs change, no digit does");
+  findings.expect_true({"mirrored_heights", "bit-identical heights of all discs in the mirrored cell"},
+                       one.discs().y == other.discs().y, "no sum along y depends on the mirror image");
 }
 
 /// Restores the saved state of the first run into a second one; runs both to their ends.
@@ -214,11 +204,9 @@ void expect_restart(Findings& findings, const Setup& setup) {
   double differ = cell_history_csv(scene, whole) == cell_history_csv(scene, rest) ? 0.0 : 1.0;
   differ += cell_profile_csv(scene, whole) == cell_profile_csv(scene, rest) ? 0.0 : 1.0;
   differ += cell_summary_json(scene, whole, outcome, "") == cell_summary_json(scene, rest, outcome, "") ? 0.0 : 1.0;
-  findings.expect(
-      "output files of a resumed run that differ", differ, 0.0,
-      Tolerance::exact(
-          "history, profile and summary: all accumulated sums are saved, also those that wait for the next sample of "
-          "the layers"));
+  findings.expect_exact("output files of a resumed run that differ", differ, 0.0,
+                        "history, profile and summary: all accumulated sums are saved, also those that wait for the "
+                        "next sample of the layers");
 }
 
 /// Few discs, a hundred times as stiff, so that most time is free of contacts.
@@ -237,25 +225,21 @@ void expect_jump(Findings& findings, const Setup& setup) {
   double fastest = 0.0;  // largest speed of the block
   while (!step_by_step.finished()) {
     step_by_step.advance();
-    fastest = std::max(fastest, std::abs(step_by_step.discs().vy.back()));
+    keep_largest(fastest, step_by_step.discs().vy.back());
   }
   run_to_end(step_by_step), run_to_end(jumping);
   const Discs end = step_by_step.discs();
-  findings.expect(
-      "positions with jumps over contact-free time, largest difference over a diameter",
-      apart(jumping.discs(), end.x, end.y, cell.width()) / cell.diameter, 0.0,
-      Tolerance::round_off(
-          1e-9,
-          "free flights of thousands of steps, at once and step by step, are rounded to 1e-13, which grows over the "
-          "contacts of 500 contact times"));
+  findings.expect_round_off(
+      {"jumps", "positions with jumps over contact-free time, largest difference over a diameter"},
+      apart(jumping.discs(), end.x, end.y, cell.width()) / cell.diameter, 0.0, 1e-9,
+      "free flights of thousands of steps, at once and step by step, are rounded to 1e-13, which grows over the "
+      "contacts of 500 contact times");
   const double depth = step_by_step.mean(CellQuantity::depth).value;
-  findings.expect(
-      "mean depth with jumps over contact-free time, over that with single steps",
-      jumping.mean(CellQuantity::depth).value / depth, 1.0,
-      Tolerance::truncation(
-          0.5 * plan.step * fastest / depth, 1.0,
-          "a block in free flight follows a parabola, whose mean Simpson's rule gives exactly; step by step, the "
-          "heights at the ends of the steps are averaged, which are half a step ahead"));
+  findings.expect_truncation("mean depth with jumps over contact-free time, over that with single steps",
+                             jumping.mean(CellQuantity::depth).value / depth, 1.0, 0.5 * plan.step * fastest / depth,
+                             1.0,
+                             "a block in free flight follows a parabola, whose mean Simpson's rule gives exactly; step "
+                             "by step, the heights at the ends of the steps are averaged, which are half a step ahead");
   findings.expect_between(
       "fraction of steps skipped by jumps",
       static_cast<double>(jumping.jumped()) / static_cast<double>(jumping.steps()), 0.3, 0.999,
@@ -281,30 +265,20 @@ Case definition() {
       .id = "shear_cell_paths",
       .title = "Sheared cell: equivalent formulations",
       .family = "the shear cell",
-      .requirements =
-          {{"F3",
-            {"positions against virtual discs and all pairs, largest difference over a diameter",
-             "positions of rough discs, neighbour list against virtual discs, largest difference over a diameter"}},
-           {"F5", {"bit-identical final state of a resumed run"}}},
-      .main_checks =
-          {"positions against virtual discs and all pairs, largest difference over a diameter",
-           "positions of rough discs, neighbour list against virtual discs, largest difference over a diameter",
-           "impulse along x on the block, mirrored cell over original cell",
-           "bit-identical heights of all discs in the mirrored cell", "bit-identical final state of a resumed run",
-           "positions with jumps over contact-free time, largest difference over a diameter"},
+      .requirements = {{"F3", {"virtual_discs", "rough_virtual_discs"}},
+                       {"F5", {"bit-identical final state of a resumed run"}}},
+      .main_checks = {"virtual_discs", "rough_virtual_discs", "mirrored_impulse", "mirrored_heights",
+                      "bit-identical final state of a resumed run", "jumps"},
       .source = "Lacy 1989, Virtual Elements and Periodic Boundaries",
-      .faults = {{"field_too_wide", "virtual discs too far away by 1e-7 of the field width",
-                  "positions against virtual discs and all pairs, largest difference over a diameter"},
-                 {"latch_weaker", "K2 of the reference smaller by the fraction 1e-9",
-                  "positions against virtual discs and all pairs, largest difference over a diameter"},
+      .faults = {{"field_too_wide", "virtual discs too far away by 1e-7 of the field width", "virtual_discs"},
+                 {"latch_weaker", "K2 of the reference smaller by the fraction 1e-9", "virtual_discs"},
                  {"friction_less", "friction coefficient of the cell with virtual discs smaller by the fraction 1e-8",
-                  "positions of rough discs, neighbour list against virtual discs, largest difference over a diameter"},
+                  "rough_virtual_discs"},
                  {"one_disc_off", "one disc of the mirrored cell higher by one unit in the last place",
-                  "bit-identical heights of all discs in the mirrored cell"},
+                  "mirrored_heights"},
                  {"restart_of_1989", "largest overlap of contacts lost at the restart",
                   "bit-identical final state of a resumed run"},
-                 {"stiffer_discs", "K1 of the cell with jumps larger by the fraction 1e-6",
-                  "positions with jumps over contact-free time, largest difference over a diameter"}},
+                 {"stiffer_discs", "K1 of the cell with jumps larger by the fraction 1e-6", "jumps"}},
       .seconds = 3.0,
       .run = run};
 }

@@ -1,11 +1,5 @@
-#include <fmt/format.h>
-
-#include <algorithm>
-#include <cmath>
 #include <concepts>
-#include <string>
 #include <type_traits>
-#include <vector>
 
 #include "solver/granular/disc_order.hpp"
 #include "solver/granular/disc_system.hpp"
@@ -15,8 +9,8 @@
 #include "solver/laws/hunt_crossley.hpp"
 #include "solver/laws/latching_spring.hpp"
 #include "solver/laws/linear_spring_dashpot.hpp"
-#include "verification/check/case.hpp"
 #include "verification/reference/many_bodies/all_pairs.hpp"
+#include "verification/study/toolkit.hpp"
 
 namespace talus::verification::problems::swept_discs {
 namespace {
@@ -84,9 +78,9 @@ void expect_same(Findings& findings, const Setup& setup, const std::string& name
   findings.count(plain.evaluations() + fast.evaluations());
   constexpr auto lost = static_cast<std::size_t>(Law::dissipation);
   if constexpr (fast.has_history) fast_discs.work[lost] = plain_discs.work[lost];
-  findings.in("engines")->expect("values that differ from the plain engine, " + name,
-                                 static_cast<double>(differing(plain_discs, fast_discs)), 0.0,
-                                 Tolerance::exact("the same sums in the same order"));
+  findings.expect_exact({"engines", "values that differ from the plain engine, " + name},
+                        static_cast<double>(differing(plain_discs, fast_discs)), 0.0,
+                        "the same sums in the same order");
   if constexpr (!std::same_as<Law, LatchingSpring> || !std::same_as<Friction, Frictionless>) return;
   long touching = 0;
   fast.for_each_contact(fast_discs, [&](const DiscContact&) { ++touching; });
@@ -133,7 +127,7 @@ void expect_single_calls(Findings& findings, const Setup& setup) {
   of_plain.x[7] += 0.02, of_fast.x[7] += 0.02;
   evaluate();
   findings.count(plain.evaluations() + fast.evaluations());
-  findings.in("engines")->expect(name, differ, 0.0, Tolerance::exact("the same sums of the same numbers"));
+  findings.expect_exact({"engines", name}, differ, 0.0, "the same sums of the same numbers");
 }
 
 /// Several threads compared with one, over few steps: threads wait for each other where there are fewer processors.
@@ -153,8 +147,8 @@ void expect_threads(Findings& findings, const Setup& setup) {
     several.begin(together);
     if (setup.has("thread_off")) together.y[count - 1] = std::nextafter(together.y[count - 1], 100.0);
     several.advance(together, step, steps);
-    findings.in("threads")->expect(name, static_cast<double>(differing(together, alone)), 0.0,
-                                   Tolerance::exact("the same sums in the same order"));
+    findings.expect_exact({"threads", name}, static_cast<double>(differing(together, alone)), 0.0,
+                          "the same sums in the same order");
   }
 }
 
@@ -182,8 +176,9 @@ void expect_all_pairs(Findings& findings, const Setup& setup) {
   Discs those = discs;
   those.x = all.x, those.y = all.y, those.vx = all.vx, those.vy = all.vy;
   findings.count(system.evaluations());
-  findings.expect("values that differ from a loop over all pairs", static_cast<double>(differing(those, discs)), 0.0,
-                  Tolerance::exact("the same pairs in the same order; a list omits only pairs that do not touch"));
+  findings.expect_exact({"all_pairs", "values that differ from a loop over all pairs"},
+                        static_cast<double>(differing(those, discs)), 0.0,
+                        "the same pairs in the same order; a list omits only pairs that do not touch");
 }
 
 /// Effect of another order of the sums.
@@ -208,16 +203,14 @@ void show_order(Findings& findings) {
     other.y.push_back(std::max(furthest(reordered(turned, reverse), discs, start.box), 1e-17));
     same.y.push_back(std::max(furthest(of_plain, discs, start.box), 1e-17));
   }
-  findings.figure(
-      {.name = "order",
-       .title = "Effect of the order of summation",
-       .caption =
-           "Largest distance between positions of the same disc in two runs with latching springs: discs numbered "
-           "backwards, so that impulses are summed in another order (blue), and plain engine, which sums them in the "
-           "same order (orange; zero is drawn as $10^{-17}$).",
-       .x = {"step", "1"},
-       .y = {.label = "distance over d", .log = true, .min = 1e-18, .max = 10.0},
-       .series = {other, same}});
+  findings.figure({.name = "order",
+                   .title = "Effect of the order of summation",
+                   .caption = "Largest distance between positions of the same disc in two runs with latching springs: "
+                              "discs numbered backwards, so that impulses are summed in another order (blue), and "
+                              "plain engine, which sums them in the same order (orange; zero is drawn as $10^{-17}$).",
+                   .x = {"step", "1"},
+                   .y = {.label = "distance over d", .log = true, .min = 1e-18, .max = 10.0},
+                   .series = {other, same}});
 }
 
 void run(Findings& findings, const Setup& setup) {
@@ -242,11 +235,10 @@ Case definition() {
   return {.id = "swept_discs",
           .title = "Vectorised and threaded disc engine against a loop over all pairs",
           .family = "the shear cell",
-          .requirements = {{"F3", {"engines", "threads", "values that differ from a loop over all pairs"}}},
+          .requirements = {{"F3", {"engines", "threads", "all_pairs"}}},
           .main_checks = {"values that differ from the plain engine, latching spring",
                           "values that differ from the plain engine, spring and dashpot, friction",
-                          "values that differ with 2 threads", "values that differ with 7 threads",
-                          "values that differ from a loop over all pairs"},
+                          "values that differ with 2 threads", "values that differ with 7 threads", "all_pairs"},
           .source = "order of sums, derived here",
           .faults = {{"one_disc_off", "one disc of the fast engine initially higher by one unit in the last place",
                       "values that differ from the plain engine, latching spring"},
@@ -254,8 +246,7 @@ Case definition() {
                       "values that differ from the plain engine, spring and dashpot, friction"},
                      {"thread_off", "last disc higher by one unit in the last place with threads",
                       "values that differ with 7 threads"},
-                     {"pairs_backwards", "the loop over all pairs begins with the last disc",
-                      "values that differ from a loop over all pairs"}},
+                     {"pairs_backwards", "the loop over all pairs begins with the last disc", "all_pairs"}},
           .seconds = 5.0,
           .run = run};
 }

@@ -1,17 +1,7 @@
-#include <fmt/format.h>
-
-#include <algorithm>
-#include <array>
-#include <cmath>
-#include <numbers>
-#include <string>
-#include <utility>
-#include <vector>
-
-#include "verification/check/case.hpp"
 #include "verification/problems/fence/fence_impact.hpp"
 #include "verification/problems/fence/fence_snapshots.hpp"
 #include "verification/study/scenes/fence_table.hpp"
+#include "verification/study/toolkit.hpp"
 
 namespace talus::verification::problems::fence_appendix {
 namespace {
@@ -123,40 +113,40 @@ double apart(const FenceRun& a, const FenceRun& b) {
 
 void check_statements(Findings& findings, const Simulations& s) {
   const auto joint = [](const Simulation& x) { return x.run.peaks.joint; };
-  findings.expect_between("final over initial kinetic energy of the rocks, maximum of the runs with bottom cable",
-                          std::max({s.one.run.energy, s.two.run.energy, s.nine.run.energy}), 0.0, 0.1,
-                          "the paper says that the fences \"essentially absorb all the kinetic energy\", taken as "
-                          "at most a tenth remaining");
-  findings.expect_between("peak joint force, two layers over one layer", joint(s.two) / joint(s.one), 0.3, 0.9,
+  findings.expect_between(
+      {"final_energy", "final over initial kinetic energy of the rocks, maximum of the runs with bottom cable"},
+      std::max({s.one.run.energy, s.two.run.energy, s.nine.run.energy}), 0.0, 0.1,
+      "the paper says that the fences \"essentially absorb all the kinetic energy\", taken as at most a tenth "
+      "remaining");
+  findings.expect_between({"joint_two_layers", "peak joint force, two layers over one layer"},
+                          joint(s.two) / joint(s.one), 0.3, 0.9,
                           "the paper says \"significantly less\", taken as at least a tenth less; a fence without a "
                           "second layer would give 1");
-  findings.expect_between("peak joint force, nine rocks over one rock", joint(s.nine) / joint(s.two), 0.9, 1.1,
+  findings.expect_between({"joint_nine_rocks", "peak joint force, nine rocks over one rock"},
+                          joint(s.nine) / joint(s.two), 0.9, 1.1,
                           "the paper says \"similar in magnitude\", taken as within a tenth");
-  findings.expect_between("exit speed, two layers, with bottom cable over top cable only",
-                          s.two.run.peaks.speed / s.top_only.run.peaks.speed, 0.0, 0.5,
-                          "the paper says that the bottom cable \"decreases the rock velocity more\", taken as to "
-                          "less than half");
-  findings.expect("exit speed, one layer with top cable only", -s.one_top_only.run.peaks.speed, 32.0,
-                  Tolerance::model(0.5,
-                                   "half a unit of the last digit of the 32 ft/s that the paper gives for two "
-                                   "layers"),
-                  "ft/s");
+  findings.expect_between(
+      {"exit_bottom", "exit speed, two layers, with bottom cable over top cable only"},
+      s.two.run.peaks.speed / s.top_only.run.peaks.speed, 0.0, 0.5,
+      "the paper says that the bottom cable \"decreases the rock velocity more\", taken as to less than half");
+  findings.expect_model({"exit_one_layer", "exit speed, one layer with top cable only"},
+                        -s.one_top_only.run.peaks.speed, 32.0, 0.5,
+                        "half a unit of the last digit of the 32 ft/s that the paper gives for two layers", "ft/s");
 }
 
 void check_mismatch(Findings& findings, const Simulations& s) {
-  findings.expect_between("exit speed, two layers with top cable only: shortfall from the paper's 32 ft/s",
-                          32.0 + s.top_only.run.peaks.speed, 10.0, 13.0,
-                          "not reproduced: 20.9 ft/s at the paper's step, 20.8 ft/s at a tenth of it; the limits "
-                          "include the spread of the perturbed runs (twins)",
-                          "ft/s");
   findings.expect_between(
-      "peak joint force, two layers: time before the paper's 0.05 s", 0.05 - s.two.run.peaks.time, 0.005, 0.02,
-      "not reproduced: 0.038 s; \"0.05 seconds\", read from a graph, may mean 0.045 to 0.055 s", "s");
+      {"exit_two_layers", "exit speed, two layers with top cable only: shortfall from the paper's 32 ft/s"},
+      32.0 + s.top_only.run.peaks.speed, 10.0, 13.0,
+      "not reproduced: 20.9 ft/s at the paper's step, 20.8 ft/s at a tenth of it; the limits include the spread of the "
+      "perturbed runs (twins)",
+      "ft/s");
+  findings.expect_between(
+      {"joint_time", "peak joint force, two layers: time before the paper's 0.05 s"}, 0.05 - s.two.run.peaks.time,
+      0.005, 0.02, "not reproduced: 0.038 s; \"0.05 seconds\", read from a graph, may mean 0.045 to 0.055 s", "s");
   const scenes::Fence fence = published_fence("appendix_two_layers.DAT");
-  findings.expect("the paper's step, 2e-4 s, over the step by the program's rule", fence.step_factor, 3.4185583,
-                  Tolerance::model(5e-6,
-                                   "rounding of the deck's digits; 2e-4 s over T/100, T = 2 pi sqrt(m/(2 k)), k = E "
-                                   "A/l"));
+  findings.expect_model("the paper's step, 2e-4 s, over the step by the program's rule", fence.step_factor, 3.4185583,
+                        5e-6, "rounding of the deck's digits; 2e-4 s over T/100, T = 2 pi sqrt(m/(2 k)), k = E A/l");
 }
 
 Table statement_table(const Simulations& s) {
@@ -212,12 +202,10 @@ Table run_table(const Simulations& s) {
                   "bottom cable [lb]", "exit speed [ft/s]", "run and twins", "remaining energy [%]"}};
   for (const Simulation* x : {&s.one, &s.two, &s.nine, &s.top_only, &s.one_top_only}) {
     const FenceSample& p = x->run.peaks;
-    table.rows.push_back({x->name, fmt::format("{:.0f}", p.joint),
-                          fmt::format("{:.0f} to {:.0f}", x->low(&FenceSample::joint), x->high(&FenceSample::joint)),
-                          fmt::format("{:.4f}", p.time), fmt::format("{:.0f}", p.top), fmt::format("{:.0f}", p.bottom),
-                          fmt::format("{:.2f}", -p.speed),
-                          fmt::format("{:.1f} to {:.1f}", -x->high(&FenceSample::speed), -x->low(&FenceSample::speed)),
-                          fmt::format("{:.1f}", 100.0 * x->run.energy)});
+    table.rows.push_back(
+        cells("{} | {:.0f} | {:.0f} to {:.0f} | {:.4f} | {:.0f} | {:.0f} | {:.2f} | {:.1f} to {:.1f} | {:.1f}", x->name,
+              p.joint, x->low(&FenceSample::joint), x->high(&FenceSample::joint), p.time, p.top, p.bottom, -p.speed,
+              -x->high(&FenceSample::speed), -x->low(&FenceSample::speed), 100.0 * x->run.energy));
   }
   return table;
 }
@@ -275,10 +263,10 @@ void draw(Findings& findings, const Simulations& s) {
                           {.label = "x velocity", .unit = "ft/s"}, &FenceSample::speed,
                           {&s.one, &s.two, &s.nine, &s.top_only, &s.one_top_only}));
   const Axis force{.label = "force in the top joint", .unit = "lb"};
-  findings.figure(history("fig_5a_joint", "Appendix I, Fig. 5a: force in the top joint",
-                          "Central column of the first layer: one and two layers with both cables, and two layers "
-                          "with the top cable only.",
-                          force, &FenceSample::joint, {&s.one, &s.two, &s.top_only}));
+  findings.figure(history(
+      "fig_5a_joint", "Appendix I, Fig. 5a: force in the top joint",
+      "Central column of the first layer: one and two layers with both cables, and two layers with the top cable only.",
+      force, &FenceSample::joint, {&s.one, &s.two, &s.top_only}));
   findings.figure(history("fig_5b_joint", "Appendix I, Fig. 5b: force in the top joint, nine rocks",
                           "Central column of the first layer, two layers with both cables: one rock and nine rocks.",
                           force, &FenceSample::joint, {&s.two, &s.nine}));
@@ -316,53 +304,24 @@ void run(Findings& findings, const Setup& setup) {
 }  // namespace
 
 Case definition() {
-  return {
-      .id = "fence_appendix",
-      .title = "Appendix I: fences of one and two layers",
-      .family = "the fence",
-      .requirements = {{"Eq. 3",
-                        {"final over initial kinetic energy of the rocks, maximum of the runs with bottom cable",
-                         "peak joint force, two layers over one layer", "peak joint force, nine rocks over one rock",
-                         "peak joint force, two layers: time before the paper's 0.05 s"}},
-                       {"Eq. 9",
-                        {"exit speed, two layers, with bottom cable over top cable only",
-                         "exit speed, one layer with top cable only",
-                         "exit speed, two layers with top cable only: shortfall from the paper's 32 ft/s"}},
-                       {"Eq. 10",
-                        {"exit speed, two layers, with bottom cable over top cable only",
-                         "exit speed, one layer with top cable only",
-                         "exit speed, two layers with top cable only: shortfall from the paper's 32 ft/s"}},
-                       {"law.elastic_plastic",
-                        {"peak joint force, two layers over one layer", "peak joint force, nine rocks over one rock",
-                         "peak joint force, two layers: time before the paper's 0.05 s"}},
-                       {"method.nodes",
-                        {"exit speed, two layers, with bottom cable over top cable only",
-                         "exit speed, one layer with top cable only",
-                         "exit speed, two layers with top cable only: shortfall from the paper's 32 ft/s"}},
-                       {"shape.superquadric",
-                        {"peak joint force, two layers over one layer",
-                         "peak joint force, two layers: time before the paper's 0.05 s"}},
-                       {"shape.circle",
-                        {"exit speed, two layers, with bottom cable over top cable only",
-                         "exit speed, one layer with top cable only",
-                         "exit speed, two layers with top cable only: shortfall from the paper's 32 ft/s"}},
-                       {"integrator.lagged_central_difference",
-                        {"peak joint force, two layers over one layer", "peak joint force, nine rocks over one rock",
-                         "exit speed, two layers, with bottom cable over top cable only",
-                         "exit speed, one layer with top cable only",
-                         "exit speed, two layers with top cable only: shortfall from the paper's 32 ft/s",
-                         "peak joint force, two layers: time before the paper's 0.05 s"}}},
-      .main_checks = {"final over initial kinetic energy of the rocks, maximum of the runs with bottom cable",
-                      "peak joint force, two layers over one layer", "peak joint force, nine rocks over one rock",
-                      "exit speed, two layers with top cable only: shortfall from the paper's 32 ft/s",
-                      "exit speed, one layer with top cable only"},
-      .source = "Mustoe & Huttelmaier 1993, Appendix I, Analysis Results, Figs. 2-5",
-      .faults = {{"mass_doubled", "columns of 29.85 slug, as in sample2.DAT",
-                  "exit speed, one layer with top cable only"},
-                 {"bottom_cable_left_out", "no run has a bottom cable",
-                  "final over initial kinetic energy of the rocks, maximum of the runs with bottom cable"},
-                 {"one_layer", "all fences have one layer", "peak joint force, two layers over one layer"}},
-      .run = run};
+  return {.id = "fence_appendix",
+          .title = "Appendix I: fences of one and two layers",
+          .family = "the fence",
+          .requirements = {{"Eq. 3", {"final_energy", "joint_two_layers", "joint_nine_rocks", "joint_time"}},
+                           {"Eq. 9, Eq. 10", {"exit_bottom", "exit_one_layer", "exit_two_layers"}},
+                           {"law.elastic_plastic", {"joint_two_layers", "joint_nine_rocks", "joint_time"}},
+                           {"method.nodes", {"exit_bottom", "exit_one_layer", "exit_two_layers"}},
+                           {"shape.superquadric", {"joint_two_layers", "joint_time"}},
+                           {"shape.circle", {"exit_bottom", "exit_one_layer", "exit_two_layers"}},
+                           {"integrator.lagged_central_difference",
+                            {"joint_two_layers", "joint_nine_rocks", "exit_bottom", "exit_one_layer", "exit_two_layers",
+                             "joint_time"}}},
+          .main_checks = {"final_energy", "joint_two_layers", "joint_nine_rocks", "exit_two_layers", "exit_one_layer"},
+          .source = "Mustoe & Huttelmaier 1993, Appendix I, Analysis Results, Figs. 2-5",
+          .faults = {{"mass_doubled", "columns of 29.85 slug, as in sample2.DAT", "exit_one_layer"},
+                     {"bottom_cable_left_out", "no run has a bottom cable", "final_energy"},
+                     {"one_layer", "all fences have one layer", "joint_two_layers"}},
+          .run = run};
 }
 
 }  // namespace talus::verification::problems::fence_appendix

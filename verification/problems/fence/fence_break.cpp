@@ -1,12 +1,5 @@
-#include <fmt/format.h>
-
-#include <algorithm>
-#include <cmath>
-
-#include "verification/check/case.hpp"
-#include "verification/study/findings/expectations.hpp"
-#include "verification/study/runs/scene_run.hpp"
 #include "verification/study/scenes/weak_hangers.hpp"
+#include "verification/study/toolkit.hpp"
 
 namespace talus::verification::problems::fence_break {
 namespace {
@@ -23,11 +16,10 @@ void check_two_sides(Findings& findings, const Setup& setup) {
     findings.count(run.evaluations);
     return std::ranges::count_if(run.failures, [](const Failure& f) { return f.part == "hanger 'hanger1'"; });
   };
-  findings.expect("breaks of a hanger 0.1 % weaker than the largest force", static_cast<double>(broken(0.999)), 1.0,
-                  Tolerance::exact("a count"));
-  findings.expect("breaks of a hanger 0.1 % stronger than the largest force",
-                  static_cast<double>(broken(setup.has("strength_unread") ? 0.5 : 1.001)), 0.0,
-                  Tolerance::exact("a count"));
+  findings.expect_exact("breaks of a hanger 0.1 % weaker than the largest force", static_cast<double>(broken(0.999)),
+                        1.0, "a count");
+  findings.expect_exact("breaks of a hanger 0.1 % stronger than the largest force",
+                        static_cast<double>(broken(setup.has("strength_unread") ? 0.5 : 1.001)), 0.0, "a count");
 }
 
 constexpr double balance_error_constant = 126.0;  // [1/s], measured
@@ -43,14 +35,13 @@ void check_ledger(Findings& findings, const Setup& setup) {
     balance_errors.add(h, std::abs(balance_error) / run.scale);
   }
   const PowerLaw fit = balance_errors.fit();
-  findings.expect("energy balance error at the smallest step over the largest energy", balance_errors.errors().back(),
-                  0.0,
-                  Tolerance::truncation(balance_error_constant * steps.back(), 1.5,
-                                        "first order because of the events; 126/s is the mean over these steps, and "
-                                        "the factor 1.5 allows for the positions of the events in their steps"));
-  findings.expect_between("order of the energy balance error", fit.order, 0.6, 1.5,
-                          "1 for a scheme that steps over its events, each of which falls at a different position "
-                          "in its step");
+  findings.expect_truncation({"balance_error", "energy balance error at the smallest step over the largest energy"},
+                             balance_errors.errors().back(), 0.0, balance_error_constant * steps.back(), 1.5,
+                             "first order because of the events; 126/s is the mean over these steps, and the factor "
+                             "1.5 allows for the positions of the events in their steps");
+  findings.expect_between(
+      "order of the energy balance error", fit.order, 0.6, 1.5,
+      "1 for a scheme that steps over its events, each of which falls at a different position in its step");
   if (setup.coarse) return;
   findings.figure(
       {.name = "balance_error",
@@ -178,51 +169,43 @@ void run(Findings& findings, const Setup& setup) {
   if (setup.needs("energy balance")) check_ledger(findings, setup);
   if (setup.needs("half model")) {
     const HalfAndFull found = half_from_full(setup);
-    findings.expect("half model against full model after several breaks, largest position difference of bodies",
-                    found.apart, 0.0,
-                    Tolerance::exact("cable forces are summed first: T + T is 2 T to the last bit, and behind a "
-                                     "broken central hanger no cable exerts a force in the plane of motion in "
-                                     "either model"),
-                    "ft");
-    findings.expect(
+    findings.expect_exact({"half_against_full",
+                           "half model against full model after several breaks, largest position difference of bodies"},
+                          found.apart, 0.0,
+                          "cable forces are summed first: T + T is 2 T to the last bit, and behind a broken central "
+                          "hanger no cable exerts a force in the plane of motion in either model",
+                          "ft");
+    findings.expect_round_off(
         "half model against full model after several breaks, largest position difference of cable ends",
-        found.longest > 1 ? found.ends : std::nan(""), 0.0,
-        Tolerance::round_off(
-            5e-14,
-            "positions on a straight line of 20 ft, from fractions that are known to 1e-15: 2e-14 ft; in the "
-            "half model the cable runs along the fence, and all its joints have the same position "
-            "in the plane of motion"),
+        found.longest > 1 ? found.ends : std::nan(""), 0.0, 5e-14,
+        "positions on a straight line of 20 ft, from fractions that are known to 1e-15: 2e-14 ft; in the half model "
+        "the cable runs along the fence, and all its joints have the same position in the plane of motion",
         "ft");
-    findings.expect(
-        "cable ends after several breaks, evaluated with and without all gaps, largest position "
-        "difference",
-        found.at_once, 0.0, Tolerance::exact("the same sums, independent of earlier evaluations"), "ft");
-    findings.expect(
-        "half model against full model after several breaks, largest difference of tensions", found.tension, 0.0,
-        Tolerance::round_off(1e-6,
-                             "a stiffness of 8e6 lb/ft times a hundred roundings of chain lengths of 20 ft, 4e-15 "
-                             "ft each: 3e-7 lb as a random walk, three times that"),
-        "lb");
+    findings.expect_exact(
+        "cable ends after several breaks, evaluated with and without all gaps, largest position difference",
+        found.at_once, 0.0, "the same sums, independent of earlier evaluations", "ft");
+    findings.expect_round_off("half model against full model after several breaks, largest difference of tensions",
+                              found.tension, 0.0, 1e-6,
+                              "a stiffness of 8e6 lb/ft times a hundred roundings of chain lengths of 20 ft, 4e-15 ft "
+                              "each: 3e-7 lb as a random walk, three times that",
+                              "lb");
   }
   if (!setup.coarse) {
     const Reversed found = reversed_cables(findings);
-    findings.expect("number of coordinates and velocities that differ with the cables in reverse order",
-                    found.differing, 0.0,
-                    Tolerance::exact("two cables pull at each joint, and a sum of two terms does not depend on "
-                                     "their order"));
+    findings.expect_exact("number of coordinates and velocities that differ with the cables in reverse order",
+                          found.differing, 0.0,
+                          "two cables pull at each joint, and a sum of two terms does not depend on their order");
     findings.expect_true("breaks of several hangers with the cables in reverse order", found.broken >= 2.0,
                          "a straight line past the broken hangers then consists of three cables");
   }
   const Flight flight = free_flight(setup);
-  findings.expect("downward acceleration of a column without hanger and bottom cable", -flight.change.y / flight.time,
-                  flight.gravity,
-                  Tolerance::round_off(
-                      4.5e-11,
-                      "13 000 steps in 0.13 s under a constant force, each of which rounds the velocity of up to 5 "
-                      "ft/s by 4.4e-16 ft/s: all with the same sign, because their increments are equal"),
-                  "ft/s^2");
-  findings.expect("acceleration across the fence of a column without hanger and bottom cable",
-                  flight.change.x / flight.time, 0.0, Tolerance::exact("no force acts in this direction"), "ft/s^2");
+  findings.expect_round_off({"falling_column", "downward acceleration of a column without hanger and bottom cable"},
+                            -flight.change.y / flight.time, flight.gravity, 4.5e-11,
+                            "13 000 steps in 0.13 s under a constant force, each of which rounds the velocity of up to "
+                            "5 ft/s by 4.4e-16 ft/s: all with the same sign, because their increments are equal",
+                            "ft/s^2");
+  findings.expect_exact("acceleration across the fence of a column without hanger and bottom cable",
+                        flight.change.x / flight.time, 0.0, "no force acts in this direction", "ft/s^2");
   const WeakFenceRun shown = run_weak_fence(weak_fence(strength), step, end, 100);
   findings.expect_true("break of a hanger in the run of the table and the figure of energies", !shown.failures.empty(),
                        "otherwise they would not show a break");
@@ -233,25 +216,20 @@ void run(Findings& findings, const Setup& setup) {
 }  // namespace
 
 Case definition() {
-  return {
-      .id = "fence_break",
-      .title = "Fence with breaking hangers",
-      .family = "the fence",
-      .requirements = {{"law.elastic_plastic", {"energy balance error at the smallest step over the largest energy"}},
-                       {"integrator.velocity_verlet", {"order of the energy balance error"}}},
-      .main_checks = {"energy balance error at the smallest step over the largest energy",
-                      "half model against full model after several breaks, largest position difference of bodies",
-                      "downward acceleration of a column without hanger and bottom cable"},
-      .source = "Mustoe & Huttelmaier 1993, section 1.1, Table 2",
-      .faults = {{"break_not_booked", "energy lost at breaks of hangers left out of the energy balance",
-                  "energy balance error at the smallest step over the largest energy"},
-                 {"strength_unread", "hangers of half the strength",
-                  "breaks of a hanger 0.1 % stronger than the largest force"},
-                 {"hangs_on", "hangers that never break",
-                  "downward acceleration of a column without hanger and bottom cable"},
-                 {"other_strength", "hangers of the full model stronger by a tenth",
-                  "half model against full model after several breaks, largest position difference of bodies"}},
-      .run = run};
+  return {.id = "fence_break",
+          .title = "Fence with breaking hangers",
+          .family = "the fence",
+          .requirements = {{"law.elastic_plastic", {"balance_error"}},
+                           {"integrator.velocity_verlet", {"order of the energy balance error"}}},
+          .main_checks = {"balance_error", "half_against_full", "falling_column"},
+          .source = "Mustoe & Huttelmaier 1993, section 1.1, Table 2",
+          .faults = {{"break_not_booked", "energy lost at breaks of hangers left out of the energy balance",
+                      "balance_error"},
+                     {"strength_unread", "hangers of half the strength",
+                      "breaks of a hanger 0.1 % stronger than the largest force"},
+                     {"hangs_on", "hangers that never break", "falling_column"},
+                     {"other_strength", "hangers of the full model stronger by a tenth", "half_against_full"}},
+          .run = run};
 }
 
 }  // namespace talus::verification::problems::fence_break

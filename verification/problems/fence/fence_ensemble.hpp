@@ -1,12 +1,8 @@
 #pragma once
 
-#include <optional>
-#include <string>
-#include <vector>
-
-#include "verification/check/case.hpp"
 #include "verification/problems/fence/fence_impact.hpp"
 #include "verification/study/scenes/fence_table.hpp"
+#include "verification/study/toolkit.hpp"
 
 /// Runs of the rows of Tables 2 and 3, each with its twins: the same fence with small changes of settings that the
 /// report does not state. The motion is chaotic, so that a printed number can only be compared with the spread of the

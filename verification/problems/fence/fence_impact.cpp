@@ -1,14 +1,11 @@
 #include "verification/problems/fence/fence_impact.hpp"
 
-#include <algorithm>
-#include <cmath>
-#include <limits>
 #include <variant>
 
-#include "solver/dynamics/dynamics.hpp"
 #include "solver/integrate/advance.hpp"
 #include "solver/integrate/concepts.hpp"
 #include "solver/scenes/fence_scene.hpp"
+#include "verification/study/toolkit.hpp"
 
 namespace talus::verification::problems {
 namespace {

@@ -1,23 +1,10 @@
-#include <fmt/format.h>
-
-#include <algorithm>
-#include <array>
-#include <cmath>
-#include <limits>
-#include <numbers>
-#include <string>
-#include <utility>
-#include <vector>
-
+#include "verification/problems/fence/fence_layouts.hpp"
 #include "solver/base/error.hpp"
 #include "solver/integrate/linear_segment.hpp"
 #include "solver/scenes/fence_scene.hpp"
 #include "solver/scenes/fence_summary.hpp"
-#include "verification/check/case.hpp"
-#include "verification/problems/fence/fence_layouts.hpp"
-#include "verification/study/findings/expectations.hpp"
-#include "verification/study/runs/scene_run.hpp"
 #include "verification/study/scenes/fence_table.hpp"
+#include "verification/study/toolkit.hpp"
 
 namespace talus::verification::problems::fence_layouts {
 
@@ -157,34 +144,36 @@ void check_hanging(Findings& findings, const Setup& setup) {
       keep_worst(horizontal, segment.tension * std::abs(segment.line.z) / segment.length / (moment / fence.sag) - 1.0);
       for (const CableEnd& end : {cable.a, cable.b}) {
         const Vec3 p = reference_point(model, end);
-        lowest = std::min(lowest, p.y), highest = std::max(highest, p.y), farthest = std::max(farthest, std::abs(p.z));
+        lowest = std::min(lowest, p.y), highest = std::max(highest, p.y), keep_largest(farthest, p.z);
       }
     }
     keep_worst(sag, highest - lowest - fence.sag), keep_worst(span, 2.0 * farthest - fence.span);
   }
-  const Tolerance by_lengths = Tolerance::round_off(5e-11,
-                                                    "a tension of 2e4 lb is 9e6 lb/ft times a difference of lengths "
-                                                    "of 2.5 to 12.5 ft, rounded to 1e-8 lb; relative to weights of "
-                                                    "480 lb, 2e-11, and half as much again for two cables a column");
-  findings.expect("vertical cable force over weight of the columns, all layouts, worst relative error", balance, 0.0,
-                  by_lengths);
+  const Tolerance by_lengths = Tolerance::round_off(
+      5e-11,
+      "a tension of 2e4 lb is 9e6 lb/ft times a difference of lengths of 2.5 to 12.5 ft, rounded to 1e-8 lb; relative "
+      "to weights of 480 lb, 2e-11, and half as much again for two cables a column");
+  findings.expect(
+      {"vertical_force", "vertical cable force over weight of the columns, all layouts, worst relative error"}, balance,
+      0.0, by_lengths);
   findings.expect("cable force along the fence over weight of the columns, full models, largest", sideways, 0.0,
                   by_lengths);
-  findings.expect("horizontal tension of each segment against that from moments, worst relative error", horizontal, 0.0,
-                  Tolerance::round_off(2.5e-12,
-                                       "as for the vertical force, 1e-8 lb, relative to tensions of 2e4 lb: 5e-13, and "
-                                       "five times that for the seven segments of a half"));
+  findings.expect_round_off(
+      {"horizontal_tension", "horizontal tension of each segment against that from moments, worst relative error"},
+      horizontal, 0.0, 2.5e-12,
+      "as for the vertical force, 1e-8 lb, relative to tensions of 2e4 lb: 5e-13, and five times that for the seven "
+      "segments of a half");
   const Tolerance lengths =
       Tolerance::round_off(2.5e-14, "sums of up to seven lengths of 55 ft, each rounded by at most 3.6e-15 ft");
   findings.expect("sag of the top cables, worst error", sag, 0.0, lengths, "ft");
   findings.expect("span of the top cables, worst error", span, 0.0, lengths, "ft");
   findings.expect("slack of the bottom cables, worst error", slack, 0.0, lengths, "ft");
-  findings.expect("number of columns from the sum of masses, worst relative error", mass, 0.0,
-                  Tolerance::round_off(1e-14, "sums of up to 26 quotients"));
-  findings.expect("number of columns from the sum of moments of inertia, worst relative error", inertia, 0.0,
-                  Tolerance::round_off(1e-14, "sums of up to 26 quotients"));
-  findings.expect("distance of the columns of each layer from its plane, largest", off_plane, 0.0,
-                  Tolerance::exact("the same difference of two numbers"), "ft");
+  findings.expect_round_off({"masses", "number of columns from the sum of masses, worst relative error"}, mass, 0.0,
+                            1e-14, "sums of up to 26 quotients");
+  findings.expect_round_off("number of columns from the sum of moments of inertia, worst relative error", inertia, 0.0,
+                            1e-14, "sums of up to 26 quotients");
+  findings.expect_exact("distance of the columns of each layer from its plane, largest", off_plane, 0.0,
+                        "the same difference of two numbers", "ft");
 }
 
 /// Checks that the sag of stretched cables does not depend on the height of the fence.
@@ -200,12 +189,11 @@ void check_raised(Findings& findings) {
   double apart = 0.0;
   for (std::size_t i = 0; i < low.bodies.size(); ++i)
     if (is_column(low.bodies[i])) keep_worst(apart, high.bodies[i].p_WB.y - raised - low.bodies[i].p_WB.y);
-  findings.expect("rise of the columns on stretched cables of a fence raised by 100 ft, worst error", apart, 0.0,
-                  Tolerance::round_off(1e-9,
-                                       "Newton's method ends at a residual of 1e-9 of a weight of 480 lb; the "
-                                       "stiffness of the segments at one column is about 2 T/l = 2e4 lb/ft, that of "
-                                       "seven in a row a thirtieth of it"),
-                  "ft");
+  findings.expect_round_off(
+      "rise of the columns on stretched cables of a fence raised by 100 ft, worst error", apart, 0.0, 1e-9,
+      "Newton's method ends at a residual of 1e-9 of a weight of 480 lb; the stiffness of the segments at one column "
+      "is about 2 T/l = 2e4 lb/ft, that of seven in a row a thirtieth of it",
+      "ft");
 }
 
 /// Checks cables so much longer than the original ones that the columns hang many sags lower. The first guess must be
@@ -225,12 +213,9 @@ void check_long_cables(Findings& findings) {
     keep_worst(balance, pulls.up[i] / (model.bodies[i].mass * fence.gravity) - 1.0);
     if (model.bodies[i].name.ends_with("column1")) highest = std::max(highest, model.bodies[i].p_WB.y);
   }
-  findings.expect(
+  findings.expect_round_off(
       "vertical cable force over weight of the columns, cables longer by 4 ft per half, worst relative error", balance,
-      0.0,
-      Tolerance::round_off(5e-11,
-                           "as for all layouts: the tension of at most 1e4 lb is 9e6 lb/ft times a difference of "
-                           "lengths"));
+      0.0, 5e-11, "as for all layouts: the tension of at most 1e4 lb is 9e6 lb/ft times a difference of lengths");
   findings.expect_true("central columns of both layers lower by more than ten sags",
                        highest < fence.column.position.y - 10.0 * fence.sag,
                        "half of a cable is 31 ft long over a half span of 27.5 ft");
@@ -269,11 +254,11 @@ void check_linearization(Findings& findings) {
       keep_worst(worst, found / exact - 1.0);
     }
   }
-  findings.expect("cable stiffness at each column in the linearization, half and full models, worst relative error",
-                  worst, 0.0,
-                  Tolerance::round_off(1e-9,
-                                       "the slope of the law is a difference quotient over 1e-6 of the elongation, "
-                                       "which amplifies a rounding of 1e-16 to 1e-10"));
+  findings.expect_round_off(
+      "cable stiffness at each column in the linearization, half and full models, worst relative error", worst, 0.0,
+      1e-9,
+      "the slope of the law is a difference quotient over 1e-6 of the elongation, which amplifies a rounding of 1e-16 "
+      "to 1e-10");
 }
 
 /// Checks the step by the rule of 1993, contacts of columns with the ground, and strengths of cables.
@@ -305,7 +290,7 @@ void check_numbers(Findings& findings, const Setup& setup) {
                   few);
   findings.expect("contacts of columns with the ground, worst relative error of stiffness and multiplicity", ground,
                   0.0, few);
-  findings.expect("strengths of the cables, worst relative error", strength, 0.0, Tolerance::exact("copied numbers"));
+  findings.expect_exact("strengths of the cables, worst relative error", strength, 0.0, "copied numbers");
 }
 
 // ---- hangers, starts, contacts ----
@@ -344,10 +329,10 @@ void check_hangers(Findings& findings) {
         if (hanger.body == column.body) listed += 1.0, keep_worst(limits, column.limit / hanger.strength - 1.0);
     if (listed != columns) limits = std::nan("");
   }
-  findings.expect("hanger strength in the record of each column, worst relative error", limits, 0.0,
-                  Tolerance::exact("copied numbers"));
+  findings.expect_exact("hanger strength in the record of each column, worst relative error", limits, 0.0,
+                        "copied numbers");
   fence = fence_of_today(), fence.changed_columns = {unlike};
-  findings.expect("number of columns without a hanger at their top joint", missing, 0.0, Tolerance::exact("a count"));
+  findings.expect_exact("number of columns without a hanger at their top joint", missing, 0.0, "a count");
   fence.options.symmetry = FenceSymmetry::half;
   const auto error = [&](double fraction) -> std::string {
     fence.options.hanger_strength = fraction * mass_of_unlike() * fence.gravity;
@@ -381,8 +366,8 @@ void check_words(Findings& findings) {
   double named = 0.0;
   for (const Cable& cable : scene.model.cables)
     named += words.find(cable.name) != std::string::npos ? 1.0 : 0.0;
-  findings.expect("number of cables listed by the error for an unknown stretched cable", named,
-                  static_cast<double>(scene.model.cables.size()), Tolerance::exact("all cables that may be meant"));
+  findings.expect_exact("number of cables listed by the error for an unknown stretched cable", named,
+                        static_cast<double>(scene.model.cables.size()), "all cables that may be meant");
   findings.expect_true("name of the unknown cable in the error for it", words.find("top99") != std::string::npos,
                        "an error says what was found");
   findings.expect_true("reason for the integrator chosen for a fence", !scene.integrator_reason.empty(),
@@ -415,9 +400,8 @@ void check_given_forces(Findings& findings, scenes::Fence fence) {
       keep_worst(worst, (0.4 * mass * a * a * rates.v[first + 2] - 15.0) / 20.0);
     }
   }
-  findings.expect("initial accelerations by given forces and moment, worst error of force or moment over 20", worst,
-                  0.0,
-                  Tolerance::round_off(1e-12, "cable forces of 2e4 lb, rounded to 4e-12 lb, sum up to the weight"));
+  findings.expect_round_off("initial accelerations by given forces and moment, worst error of force or moment over 20",
+                            worst, 0.0, 1e-12, "cable forces of 2e4 lb, rounded to 4e-12 lb, sum up to the weight");
 }
 
 /// Checks initial velocities of columns, and which columns are awake after three steps.
@@ -433,8 +417,7 @@ void check_start(Findings& findings, const Setup& setup) {
     const Pose at = pose(made.scene.model, made.scene.initial, static_cast<BodyId>(i));
     keep_worst(velocity, norm(at.v_WB - moving.column.velocity)), keep_worst(velocity, at.w_WB);
   }
-  findings.expect("initial velocities of the columns, worst error", velocity, 0.0, Tolerance::exact("copied numbers"),
-                  "ft/s");
+  findings.expect_exact("initial velocities of the columns, worst error", velocity, 0.0, "copied numbers", "ft/s");
   check_given_forces(findings, fence);
   constexpr int steps = 3;
   const scenes::FenceScene still = scenes::fence_scene(fence);
@@ -442,9 +425,9 @@ void check_start(Findings& findings, const Setup& setup) {
   const talus::Layout layout{still.scene.model};
   const auto awake = std::count(run.state.mode.begin() + static_cast<std::ptrdiff_t>(layout.first_sleeper),
                                 run.state.mode.end(), Mode{1});
-  findings.expect("columns awake after three steps", static_cast<double>(awake), 1.0 + 2.0 * steps,
-                  Tolerance::exact("the rock touches the central column; in each step the motion reaches one more "
-                                   "column on either side"));
+  findings.expect_exact(
+      "columns awake after three steps", static_cast<double>(awake), 1.0 + 2.0 * steps,
+      "the rock touches the central column; in each step the motion reaches one more column on either side");
 }
 
 double dashpot(const Model& model, const std::string& name) {
@@ -476,12 +459,13 @@ void check_sides(Findings& findings, const Setup& setup) {
     keep_worst(
         apart,
         dashpot(model, fmt::format("rock2-{}-3", column)) / dashpot(model, fmt::format("rock1-{}3", column)) - 1.0);
-  findings.expect("dashpots of two rocks that hit mirrored columns, worst relative difference", apart, 0.0,
-                  Tolerance::exact("the same numbers on both sides"));
+  findings.expect_exact(
+      {"mirrored_dashpots", "dashpots of two rocks that hit mirrored columns, worst relative difference"}, apart, 0.0,
+      "the same numbers on both sides");
   const double ratio = dashpot(model, "rock1-column3") / dashpot(model, "rock3-column1");
-  findings.expect("squared ratio of dashpots over ratio of effective masses, third column to central column",
-                  ratio * ratio * felt_mass(fence, model, "column1") / felt_mass(fence, model, "column3"), 1.0,
-                  Tolerance::round_off(1e-14, "two dozen operations: c = 2 xi sqrt(k m) with the same k and xi"));
+  findings.expect_round_off("squared ratio of dashpots over ratio of effective masses, third column to central column",
+                            ratio * ratio * felt_mass(fence, model, "column1") / felt_mass(fence, model, "column3"),
+                            1.0, 1e-14, "two dozen operations: c = 2 xi sqrt(k m) with the same k and xi");
 }
 
 void run(Findings& findings, const Setup& setup) {
@@ -508,17 +492,11 @@ Case definition() {
       .id = "fence_layouts",
       .title = "Fence layouts",
       .family = "the fence",
-      .requirements = {{"Eq. 14",
-                        {"horizontal tension of each segment against that from moments, worst relative error"}}},
-      .main_checks = {"vertical cable force over weight of the columns, all layouts, worst relative error",
-                      "number of columns from the sum of masses, worst relative error",
-                      "slack of the bottom cables, worst error",
-                      "dashpots of two rocks that hit mirrored columns, worst relative difference"},
+      .requirements = {{"Eq. 14", {"horizontal_tension"}}},
+      .main_checks = {"vertical_force", "masses", "slack of the bottom cables, worst error", "mirrored_dashpots"},
       .source = "Mustoe & Huttelmaier 1993, sections 2.4, 3.1 and 3.5",
-      .faults = {{"denser_columns", "dissimilar columns denser by a millionth",
-                  "number of columns from the sum of masses, worst relative error"},
-                 {"one_rock_higher", "one of two rocks hits 0.01 ft higher",
-                  "dashpots of two rocks that hit mirrored columns, worst relative difference"},
+      .faults = {{"denser_columns", "dissimilar columns denser by a millionth", "masses"},
+                 {"one_rock_higher", "one of two rocks hits 0.01 ft higher", "mirrored_dashpots"},
                  {"late_look", "columns counted after ten steps instead of three", "columns awake after three steps"}},
       .run = run};
 }

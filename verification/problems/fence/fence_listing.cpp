@@ -1,14 +1,8 @@
-#include <fmt/format.h>
-
-#include <algorithm>
-#include <cmath>
-#include <string>
 #include <variant>
-#include <vector>
 
-#include "verification/check/case.hpp"
 #include "verification/problems/fence/sample2_print.hpp"
 #include "verification/problems/fence/sample2_run.hpp"
+#include "verification/study/toolkit.hpp"
 
 namespace talus::verification::problems::fence_listing {
 namespace {
@@ -194,8 +188,8 @@ Table rules_table(long& evaluations) {
       "Rules of the historical fence with their evidence (proved: matches every printed digit or a closed form; "
       "inferred: clearly the best of those tried; fitted: chosen to match the printed numbers), and the effect of "
       "replacing one rule at a time: mean absolute deviation of elements 2 to 8 from the printed values of states 1 "
-      "and 2, in units of the last printed digit, and three numbers that the listing prints as -.490E+02, .378E+00 "
-      "and -.110E+01. A rule whose replacement changes nothing is not tested by this deck.",
+      "and 2, in units of the last printed digit, and three numbers that the listing prints as -.490E+02, .378E+00 and "
+      "-.110E+01. A rule whose replacement changes nothing is not tested by this deck.",
       {"rule", "evidence", "source", "replaced by", "deviation, state 1", "deviation, state 2", "rock vx [ft/s]",
        "el. 3 omega [rad/s]", "el. 11 vx [ft/s]"},
       {}};
@@ -248,12 +242,13 @@ void check_derived(Findings& findings, const Sample2Run& run) {
     table.rows.push_back({number.name, number.unit, number.printed, number.ours});
     differing += number.printed == number.ours ? 0 : 1;
   }
-  findings.expect("number of derived quantities that differ from the printed listing", static_cast<double>(differing),
-                  0.0, Tolerance::exact("both are printed in the same number format and compared as text"));
+  findings.expect_exact({"derived", "number of derived quantities that differ from the printed listing"},
+                        static_cast<double>(differing), 0.0,
+                        "both are printed in the same number format and compared as text");
   const HeadLines lines = head_lines(run);
-  findings.expect("number of lines before the first state that differ from the printed listing",
-                  static_cast<double>(lines.printed - lines.same), 0.0,
-                  Tolerance::exact("compared word for word; the number of blanks between words is not known"));
+  findings.expect_exact({"head_lines", "number of lines before the first state that differ from the printed listing"},
+                        static_cast<double>(lines.printed - lines.same), 0.0,
+                        "compared word for word; the number of blanks between words is not known");
   findings.table(table);
 }
 
@@ -268,8 +263,8 @@ std::string cell(const std::vector<Deviation>& all, std::size_t print, int eleme
 
 void tabulate_states(Findings& findings, const std::vector<Deviation>& all) {
   Table table{"states",
-              "The two printed states; in parentheses the solver's value minus the printed one, in units of the "
-              "last printed digit. A dash: zero, or round-off of 1993.",
+              "The two printed states; in parentheses the solver's value minus the printed one, in units of the last "
+              "printed digit. A dash: zero, or round-off of 1993.",
               {"t [s]", "el.", "x", "y", "theta", "vx", "vy", "omega"},
               {}};
   for (std::size_t print = 0; print < printed_steps.size(); ++print) {
@@ -299,72 +294,76 @@ Kick kick(const Sample2Run& run, const scenes::FenceContactLaw& law, double spee
 }
 
 void check_states(Findings& findings, const Sample2Run& run, const std::vector<Deviation>& all) {
-  const auto expect = [&](const std::string& name, std::size_t print, int first, int last, double bound,
-                          const std::string& why) {
-    findings.expect(name, largest_deviation(all, print, first, last), 0.0, Tolerance::model(bound, why));
+  const auto expect = [&](const std::string& group, const char* elements, std::size_t print, int first, int last,
+                          double bound, const std::string& why) {
+    const auto part = findings.in(group);
+    findings.expect_model(
+        {fmt::format("{}_{}", group, print + 1), fmt::format("{} at {} s, largest deviation in units of the last digit",
+                                                             elements, print == 0 ? "0.00496" : "0.00993")},
+        largest_deviation(all, print, first, last), 0.0, bound, why);
   };
   const double rock_arm = run.fence.rocks[0].a * 0.5;  // nodes lie at 30 degrees
   const Kick rock = kick(run, run.made.rock_column, 65.0, rock_arm);
   const Kick layers = kick(run, run.made.column_column, 37.7, 3.8637);
   const std::string print_rounding =
       "half a unit for the rounding of the printed value, half a unit for differences of the rules";
-  expect("rock at 0.00496 s, largest deviation in units of the last digit", 0, 2, 2, 1.0, print_rounding);
-  expect("rock at 0.00993 s, largest deviation in units of the last digit", 1, 2, 2, 1.0, print_rounding);
-  expect("element 3 at 0.00496 s, largest deviation in units of the last digit", 0, 3, 3, 6.5,
+  expect("rock", "rock", 0, 2, 2, 1.0, print_rounding);
+  expect("rock", "rock", 1, 2, 2, 1.0, print_rounding);
+  expect("element_3", "element 3", 0, 3, 3, 6.5,
          fmt::format("measured: 6.0 (theta; omega 3.3); contact of a node begins at a step, and the first dashpot "
-                     "force changes the column's spin in one step by {:.3f} rad/s, {:.0f} units, so that the "
-                     "deviation of omega is a sixth of one such kick",
+                     "force changes the column's spin in one step by {:.3f} rad/s, {:.0f} units, so that the deviation "
+                     "of omega is a sixth of one such kick",
                      rock.spin, rock.spin / 0.001));
-  expect("element 3 at 0.00993 s, largest deviation in units of the last digit", 1, 3, 3, 13.0,
+  expect("element_3", "element 3", 1, 3, 3, 13.0,
          fmt::format("measured: 12.6 (omega), 11.5 (vy); nodes near the corners of the two layers have touched, and "
                      "one dashpot changes the column's spin in one step by {:.3f} rad/s, {:.0f} units",
                      layers.spin, layers.spin / 0.001));
-  expect("columns 4 to 7 at 0.00496 s, largest deviation in units of the last digit", 0, 4, 7, 4.5,
-         "measured: 4.1 (element 7), 0.5 at element 4: at the front of the wave each further column follows the "
-         "early motion of the one before and adds about 1.2 units");
-  expect("columns 4 to 8 at 0.00993 s, largest deviation in units of the last digit", 1, 4, 8, 4.0,
+  expect("columns", "columns 4 to 7", 0, 4, 7, 4.5,
+         "measured: 4.1 (element 7), 0.5 at element 4: at the front of the wave each further column follows the early "
+         "motion of the one before and adds about 1.2 units");
+  expect("columns", "columns 4 to 8", 1, 4, 8, 4.0,
          "measured: 3.8 (element 8), 0.7 at element 4; cause as for columns 4 to 7 at 0.00496 s, about 0.8 units each");
-  expect("elements 11 to 13 at 0.00993 s, largest deviation in units of the last digit", 1, 11, 13, 170.0,
-         fmt::format("measured: 164 (vy of 12), 107 (vy of 11), 5.8 (vx of 11). The column of the second layer has "
-                     "been in contact for a few steps only: one dashpot changes its velocity in one step by {:.3f} "
-                     "ft/s, a tenth of its speed, while the errors are 0.058 ft/s (vx) and 0.011 ft/s (vy); 12 and "
-                     "13 follow 11",
-                     layers.velocity));
+  expect(
+      "layer_2", "elements 11 to 13", 1, 11, 13, 170.0,
+      fmt::format("measured: 164 (vy of 12), 107 (vy of 11), 5.8 (vx of 11). The column of the second layer has been "
+                  "in contact for a few steps only: one dashpot changes its velocity in one step by {:.3f} ft/s, a "
+                  "tenth of its speed, while the errors are 0.058 ft/s (vx) and 0.011 ft/s (vy); 12 and 13 follow 11",
+                  layers.velocity));
   double fastest = 0.0;
   for (std::size_t element = 10; element < 18; ++element) {
     for (std::size_t i = 3; i < 6; ++i)
-      fastest = std::max(fastest, std::abs(run.states[0].at(element)[i]));
+      keep_largest(fastest, run.states[0].at(element)[i]);
   }
-  findings.expect("largest velocity in the second layer before it is touched", fastest, 0.0,
-                  Tolerance::exact("the static shape is in equilibrium to the last bit; in 1993 it drifted by 1e-12"),
-                  "ft/s, rad/s");
+  findings.expect_exact({"second_layer", "largest velocity in the second layer before it is touched"}, fastest, 0.0,
+                        "the static shape is in equilibrium to the last bit; in 1993 it drifted by 1e-12",
+                        "ft/s, rad/s");
 }
 
 void add_notes(Findings& findings, const Sample2Run& run) {
   const Kick rock = kick(run, run.made.rock_column, 65.0, run.fence.rocks[0].a * 0.5);
-  findings.note(fmt::format(
-      "*Remaining deviations.* Element 3 at 0.00496 s: omega 0.3747 instead of 0.378 rad/s, theta 0.585E-03 instead "
-      "of 0.591E-03. Element 11 at 0.00993 s: vx -1.042 instead of -1.10 ft/s, vy -0.0664 instead of -0.0557 ft/s. "
-      "The dashpot of a node acts for whole steps: the first one changes the velocity of the central column under "
-      "the rock by {:.2f} ft/s or its spin by {:.3f} rad/s. The remaining deviations are a fraction of one such "
-      "kick and are not explained by any rule tried.",
-      rock.velocity, rock.spin));
   findings.note(
-      "*Rules that the two states do not determine.* For the nodes of the rock, overlaps from the side face and "
-      "from the nearest point give the same results here. For the nodes of the other layer, the nearest point comes "
-      "closer to the printed values than the ray from the centroid; the difference, a few units of elements 3 and "
-      "11, is too small to decide. The bottom cable is slack and the rock is above the ground, so that their rules "
-      "have no effect.");
+      fmt::format("*Remaining deviations.* Element 3 at 0.00496 s: omega 0.3747 instead of 0.378 rad/s, theta "
+                  "0.585E-03 instead of 0.591E-03. Element 11 at 0.00993 s: vx -1.042 instead of -1.10 ft/s, vy "
+                  "-0.0664 instead of -0.0557 ft/s. The dashpot of a node acts for whole steps: the first one changes "
+                  "the velocity of the central column under the rock by {:.2f} ft/s or its spin by {:.3f} rad/s. The "
+                  "remaining deviations are a fraction of one such kick and are not explained by any rule tried.",
+                  rock.velocity, rock.spin));
   findings.note(
-      "*The step.* A step shorter by 0.05 % brings columns 4 to 7 of the first state within one unit, but prints "
-      "the second time as .992E-02; the shortest step that prints .993E-02, 0.034 % shorter, reduces the mean "
-      "deviation of the first state from 1.3 to 0.8 units. The listing proves the rule for the step to its third "
-      "digit only; the rule is left unchanged.");
+      "*Rules that the two states do not determine.* For the nodes of the rock, overlaps from the side face and from "
+      "the nearest point give the same results here. For the nodes of the other layer, the nearest point comes closer "
+      "to the printed values than the ray from the centroid; the difference, a few units of elements 3 and 11, is too "
+      "small to decide. The bottom cable is slack and the rock is above the ground, so that their rules have no "
+      "effect.");
   findings.note(
-      "*Contact at the start depends on the last bit.* In feet the rock's edge is at 2.451 - 1.201 = 1.25 ft, on "
-      "the column's face to the last bit, so that it touches at t = 0. If it is one bit further away, as with the "
-      "same numbers written in metres, it does not touch, and the contact forces of the start are missing: see the "
-      "third line of the table of rules.");
+      "*The step.* A step shorter by 0.05 % brings columns 4 to 7 of the first state within one unit, but prints the "
+      "second time as .992E-02; the shortest step that prints .993E-02, 0.034 % shorter, reduces the mean deviation of "
+      "the first state from 1.3 to 0.8 units. The listing proves the rule for the step to its third digit only; the "
+      "rule is left unchanged.");
+  findings.note(
+      "*Contact at the start depends on the last bit.* In feet the rock's edge is at 2.451 - 1.201 = 1.25 ft, on the "
+      "column's face to the last bit, so that it touches at t = 0. If it is one bit further away, as with the same "
+      "numbers written in metres, it does not touch, and the contact forces of the start are missing: see the third "
+      "line of the table of rules.");
 }
 
 void run(Findings& findings, const Setup& setup) {
@@ -387,140 +386,35 @@ Case definition() {
   return {.id = "fence_listing",
           .title = "Printed listing of sample2, to its last digits",
           .family = "the fence",
-          .requirements = {{"Eq. 1", {"elements 11 to 13 at 0.00993 s, largest deviation in units of the last digit"}},
-                           {"Eq. 2",
-                            {"element 3 at 0.00496 s, largest deviation in units of the last digit",
-                             "element 3 at 0.00993 s, largest deviation in units of the last digit",
-                             "columns 4 to 7 at 0.00496 s, largest deviation in units of the last digit",
-                             "columns 4 to 8 at 0.00993 s, largest deviation in units of the last digit"}},
-                           {"Eq. 3",
-                            {"element 3 at 0.00496 s, largest deviation in units of the last digit",
-                             "element 3 at 0.00993 s, largest deviation in units of the last digit",
-                             "columns 4 to 7 at 0.00496 s, largest deviation in units of the last digit",
-                             "columns 4 to 8 at 0.00993 s, largest deviation in units of the last digit"}},
-                           {"Eq. 4",
-                            {"element 3 at 0.00496 s, largest deviation in units of the last digit",
-                             "element 3 at 0.00993 s, largest deviation in units of the last digit",
-                             "columns 4 to 7 at 0.00496 s, largest deviation in units of the last digit",
-                             "columns 4 to 8 at 0.00993 s, largest deviation in units of the last digit"}},
-                           {"Eq. 5",
-                            {"element 3 at 0.00496 s, largest deviation in units of the last digit",
-                             "element 3 at 0.00993 s, largest deviation in units of the last digit",
-                             "columns 4 to 7 at 0.00496 s, largest deviation in units of the last digit",
-                             "columns 4 to 8 at 0.00993 s, largest deviation in units of the last digit"}},
-                           {"Eq. 6",
-                            {"element 3 at 0.00496 s, largest deviation in units of the last digit",
-                             "element 3 at 0.00993 s, largest deviation in units of the last digit",
-                             "largest velocity in the second layer before it is touched"}},
-                           {"Eq. 7",
-                            {"element 3 at 0.00496 s, largest deviation in units of the last digit",
-                             "element 3 at 0.00993 s, largest deviation in units of the last digit",
-                             "columns 4 to 7 at 0.00496 s, largest deviation in units of the last digit",
-                             "columns 4 to 8 at 0.00993 s, largest deviation in units of the last digit"}},
-                           {"Eq. 8",
-                            {"rock at 0.00496 s, largest deviation in units of the last digit",
-                             "rock at 0.00993 s, largest deviation in units of the last digit"}},
-                           {"Eq. 9",
-                            {"rock at 0.00496 s, largest deviation in units of the last digit",
-                             "rock at 0.00993 s, largest deviation in units of the last digit"}},
-                           {"Eq. 10",
-                            {"rock at 0.00496 s, largest deviation in units of the last digit",
-                             "rock at 0.00993 s, largest deviation in units of the last digit"}},
-                           {"Eq. 11",
-                            {"number of derived quantities that differ from the printed listing",
-                             "largest velocity in the second layer before it is touched"}},
-                           {"Eq. 12",
-                            {"columns 4 to 7 at 0.00496 s, largest deviation in units of the last digit",
-                             "columns 4 to 8 at 0.00993 s, largest deviation in units of the last digit",
-                             "largest velocity in the second layer before it is touched"}},
-                           {"Eq. 13",
-                            {"columns 4 to 7 at 0.00496 s, largest deviation in units of the last digit",
-                             "columns 4 to 8 at 0.00993 s, largest deviation in units of the last digit"}},
-                           {"Eq. 14",
-                            {"columns 4 to 7 at 0.00496 s, largest deviation in units of the last digit",
-                             "columns 4 to 8 at 0.00993 s, largest deviation in units of the last digit"}},
-                           {"Eq. 15",
-                            {"columns 4 to 7 at 0.00496 s, largest deviation in units of the last digit",
-                             "columns 4 to 8 at 0.00993 s, largest deviation in units of the last digit"}},
-                           {"Eq. 16",
-                            {"columns 4 to 7 at 0.00496 s, largest deviation in units of the last digit",
-                             "columns 4 to 8 at 0.00993 s, largest deviation in units of the last digit",
-                             "largest velocity in the second layer before it is touched"}},
-                           {"Eq. 17",
-                            {"rock at 0.00496 s, largest deviation in units of the last digit",
-                             "rock at 0.00993 s, largest deviation in units of the last digit",
-                             "element 3 at 0.00496 s, largest deviation in units of the last digit",
-                             "element 3 at 0.00993 s, largest deviation in units of the last digit"}},
-                           {"Eq. 19",
-                            {"rock at 0.00496 s, largest deviation in units of the last digit",
-                             "rock at 0.00993 s, largest deviation in units of the last digit",
-                             "element 3 at 0.00496 s, largest deviation in units of the last digit",
-                             "element 3 at 0.00993 s, largest deviation in units of the last digit"}},
-                           {"Eq. 20",
-                            {"rock at 0.00496 s, largest deviation in units of the last digit",
-                             "rock at 0.00993 s, largest deviation in units of the last digit",
-                             "element 3 at 0.00496 s, largest deviation in units of the last digit",
-                             "element 3 at 0.00993 s, largest deviation in units of the last digit"}},
-                           {"Eq. 21",
-                            {"rock at 0.00496 s, largest deviation in units of the last digit",
-                             "rock at 0.00993 s, largest deviation in units of the last digit"}},
-                           {"Eq. 22",
-                            {"rock at 0.00496 s, largest deviation in units of the last digit",
-                             "rock at 0.00993 s, largest deviation in units of the last digit",
-                             "columns 4 to 7 at 0.00496 s, largest deviation in units of the last digit",
-                             "columns 4 to 8 at 0.00993 s, largest deviation in units of the last digit"}},
-                           {"Eq. 23",
-                            {"columns 4 to 7 at 0.00496 s, largest deviation in units of the last digit",
-                             "columns 4 to 8 at 0.00993 s, largest deviation in units of the last digit"}},
-                           {"Eq. 24",
-                            {"columns 4 to 7 at 0.00496 s, largest deviation in units of the last digit",
-                             "columns 4 to 8 at 0.00993 s, largest deviation in units of the last digit"}},
-                           {"law.linear_spring_dashpot",
-                            {"rock at 0.00496 s, largest deviation in units of the last digit",
-                             "rock at 0.00993 s, largest deviation in units of the last digit"}},
-                           {"law.elastic_plastic",
-                            {"columns 4 to 7 at 0.00496 s, largest deviation in units of the last digit",
-                             "columns 4 to 8 at 0.00993 s, largest deviation in units of the last digit"}},
-                           {"end_rule.attractive",
-                            {"rock at 0.00496 s, largest deviation in units of the last digit",
-                             "rock at 0.00993 s, largest deviation in units of the last digit"}},
-                           {"method.nodes",
-                            {"rock at 0.00496 s, largest deviation in units of the last digit",
-                             "rock at 0.00993 s, largest deviation in units of the last digit"}},
-                           {"shape.superquadric",
-                            {"element 3 at 0.00496 s, largest deviation in units of the last digit",
-                             "element 3 at 0.00993 s, largest deviation in units of the last digit",
-                             "elements 11 to 13 at 0.00993 s, largest deviation in units of the last digit"}},
-                           {"integrator.lagged_central_difference",
-                            {"element 3 at 0.00496 s, largest deviation in units of the last digit",
-                             "element 3 at 0.00993 s, largest deviation in units of the last digit",
-                             "columns 4 to 7 at 0.00496 s, largest deviation in units of the last digit",
-                             "columns 4 to 8 at 0.00993 s, largest deviation in units of the last digit"}}},
-          .main_checks = {"number of derived quantities that differ from the printed listing",
-                          "number of lines before the first state that differ from the printed listing",
-                          "rock at 0.00496 s, largest deviation in units of the last digit",
-                          "rock at 0.00993 s, largest deviation in units of the last digit",
-                          "columns 4 to 8 at 0.00993 s, largest deviation in units of the last digit",
-                          "elements 11 to 13 at 0.00993 s, largest deviation in units of the last digit"},
+          .requirements = {{"Eq. 1", {"layer_2_2"}},
+                           {"Eq. 2, Eq. 3, Eq. 4, Eq. 5", {"element_3", "columns"}},
+                           {"Eq. 6", {"element_3", "second_layer"}},
+                           {"Eq. 7", {"element_3", "columns"}},
+                           {"Eq. 8, Eq. 9, Eq. 10", {"rock"}},
+                           {"Eq. 11", {"derived", "second_layer"}},
+                           {"Eq. 12", {"columns", "second_layer"}},
+                           {"Eq. 13, Eq. 14, Eq. 15", {"columns"}},
+                           {"Eq. 16", {"columns", "second_layer"}},
+                           {"Eq. 17, Eq. 19, Eq. 20", {"rock", "element_3"}},
+                           {"Eq. 21", {"rock"}},
+                           {"Eq. 22", {"rock", "columns"}},
+                           {"Eq. 23, Eq. 24", {"columns"}},
+                           {"law.linear_spring_dashpot", {"rock"}},
+                           {"law.elastic_plastic", {"columns"}},
+                           {"end_rule.attractive, method.nodes", {"rock"}},
+                           {"shape.superquadric", {"element_3", "layer_2_2"}},
+                           {"integrator.lagged_central_difference", {"element_3", "columns"}}},
+          .main_checks = {"derived", "head_lines", "rock_1", "rock_2", "columns_2", "layer_2_2"},
           .source = "Mustoe & Huttelmaier 1993, Appendix II.5.1 and II.5.2, sample2.DAT and sample2.OUT",
-          .faults = {{"damping_halved", "half of the dashpot at each node",
-                      "rock at 0.00496 s, largest deviation in units of the last digit"},
-                     {"sixteen_nodes", "sixteen nodes on the rock",
-                      "rock at 0.00496 s, largest deviation in units of the last digit"},
-                     {"clamped", "contact forces clamped at zero",
-                      "element 3 at 0.00496 s, largest deviation in units of the last digit"},
-                     {"plain_start", "no half kick before the start",
-                      "columns 4 to 7 at 0.00496 s, largest deviation in units of the last digit"},
-                     {"no_lag", "dashpots use the velocities of half a step before",
-                      "element 3 at 0.00993 s, largest deviation in units of the last digit"},
-                     {"sharp_columns", "columns of exponent 40",
-                      "elements 11 to 13 at 0.00993 s, largest deviation in units of the last digit"},
-                     {"half_density", "columns of half the density",
-                      "number of lines before the first state that differ from the printed listing"},
-                     {"ground_factor_one", "stiffness of ground and rock without its factor 2",
-                      "number of derived quantities that differ from the printed listing"},
-                     {"unbalanced", "static equilibrium without the correction of its last digit",
-                      "largest velocity in the second layer before it is touched"}},
+          .faults = {{"damping_halved", "half of the dashpot at each node", "rock_1"},
+                     {"sixteen_nodes", "sixteen nodes on the rock", "rock_1"},
+                     {"clamped", "contact forces clamped at zero", "element_3_1"},
+                     {"plain_start", "no half kick before the start", "columns_1"},
+                     {"no_lag", "dashpots use the velocities of half a step before", "element_3_2"},
+                     {"sharp_columns", "columns of exponent 40", "layer_2_2"},
+                     {"half_density", "columns of half the density", "head_lines"},
+                     {"ground_factor_one", "stiffness of ground and rock without its factor 2", "derived"},
+                     {"unbalanced", "static equilibrium without the correction of its last digit", "second_layer"}},
           .run = run};
 }
 

@@ -1,15 +1,9 @@
-#include <fmt/format.h>
-
-#include <algorithm>
-#include <cmath>
 #include <filesystem>
-#include <utility>
 
 #include "solver/io/fence1993/read_deck.hpp"
 #include "solver/scenes/fence_scene.hpp"
-#include "verification/check/case.hpp"
 #include "verification/reference/impacts/restitution.hpp"
-#include "verification/study/runs/scene_run.hpp"
+#include "verification/study/toolkit.hpp"
 
 namespace talus::verification::problems::fence_models {
 namespace {
@@ -63,17 +57,18 @@ void check_halves(Findings& findings, const Setup& setup) {
     findings.count(half.evaluations + full.evaluations);
     return distance(half, full);
   };
-  findings.expect("13 columns: half model against full model at 0.05 s, largest position difference",
-                  apart(13, scenes::EvenCentre::pair), 0.0,
-                  Tolerance::exact("cable forces are summed before contact forces, and T + T is 2 T"), "ft");
+  findings.expect_exact(
+      {"half_13_columns", "13 columns: half model against full model at 0.05 s, largest position difference"},
+      apart(13, scenes::EvenCentre::pair), 0.0, "cable forces are summed before contact forces, and T + T is 2 T",
+      "ft");
   if (!setup.needs("12 columns")) return;
-  findings.expect(
-      "12 columns, two central ones: half model against full model at 0.05 s, largest position difference",
-      apart(12, scenes::EvenCentre::pair), 0.0,
-      Tolerance::round_off(1e-11,
-                           "the full model sums the rock's two contact forces, where the half model doubles one: "
-                           "1e-16 of a force per step changes speeds up to 65 ft/s by 2e-13 ft/s in 600 steps of "
-                           "impacts, positions by 1e-14 ft; later impacts may amplify that a thousandfold"),
+  findings.expect_round_off(
+      {"half_12_columns",
+       "12 columns, two central ones: half model against full model at 0.05 s, largest position difference"},
+      apart(12, scenes::EvenCentre::pair), 0.0, 1e-11,
+      "the full model sums the rock's two contact forces, where the half model doubles one: 1e-16 of a force per step "
+      "changes speeds up to 65 ft/s by 2e-13 ft/s in 600 steps of impacts, positions by 1e-14 ft; later impacts may "
+      "amplify that a thousandfold",
       "ft");
   findings.expect_between(
       "12 columns, central one doubled as in 1993: largest position difference from the full model at 0.05 s",
@@ -112,26 +107,26 @@ void check_nodes(Findings& findings, const Setup& setup) {
   }
   const double by_resultant = rock_speed(findings, {}, 12, scenes::FenceContact::resultant);
   const double growth = (nodes.y.back() - by_resultant) / (nodes.y[0] - by_resultant);
-  findings.expect_between("rock's speed by 192 nodes from that by one resultant, over the same by 12", growth, 2.0, 8.0,
+  findings.expect_between({"many_nodes", "rock's speed by 192 nodes from that by one resultant, over the same by 12"},
+                          growth, 2.0, 8.0,
                           "a refinement of first order would reduce it to 1/16; here 16 times as many springs and "
                           "dashpots act, and the impact becomes plastic");
   if (setup.coarse) return;
-  findings.note(fmt::format(
-      "*More nodes do not refine the contact.* The rock of sample2 leaves its first contact at {:.1f}, {:.1f}, "
-      "{:.1f}, {:.1f} and {:.1f} ft/s with 12, 24, 48, 96 and 192 nodes (printed in 1993 with 12: -49.0), and at "
-      "{:.1f} ft/s with one resultant. With the normal of the body with the smaller boundary gradient, the rule of "
-      "the paper's Appendix I, it leaves at {:.1f} ft/s with 12 nodes.",
-      nodes.y[0], nodes.y[1], nodes.y[2], nodes.y[3], nodes.y[4], by_resultant,
-      rock_speed(findings, {}, 12, scenes::FenceContact::smoother)));
-  findings.figure({.name = "nodes",
-                   .title = "Speed of the rock of sample2 after the first contact against the number of nodes",
-                   .caption =
-                       "Contacts at nodes with the stiffness and dashpot of 1993 do not converge with the number of "
-                       "nodes.",
-                   .x = {.label = "boundary nodes of the rock", .log = true},
-                   .y = {.label = "x velocity at 0.00496 s", .unit = "ft/s"},
-                   .series = {nodes},
-                   .lines = {{'y', by_resultant, "one resultant"}, {'y', -49.0, "printed in 1993"}}});
+  findings.note(
+      fmt::format("*More nodes do not refine the contact.* The rock of sample2 leaves its first contact at {:.1f}, "
+                  "{:.1f}, {:.1f}, {:.1f} and {:.1f} ft/s with 12, 24, 48, 96 and 192 nodes (printed in 1993 with 12: "
+                  "-49.0), and at {:.1f} ft/s with one resultant. With the normal of the body with the smaller "
+                  "boundary gradient, the rule of the paper's Appendix I, it leaves at {:.1f} ft/s with 12 nodes.",
+                  nodes.y[0], nodes.y[1], nodes.y[2], nodes.y[3], nodes.y[4], by_resultant,
+                  rock_speed(findings, {}, 12, scenes::FenceContact::smoother)));
+  findings.figure(
+      {.name = "nodes",
+       .title = "Speed of the rock of sample2 after the first contact against the number of nodes",
+       .caption = "Contacts at nodes with the stiffness and dashpot of 1993 do not converge with the number of nodes.",
+       .x = {.label = "boundary nodes of the rock", .log = true},
+       .y = {.label = "x velocity at 0.00496 s", .unit = "ft/s"},
+       .series = {nodes},
+       .lines = {{'y', by_resultant, "one resultant"}, {'y', -49.0, "printed in 1993"}}});
 }
 
 void check_resultant_order(Findings& findings, const Setup& setup) {
@@ -155,18 +150,18 @@ void check_resultant_order(Findings& findings, const Setup& setup) {
     }
     errors.add(first_print / steps, std::sqrt(squares / offsets));
   }
-  findings.expect_order("order of the rock's speed with one resultant per pair", errors, 0.8, 1.35,
-                        "first order: the dashpot force is evaluated half a kick late, and the release falls "
-                        "anywhere in its step");
+  findings.expect_order(
+      {"order_one_resultant", "order of the rock's speed with one resultant per pair"}, errors, 0.8, 1.35,
+      "first order: the dashpot force is evaluated half a kick late, and the release falls anywhere in its step");
   if (setup.coarse) return;
-  findings.figure({.name = "resultant",
-                   .title = "Error of the rock's speed with one resultant per pair against the step",
-                   .caption = "Root mean square over eight nearby step sizes for each point. Reference: a run of "
-                              "400 000 steps.",
-                   .x = {.label = "step", .unit = "s", .log = true},
-                   .y = {.label = "error of the x velocity at 0.00496 s", .unit = "ft/s", .log = true},
-                   .series = {{.label = "velocity Verlet, clamped", .x = errors.steps(), .y = errors.errors()}},
-                   .slopes = {{1.0, errors.steps()[0], errors.errors()[0], "h"}}});
+  findings.figure(
+      {.name = "resultant",
+       .title = "Error of the rock's speed with one resultant per pair against the step",
+       .caption = "Root mean square over eight nearby step sizes for each point. Reference: a run of 400 000 steps.",
+       .x = {.label = "step", .unit = "s", .log = true},
+       .y = {.label = "error of the x velocity at 0.00496 s", .unit = "ft/s", .log = true},
+       .series = {{.label = "velocity Verlet, clamped", .x = errors.steps(), .y = errors.errors()}},
+       .slopes = {{1.0, errors.steps()[0], errors.errors()[0], "h"}}});
 }
 
 /// Coefficient of restitution of an impact at a height above a column's centre, measured and predicted.
@@ -207,8 +202,8 @@ void check_calibration(Findings& findings, const Setup& setup) {
     if (setup.coarse && height != 3.0) continue;
     const OffCentre particles = off_centre(height, scenes::FenceCalibration::particles);
     const OffCentre felt = off_centre(height, effective);
-    worst_effective = std::max(worst_effective, std::abs(felt.measured - 0.4));
-    worst_particles = std::max(worst_particles, std::abs(particles.measured - particles.predicted));
+    keep_largest(worst_effective, felt.measured - 0.4);
+    keep_largest(worst_particles, particles.measured - particles.predicted);
     by_particles.add(height, particles.measured);
     predicted.add(height, particles.predicted);
     by_effective.add(height, felt.measured);
@@ -219,10 +214,11 @@ void check_calibration(Findings& findings, const Setup& setup) {
       "is 0.029 ft/s or 0.00045 of 65 ft/s; in 3e-5 s from the end of contact to the reading the struck point moves on "
       "by w^2 a t = 0.008 ft/s, 0.00013; the step, 0.0023 rad of the contact's phase, changes the release by up to "
       "0.0006";
-  findings.expect("restitution with the effective mass, -3 to 3 ft off centre, largest deviation from 0.4",
-                  worst_effective, 0.0, Tolerance::model(0.0012, why));
-  findings.expect("restitution by Eq. 21 off centre, largest deviation from its prediction", worst_particles, 0.0,
-                  Tolerance::model(0.0012, why));
+  findings.expect_model(
+      {"effective_mass", "restitution with the effective mass, -3 to 3 ft off centre, largest deviation from 0.4"},
+      worst_effective, 0.0, 0.0012, why);
+  findings.expect_model({"eq_21_off_centre", "restitution by Eq. 21 off centre, largest deviation from its prediction"},
+                        worst_particles, 0.0, 0.0012, why);
   if (setup.coarse) return;
   findings.figure({.name = "calibration",
                    .title = "Restitution of an impact off the column's centre",
@@ -243,37 +239,21 @@ void run(Findings& findings, const Setup& setup) {
 }  // namespace
 
 Case definition() {
-  return {
-      .id = "fence_models",
-      .title = "Models of one fence: half model, nodes, dashpots",
-      .family = "the fence",
-      .requirements = {{"Eq. 21",
-                        {"restitution with the effective mass, -3 to 3 ft off centre, largest deviation from 0.4",
-                         "restitution by Eq. 21 off centre, largest deviation from its prediction"}},
-                       {"method.nodes", {"rock's speed by 192 nodes from that by one resultant, over the same by 12"}},
-                       {"method.resultant",
-                        {"rock's speed by 192 nodes from that by one resultant, over the same by 12",
-                         "order of the rock's speed with one resultant per pair"}},
-                       {"law.linear_spring_dashpot",
-                        {"restitution with the effective mass, -3 to 3 ft off centre, largest deviation from 0.4",
-                         "restitution by Eq. 21 off centre, largest deviation from its prediction"}},
-                       {"integrator.lagged_central_difference",
-                        {"13 columns: half model against full model at 0.05 s, largest position difference",
-                         "12 columns, two central ones: half model against full model at 0.05 s, largest position "
-                         "difference"}}},
-      .main_checks = {"13 columns: half model against full model at 0.05 s, largest position difference",
-                      "rock's speed by 192 nodes from that by one resultant, over the same by 12",
-                      "order of the rock's speed with one resultant per pair",
-                      "restitution with the effective mass, -3 to 3 ft off centre, largest deviation from 0.4"},
-      .source = "Mustoe & Huttelmaier 1993, sections 3.1, 3.5, 3.6, Appendix I, Appendix II",
-      .faults = {{"segment_once", "top cable of the half model with 0.1 % less area",
-                  "13 columns: half model against full model at 0.05 s, largest position difference"},
-                 {"shared_stiffness", "the stiffness of 12 nodes divided among all nodes",
-                  "rock's speed by 192 nodes from that by one resultant, over the same by 12"},
-                 {"particle_masses", "dashpots from the particle masses everywhere",
-                  "restitution with the effective mass, -3 to 3 ft off centre, largest deviation from 0.4"}},
-      .seconds = 3.0,
-      .run = run};
+  return {.id = "fence_models",
+          .title = "Models of one fence: half model, nodes, dashpots",
+          .family = "the fence",
+          .requirements = {{"Eq. 21", {"effective_mass", "eq_21_off_centre"}},
+                           {"method.nodes", {"many_nodes"}},
+                           {"method.resultant", {"many_nodes", "order_one_resultant"}},
+                           {"law.linear_spring_dashpot", {"effective_mass", "eq_21_off_centre"}},
+                           {"integrator.lagged_central_difference", {"half_13_columns", "half_12_columns"}}},
+          .main_checks = {"half_13_columns", "many_nodes", "order_one_resultant", "effective_mass"},
+          .source = "Mustoe & Huttelmaier 1993, sections 3.1, 3.5, 3.6, Appendix I, Appendix II",
+          .faults = {{"segment_once", "top cable of the half model with 0.1 % less area", "half_13_columns"},
+                     {"shared_stiffness", "the stiffness of 12 nodes divided among all nodes", "many_nodes"},
+                     {"particle_masses", "dashpots from the particle masses everywhere", "effective_mass"}},
+          .seconds = 3.0,
+          .run = run};
 }
 
 }  // namespace talus::verification::problems::fence_models

@@ -1,17 +1,9 @@
-#include <fmt/format.h>
-
-#include <cmath>
-#include <limits>
-#include <numbers>
-#include <string>
 #include <variant>
-#include <vector>
 
 #include "solver/geometry/shape.hpp"
 #include "solver/scenes/fence_scene.hpp"
 #include "verification/problems/fence/fence_layouts.hpp"
-#include "verification/study/findings/expectations.hpp"
-#include "verification/study/runs/scene_run.hpp"
+#include "verification/study/toolkit.hpp"
 
 namespace talus::verification::problems::fence_layouts {
 
@@ -32,10 +24,9 @@ void check_outlines(Findings& findings) {
     const double angle = (static_cast<double>(i) + 0.5) * std::numbers::pi / 6.0;
     keep_worst(apart, norm(nodes[i] - rock.a * Vec2{std::cos(angle), std::sin(angle)}) / rock.a);
   }
-  findings.expect(
-      "nodes of a circular superquadric outline, largest distance from the middles of twelve equal "
-      "angles",
-      apart, 0.0, Tolerance::round_off(1e-15, "a sine or cosine, a product and a square root"));
+  findings.expect_round_off(
+      "nodes of a circular superquadric outline, largest distance from the middles of twelve equal angles", apart, 0.0,
+      1e-15, "a sine or cosine, a product and a square root");
   findings.expect_true("circular superquadric outline replaced by a circle for contact by resultant",
                        std::holds_alternative<Circle>(outline(scenes::FenceContact::resultant)),
                        "the gaps of circles have closed forms");
@@ -46,10 +37,10 @@ void check_outlines(Findings& findings) {
   Probe probe{scene.model};
   probe.evaluate(first_state(scene));
   const double slope = 4.0 / 100.0, over = rock.position.y - (-4.0 + slope * rock.position.x);
-  findings.expect("distance of the rock from a ground profile in world coordinates",
-                  -probe.overlap(index(*find_contact(scene.model, "rock-ground"))),
-                  over / std::hypot(1.0, slope) - rock.a,
-                  Tolerance::round_off(1e-14, "a dozen operations on lengths of 50 ft"), "ft");
+  findings.expect_round_off("distance of the rock from a ground profile in world coordinates",
+                            -probe.overlap(index(*find_contact(scene.model, "rock-ground"))),
+                            over / std::hypot(1.0, slope) - rock.a, 1e-14, "a dozen operations on lengths of 50 ft",
+                            "ft");
 }
 
 /// Checks which columns a rock can hit in a full fence: those within half their spacing of it, two if it is midway
@@ -70,8 +61,8 @@ void check_reach(Findings& findings) {
       }
     }
   }
-  findings.expect("columns wrongly within or out of reach of a rock between two columns", wrong, 0.0,
-                  Tolerance::exact("a count over thirteen columns, ten positions of the rock and two spacings"));
+  findings.expect_exact("columns wrongly within or out of reach of a rock between two columns", wrong, 0.0,
+                        "a count over thirteen columns, ten positions of the rock and two spacings");
 }
 
 }  // namespace talus::verification::problems::fence_layouts

@@ -1,13 +1,7 @@
 #include "verification/problems/fence/fence_snapshots.hpp"
 
-#include <fmt/format.h>
-
-#include <cmath>
-#include <numbers>
-#include <utility>
-
 #include "solver/scenes/fence_scene.hpp"
-#include "verification/study/runs/scene_run.hpp"
+#include "verification/study/toolkit.hpp"
 
 namespace talus::verification::problems {
 namespace {

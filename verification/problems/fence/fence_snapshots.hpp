@@ -1,10 +1,7 @@
 #pragma once
 
-#include <string>
-#include <vector>
-
 #include "solver/scenes/fence.hpp"
-#include "verification/check/figure.hpp"
+#include "verification/study/toolkit.hpp"
 
 namespace talus::verification::problems {
 

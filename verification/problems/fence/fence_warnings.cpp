@@ -1,19 +1,12 @@
-#include <fmt/format.h>
-
-#include <array>
 #include <fstream>
 #include <iterator>
-#include <string>
-#include <utility>
-#include <vector>
 
 #include "solver/base/error.hpp"
 #include "solver/io/scene/read_scene.hpp"
 #include "solver/scenes/fence_plausibility.hpp"
 #include "solver/scenes/fence_scene.hpp"
 #include "verification/problems/fence/fence_layouts.hpp"
-#include "verification/study/findings/expectations.hpp"
-#include "verification/study/runs/scene_run.hpp"
+#include "verification/study/toolkit.hpp"
 
 namespace talus::verification::problems::fence_layouts {
 
@@ -65,8 +58,8 @@ void check_warnings(Findings& findings) {
   single.columns = 1, single.spacing = 1.0, single.changed_columns = {unlike};
   single.changed_columns[0] = {1, 1.75, sound.column.b, sound.column.density, sound.y_top, sound.y_bottom};
   const std::vector<std::string> alone = scenes::implausible_geometry(single, scenes::fence_scene(single));
-  findings.expect("number of warnings for a single column wider than the spacing", static_cast<double>(alone.size()),
-                  0.0, Tolerance::exact("a count"));
+  findings.expect_exact("number of warnings for a single column wider than the spacing",
+                        static_cast<double>(alone.size()), 0.0, "a count");
   scenes::Fence tight = sound;
   tight.layers = 2, tight.spacing = 2.0, tight.layer_spacing = 1.75;
   const std::vector<std::string> said = scenes::implausible_geometry(tight, scenes::fence_scene(tight));
@@ -75,8 +68,8 @@ void check_warnings(Findings& findings) {
                            said[1].ends_with("overlap by 0.75 ft") && said[0].find("2.5 ft") != std::string::npos &&
                            said[1].find("2.5 ft") != std::string::npos,
                        "columns 2.5 ft wide at distances of 2 ft and 1.75 ft");
-  findings.expect("number of warning limits with a missing, wrong or additional warning", wrong, 0.0,
-                  Tolerance::exact("a count of eight limits; tested a ten-thousandth to either side"));
+  findings.expect_exact("number of warning limits with a missing, wrong or additional warning", wrong, 0.0,
+                        "a count of eight limits; tested a ten-thousandth to either side");
 }
 
 /// Checks which integers of a fence file are refused by name: at both ends of their ranges and one beyond each.
@@ -116,8 +109,8 @@ void check_counts(Findings& findings) {
     for (const long value : {range.least, range.most})
       wrong += refused(range, value) ? 1.0 : 0.0;
   }
-  findings.expect("number of integers at or beyond the ends of their ranges that are wrongly accepted or refused",
-                  wrong, 0.0, Tolerance::exact("a count of 29"));
+  findings.expect_exact("number of integers at or beyond the ends of their ranges that are wrongly accepted or refused",
+                        wrong, 0.0, "a count of 29");
 }
 
 /// Checks runs that end when the rocks have passed a position, or are at rest.

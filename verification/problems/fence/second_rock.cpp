@@ -1,21 +1,13 @@
-#include <fmt/format.h>
-
-#include <algorithm>
-#include <cmath>
-#include <functional>
-#include <numbers>
 #include <span>
 
 #include "solver/run/failure_log.hpp"
 #include "solver/scenes/fence_scene.hpp"
 #include "solver/scenes/fence_summary.hpp"
-#include "verification/check/case.hpp"
 #include "verification/problems/fence/watched_summary.hpp"
 #include "verification/reference/cables/cable_draw.hpp"
-#include "verification/study/findings/expectations.hpp"
-#include "verification/study/runs/scene_run.hpp"
 #include "verification/study/scenes/cable_scenes.hpp"
 #include "verification/study/scenes/fence_table.hpp"
+#include "verification/study/toolkit.hpp"
 
 namespace talus::verification::problems::second_rock {
 namespace {
@@ -55,21 +47,19 @@ void check_carried_cables(Findings& findings, const Setup& setup) {
     const Tolerance to_tolerance =
         Tolerance::truncation(5.0 * tolerance * second_speed, 1.0,
                               "local errors below 1e-11 of speed and distance travelled, about ten of one sign");
-    findings.in("second_exit")
-        ->expect(fmt::format("exit speed of the second mass, {}", name), -run.end.v[0], second.exit_speed, to_tolerance,
-                 "m/s");
-    findings.in("second_stretch")
-        ->expect(fmt::format("plastic elongation by both masses, {}", name), before + run.end.z[0], second.stretch,
-                 to_tolerance, "m");
+    findings.expect({"second_exit", fmt::format("exit speed of the second mass, {}", name)}, -run.end.v[0],
+                    second.exit_speed, to_tolerance, "m/s");
+    findings.expect({"second_stretch", fmt::format("plastic elongation by both masses, {}", name)},
+                    before + run.end.z[0], second.stretch, to_tolerance, "m");
     // The rupture elongation counts from the original length.
     for (const double ratio : {0.999, 1.001}) {
       ElasticPlastic weak = law;
       weak.rupture = ratio * second.stretch;
       const bool broke = throw_second(weak, before, findings, setup).end.mode[0] == ElasticPlastic::broken;
-      findings.in("second_rupture")
-          ->expect_true(fmt::format("rupture at {:g} of the plastic elongation by both masses, {}", ratio, name),
-                        broke == (ratio < 1.0),
-                        "the elongation is known to 1e-10, and the two limits differ from it by a thousandth");
+      findings.expect_true(
+          {"second_rupture", fmt::format("rupture at {:g} of the plastic elongation by both masses, {}", ratio, name)},
+          broke == (ratio < 1.0),
+          "the elongation is known to 1e-10, and the two limits differ from it by a thousandth");
     }
   }
 }
@@ -95,8 +85,8 @@ void check_short_yield(Findings& findings) {
     reported += log.failures().empty() ? 0 : 1;
     seen_yielding += yields ? 1 : 0;
   }
-  findings.expect("number of phases with a reported yield against those with a plastic elongation", reported, drawn,
-                  Tolerance::exact("counts over 64 phases"));
+  findings.expect_exact("number of phases with a reported yield against those with a plastic elongation", reported,
+                        drawn, "counts over 64 phases");
   findings.expect_true("existence of phases without a yielding state at any step", drawn > 0 && seen_yielding < drawn,
                        "the cable yields for 0.63 of a step: acos(1/1.0005) = 0.0316 in steps of 0.05");
 }
@@ -139,11 +129,10 @@ void check_fence_cables(Findings& findings, const Setup& setup) {
     keep_worst(strain, law.rupture / (rupture * cable.rest_length) - 1.0);
   }
   const Tolerance same =
-      Tolerance::round_off(3e-15,
-                           "a dozen operations, 1.1e-16 each, doubled by a difference of half of each "
-                           "term");
+      Tolerance::round_off(3e-15, "a dozen operations, 1.1e-16 each, doubled by a difference of half of each term");
   findings.expect(
-      "tangent stiffness of yielding cables against the given fraction of Young's modulus, worst relative error",
+      {"tangent",
+       "tangent stiffness of yielding cables against the given fraction of Young's modulus, worst relative error"},
       tangent, 0.0, same);
   findings.expect("stiffness times length of cables against E A (two strands at the bottom), worst relative error",
                   strands, 0.0, same);
@@ -172,13 +161,12 @@ void check_fence_cables(Findings& findings, const Setup& setup) {
     }
   }
   findings.expect("yield force from a table of strains, worst relative error", table, 0.0, same);
-  findings.expect("yield force for the next rock, worst relative error", carried, 0.0,
-                  Tolerance::round_off(
-                      5e-15,
-                      "an elongation of 0.01 ft is a difference of two elongations of 0.03 ft: a dozen operations, "
-                      "1.1e-16 each, times three"));
-  findings.expect("rest length for the next rock against first rest length plus plastic elongation, worst error",
-                  length, 0.0, Tolerance::round_off(1e-15, "one rounding of a length of 2.5 ft"), "ft");
+  findings.expect_round_off("yield force for the next rock, worst relative error", carried, 0.0, 5e-15,
+                            "an elongation of 0.01 ft is a difference of two elongations of 0.03 ft: a dozen "
+                            "operations, 1.1e-16 each, times three");
+  findings.expect_round_off(
+      "rest length for the next rock against first rest length plus plastic elongation, worst error", length, 0.0,
+      1e-15, "one rounding of a length of 2.5 ft", "ft");
   // Equilibrium of the columns on the longer cables: pulls, from lengths in space, and weights.
   const Model& model = next.scene.model;
   std::vector<double> up(model.bodies.size(), 0.0);
@@ -196,11 +184,12 @@ void check_fence_cables(Findings& findings, const Setup& setup) {
     keep_worst(balance, up[body] / (model.bodies[body].mass * fence.gravity) - 1.0);
     lower = std::max(lower, made.scene.model.bodies[body].p_WB.y - model.bodies[body].p_WB.y);
   }
-  findings.expect("vertical cable force over weight of the columns on stretched cables, worst relative error", balance,
-                  0.0,
-                  Tolerance::round_off(5e-11,
-                                       "Newton's method, whose last step squares the error, ends at the round-off of "
-                                       "the tensions, 1e-8 lb or 2e-11 of a weight (case fence_layouts)"));
+  findings.expect_round_off(
+      {"stretched_equilibrium",
+       "vertical cable force over weight of the columns on stretched cables, worst relative error"},
+      balance, 0.0, 5e-11,
+      "Newton's method, whose last step squares the error, ends at the round-off of the tensions, 1e-8 lb or 2e-11 of "
+      "a weight (case fence_layouts)");
   findings.expect_true("columns lower on stretched cables", lower > 0.05,
                        "the cable over 55 ft is longer by 0.008 ft and 0.024 ft");
 }
@@ -280,9 +269,8 @@ void check_two_rocks(Findings& findings, const Setup& setup) {
   const auto& usual =
       std::get<LinearSpringDashpot>(by_width.contacts[index(*find_contact(by_width, "column1-back_column1"))].law);
   keep_worst(stiff, usual.stiffness / spring(1.0, 0.5 * column.mass, stated.penetration * stated.column.a) - 1.0);
-  const Tolerance same = Tolerance::round_off(5e-15,
-                                              "about thirty operations, 1.1e-16 each, and the damping ratio from a "
-                                              "bisection");
+  const Tolerance same =
+      Tolerance::round_off(5e-15, "about thirty operations, 1.1e-16 each, and the damping ratio from a bisection");
   findings.expect("stiffness of each rock's contacts, worst relative error", stiff, 0.0, same);
   findings.expect("dashpot of each rock's contact at its impact height, worst relative error", damped, 0.0, same);
   findings.expect("shear stiffness of each rock's contact, worst relative error", shear, 0.0, same);
@@ -309,20 +297,20 @@ void check_summary(Findings& findings, const Setup& setup) {
                        later.rocks[1].verdict == scenes::Verdict::passed_over &&
                            later.rocks[1].passed_time == summary.rocks[1].passed_time,
                        "the passage precedes the interruption");
-  findings.expect("number of values that differ between resumed and uninterrupted summary, run with two rocks",
-                  watch.resumed_differences(), 0.0, Tolerance::exact("the saved state is exact to the last bit"));
+  findings.expect_exact("number of values that differ between resumed and uninterrupted summary, run with two rocks",
+                        watch.resumed_differences(), 0.0, "the saved state is exact to the last bit");
   double farthest = 0.0;
   for (const scenes::ColumnRecord& column : summary.columns) {
     const auto x = [&](const State& state) { return pose(made.scene.model, state, column.body).p_WB.x; };
-    farthest = std::max(farthest, std::abs(x(summary.at_travel) - x(start)));
+    keep_largest(farthest, x(summary.at_travel) - x(start));
   }
-  findings.expect("largest displacement of the columns in the state recorded for it", farthest, summary.travel,
-                  Tolerance::exact("the same difference of two numbers"), "ft");
+  findings.expect_exact("largest displacement of the columns in the state recorded for it", farthest, summary.travel,
+                        "the same difference of two numbers", "ft");
   findings.expect_true("passage of the second rock over the fence from behind",
                        summary.rocks[1].verdict == scenes::Verdict::passed_over && !summary.rocks[1].touched,
                        "it flies 8 ft above the columns, in the direction opposite to the first rock");
-  findings.expect("time of the passage of the second rock", summary.rocks[1].passed_time, 3.0 / 150.0,
-                  Tolerance::truncation(step, 1.0, "recorded at the first step after the passage"), "s");
+  findings.expect_truncation("time of the passage of the second rock", summary.rocks[1].passed_time, 3.0 / 150.0, step,
+                             1.0, "recorded at the first step after the passage", "s");
   // Momentum change of all bodies against the impulse on the anchors, and of a column against that of its hanger.
   const Model& model = made.scene.model;
   Vec2 change, of_column;
@@ -348,8 +336,9 @@ void check_summary(Findings& findings, const Setup& setup) {
       "velocity Verlet integrates forces to the momentum by the same trapezoidal rule: 2250 sums, each rounded by "
       "1.1e-16 of the sum: 2.5e-13 if all have the same sign";
   const double thrown = summary.rocks[0].mass * norm(fence.rocks[0].velocity);
-  findings.expect("balance of the momentum across the fence with the impulse on the anchors, relative error",
-                  (change.x + anchors.x) / thrown, 0.0, sums(words));
+  findings.expect(
+      {"momentum_balance", "balance of the momentum across the fence with the impulse on the anchors, relative error"},
+      (change.x + anchors.x) / thrown, 0.0, sums(words));
   findings.expect("balance of the vertical momentum with weights and impulse on the anchors, relative error",
                   (change.y + weight * end + anchors.y) / (weight * end), 0.0, sums(words));
   findings.expect("balance of a column's momentum with its weight and the impulse of its hanger, relative error",
@@ -383,9 +372,10 @@ void check_verdicts(Findings& findings, const Setup& setup) {
     touch = rock.touch_time;
     return rock.touched ? rock.verdict : Verdict::undecided;
   };
-  findings.expect_true("verdict on a low rock with hangers of 1.2 times a column's weight: breaks through",
-                       verdict_of(setup.has("hangers_hold") ? 1e9 : 580.0, 2, 0.02) == Verdict::broke_through,
-                       "the struck column loads its hanger with more");
+  findings.expect_true(
+      {"low_rock", "verdict on a low rock with hangers of 1.2 times a column's weight: breaks through"},
+      verdict_of(setup.has("hangers_hold") ? 1e9 : 580.0, 2, 0.02) == Verdict::broke_through,
+      "the struck column loads its hanger with more");
   // Resumed at the step before touch, and while the rock pushes the column.
   const double before = touch - 1.5 * step, within = touch + 5.0 * step;
   findings.expect_true(
@@ -404,18 +394,18 @@ void check_verdicts(Findings& findings, const Setup& setup) {
   findings.expect_true("verdict on a light rock: stopped, turning before the interruption and leaving after it",
                        light.verdict == Verdict::stopped && light.turned && light.braking_time < 1.6e-3 && light.left &&
                            light.exit_time > 1.6e-3,
-                       "it turns after a little more than a third of the contact, which takes pi 0.06 ft/65 ft/s = "
-                       "2.9 ms without a dashpot");
-  findings.expect("tensions at which cables yield or break, worst error", limits, 0.0,
-                  Tolerance::exact("the smaller of two numbers"), "lb");
-  findings.expect("number of values that differ between resumed and uninterrupted summaries, runs with one rock",
-                  resumed, 0.0, Tolerance::exact("the saved state is exact to the last bit"));
-  findings.expect("heights of the lowest top joint, the highest bottom joint and the rock, worst error", heights, 0.0,
-                  Tolerance::round_off(1e-13, "a dozen operations on lengths of 25 ft"), "ft");
-  findings.expect("largest tensions of top and bottom cable in the rows of the history, worst error", tensions, 0.0,
-                  Tolerance::exact("the same tensions"), "lb");
-  findings.expect("largest hanger force in the rows of the history, worst error", hangers, 0.0,
-                  Tolerance::exact("the same sums of cable forces"), "lb");
+                       "it turns after a little more than a third of the contact, which takes pi 0.06 ft/65 ft/s = 2.9 "
+                       "ms without a dashpot");
+  findings.expect_exact("tensions at which cables yield or break, worst error", limits, 0.0,
+                        "the smaller of two numbers", "lb");
+  findings.expect_exact("number of values that differ between resumed and uninterrupted summaries, runs with one rock",
+                        resumed, 0.0, "the saved state is exact to the last bit");
+  findings.expect_round_off("heights of the lowest top joint, the highest bottom joint and the rock, worst error",
+                            heights, 0.0, 1e-13, "a dozen operations on lengths of 25 ft", "ft");
+  findings.expect_exact("largest tensions of top and bottom cable in the rows of the history, worst error", tensions,
+                        0.0, "the same tensions", "lb");
+  findings.expect_exact("largest hanger force in the rows of the history, worst error", hangers, 0.0,
+                        "the same sums of cable forces", "lb");
 }
 
 void run(Findings& findings, const Setup& setup) {
@@ -430,32 +420,27 @@ void run(Findings& findings, const Setup& setup) {
 }  // namespace
 
 Case definition() {
-  return {.id = "second_rock",
-          .title = "Second impact on a deformed fence",
-          .family = "the fence",
-          .requirements = {{"law.elastic_plastic", {"second_exit", "second_stretch", "second_rupture"}},
-                           {"mechanism.cable_yield", {"second_exit", "second_stretch"}},
-                           {"regime.elastic_plastic.yielding", {"second_exit", "second_stretch"}},
-                           {"regime.elastic_plastic.broken", {"second_rupture"}},
-                           {"integrator.stormer_cowell", {"second_exit", "second_stretch", "second_rupture"}}},
-          .main_checks = {"exit speed of the second mass, tabulated hardening",
-                          "rupture at 0.999 of the plastic elongation by both masses, linear hardening",
-                          "yield force for the next rock, worst relative error",
-                          "vertical cable force over weight of the columns on stretched cables, worst relative error",
-                          "balance of the momentum across the fence with the impulse on the anchors, relative error"},
-          .source = "Mustoe & Huttelmaier 1993, sections 2.4 and 3.5, Eq. 21; energy balance of reference::draw",
-          .faults = {{"cable_like_new", "cable of the second mass without the plastic elongation by the first",
-                      "exit speed of the second mass, linear hardening"},
-                     {"other_hardening", "a tangent modulus of 0.201 instead of 0.2",
-                      "tangent stiffness of yielding cables against the given fraction of Young's modulus, worst "
-                      "relative error"},
-                     {"denser_rock", "second rock denser by a thousandth",
-                      "stiffness of each rock's contacts, worst relative error"},
-                     {"hangers_hold", "hangers that never break",
-                      "verdict on a low rock with hangers of 1.2 times a column's weight: breaks through"},
-                     {"one_anchor_alone", "impulse on one anchor only",
-                      "balance of the momentum across the fence with the impulse on the anchors, relative error"}},
-          .run = run};
+  return {
+      .id = "second_rock",
+      .title = "Second impact on a deformed fence",
+      .family = "the fence",
+      .requirements = {{"law.elastic_plastic", {"second_exit", "second_stretch", "second_rupture"}},
+                       {"mechanism.cable_yield, regime.elastic_plastic.yielding", {"second_exit", "second_stretch"}},
+                       {"regime.elastic_plastic.broken", {"second_rupture"}},
+                       {"integrator.stormer_cowell", {"second_exit", "second_stretch", "second_rupture"}}},
+      .main_checks = {"exit speed of the second mass, tabulated hardening",
+                      "rupture at 0.999 of the plastic elongation by both masses, linear hardening",
+                      "yield force for the next rock, worst relative error", "stretched_equilibrium",
+                      "momentum_balance"},
+      .source = "Mustoe & Huttelmaier 1993, sections 2.4 and 3.5, Eq. 21; energy balance of reference::draw",
+      .faults = {{"cable_like_new", "cable of the second mass without the plastic elongation by the first",
+                  "exit speed of the second mass, linear hardening"},
+                 {"other_hardening", "a tangent modulus of 0.201 instead of 0.2", "tangent"},
+                 {"denser_rock", "second rock denser by a thousandth",
+                  "stiffness of each rock's contacts, worst relative error"},
+                 {"hangers_hold", "hangers that never break", "low_rock"},
+                 {"one_anchor_alone", "impulse on one anchor only", "momentum_balance"}},
+      .run = run};
 }
 
 }  // namespace talus::verification::problems::second_rock

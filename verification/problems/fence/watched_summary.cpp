@@ -1,12 +1,6 @@
 #include "verification/problems/fence/watched_summary.hpp"
 
-#include <algorithm>
-#include <cmath>
-#include <limits>
-#include <string>
-#include <vector>
-
-#include "verification/study/findings/expectations.hpp"
+#include "verification/study/toolkit.hpp"
 
 namespace talus::verification::problems {
 namespace {

@@ -1,25 +1,15 @@
-#include <fmt/format.h>
 #include <boost/math/special_functions/ellint_1.hpp>
 #include <boost/math/special_functions/ellint_2.hpp>
 #include <boost/math/special_functions/jacobi_elliptic.hpp>
 
-#include <algorithm>
-#include <array>
-#include <cmath>
-#include <limits>
-#include <numbers>
-#include <string_view>
-#include <vector>
-
-#include "verification/check/case.hpp"
 #include "verification/problems/founding/adams_swing.hpp"
 #include "verification/problems/founding/leapfrog_swing.hpp"
 #include "verification/problems/founding/swing_period_findings.hpp"
 #include "verification/problems/founding/work_precision_findings.hpp"
 #include "verification/reference/integration/pendulum_steppers.hpp"
 #include "verification/reference/motion/elastic_pendulum.hpp"
-#include "verification/study/runs/scene_run.hpp"
 #include "verification/study/runs/swing.hpp"
+#include "verification/study/toolkit.hpp"
 
 namespace talus::verification::problems::pendulum {
 namespace {
@@ -82,20 +72,19 @@ void check_rigid_limit(Findings& findings, const Setup& setup) {
     const double excess = period_of(scenes::cable_pendulum(p), make_integrator("rk4"), h, 2.0 * rigid) / rigid - 1.0;
     if (eps < 2e-2) approach.add(eps, excess);
     if (eps == 1e-4)
-      findings.expect(
-          "pendulum on a cable: relative excess of the period over the rigid pendulum, divided by eps, at eps = 1e-4",
-          excess / eps, softening,
-          Tolerance::truncation(0.4 * eps, 1.5,
-                                "next term of the expansion in eps, its constant measured between eps = 1e-3 and "
-                                "1e-2"));
+      findings.expect_truncation(
+          {"excess_on_cable",
+           "pendulum on a cable: relative excess of the period over the rigid pendulum, divided by eps, at eps = 1e-4"},
+          excess / eps, softening, 0.4 * eps, 1.5,
+          "next term of the expansion in eps, its constant measured between eps = 1e-3 and 1e-2");
     solver.add(eps, excess);
     if (eps >= 3e-3) {
       spring.add(eps, reference::elastic_pendulum_period(elastic(eps)) / rigid - 1.0);
     }
   }
   if (setup.coarse) return;
-  findings.expect_order("pendulum on a cable: order in eps of the approach to the rigid pendulum", approach, 0.995,
-                        1.005,
+  findings.expect_order({"order_in_eps", "pendulum on a cable: order in eps of the approach to the rigid pendulum"},
+                        approach, 0.995, 1.005,
                         "the expansion of the period has terms in eps, eps^2, ...: over eps = 1e-5 ... 1e-2 the second "
                         "term tilts the fitted line by less than 0.005");
   findings.figure({.name = "rigid_limit",
@@ -134,24 +123,22 @@ void check_elastic(Findings& findings, const Setup& setup) {
                       std::hypot(end.state.q[0] - truth.x, end.state.q[1] - truth.y));
     }
     const auto claim = findings.in(fmt::format("integrator.{}", name));
-    findings.in("order_on_cable")
-        ->expect_order(fmt::format("pendulum on a cable, eps = 0.01: order of {}", name), convergence,
-                       order - (fourth ? 0.1 : 0.001), order + (fourth ? 0.1 : 0.001),
-                       "smooth motion with a cable that is always taut: the declared order, with a margin for the tilt "
-                       "by the next term at the coarsest step");
+    findings.expect_order({"order_on_cable", fmt::format("pendulum on a cable, eps = 0.01: order of {}", name)},
+                          convergence, order - (fourth ? 0.1 : 0.001), order + (fourth ? 0.1 : 0.001),
+                          "smooth motion with a cable that is always taut: the declared order, with a margin for the "
+                          "tilt by the next term at the coarsest step");
     chart.series.push_back({.label = name, .x = convergence.steps(), .y = convergence.errors()});
     chart.slopes.push_back({static_cast<double>(order), convergence.steps()[1], 2.0 * convergence.errors()[1],
                             fmt::format("h^{}", order)});
     if (!fourth) continue;
     const auto [x, y] = hung_by_classical_runge_kutta(elastic(eps), duration, 4096);
-    findings.expect("pendulum on a cable, eps = 0.01: position error after 1.3 periods, rk4 with 4096 steps",
-                    convergence.errors()[3],
-                    std::hypot(static_cast<double>(x - truth.x), static_cast<double>(y - truth.y)),
-                    Tolerance::round_off(4.0 * std::sqrt(4096.0 * 4.0) * 1.1e-16,
-                                         "the error is predicted by a separate implementation of the method in "
-                                         "extended precision; the remainder is a random walk with 4 roundings of a "
-                                         "number near 1 per step, four standard deviations"),
-                    "m");
+    findings.expect_round_off(
+        "pendulum on a cable, eps = 0.01: position error after 1.3 periods, rk4 with 4096 steps",
+        convergence.errors()[3], std::hypot(static_cast<double>(x - truth.x), static_cast<double>(y - truth.y)),
+        4.0 * std::sqrt(4096.0 * 4.0) * 1.1e-16,
+        "the error is predicted by a separate implementation of the method in extended precision; the remainder is a "
+        "random walk with 4 roundings of a number near 1 per step, four standard deviations",
+        "m");
   }
   findings.figure(chart);
 }
@@ -165,13 +152,13 @@ void check_references(Findings& findings) {
     const double k = std::sin(0.5 * degrees * degree);
     const double K = boost::math::ellint_1(k);
     const double condition = (boost::math::ellint_2(k) / ((1.0 - k) * (1.0 + k)) - K) / K;  // d ln K/d ln k
-    findings.expect(fmt::format("elliptic integral at {:g} degrees", degrees), 4.0 * K / w0,
-                    bob_motion(degrees * degree).period(),
-                    Tolerance::round_off(epsilon * (3.0 + 0.5 * condition),
-                                         "3 roundings of K and the quotient, and half an ulp of k times the condition "
-                                         "number d ln K/d ln k")
-                        .relative(),
-                    "s");
+    findings.expect(
+        fmt::format("elliptic integral at {:g} degrees", degrees), 4.0 * K / w0, bob_motion(degrees * degree).period(),
+        Tolerance::round_off(
+            epsilon * (3.0 + 0.5 * condition),
+            "3 roundings of K and the quotient, and half an ulp of k times the condition number d ln K/d ln k")
+            .relative(),
+        "s");
   }
   const double amplitude = 60.0 * degree;
   const double k = std::sin(0.5 * amplitude);
@@ -181,20 +168,17 @@ void check_references(Findings& findings) {
   for (int i = 0; i < 50; ++i) {
     const double t = 0.0437 * i;
     const double sn = boost::math::jacobi_sn(k, w0 * t + boost::math::ellint_1(k));
-    from_boost = std::max(from_boost, std::abs(motion.at(t).angle - 2.0 * std::asin(k * sn)));
-    if (i % 5 == 0)
-      from_50_digits = std::max(from_50_digits, std::abs(motion.at(t).angle - motion.at_50_digits(t).angle));
+    keep_largest(from_boost, motion.at(t).angle - 2.0 * std::asin(k * sn));
+    if (i % 5 == 0) keep_largest(from_50_digits, motion.at(t).angle - motion.at_50_digits(t).angle);
   }
-  findings.expect("elliptic function sn over one period", from_boost, 0.0,
-                  Tolerance::round_off(8.0 * epsilon,
-                                       "half an ulp of the argument w0 t + K < 9, times the derivative of the angle of "
-                                       "at most 2 k = 1: 8 epsilon; sn and asin add less"),
-                  "rad");
-  findings.expect("reference against its evaluation with 50 digits", from_50_digits, 0.0,
-                  Tolerance::round_off(epsilon,
-                                       "long double has 11 more bits: the remainder is the rounding of the result to "
-                                       "double, half an ulp of 1.05 rad"),
-                  "rad");
+  findings.expect_round_off("elliptic function sn over one period", from_boost, 0.0, 8.0 * epsilon,
+                            "half an ulp of the argument w0 t + K < 9, times the derivative of the angle of at most 2 "
+                            "k = 1: 8 epsilon; sn and asin add less",
+                            "rad");
+  findings.expect_round_off(
+      "reference against its evaluation with 50 digits", from_50_digits, 0.0, epsilon,
+      "long double has 11 more bits: the remainder is the rounding of the result to double, half an ulp of 1.05 rad",
+      "rad");
 }
 
 /// odeint alone, without the solver: error of its step control against the tolerance.
@@ -240,13 +224,13 @@ void check_adapter(Findings& findings, const Setup& setup) {
     const RunEnd end =
         run_steps(scenes::pendulum(bob(setup, amplitude)), make_integrator(twin[0]), duration / 48.0, 48);
     const auto alone = reference::run_pendulum({twin[1], bob_frequency(), amplitude, duration, 48, 0.0});
-    findings.in(fmt::format("integrator.{}", twin[0]))
-        ->expect(fmt::format("angle after 48 steps: {} in the solver against {} without the solver", twin[0], twin[1]),
-                 end.state.q[0], alone.angle,
-                 Tolerance::round_off(4.0 * std::sqrt(48.0 * 4.0) * 0.5 * epsilon,
-                                      "the same 48 steps with operations in a different order: a random walk with 4 "
-                                      "roundings of a number near 1 per step, four standard deviations"),
-                 "rad");
+    findings.expect_round_off(
+        {fmt::format("integrator.{}", twin[0]),
+         fmt::format("angle after 48 steps: {} in the solver against {} without the solver", twin[0], twin[1])},
+        end.state.q[0], alone.angle, 4.0 * std::sqrt(48.0 * 4.0) * 0.5 * epsilon,
+        "the same 48 steps with operations in a different order: a random walk with 4 roundings of a number near 1 per "
+        "step, four standard deviations",
+        "rad");
   }
 }
 
@@ -292,28 +276,26 @@ void check_small_swings(Findings& findings, const Setup& setup) {
   const double z = 2.0 * pi / 64.38;
   for (const char* name : {"central_difference", "velocity_verlet", "euler_cromer"}) {
     const double leapfrog = z / (2.0 * std::asin(0.5 * z)) - 1.0;
-    findings.in(fmt::format("integrator.{}", name))
-        ->expect(fmt::format("small oscillations, {}: relative error of the period", name),
-                 period_of(scene, make_integrator(name), z / bob_frequency(), 2.0 * T) / T - 1.0, leapfrog,
-                 Tolerance::truncation(std::pow(z, 5.0) / 724.0, 1.0, passages));
+    findings.expect_truncation(
+        {fmt::format("integrator.{}", name), fmt::format("small oscillations, {}: relative error of the period", name)},
+        period_of(scene, make_integrator(name), z / bob_frequency(), 2.0 * T) / T - 1.0, leapfrog,
+        std::pow(z, 5.0) / 724.0, 1.0, passages);
   }
   const double y = 2.0 * pi / 32.38;
   const double angle = std::atan2(y - y * y * y / 6.0, 1.0 - y * y / 2.0 + y * y * y * y / 24.0);
-  findings.in("integrator.rk4")
-      ->expect("small oscillations, rk4: relative error of the period",
-               period_of(scene, make_integrator("rk4"), y / bob_frequency(), 2.0 * T) / T - 1.0, y / angle - 1.0,
-               Tolerance::truncation(std::pow(y, 5.0) / 724.0, 1.0, passages));
+  findings.expect_truncation({"integrator.rk4", "small oscillations, rk4: relative error of the period"},
+                             period_of(scene, make_integrator("rk4"), y / bob_frequency(), 2.0 * T) / T - 1.0,
+                             y / angle - 1.0, std::pow(y, 5.0) / 724.0, 1.0, passages);
   constexpr long steps = 64;
   constexpr long started = 7;  // steps by Fehlberg 7(8), with negligible error
   const double error =
       swing_error(scene, make_integrator("odeint_abm8"), 0.8 * T, steps, bob_frequency(), bob_motion(amplitude)).error;
   const double predicted = adams_swing_error(0.8 * 2.0 * pi / steps, steps - started);
-  findings.in("integrator.odeint_abm8")
-      ->expect("small oscillations, odeint_abm8: error after 0.8 periods over its prediction",
-               error / amplitude / predicted, 1.0,
-               Tolerance::truncation(std::pow(3.0, 9.0) * amplitude * amplitude / 192.0, 1.0,
-                                     "the principal root of the method is known to all orders; the third harmonic of "
-                                     "the oscillation, A^2/192, has a ninth derivative 3^9 times as large"));
+  findings.expect_truncation(
+      {"integrator.odeint_abm8", "small oscillations, odeint_abm8: error after 0.8 periods over its prediction"},
+      error / amplitude / predicted, 1.0, std::pow(3.0, 9.0) * amplitude * amplitude / 192.0, 1.0,
+      "the principal root of the method is known to all orders; the third harmonic of the oscillation, A^2/192, has a "
+      "ninth derivative 3^9 times as large");
   const double halved = adams_swing_error(0.8 * pi / steps, 2 * steps - started);
   findings.note(fmt::format(
       "**The order of odeint_abm8.** It is 8, not 9: predictor and corrector both use eight values. The predictor's "
@@ -355,31 +337,28 @@ void check_energy(Findings& findings, const Setup& setup) {
   const double z = 2.0 * pi / 64.0;
   const double scale = 1.0 - std::cos(amplitude);  // E0 over m g a
   const EnergyHistory kept = energy_history(bob(setup, amplitude), verlet(setup), 64, periods);
-  findings.in("integrator.velocity_verlet")
-      ->expect("energy of velocity_verlet: relative minimum over the first hundredth of the run", kept.lowest.front(),
-               verlet_energy_swing(amplitude) * z * z / scale,
-               Tolerance::truncation(1.08e-3 * std::pow(z, 4.0), 1.5,
-                                     "next term of the modified Hamiltonian, its constant measured with 32 steps per "
-                                     "period"));
-  findings.in("integrator.velocity_verlet")
-      ->expect("energy of velocity_verlet: drift of the minimum between first and last hundredth of the run",
-               kept.lowest.back(), kept.lowest.front(),
-               Tolerance::round_off(2.2e-3 * 0.5 * std::pow(z / static_cast<double>(periods) * 100.0, 2.0) +
-                                        4.0 * epsilon * std::sqrt(64.0 * static_cast<double>(periods)),
-                                    "a symplectic method has no drift. The steps in a hundredth of the run come within "
-                                    "z/(periods in it) of the lowest position; the rest is a random walk with 4 "
-                                    "roundings per step"));
+  findings.expect_truncation(
+      {"integrator.velocity_verlet", "energy of velocity_verlet: relative minimum over the first hundredth of the run"},
+      kept.lowest.front(), verlet_energy_swing(amplitude) * z * z / scale, 1.08e-3 * std::pow(z, 4.0), 1.5,
+      "next term of the modified Hamiltonian, its constant measured with 32 steps per period");
+  findings.expect_round_off(
+      {"integrator.velocity_verlet",
+       "energy of velocity_verlet: drift of the minimum between first and last hundredth of the run"},
+      kept.lowest.back(), kept.lowest.front(),
+      2.2e-3 * 0.5 * std::pow(z / static_cast<double>(periods) * 100.0, 2.0) +
+          4.0 * epsilon * std::sqrt(64.0 * static_cast<double>(periods)),
+      "a symplectic method has no drift. The steps in a hundredth of the run come within z/(periods in it) of the "
+      "lowest position; the rest is a random walk with 4 roundings per step");
   if (setup.coarse) return;
   const double y = 2.0 * pi / 32.0;
   const double cosine = 1.0 - y * y / 2.0 + std::pow(y, 4.0) / 24.0;
   const double sine = y - y * y * y / 6.0;
   const double loss = std::log(cosine * cosine + sine * sine) * 32.0 * static_cast<double>(periods);
   const EnergyHistory small = energy_history(bob(setup, 0.1 * degree), make_integrator("rk4"), 32, periods);
-  findings.in("integrator.rk4")
-      ->expect("energy of rk4 after 1e4 small oscillations: ln(E/E0)", std::log1p(small.end), loss,
-               Tolerance::truncation(0.36 * std::pow(0.1 * degree, 2.0) * std::abs(loss), 1.5,
-                                     "|R(iz)|^2 per step, to all orders, for a linear pendulum; the sine adds a "
-                                     "fraction proportional to A^2, its constant measured at 1 degree"));
+  findings.expect_truncation({"integrator.rk4", "energy of rk4 after 1e4 small oscillations: ln(E/E0)"},
+                             std::log1p(small.end), loss, 0.36 * std::pow(0.1 * degree, 2.0) * std::abs(loss), 1.5,
+                             "|R(iz)|^2 per step, to all orders, for a linear pendulum; the sine adds a fraction "
+                             "proportional to A^2, its constant measured at 1 degree");
   findings.figure(energy_chart(kept, std::abs(verlet_energy_swing(amplitude)) * z * z / scale, setup));
 }
 
@@ -404,20 +383,12 @@ Case definition() {
       .title = "Rigid pendulum: integrators on a smooth motion",
       .family = "founding problems",
       .requirements = {{"law.tension_only",
-                        {"pendulum on a cable: relative excess of the period over the rigid pendulum, divided by eps, "
-                         "at eps = 1e-4",
-                         "pendulum on a cable: order in eps of the approach to the rigid pendulum", "order_on_cable",
+                        {"excess_on_cable", "order_in_eps", "order_on_cable",
                          "pendulum on a cable, eps = 0.01: position error after 1.3 periods, rk4 with 4096 steps"}},
                        {"shape.none", {"periods", "order", "order_on_cable"}},
                        {"Eq. 4", {"periods"}},
-                       {"Eq. 14",
-                        {"pendulum on a cable: relative excess of the period over the rigid pendulum, divided by eps, "
-                         "at eps = 1e-4",
-                         "pendulum on a cable: order in eps of the approach to the rigid pendulum"}},
-                       {"Eq. 23",
-                        {"order of central_difference", "order of velocity_verlet",
-                         "pendulum on a cable, eps = 0.01: order of velocity_verlet"}},
-                       {"Eq. 24",
+                       {"Eq. 14", {"excess_on_cable", "order_in_eps"}},
+                       {"Eq. 23, Eq. 24",
                         {"order of central_difference", "order of velocity_verlet",
                          "pendulum on a cable, eps = 0.01: order of velocity_verlet"}}},
       .main_checks = {"period at 179 degrees", "order of velocity_verlet", "order of rk4", "order of odeint_dopri5",
@@ -431,9 +402,7 @@ Case definition() {
                  {"euler_cromer_for_verlet", "Euler-Cromer in place of velocity Verlet", "order of velocity_verlet"},
                  {"rk4_for_verlet", "RK4, which is not symplectic, in place of velocity Verlet",
                   "energy of velocity_verlet: drift of the minimum between first and last hundredth of the run"},
-                 {"cable_stiffness_doubled", "the stiffness of the cable is doubled",
-                  "pendulum on a cable: relative excess of the period over the rigid pendulum, divided by eps, at eps "
-                  "= 1e-4"}},
+                 {"cable_stiffness_doubled", "the stiffness of the cable is doubled", "excess_on_cable"}},
       .run = run};
 }
 

@@ -1,19 +1,12 @@
 #include "verification/problems/founding/pivoted_swing.hpp"
 
-#include <fmt/format.h>
-
-#include <algorithm>
-#include <array>
-#include <cmath>
-
-#include "solver/integrate/integrator_list.hpp"
 #include "solver/run/simulate.hpp"
 #include "solver/run/turning_point.hpp"
 #include "verification/problems/founding/leapfrog_swing.hpp"
 #include "verification/reference/impacts/restitution.hpp"
 #include "verification/study/impacts/leapfrog_impact_error.hpp"
 #include "verification/study/impacts/pivoted_impact.hpp"
-#include "verification/study/runs/scene_run.hpp"
+#include "verification/study/toolkit.hpp"
 
 namespace talus::verification::problems {
 namespace {
@@ -56,7 +49,7 @@ double largest_angle_error(const PivotedRun& run, const State& start, double ste
   Scene scene = scene_of(run, setup);
   scene.initial = start;
   const Watcher watch = [&](const State& seen, const StepInfo&) {
-    largest = std::max(largest, std::abs(seen.q[0] - exact.motion.at(exact.since + seen.t - start.t).angle));
+    keep_largest(largest, seen.q[0] - exact.motion.at(exact.since + seen.t - start.t).angle);
   };
   const RunEnd end = run_scene(scene, method, {step, swing_time, swing_time, false}, findings, watch);
   return end.finished ? largest : std::nan("");
@@ -88,7 +81,7 @@ double predicted_error_constant(const State& start) {
     const Vector k1 = rates(y), k2 = rates(moved(y, k1, 0.5 * h)), k3 = rates(moved(y, k2, 0.5 * h)),
                  k4 = rates(moved(y, k3, h));
     y = moved(moved(moved(moved(y, k1, h / 6.0), k2, h / 3.0), k3, h / 3.0), k4, h / 6.0);
-    largest = std::max(largest, std::abs(y[2]));
+    keep_largest(largest, y[2]);
   }
   return largest;
 }
@@ -98,19 +91,19 @@ void check_order(const PivotedRun& run, const State& start, double production_st
   Convergence errors;
   for (const double n : doublings(20.0, setup.coarse ? 3 : 5))
     errors.add(swing_time / (n + 0.38), largest_angle_error(run, start, swing_time / (n + 0.38), setup, findings));
-  findings.expect_order("order of the motion after the impact", errors, 1.98, 2.02,
+  findings.expect_order({"order_after_impact", "order of the motion after the impact"}, errors, 1.98, 2.02,
                         "smooth motion with velocity Verlet: even powers of the step only");
   if (setup.coarse) return;
-  findings.expect("largest error of the angle after the impact, production step",
-                  largest_angle_error(run, start, production_step, setup, findings),
-                  predicted_error_constant(start) * std::pow(small_frequency() * production_step, 2),
-                  Tolerance::model(1.5e-5,
-                                   "predicted from velocity Verlet's modified Hamiltonian, without fitting; the next "
-                                   "even power of the step is 1e-6 of it, and 4600 roundings of 1e-16 accumulate to "
-                                   "1e-5 of it")
-                      .relative(),
-                  "rad");
-  findings.expect("largest error of the angle after the impact, 160 steps", errors.errors()[3],
+  findings.expect(
+      {"swing_error/production", "largest error of the angle after the impact, production step"},
+      largest_angle_error(run, start, production_step, setup, findings),
+      predicted_error_constant(start) * std::pow(small_frequency() * production_step, 2),
+      Tolerance::model(1.5e-5,
+                       "predicted from velocity Verlet's modified Hamiltonian, without fitting; the next even power of "
+                       "the step is 1e-6 of it, and 4600 roundings of 1e-16 accumulate to 1e-5 of it")
+          .relative(),
+      "rad");
+  findings.expect({"swing_error/160", "largest error of the angle after the impact, 160 steps"}, errors.errors()[3],
                   predicted_error_constant(start) * std::pow(small_frequency() * errors.steps()[3], 2),
                   Tolerance::model(1e-3,
                                    "the same prediction; the next even power is (w0 h)^2 = 3e-4 of it, and the largest "
@@ -180,22 +173,22 @@ void compare_over_time(Findings& findings, const Track& track, const State& end,
   Series exact_angle{.label = "elliptic functions", .style = Style::lines};
   Series angle{.label = "solver", .style = Style::points};
   for (std::size_t i = 0; i < track.t.size(); ++i) {
-    worst_angle = std::max(worst_angle, std::abs(track.angle[i] - soft.samples[i].angle));
+    keep_largest(worst_angle, track.angle[i] - soft.samples[i].angle);
     if (track.t[i] < end.t) continue;
-    worst_rate = std::max(worst_rate, std::abs(track.rate[i] - soft.samples[i].rate));
+    keep_largest(worst_rate, track.rate[i] - soft.samples[i].rate);
     exact_angle.add(track.t[i], exact.motion.at(exact.since + track.t[i] - end.t).angle);
     if (i % 4 != 0) continue;
     angle.add(track.t[i], track.angle[i]);
   }
-  findings.expect(
-      "largest difference of the angle from the soft reference over 1.2 s", worst_angle, 0.0,
-      Tolerance::truncation(expected.error_of_angle, 1.0,
-                            expected.why + "; before the turning point an error of the angular velocity causes no "
-                                           "larger error than that of the largest angle"),
-      "rad");
-  findings.expect(
-      "largest difference of the angular velocity from the soft reference after the contact", worst_rate, 0.0,
-      Tolerance::truncation(expected.error_of_v1 / (0.5 * pivoted.length), 1.0, expected.why + ", over l/2"), "rad/s");
+  findings.expect_truncation({"soft_angle", "largest difference of the angle from the soft reference over 1.2 s"},
+                             worst_angle, 0.0, expected.error_of_angle, 1.0,
+                             expected.why +
+                                 "; before the turning point an error of the angular velocity causes no larger error "
+                                 "than that of the largest angle",
+                             "rad");
+  findings.expect_truncation(
+      {"soft_rate", "largest difference of the angular velocity from the soft reference after the contact"}, worst_rate,
+      0.0, expected.error_of_v1 / (0.5 * pivoted.length), 1.0, expected.why + ", over l/2", "rad/s");
   const std::string lines =
       "Points: central difference at 100 steps per contact; lines: soft reference; dashed: velocities after the rigid "
       "impact.";
@@ -203,14 +196,15 @@ void compare_over_time(Findings& findings, const Track& track, const State& end,
                              "Corresponds to Fig. 11 of the report. " + lines, 0.7, track, soft));
   findings.figure(
       velocities("contact", "Horizontal velocities during the contact, enlarged", lines, 0.05, track, soft));
-  findings.figure({.name = "angle",
-                   .title = "Angle of the column after the impact",
-                   .caption = "Solver (points) and the elliptic functions through the solver's state at the end of the "
-                              "contact (line).",
-                   .x = {.label = "time", .unit = "s"},
-                   .y = {.label = "angle", .unit = "rad"},
-                   .series = {exact_angle, angle},
-                   .lines = {{'y', exact.motion.amplitude(), "largest angle"}}});
+  findings.figure(
+      {.name = "angle",
+       .title = "Angle of the column after the impact",
+       .caption =
+           "Solver (points) and the elliptic functions through the solver's state at the end of the contact (line).",
+       .x = {.label = "time", .unit = "s"},
+       .y = {.label = "angle", .unit = "rad"},
+       .series = {exact_angle, angle},
+       .lines = {{'y', exact.motion.amplitude(), "largest angle"}}});
 }
 
 }  // namespace
@@ -233,31 +227,28 @@ void check_swing(Findings& findings, const Setup& setup) {
       error_of_e * pivoted.approach_speed * impact_mass() / reference::effective_column_mass(pivoted);
   const std::string why =
       "largest first-order error of e at 100 steps per contact from the onset: half the jump at the end and the lag";
-  findings.expect("v1, production run", after.column, first.column_speed, Tolerance::truncation(error_of_v1, 1.0, why),
-                  "ft/s");
-  findings.expect(
-      "V1, production run", after.rock, first.at_end.rock_vx,
-      Tolerance::truncation(error_of_v1 * reference::effective_column_mass(pivoted) / pivoted.rock_mass, 1.0, why),
-      "ft/s");
+  findings.expect_truncation({"production/v1", "v1, production run"}, after.column, first.column_speed, error_of_v1,
+                             1.0, why, "ft/s");
+  findings.expect_truncation({"production/V1", "V1, production run"}, after.rock, first.at_end.rock_vx,
+                             error_of_v1 * reference::effective_column_mass(pivoted) / pivoted.rock_mass, 1.0, why,
+                             "ft/s");
 
   const Track track = whole_run(run, step, 2.0 * first.at_end.t, setup, findings);
   const double turned = track.turned;
   // From energy, w1 dw1 = w0^2 sin(A) dA: dA = dw1/(w0 cos(A/2)).
   const double error_of_angle =
       error_of_v1 / (0.5 * pivoted.length) / (small_frequency() * std::cos(0.5 * first.largest_angle));
-  findings.in("largest_angle_swing")
-      ->expect("largest angle after the impact, production run", turned, first.largest_angle,
-               Tolerance::truncation(error_of_angle, 1.0, why + "; converted to the angle by conservation of energy"),
-               "rad");
-  findings.expect(
-      "largest angle against elliptic functions through the solver's state after the contact", turned,
-      exact.motion.amplitude(),
-      Tolerance::truncation(std::pow(small_frequency() * step, 2) * std::tan(0.5 * exact.motion.amplitude()) *
-                                std::abs(verlet_energy_swing(exact.motion.amplitude())) /
-                                (1.0 - std::cos(exact.motion.amplitude())),
-                            3.0,
-                            "the energy of the numerical solution oscillates by h^2 (sin^2 A/24 + (1 - cos A)/6) w0^2; "
-                            "the error of the angle is this over sin A"),
+  findings.expect_truncation({"largest_angle_swing/production", "largest angle after the impact, production run"},
+                             turned, first.largest_angle, error_of_angle, 1.0,
+                             why + "; converted to the angle by conservation of energy", "rad");
+  findings.expect_truncation(
+      {"elliptic_functions", "largest angle against elliptic functions through the solver's state after the contact"},
+      turned, exact.motion.amplitude(),
+      std::pow(small_frequency() * step, 2) * std::tan(0.5 * exact.motion.amplitude()) *
+          std::abs(verlet_energy_swing(exact.motion.amplitude())) / (1.0 - std::cos(exact.motion.amplitude())),
+      3.0,
+      "the energy of the numerical solution oscillates by h^2 (sin^2 A/24 + (1 - cos A)/6) w0^2; the error of the "
+      "angle is this over sin A",
       "rad");
   check_order(run, after.at_end, step, findings, setup);
   if (setup.coarse) return;

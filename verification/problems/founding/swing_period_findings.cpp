@@ -1,16 +1,8 @@
 #include "verification/problems/founding/swing_period_findings.hpp"
 
-#include <fmt/format.h>
-
-#include <algorithm>
-#include <cmath>
-#include <numbers>
-#include <string>
-
 #include "verification/problems/founding/leapfrog_swing.hpp"
-#include "verification/study/findings/curves.hpp"
-#include "verification/study/runs/scene_run.hpp"
 #include "verification/study/runs/swing.hpp"
+#include "verification/study/toolkit.hpp"
 
 namespace talus::verification::problems {
 namespace {
@@ -71,28 +63,26 @@ void check_amplitudes(Findings& findings, const Setup& setup) {
     const double reference = bob_motion(amplitude).period();
     const double period = period_of(scenes::pendulum(bob(setup, amplitude)), verlet(setup), h, 3.0 * reference);
     const double constant = verlet_period_constant(amplitude);
-    worst = std::max(worst, std::abs((period / reference - 1.0) / (z * z) - constant));
+    keep_largest(worst, (period / reference - 1.0) / (z * z) - constant);
     const auto claim = findings.in("integrator.velocity_verlet");
-    findings.in("periods")->expect(
-        fmt::format("period at {:g} degrees", degrees), period, reference,
-        Tolerance::truncation(std::abs(constant) * z * z, 1.05,
-                              "the derived second-order error of velocity Verlet's period; the next term is below 5 % "
-                              "of it")
-            .relative(),
-        "s");
+    findings.expect({"periods", fmt::format("period at {:g} degrees", degrees)}, period, reference,
+                    Tolerance::truncation(
+                        std::abs(constant) * z * z, 1.05,
+                        "the derived second-order error of velocity Verlet's period; the next term is below 5 % of it")
+                        .relative(),
+                    "s");
     measured.add(degrees, (period / reference - 1.0) / (z * z));
     ratio.add(degrees, period * bob_frequency() / (2.0 * pi));
-    table.rows.push_back({fmt::format("{:g}", degrees), rounded(bob_motion(amplitude).period_45_digits()),
-                          fmt::format("{:.10f}", period), fmt::format("{:.4e}", period / reference - 1.0),
-                          fmt::format("{:.4e}", constant * z * z)});
+    table.rows.push_back(cells("{:g} | {} | {:.10f} | {:.4e} | {:.4e}", degrees,
+                               rounded(bob_motion(amplitude).period_45_digits()), period, period / reference - 1.0,
+                               constant * z * z));
   }
   if (setup.coarse) return;
-  findings.in("integrator.velocity_verlet")
-      ->expect("error constant of velocity Verlet's period, largest deviation from the modified Hamiltonian", worst,
-               0.0,
-               Tolerance::truncation(17.0 / 5760.0 * z * z, 1.05,
-                                     "next term of the expansion, largest for small oscillations: z/(2 asin(z/2)) = 1 "
-                                     "- z^2/24 - 17 z^4/5760 ..."));
+  findings.expect_truncation(
+      {"integrator.velocity_verlet",
+       "error constant of velocity Verlet's period, largest deviation from the modified Hamiltonian"},
+      worst, 0.0, 17.0 / 5760.0 * z * z, 1.05,
+      "next term of the expansion, largest for small oscillations: z/(2 asin(z/2)) = 1 - z^2/24 - 17 z^4/5760 ...");
   findings.table(table);
   findings.figure(period_figure(ratio));
   findings.figure(constant_figure(measured));

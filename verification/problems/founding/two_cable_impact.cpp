@@ -1,13 +1,10 @@
 #include "verification/problems/founding/two_cable_impact.hpp"
 
-#include <algorithm>
-#include <cmath>
-
 #include "solver/laws/restitution.hpp"
 #include "solver/scenes/two_cable.hpp"
 #include "verification/reference/impacts/restitution.hpp"
 #include "verification/study/impacts/followed_impact.hpp"
-#include "verification/study/runs/scene_run.hpp"
+#include "verification/study/toolkit.hpp"
 
 namespace talus::verification::problems {
 namespace {
@@ -29,7 +26,7 @@ class ParticleMonitor {
       speed_after = v;
       energy_ = v * v + 2.0 * stretch_energy(x);
     }
-    if (ended_ && v > 0.0) curve_error = std::max(curve_error, std::abs(v * v + 2.0 * stretch_energy(x) - energy_));
+    if (ended_ && v > 0.0) keep_largest(curve_error, v * v + 2.0 * stretch_energy(x) - energy_);
   }
 
   bool ended() const { return ended_; }
@@ -90,7 +87,7 @@ TwoCableRun simulated(Scene scene, double gap, double step, bool to_the_turn, Fi
     if (!to_the_turn) return;
     const Accounts accounts = ledger(state);
     run.energy_balance_error = accounts.energy_balance_error;
-    run.momentum_balance_error = std::max(run.momentum_balance_error, std::abs(accounts.momentum_balance_error.x));
+    keep_largest(run.momentum_balance_error, accounts.momentum_balance_error.x);
   };
   const Until stop = [&](const State&) { return to_the_turn ? finder.found().has_value() : watch.ended(); };
   const RunEnd end = run_scene(scene, scene.integrator, {step, 5.0, 5.0, to_the_turn}, findings, watcher, stop);

@@ -1,14 +1,7 @@
 #include "verification/problems/founding/work_precision_findings.hpp"
 
-#include <fmt/format.h>
-
-#include <cmath>
-#include <limits>
-#include <string>
-#include <string_view>
-
-#include "verification/check/convergence.hpp"
 #include "verification/study/runs/swing.hpp"
+#include "verification/study/toolkit.hpp"
 
 namespace talus::verification::problems {
 namespace {
@@ -46,13 +39,12 @@ Series study(const MethodRange& method, const Swing& swing, Findings& findings, 
     if (run.evaluations > 170000 || run.error < 2e-14 || (setup.coarse && steps >= 4096)) break;
   }
   const auto claim = findings.in(fmt::format("integrator.{}", method.name));
-  findings.in("order")->expect_order(
-      "order of " + std::string(method.name), convergence, method.order() - method.admitted(),
-      method.order() + method.admitted(),
-      fmt::format("declared order {}; the next two terms of the expansion, determined from the errors at three coarser "
-                  "steps, tilt the line fitted between {} and {} steps by {:+.2g}: 1.5 times this is allowed in either "
-                  "direction, for the higher terms",
-                  method.order(), method.first, method.last, method.tilt));
+  findings.expect_order({"order", "order of " + std::string(method.name)}, convergence,
+                        method.order() - method.admitted(), method.order() + method.admitted(),
+                        fmt::format("declared order {}; the next two terms of the expansion, determined from the "
+                                    "errors at three coarser steps, tilt the line fitted between {} and {} steps by "
+                                    "{:+.2g}: 1.5 times this is allowed in either direction, for the higher terms",
+                                    method.order(), method.first, method.last, method.tilt));
   return series;
 }
 

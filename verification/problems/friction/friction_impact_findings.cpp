@@ -1,15 +1,7 @@
-#include <fmt/format.h>
-
-#include <algorithm>
-#include <array>
-#include <cmath>
-#include <numbers>
-
-#include "verification/check/convergence.hpp"
 #include "verification/problems/friction/friction_findings.hpp"
 #include "verification/study/impacts/oblique_runs.hpp"
 #include "verification/study/runs/phase_sweep.hpp"
-#include "verification/study/runs/scene_run.hpp"
+#include "verification/study/toolkit.hpp"
 
 namespace talus::verification::problems {
 namespace {
@@ -27,10 +19,10 @@ double check_order(Findings& findings, const Setup& setup, const std::string& na
   const std::vector<double> counts = doublings(16.0, setup.coarse ? 3 : 4);
   const Offset offset = setup.has("commensurate_step") ? Offset::none : Offset::own;
   const Sweep found = sweep(phased, make_integrator(method), counts, offset);
-  findings.in("order_of_speed")
-      ->expect_order("order of the tangential speed, " + name + ", " + method, found.rms, 2.0 - width, 2.0 + width,
-                     "start and end of contact, stick and slip each fall within a step, which causes errors of its "
-                     "square");
+  findings.expect_order(
+      {"order_of_speed/" + name + "/" + method, "order of the tangential speed, " + name + ", " + method}, found.rms,
+      2.0 - width, 2.0 + width,
+      "start and end of contact, stick and slip each fall within a step, which causes errors of its square");
   shown.push_back(found.rms);
   return found.rms.errors().back() * found.steps.back() * found.steps.back();
 }
@@ -48,8 +40,8 @@ void check_orders(Findings& findings, const Setup& setup) {
   Figure figure{.name = "orders",
                 .title = "Convergence of oblique impacts",
                 .caption =
-                    "Relative error of the tangential speed after an oblique impact, root mean square over 64 "
-                    "phases: velocity Verlet (lines with points) and central difference (crosses).",
+                    "Relative error of the tangential speed after an oblique impact, root mean square over 64 phases: "
+                    "velocity Verlet (lines with points) and central difference (crosses).",
                 .x = {.label = "step over contact time", .log = true},
                 .y = {.label = "relative error", .log = true}};
   for (const Kind& kind : kinds) {
@@ -63,12 +55,11 @@ void check_orders(Findings& findings, const Setup& setup) {
                                crosses ? Style::crosses : Style::linespoints});
       if (kind.kappa != 1.0 / 3.0 || crosses) continue;
       const double predicted = std::numbers::pi * std::numbers::pi / (2.0 * std::sqrt(90.0));
-      findings.expect("rms error of the tangential speed, sticking throughout, over its prediction",
-                      constant / predicted, 1.0,
-                      Tolerance::model(0.02,
-                                       "both springs oscillate in phase, so that the error is that of the normal "
-                                       "impact, pi^2/(2 sqrt(90) N^2); the next power of the step and the uneven 64 "
-                                       "phases at the end leave 1 %"));
+      findings.expect_model(
+          {"sticking_error", "rms error of the tangential speed, sticking throughout, over its prediction"},
+          constant / predicted, 1.0, 0.02,
+          "both springs oscillate in phase, so that the error is that of the normal impact, pi^2/(2 sqrt(90) N^2); the "
+          "next power of the step and the uneven 64 phases at the end leave 1 %");
     }
   }
   if (setup.coarse) return;
@@ -86,27 +77,26 @@ void check_gross_sliding(Findings& findings, const Setup& setup) {
   for (std::size_t i = 0; i < fewest_phases; ++i) {
     const ObliqueRun run = run_oblique(scene, std::numbers::pi, 100.0, i, findings);
     const double along = impact.slip_rate - run.end.v[0], across = run.end.v[1] + 1.0;
-    ratio = std::max(ratio, std::abs(along / across / mu - 1.0));
+    keep_largest(ratio, along / across / mu - 1.0);
     const double turned = run.end.v.size() > 2 ? -run.end.v[2] * radius : 0.0;
-    spin = std::max(spin, std::abs(turned / (2.0 * along) - 1.0));
+    keep_largest(spin, turned / (2.0 * along) - 1.0);
     lost.add(along / reference::speed_lost_by_gross_sliding(oblique_friction, 1.0, 1.0) - 1.0);
   }
-  findings.expect("sliding impact: tangential over mu times normal speed change, largest error over 64 phases", ratio,
-                  0.0,
-                  Tolerance::round_off(2e-14,
-                                       "the tangential impulse is mu times the normal impulse in each step, from "
-                                       "the first on: 100 sums of numbers up to 5, half a unit of the last place "
-                                       "each, over 0.6: 7e-15 as a random walk, three times that for the worst"));
-  findings.expect(
-      "sliding impact: rim speed gained over twice the tangential speed lost, largest error over 64 "
-      "phases",
-      spin, 0.0, Tolerance::model(3e-7, "friction acts on the arm r - d/2, d/r <= 2.5e-7"));
+  findings.expect_round_off(
+      {"sliding/coulomb_ratio",
+       "sliding impact: tangential over mu times normal speed change, largest error over 64 phases"},
+      ratio, 0.0, 2e-14,
+      "the tangential impulse is mu times the normal impulse in each step, from the first on: 100 sums of numbers up "
+      "to 5, half a unit of the last place each, over 0.6: 7e-15 as a random walk, three times that for the worst");
+  findings.expect_model(
+      {"sliding/rim_speed",
+       "sliding impact: rim speed gained over twice the tangential speed lost, largest error over 64 phases"},
+      spin, 0.0, 3e-7, "friction acts on the arm r - d/2, d/r <= 2.5e-7");
   const double wh = std::numbers::pi / 100.5;
-  findings.expect("rms error of the tangential speed lost by sliding over its prediction",
-                  lost.rms() / (0.5 * wh * wh / (2.0 * std::sqrt(90.0))), 1.0,
-                  Tolerance::model(0.05,
-                                   "half the error of the normal impact, (w h)^2/(2 sqrt(90)), because only e of 1 "
-                                   "+ e has an error; the uneven 64 phases at the end leave 5 %"));
+  findings.expect_model({"sliding/loss", "rms error of the tangential speed lost by sliding over its prediction"},
+                        lost.rms() / (0.5 * wh * wh / (2.0 * std::sqrt(90.0))), 1.0, 0.05,
+                        "half the error of the normal impact, (w h)^2/(2 sqrt(90)), because only e of 1 + e has an "
+                        "error; the uneven 64 phases at the end leave 5 %");
 }
 
 /// The slip rate is reversed if the normal and the tangential spring oscillate in phase.
@@ -121,10 +111,10 @@ void check_full_stick(Findings& findings, const Setup& setup) {
     work = std::max(work, run.end.work[static_cast<std::size_t>(Mechanism::friction)]);
   }
   const double wh = std::numbers::pi / 100.5;
-  findings.expect("-v'/v of an impact that sticks throughout, k_s/k_n = 1/3, rms error", error.rms(), 0.0,
-                  Tolerance::truncation(wh * wh / (2.0 * std::sqrt(90.0)), 1.1,
-                                        "the error of the normal impact, (w h)^2/(2 sqrt(90)), with a tenth more "
-                                        "for the uneven 64 phases at the end"));
+  findings.expect_truncation(
+      {"sticking_impact", "-v'/v of an impact that sticks throughout, k_s/k_n = 1/3, rms error"}, error.rms(), 0.0,
+      wh * wh / (2.0 * std::sqrt(90.0)), 1.1,
+      "the error of the normal impact, (w h)^2/(2 sqrt(90)), with a tenth more for the uneven 64 phases at the end");
 }
 
 /// Energy balance of sliding impacts: the slider's work is computed with the force at the end of each step.
@@ -149,12 +139,13 @@ void check_ledger(Findings& findings, const Setup& setup) {
     ratio = balance_error.rms() / std::sqrt(predicted);
   }
   if (!setup.coarse)
-    findings.expect_order("order of the energy balance error, sliding impact", balance_errors, 0.95, 1.05,
+    findings.expect_order({"sliding/order_of_balance", "order of the energy balance error, sliding impact"},
+                          balance_errors, 0.95, 1.05,
                           "friction work is computed with the normal force at the end of each step");
-  findings.expect("energy balance error over its prediction, sliding impact", ratio, 1.0,
-                  Tolerance::model(0.02,
-                                   "h/2 times the integral of mu N' (v - mu N'/k_s): pi/4 mu^2 m w v_n^2 (n - "
-                                   "k/k_s) h; the next power of the step, w h = 0.012, is 1 % of it"));
+  findings.expect_model({"sliding/balance", "energy balance error over its prediction, sliding impact"}, ratio, 1.0,
+                        0.02,
+                        "h/2 times the integral of mu N' (v - mu N'/k_s): pi/4 mu^2 m w v_n^2 (n - k/k_s) h; the next "
+                        "power of the step, w h = 0.012, is 1 % of it");
 }
 
 /// Sliding impact with a dashpot: speed lost to friction, energy dissipated by the dashpot and lost at release.
@@ -178,33 +169,29 @@ void check_damped_sliding(Findings& findings) {
   const double wh = exact.contact_time / 100.5;
   // The contact sticks until the spring reaches the limit mu c v_n, which is present from the first instant.
   const double c = impact.normal.damping, stick = mu * c / (impact.tangential_stiffness * impact.slip_rate);
-  findings.expect(
-      "tangential speed lost by sliding, e = 0.5, over that of a rigid impact, mu (1 + e) v_n",
-      lost / reference::speed_lost_by_gross_sliding(mu, 0.5, 1.0), 1.0,
-      Tolerance::model(1.2 * 0.5 * c * stick / 1.5,
-                       "the dashpot force acts from first contact, but the tangential spring reaches the friction "
-                       "limit only after the time t = mu c v_n/(k_s v): mu c v_n t/2 less, and a fifth for the next "
-                       "power of t"));
+  findings.expect_model(
+      {"sliding/half_e_loss", "tangential speed lost by sliding, e = 0.5, over that of a rigid impact, mu (1 + e) v_n"},
+      lost / reference::speed_lost_by_gross_sliding(mu, 0.5, 1.0), 1.0, 1.2 * 0.5 * c * stick / 1.5,
+      "the dashpot force acts from first contact, but the tangential spring reaches the friction limit only after the "
+      "time t = mu c v_n/(k_s v): mu c v_n t/2 less, and a fifth for the next power of t");
   const double jump = 1.5 * c * wh / std::sqrt(12.0);
   const double lag = 0.5 * xi * xi * (reference::contact_angle(xi) - xi) / (1.0 - xi * xi) * wh;
-  findings.expect(
-      "rms error of the tangential speed lost by sliding, e = 0.5, over its prediction",
-      along.rms() / (mu * std::hypot(jump, lag)), 1.0,
-      Tolerance::model(0.04,
-                       "the force jump at first contact, resolved to +-h/2, changes the result by (1 + e) c v h u, "
-                       "u uniformly distributed, while the contact still sticks; the half-step lag of the dashpot "
-                       "changes e as in `restitution`; the next power of the step is 4 % of both"));
-  findings.expect("energy lost at release of a contact with a dashpot, rms relative error", let_go.rms(),
-                  wh / (xi * std::sqrt(3.0)),
+  findings.expect_model(
+      {"sliding/half_e_error", "rms error of the tangential speed lost by sliding, e = 0.5, over its prediction"},
+      along.rms() / (mu * std::hypot(jump, lag)), 1.0, 0.04,
+      "the force jump at first contact, resolved to +-h/2, changes the result by (1 + e) c v h u, u uniformly "
+      "distributed, while the contact still sticks; the half-step lag of the dashpot changes e as in `restitution`; "
+      "the next power of the step is 4 % of both");
+  findings.expect({"release_loss", "energy lost at release of a contact with a dashpot, rms relative error"},
+                  let_go.rms(), wh / (xi * std::sqrt(3.0)),
                   Tolerance::model(0.04,
-                                   "release up to a step late, uniformly distributed, while the overlap decreases "
-                                   "at e v: w h/(xi sqrt(3)); the next power of the step is 4 % of it")
+                                   "release up to a step late, uniformly distributed, while the overlap decreases at e "
+                                   "v: w h/(xi sqrt(3)); the next power of the step is 4 % of it")
                       .relative());
-  findings.expect("energy dissipated by the dashpot of a contact, rms relative error", damped.rms(), 0.0,
-                  Tolerance::truncation(wh * 2.0 * xi / std::sqrt(12.0) / eaten, 1.1,
-                                        "its power jumps to c v^2 at first contact, which a step resolves to +-h/2, "
-                                        "uniformly distributed; the half-step lag of its velocity compensates some "
-                                        "of that"));
+  findings.expect_truncation({"dashpot_energy", "energy dissipated by the dashpot of a contact, rms relative error"},
+                             damped.rms(), 0.0, wh * 2.0 * xi / std::sqrt(12.0) / eaten, 1.1,
+                             "its power jumps to c v^2 at first contact, which a step resolves to +-h/2, uniformly "
+                             "distributed; the half-step lag of its velocity compensates some of that");
 }
 
 }  // namespace

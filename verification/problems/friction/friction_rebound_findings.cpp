@@ -1,15 +1,7 @@
-#include <fmt/format.h>
-
-#include <algorithm>
-#include <cmath>
-#include <numbers>
-#include <string>
-
-#include "verification/check/convergence.hpp"
 #include "verification/problems/friction/friction_findings.hpp"
 #include "verification/study/findings/common_formula.hpp"
-#include "verification/study/findings/curves.hpp"
 #include "verification/study/impacts/oblique_runs.hpp"
+#include "verification/study/toolkit.hpp"
 
 namespace talus::verification::problems {
 namespace {
@@ -40,16 +32,13 @@ double without_slip(double kappa) { return -std::cos(std::numbers::pi * std::sqr
 void compare_without_slip(double kappa, double ratio, const Rebound& found, Table& table, Findings& findings) {
   const double formula = without_slip(kappa);
   const double exact = -found.exact / found.before, solver = -found.mean / found.before;
-  table.rows.push_back({fmt::format("$k_s/k_n$ = {:.4f}, $v$ = {:.2f} $\\mu v_n$", kappa, found.before / mu),
-                        fmt::format("{:.4f}", formula), fmt::format("{:.4f}", exact),
-                        fmt::format("{:+.4f}", formula - exact), fmt::format("{:.4f}", solver)});
+  table.rows.push_back(cells("$k_s/k_n$ = {:.4f}, $v$ = {:.2f} $\\mu v_n$ | {:.4f} | {:.4f} | {:+.4f} | {:.4f}", kappa,
+                             found.before / mu, formula, exact, formula - exact, solver));
   if (kappa != 0.25 || ratio != 0.5) return;
-  findings.expect("error of e_t = -cos(pi sqrt(3 k_s/k_n)) at k_s/k_n = 1/4, v = 2 mu v_n", formula - solver,
-                  formula - exact,
-                  Tolerance::truncation(0.084 * std::pow(std::numbers::pi / 100.5, 2) / found.before, 1.2,
-                                        "the constant of the rms error of all slip rates, 0.084 (w h)^2, over the "
-                                        "initial slip rate; the error of a mean of 64 phases is at most their rms "
-                                        "error"));
+  findings.expect_truncation("error of e_t = -cos(pi sqrt(3 k_s/k_n)) at k_s/k_n = 1/4, v = 2 mu v_n", formula - solver,
+                             formula - exact, 0.084 * std::pow(std::numbers::pi / 100.5, 2) / found.before, 1.2,
+                             "the constant of the rms error of all slip rates, 0.084 (w h)^2, over the initial slip "
+                             "rate; the error of a mean of 64 phases is at most their rms error");
 }
 
 /// -after/before as text, without a minus sign before zero.
@@ -69,15 +58,15 @@ Series exact_rebounds(double kappa) {
 void check_rebounds(Findings& findings, const Setup& setup) {
   Table table{.name = "rebounds",
               .caption =
-                  "Slip rate after an oblique impact over that before, $-v'/v$: exact and solver (velocity Verlet, "
-                  "100 steps per contact, mean of 64 phases). The unit of $v$ is $\\mu v_n k_n/k_s$.",
+                  "Slip rate after an oblique impact over that before, $-v'/v$: exact and solver (velocity Verlet, 100 "
+                  "steps per contact, mean of 64 phases). The unit of $v$ is $\\mu v_n k_n/k_s$.",
               .columns = {"k_s/k_n", "v", "exact", "solver", "rms error over v_n"}};
-  Table common = common_formula(
-      "tangential_restitution",
-      "**Tangential restitution of a contact that sticks, $e_t = -v'/v = -\\cos(\\pi\\sqrt{3 k_s/k_n})$.** It "
-      "neglects that the normal force falls to zero at the end, so that every contact with Coulomb's limit slips "
-      "there unless both springs oscillate in phase, $k_s/k_n$ = 1/3. Discs, undamped. Solver: velocity Verlet, 100 "
-      "steps per contact, mean of 64 phases.");
+  Table common =
+      common_formula("tangential_restitution",
+                     "**Tangential restitution of a contact that sticks, $e_t = -v'/v = -\\cos(\\pi\\sqrt{3 "
+                     "k_s/k_n})$.** It neglects that the normal force falls to zero at the end, so that every contact "
+                     "with Coulomb's limit slips there unless both springs oscillate in phase, $k_s/k_n$ = 1/3. Discs, "
+                     "undamped. Solver: velocity Verlet, 100 steps per contact, mean of 64 phases.");
   Figure figure{.name = "rebound",
                 .title = "Rebound of the contact point",
                 .caption =
@@ -93,16 +82,16 @@ void check_rebounds(Findings& findings, const Setup& setup) {
       largest = std::max(largest, found.error);
       if (ratio <= 0.5) compare_without_slip(kappa, ratio, found, common, findings);
       points.add(found.before / mu, found.mean / mu);
-      table.rows.push_back({fmt::format("{:.4f}", kappa), fmt::format("{:g}", ratio),
-                            returned(found.exact, found.before), returned(found.mean, found.before),
-                            fmt::format("{:.1e}", found.error)});
+      table.rows.push_back(cells("{:.4f} | {:g} | {} | {} | {:.1e}", kappa, ratio, returned(found.exact, found.before),
+                                 returned(found.mean, found.before), found.error));
     }
     figure.series.push_back(exact_rebounds(kappa));
     figure.series.push_back(points);
   }
-  findings.expect("rms error of the slip rate after the impact, largest of 4 stiffnesses x 6 obliquities", largest, 0.0,
-                  Tolerance::truncation(0.084 * std::pow(std::numbers::pi / 100.5, 2), 1.2,
-                                        "measured constant 0.084 (w h)^2, and a fifth for other phases"));
+  findings.expect_truncation(
+      {"slip_rates", "rms error of the slip rate after the impact, largest of 4 stiffnesses x 6 obliquities"}, largest,
+      0.0, 0.084 * std::pow(std::numbers::pi / 100.5, 2), 1.2,
+      "measured constant 0.084 (w h)^2, and a fifth for other phases");
   findings.table(table);
   findings.table(common);
   findings.figure(figure);
@@ -127,13 +116,13 @@ void check_grazing(Findings& findings, const Setup& setup) {
       }
     }
   }
-  findings.expect_true("no energy gain in grazing impacts of 60 to 88 degrees, mu = 0.01 to 1", gain <= 0.0,
+  findings.expect_true({"grazing/gain", "no energy gain in grazing impacts of 60 to 88 degrees, mu = 0.01 to 1"},
+                       gain <= 0.0,
                        "friction dissipates more than the error of the normal impact, of order (w h)^2, adds");
-  findings.expect(
-      "energy after a grazing impact, largest error over (w h)^2 times the initial energy", error / (step * step), 0.0,
-      Tolerance::truncation(
-          0.156, 1.2,
-          "measured constant 0.156 (w h)^2 at 31 steps per contact, and a fifth for the next power of the step"));
+  findings.expect_truncation(
+      {"grazing/energy", "energy after a grazing impact, largest error over (w h)^2 times the initial energy"},
+      error / (step * step), 0.0, 0.156, 1.2,
+      "measured constant 0.156 (w h)^2 at 31 steps per contact, and a fifth for the next power of the step");
 }
 
 }  // namespace talus::verification::problems

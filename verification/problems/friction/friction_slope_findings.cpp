@@ -1,12 +1,6 @@
-#include <fmt/format.h>
-
-#include <algorithm>
-#include <cmath>
-#include <numbers>
-
 #include "verification/problems/friction/friction_findings.hpp"
-#include "verification/study/runs/scene_run.hpp"
 #include "verification/study/scenes/sliding_scenes.hpp"
+#include "verification/study/toolkit.hpp"
 
 namespace talus::verification::problems {
 namespace {
@@ -146,23 +140,22 @@ void check_threshold(Findings& findings, const Setup& setup, bool rolls, const s
     const SlopeRun run = run_slope(given, setup, 2e-5, time, false, findings);
     const double lost = run.end.work[static_cast<std::size_t>(Mechanism::friction)];
     if (ratio < 1.0) {
-      findings.in("below_threshold")
-          ->expect("friction work at 0.999 of the slip threshold, " + name, lost, 0.0,
-                   Tolerance::exact("below the friction limit the contact does not slip"), "J");
+      findings.expect_exact({"below_threshold/" + name, "friction work at 0.999 of the slip threshold, " + name}, lost,
+                            0.0, "below the friction limit the contact does not slip", "J");
       continue;
     }
     const reference::DraggedSlider slider = dragged_slider(slope);
     const double slipped = reference::DraggedSliderMotion{slider, time}.at(time).slipped;
-    findings.in("above_threshold")
-        ->expect("friction work at 1.001 of the slip threshold, " + name, lost,
-                 slider.friction * slider.normal_force * slipped,
-                 Tolerance::round_off(2e3 * normal_round_off(slope),
-                                      "constant forces, which velocity Verlet integrates exactly; the acceleration "
-                                      "of the slip is a thousandth of the force that contains the round-off of the "
-                                      "normal force (an overlap of 1e-5 m as a difference of two lengths of half a "
-                                      "metre): 1000 times that, and twice for its oscillation")
-                     .relative(),
-                 "J");
+    findings.expect(
+        {"above_threshold/" + name, "friction work at 1.001 of the slip threshold, " + name}, lost,
+        slider.friction * slider.normal_force * slipped,
+        Tolerance::round_off(
+            2e3 * normal_round_off(slope),
+            "constant forces, which velocity Verlet integrates exactly; the acceleration of the slip is a thousandth "
+            "of the force that contains the round-off of the normal force (an overlap of 1e-5 m as a difference of two "
+            "lengths of half a metre): 1000 times that, and twice for its oscillation")
+            .relative(),
+        "J");
   }
 }
 
@@ -188,8 +181,8 @@ void check_first_slip(Findings& findings, const Setup& setup) {
     errors.add(1.0 / count, error.rms());
   }
   findings.expect_order("order of the slip distance of a block released on a slope", errors, 1.8, 2.2,
-                        "velocity Verlet; a stretch beyond the friction limit is reduced to the limit within the "
-                        "same step, which causes an error of the square of the step");
+                        "velocity Verlet; a stretch beyond the friction limit is reduced to the limit within the same "
+                        "step, which causes an error of the square of the step");
 }
 
 }  // namespace
@@ -204,43 +197,39 @@ void check_rolling(Findings& findings, const Setup& setup) {
   const SlopeRun run = run_slope(given, setup, step, end, true, findings);
   const double arm = slope_radius - 0.5 * slope_mass * slope_gravity / stiffness;
   const double slip_ends = end_of_slip(run, arm);
-  findings.expect(
-      "start time of rolling over that of the reference", slip_ends / exact.phases()[1].begin, 1.0,
-      Tolerance::round_off(2.0 * normal_round_off(slope),
-                           "constant forces, which velocity Verlet integrates exactly: the round-off of the "
-                           "overlap, 1e-5 m as a difference of two lengths of half a metre, and its oscillation"));
-  findings.expect(
-      "start time of rolling over u0/(3 mu g)", slip_ends * 3.0 * mu * slope_gravity / speed, 1.0,
-      Tolerance::model(2.0 * slope_mass * slope_gravity / stiffness / slope_radius / 3.0 * 1.05,
-                       "friction acts on the arm r - d/2: n = 3 - 2 d/r instead of 3, and 5 % for the next power"));
+  findings.expect_round_off({"rolling_start/reference", "start time of rolling over that of the reference"},
+                            slip_ends / exact.phases()[1].begin, 1.0, 2.0 * normal_round_off(slope),
+                            "constant forces, which velocity Verlet integrates exactly: the round-off of the overlap, "
+                            "1e-5 m as a difference of two lengths of half a metre, and its oscillation");
+  findings.expect_model({"rolling_start/rigid", "start time of rolling over u0/(3 mu g)"},
+                        slip_ends * 3.0 * mu * slope_gravity / speed, 1.0,
+                        2.0 * slope_mass * slope_gravity / stiffness / slope_radius / 3.0 * 1.05,
+                        "friction acts on the arm r - d/2: n = 3 - 2 d/r instead of 3, and 5 % for the next power");
   const double swing = reference::swing_after_slip(slider);
   double largest = 0.0;
   for (std::size_t i = 0; i < run.time.size(); ++i) {
     if (run.time[i] > exact.phases()[1].begin + step)
-      largest = std::max(largest, std::abs(run.speed[i] - run.rim[i] * arm / slope_radius));
+      keep_largest(largest, run.speed[i] - run.rim[i] * arm / slope_radius);
   }
   const double wh = std::sqrt(3.0 * stiffness / slope_mass) * step;
-  findings.expect("slip rate of the oscillation after sliding over mu g sqrt(3 m/k_s)", largest / swing, 1.0,
-                  Tolerance::truncation(0.125 * wh * wh, 2.0,
-                                        "the largest of samples a step apart misses the peak by up to (w h)^2/8, "
-                                        "and the oscillation by velocity Verlet has an error of the same size"));
-  findings.expect("speed of the rolling disc", run.end.v[0], 2.0 / 3.0 * speed,
-                  Tolerance::model(swing / 3.0,
-                                   "the spring oscillates with the slip rate mu g sqrt(3 m/k_s), a third of which "
-                                   "is in the speed of the centre"),
-                  "m/s");
+  findings.expect_truncation("slip rate of the oscillation after sliding over mu g sqrt(3 m/k_s)", largest / swing, 1.0,
+                             0.125 * wh * wh, 2.0,
+                             "the largest of samples a step apart misses the peak by up to (w h)^2/8, and the "
+                             "oscillation by velocity Verlet has an error of the same size");
+  findings.expect_model(
+      "speed of the rolling disc", run.end.v[0], 2.0 / 3.0 * speed, swing / 3.0,
+      "the spring oscillates with the slip rate mu g sqrt(3 m/k_s), a third of which is in the speed of the centre",
+      "m/s");
   const double lost = run.end.work[static_cast<std::size_t>(Mechanism::friction)];
   const double energy = 0.5 * slope_mass * speed * speed;
-  findings.expect(
-      "energy lost by the slider, over a third of that at the start", lost / (energy / 3.0), 1.0,
-      Tolerance::model(slope_mass * slope_gravity / stiffness / slope_radius / 1.5 * 1.05,
-                       "friction acts on the arm r - d/2: n = 3 - 2 d/r instead of 3, and 5 % for the next power"));
+  findings.expect_model({"slider_loss", "energy lost by the slider, over a third of that at the start"},
+                        lost / (energy / 3.0), 1.0, slope_mass * slope_gravity / stiffness / slope_radius / 1.5 * 1.05,
+                        "friction acts on the arm r - d/2: n = 3 - 2 d/r instead of 3, and 5 % for the next power");
   const double spring = 0.5 * stiffness * slider.stretch * slider.stretch;
-  findings.expect(
-      "energy balance error, disc from sliding to rolling", run.largest_balance_error / energy, 0.0,
-      Tolerance::truncation(0.25 * wh * wh * spring / energy, 1.2,
-                            "the balance under constant forces is exact to round-off; by velocity Verlet the energy "
-                            "of the remaining oscillation, mu^2 N^2/(2 k_s), fluctuates by (w h)^2/4 of it"));
+  findings.expect_truncation({"sliding_balance", "energy balance error, disc from sliding to rolling"},
+                             run.largest_balance_error / energy, 0.0, 0.25 * wh * wh * spring / energy, 1.2,
+                             "the balance under constant forces is exact to round-off; by velocity Verlet the energy "
+                             "of the remaining oscillation, mu^2 N^2/(2 k_s), fluctuates by (w h)^2/4 of it");
   findings.figure(rolling_figure(run, slider, speed));
 }
 
@@ -250,18 +239,18 @@ void check_slopes(Findings& findings, const Setup& setup) {
   const std::string words =
       "constant forces, which velocity Verlet integrates exactly; the round-off of the overlap and its oscillation, "
       "relative to net forces of the size of the friction";
-  findings.expect("acceleration of a disc on slopes, largest relative error against the reference", disc.farthest, 0.0,
-                  Tolerance::round_off(3.0 * normal_round_off(steepest), words));
-  findings.expect("acceleration of a block on slopes, largest relative error against the reference", block.farthest,
-                  0.0,
-                  Tolerance::round_off(30.0 * normal_round_off(steepest),
-                                       "as for the disc; at 1.02 times the slip threshold the net force is a fiftieth "
-                                       "of the friction: 50 times half a unit in the last place of the overlap's "
-                                       "lengths, and a fifth for the oscillation"));
-  findings.expect("acceleration of a disc on slopes, largest relative difference of reference and rigid disc",
-                  disc.rigid, 0.0,
-                  Tolerance::model(slope_mass * slope_gravity / stiffness / slope_radius / 3.0,
-                                   "with the arm r - d/2, n = 3 - 2 d/r changes 1 - 1/n by d/(3 r)"));
+  findings.expect_round_off(
+      {"slopes/disc", "acceleration of a disc on slopes, largest relative error against the reference"}, disc.farthest,
+      0.0, 3.0 * normal_round_off(steepest), words);
+  findings.expect_round_off(
+      {"slopes/block", "acceleration of a block on slopes, largest relative error against the reference"},
+      block.farthest, 0.0, 30.0 * normal_round_off(steepest),
+      "as for the disc; at 1.02 times the slip threshold the net force is a fiftieth of the friction: 50 times half a "
+      "unit in the last place of the overlap's lengths, and a fifth for the oscillation");
+  findings.expect_model(
+      {"slopes/rigid", "acceleration of a disc on slopes, largest relative difference of reference and rigid disc"},
+      disc.rigid, 0.0, slope_mass * slope_gravity / stiffness / slope_radius / 3.0,
+      "with the arm r - d/2, n = 3 - 2 d/r changes 1 - 1/n by d/(3 r)");
   check_threshold(findings, setup, true, "disc");
   check_threshold(findings, setup, false, "block");
   if (setup.coarse) return;

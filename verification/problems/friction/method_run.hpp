@@ -2,9 +2,7 @@
 
 #include <variant>
 
-#include "solver/integrate/integrator_list.hpp"
-#include "solver/state/state.hpp"
-#include "verification/study/runs/usage.hpp"
+#include "verification/study/toolkit.hpp"
 
 namespace talus::verification::problems {
 

@@ -1,25 +1,9 @@
 #include "solver/laws/mindlin.hpp"
 
-#include <fmt/format.h>
-
-#include <algorithm>
-#include <cmath>
-#include <string>
-#include <vector>
-
-#include "solver/dynamics/rigid_body_system.hpp"
 #include "solver/dynamics/springs.hpp"
-#include "solver/integrate/integrator_list.hpp"
 #include "solver/io/scene/read_scene.hpp"
-#include "solver/model/model_builder.hpp"
-#include "verification/check/case.hpp"
-#include "verification/check/convergence.hpp"
 #include "verification/reference/friction/mindlin_impact.hpp"
-#include "verification/study/findings/curves.hpp"
-#include "verification/study/findings/expectations.hpp"
-#include "verification/study/findings/predicted_errors.hpp"
-#include "verification/study/runs/phases.hpp"
-#include "verification/study/runs/scene_run.hpp"
+#include "verification/study/toolkit.hpp"
 
 namespace talus::verification::problems::mindlin {
 namespace {
@@ -49,8 +33,8 @@ Mindlin friction(const reference::MindlinImpact& impact, const Setup& setup) {
 Scene scene_of(const reference::MindlinImpact& impact, const Setup& setup, double lead = 0.1,
                double r = sphere_radius) {
   const bool rolls = impact.mobility > 1.0;
-  ModelBuilder builder;
-  const BodyId plane = builder.add(Body{.name = "plane", .mobility = Mobility::fixed, .shape = HalfPlane{}});
+  SceneBuilder builder;
+  const BodyId plane = builder.add_fixed("plane", HalfPlane{});
   const BodyId body = builder.add(Body{.name = "body",
                                        .mobility = rolls ? Mobility::free : Mobility::particle,
                                        .mass = 1.0,
@@ -61,9 +45,7 @@ Scene scene_of(const reference::MindlinImpact& impact, const Setup& setup, doubl
   touch.friction = friction(impact, setup);
   if (setup.has("constant_stiffness")) touch.friction = friction(impact, setup).at(1.0);
   builder.add(touch);
-  Scene scene;
-  scene.model = builder.build();
-  scene.initial = rest_state(scene.model);
+  Scene scene = builder.at_rest();
   set_velocity(scene.model, scene.initial, body, {impact.slip_rate, -1.0}, 0.0);
   return scene;
 }
@@ -123,18 +105,17 @@ void expect(Findings& findings, const Worst& worst, const std::string& body, dou
   const std::string why =
       "local errors of the tolerance in some 500 steps; for spheres the square of the overlap over the radius, and "
       "positions rounded to 2e-12";
-  findings.in("impacts")->expect("slip rate after oblique impacts, largest error, " + body, worst.slip_rate, 0.0,
-                                 Tolerance::truncation(bound, 1.0, why), "v");
-  findings.in("impacts")->expect(
-      "slip rate after impacts that stick again, largest error, " + body, worst.after_stick, 0.0,
-      Tolerance::truncation(3e-4, 1.0,
-                            "a slider that sticks again is found at the end of a step, not located: an error of the "
-                            "square of a step of some 0.02"),
-      "v");
-  findings.in("energy")->expect("energy dissipated by friction less that of the slip rates, " + body, worst.dissipated,
-                                0.0, Tolerance::truncation(energy_bound, 1.0, why), "m v^2");
-  findings.in("energy")->expect("energy balance error of oblique impacts, largest, " + body, worst.balance, 0.0,
-                                Tolerance::truncation(bound, 1.0, why));
+  findings.expect_truncation({"impacts", "slip rate after oblique impacts, largest error, " + body}, worst.slip_rate,
+                             0.0, bound, 1.0, why, "v");
+  findings.expect_truncation({"impacts", "slip rate after impacts that stick again, largest error, " + body},
+                             worst.after_stick, 0.0, 3e-4, 1.0,
+                             "a slider that sticks again is found at the end of a step, not located: an error of the "
+                             "square of a step of some 0.02",
+                             "v");
+  findings.expect_truncation({"energy", "energy dissipated by friction less that of the slip rates, " + body},
+                             worst.dissipated, 0.0, energy_bound, 1.0, why, "m v^2");
+  findings.expect_truncation({"energy", "energy balance error of oblique impacts, largest, " + body}, worst.balance,
+                             0.0, bound, 1.0, why);
 }
 
 void check_impacts(Findings& findings, const Setup& setup) {
@@ -182,53 +163,46 @@ void check_dashpot(Findings& findings, const Setup& setup) {
   impact.friction = 1e3, impact.shear_dashpot = 0.4;
   const Impact found = run_impact(impact, setup, findings);
   const std::string why = "local errors of 1e-12 in some 500 steps";
-  findings.in("dashpot")->expect("slip rate after an impact with a tangential dashpot", found.slip_rate,
-                                 reference::rebound(impact).slip_rate, Tolerance::truncation(4e-12, 1.0, why), "v");
-  findings.in("dashpot")->expect("energy balance error with a tangential dashpot", found.balance_error, 0.0,
-                                 Tolerance::truncation(4e-11, 1.0, why));
+  findings.expect_truncation({"dashpot", "slip rate after an impact with a tangential dashpot"}, found.slip_rate,
+                             reference::rebound(impact).slip_rate, 4e-12, 1.0, why, "v");
+  findings.expect_truncation({"dashpot", "energy balance error with a tangential dashpot"}, found.balance_error, 0.0,
+                             4e-11, 1.0, why);
   const Scene built = scene_of(impact, setup);
   const Mindlin law = friction(impact, setup);
   const Scene read = read_scene(
-      fmt::format("title = \"impact\"\nunits = \"SI\"\n[[body]]\nname = \"plane\"\nmobility = \"fixed\"\n"
-                  "shape = {{ kind = \"half_plane\" }}\nposition = [\"0 m\", \"0 m\"]\n[[body]]\nname = "
-                  "\"body\"\nmobility = \"particle\"\n"
-                  "mass = \"1 kg\"\nshape = {{ kind = \"circle\", radius = \"{0:.17g} m\" }}\n"
-                  "position = [\"0 m\", \"{1:.17g} m\"]\nvelocity = [\"{2:.17g} m/s\", \"-1 m/s\"]\n[[contact]]\n"
-                  "name = \"impact\"\nbetween = [\"body\", \"plane\"]\nlaw = \"hertz\"\nmodulus = \"{3:.17g} Pa\"\n"
-                  "radius = \"{4:.17g} m\"\ndamping = \"{5:.17g} N s/m\"\nfriction = {6:.17g}\n"
-                  "shear_law = \"mindlin\"\nshear_modulus = \"{7:.17g} Pa\"\nshear_damping = \"{8:.17g} N s/m\"\n"
-                  "[run]\nintegrator = \"rk4\"\nstep = \"1 ms\"\nend = \"4 s\"\n",
-                  sphere_radius, sphere_radius + 0.1, impact.slip_rate, hertz_modulus, radius,
-                  hertz(impact.dashpot).damping, law.coefficient,
-                  setup.has("scene_modulus") ? 1.1 * law.modulus : law.modulus, law.damping),
+      fmt::format(
+          "title = \"impact\"\nunits = \"SI\"\n[[body]]\nname = \"plane\"\nmobility = \"fixed\"\nshape = {{ kind = "
+          "\"half_plane\" }}\nposition = [\"0 m\", \"0 m\"]\n[[body]]\nname = \"body\"\nmobility = \"particle\"\nmass "
+          "= \"1 kg\"\nshape = {{ kind = \"circle\", radius = \"{0:.17g} m\" }}\nposition = [\"0 m\", \"{1:.17g} "
+          "m\"]\nvelocity = [\"{2:.17g} m/s\", \"-1 m/s\"]\n[[contact]]\nname = \"impact\"\nbetween = [\"body\", "
+          "\"plane\"]\nlaw = \"hertz\"\nmodulus = \"{3:.17g} Pa\"\nradius = \"{4:.17g} m\"\ndamping = \"{5:.17g} N "
+          "s/m\"\nfriction = {6:.17g}\nshear_law = \"mindlin\"\nshear_modulus = \"{7:.17g} Pa\"\nshear_damping = "
+          "\"{8:.17g} N s/m\"\n[run]\nintegrator = \"rk4\"\nstep = \"1 ms\"\nend = \"4 s\"\n",
+          sphere_radius, sphere_radius + 0.1, impact.slip_rate, hertz_modulus, radius, hertz(impact.dashpot).damping,
+          law.coefficient, setup.has("scene_modulus") ? 1.1 * law.modulus : law.modulus, law.damping),
       "impact.toml");
   const RunPlan plan{1e-3, 4.0, 4.0, false, MonitorRules::off()};
   const State a = run_scene(built, RungeKutta4{}, plan, findings).state,
               b = run_scene(read, RungeKutta4{}, plan, findings).state;
-  findings.in("dashpot")->expect("slip rate of the same impact from a scene's text, difference", b.v[0] - a.v[0], 0.0,
-                                 Tolerance::exact("the same model, read from 17 digits"), "v");
+  findings.expect_exact({"dashpot", "slip rate of the same impact from a scene's text, difference"}, b.v[0] - a.v[0],
+                        0.0, "the same model, read from 17 digits", "v");
 }
 
 /// A block that lands flat on two corners, each of a contact that represents two: four times the particle. It moves as
 /// the particle does.
 void check_copies(Findings& findings, const Setup& setup) {
   const reference::MindlinImpact impact = impact_of(1.286, 1.5, 1.0, 0.3);
-  ModelBuilder builder;
-  const BodyId plane = builder.add(Body{.name = "plane", .mobility = Mobility::fixed, .shape = HalfPlane{}});
-  const BodyId block = builder.add(Body{.name = "block",
-                                        .mobility = Mobility::particle,
-                                        .mass = setup.has("contact_forgotten") ? 3.0 : 4.0,
-                                        .shape = Rectangle{2.0, 1.0},
-                                        .p_WB = {0.0, 1.1}});
+  SceneBuilder builder;
+  const BodyId plane = builder.add_fixed("plane", HalfPlane{});
+  const BodyId block =
+      builder.add_particle("block", setup.has("contact_forgotten") ? 3.0 : 4.0, {0.0, 1.1}, Rectangle{2.0, 1.0});
   builder.add(Contact{.name = "impact",
                       .a = block,
                       .b = plane,
                       .law = hertz(impact.dashpot),
                       .friction = friction(impact, setup),
                       .multiplicity = 2});
-  Scene scene;
-  scene.model = builder.build();
-  scene.initial = rest_state(scene.model);
+  Scene scene = builder.at_rest();
   set_velocity(scene.model, scene.initial, block, {impact.slip_rate, -1.0}, 0.0);
   RunLedger ledger{scene.model, scene.initial};
   const State end =
@@ -237,11 +211,11 @@ void check_copies(Findings& findings, const Setup& setup) {
   const double u = slip_rate(end), slip_energy = 2.0 * (impact.slip_rate * impact.slip_rate - u * u);
   const Tolerance bound =
       Tolerance::truncation(4e-12, 1.0, "local errors of 1e-12 in some 500 steps, of which most cancel");
-  findings.in("copies")->expect("slip rate of a block on two corners of two contacts each", u,
-                                reference::rebound(impact).slip_rate, bound, "v");
-  findings.in("copies")->expect("energy dissipated by friction of this block over that of its slip rates",
-                                end.work[static_cast<std::size_t>(Mechanism::friction)] / slip_energy, 1.0, bound);
-  findings.in("copies")->expect("energy balance error of this block", ledger(end).energy_balance_error, 0.0, bound);
+  findings.expect({"copies", "slip rate of a block on two corners of two contacts each"}, u,
+                  reference::rebound(impact).slip_rate, bound, "v");
+  findings.expect({"copies", "energy dissipated by friction of this block over that of its slip rates"},
+                  end.work[static_cast<std::size_t>(Mechanism::friction)] / slip_energy, 1.0, bound);
+  findings.expect({"copies", "energy balance error of this block"}, ledger(end).energy_balance_error, 0.0, bound);
 }
 
 // --- a closed loop of load and slip ---------------------------------------------------------------------------------
@@ -295,16 +269,12 @@ void check_loop(Findings& findings, const Setup& setup) {
   const talus::Mindlin law = friction(impact_of(1.286, 1.0, 1.0, 0.0), setup);
   const double exact = 0.5 * (law.stiffness(near_overlap) - law.stiffness(far_overlap)) * loop_slip * loop_slip;
   const double work = setup.has("not_rescaled") ? loop_work(Unrescaled{law}, law) : loop_work(law, law);
-  findings.in("loop")->expect("work of a loop of load, slip, unload, slip back, over (k_1 - k_2) s^2/2", work / exact,
-                              1.0,
-                              Tolerance::round_off(1e-11,
-                                                   "the stretch is constant or changes evenly in each part: the "
-                                                   "midpoint rule is exact, with 8,000 rounded steps"));
-  findings.in("loop")->expect("the same without rescaling: the loop creates this energy",
-                              loop_work(Unrescaled{law}, law) / exact, -1.0,
-                              Tolerance::truncation(1e-6, 1.0,
-                                                    "the midpoint rule in 2,000 steps, while the overlap "
-                                                    "falls to a quarter"));
+  findings.expect_round_off(
+      {"loop", "work of a loop of load, slip, unload, slip back, over (k_1 - k_2) s^2/2"}, work / exact, 1.0, 1e-11,
+      "the stretch is constant or changes evenly in each part: the midpoint rule is exact, with 8,000 rounded steps");
+  findings.expect_truncation({"loop", "the same without rescaling: the loop creates this energy"},
+                             loop_work(Unrescaled{law}, law) / exact, -1.0, 1e-6, 1.0,
+                             "the midpoint rule in 2,000 steps, while the overlap falls to a quarter");
 }
 
 // --- order and step -------------------------------------------------------------------------------------------------
@@ -315,8 +285,8 @@ void check_orders(Findings& findings, const Setup& setup) {
   Figure figure{.name = "orders",
                 .title = "Error of the slip rate of fixed steps",
                 .caption =
-                    "Error of the slip rate after an impact that sticks until shortly before its end, root mean "
-                    "square over 64 phases.",
+                    "Error of the slip rate after an impact that sticks until shortly before its end, root mean square "
+                    "over 64 phases.",
                 .x = {.label = "step / contact time", .log = true},
                 .y = {.label = "error of the slip rate / v", .log = true},
                 .slopes = {{2.0, 1.0 / 64.0, 3e-6, "h^2"}}};
@@ -332,7 +302,7 @@ void check_orders(Findings& findings, const Setup& setup) {
       });
       return std::pair{1.0 / count, error.rms()};
     });
-    findings.in("integrator." + name)->expect_order("order of the slip rate, " + name, found, low, high, why);
+    findings.expect_order({"integrator." + name, "order of the slip rate, " + name}, found, low, high, why);
     figure.series.push_back({name, found.steps(), found.errors(), Style::points});
   };
   measure("velocity_verlet", 1.8, 2.3, "second order, and h^(5/2) from the onset and from slip at the end");
@@ -345,9 +315,8 @@ void check_step(Findings& findings, const Setup& setup) {
   const Scene scene = scene_of(impact, setup);
   const Dynamics dynamics{scene.model};
   const double stiffness = springs(dynamics, scene.initial).back().stiffness;
-  findings.in("step")->expect("stiffness for step limits over kappa K sqrt(0.1 R)",
-                              stiffness / (1.286 * std::sqrt(0.1 * radius)), 1.0,
-                              Tolerance::round_off(1e-14, "a product of five factors"));
+  findings.expect_round_off({"step", "stiffness for step limits over kappa K sqrt(0.1 R)"},
+                            stiffness / (1.286 * std::sqrt(0.1 * radius)), 1.0, 1e-14, "a product of five factors");
 }
 
 void run(Findings& findings, const Setup& setup) {

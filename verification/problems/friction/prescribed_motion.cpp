@@ -1,22 +1,8 @@
-#include <fmt/format.h>
-
-#include <cmath>
-#include <functional>
-#include <numbers>
-#include <string>
-#include <vector>
-
-#include "solver/dynamics/rigid_body_system.hpp"
 #include "solver/integrate/advance.hpp"
-#include "solver/model/model_builder.hpp"
-#include "solver/scenes/scene.hpp"
-#include "verification/check/case.hpp"
 #include "verification/problems/friction/method_run.hpp"
 #include "verification/reference/motion/held_body.hpp"
 #include "verification/reference/motion/smooth_motion.hpp"
-#include "verification/study/findings/curves.hpp"
-#include "verification/study/findings/expectations.hpp"
-#include "verification/study/runs/usage.hpp"
+#include "verification/study/toolkit.hpp"
 
 namespace talus::verification::problems::prescribed_motion {
 namespace {
@@ -77,9 +63,7 @@ struct Exercise {
 };
 
 /// Adds the particle whose position is the time. It is the last body and has two coordinates.
-void add_clock(ModelBuilder& builder) {
-  builder.add(Body{.name = "clock", .mobility = Mobility::particle, .mass = 1.0});
-}
+void add_clock(SceneBuilder& builder) { builder.add_particle("clock", 1.0); }
 
 std::vector<reference::Tie> cables(bool damped) {
   const double c = damped ? 1.0 : 0.0;
@@ -95,17 +79,15 @@ Exercise on_cables(bool damped, const Setup& setup) {
   out.springs = reference::body_on_cables(mass, inertia, cables(damped));
   out.motion.coordinates = {reference::Wave{0.0, 0.0, {{0.3, 1.3, 0.2}}}, reference::Wave{0.0, 0.0, {{0.25, 1.7, 1.0}}},
                             reference::Wave{0.0, 0.2, {{0.6, 0.9, 0.5}}}};
-  ModelBuilder builder;
+  SceneBuilder builder;
   const BodyId body = builder.add(Body{.name = "body", .mass = mass, .inertia = inertia});
   int number = 0;
   for (const reference::Tie& tie : cables(damped)) {
     const double at = setup.has("cables_on_the_centre") ? 0.0 : 1.0;
     const double stiffness = setup.has("cables_stiffer") ? 1.001 * tie.stiffness : tie.stiffness;
-    builder.add(Cable{.name = fmt::format("cable_{}", ++number),
-                      .a = {body, {at * tie.body_x, at * tie.body_y, 0.0}},
-                      .b = {std::nullopt, {tie.anchor_x, tie.anchor_y, 0.0}},
-                      .rest_length = tie.rest_length,
-                      .law = TensionOnly{stiffness, tie.damping}});
+    builder.add_cable(fmt::format("cable_{}", ++number), {body, {at * tie.body_x, at * tie.body_y, 0.0}},
+                      {std::nullopt, {tie.anchor_x, tie.anchor_y, 0.0}}, tie.rest_length,
+                      TensionOnly{stiffness, tie.damping});
   }
   add_clock(builder);
   out.model = builder.build();
@@ -145,16 +127,12 @@ Exercise rolling(const Setup& setup) {
   out.name = "rolling";
   out.springs = reference::pressed_disc(disc);
   out.motion = rolling_motion();
-  ModelBuilder builder;
-  const BodyId roller = builder.add(Body{
-      .name = "roller", .mass = disc.mass, .inertia = disc.inertia, .shape = Circle{disc.radius}, .p_WB = {rho, 0.0}});
-  const BodyId post = builder.add(Body{.name = "post", .mobility = Mobility::fixed, .shape = Circle{post_radius}});
+  SceneBuilder builder;
+  const BodyId roller = builder.add_free("roller", disc.mass, disc.inertia, Circle{disc.radius}, {rho, 0.0});
+  const BodyId post = builder.add_fixed("post", Circle{post_radius});
   const double softer = setup.has("friction_softer") ? 0.999 : 1.0;
-  builder.add(Contact{.name = "touch",
-                      .a = roller,
-                      .b = post,
-                      .law = LinearSpringDashpot{disc.normal_stiffness, 0.0},
-                      .friction = CoulombFriction{50.0, softer * disc.slip_stiffness}});
+  builder.add_contact("touch", roller, post, LinearSpringDashpot{disc.normal_stiffness, 0.0},
+                      CoulombFriction{50.0, softer * disc.slip_stiffness});
   add_clock(builder);
   out.model = builder.build();
   out.clock = 3;
@@ -231,10 +209,10 @@ void check_leapfrogs(const Exercise& exercise, Figure& figure, Findings& finding
     expect_constant(findings.in(exercise.springs.damped ? "cables" : exercise.name), name, found, constant, order,
                     odd ? 1 : 2, setup.coarse ? 2e-4 : 3e-6);
     if (method.kind == reference::Leapfrog::velocity_verlet)
-      findings.expect_order("order, " + name, found, order - 0.003, order + 0.003,
-                            "the order of the method, because no cable or contact is released; the next power, w h "
-                            "= 0.03 (w = 8, at the largest step; squared without dashpots), bends the line by a "
-                            "twentieth of itself");
+      findings.expect_order(
+          "order, " + name, found, order - 0.003, order + 0.003,
+          "the order of the method, because no cable or contact is released; the next power, w h = 0.03 (w = 8, at the "
+          "largest step; squared without dashpots), bends the line by a twentieth of itself");
     if (method.kind == reference::Leapfrog::lagged_central_difference && !system.damped) continue;
     figure.series.push_back({name, found.steps(), found.errors(), Style::points});
     figure.series.push_back(curve("predicted", found.steps(), [&](double h) { return constant * std::pow(h, order); }));
@@ -258,11 +236,11 @@ void check_high_orders(const Exercise& exercise, Figure& figure, Findings& findi
     if (method.rolling_only && exercise.name != "rolling") continue;
     const auto claim = findings.in(fmt::format("integrator.{}", method.name));
     const Convergence found = errors(exercise, make_integrator(method.name), method.first, 3, findings, setup);
-    findings.expect_order(
-        fmt::format("order, {}, {}", exercise.name, method.name), found, method.order - 0.2, method.order + 0.2,
-        "the order of the method, because no cable or contact is released; the next power, w h = 0.1 to 0.8 for w = "
-        "8 at the largest step, times a constant of the method: at most 0.19 is measured, and it decreases with the "
-        "step");
+    findings.expect_order(fmt::format("order, {}, {}", exercise.name, method.name), found, method.order - 0.2,
+                          method.order + 0.2,
+                          "the order of the method, because no cable or contact is released; the next power, w h = 0.1 "
+                          "to 0.8 for w = 8 at the largest step, times a constant of the method: at most 0.19 is "
+                          "measured, and it decreases with the step");
     figure.series.push_back({exercise.name + ", " + method.name, found.steps(), found.errors(), Style::linespoints});
   }
 }
@@ -293,14 +271,8 @@ void run(Findings& findings, const Setup& setup) {
 Case definition() {
   return {.id = "prescribed_motion",
           .title = "Prescribed motion: elastic cables and history-dependent friction",
-          .requirements = {{"law.tension_only", {"cables"}},
-                           {"Eq. 13", {"cables"}},
-                           {"Eq. 14", {"cables"}},
-                           {"Eq. 15", {"cables"}},
-                           {"Eq. 18", {"rolling"}},
-                           {"C8", {"rolling"}},
-                           {"law.linear_spring_dashpot", {"rolling"}},
-                           {"shape.circle", {"rolling"}}},
+          .requirements = {{"law.tension_only, Eq. 13, Eq. 14, Eq. 15", {"cables"}},
+                           {"Eq. 18, C8, law.linear_spring_dashpot, shape.circle", {"rolling"}}},
           .main_checks = {"error over its prediction, cables, velocity_verlet",
                           "error over its prediction, cables with dashpots, velocity_verlet",
                           "error over its prediction, rolling, velocity_verlet", "order, rolling, rk4"},

@@ -1,20 +1,11 @@
-#include <fmt/format.h>
-
-#include <algorithm>
-#include <cmath>
-#include <numbers>
 #include <type_traits>
 
-#include "solver/dynamics/rigid_body_system.hpp"
 #include "solver/granular/disc_system.hpp"
 #include "solver/granular/fast_disc_system.hpp"
 #include "solver/integrate/euler_cromer.hpp"
-#include "solver/model/model_builder.hpp"
-#include "verification/check/case.hpp"
 #include "verification/reference/friction/oblique_impact.hpp"
-#include "verification/study/findings/expectations.hpp"
 #include "verification/study/impacts/oblique_runs.hpp"
-#include "verification/study/runs/scene_run.hpp"
+#include "verification/study/toolkit.hpp"
 
 namespace talus::verification::problems::spinning_discs {
 namespace {
@@ -27,24 +18,15 @@ constexpr double first_radius = oblique_radius, second_radius = 0.5 * oblique_ra
 /// Two discs that touch at the origin at t = 0, the first moving to the right at unit speed. Spins are given as rim
 /// speeds.
 Scene met_discs(double second, double second_r, double first_rim, double second_rim, const Setup& setup) {
-  ModelBuilder builder;
+  SceneBuilder builder;
   const auto disc = [&](const char* name, double mass, double radius, double x) {
-    return builder.add(Body{.name = name,
-                            .mass = mass,
-                            .inertia = 0.5 * mass * radius * radius,
-                            .shape = Circle{radius},
-                            .p_WB = {x, 0.0}});
+    return builder.add_free(name, mass, 0.5 * mass * radius * radius, Circle{radius}, {x, 0.0});
   };
   const BodyId a = disc("first", first_mass, first_radius, -first_radius);
   const BodyId b = disc("second", second, second_r, second_r);
-  builder.add(Contact{.name = "impact",
-                      .a = a,
-                      .b = b,
-                      .law = LinearSpringDashpot{1.0, 0.0, EndRule::clamped},
-                      .friction = CoulombFriction{setup.has("friction_halved") ? 0.5 * mu : mu, kappa}});
-  Scene scene;
-  scene.model = builder.build();
-  scene.initial = rest_state(scene.model);
+  builder.add_contact("impact", a, b, LinearSpringDashpot{1.0, 0.0, EndRule::clamped},
+                      CoulombFriction{setup.has("friction_halved") ? 0.5 * mu : mu, kappa});
+  Scene scene = builder.at_rest();
   const double sense = setup.has("second_spin_reversed") ? -1.0 : 1.0;
   set_velocity(scene.model, scene.initial, a, {1.0, 0.0}, first_rim / first_radius);
   set_velocity(scene.model, scene.initial, b, {0.0, 0.0}, sense * second_rim / second_r);
@@ -91,7 +73,7 @@ Met meet(double ratio, double count, const Setup& setup, Findings& findings) {
     const double turned_first = 0.5 * first_mass * first_radius * (scene.initial.v[2] - end.v[2]);
     const double turned_second = 0.5 * second_mass * second_radius * (scene.initial.v[5] - end.v[5]);
     for (const double other : {-first, turned_first, turned_second})
-      met.impulse_difference = std::max(met.impulse_difference, std::abs(other / second - 1.0));
+      keep_largest(met.impulse_difference, other / second - 1.0);
   }
   met.error = std::sqrt(met.error);
   return met;
@@ -100,9 +82,8 @@ Met meet(double ratio, double count, const Setup& setup, Findings& findings) {
 void check_unlike(Findings& findings, const Setup& setup) {
   Table table{.name = "spins",
               .caption =
-                  "Slip rate after the impact of discs of different size over that before: exact and solver "
-                  "(velocity Verlet, 100 steps per contact, mean of 64 phases). The unit of $v$ is $\\mu v_n "
-                  "k_n/k_s$.",
+                  "Slip rate after the impact of discs of different size over that before: exact and solver (velocity "
+                  "Verlet, 100 steps per contact, mean of 64 phases). The unit of $v$ is $\\mu v_n k_n/k_s$.",
               .columns = {"v", "exact", "solver", "rms error over v_n"}};
   double farthest = 0.0, impulse_difference = 0.0;
   for (const double ratio : {0.25, 0.75, 1.5, 2.5, 4.0}) {
@@ -110,23 +91,22 @@ void check_unlike(Findings& findings, const Setup& setup) {
     farthest = std::max(farthest, met.error), impulse_difference = std::max(impulse_difference, met.impulse_difference);
     const double before = ratio * mu / kappa;
     const double exact = reference::rebound(equivalent(before), reference::EndRule::clamped).slip_rate;
-    table.rows.push_back({fmt::format("{:g}", ratio), fmt::format("{:.5f}", exact / before),
-                          fmt::format("{:.5f}", met.mean / before), fmt::format("{:.1e}", met.error)});
+    table.rows.push_back(cells("{:g} | {:.5f} | {:.5f} | {:.1e}", ratio, exact / before, met.mean / before, met.error));
   }
   const double h = std::numbers::pi / 100.0;
-  findings.expect(
-      "rms error of the slip rate of discs of different size, largest of 5 spins", farthest, 0.0,
-      Tolerance::truncation(0.054 * h * h, 1.2, "measured constant 0.054 (w h)^2, and a fifth for other phases"));
-  findings.expect("impulses from speeds and spins of both discs, largest relative difference", impulse_difference, 0.0,
-                  Tolerance::model(0.5 * std::sqrt(reduced_mass) * (1.0 / first_radius + 1.0 / second_radius),
-                                   "friction acts half-way through the overlap, at r - d/2 of each disc; d is at most "
-                                   "that of the undamped impact"));
+  findings.expect_truncation(
+      {"unequal_spins", "rms error of the slip rate of discs of different size, largest of 5 spins"}, farthest, 0.0,
+      0.054 * h * h, 1.2, "measured constant 0.054 (w h)^2, and a fifth for other phases");
+  findings.expect_model(
+      "impulses from speeds and spins of both discs, largest relative difference", impulse_difference, 0.0,
+      0.5 * std::sqrt(reduced_mass) * (1.0 / first_radius + 1.0 / second_radius),
+      "friction acts half-way through the overlap, at r - d/2 of each disc; d is at most that of the undamped impact");
   Convergence convergence;
   for (const double count : {50.0, 100.0, 200.0, 400.0})
     convergence.add(std::numbers::pi / count, meet(0.75, count, setup, findings).error);
-  findings.in("order_slip_rate_unlike")
-      ->expect_order("order of the slip rate of discs of different size", convergence, 1.85, 2.35,
-                     "second order; stick and slip alternate within the contact, and their ends are kinks");
+  findings.expect_order({"order_slip_rate_unlike", "order of the slip rate of discs of different size"}, convergence,
+                        1.85, 2.35,
+                        "second order; stick and slip alternate within the contact, and their ends are kinks");
   if (!setup.coarse) findings.table(table);
 }
 
@@ -156,14 +136,13 @@ void check_let_go(Findings& findings) {
   };
   run(std::type_identity<DiscSystem<LinearSpringDashpot, CoulombFriction>>{});
   run(std::type_identity<FastDiscSystem<LinearSpringDashpot, CoulombFriction>>{});
-  findings.expect("rough discs released from rest: spin and lateral speed", aside, 0.0,
-                  Tolerance::exact("the contact does not slip"), "m/s, rad/s");
+  findings.expect_exact("rough discs released from rest: spin and lateral speed", aside, 0.0,
+                        "the contact does not slip", "m/s, rad/s");
   const double wh = std::sqrt(2e3) * 1e-3;
-  findings.expect(
-      "rough discs released from rest: relative error of the speed sqrt(k/(2 m)) d", uneven, 0.0,
-      Tolerance::truncation(wh * wh / 8.0, 1.2,
-                            "the speed amplitude by symplectic Euler has an error of (w h)^2/8: its velocities are "
-                            "those of half a step before"));
+  findings.expect_truncation("rough discs released from rest: relative error of the speed sqrt(k/(2 m)) d", uneven, 0.0,
+                             wh * wh / 8.0, 1.2,
+                             "the speed amplitude by symplectic Euler has an error of (w h)^2/8: its velocities are "
+                             "those of half a step before");
 }
 
 void check_rolling(Findings& findings, const Setup& setup) {
@@ -172,14 +151,13 @@ void check_rolling(Findings& findings, const Setup& setup) {
   const State end = end_of(scene, time, offset_step(time, 100.0, 5), 5, findings);
   const double changed = std::max({std::abs(end.v[1]), std::abs(end.v[4]), std::abs(end.v[2] - scene.initial.v[2]),
                                    std::abs(end.v[5] - scene.initial.v[5])});
-  findings.expect("change of lateral speeds and spins of equal discs with opposite spins", changed, 0.0,
-                  Tolerance::round_off(8.0 * 2.2e-16,
-                                       "rim speeds of 2, each a rounded product: a slip rate of 2 eps times 2 "
-                                       "during the contact time of 2.2, at k_s = 2/7, acts on each mass"));
-  findings.expect(
-      "speed transferred to the struck one of two equal discs", end.v[3], 1.0,
-      Tolerance::truncation(0.06 * std::pow(std::numbers::pi / 100.0, 2), 1.2,
-                            "undamped leapfrog contact: |e - 1| up to 0.12 (w h)^2, half of it for each disc"));
+  findings.expect_round_off({"opposite_spins", "change of lateral speeds and spins of equal discs with opposite spins"},
+                            changed, 0.0, 8.0 * 2.2e-16,
+                            "rim speeds of 2, each a rounded product: a slip rate of 2 eps times 2 during the contact "
+                            "time of 2.2, at k_s = 2/7, acts on each mass");
+  findings.expect_truncation({"transferred_speed", "speed transferred to the struck one of two equal discs"}, end.v[3],
+                             1.0, 0.06 * std::pow(std::numbers::pi / 100.0, 2), 1.2,
+                             "undamped leapfrog contact: |e - 1| up to 0.12 (w h)^2, half of it for each disc");
 }
 
 void run(Findings& findings, const Setup& setup) {
@@ -191,36 +169,20 @@ void run(Findings& findings, const Setup& setup) {
 }  // namespace
 
 Case definition() {
-  return {
-      .id = "spinning_discs",
-      .title = "Impacts of spinning discs",
-      .requirements =
-          {{"C6",
-            {"rms error of the slip rate of discs of different size, largest of 5 spins", "order_slip_rate_unlike"}},
-           {"Eq. 18",
-            {"rms error of the slip rate of discs of different size, largest of 5 spins", "order_slip_rate_unlike",
-             "change of lateral speeds and spins of equal discs with opposite spins"}},
-           {"law.linear_spring_dashpot",
-            {"rms error of the slip rate of discs of different size, largest of 5 spins", "order_slip_rate_unlike"}},
-           {"shape.circle",
-            {"rms error of the slip rate of discs of different size, largest of 5 spins", "order_slip_rate_unlike",
-             "change of lateral speeds and spins of equal discs with opposite spins",
-             "speed transferred to the struck one of two equal discs"}},
-           {"pair.circle.circle",
-            {"rms error of the slip rate of discs of different size, largest of 5 spins", "order_slip_rate_unlike",
-             "change of lateral speeds and spins of equal discs with opposite spins",
-             "speed transferred to the struck one of two equal discs"}},
-           {"integrator.velocity_verlet", {"order_slip_rate_unlike"}}},
-      .main_checks = {"rms error of the slip rate of discs of different size, largest of 5 spins",
-                      "impulses from speeds and spins of both discs, largest relative difference",
-                      "order of the slip rate of discs of different size",
-                      "change of lateral speeds and spins of equal discs with opposite spins"},
-      .source = "Chung & Ooi 2011, tests 7 and 8 (for spheres)",
-      .faults = {{"friction_halved", "half the coefficient of friction",
-                  "rms error of the slip rate of discs of different size, largest of 5 spins"},
-                 {"second_spin_reversed", "second spin with the wrong sign",
-                  "change of lateral speeds and spins of equal discs with opposite spins"}},
-      .run = run};
+  return {.id = "spinning_discs",
+          .title = "Impacts of spinning discs",
+          .requirements = {{"C6", {"unequal_spins", "order_slip_rate_unlike"}},
+                           {"Eq. 18", {"unequal_spins", "order_slip_rate_unlike", "opposite_spins"}},
+                           {"law.linear_spring_dashpot", {"unequal_spins", "order_slip_rate_unlike"}},
+                           {"shape.circle, pair.circle.circle",
+                            {"unequal_spins", "order_slip_rate_unlike", "opposite_spins", "transferred_speed"}},
+                           {"integrator.velocity_verlet", {"order_slip_rate_unlike"}}},
+          .main_checks = {"unequal_spins", "impulses from speeds and spins of both discs, largest relative difference",
+                          "order of the slip rate of discs of different size", "opposite_spins"},
+          .source = "Chung & Ooi 2011, tests 7 and 8 (for spheres)",
+          .faults = {{"friction_halved", "half the coefficient of friction", "unequal_spins"},
+                     {"second_spin_reversed", "second spin with the wrong sign", "opposite_spins"}},
+          .run = run};
 }
 
 }  // namespace talus::verification::problems::spinning_discs

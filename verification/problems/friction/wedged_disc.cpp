@@ -1,17 +1,7 @@
-#include <fmt/format.h>
-
-#include <cmath>
-#include <string>
-
-#include "solver/model/model_builder.hpp"
-#include "solver/scenes/scene.hpp"
-#include "verification/check/case.hpp"
 #include "verification/problems/friction/late_slip.hpp"
 #include "verification/problems/friction/method_run.hpp"
 #include "verification/reference/motion/held_body.hpp"
-#include "verification/study/findings/curves.hpp"
-#include "verification/study/findings/expectations.hpp"
-#include "verification/study/runs/usage.hpp"
+#include "verification/study/toolkit.hpp"
 
 namespace talus::verification::problems::wedged_disc {
 namespace {
@@ -38,27 +28,17 @@ reference::SmoothState exact_start(double ratio) { return {{0.0L, start_height(r
 
 Scene wedge_scene(double ratio, const Setup& setup) {
   const reference::PressedDisc disc = wedge(ratio);
-  ModelBuilder builder;
+  SceneBuilder builder;
   builder.gravity({0.0, -disc.weight / disc.mass});
-  const BodyId small = builder.add(Body{.name = "small",
-                                        .mass = disc.mass,
-                                        .inertia = setup.has("ring_for_disc") ? 1.0 : disc.inertia,
-                                        .shape = Circle{disc.radius},
-                                        .p_WB = {0.0, start_height(ratio)}});
+  const BodyId small = builder.add_free("small", disc.mass, setup.has("ring_for_disc") ? 1.0 : disc.inertia,
+                                        Circle{disc.radius}, {0.0, start_height(ratio)});
   for (const reference::Post& post : disc.posts) {
     const bool left = post.x < 0.0;
-    const BodyId large = builder.add(Body{.name = left ? "left" : "right",
-                                          .mobility = Mobility::fixed,
-                                          .shape = Circle{post.radius},
-                                          .p_WB = {post.x, post.y}});
-    builder.add(Contact{.name = left ? "on_left" : "on_right",
-                        .a = small,
-                        .b = large,
-                        .law = LinearSpringDashpot{disc.normal_stiffness, 0.0},
-                        .friction = CoulombFriction{20.0, disc.slip_stiffness}});
+    const BodyId large = builder.add_fixed(left ? "left" : "right", Circle{post.radius}, {post.x, post.y});
+    builder.add_contact(left ? "on_left" : "on_right", small, large, LinearSpringDashpot{disc.normal_stiffness, 0.0},
+                        CoulombFriction{20.0, disc.slip_stiffness});
   }
-  Scene scene{.title = "Small disc between two large ones", .model = builder.build()};
-  scene.initial = rest_state(scene.model);
+  Scene scene = builder.at_rest("Small disc between two large ones");
   scene.initial.v = {0.5, 0.4, 0.7};
   return scene;
 }
@@ -149,8 +129,8 @@ void check_leapfrogs(const Wedge& wedge, Figure& figure, Findings& findings, con
     expect_constant(findings.in("errors"), name, found, constant, 2, 2, 3e-6);
     if (method.kind != reference::Leapfrog::velocity_verlet) continue;
     const double admitted = setup.coarse ? 0.03 : 0.002;
-    findings.in("orders")->expect_order(
-        "order, " + name, found, 2.0 - admitted, 2.0 + admitted,
+    findings.expect_order(
+        {"orders", "order, " + name}, found, 2.0 - admitted, 2.0 + admitted,
         "no contact is released or slips. The next power, (w h)^2 = 4e-4 at the largest step (coarse: 0.007), bends "
         "the line by up to four times as much where the leading term happens to be small");
     figure.series.push_back({"solver, " + wedge.name(), found.steps(), found.errors(), Style::points});
@@ -173,14 +153,14 @@ void check_late(const Wedge& wedge, Figure& figure, Table& table, Findings& find
 }
 
 void run(Findings& findings, const Setup& setup) {
-  Figure figure{.name = "error",
-                .title = "Disc in a notch: error after seven oscillations",
-                .caption =
-                    "Error of position, angle and both stretches, combined in quadrature, by velocity Verlet "
-                    "against the step. Lines: prediction, no constant fitted. Crosses: slip along the directions at "
-                    "the end of the step.",
-                .x = {"step", "s", true},
-                .y = {"error", "m", true}};
+  Figure figure{
+      .name = "error",
+      .title = "Disc in a notch: error after seven oscillations",
+      .caption =
+          "Error of position, angle and both stretches, combined in quadrature, by velocity Verlet against the step. "
+          "Lines: prediction, no constant fitted. Crosses: slip along the directions at the end of the step.",
+      .x = {"step", "s", true},
+      .y = {"error", "m", true}};
   Table table{.name = "late",
               .caption =
                   "Predicted errors of velocity Verlet at the end, over the power of the step: with the slip at "
@@ -194,10 +174,9 @@ void run(Findings& findings, const Setup& setup) {
     if (setup.coarse) continue;
     check_late(wedge, figure, table, findings);
     if (ratio != 100.0) continue;
-    findings.in("integrator.rk4")
-        ->expect_order("order, rk4, R/r = 100", wedge.errors(RungeKutta4{}, 256.0, 3, false, findings), 3.95, 4.05,
-                       "the motion is smooth: the declared order, and the next power of w h = 0.16 at the largest "
-                       "step");
+    findings.expect_order(
+        {"integrator.rk4", "order, rk4, R/r = 100"}, wedge.errors(RungeKutta4{}, 256.0, 3, false, findings), 3.95, 4.05,
+        "the motion is smooth: the declared order, and the next power of w h = 0.16 at the largest step");
   }
   if (setup.coarse) return;
   findings.table(table);

@@ -1,17 +1,7 @@
-#include <fmt/format.h>
-
-#include <algorithm>
-#include <array>
-#include <cmath>
-#include <numbers>
-#include <numeric>
-#include <vector>
-
 #include "solver/cell/block_means.hpp"
-#include "verification/check/case.hpp"
 #include "verification/problems/many_bodies/followed_discs.hpp"
 #include "verification/reference/many_bodies/gas_of_discs.hpp"
-#include "verification/study/findings/curves.hpp"
+#include "verification/study/toolkit.hpp"
 
 namespace talus::verification::problems::cooling_gas {
 namespace {
@@ -128,30 +118,23 @@ void check_elastic(Findings& findings, const Setup& setup) {
     if (off > worst_pressure) worst_pressure = off, pressed = found;
     const double gained = std::abs(found.heated) / walk(found);
     if (gained > worst_energy) worst_energy = gained, heated = found;
-    table.rows.push_back({fmt::format("{:g}", fraction), fmt::format("{:.4f}", found.pressure.value),
-                          fmt::format("{:.4f}", found.pressure.error), fmt::format("{:.4f}", found.hardened),
-                          fmt::format("{:+.1e}", found.heated)});
+    table.rows.push_back(cells("{:g} | {:.4f} | {:.4f} | {:.4f} | {:+.1e}", fraction, found.pressure.value,
+                               found.pressure.error, found.hardened, found.heated));
   }
-  findings.expect(
-      "pressure of elastic discs over that of hard ones, worse of two solid fractions", pressed.pressure.value,
-      pressed.hardened,
-      Tolerance::model(
-          0.004 + 3.0 * pressed.pressure.error,
-          "three standard errors from 20 blocks of the run; 0.004 for the formula of chi and for three-body "
-          "collisions"));
-  findings.expect(
-      "change of the energy of elastic discs, worse of two solid fractions", heated.heated, 0.0,
-      Tolerance::truncation(
-          walk(heated), 3.0,
-          "each collision begins at a different phase of the step and changes its energy by the fraction 2*0.52/20^2 "
-          "(root mean square of an undamped impact, pi^2/sqrt(90)/20^2): a random walk"));
+  findings.expect_model(
+      {"elastic_pressure", "pressure of elastic discs over that of hard ones, worse of two solid fractions"},
+      pressed.pressure.value, pressed.hardened, 0.004 + 3.0 * pressed.pressure.error,
+      "three standard errors from 20 blocks of the run; 0.004 for the formula of chi and for three-body collisions");
+  findings.expect_truncation(
+      "change of the energy of elastic discs, worse of two solid fractions", heated.heated, 0.0, walk(heated), 3.0,
+      "each collision begins at a different phase of the step and changes its energy by the fraction 2*0.52/20^2 (root "
+      "mean square of an undamped impact, pi^2/sqrt(90)/20^2): a random walk");
   // Counterexample: steps that are too long.
   for (const double steps : {6.0, 4.0}) {
     const Elastic found =
         rest_in_motion(0.1, discs, collisions, findings, setup, setup.has("elastic_steps_short") ? 20.0 : steps);
-    table.rows.push_back({fmt::format("0.1, {:g} steps", steps), fmt::format("{:.4f}", found.pressure.value),
-                          fmt::format("{:.4f}", found.pressure.error), fmt::format("{:.4f}", found.hardened),
-                          fmt::format("{:+.1e}", found.heated)});
+    table.rows.push_back(cells("0.1, {:g} steps | {:.4f} | {:.4f} | {:.4f} | {:+.1e}", steps, found.pressure.value,
+                               found.pressure.error, found.hardened, found.heated));
     // With the fraction d of a step in the contact time, the mean over the phases of e^2 - 1 is eta^4 d^2 (1 - d)^2/3,
     // four times that of ln e (case energy_gain). It acts on half the energy of a disc. The leapfrog's shorter period
     // alone gives d = pi eta/24; the mean over all fractions is 1/30 for d^2 (1 - d)^2.
@@ -197,15 +180,12 @@ void run(Findings& findings, const Setup& setup) {
         drawn[which].add(found.time[i], found.temperature[i]);
     }
     const double allowed = 0.023 + 2.7 * 0.4 / std::sqrt(static_cast<double>(discs * seeds));
-    findings.in("slopes")->expect(
-        fmt::format("slope of T^-1/2, {}, over Haff's", drawn[which].label), slope[which], 1.0,
-        Tolerance::model(
-            allowed,
-            fmt::format(
-                "soft contacts dissipate less, by {:.3f} at first and less later; vortices contain energy that "
-                "collisions do not dissipate: 0.023 for both in 8 runs of 2025 discs with half the t_c of the table; "
-                "a run of N discs scatters by 0.4/sqrt(N), and 2.7 times that is allowed: {:.3f} in all",
-                softness, allowed)));
+    findings.expect_model(
+        {"slopes", fmt::format("slope of T^-1/2, {}, over Haff's", drawn[which].label)}, slope[which], 1.0, allowed,
+        fmt::format("soft contacts dissipate less, by {:.3f} at first and less later; vortices contain energy that "
+                    "collisions do not dissipate: 0.023 for both in 8 runs of 2025 discs with half the t_c of the "
+                    "table; a run of N discs scatters by 0.4/sqrt(N), and 2.7 times that is allowed: {:.3f} in all",
+                    softness, allowed));
   }
   if (!setup.coarse) {
     const double mean = std::accumulate(slopes.begin(), slopes.end(), 0.0) / static_cast<double>(slopes.size());
@@ -225,32 +205,29 @@ void run(Findings& findings, const Setup& setup) {
   // Collisions of a disc: each reduces T by the fraction (1 - e^2)/2, and T falls by the factor (1 + t/tau)^2.
   const double per_disc = 4.0 * std::log(1.0 + length) / loss;
   const double collisions = 0.5 * per_disc * count * static_cast<double>(seeds);
-  findings.expect(
-      "energy dissipated by latching springs over the energy lost by the discs", account, 1.0,
-      Tolerance::truncation(
-          w1h * w1h / (loss * std::sqrt(90.0)) * std::sqrt(2.5 / collisions), 1.5,
-          fmt::format(
-              "nothing of first order; each impact is off by (w1 h)^2/(1 - e^2) (u' (1 - u') - u (1 - u)) of its loss, "
-              "u and u' the fractions of a step at touch and end: at most 1/sqrt(90) for the root mean square of the "
-              "bracket; a random walk over {:.0f} collisions, whose different energies enlarge it by sqrt(2.5)",
-              collisions)));
-  findings.expect(
+  findings.expect_truncation(
+      {"latching_loss", "energy dissipated by latching springs over the energy lost by the discs"}, account, 1.0,
+      w1h * w1h / (loss * std::sqrt(90.0)) * std::sqrt(2.5 / collisions), 1.5,
+      fmt::format(
+          "nothing of first order; each impact is off by (w1 h)^2/(1 - e^2) (u' (1 - u') - u (1 - u)) of its loss, u "
+          "and u' the fractions of a step at touch and end: at most 1/sqrt(90) for the root mean square of the "
+          "bracket; a random walk over {:.0f} collisions, whose different energies enlarge it by sqrt(2.5)",
+          collisions));
+  findings.expect_round_off(
       "momentum, largest deviation from its initial value", momentum, 0.0,
-      Tolerance::round_off(
-          5.0 * (6.4e-17 * std::sqrt(20.0 * per_disc * count) + 6.4e-17 * drift * count * std::sqrt(count)),
-          "38 collisions per disc with 20 impulses each, which round velocities near 1 by 2.2e-16/sqrt(12) rms: 8e-14; "
-          "the sum over all discs is rounded by the same fraction of up to half their number at each term: 3e-12; five "
-          "times that for the worst of a thousand sums"));
+      5.0 * (6.4e-17 * std::sqrt(20.0 * per_disc * count) + 6.4e-17 * drift * count * std::sqrt(count)),
+      "38 collisions per disc with 20 impulses each, which round velocities near 1 by 2.2e-16/sqrt(12) rms: 8e-14; the "
+      "sum over all discs is rounded by the same fraction of up to half their number at each term: 3e-12; five times "
+      "that for the worst of a thousand sums");
   if (setup.needs("elastic discs")) check_elastic(findings, setup);
   if (setup.coarse) return;
   const auto haff = [](double t) { return 1.0 / ((1.0 + t) * (1.0 + t)); };
   findings.figure(
       {.name = "cooling",
        .title = "Temperature of the cooling gas",
-       .caption = fmt::format(
-           "Temperature over its initial value against time over $\\tau$, first of {} runs with each law; the slopes "
-           "of all runs are {:.3f} to {:.3f} of that of Haff's law.",
-           seeds, *least, *most),
+       .caption = fmt::format("Temperature over its initial value against time over $\\tau$, first of {} runs with "
+                              "each law; the slopes of all runs are {:.3f} to {:.3f} of that of Haff's law.",
+                              seeds, *least, *most),
        .x = {.label = "t/tau"},
        .y = {.label = "T/T0", .log = true},
        .series = {curve("Haff's law", multiples(0.01 * length, 0, 100), haff), drawn[0], drawn[1]}});
@@ -263,23 +240,17 @@ Case definition() {
       .id = "cooling_gas",
       .title = "Homogeneous cooling of a gas of discs",
       .requirements = {{"F1", {"slopes"}},
-                       {"law.latching_spring",
-                        {"slope of T^-1/2, latching spring, over Haff's",
-                         "energy dissipated by latching springs over the energy lost by the discs"}},
+                       {"law.latching_spring", {"slope of T^-1/2, latching spring, over Haff's", "latching_loss"}},
                        {"law.linear_spring_dashpot", {"slope of T^-1/2, spring and dashpot, over Haff's"}},
-                       {"mechanism.contact_damping",
-                        {"energy dissipated by latching springs over the energy lost by the discs"}}},
+                       {"mechanism.contact_damping", {"latching_loss"}}},
       .main_checks = {"slope of T^-1/2, latching spring, over Haff's",
-                      "slope of T^-1/2, spring and dashpot, over Haff's",
-                      "energy dissipated by latching springs over the energy lost by the discs",
-                      "pressure of elastic discs over that of hard ones, worse of two solid fractions"},
+                      "slope of T^-1/2, spring and dashpot, over Haff's", "latching_loss", "elastic_pressure"},
       .source = "Haff 1983; Henderson 1975",
       .faults = {{"restitution_for_its_square", "K1/K2 = e instead of e^2",
                   "slope of T^-1/2, latching spring, over Haff's"},
                  {"discs_uncorrelated", "Haff's law without chi", "slope of T^-1/2, spring and dashpot, over Haff's"},
                  {"drift_in_temperature", "mean flow included in T", "slope of T^-1/2, latching spring, over Haff's"},
-                 {"pressure_without_motion", "pressure from contacts alone",
-                  "pressure of elastic discs over that of hard ones, worse of two solid fractions"},
+                 {"pressure_without_motion", "pressure from contacts alone", "elastic_pressure"},
                  {"elastic_steps_short", "20 steps in a contact instead of 4",
                   "change of the energy of elastic discs, 4 steps in a contact"}},
       .seconds = 4.0,

@@ -1,13 +1,6 @@
-#include <fmt/format.h>
-
-#include <algorithm>
-#include <cmath>
-#include <vector>
-
-#include "verification/check/case.hpp"
 #include "verification/problems/many_bodies/dense_runs.hpp"
 #include "verification/reference/mathematics/power_fit.hpp"
-#include "verification/study/findings/curves.hpp"
+#include "verification/study/toolkit.hpp"
 
 namespace talus::verification::problems::dense_rheology {
 namespace {
@@ -74,12 +67,13 @@ void check_slopes(Findings& findings, const std::vector<DenseFlow>& flows) {
                                                  dense.inertial.error));
   }
   findings.expect_between(
-      "increase of friction with the inertial number, smallest step over its error", least_rise, 3.0, 100.0,
+      {"friction_increase", "increase of friction with the inertial number, smallest step over its error"}, least_rise,
+      3.0, 100.0,
       "three standard errors between any two neighbouring flows; above 100 the errors would be too small for flows of "
       "this length");
-  findings.expect_between("decrease of solid fraction with the inertial number, smallest step over its error",
-                          least_fall, 3.0, 100.0,
-                          "as for friction: each denser flow has a smaller I by three standard errors");
+  findings.expect_between(
+      {"fraction_decrease", "decrease of solid fraction with the inertial number, smallest step over its error"},
+      least_fall, 3.0, 100.0, "as for friction: each denser flow has a smaller I by three standard errors");
 }
 
 /// Stiffer discs: only p/K1 changes.
@@ -90,14 +84,13 @@ void check_stiffness(Findings& findings, const Plan& plan, const std::vector<Den
   const double rate = plan.stiffer.shear_rate * (setup.has("soft_discs") ? 16.0 : 0.5);
   const DenseFlow other = run_all(plan.smooth_base, {{plan.stiffer.fraction, rate}}, findings).front();
   const double error = std::hypot(known->inertial.error, other.inertial.error);
-  findings.expect(
-      "inertial number of discs four times as stiff", other.inertial.value, known->inertial.value,
-      Tolerance::model(
-          3.0 * error,
-          "three standard errors of the difference; overlaps of 3e-4 d or less shift phi by 5e-4 and I by about 2e-3"));
-  findings.expect("friction of discs four times as stiff", other.friction.value, known->friction.value,
-                  Tolerance::model(3.0 * std::hypot(known->friction.error, other.friction.error),
-                                   "three standard errors of the difference"));
+  findings.expect_model(
+      {"stiffer_inertial_number", "inertial number of discs four times as stiff"}, other.inertial.value,
+      known->inertial.value, 3.0 * error,
+      "three standard errors of the difference; overlaps of 3e-4 d or less shift phi by 5e-4 and I by about 2e-3");
+  findings.expect_model({"stiffer_friction", "friction of discs four times as stiff"}, other.friction.value,
+                        known->friction.value, 3.0 * std::hypot(known->friction.error, other.friction.error),
+                        "three standard errors of the difference");
 }
 
 /// The densest smooth flow that is at least as fast as this one: its friction is not below that at the same I, and its
@@ -121,13 +114,12 @@ void check_rough(Findings& findings, const std::vector<DenseFlow>& smooth, const
   const auto least = [](const std::vector<double>& all) {
     return all.empty() ? 0.0 : *std::min_element(all.begin(), all.end());
   };
-  findings.expect_between("excess friction of rough discs over its error", least(excess), 3.0, 100.0,
+  findings.expect_between({"rough_excess", "excess friction of rough discs over its error"}, least(excess), 3.0, 100.0,
                           "three standard errors above the next faster smooth flow, whose friction is above that of "
                           "smooth discs at the same I");
-  findings.expect_between(
-      "lower solid fraction of rough discs at the same inertial number", least(loss), 0.005, 0.1,
-      "the next faster smooth flow is looser than smooth discs at the same I, and still denser than the rough flow; "
-      "solid fractions are chosen in steps of 0.005");
+  findings.expect_between("lower solid fraction of rough discs at the same inertial number", least(loss), 0.005, 0.1,
+                          "the next faster smooth flow is looser than smooth discs at the same I, and still denser "
+                          "than the rough flow; solid fractions are chosen in steps of 0.005");
 }
 
 using Points = std::vector<reference::FitPoint>;
@@ -159,17 +151,15 @@ constexpr double rough_friction_power = 0.6;  ///< 1 - 2 b of DeGiuli et al., of
 
 void check_slow_friction(Findings& findings, const std::vector<DenseFlow>& smooth) {
   const auto fit = reference::fit_power(frictions(smooth));
-  findings.expect(
-      "friction of an infinitely slow flow", fit.limit, 0.11,
-      Tolerance::model(
-          0.005 + 2.0 * fit.limit_error,
-          fmt::format(
-              "half a unit of the last printed digit of 0.11, and two standard errors of {:.4f} of the fitted limit",
-              fit.limit_error)));
-  findings.note(fmt::format(
-      "Smooth discs with $I < 0.25$: $\\mu = {:.3f} + {:.3f}\\,I^{{{:.2f}}}$; limit {:.3f} $\\pm$ {:.3f}, exponent "
-      "{:.2f} $\\pm$ {:.2f}.",
-      fit.limit, fit.factor, fit.power, fit.limit, fit.limit_error, fit.power, fit.power_error));
+  findings.expect_model(
+      {"slow_limit", "friction of an infinitely slow flow"}, fit.limit, 0.11, 0.005 + 2.0 * fit.limit_error,
+      fmt::format(
+          "half a unit of the last printed digit of 0.11, and two standard errors of {:.4f} of the fitted limit",
+          fit.limit_error));
+  findings.note(
+      fmt::format("Smooth discs with $I < 0.25$: $\\mu = {:.3f} + {:.3f}\\,I^{{{:.2f}}}$; limit {:.3f} $\\pm$ {:.3f}, "
+                  "exponent {:.2f} $\\pm$ {:.2f}.",
+                  fit.limit, fit.factor, fit.power, fit.limit, fit.limit_error, fit.power, fit.power_error));
 }
 
 /// Too few points are slow enough to fit the power as well.
@@ -182,19 +172,17 @@ void check_slow_rough_friction(Findings& findings, const std::vector<DenseFlow>&
   findings.expect_between("excess friction of an infinitely slow rough flow over its error",
                           over_error(fit.limit - without.limit, fit.limit_error, without.limit_error), 3.0, 100.0,
                           "three standard errors above that of smooth discs, with the exponent 0.6 given");
-  findings.expect_between(
-      "chi squared of the published exponent, friction of rough discs", fit.chi_squared, 0.0,
-      reference::rare_chi_squared(freedom, 1e-3),
-      fmt::format(
-          "mu - mu(0) = c I^0.6, as published for spheres; with {} degrees of freedom the upper bound is exceeded once "
-          "in a thousand",
-          freedom));
-  findings.note(fmt::format(
-      "Rough discs with $I < 0.25$: $\\mu = {:.3f} + {:.3f}\\,I^{{{:.1f}}}$ with the exponent given; limit {:.3f} "
-      "$\\pm$ {:.3f}, $\\chi^2 = {:.1f}$. A fitted exponent would be {:.2f} $\\pm$ {:.2f}: these points hardly "
-      "determine it.",
-      fit.limit, fit.factor, fit.power, fit.limit, fit.limit_error, fit.chi_squared, reference::fit_power(points).power,
-      reference::fit_power(points).power_error));
+  findings.expect_between("chi squared of the published exponent, friction of rough discs", fit.chi_squared, 0.0,
+                          reference::rare_chi_squared(freedom, 1e-3),
+                          fmt::format("mu - mu(0) = c I^0.6, as published for spheres; with {} degrees of freedom the "
+                                      "upper bound is exceeded once in a thousand",
+                                      freedom));
+  findings.note(
+      fmt::format("Rough discs with $I < 0.25$: $\\mu = {:.3f} + {:.3f}\\,I^{{{:.1f}}}$ with the exponent given; limit "
+                  "{:.3f} $\\pm$ {:.3f}, $\\chi^2 = {:.1f}$. A fitted exponent would be {:.2f} $\\pm$ {:.2f}: these "
+                  "points hardly determine it.",
+                  fit.limit, fit.factor, fit.power, fit.limit, fit.limit_error, fit.chi_squared,
+                  reference::fit_power(points).power, reference::fit_power(points).power_error));
 }
 
 /// The published power of phi, and whether these points distinguish it from a parabola with as many coefficients.
@@ -203,30 +191,27 @@ void check_fraction_power(Findings& findings, const std::vector<DenseFlow>& smoo
   const auto fit = reference::fit_corrected_power(points, fraction_power);
   const auto parabola = reference::fit_corrected_power(points, 2.0);
   const int freedom = static_cast<int>(points.size()) - 3;
-  findings.expect_between(
-      "chi squared of the published exponent, solid fraction", fit.chi_squared, 0.0,
-      reference::rare_chi_squared(freedom, 1e-3),
-      fmt::format(
-          "phi_J - phi = c I^(2/beta) + c' I with beta = 5.0; with {} degrees of freedom the upper bound is exceeded "
-          "once in a thousand",
-          freedom));
-  findings.expect_between(
-      "increase of chi squared by a parabola, solid fraction", parabola.chi_squared - fit.chi_squared, 9.0, 1e3,
-      "the same number of coefficients without the published exponent; an increase of 9 corresponds to three standard "
-      "errors of one coefficient");
-  findings.note(fmt::format(
-      "Smooth discs with $I < 0.15$: $\\phi = {:.4f} - {:.4f}\\,I^{{{:.2f}}} - {:.4f}\\,I$, $\\chi^2 = {:.1f}$; a "
-      "parabola has {:.1f}. The exponent is that of Vagberg et al.; the correction linear in $I$ is a choice made "
-      "here. The points alone do not determine the exponent.",
-      fit.limit, -fit.factor, fit.power, -fit.linear, fit.chi_squared, parabola.chi_squared));
+  findings.expect_between("chi squared of the published exponent, solid fraction", fit.chi_squared, 0.0,
+                          reference::rare_chi_squared(freedom, 1e-3),
+                          fmt::format("phi_J - phi = c I^(2/beta) + c' I with beta = 5.0; with {} degrees of freedom "
+                                      "the upper bound is exceeded once in a thousand",
+                                      freedom));
+  findings.expect_between("increase of chi squared by a parabola, solid fraction",
+                          parabola.chi_squared - fit.chi_squared, 9.0, 1e3,
+                          "the same number of coefficients without the published exponent; an increase of 9 "
+                          "corresponds to three standard errors of one coefficient");
+  findings.note(
+      fmt::format("Smooth discs with $I < 0.15$: $\\phi = {:.4f} - {:.4f}\\,I^{{{:.2f}}} - {:.4f}\\,I$, $\\chi^2 = "
+                  "{:.1f}$; a parabola has {:.1f}. The exponent is that of Vagberg et al.; the correction linear in "
+                  "$I$ is a choice made here. The points alone do not determine the exponent.",
+                  fit.limit, -fit.factor, fit.power, -fit.linear, fit.chi_squared, parabola.chi_squared));
 }
 
 void add_rows(Table& table, const char* kind, const std::vector<DenseFlow>& flows) {
   for (const DenseFlow& flow : flows)
-    table.rows.push_back({kind, fmt::format("{:.4f}", flow.fraction), fmt::format("{:.4f}", flow.inertial.value),
-                          fmt::format("{:.4f}", flow.inertial.error), fmt::format("{:.4f}", flow.friction.value),
-                          fmt::format("{:.4f}", flow.friction.error), fmt::format("{:.1e}", flow.pressure.value),
-                          fmt::format("{:.2f}", flow.coordination), fmt::format("{:.1e}", flow.overlap)});
+    table.rows.push_back(cells("{} | {:.4f} | {:.4f} | {:.4f} | {:.4f} | {:.4f} | {:.1e} | {:.2f} | {:.1e}", kind,
+                               flow.fraction, flow.inertial.value, flow.inertial.error, flow.friction.value,
+                               flow.friction.error, flow.pressure.value, flow.coordination, flow.overlap));
 }
 
 Series friction_points(const char* label, const std::vector<DenseFlow>& flows) {
@@ -264,26 +249,24 @@ Series curve(const char* label, const reference::PowerFit& fit, const Points& po
 }
 
 void draw(Findings& findings, const std::vector<DenseFlow>& smooth, const std::vector<DenseFlow>& rough, bool full) {
-  Table table{
-      .name = "flows",
-      .caption =
-          "Discs without friction (smooth) and with $\\mu_p = 0.5$ (rough): values measured at each solid fraction, "
-          "with standard errors; contacts per disc; mean overlap of a contact over $d$.",
-      .columns = {"discs", "phi", "I", "error", "mu", "error", "p/K1", "contacts", "overlap"}};
+  Table table{.name = "flows",
+              .caption =
+                  "Discs without friction (smooth) and with $\\mu_p = 0.5$ (rough): values measured at each solid "
+                  "fraction, with standard errors; contacts per disc; mean overlap of a contact over $d$.",
+              .columns = {"discs", "phi", "I", "error", "mu", "error", "p/K1", "contacts", "overlap"}};
   add_rows(table, "smooth", smooth), add_rows(table, "rough", rough);
   findings.table(table);
   const Points slow = frictions(smooth);
-  Figure friction{
-      .name = "friction",
-      .title = "Friction of dense flows",
-      .caption =
-          "Bars: three standard errors. Horizontal line: 0.11, above which no packing of many smooth grains bears "
-          "shear (Clark et al. 2017). Curve through smooth discs: fitted power law.",
-      .x = {.label = "I", .log = true},
-      .y = {.label = "mu", .min = 0.0},
-      .series = {friction_points("smooth discs", smooth), friction_points("rough discs", rough),
-                 curve("smooth, fitted power law", reference::fit_power(slow), slow)},
-      .lines = {{'y', 0.11, "Clark et al."}}};
+  Figure friction{.name = "friction",
+                  .title = "Friction of dense flows",
+                  .caption =
+                      "Bars: three standard errors. Horizontal line: 0.11, above which no packing of many smooth "
+                      "grains bears shear (Clark et al. 2017). Curve through smooth discs: fitted power law.",
+                  .x = {.label = "I", .log = true},
+                  .y = {.label = "mu", .min = 0.0},
+                  .series = {friction_points("smooth discs", smooth), friction_points("rough discs", rough),
+                             curve("smooth, fitted power law", reference::fit_power(slow), slow)},
+                  .lines = {{'y', 0.11, "Clark et al."}}};
   Figure fraction{.name = "solid_fraction",
                   .title = "Solid fraction of dense flows",
                   .caption = "Bars: three standard errors of I, converted to solid fraction.",
@@ -315,10 +298,10 @@ void run(Findings& findings, const Setup& setup) {
   if (setup.needs("rough discs")) check_rough(findings, smooth, rough);
   if (setup.coarse) return;
   const BothStresses both = stress_by_both({.fraction = 0.83, .shear_rate = 1e-3, .discs = 200}, 3000);
-  findings.expect("shear stress, fast system against plain system", both.fast.xy, both.plain.xy,
-                  Tolerance::exact("the same pairs in the same order, by the same expressions"));
-  findings.expect("pressure, fast system against plain system", both.fast.pressure(), both.plain.pressure(),
-                  Tolerance::exact("the same pairs in the same order, by the same expressions"));
+  findings.expect_exact("shear stress, fast system against plain system", both.fast.xy, both.plain.xy,
+                        "the same pairs in the same order, by the same expressions");
+  findings.expect_exact("pressure, fast system against plain system", both.fast.pressure(), both.plain.pressure(),
+                        "the same pairs in the same order, by the same expressions");
   check_slow_friction(findings, smooth);
   if (full) {
     check_slow_rough_friction(findings, smooth, rough);
@@ -330,32 +313,22 @@ void run(Findings& findings, const Setup& setup) {
 }  // namespace
 
 Case definition() {
-  return {.id = "dense_rheology",
-          .title = "Rheology of dense flows: friction and solid fraction",
-          .requirements = {{"F7",
-                            {"increase of friction with the inertial number, smallest step over its error",
-                             "decrease of solid fraction with the inertial number, smallest step over its error",
-                             "inertial number of discs four times as stiff", "friction of discs four times as stiff",
-                             "excess friction of rough discs over its error",
-                             "lower solid fraction of rough discs at the same inertial number",
-                             "friction of an infinitely slow flow"}}},
-          .main_checks = {"friction of an infinitely slow flow",
-                          "increase of friction with the inertial number, smallest step over its error",
-                          "decrease of solid fraction with the inertial number, smallest step over its error",
-                          "friction of discs four times as stiff", "excess friction of rough discs over its error"},
-          .source =
-              "da Cruz et al. 2005; Clark et al. 2017; Vagberg et al. 2015; Peyneau & Roux 2008; DeGiuli et al. "
-              "2015",
-          .faults = {{"still_box", "periodic images that do not slide",
-                      "increase of friction with the inertial number, smallest step over its error"},
-                     {"soft_discs", "discs 256 times softer instead of four times stiffer",
-                      "inertial number of discs four times as stiff"},
-                     {"smooth_discs", "no friction between the rough discs",
-                      "excess friction of rough discs over its error"}},
-          .seconds = 6.0,
-          .full_seconds = 45.0,
-          .time_limit = 600.0,
-          .run = run};
+  return {
+      .id = "dense_rheology",
+      .title = "Rheology of dense flows: friction and solid fraction",
+      .requirements = {{"F7",
+                        {"friction_increase", "fraction_decrease", "stiffer_inertial_number", "stiffer_friction",
+                         "rough_excess", "lower solid fraction of rough discs at the same inertial number",
+                         "slow_limit"}}},
+      .main_checks = {"slow_limit", "friction_increase", "fraction_decrease", "stiffer_friction", "rough_excess"},
+      .source = "da Cruz et al. 2005; Clark et al. 2017; Vagberg et al. 2015; Peyneau & Roux 2008; DeGiuli et al. 2015",
+      .faults = {{"still_box", "periodic images that do not slide", "friction_increase"},
+                 {"soft_discs", "discs 256 times softer instead of four times stiffer", "stiffer_inertial_number"},
+                 {"smooth_discs", "no friction between the rough discs", "rough_excess"}},
+      .seconds = 6.0,
+      .full_seconds = 45.0,
+      .time_limit = 600.0,
+      .run = run};
 }
 
 }  // namespace talus::verification::problems::dense_rheology

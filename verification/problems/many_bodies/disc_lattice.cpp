@@ -1,14 +1,9 @@
-#include <fmt/format.h>
-
-#include <algorithm>
-#include <cmath>
 #include <random>
-#include <vector>
 
 #include "solver/granular/disc_method.hpp"
 #include "solver/granular/disc_system.hpp"
 #include "solver/laws/linear_spring_dashpot.hpp"
-#include "verification/check/case.hpp"
+#include "verification/study/toolkit.hpp"
 
 namespace talus::verification::problems::disc_lattice {
 namespace {
@@ -83,31 +78,28 @@ Grown grow(const std::string& integrator, double ratio, int steps, const Setup& 
 }
 
 void run(Findings& findings, const Setup& setup) {
-  Figure figure{
-      .name = "growth",
-      .title = "Displacements of a lattice near its stability limit",
-      .caption =
-          "Root mean square displacement over a diameter, velocity Verlet. At x = 1.01 and 1.02 of the limit it grows "
-          "by the factor e^{2 arcosh x} per step.",
-      .x = {"step", "1"},
-      .y = {.label = "displacement over d", .log = true, .min = 1e-12, .max = 1e-4}};
+  Figure figure{.name = "growth",
+                .title = "Displacements of a lattice near its stability limit",
+                .caption =
+                    "Root mean square displacement over a diameter, velocity Verlet. At x = 1.01 and 1.02 of the limit "
+                    "it grows by the factor e^{2 arcosh x} per step.",
+                .x = {"step", "1"},
+                .y = {.label = "displacement over d", .log = true, .min = 1e-12, .max = 1e-4}};
   for (const char* integrator : {"velocity_verlet", "euler_cromer", "central_difference"}) {
     for (const double ratio : {0.99, 1.01, 1.02}) {
       const Grown grown = grow(integrator, ratio, ratio < 1.0 ? (setup.coarse ? 400 : 4000) : 400, setup, findings);
       const std::string name = fmt::format("{}, step {} of the limit", integrator, ratio);
       if (ratio < 1.0) {
-        findings.expect_between(
-            "largest displacement over the initial one, " + name, grown.most, 0.1, 30.0,
-            "oscillations near the limit exceed the initial displacement by the factor 1/sqrt(1 - 0.99^2) = 7 at most "
-            "for each mode, and 128 modes are superposed");
+        findings.expect_between("largest displacement over the initial one, " + name, grown.most, 0.1, 30.0,
+                                "oscillations near the limit exceed the initial displacement by the factor 1/sqrt(1 - "
+                                "0.99^2) = 7 at most for each mode, and 128 modes are superposed");
       } else {
         const double exact = 2.0 * std::acosh(ratio);
-        findings.in("growth")->expect(
-            "growth per step, " + name, grown.rate, exact,
-            Tolerance::model(
-                ratio > 1.015 ? 0.002 : 0.005,
-                "the overlap changes w by 5e-5, a quarter of a percent of the growth rate at 1.01; the other modes "
-                "become small in comparison but still contribute at half the run")
+        findings.expect(
+            {"growth", "growth per step, " + name}, grown.rate, exact,
+            Tolerance::model(ratio > 1.015 ? 0.002 : 0.005,
+                             "the overlap changes w by 5e-5, a quarter of a percent of the growth rate at 1.01; the "
+                             "other modes become small in comparison but still contribute at half the run")
                 .relative());
       }
       if (std::string{integrator} == "velocity_verlet") {

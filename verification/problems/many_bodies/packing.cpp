@@ -1,18 +1,7 @@
 #include "solver/granular/packing.hpp"
 
-#include <fmt/format.h>
-
-#include <algorithm>
-#include <cmath>
-#include <limits>
-#include <numbers>
-#include <string>
-#include <utility>
-#include <vector>
-
 #include "solver/base/error.hpp"
-#include "verification/check/case.hpp"
-#include "verification/study/findings/expectations.hpp"
+#include "verification/study/toolkit.hpp"
 
 namespace talus::verification::problems::packing {
 namespace {
@@ -98,14 +87,13 @@ double displaced_wall_discs(const Packing& packing, std::size_t free) {
 }
 
 Figure centres(const Packing& packing) {
-  Figure figure{
-      .name = "centres",
-      .title = "Centres of a packing grown between walls",
-      .caption =
-          "Discs with a diameter spread of 0.2 at the solid fraction 0.7, between rows of wall discs of the middle "
-          "size.",
-      .x = {.label = "x/d"},
-      .y = {.label = "y/d"}};
+  Figure figure{.name = "centres",
+                .title = "Centres of a packing grown between walls",
+                .caption =
+                    "Discs with a diameter spread of 0.2 at the solid fraction 0.7, between rows of wall discs of the "
+                    "middle size.",
+                .x = {.label = "x/d"},
+                .y = {.label = "y/d"}};
   Series free{.label = "free discs", .style = Style::points}, walls{.label = "walls", .style = Style::crosses};
   for (std::size_t i = 0; i < packing.discs.size(); ++i)
     (is_free(packing, i) ? free : walls).add(packing.discs.x[i] / diameter, packing.discs.y[i] / diameter);
@@ -120,57 +108,48 @@ void expect_as_planned(Findings& findings, const Setup& setup, const Plan& each,
   const Sums sums{packing, plan.walls};
   const double n = static_cast<double>(plan.discs);
   const auto name = [&](const char* what) { return fmt::format("{}, {}", what, each.name); };
-  findings.expect(name("free discs"), sums.discs, n, Tolerance::exact("a count"));
-  findings.expect(name("solid fraction"), sums.area / (packing.width * packing.height), plan.solid_fraction,
-                  Tolerance::round_off(std::sqrt(n) * 2.3e-16,
-                                       "a sum over n discs, rounded at each disc by at most 1.1e-16 of it at random: "
-                                       "twice sqrt(n) of that"));
-  findings.expect(
-      name("height over width"), packing.height / packing.width, plan.aspect,
-      plan.walls
-          ? Tolerance::model(
-                plan.aspect * diameter / packing.width,
-                "the width is rounded to a whole number of diameters, by half a diameter at most, and the height "
-                "compensates for it")
-          : Tolerance::round_off(1e-15, "two roots and quotients"));
-  findings.expect(name("largest relative error of the masses"), sums.wrong_mass, 0.0,
-                  Tolerance::round_off(1e-15, "mass proportional to area: five operations"));
-  findings.expect(name("moving discs"), sums.moving, 0.0, Tolerance::exact("all discs are at rest"));
+  findings.expect_exact(name("free discs"), sums.discs, n, "a count");
+  findings.expect_round_off(
+      name("solid fraction"), sums.area / (packing.width * packing.height), plan.solid_fraction, std::sqrt(n) * 2.3e-16,
+      "a sum over n discs, rounded at each disc by at most 1.1e-16 of it at random: twice sqrt(n) of that");
+  findings.expect(name("height over width"), packing.height / packing.width, plan.aspect,
+                  plan.walls ? Tolerance::model(plan.aspect * diameter / packing.width,
+                                                "the width is rounded to a whole number of diameters, by half a "
+                                                "diameter at most, and the height compensates for it")
+                             : Tolerance::round_off(1e-15, "two roots and quotients"));
+  findings.expect_round_off(name("largest relative error of the masses"), sums.wrong_mass, 0.0, 1e-15,
+                            "mass proportional to area: five operations");
+  findings.expect_exact(name("moving discs"), sums.moving, 0.0, "all discs are at rest");
   const double least = least_distance(packing);
   findings.expect_between(name("minimum distance over the sum of radii"), least, 1.0, plan.walls ? 1.02 : 1.05,
                           "no two discs overlap; of a hundred or more some nearly touch", "1");
-  findings.expect(name("minimum distance by the neighbour list"), closest(packing), least,
-                  Tolerance::round_off(1e-14, "differences of coordinates of up to 30 diameters"));
+  findings.expect_round_off(name("minimum distance by the neighbour list"), closest(packing), least, 1e-14,
+                            "differences of coordinates of up to 30 diameters");
   // The mean of uniformly random positions has a standard deviation of 1/sqrt(12 n) of the width.
   const double spread_of_mean = 4.0 / std::sqrt(12.0 * n);
-  findings.expect(name("mean position along x over the width"), sums.x / n, 0.0,
-                  Tolerance::model(spread_of_mean, "four standard deviations of the mean of random positions"));
-  findings.expect(name("mean position along y over the height"), sums.y / n, 0.0,
-                  Tolerance::model(spread_of_mean, "four standard deviations of the mean of random positions"));
-  findings.expect_between(
-      name("largest coordinate over half the rectangle"), sums.farthest, 0.9, 1.0 + 1e-12,
-      "discs fill the whole rectangle and do not leave it; a disc may extend 0.4 radii into a gap between two wall "
-      "discs");
+  findings.expect_model(name("mean position along x over the width"), sums.x / n, 0.0, spread_of_mean,
+                        "four standard deviations of the mean of random positions");
+  findings.expect_model(name("mean position along y over the height"), sums.y / n, 0.0, spread_of_mean,
+                        "four standard deviations of the mean of random positions");
+  findings.expect_between(name("largest coordinate over half the rectangle"), sums.farthest, 0.9, 1.0 + 1e-12,
+                          "discs fill the whole rectangle and do not leave it; a disc may extend 0.4 radii into a gap "
+                          "between two wall discs");
   if (plan.spread > 0.0) {
     const double mean = sums.size / n, variance = sums.square / n - mean * mean;
-    findings.expect(name("mean diameter over that of the middle size"), mean, 1.0,
-                    Tolerance::model(4.0 * plan.spread / std::sqrt(3.0 * n), "four standard deviations"));
-    findings.expect(
+    findings.expect_model(name("mean diameter over that of the middle size"), mean, 1.0,
+                          4.0 * plan.spread / std::sqrt(3.0 * n), "four standard deviations");
+    findings.expect_model(
         name("variance of diameters over that of a uniform distribution"), variance / (plan.spread * plan.spread / 3.0),
-        1.0,
-        Tolerance::model(
-            4.0 * std::sqrt(0.8 / n),
-            "four standard deviations: the fourth moment of a uniform distribution is 9/5 of the square of the "
-            "second"));
+        1.0, 4.0 * std::sqrt(0.8 / n),
+        "four standard deviations: the fourth moment of a uniform distribution is 9/5 of the square of the second");
   }
   if (plan.walls) {
-    findings.expect(name("displaced wall discs"), displaced_wall_discs(packing, plan.discs), 0.0,
-                    Tolerance::exact("two rows without gaps"));
+    findings.expect_exact(name("displaced wall discs"), displaced_wall_discs(packing, plan.discs), 0.0,
+                          "two rows without gaps");
   }
   if (each.name == "grown between walls" && !setup.coarse) findings.figure(centres(packing));
-  table.rows.push_back({each.name, fmt::format("{}", plan.discs), fmt::format("{:g}", plan.solid_fraction),
-                        fmt::format("{:.2f} x {:.2f}", packing.width / diameter, packing.height / diameter),
-                        fmt::format("{:.6f}", least)});
+  table.rows.push_back(cells("{} | {} | {:g} | {:.2f} x {:.2f} | {:.6f}", each.name, plan.discs, plan.solid_fraction,
+                             packing.width / diameter, packing.height / diameter, least));
 }
 
 /// Velocities of a given temperature: discs of unequal masses, with walls that remain at rest.
@@ -193,29 +172,29 @@ void expect_agitated(Findings& findings, const Setup& setup) {
     fourth += 0.5 * m * m * (vx * vx * vx * vx + vy * vy * vy * vy) / count;
     if (m < mass) of_small += 0.5 * m * (vx * vx + vy * vy), small += 1.0;
   }
-  findings.expect("temperature", 0.5 * (along_x + along_y), temperature,
-                  Tolerance::round_off(std::sqrt(count) * 2.3e-16,
-                                       "a sum over n discs, rounded at each disc by at most 1.1e-16 of it at random: "
-                                       "twice sqrt(n) of that")
-                      .relative(),
-                  "N m");
-  findings.expect("momentum over the sum of its magnitudes", (std::abs(px) + std::abs(py)) / largest, 0.0,
-                  Tolerance::round_off(5e-16,
-                                       "the mean is subtracted from each velocity, which rounds it by 1.1e-16 of the "
-                                       "largest, four times the mean, if all errors have the same sign"));
+  findings.expect(
+      "temperature", 0.5 * (along_x + along_y), temperature,
+      Tolerance::round_off(
+          std::sqrt(count) * 2.3e-16,
+          "a sum over n discs, rounded at each disc by at most 1.1e-16 of it at random: twice sqrt(n) of that")
+          .relative(),
+      "N m");
+  findings.expect_round_off("momentum over the sum of its magnitudes", (std::abs(px) + std::abs(py)) / largest, 0.0,
+                            5e-16,
+                            "the mean is subtracted from each velocity, which rounds it by 1.1e-16 of the largest, "
+                            "four times the mean, if all errors have the same sign");
   // The variance of a sum of squares of 2000 nearly Gaussian numbers is 2/2000 of its square.
   const double scatter_of_mean = 4.0 * std::sqrt(2.0 / count);
-  findings.expect("temperature along x over that along y", along_x / along_y, 1.0,
-                  Tolerance::model(std::sqrt(2.0) * scatter_of_mean, "four standard deviations of a quotient"));
+  findings.expect_model("temperature along x over that along y", along_x / along_y, 1.0,
+                        std::sqrt(2.0) * scatter_of_mean, "four standard deviations of a quotient");
   findings.expect(
       "temperature of the lighter half of the discs", of_small / small, temperature,
       Tolerance::model(scatter_of_mean, "four standard deviations: the energy does not depend on the mass").relative(),
       "N m");
-  findings.expect("fourth moment of the velocities over the square of the second", fourth / (temperature * temperature),
-                  2.9,
-                  Tolerance::model(4.0 * std::sqrt(24.0 / (2.0 * count)),
-                                   "3 - 6/5/12 for a sum of twelve uniform random numbers; four standard deviations"));
-  findings.expect("velocity of the walls", of_walls, 0.0, Tolerance::exact("wall discs are fixed"), "m/s");
+  findings.expect_model("fourth moment of the velocities over the square of the second",
+                        fourth / (temperature * temperature), 2.9, 4.0 * std::sqrt(24.0 / (2.0 * count)),
+                        "3 - 6/5/12 for a sum of twelve uniform random numbers; four standard deviations");
+  findings.expect_exact("velocity of the walls", of_walls, 0.0, "wall discs are fixed", "m/s");
 }
 
 std::string refusal(const PackingPlan& plan, Packing (*make)(const PackingPlan&) = &scatter) {
@@ -243,11 +222,11 @@ void expect_refusals(Findings& findings) {
       changed([](PackingPlan& plan) { plan.solid_fraction = std::nextafter(0.9, 1.0); }),
       changed([](PackingPlan& plan) { plan.solid_fraction = 0.0; }),
       changed([](PackingPlan& plan) { plan.aspect = 0.0; })};
-  findings.expect("rejected values outside their range",
-                  static_cast<double>(std::count_if(
-                      refused.begin(), refused.end(),
-                      [](const std::string& text) { return text.find("; it must be ") != std::string::npos; })),
-                  static_cast<double>(refused.size()), Tolerance::exact("one error each"));
+  findings.expect_exact("rejected values outside their range",
+                        static_cast<double>(std::count_if(
+                            refused.begin(), refused.end(),
+                            [](const std::string& text) { return text.find("; it must be ") != std::string::npos; })),
+                        static_cast<double>(refused.size()), "one error each");
   // One disc in a square of the side d sqrt(pi/(4 f)): 1.0005 d, and 0.9995 d.
   const auto alone = [](double side) {
     return refusal(plan_of(1, 0.25 * std::numbers::pi / (side * side), 0.0, false, 1.0));

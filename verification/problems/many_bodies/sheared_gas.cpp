@@ -1,15 +1,7 @@
-#include <fmt/format.h>
-
-#include <algorithm>
-#include <array>
-#include <cmath>
-#include <string>
-#include <vector>
-
 #include "solver/cell/block_means.hpp"
-#include "verification/check/case.hpp"
 #include "verification/problems/many_bodies/followed_discs.hpp"
 #include "verification/reference/many_bodies/gas_of_discs.hpp"
+#include "verification/study/toolkit.hpp"
 
 namespace talus::verification::problems::sheared_gas {
 namespace {
@@ -86,36 +78,28 @@ void check(Findings& findings, const std::vector<Sheared>& all) {
       "Enskog's equation neglects correlations between the velocities of neighbours, and its closure is Gaussian: some "
       "percent at these e; contacts of finite duration: one or two percent; largest standard error of all runs {:.3f}",
       scatter);
-  findings.expect("effective friction over its prediction, worst gas", friction.value, 1.0,
-                  Tolerance::model(0.06, left_out));
-  findings.expect("temperature over its prediction, worst gas", temperature.value, 1.0,
-                  Tolerance::model(0.12, left_out));
-  findings.expect(
-      "dissipated energy over shear heating, worst gas", balance.value, 1.0,
-      Tolerance::model(
-          0.006 + 3.0 * balance.error,
-          "stress is sampled every tenth step; three standard deviations of the energy of the discs at both ends of "
-          "the run"));
+  findings.expect_model("effective friction over its prediction, worst gas", friction.value, 1.0, 0.06, left_out);
+  findings.expect_model("temperature over its prediction, worst gas", temperature.value, 1.0, 0.12, left_out);
+  findings.expect_model("dissipated energy over shear heating, worst gas", balance.value, 1.0,
+                        0.006 + 3.0 * balance.error,
+                        "stress is sampled every tenth step; three standard deviations of the energy of the discs at "
+                        "both ends of the run");
 }
 
 Table table_of(const std::vector<Sheared>& all) {
-  Table table{
-      .name = "shear",
-      .caption =
-          "Temperature in $m\\dot\\gamma^2d^2$ and effective friction, each also over its prediction with standard "
-          "errors (20 blocks); pressure over its prediction; difference of the normal stresses over the pressure, "
-          "measured and predicted; dissipated energy over shear heating; largest overlap.",
-      .columns = {"e", "phi", "T", "over prediction", "mu", "over prediction", "p over prediction", "N1/p",
-                  "N1/p predicted", "balance", "overlap"}};
+  Table table{.name = "shear",
+              .caption =
+                  "Temperature in $m\\dot\\gamma^2d^2$ and effective friction, each also over its prediction with "
+                  "standard errors (20 blocks); pressure over its prediction; difference of the normal stresses over "
+                  "the pressure, measured and predicted; dissipated energy over shear heating; largest overlap.",
+              .columns = {"e", "phi", "T", "over prediction", "mu", "over prediction", "p over prediction", "N1/p",
+                          "N1/p predicted", "balance", "overlap"}};
   for (const Sheared& s : all) {
-    table.rows.push_back({fmt::format("{:g}", s.gas.restitution), fmt::format("{:g}", s.gas.solid_fraction),
-                          fmt::format("{:.3g}", s.temperature.value * s.theory.temperature),
-                          fmt::format("{:.3f}({:.0f})", s.temperature.value, 1e3 * s.temperature.error),
-                          fmt::format("{:.4f}", s.friction.value * s.theory.friction()),
-                          fmt::format("{:.3f}({:.0f})", s.friction.value, 1e3 * s.friction.error),
-                          fmt::format("{:.3f}", s.pressure), fmt::format("{:.3f}", s.difference),
-                          fmt::format("{:.3f}", s.theory.difference / s.theory.pressure),
-                          fmt::format("{:.4f}", s.balance), fmt::format("{:.3f}", s.deepest)});
+    table.rows.push_back(cells(
+        "{:g} | {:g} | {:.3g} | {:.3f}({:.0f}) | {:.4f} | {:.3f}({:.0f}) | {:.3f} | {:.3f} | {:.3f} | {:.4f} | {:.3f}",
+        s.gas.restitution, s.gas.solid_fraction, s.temperature.value * s.theory.temperature, s.temperature.value,
+        1e3 * s.temperature.error, s.friction.value * s.theory.friction(), s.friction.value, 1e3 * s.friction.error,
+        s.pressure, s.difference, s.theory.difference / s.theory.pressure, s.balance, s.deepest));
   }
   return table;
 }

@@ -1,16 +1,6 @@
-#include <fmt/format.h>
-
-#include <algorithm>
-#include <array>
-#include <cmath>
-#include <vector>
-
-#include "solver/dynamics/dynamics.hpp"
 #include "solver/geometry/mass_properties.hpp"
-#include "solver/model/model_builder.hpp"
-#include "verification/check/case.hpp"
 #include "verification/reference/outlines/solid_moments.hpp"
-#include "verification/study/runs/usage.hpp"
+#include "verification/study/toolkit.hpp"
 
 namespace talus::verification::problems::body_properties {
 namespace {
@@ -33,9 +23,9 @@ void check_solid(Findings& findings, const Setup& setup, const char* name, refer
     if (setup.has("sphere_for_ellipsoid")) found.inertia = 0.4 * found.mass * a * a;
     const reference::SolidMoments exact = reference::integrated_moments(solid, a, b);
     const std::string which = fmt::format("{} of half-lengths {:g} and {:g}", name, a, b);
-    findings.in("mass")->expect("mass, " + which, found.mass, density * exact.volume, few_roundings(), "kg");
-    findings.in("moment_of_inertia")
-        ->expect("moment of inertia, " + which, found.inertia, density * exact.polar, few_roundings(), "kg m^2");
+    findings.expect({"mass", "mass, " + which}, found.mass, density * exact.volume, few_roundings(), "kg");
+    findings.expect({"moment_of_inertia", "moment of inertia, " + which}, found.inertia, density * exact.polar,
+                    few_roundings(), "kg m^2");
   }
 }
 
@@ -49,13 +39,12 @@ void check_rectangle(Findings& findings) {
     const std::string which = fmt::format("rectangle of half-lengths {:g} and {:g}", a, b);
     const double area = reference::polygon_area(corners);
     const reference::Point centroid = reference::polygon_centroid(corners);
-    findings.in("area")->expect("area, " + which, area, 4.0 * a * b, few_roundings(), "m^2");
-    findings.in("centroid")
-        ->expect("largest coordinate of the centroid, " + which, std::max(std::abs(centroid.x), std::abs(centroid.y)),
-                 0.0, Tolerance::exact("the corners come in pairs of opposite sign and cancel exactly"), "m");
-    findings.in("polar_moment")
-        ->expect("polar moment divided by area, " + which, reference::polygon_polar_moment(corners) / area,
-                 (a * a + b * b) / 3.0, few_roundings(), "m^2");
+    findings.expect({"area", "area, " + which}, area, 4.0 * a * b, few_roundings(), "m^2");
+    findings.expect_exact({"centroid", "largest coordinate of the centroid, " + which},
+                          std::max(std::abs(centroid.x), std::abs(centroid.y)), 0.0,
+                          "the corners come in pairs of opposite sign and cancel exactly", "m");
+    findings.expect({"polar_moment", "polar moment divided by area, " + which},
+                    reference::polygon_polar_moment(corners) / area, (a * a + b * b) / 3.0, few_roundings(), "m^2");
   }
 }
 
@@ -65,7 +54,7 @@ void check_pin(Findings& findings, const Setup& setup) {
   double farthest = 0.0;
   for (int i = 0; i < 24; ++i) {
     const double angle = 0.27 * i, arm = 0.1 * (i + 1);
-    ModelBuilder builder{si};
+    SceneBuilder builder{si};
     builder.add(Body{.name = "body",
                      .mobility = Mobility::pinned,
                      .mass = mass,
@@ -81,11 +70,11 @@ void check_pin(Findings& findings, const Setup& setup) {
     dynamics.update(state, work);
     dynamics.rates(state, work, rates);
     const double expected = inertia + (setup.has("without_steiner") ? 0.0 : mass * arm * arm);
-    farthest = std::max(farthest, std::abs(moment / rates.v[0] / expected - 1.0));
+    keep_largest(farthest, moment / rates.v[0] / expected - 1.0);
   }
-  findings.expect(
-      "inertia about a pin from the response to a moment, largest relative error of 24 pins", farthest, 0.0,
-      Tolerance::round_off(8.0 * 0x1p-53, "eight operations, each rounded by half a unit in the last place"));
+  findings.expect_round_off(
+      {"inertia_about_pin", "inertia about a pin from the response to a moment, largest relative error of 24 pins"},
+      farthest, 0.0, 8.0 * 0x1p-53, "eight operations, each rounded by half a unit in the last place");
 }
 
 void run(Findings& findings, const Setup& setup) {
@@ -102,19 +91,15 @@ Case definition() {
   return {
       .id = "body_properties",
       .title = "Area, mass and moment of inertia",
-      .requirements = {{"A2",
-                        {"mass", "moment_of_inertia", "area", "centroid", "polar_moment",
-                         "inertia about a pin from the response to a moment, largest relative error of 24 pins"}},
+      .requirements = {{"A2", {"mass", "moment_of_inertia", "area", "centroid", "polar_moment", "inertia_about_pin"}},
                        {"shape.rectangle", {"area", "centroid", "polar_moment"}}},
       .main_checks = {"moment of inertia, cylinder of half-lengths 1.25 and 4",
-                      "moment of inertia, ellipsoid of half-lengths 3.1 and 1.03",
-                      "inertia about a pin from the response to a moment, largest relative error of 24 pins"},
+                      "moment of inertia, ellipsoid of half-lengths 3.1 and 1.03", "inertia_about_pin"},
       .source = "Mustoe & Huttelmaier 1993, section 2.2",
       .faults = {{"full_length", "the full length is passed as half-length", "mass, block of half-lengths 1.25 and 4"},
                  {"sphere_for_ellipsoid", "the inertia of a sphere is used for all solids",
                   "moment of inertia, ellipsoid of half-lengths 3.1 and 1.03"},
-                 {"without_steiner", "the expected inertia omits the parallel-axis term",
-                  "inertia about a pin from the response to a moment, largest relative error of 24 pins"}},
+                 {"without_steiner", "the expected inertia omits the parallel-axis term", "inertia_about_pin"}},
       .run = run};
 }
 

@@ -1,17 +1,7 @@
-#include <fmt/format.h>
-
-#include <array>
-#include <cmath>
-#include <numbers>
-#include <string>
-#include <vector>
-
 #include "solver/dynamics/effective_mass.hpp"
-#include "solver/model/model_builder.hpp"
 #include "solver/stability/contact_range.hpp"
 #include "solver/stability/step_advice.hpp"
-#include "verification/check/case.hpp"
-#include "verification/study/runs/scene_run.hpp"
+#include "verification/study/toolkit.hpp"
 
 namespace talus::verification::problems::effective_masses {
 namespace {
@@ -109,7 +99,7 @@ double largest_mobility(Mobility mobility) {
 
 /// A body attached to one cable or to both.
 Scene scene_of(Mobility mobility, std::size_t cables, const Setup& setup) {
-  ModelBuilder builder;
+  SceneBuilder builder;
   Body body{.name = "body",
             .mobility = mobility,
             .mass = mass,
@@ -120,22 +110,17 @@ Scene scene_of(Mobility mobility, std::size_t cables, const Setup& setup) {
   const BodyId id = builder.add(body);
   for (std::size_t c = 0; c < cables; ++c) {
     const Line& line = lines[c];
-    builder.add(Cable{.name = fmt::format("cable_{}", c),
-                      .a = {{}, {line.anchor.x, line.anchor.y}},
-                      .b = {id, {line.point.x, line.point.y}},
-                      .rest_length = norm(line.anchor - (at + turned(line.point, tilt))) - 0.1,
-                      .law = TensionOnly{stiffness, damping}});
+    builder.add_cable(fmt::format("cable_{}", c), {{}, {line.anchor.x, line.anchor.y}},
+                      {id, {line.point.x, line.point.y}}, norm(line.anchor - (at + turned(line.point, tilt))) - 0.1,
+                      TensionOnly{stiffness, damping});
   }
-  Scene scene{.title = "Held body", .model = builder.build()};
-  scene.initial = rest_state(scene.model);
-  return scene;
+  return builder.at_rest("Held body");
 }
 
 const Tolerance by_differences =
-    Tolerance::truncation(
-        2e-11, 3.0,
-        "central differences of positions of about 1 with h = 1e-5: h^2/6 = 1.7e-11 times third derivatives, and "
-        "rounding of 1e-16/h")
+    Tolerance::truncation(2e-11, 3.0,
+                          "central differences of positions of about 1 with h = 1e-5: h^2/6 = 1.7e-11 times third "
+                          "derivatives, and rounding of 1e-16/h")
         .relative();
 
 void check(Mobility mobility, Findings& findings, const Setup& setup, Table& table) {
@@ -150,37 +135,33 @@ void check(Mobility mobility, Findings& findings, const Setup& setup, Table& tab
       {{mobility_between(mobility, lines[0], lines[0]), mobility_between(mobility, lines[0], lines[1])},
        {mobility_between(mobility, lines[1], lines[0]), mobility_between(mobility, lines[1], lines[1])}}};
   const auto group = findings.in(fmt::format("mobility.{}", name));
-  findings.in("impulses")
-      ->expect(fmt::format("mobility along a line, {}", name),
-               points.between(BodyId{}, now, line(lines[0]), line(lines[0])), exact[0][0], by_differences, "1/kg");
-  findings.in("impulses")
-      ->expect(
-          fmt::format("mobility between two lines, {}", name),
-          points.between(BodyId{}, now, line(lines[0]), line(lines[1])), exact[0][1],
-          Tolerance::truncation(2e-11, 3.0, "central differences with h = 1e-5, as for the mobility along one line"),
-          "1/kg");
+  findings.expect({"impulses", fmt::format("mobility along a line, {}", name)},
+                  points.between(BodyId{}, now, line(lines[0]), line(lines[0])), exact[0][0], by_differences, "1/kg");
+  findings.expect_truncation({"impulses", fmt::format("mobility between two lines, {}", name)},
+                             points.between(BodyId{}, now, line(lines[0]), line(lines[1])), exact[0][1], 2e-11, 3.0,
+                             "central differences with h = 1e-5, as for the mobility along one line", "1/kg");
   const StepAdvice advice = advise_step(dynamics, scene.initial);
   for (std::size_t c = 0; c < 2; ++c) {
     const SpringAdvice& spring = advice.springs[c];
-    findings.in("springs")->expect(fmt::format("frequency of {}, {}", spring.name, name), spring.frequency,
-                                   std::sqrt(stiffness * exact[c][c]), by_differences, "rad/s");
-    findings.in("springs")->expect(fmt::format("damping ratio of {}, {}", spring.name, name), spring.damping_ratio,
-                                   0.5 * damping * std::sqrt(exact[c][c] / stiffness), by_differences);
+    findings.expect({"springs", fmt::format("frequency of {}, {}", spring.name, name)}, spring.frequency,
+                    std::sqrt(stiffness * exact[c][c]), by_differences, "rad/s");
+    findings.expect({"springs", fmt::format("damping ratio of {}, {}", spring.name, name)}, spring.damping_ratio,
+                    0.5 * damping * std::sqrt(exact[c][c] / stiffness), by_differences);
   }
   // Modes of two springs: eigenvalues of k times the matrix of mobilities between them; at most one for each
   // coordinate.
   const double trace = exact[0][0] + exact[1][1], determinant = exact[0][0] * exact[1][1] - exact[0][1] * exact[1][0];
   const double root = std::sqrt(std::max(0.0, 0.25 * trace * trace - determinant));
   const double fast = std::sqrt(stiffness * (0.5 * trace + root));
-  findings.in("modes")->expect(fmt::format("number of natural modes, {}", name),
-                               static_cast<double>(advice.modes.size()),
-                               static_cast<double>(std::min<std::size_t>(2, coordinates_of(mobility))),
-                               Tolerance::exact("two springs, but no more modes than coordinates"));
-  findings.in("modes")->expect(fmt::format("fastest mode, {}", name), advice.modes.back().frequency, fast,
-                               by_differences, "rad/s");
+  findings.expect_exact({"modes", fmt::format("number of natural modes, {}", name)},
+                        static_cast<double>(advice.modes.size()),
+                        static_cast<double>(std::min<std::size_t>(2, coordinates_of(mobility))),
+                        "two springs, but no more modes than coordinates");
+  findings.expect({"modes", fmt::format("fastest mode, {}", name)}, advice.modes.back().frequency, fast, by_differences,
+                  "rad/s");
   if (coordinates_of(mobility) > 1) {
-    findings.in("modes")->expect(fmt::format("slowest mode, {}", name), advice.modes.front().frequency,
-                                 std::sqrt(stiffness * (0.5 * trace - root)), by_differences, "rad/s");
+    findings.expect({"modes", fmt::format("slowest mode, {}", name)}, advice.modes.front().frequency,
+                    std::sqrt(stiffness * (0.5 * trace - root)), by_differences, "rad/s");
   }
   // Pulled by one cable alone, the point starts with the acceleration tension times mobility.
   const Scene pulled = scene_of(mobility, 1, setup);
@@ -189,15 +170,14 @@ void check(Mobility mobility, Findings& findings, const Setup& setup, Table& tab
   const Pose then = pose(pulled.model, run.state, BodyId{});
   const Vec2 arm = turned(lines[0].point, tilt);
   const double started = dot(then.v_WB + cross(then.w_WB, arm), direction(lines[0])) / h;
-  findings.in("forces")->expect(
-      fmt::format("initial acceleration by a cable tension, {}", name), started, 0.1 * stiffness * exact[0][0],
-      Tolerance::truncation(0.5 * damping * exact[0][0] * h + 2e-11, 3.0,
-                            "the dashpot reduces it by the fraction c h/(2 m_eff) within the first step")
-          .relative(),
-      "m/s^2");
-  table.rows.push_back({name, fmt::format("{:.6f}", 1.0 / exact[0][0]), fmt::format("{:.6f}", 1.0 / exact[1][1]),
-                        fmt::format("{:.4f}", advice.modes.front().frequency),
-                        fmt::format("{:.4f}", advice.modes.back().frequency)});
+  findings.expect({"forces", fmt::format("initial acceleration by a cable tension, {}", name)}, started,
+                  0.1 * stiffness * exact[0][0],
+                  Tolerance::truncation(0.5 * damping * exact[0][0] * h + 2e-11, 3.0,
+                                        "the dashpot reduces it by the fraction c h/(2 m_eff) within the first step")
+                      .relative(),
+                  "m/s^2");
+  table.rows.push_back(cells("{} | {:.6f} | {:.6f} | {:.4f} | {:.4f}", name, 1.0 / exact[0][0], 1.0 / exact[1][1],
+                             advice.modes.front().frequency, advice.modes.back().frequency));
 }
 
 /// Checks friction between two free discs: 1/m = 1/m_1 + 1/m_2 + r_1^2/I_1 + r_2^2/I_2 along the tangent, also while
@@ -206,7 +186,7 @@ void check_friction(bool squares, double gap, Findings& findings) {
   constexpr double k_s = 180.0, c_s = 2.5;
   constexpr std::array<double, 2> masses{1.7, 0.6}, inertias{0.45, 0.08}, radii{0.7, 0.4};
   const Vec2 along{std::cos(0.9), std::sin(0.9)};
-  ModelBuilder builder;
+  SceneBuilder builder;
   std::array<BodyId, 2> discs;
   for (std::size_t i = 0; i < 2; ++i) {
     Body body{.name = fmt::format("disc_{}", i),
@@ -218,13 +198,9 @@ void check_friction(bool squares, double gap, Findings& findings) {
     body.p_WB = at + (i == 0 ? 0.0 : radii[0] + radii[1] + gap) * along;
     discs[i] = builder.add(body);
   }
-  builder.add(Contact{.name = "touch",
-                      .a = discs[0],
-                      .b = discs[1],
-                      .law = LinearSpringDashpot{stiffness, damping},
-                      .friction = CoulombFriction{0.5, k_s, c_s}});
-  Scene scene{.title = "Two discs", .model = builder.build()};
-  scene.initial = rest_state(scene.model);
+  builder.add_contact("touch", discs[0], discs[1], LinearSpringDashpot{stiffness, damping},
+                      CoulombFriction{0.5, k_s, c_s});
+  Scene scene = builder.at_rest("Two discs");
   record_use(scene.model);
   const Dynamics dynamics{scene.model};
   double inverse = 0.0;
@@ -233,28 +209,27 @@ void check_friction(bool squares, double gap, Findings& findings) {
   int end = 0;  // two squares touch at both ends of their sides
   for (const SpringAdvice& spring : advise_step(dynamics, scene.initial).springs) {
     if (spring.name != "touch friction") continue;
-    const auto rounding =
-        Tolerance::round_off(
-            2e-15,
-            "a sum of four quotients, from positions of about 1: some twenty roundings of 1.1e-16 if all "
-            "have the same sign")
-            .relative();
+    const auto rounding = Tolerance::round_off(2e-15,
+                                               "a sum of four quotients, from positions of about 1: some twenty "
+                                               "roundings of 1.1e-16 if all have the same sign")
+                              .relative();
     if (gap > 0.0) {
-      findings.in("springs")->expect(
-          squares ? fmt::format("frequency of the friction spring between two squares 10 m apart, end {}", ++end)
-                  : "frequency of the friction spring between two discs 10 m apart",
+      findings.expect(
+          {"springs",
+           squares ? fmt::format("frequency of the friction spring between two squares 10 m apart, end {}", ++end)
+                   : "frequency of the friction spring between two discs 10 m apart"},
           spring.frequency, std::sqrt(k_s * inverse),
           Tolerance::round_off(4e-15,
-                               "positions of about 10 m, which determine the levers of 0.7 and 0.4 m: three "
-                               "roundings of 8.9e-16 over 0.4, halved by the square root")
+                               "positions of about 10 m, which determine the levers of 0.7 and 0.4 m: three roundings "
+                               "of 8.9e-16 over 0.4, halved by the square root")
               .relative(),
           "rad/s");
       continue;
     }
-    findings.in("springs")->expect("frequency of the friction spring between two discs", spring.frequency,
-                                   std::sqrt(k_s * inverse), rounding, "rad/s");
-    findings.in("springs")->expect("damping ratio of the friction spring between two discs", spring.damping_ratio,
-                                   0.5 * c_s * std::sqrt(inverse / k_s), rounding);
+    findings.expect({"springs", "frequency of the friction spring between two discs"}, spring.frequency,
+                    std::sqrt(k_s * inverse), rounding, "rad/s");
+    findings.expect({"springs", "damping ratio of the friction spring between two discs"}, spring.damping_ratio,
+                    0.5 * c_s * std::sqrt(inverse / k_s), rounding);
   }
 }
 
@@ -262,23 +237,22 @@ void check_friction(bool squares, double gap, Findings& findings) {
 /// The bound of a guided body holds for all its angles and is not reached at this one.
 void check_bound(Mobility mobility, Findings& findings, const Setup& setup) {
   constexpr double disc_mass = 0.6;
-  ModelBuilder builder;
+  SceneBuilder builder;
   Body body = scene_of(mobility, 0, setup).model.bodies.front();
   if (setup.has("sides_exchanged")) body.shape = Rectangle{half_height, half_width};
   const BodyId hit = builder.add(body);
-  const BodyId disc = builder.add(Body{
-      .name = "disc", .mobility = Mobility::particle, .mass = disc_mass, .shape = Circle{0.1}, .p_WB = {3.0, 3.0}});
-  builder.add(Contact{.name = "touch", .a = hit, .b = disc, .law = LinearSpringDashpot{stiffness, damping}});
+  const BodyId disc = builder.add_particle("disc", disc_mass, {3.0, 3.0}, Circle{0.1});
+  builder.add_contact("touch", hit, disc, LinearSpringDashpot{stiffness, damping});
   const Model model = builder.build();
   const double found = contact_ranges(Dynamics{model}).front().least_mass;
   const double exact = 1.0 / (1.0 / disc_mass + largest_mobility(mobility));
   const std::string name = fmt::format("smallest effective mass of a contact, {}", name_of(mobility));
   const bool is_guided = mobility == Mobility::guided_x || mobility == Mobility::guided_y;
   if (is_guided) {
-    findings.in("bounds")->expect_true(name + ", at most that of a search over the outline", found <= exact,
-                                       fmt::format("{:.6f} against {:.6f} kg", found, exact));
+    findings.expect_true({"bounds", name + ", at most that of a search over the outline"}, found <= exact,
+                         fmt::format("{:.6f} against {:.6f} kg", found, exact));
   } else {
-    findings.in("bounds")->expect(name, found, exact, by_differences, "kg");
+    findings.expect({"bounds", name}, found, exact, by_differences, "kg");
   }
 }
 

@@ -1,15 +1,5 @@
-#include <fmt/format.h>
-
-#include <algorithm>
-#include <array>
-#include <cmath>
-#include <numbers>
-
-#include "solver/model/model_builder.hpp"
-#include "verification/check/case.hpp"
 #include "verification/reference/impacts/restitution.hpp"
-#include "verification/study/findings/expectations.hpp"
-#include "verification/study/runs/scene_run.hpp"
+#include "verification/study/toolkit.hpp"
 
 namespace talus::verification::problems::held_bodies {
 namespace {
@@ -25,7 +15,7 @@ std::string name_of_mobility(Mobility mobility) { return std::string{name_of(mob
 /// A disc thrown at an oblique block, off its centre, both pulled by cables off their centres: every kind of load on a
 /// block of the given mobility. `half`: the block represents two; `both`: there are two at the same position.
 Scene scene_of(Mobility mobility, Bodies bodies, const Setup& setup) {
-  ModelBuilder builder;
+  SceneBuilder builder;
   builder.gravity(gravity);
   const BodyId disc = builder.add(Body{.name = "disc",
                                        .mass = 1.3,
@@ -67,8 +57,7 @@ Scene scene_of(Mobility mobility, Bodies bodies, const Setup& setup) {
     }
     if (bodies == Bodies::half) break;
   }
-  Scene scene{.title = "Held bodies", .model = builder.build()};
-  scene.initial = rest_state(scene.model);
+  Scene scene = builder.at_rest("Held bodies");
   set_velocity(scene.model, scene.initial, disc, {-1.1, -1.6}, 3.0);
   for (const BodyId block : blocks) {
     set_velocity(scene.model, scene.initial, block, {has_x(mobility) ? 0.4 : 0.0, has_y(mobility) ? 0.3 : 0.0},
@@ -154,29 +143,24 @@ Missed missed_by(Mobility mobility, Findings& findings, const Setup& setup) {
 void check_balances(Mobility mobility, Missed& worst, Findings& findings, const Setup& setup) {
   const Missed missed = missed_by(mobility, findings, setup);
   const std::string name = name_of_mobility(mobility);
-  findings.in("energy_balance")
-      ->expect("energy balance, " + name, missed.energy, 0.0,
-               Tolerance::truncation(1e-12, 1.0,
-                                     "local errors of the motion below 1e-13, some ten of which add up; an omitted "
-                                     "term would be of the order 1e-2 to 1"));
+  findings.expect_truncation({"energy_balance", "energy balance, " + name}, missed.energy, 0.0, 1e-12, 1.0,
+                             "local errors of the motion below 1e-13, some ten of which add up; an omitted term would "
+                             "be of the order 1e-2 to 1");
   const bool held = mobility != Mobility::free && mobility != Mobility::particle;
   const Tolerance closes =
-      held
-          ? Tolerance::round_off(2e-13,
-                                 "the reaction of a pin or guide follows from the accelerations, which are accurate to "
-                                 "1e-13")
-          : Tolerance::round_off(1.5e-14,
-                                 "momenta and impulses are the same sums over two thousand steps, each rounded to "
-                                 "1.1e-16: 5e-15 as a random walk, three times that");
-  findings.in("momentum_balance")->expect("momentum balance with reactions, " + name, missed.momentum, 0.0, closes);
-  findings.in("angular_momentum_balance")
-      ->expect(
-          "angular momentum balance with reactions, " + name, missed.angular, 0.0,
-          mobility == Mobility::fixed
-              ? Tolerance::truncation(6e-9, 2.0,
-                                      "measured: the moment of the contact about the origin is integrated with the "
-                                      "steps of the motion, without error control; 3e-7 at a tolerance of 1e-11")
-              : closes);
+      held ? Tolerance::round_off(
+                 2e-13, "the reaction of a pin or guide follows from the accelerations, which are accurate to 1e-13")
+           : Tolerance::round_off(1.5e-14,
+                                  "momenta and impulses are the same sums over two thousand steps, each rounded to "
+                                  "1.1e-16: 5e-15 as a random walk, three times that");
+  findings.expect({"momentum_balance", "momentum balance with reactions, " + name}, missed.momentum, 0.0, closes);
+  findings.expect(
+      {"angular_momentum_balance", "angular momentum balance with reactions, " + name}, missed.angular, 0.0,
+      mobility == Mobility::fixed
+          ? Tolerance::truncation(6e-9, 2.0,
+                                  "measured: the moment of the contact about the origin is integrated with the steps "
+                                  "of the motion, without error control; 3e-7 at a tolerance of 1e-11")
+          : closes);
   keep_worst(worst.reported, missed.reported);
 }
 
@@ -213,12 +197,12 @@ void check_half(Mobility mobility, Findings& findings, const Setup& setup) {
                                 "F + F instead of 2 F: a rounding of 1e-16 in each of 1500 steps, of forces up to 40, "
                                 "which an impact amplifies by less than 10");
   };
-  findings.in("half_motion")
-      ->expect("difference of positions and velocities, half and full model, " + name, places, 0.0, same(1e-12));
-  findings.in("half_energies")
-      ->expect("difference of energies and losses, half and full model, " + name, energies, 0.0, same(1e-12));
-  findings.in("half_impulses")
-      ->expect("difference of impulses and momenta, half and full model, " + name, impulses, 0.0, same(1e-12));
+  findings.expect({"half_motion", "difference of positions and velocities, half and full model, " + name}, places, 0.0,
+                  same(1e-12));
+  findings.expect({"half_energies", "difference of energies and losses, half and full model, " + name}, energies, 0.0,
+                  same(1e-12));
+  findings.expect({"half_impulses", "difference of impulses and momenta, half and full model, " + name}, impulses, 0.0,
+                  same(1e-12));
 }
 
 /// Checks initial poses against those given, and their velocities against difference quotients.
@@ -245,20 +229,18 @@ void check_velocities(const std::vector<Mobility>& mobilities, Findings& finding
     const double by = std::asin(turn.cosine * after.R_WB.sine - turn.sine * after.R_WB.cosine);
     keep_worst(worst, 0.5 * by / h - now.w_WB);
   }
-  findings.expect("initial positions of poses, largest difference from the given ones", rest, 0.0,
-                  Tolerance::round_off(1e-15, "conversion from the centre to the pin and back: four roundings"));
-  findings.expect(
-      "velocities of poses, largest difference from difference quotients over all mobilities", worst, 0.0,
-      Tolerance::truncation(2e-11, 2.0,
-                            "h^2/6 times a third derivative of 1, and the rounding of a position divided by "
-                            "2 h: 1e-16/2e-5"));
+  findings.expect_round_off("initial positions of poses, largest difference from the given ones", rest, 0.0, 1e-15,
+                            "conversion from the centre to the pin and back: four roundings");
+  findings.expect_truncation(
+      "velocities of poses, largest difference from difference quotients over all mobilities", worst, 0.0, 2e-11, 2.0,
+      "h^2/6 times a third derivative of 1, and the rounding of a position divided by 2 h: 1e-16/2e-5");
 }
 
 /// Checks the impact of a disc on a slide on one that represents two, with a dashpot given by its damping ratio: both
 /// speeds are known.
 void check_mirrored_impact(Findings& findings, const Setup& setup) {
   constexpr double e = 0.6, m = 1.0, each = 0.75, speed = 2.0;
-  ModelBuilder builder;
+  SceneBuilder builder;
   builder.gravity(gravity);
   Body disc{.name = "disc", .mobility = Mobility::sliding_x, .mass = m, .shape = Circle{0.5}, .p_WB = {-1.25, 0.0}};
   const BodyId striker = builder.add(disc);
@@ -267,8 +249,7 @@ void check_mirrored_impact(Findings& findings, const Setup& setup) {
   LinearSpringDashpot law{300.0, 0.0, EndRule::clamped};
   law.set_every_restitution(setup.has("other_restitution") ? 0.999 * e : e, 1.0);
   builder.add(Contact{.name = "touch", .a = striker, .b = pair, .law = law, .multiplicity = 2});
-  Scene scene{.title = "Impact on a mirrored disc", .model = builder.build()};
-  scene.initial = rest_state(scene.model);
+  Scene scene = builder.at_rest("Impact on a mirrored disc");
   set_velocity(scene.model, scene.initial, striker, {speed, 0.0}, 0.0);
   const double common = m * speed / (m + 2.0 * each) + gravity.x;  // at the end, after a unit of time
   for (const char* const name : {"exact", "stormer_cowell"}) {
@@ -279,12 +260,11 @@ void check_mirrored_impact(Findings& findings, const Setup& setup) {
                                     common + m / (m + 2.0 * each) * e * speed};
     expect_each(findings.in("mirrored_impact"),
                 fmt::format("speeds after an impact on a disc that represents two, {}", name), run.state.v, exact,
-                closed
-                    ? Tolerance::round_off(1.5e-14,
-                                           "three roundings in each of some twenty steps, and at the events, of speeds "
-                                           "below 2 m/s: 60 times 2.2e-16 if all have the same sign")
-                    : Tolerance::truncation(1e-12 * speed, 3.0,
-                                            "local errors below 1e-12 of the speed, a few of which add up"));
+                closed ? Tolerance::round_off(1.5e-14,
+                                              "three roundings in each of some twenty steps, and at the events, of "
+                                              "speeds below 2 m/s: 60 times 2.2e-16 if all have the same sign")
+                       : Tolerance::truncation(1e-12 * speed, 3.0,
+                                               "local errors below 1e-12 of the speed, a few of which add up"));
     const std::vector<double> impulses{(m + 2.0 * each) * gravity.x, 0.0, 0.0};
     expect_each(findings.in("mirrored_impulses"),
                 fmt::format("external impulses in the run with a disc that represents two, {}", name),
@@ -300,16 +280,15 @@ void check_slides(Findings& findings) {
   constexpr double e = 0.6, m = 1.0, other = 1.75, angle = 0.6;
   const Vec2 n{std::cos(angle), std::sin(angle)}, across{-n.y, n.x}, thrown = 2.0 * n + 0.5 * across;
   for (const Mobility mobility : {Mobility::sliding_x, Mobility::sliding_y}) {
-    ModelBuilder builder;
+    SceneBuilder builder;
     const BodyId disc = builder.add(
         Body{.name = "disc", .mobility = Mobility::particle, .mass = m, .shape = Circle{0.5}, .p_WB = -2.0 * n});
     const BodyId box = builder.add(
         Body{.name = "box", .mobility = mobility, .mass = other, .shape = Rectangle{0.6, 4.0}, .angle = angle});
     LinearSpringDashpot law{300.0, 0.0, EndRule::clamped};
     law.set_every_restitution(e, 1.0);
-    builder.add(Contact{.name = "touch", .a = disc, .b = box, .law = law});
-    Scene scene{.title = "Impact on a slide", .model = builder.build()};
-    scene.initial = rest_state(scene.model);
+    builder.add_contact("touch", disc, box, law);
+    Scene scene = builder.at_rest("Impact on a slide");
     set_velocity(scene.model, scene.initial, disc, thrown, 0.0);
     const RunEnd run = run_scene(scene, make_integrator("stormer_cowell", 1e-12), {0.1, 1.5, 1.5, false}, findings);
     const double along = mobility == Mobility::sliding_x ? n.x : n.y;
@@ -327,9 +306,8 @@ void check_slides(Findings& findings) {
 void check_ring(Findings& findings) {
   constexpr double e = 0.6, m = 1.0, middle = 0.5, speed = 2.0, overlap = 1e-10;
   for (const int count : {2, 12}) {
-    ModelBuilder builder;
-    const BodyId struck =
-        builder.add(Body{.name = "middle", .mobility = Mobility::particle, .mass = middle, .shape = Circle{3.0}});
+    SceneBuilder builder;
+    const BodyId struck = builder.add_particle("middle", middle, {}, Circle{3.0});
     LinearSpringDashpot law{300.0, 0.0, EndRule::clamped};
     law.set_every_restitution(e, 1.0);
     std::vector<BodyId> ring;
@@ -337,30 +315,22 @@ void check_ring(Findings& findings) {
     for (int i = 0; i < count; ++i) {
       const double angle = 2.0 * std::numbers::pi * i / count;
       out.push_back({std::cos(angle), std::sin(angle)});
-      ring.push_back(builder.add(Body{.name = fmt::format("disc{}", i),
-                                      .mobility = Mobility::particle,
-                                      .mass = m,
-                                      .shape = Circle{0.5},
-                                      .p_WB = (3.5 - overlap) * out.back()}));
+      ring.push_back(builder.add_particle(fmt::format("disc{}", i), m, (3.5 - overlap) * out.back(), Circle{0.5}));
       const bool first = i % 2 == 0;
-      builder.add(Contact{.name = fmt::format("touch{}", i),
-                          .a = first ? ring.back() : struck,
-                          .b = first ? struck : ring.back(),
-                          .law = law});
+      builder.add_contact(fmt::format("touch{}", i), first ? ring.back() : struck, first ? struck : ring.back(), law);
     }
-    Scene scene{.title = "Discs from all around", .model = builder.build()};
-    scene.initial = rest_state(scene.model);
+    Scene scene = builder.at_rest("Discs from all around");
     for (std::size_t i = 0; i < ring.size(); ++i)
       set_velocity(scene.model, scene.initial, ring[i], -speed * out[i], 0.0);
     const RunEnd run = run_scene(scene, make_integrator("stormer_cowell", 1e-12), {0.1, 1.0, 1.0, false}, findings);
     std::vector<double> exact{0.0, 0.0};
     for (const Vec2 direction : out)
       exact.insert(exact.end(), {e * speed * direction.x, e * speed * direction.y});
-    expect_each(findings, fmt::format("speeds after {} simultaneous impacts on one disc", count), run.state.v, exact,
-                Tolerance::model(2e-9,
-                                 "the initial overlap of 1e-10: the dashpot, c = 5.6, takes 5.6e-10 less from the "
-                                 "speed, and the spring sqrt(k/m) = 17 times 1e-10 more, of which less than that "
-                                 "remains at the end"));
+    expect_each(
+        findings, fmt::format("speeds after {} simultaneous impacts on one disc", count), run.state.v, exact,
+        Tolerance::model(2e-9,
+                         "the initial overlap of 1e-10: the dashpot, c = 5.6, takes 5.6e-10 less from the speed, and "
+                         "the spring sqrt(k/m) = 17 times 1e-10 more, of which less than that remains at the end"));
   }
 }
 
@@ -372,12 +342,10 @@ void run(Findings& findings, const Setup& setup) {
   if (setup.needs("balance") || setup.needs("reported")) {
     for (const Mobility mobility : mobilities)
       check_balances(mobility, worst, findings, setup);
-    findings.expect("reported energies, momenta and balances, largest difference from sums over all poses",
-                    worst.reported, 0.0,
-                    Tolerance::round_off(
-                        5e-15,
-                        "a dozen products for each of two bodies and as many sums, each about as large as the scale "
-                        "and rounded by 1.1e-16 of it: 5e-15 if all errors have the same sign"));
+    findings.expect_round_off("reported energies, momenta and balances, largest difference from sums over all poses",
+                              worst.reported, 0.0, 5e-15,
+                              "a dozen products for each of two bodies and as many sums, each about as large as the "
+                              "scale and rounded by 1.1e-16 of it: 5e-15 if all errors have the same sign");
   }
   if (setup.needs("half and full model")) {
     for (const Mobility mobility : mobilities)
@@ -396,14 +364,12 @@ Case definition() {
   return {.id = "held_bodies",
           .title = "Constrained bodies and symmetry multiplicity",
           .family = "A: motion and bodies",
-          .requirements = {{"law.elastic_plastic", {"energy_balance", "half_energies"}},
-                           {"law.tension_only", {"energy_balance", "half_energies"}},
-                           {"Eq. 18", {"energy_balance", "angular_momentum_balance"}},
-                           {"mechanism.friction", {"energy_balance", "half_energies"}},
-                           {"mechanism.cable_yield", {"energy_balance", "half_energies"}},
-                           {"mechanism.contact_damping", {"energy_balance", "half_energies"}},
-                           {"mechanism.contact_release", {"energy_balance", "half_energies"}},
-                           {"integrator.exact", {"speeds after an impact on a disc that represents two, exact"}}},
+          .requirements =
+              {{"law.elastic_plastic, law.tension_only", {"energy_balance", "half_energies"}},
+               {"Eq. 18", {"energy_balance", "angular_momentum_balance"}},
+               {"mechanism.friction, mechanism.cable_yield, mechanism.contact_damping, mechanism.contact_release",
+                {"energy_balance", "half_energies"}},
+               {"integrator.exact", {"speeds after an impact on a disc that represents two, exact"}}},
           .main_checks = {"energy balance, guided_x", guided, "angular momentum balance with reactions, sliding_x",
                           "difference of energies and losses, half and full model, pinned",
                           "speeds after an impact on a disc that represents two, exact"},

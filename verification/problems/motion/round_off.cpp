@@ -1,12 +1,5 @@
-#include <fmt/format.h>
 #include <boost/multiprecision/cpp_bin_float.hpp>
-
-#include <algorithm>
-#include <array>
-#include <cmath>
 #include <cstdint>
-#include <numbers>
-#include <optional>
 #include <stdexcept>
 
 #include "solver/integrate/advance.hpp"
@@ -16,12 +9,8 @@
 #include "solver/integrate/lagged_central_difference.hpp"
 #include "solver/integrate/runge_kutta4.hpp"
 #include "solver/integrate/velocity_verlet.hpp"
-#include "solver/model/model_builder.hpp"
-#include "verification/check/case.hpp"
 #include "verification/reference/integration/stepped_swing.hpp"
-#include "verification/study/findings/expectations.hpp"
-#include "verification/study/runs/scene_run.hpp"
-#include "verification/study/runs/usage.hpp"
+#include "verification/study/toolkit.hpp"
 
 namespace talus::verification::problems::round_off {
 namespace {
@@ -204,13 +193,11 @@ void check_map(Findings& findings, const Method& method, Forces forces) {
   const SwingRun run = swing_in_numbers(swing, 113, forces);
   const auto claim = findings.in(fmt::format("integrator.{}", method.name));
   findings.count(run.evaluations);
-  findings.in("distance_from_map")
-      ->expect(
-          fmt::format("distance from the method's map in 113 bits, dashpot, {}", method.name),
-          reference::rounding_errors(swing, {run.place})[0], 0.0,
-          Tolerance::round_off(std::sqrt(static_cast<double>(method.additions * steps)) * 0x1p-113,
-                               "each addition rounds by at most half a unit in the last place of numbers up to 1, at "
-                               "random: sqrt(n) of these"));
+  findings.expect_round_off(
+      {"distance_from_map", fmt::format("distance from the method's map in 113 bits, dashpot, {}", method.name)},
+      reference::rounding_errors(swing, {run.place})[0], 0.0,
+      std::sqrt(static_cast<double>(method.additions * steps)) * 0x1p-113,
+      "each addition rounds by at most half a unit in the last place of numbers up to 1, at random: sqrt(n) of these");
 }
 
 /// Error over the runs at one step size.
@@ -279,19 +266,19 @@ void check_fall(Findings& findings, const Method& method, int bits, const Fall& 
                 Figure& figure, Table& table) {
   const std::string of = fmt::format("{}, {} bits", method.name, bits);
   const auto claim = findings.in(fmt::format("integrator.{}", method.name));
-  findings.in("error_against_step")
-      ->expect_order(fmt::format("order of the truncation error, {}", of), fall.method, method.order - 0.15,
-                     method.order + 0.35, "the order of the method; the next term of its error adds to it");
+  findings.expect_order({"error_against_step", fmt::format("order of the truncation error, {}", of)}, fall.method,
+                        method.order - 0.15, method.order + 0.35,
+                        "the order of the method; the next term of its error adds to it");
   if (fall.rounding.size() == 0) return;
   keep_worst(furthest.slope, fall.rounding.fit().order + 0.5);
   const auto least = std::min_element(fall.all.begin(), fall.all.end(),
                                       [](const ErrorAt& a, const ErrorAt& b) { return a.whole < b.whole; });
   keep_worst(furthest.step, std::log2(least->step / best_step(method, bits)));
-  findings.in("least_error")
-      ->expect_between(fmt::format("minimum error over its prediction, {}", of), least->whole / least->predicted, 0.65,
-                       1.5, "rounding errors of similar runs are not independent, nor are those of successive steps");
-  table.rows.push_back({method.name, fmt::format("{}", bits), fmt::format("{:.1e}", best_step(method, bits)),
-                        fmt::format("{:.1e}", least->step), fmt::format("{:.1e}", least->whole)});
+  findings.expect_between({"least_error", fmt::format("minimum error over its prediction, {}", of)},
+                          least->whole / least->predicted, 0.65, 1.5,
+                          "rounding errors of similar runs are not independent, nor are those of successive steps");
+  table.rows.push_back(cells("{} | {} | {:.1e} | {:.1e} | {:.1e}", method.name, bits, best_step(method, bits),
+                             least->step, least->whole));
   // Without damping, the lagged central difference equals the central difference.
   if (method.method == SwingMethod::lagged_central_difference) return;
   Series points{of, {}, {}, Style::points}, line{of + ", predicted", {}, {}, Style::lines};
@@ -340,9 +327,9 @@ void check_numbers(Findings& findings, const Setup& setup) {
     }
     table.rows.push_back(row);
   }
-  findings.expect_between("log2 of the rounding error over its prediction, worst of all methods and number formats",
-                          furthest, -0.6, 0.6,
-                          "32 runs determine a root mean square to one eighth if independent, to two eighths if not");
+  findings.expect_between(
+      {"rounding_error", "log2 of the rounding error over its prediction, worst of all methods and number formats"},
+      furthest, -0.6, 0.6, "32 runs determine a root mean square to one eighth if independent, to two eighths if not");
   if (!setup.coarse) findings.table(table);
 }
 
@@ -368,12 +355,13 @@ void check_best_steps(Findings& findings, const Setup& setup) {
       check_fall(findings, method, bits, measured(findings, method, bits, *range, damping), furthest, figure, table);
     }
   }
-  findings.expect_between("slope of the rounding error against the step, deviation from -1/2, worst of all",
-                          furthest.slope, -0.2, 0.2,
-                          "a random walk grows with the square root of the number of steps; a tenth of the steps, "
-                          "which round alike, adds to it");
-  findings.expect_between("log2 of the step of minimum error over its prediction, worst of all", furthest.step, -1.1,
-                          1.1,
+  findings.expect_between(
+      {"slope_of_rounding", "slope of the rounding error against the step, deviation from -1/2, worst of all"},
+      furthest.slope, -0.2, 0.2,
+      "a random walk grows with the square root of the number of steps; a tenth of the steps, which round alike, adds "
+      "to it");
+  findings.expect_between({"best_step", "log2 of the step of minimum error over its prediction, worst of all"},
+                          furthest.step, -1.1, 1.1,
                           "steps are sampled at factors of two, and the sum of both errors is flat near its minimum");
   if (setup.coarse) return;
   findings.table(table);
@@ -385,20 +373,15 @@ constexpr double middle = 1.5, swing = 0.25;
 
 Scene swing_scene(const Setup& setup) {
   const double origin = setup.has("far_from_the_origin") ? 4096.0 : 0.0;
-  ModelBuilder builder{si};
+  SceneBuilder builder{si};
   const BodyId mass = builder.add(Body{.name = "mass",
                                        .mobility = Mobility::sliding_x,
                                        .mass = 1.0,
                                        .p_WB = {origin + middle + swing, 0.0},
                                        .force = {middle - 1.0, 0.0}});
-  builder.add(Cable{.name = "cable",
-                    .a = {mass, {}},
-                    .b = {std::nullopt, {origin, 0.0, 0.0}},
-                    .rest_length = 1.0,
-                    .law = TensionOnly{setup.has("stiffness_off") ? 1.0 + 1e-12 : 1.0, 0.0}});
-  Scene scene{.title = "Mass on a taut cable", .model = builder.build()};
-  scene.initial = rest_state(scene.model);
-  return scene;
+  builder.add_cable("cable", {mass, {}}, {std::nullopt, {origin, 0.0, 0.0}}, 1.0,
+                    TensionOnly{setup.has("stiffness_off") ? 1.0 + 1e-12 : 1.0, 0.0});
+  return builder.at_rest("Mass on a taut cable");
 }
 
 Integrator integrator_of(SwingMethod method) {
@@ -432,10 +415,10 @@ void check_scene(Findings& findings, const Setup& setup, SwingMethod method) {
   const double predicted = std::sqrt(static_cast<double>(steps) * (verlet ? 1.0 : 4.0) / 6.0) * 0x1p-53 / swing;
   const double left = solver_rounding(method, steps, setup, findings);
   const auto claim = findings.in(verlet ? "integrator.velocity_verlet" : "integrator.rk4");
-  findings.in("rounding_of_scene")
-      ->expect_between(
-          fmt::format("rounding error of a scene over its prediction, {}", verlet ? "velocity_verlet" : "rk4"),
-          left / predicted, 0.5, 2.0, "16 runs determine a root mean square to one fifth; the force is rounded, too");
+  findings.expect_between(
+      {"rounding_of_scene",
+       fmt::format("rounding error of a scene over its prediction, {}", verlet ? "velocity_verlet" : "rk4")},
+      left / predicted, 0.5, 2.0, "16 runs determine a root mean square to one fifth; the force is rounded, too");
 }
 
 void run(Findings& findings, const Setup& setup) {
@@ -448,32 +431,27 @@ void run(Findings& findings, const Setup& setup) {
 }  // namespace
 
 Case definition() {
-  return {.id = "round_off",
-          .title = "Round-off: growth over long runs",
-          .requirements = {{"A8",
-                            {"rounding_of_scene", "distance_from_map",
-                             "log2 of the rounding error over its prediction, worst of all methods and number formats",
-                             "error_against_step", "least_error",
-                             "slope of the rounding error against the step, deviation from -1/2, worst of all",
-                             "log2 of the step of minimum error over its prediction, worst of all"}},
-                           {"law.tension_only", {"rounding_of_scene"}}},
-          .main_checks = {"rounding error of a scene over its prediction, velocity_verlet",
-                          "log2 of the rounding error over its prediction, worst of all methods and number formats",
-                          "log2 of the step of minimum error over its prediction, worst of all"},
-          .source = "Henrici 1962, chapter 1; Hairer, Lubich & Wanner 2006, section VIII.5",
-          .faults = {{"far_from_the_origin", "the scene is 4096 lengths from the origin of coordinates",
-                      "rounding error of a scene over its prediction, velocity_verlet"},
-                     {"stiffness_off", "the stiffness is too large by 1e-12",
-                      "rounding error of a scene over its prediction, rk4"},
-                     {"forces_in_double", "accelerations in 113 bits are rounded to double",
-                      "distance from the method's map in 113 bits, dashpot, rk4"},
-                     {"forces_in_float", "accelerations in double are rounded to float",
-                      "log2 of the rounding error over its prediction, worst of all methods and number formats"},
-                     {"dashpot_left_on", "a dashpot of 2^-10, whose error no smaller step reduces",
-                      "order of the truncation error, rk4, 24 bits"}},
-          .full_seconds = 32.0,
-          .time_limit = 120.0,
-          .run = run};
+  return {
+      .id = "round_off",
+      .title = "Round-off: growth over long runs",
+      .requirements = {{"A8",
+                        {"rounding_of_scene", "distance_from_map", "rounding_error", "error_against_step",
+                         "least_error", "slope_of_rounding", "best_step"}},
+                       {"law.tension_only", {"rounding_of_scene"}}},
+      .main_checks = {"rounding error of a scene over its prediction, velocity_verlet", "rounding_error", "best_step"},
+      .source = "Henrici 1962, chapter 1; Hairer, Lubich & Wanner 2006, section VIII.5",
+      .faults = {{"far_from_the_origin", "the scene is 4096 lengths from the origin of coordinates",
+                  "rounding error of a scene over its prediction, velocity_verlet"},
+                 {"stiffness_off", "the stiffness is too large by 1e-12",
+                  "rounding error of a scene over its prediction, rk4"},
+                 {"forces_in_double", "accelerations in 113 bits are rounded to double",
+                  "distance from the method's map in 113 bits, dashpot, rk4"},
+                 {"forces_in_float", "accelerations in double are rounded to float", "rounding_error"},
+                 {"dashpot_left_on", "a dashpot of 2^-10, whose error no smaller step reduces",
+                  "order of the truncation error, rk4, 24 bits"}},
+      .full_seconds = 32.0,
+      .time_limit = 120.0,
+      .run = run};
 }
 
 }  // namespace talus::verification::problems::round_off

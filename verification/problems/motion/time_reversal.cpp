@@ -1,15 +1,9 @@
-#include <fmt/format.h>
-
-#include <algorithm>
-#include <cmath>
 #include <random>
 
-#include "solver/model/model_builder.hpp"
 #include "solver/scenes/bouncing_disc.hpp"
 #include "solver/scenes/pendulum.hpp"
-#include "verification/check/case.hpp"
-#include "verification/study/runs/scene_run.hpp"
 #include "verification/study/scenes/moved_scene.hpp"
+#include "verification/study/toolkit.hpp"
 
 namespace talus::verification::problems::time_reversal {
 namespace {
@@ -23,37 +17,28 @@ struct Reversible {
 };
 
 Scene bobs_on_cables() {
-  ModelBuilder builder{si};
+  SceneBuilder builder{si};
   builder.gravity({0.0, -9.81});
-  const auto bob = [&](const char* name, double mass, Vec2 place) {
-    return builder.add(Body{.name = name, .mobility = Mobility::particle, .mass = mass, .p_WB = place});
-  };
+  const auto bob = [&](const char* name, double mass, Vec2 place) { return builder.add_particle(name, mass, place); };
   const BodyId one = bob("one", 1.1, {1.0, -0.1}), two = bob("two", 0.8, {2.1, 0.05});
   const auto cable = [&](const char* name, CableEnd a, CableEnd b) {
-    builder.add(Cable{.name = name, .a = a, .b = b, .rest_length = 0.7, .law = TensionOnly{300.0, 0.0}});
+    builder.add_cable(name, a, b, 0.7, TensionOnly{300.0, 0.0});
   };
   cable("left", {std::nullopt, {}}, {one, {}});
   cable("middle", {one, {}}, {two, {}});
   cable("right", {two, {}}, {std::nullopt, {3.0, 0.2, 0.0}});
-  Scene scene{.title = "Bobs on cables", .model = builder.build()};
-  scene.initial = rest_state(scene.model);
+  Scene scene = builder.at_rest("Bobs on cables");
   set_velocity(scene.model, scene.initial, one, {0.3, 0.5}, 0.0);
   return scene;
 }
 
 Scene disc_on_friction_spring() {
-  ModelBuilder builder{si};
+  SceneBuilder builder{si};
   builder.gravity({0.4, -9.81});
-  const BodyId disc =
-      builder.add(Body{.name = "disc", .mass = 1.0, .inertia = 0.125, .shape = Circle{0.5}, .p_WB = {0.0, 0.5 - 1e-3}});
-  const BodyId plane = builder.add(Body{.name = "plane", .mobility = Mobility::fixed, .shape = HalfPlane{}});
-  builder.add(Contact{.name = "touch",
-                      .a = disc,
-                      .b = plane,
-                      .law = LinearSpringDashpot{1e4, 0.0},
-                      .friction = CoulombFriction{50.0, 3e3}});
-  Scene scene{.title = "Disc on its friction", .model = builder.build()};
-  scene.initial = rest_state(scene.model);
+  const BodyId disc = builder.add_free("disc", 1.0, 0.125, Circle{0.5}, {0.0, 0.5 - 1e-3});
+  const BodyId plane = builder.add_fixed("plane", HalfPlane{});
+  builder.add_contact("touch", disc, plane, LinearSpringDashpot{1e4, 0.0}, CoulombFriction{50.0, 3e3});
+  Scene scene = builder.at_rest("Disc on its friction");
   set_velocity(scene.model, scene.initial, disc, {0.02, 0.004}, -0.05);
   return scene;
 }
@@ -156,24 +141,21 @@ void check_orders(Findings& findings, const Reversible& pendulum) {
 
 void run(Findings& findings, const Setup& setup) {
   const long steps = setup.coarse ? 1000 : reversal_steps;
-  Table table{
-      .name = "returns",
-      .caption =
-          "Return error of each scene after 10 000 steps forward and back, and sqrt(2n) u G, the rounding of all "
-          "steps times the measured growth G of differences.",
-      .columns = {"scene", "method", "return error", "sqrt(2n) u G", "G"}};
+  Table table{.name = "returns",
+              .caption =
+                  "Return error of each scene after 10 000 steps forward and back, and sqrt(2n) u G, the rounding of "
+                  "all steps times the measured growth G of differences.",
+              .columns = {"scene", "method", "return error", "sqrt(2n) u G", "G"}};
   for (const Reversible& one : reversible_scenes()) {
     for (const char* method : {"velocity_verlet", "central_difference"}) {
       const auto claim = findings.in(fmt::format("integrator.{}", method)), group = findings.in(one.name);
       const Return found =
           there_and_back(with_fault(one, setup), given(method, setup), one.step, steps, true, findings);
-      findings.in("returns")->expect(
-          fmt::format("return error of {}, {}", one.name, method), found.missed, 0.0,
-          Tolerance::round_off(4.0 * found.rounding,
-                               "sqrt(2n) u G, times four for the several roundings of a step and the worst "
-                               "of the numbers"));
-      table.rows.push_back({one.name, method, fmt::format("{:.1e}", found.missed),
-                            fmt::format("{:.1e}", found.rounding), fmt::format("{:.0f}", found.growth)});
+      findings.expect_round_off(
+          {"returns", fmt::format("return error of {}, {}", one.name, method)}, found.missed, 0.0, 4.0 * found.rounding,
+          "sqrt(2n) u G, times four for the several roundings of a step and the worst of the numbers");
+      table.rows.push_back(
+          cells("{} | {} | {:.1e} | {:.1e} | {:.0f}", one.name, method, found.missed, found.rounding, found.growth));
     }
   }
   if (setup.coarse) return;

@@ -1,20 +1,10 @@
-#include <fmt/format.h>
-
-#include <cmath>
-#include <string>
-#include <vector>
-
 #include "solver/scenes/bouncing_disc.hpp"
-#include "verification/check/case.hpp"
 #include "verification/reference/impacts/damped_bounce.hpp"
 #include "verification/reference/impacts/restitution.hpp"
-#include "verification/study/findings/expectations.hpp"
-#include "verification/study/findings/predicted_errors.hpp"
 #include "verification/study/impacts/followed_impact.hpp"
 #include "verification/study/impacts/leapfrog_impact_error.hpp"
 #include "verification/study/impacts/plane_impact.hpp"
-#include "verification/study/runs/phases.hpp"
-#include "verification/study/runs/scene_run.hpp"
+#include "verification/study/toolkit.hpp"
 
 namespace talus::verification::problems::bounces {
 namespace {
@@ -114,18 +104,17 @@ void check_stiff_limit(Findings& findings, const Setup& setup) {
     line.add(w * w, 4.0 * xi * (1.0 + e) / e * gravity / (w * speed));
     exact.add(w * w, truth);
   }
-  findings.expect(
-      "deficit 1 - h1/(e^2 h0), mean of 64 phases, largest error of four stiffnesses", worst, 0.0,
-      Tolerance::truncation(0.17 * std::pow(contact_angle / 400.0, 2), 1.5,
-                            "the dashpot's lag is extrapolated away, and the mean of the force jump vanishes "
-                            "over evenly spread phases of touch; the remaining error is of second order, "
-                            "measured, the same at every stiffness"));
+  findings.expect_truncation(
+      {"deficit", "deficit 1 - h1/(e^2 h0), mean of 64 phases, largest error of four stiffnesses"}, worst, 0.0,
+      0.17 * std::pow(contact_angle / 400.0, 2), 1.5,
+      "the dashpot's lag is extrapolated away, and the mean of the force jump vanishes over evenly spread phases of "
+      "touch; the remaining error is of second order, measured, the same at every stiffness");
   findings.expect_order(
-      "order of convergence to the rigid limit in the stiffness", found, -0.515, -0.485,
+      {"order_to_rigid", "order of convergence to the rigid limit in the stiffness"}, found, -0.515, -0.485,
       "G decreases with the square root of the stiffness; G^2, 0.035 G at the lowest stiffness, bends the line");
-  findings.expect("deficit 1 - h1/(e^2 h0) over its first-order term, highest stiffness",
-                  found.errors().back() / line.y.back(), 1.0,
-                  Tolerance::model(0.02, "the next power of G, 0.001, and the error of the deficit, 8e-6 of 0.0025"));
+  findings.expect_model({"deficit_stiffest", "deficit 1 - h1/(e^2 h0) over its first-order term, highest stiffness"},
+                        found.errors().back() / line.y.back(), 1.0, 0.02,
+                        "the next power of G, 0.001, and the error of the deficit, 8e-6 of 0.0025");
   findings.figure({.name = "stiff_limit",
                    .title = "Convergence to the rigid limit",
                    .caption = "Deficit of the first height from $e^2 h_0$ against the stiffness, $\\xi = 0.2$.",
@@ -221,19 +210,18 @@ void check_heights(Findings& findings, const Setup& setup) {
       const double predicted = predicted_rms(fall, n, production_steps, errors);
       if (fall.xi == 0.0 || n <= compared) worst = worst_ratio(worst, errors.found[at].rms() / predicted);
       if (n == 1 || n == count)
-        table.rows.push_back({name_of(fall), fmt::format("{}", n), fmt::format("{:.6f}", exact[at].apex_gap),
-                              fmt::format("{:.6f}", fall_height * std::pow(e, 2 * n)),
-                              fmt::format("{:.2e}", errors.found[at].rms()), fmt::format("{:.2e}", predicted)});
+        table.rows.push_back(cells("{} | {} | {:.6f} | {:.6f} | {:.2e} | {:.2e}", name_of(fall), n, exact[at].apex_gap,
+                                   fall_height * std::pow(e, 2 * n), errors.found[at].rms(), predicted));
     }
     const Tolerance near =
         fall.xi == 0.0 ? Tolerance::model(0.1,
-                                          "predicted bounce by bounce; the prediction omits the weight during "
-                                          "contact, G = 0.03, and the next power of the step, 0.06")
+                                          "predicted bounce by bounce; the prediction omits the weight during contact, "
+                                          "G = 0.03, and the next power of the step, 0.06")
                        : Tolerance::model(0.15,
-                                          "64 random phases at each later bounce determine a root mean square to "
-                                          "9 %; the weight and the next power of the step add some hundredths");
-    findings.in("heights")->expect("rms error of the heights over the predicted, worst bounce, " + name_of(fall), worst,
-                                   1.0, near);
+                                          "64 random phases at each later bounce determine a root mean square to 9 %; "
+                                          "the weight and the next power of the step add some hundredths");
+    findings.expect({"heights", "rms error of the heights over the predicted, worst bounce, " + name_of(fall)}, worst,
+                    1.0, near);
   }
   findings.table(table);
 }
@@ -280,13 +268,13 @@ void check_rest(Findings& findings, const Setup& setup) {
     const RunEnd run = run_scene(falling_disc(fall, fall_height, 0.0, setup), VelocityVerlet{}, {1e-3, end, end, false},
                                  findings, {}, count_contacts);
     const char* word = rule == EndRule::attractive ? "attractive" : "clamped";
-    findings.in("contacts_to_rest")
-        ->expect(fmt::format("number of contacts until the disc remains on the plane, xi = 0.3, {}", word),
-                 run.finished ? static_cast<double>(contacts) : NAN, static_cast<double>(exact.size()),
-                 Tolerance::exact("a count; the last rebound is not marginal"));
-    findings.in("overlap_at_rest")
-        ->expect(fmt::format("overlap at rest, xi = 0.3, {}", word), 1.0 - run.state.q[1], exact.back().end_depth,
-                 Tolerance::round_off(2.3e-16, "the height of 1 is rounded to 1.1e-16, and so is its final value"));
+    findings.expect_exact(
+        {"contacts_to_rest", fmt::format("number of contacts until the disc remains on the plane, xi = 0.3, {}", word)},
+        run.finished ? static_cast<double>(contacts) : NAN, static_cast<double>(exact.size()),
+        "a count; the last rebound is not marginal");
+    findings.expect_round_off({"overlap_at_rest", fmt::format("overlap at rest, xi = 0.3, {}", word)},
+                              1.0 - run.state.q[1], exact.back().end_depth, 2.3e-16,
+                              "the height of 1 is rounded to 1.1e-16, and so is its final value");
   }
 }
 
@@ -323,32 +311,27 @@ void run(Findings& findings, const Setup& setup) {
 
 Case definition() {
   const std::string heights = "rms error of the heights over the predicted, worst bounce, ";
-  return {
-      .id = "bounces",
-      .title = "Bouncing disc under gravity",
-      .requirements =
-          {{"B6",
-            {"heights", "order of the error of the first height, undamped",
-             "order of the error of the fifth height, xi = 0.1, attractive",
-             "order of convergence to the rigid limit in the stiffness", "contacts_to_rest", "overlap_at_rest"}},
-           {"B7",
-            {"deficit 1 - h1/(e^2 h0), mean of 64 phases, largest error of four stiffnesses",
-             "order of convergence to the rigid limit in the stiffness",
-             "deficit 1 - h1/(e^2 h0) over its first-order term, highest stiffness"}},
-           {"law.linear_spring_dashpot", {"heights"}},
-           {"end_rule.attractive", {"rms error of the heights over the predicted, worst bounce, xi = 0.1, attractive"}},
-           {"end_rule.clamped", {"rms error of the heights over the predicted, worst bounce, xi = 0.1, clamped"}},
-           {"integrator.velocity_verlet", {"heights"}},
-           {"pair.circle.half_plane", {"heights"}}},
-      .main_checks = {heights + name_of(falls[0]), heights + name_of(falls[2]), heights + name_of(falls[3]),
-                      "order of convergence to the rigid limit in the stiffness"},
-      .source = "Mustoe & Huttelmaier 1993, Eq. 17; Bartz 2022, arXiv 2204.10917",
-      .faults = {{"dashpot_halved", "the dashpot is halved", heights + name_of(falls[2])},
-                 {"other_end_rule", "the contact has the other end rule", heights + name_of(falls[3])},
-                 {"large_steps", "four steps per contact", heights + name_of(falls[3])},
-                 {"weight_halved", "the weight is halved",
-                  "deficit 1 - h1/(e^2 h0) over its first-order term, highest stiffness"}},
-      .run = run};
+  return {.id = "bounces",
+          .title = "Bouncing disc under gravity",
+          .requirements = {{"B6",
+                            {"heights", "order of the error of the first height, undamped",
+                             "order of the error of the fifth height, xi = 0.1, attractive", "order_to_rigid",
+                             "contacts_to_rest", "overlap_at_rest"}},
+                           {"B7", {"deficit", "order_to_rigid", "deficit_stiffest"}},
+                           {"law.linear_spring_dashpot", {"heights"}},
+                           {"end_rule.attractive",
+                            {"rms error of the heights over the predicted, worst bounce, xi = 0.1, attractive"}},
+                           {"end_rule.clamped",
+                            {"rms error of the heights over the predicted, worst bounce, xi = 0.1, clamped"}},
+                           {"integrator.velocity_verlet, pair.circle.half_plane", {"heights"}}},
+          .main_checks = {heights + name_of(falls[0]), heights + name_of(falls[2]), heights + name_of(falls[3]),
+                          "order_to_rigid"},
+          .source = "Mustoe & Huttelmaier 1993, Eq. 17; Bartz 2022, arXiv 2204.10917",
+          .faults = {{"dashpot_halved", "the dashpot is halved", heights + name_of(falls[2])},
+                     {"other_end_rule", "the contact has the other end rule", heights + name_of(falls[3])},
+                     {"large_steps", "four steps per contact", heights + name_of(falls[3])},
+                     {"weight_halved", "the weight is halved", "deficit_stiffest"}},
+          .run = run};
 }
 
 }  // namespace talus::verification::problems::bounces

@@ -1,20 +1,14 @@
 #include "verification/problems/normal_contact/calibration_findings.hpp"
 
-#include <fmt/format.h>
-
-#include <algorithm>
-#include <cmath>
-
 #include "solver/calibrate/impact.hpp"
 #include "solver/scenes/bouncing_disc.hpp"
 #include "solver/scenes/pivoted_cylinder.hpp"
-#include "verification/check/convergence.hpp"
 #include "verification/reference/impacts/pivoted_cylinder.hpp"
 #include "verification/reference/impacts/restitution.hpp"
 #include "verification/study/findings/common_formula.hpp"
 #include "verification/study/impacts/followed_impact.hpp"
 #include "verification/study/impacts/leapfrog_impact_error.hpp"
-#include "verification/study/runs/phases.hpp"
+#include "verification/study/toolkit.hpp"
 
 namespace talus::verification::problems {
 namespace {
@@ -69,15 +63,14 @@ void find_calibration_curves(Findings& findings) {
                                   events.contact_time / 200.5);
     }
     findings.expect(
-        "largest error of the mean e, e = 0.05 ... 1, " + label, errors.max(), shift,
-        (attractive ? Tolerance::model(0.05,
-                                       "shift of e by the half-step lag at 200 steps per contact, largest over "
-                                       "the twenty targets; the jump at the end, at 64 uneven phases, adds up "
-                                       "to 5 % of it to the mean")
-                    : Tolerance::model(0.016,
-                                       "shift of e by the half-step lag at 200 steps per contact, largest over "
-                                       "the twenty targets; the jump cancels in the mean, the next power of "
-                                       "the step is w h = 1.6 %"))
+        {"mean_e/" + std::string{label}, "largest error of the mean e, e = 0.05 ... 1, " + label}, errors.max(), shift,
+        (attractive
+             ? Tolerance::model(0.05,
+                                "shift of e by the half-step lag at 200 steps per contact, largest over the twenty "
+                                "targets; the jump at the end, at 64 uneven phases, adds up to 5 % of it to the mean")
+             : Tolerance::model(0.016,
+                                "shift of e by the half-step lag at 200 steps per contact, largest over the twenty "
+                                "targets; the jump cancels in the mean, the next power of the step is w h = 1.6 %"))
             .relative());
     figure.series.insert(figure.series.end(), {points, curve});
   }
@@ -100,12 +93,11 @@ void find_clamped_eq_21(Findings& findings) {
                            {"clamped, solver", {}, {}, Style::points},
                            {"clamped, closed form", {}, {}, Style::lines},
                            {"as wanted", {0.0, 1.0}, {0.0, 1.0}, Style::lines}}};
-  Table common = common_formula(
-      "clamped_restitution",
-      "**Restitution by Eq. 21 where the contact may not pull.** The damping of Eq. 21 is meant to give $e$, and does "
-      "if the contact may pull at its end. If it is clamped, the exact $e$ is $\\exp(-2\\xi A)$, $A = "
-      "\\arccos(\\xi)/\\sqrt{1 - \\xi^2}$, with the damping ratio $\\xi$ of Eq. 21. Solver: mean of 64 phases, 3200 "
-      "steps per contact.");
+  Table common = common_formula("clamped_restitution",
+                                "**Restitution by Eq. 21 where the contact may not pull.** The damping of Eq. 21 is "
+                                "meant to give $e$, and does if the contact may pull at its end. If it is clamped, the "
+                                "exact $e$ is $\\exp(-2\\xi A)$, $A = \\arccos(\\xi)/\\sqrt{1 - \\xi^2}$, with the "
+                                "damping ratio $\\xi$ of Eq. 21. Solver: mean of 64 phases, 3200 steps per contact.");
   const struct {
     double wanted;
     double given;
@@ -116,16 +108,14 @@ void find_clamped_eq_21(Findings& findings) {
     const double attractive = measured_restitution(dashpot_of(xi, 1.0, 1.0, EndRule::attractive), 3200.0, findings);
     const double clamped = measured_restitution(dashpot_of(xi, 1.0, 1.0, EndRule::clamped), 3200.0, findings);
     const double solved = measured_restitution(dashpot_of(own, 1.0, 1.0, EndRule::clamped), 3200.0, findings);
-    findings.in("e_when_clamped")
-        ->expect(fmt::format("e of Eq. 21 for {:g} when clamped, three digits", row.wanted), clamped, row.given,
-                 Tolerance::model(5e-4, "half a unit in the third digit of the known value"));
+    findings.expect_model(
+        {"e_when_clamped", fmt::format("e of Eq. 21 for {:g} when clamped, three digits", row.wanted)}, clamped,
+        row.given, 5e-4, "half a unit in the third digit of the known value");
     const double exact = reference::restitution(xi, reference::EndRule::clamped);
-    common.rows.push_back({fmt::format("$e$ = {:g} wanted", row.wanted), fmt::format("{:g}", row.wanted),
-                           fmt::format("{:.4f}", exact), fmt::format("{:+.1f} %", 100.0 * (row.wanted / exact - 1.0)),
-                           fmt::format("{:.4f}", clamped)});
-    table.rows.push_back({fmt::format("{:g}", row.wanted), fmt::format("{:.4f}", xi), fmt::format("{:.4f}", attractive),
-                          fmt::format("{:.4f}", clamped), fmt::format("{:.4f}", exact), fmt::format("{:.4f}", own),
-                          fmt::format("{:.4f}", solved)});
+    common.rows.push_back(cells("$e$ = {:g} wanted | {:g} | {:.4f} | {:+.1f} % | {:.4f}", row.wanted, row.wanted, exact,
+                                100.0 * (row.wanted / exact - 1.0), clamped));
+    table.rows.push_back(cells("{:g} | {:.4f} | {:.4f} | {:.4f} | {:.4f} | {:.4f} | {:.4f}", row.wanted, xi, attractive,
+                               clamped, exact, own, solved));
     figure.series[0].add(row.wanted, attractive);
     figure.series[1].add(row.wanted, clamped);
   }
@@ -160,38 +150,37 @@ void check_solver_formulas(Findings& findings) {
                                   reference::damping_ratio(e, reference::EndRule::clamped))});
   }
   const double eps = 0x1p-52;
-  findings.expect("solver's damping ratio and restitution near xi = 1, clamped, relative error", near_one, 0.0,
-                  Tolerance::round_off(16.0 * eps, "as for the damping ratio at any e, with an exponent of 2"));
-  findings.expect("solver's damping ratio for e = 0.005 ... 1, relative error", inverse, 0.0,
-                  Tolerance::round_off(16.0 * eps,
-                                       "log, square root, acos, three products and the last bracket of two "
-                                       "units of the root search: 8 eps, times two for the worst of 400"));
-  findings.expect("solver's restitution for a damping ratio, relative error", direct, 0.0,
-                  Tolerance::round_off(32.0 * eps, "an exponent up to 5.3 amplifies its 4 roundings to 5.3 x 4 eps"));
+  findings.expect_round_off("solver's damping ratio and restitution near xi = 1, clamped, relative error", near_one,
+                            0.0, 16.0 * eps, "as for the damping ratio at any e, with an exponent of 2");
+  findings.expect_round_off({"formula_ratio", "solver's damping ratio for e = 0.005 ... 1, relative error"}, inverse,
+                            0.0, 16.0 * eps,
+                            "log, square root, acos, three products and the last bracket of two units of the root "
+                            "search: 8 eps, times two for the worst of 400");
+  findings.expect_round_off("solver's restitution for a damping ratio, relative error", direct, 0.0, 32.0 * eps,
+                            "an exponent up to 5.3 amplifies its 4 roundings to 5.3 x 4 eps");
   double rebounds = 0.0;
   bool sticks = true;
   for (const double xi : {1.0, 1.25, 3.0}) {
     rebounds += talus::restitution(xi, EndRule::attractive);
     sticks = sticks && std::isinf(dashpot_of(xi, 3e5, 0.7, EndRule::attractive).contact_time(0.7, 2.5));
   }
-  findings.expect("solver's restitution of attractive contacts at and above critical damping", rebounds, 0.0,
-                  Tolerance::exact("the overlap tends to zero and never reaches it: no rebound"));
+  findings.expect_exact("solver's restitution of attractive contacts at and above critical damping", rebounds, 0.0,
+                        "the overlap tends to zero and never reaches it: no rebound");
   findings.expect_true("solver's contact time of attractive contacts at and above critical damping is infinite", sticks,
                        "checked at 1, 1.25 and 3 times the critical damping");
-  findings.expect("solver's contact time, relative error", time, 0.0,
-                  Tolerance::round_off(32.0 * eps,
-                                       "xi from c, k, m with 4 roundings, amplified by xi^2/(1 - xi^2) <= 2.9 "
-                                       "(attractive, e = 0.005), and as many again"));
-  findings.expect("solver's largest overlap, relative error", depth, 0.0,
-                  Tolerance::round_off(16.0 * eps, "xi with 4 roundings in an exponent <= 3, and 4 more"));
+  findings.expect_round_off("solver's contact time, relative error", time, 0.0, 32.0 * eps,
+                            "xi from c, k, m with 4 roundings, amplified by xi^2/(1 - xi^2) <= 2.9 (attractive, e = "
+                            "0.005), and as many again");
+  findings.expect_round_off({"formula_overlap", "solver's largest overlap, relative error"}, depth, 0.0, 16.0 * eps,
+                            "xi with 4 roundings in an exponent <= 3, and 4 more");
 }
 
 void check_step_advice(Findings& findings) {
   Table table{
       .name = "step_advice",
       .caption =
-          "Step advised for a bound of the error of e (velocity Verlet, e = 0.5), and the largest error at 200 "
-          "other phases.",
+          "Step advised for a bound of the error of e (velocity Verlet, e = 0.5), and the largest error at 200 other "
+          "phases.",
       .columns = {"end rule", "bound", "steps per contact", "largest error, advice", "largest error, 200 phases"}};
   for (const EndRule rule : {EndRule::attractive, EndRule::clamped}) {
     for (const double bound : {1e-2, 1e-3}) {
@@ -206,12 +195,14 @@ void check_step_advice(Findings& findings) {
       }
       const std::string name =
           fmt::format("{}, bound {:g}", rule == EndRule::attractive ? "attractive" : "clamped", bound);
-      findings.expect("largest error of e with the advised step at other phases, " + name, errors.max(), 0.0,
-                      Tolerance::truncation(bound, 1.0, "the requested bound"));
+      findings.expect_truncation(
+          {fmt::format("advised_step/{}/{:g}", rule == EndRule::attractive ? "attractive" : "clamped", bound),
+           "largest error of e with the advised step at other phases, " + name},
+          errors.max(), 0.0, bound, 1.0, "the requested bound");
       const double time = reference::impact_events({1.0, law.damping, 1.0, 1.0}, same(rule)).contact_time;
-      table.rows.push_back({rule == EndRule::attractive ? "attractive" : "clamped", fmt::format("{:g}", bound),
-                            fmt::format("{:.0f}", time / advice.step), fmt::format("{:.3e}", advice.largest_error),
-                            fmt::format("{:.3e}", errors.max())});
+      table.rows.push_back(cells("{} | {:g} | {:.0f} | {:.3e} | {:.3e}",
+                                 rule == EndRule::attractive ? "attractive" : "clamped", bound, time / advice.step,
+                                 advice.largest_error, errors.max()));
     }
   }
   findings.table(table);
@@ -239,14 +230,13 @@ void check_scene_calibration(Findings& findings) {
     const double formula = reference::pivoted_damping(problem, stiffness);
     const double particles = reference::particle_damping(problem, stiffness);
     differences.add(1.0 / std::sqrt(stiffness), std::abs(found.dissipation / formula - 1.0));
-    missed = std::max(missed, std::abs(found.restitution - 0.5));
-    table.rows.push_back({fmt::format("{:g}", stiffness), fmt::format("{:.3f}", found.dissipation),
-                          fmt::format("{:.3f}", formula), fmt::format("{:+.3e}", found.dissipation / formula - 1.0),
-                          fmt::format("{:.3f}", particles), fmt::format("{:+.3e}", found.dissipation / particles - 1.0),
-                          fmt::format("{:.10f}", found.restitution), fmt::format("{}", found.runs)});
+    keep_largest(missed, found.restitution - 0.5);
+    table.rows.push_back(cells("{:g} | {:.3f} | {:.3f} | {:+.3e} | {:.3f} | {:+.3e} | {:.10f} | {}", stiffness,
+                               found.dissipation, formula, found.dissipation / formula - 1.0, particles,
+                               found.dissipation / particles - 1.0, found.restitution, found.runs));
   }
-  findings.expect("error of e in the calibrated scene, target 0.5", missed, 0.0,
-                  Tolerance::truncation(1e-9, 1.0, "the requested tolerance"));
+  findings.expect_truncation("error of e in the calibrated scene, target 0.5", missed, 0.0, 1e-9, 1.0,
+                             "the requested tolerance");
   findings.expect_order(
       "order in 1/sqrt(k_n) of the difference between calibrated damping and that of the effective mass",
       differences.last(3), 0.985, 1.015,

@@ -1,15 +1,5 @@
-#include <fmt/format.h>
-
-#include <array>
-#include <cmath>
-#include <numbers>
-
-#include "solver/model/model_builder.hpp"
-#include "verification/check/case.hpp"
 #include "verification/reference/many_bodies/struck_row.hpp"
-#include "verification/study/findings/predicted_errors.hpp"
-#include "verification/study/runs/phases.hpp"
-#include "verification/study/runs/scene_run.hpp"
+#include "verification/study/toolkit.hpp"
 
 namespace talus::verification::problems::cradle {
 namespace {
@@ -17,27 +7,20 @@ namespace {
 constexpr double disc_radius = 4.0;
 
 Scene row_scene(const reference::StruckRow& row, double lead, const Setup& setup) {
-  ModelBuilder builder;
+  SceneBuilder builder;
   std::array<BodyId, 3> discs{};
   const double farther = setup.has("third_disc_farther") ? 1e-3 : 0.0;
   for (int i = 0; i < 3; ++i) {
     const double x = 2.0 * disc_radius * i - (i == 0 ? lead : 0.0) + (i == 2 ? row.gap + farther : 0.0);
-    discs[static_cast<std::size_t>(i)] =
-        builder.add(Body{.name = fmt::format("disc{}", i + 1),
-                         .mobility = Mobility::particle,
-                         .mass = i == 1 && setup.has("middle_heavier") ? 1.01 * row.mass : row.mass,
-                         .shape = Circle{disc_radius},
-                         .p_WB = {x, 0.0}});
+    discs[static_cast<std::size_t>(i)] = builder.add_particle(
+        fmt::format("disc{}", i + 1), i == 1 && setup.has("middle_heavier") ? 1.01 * row.mass : row.mass, {x, 0.0},
+        Circle{disc_radius});
   }
   const double second = setup.has("second_contact_stiffer") ? 1.02 : 1.0;
   const LinearSpringDashpot law{row.stiffness, 0.0, EndRule::clamped};
-  builder.add(Contact{.name = "first", .a = discs[0], .b = discs[1], .law = law});
-  builder.add(Contact{.name = "second",
-                      .a = discs[1],
-                      .b = discs[2],
-                      .law = LinearSpringDashpot{second * row.stiffness, 0.0, EndRule::clamped}});
-  Scene scene{.title = "Three discs in a row", .model = builder.build()};
-  scene.initial = rest_state(scene.model);
+  builder.add_contact("first", discs[0], discs[1], law);
+  builder.add_contact("second", discs[1], discs[2], LinearSpringDashpot{second * row.stiffness, 0.0, EndRule::clamped});
+  Scene scene = builder.at_rest("Three discs in a row");
   set_velocity(scene.model, scene.initial, discs[0], {row.speed, 0.0}, 0.0);
   return scene;
 }
@@ -83,19 +66,17 @@ void check_gaps(Findings& findings, const Setup& setup) {
     const reference::StruckRow row{1.0, 1.0, 1.0, gap};
     const auto exact = reference::rebound(row).velocity;
     const double error = velocity_error(row, 100.0, findings, setup);
-    table.rows.push_back({fmt::format("{:g}", gap), fmt::format("{:.5f}", exact[0]), fmt::format("{:.5f}", exact[1]),
-                          fmt::format("{:.5f}", exact[2]), fmt::format("{:.2e}", error)});
-    findings.in("speeds")->expect(
-        fmt::format("speeds of the three discs, gap {:g}, rms error", gap), error, 0.0,
-        Tolerance::truncation(0.7 / (100.5 * 100.5), 1.5,
-                              "measured over four octaves of steps at gap 0: 0.69 divided by the square of "
-                              "the number of steps; the errors at other gaps are slightly smaller"));
+    table.rows.push_back(cells("{:g} | {:.5f} | {:.5f} | {:.5f} | {:.2e}", gap, exact[0], exact[1], exact[2], error));
+    findings.expect_truncation({"speeds", fmt::format("speeds of the three discs, gap {:g}, rms error", gap)}, error,
+                               0.0, 0.7 / (100.5 * 100.5), 1.5,
+                               "measured over four octaves of steps at gap 0: 0.69 divided by the square of the number "
+                               "of steps; the errors at other gaps are slightly smaller");
   }
   findings.table(table);
   const auto beyond = reference::rebound({1.0, 1.0, 1.0, 1.001 * limit}).velocity;
   const auto within = reference::rebound({1.0, 1.0, 1.0, 0.9 * limit}).velocity;
-  findings.expect("exact speed of the first disc, gap above pi v/(2 w)", beyond[0], 0.0,
-                  Tolerance::round_off(1e-45, "zero in 50 digits, of numbers up to one, in a few dozen operations"));
+  findings.expect_round_off("exact speed of the first disc, gap above pi v/(2 w)", beyond[0], 0.0, 1e-45,
+                            "zero in 50 digits, of numbers up to one, in a few dozen operations");
   findings.expect_true("exact speed of the first disc is not zero, gap below pi v/(2 w)", std::abs(within[0]) > 1e-6,
                        "the second disc meets the third while the first still pushes it");
 }
@@ -105,7 +86,7 @@ void check_order(Findings& findings, const Setup& setup) {
     return std::pair{1.0 / n, velocity_error(touching, n, findings, setup)};
   });
   findings.expect_order(
-      "order of the error of the speeds, touching discs", found, 1.9, 2.1,
+      {"order_touching", "order of the error of the speeds, touching discs"}, found, 1.9, 2.1,
       "the forces are continuous; their slopes jump at touch and opening, which gives an error of h^2");
   findings.figure({.name = "error",
                    .title = "Error of the speeds against the step",
@@ -118,10 +99,9 @@ void check_order(Findings& findings, const Setup& setup) {
 
 void check_accounts(Findings& findings, const Setup& setup) {
   const RowRun found = run_row(touching, {0, std::numbers::pi / 100.4, 0.3}, 8.0, findings, setup);
-  findings.expect("momentum error of the three discs", found.momentum_error, 0.0,
-                  Tolerance::round_off(4e-15,
-                                       "at most 512 half kicks round three speeds below 1, each by 3.2e-17 rms: "
-                                       "sqrt(1536) x 3.2e-17 = 1.3e-15, three times that for the worst"));
+  findings.expect_round_off("momentum error of the three discs", found.momentum_error, 0.0, 4e-15,
+                            "at most 512 half kicks round three speeds below 1, each by 3.2e-17 rms: sqrt(1536) x "
+                            "3.2e-17 = 1.3e-15, three times that for the worst");
 }
 
 void show_speeds(Findings& findings, const Setup& setup) {
@@ -160,19 +140,14 @@ Case definition() {
   return {
       .id = "cradle",
       .title = "Newton's cradle of three discs",
-      .requirements = {{"B8",
-                        {"speeds", "order of the error of the speeds, touching discs",
-                         "momentum error of the three discs"}},
-                       {"law.linear_spring_dashpot", {"speeds"}},
-                       {"shape.circle", {"speeds"}},
-                       {"integrator.velocity_verlet", {"order of the error of the speeds, touching discs"}},
+      .requirements = {{"B8", {"speeds", "order_touching", "momentum error of the three discs"}},
+                       {"law.linear_spring_dashpot, shape.circle", {"speeds"}},
+                       {"integrator.velocity_verlet", {"order_touching"}},
                        {"pair.circle.circle", {"speeds"}}},
-      .main_checks = {"speeds of the three discs, gap 0, rms error",
-                      "order of the error of the speeds, touching discs"},
+      .main_checks = {"speeds of the three discs, gap 0, rms error", "order_touching"},
       .source = "Herrmann & Seitz, Am. J. Phys. 50 (1982) 977",
       .faults = {{"middle_heavier", "the middle disc is 1 % heavier", "speeds of the three discs, gap 0, rms error"},
-                 {"second_contact_stiffer", "the second contact is 2 % stiffer",
-                  "order of the error of the speeds, touching discs"},
+                 {"second_contact_stiffer", "the second contact is 2 % stiffer", "order_touching"},
                  {"third_disc_farther", "the third disc is farther away by 0.001",
                   "speeds of the three discs, gap 0.1, rms error"}},
       .run = run};

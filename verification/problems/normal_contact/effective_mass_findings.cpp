@@ -1,15 +1,9 @@
 #include "verification/problems/normal_contact/effective_mass_findings.hpp"
 
-#include <algorithm>
-#include <cmath>
-
-#include "solver/dynamics/rigid_body_system.hpp"
 #include "solver/integrate/velocity_verlet.hpp"
 #include "solver/laws/linear_spring_dashpot.hpp"
-#include "solver/model/model_builder.hpp"
-#include "solver/scenes/scene.hpp"
-#include "verification/study/findings/expectations.hpp"
 #include "verification/study/impacts/disc_bounce.hpp"
+#include "verification/study/toolkit.hpp"
 
 namespace talus::verification::problems {
 namespace {
@@ -43,27 +37,23 @@ double arm(const StruckBar& bar) { return std::abs(bar.pinned ? bar.half_height 
 /// Bodies "bar" and "disc" (a particle of radius 1), contact "impact". Integrator and plan are set by the caller.
 Scene struck_bar(const StruckBar& bar) {
   constexpr double radius = 1.0;
-  ModelBuilder builder;
+  SceneBuilder builder;
   const BodyId struck = builder.add(Body{.name = "bar",
                                          .mobility = bar.pinned ? Mobility::pinned : Mobility::free,
                                          .mass = bar.mass,
                                          .inertia = inertia(bar),
                                          .shape = Rectangle{bar.half_width, bar.half_height},
                                          .p_BPin = {0.0, bar.half_height}});
-  const BodyId disc = builder.add(Body{.name = "disc",
-                                       .mobility = Mobility::particle,
-                                       .mass = bar.disc_mass,
-                                       .shape = Circle{radius},
-                                       .p_WB = {-(bar.half_width + radius + bar.gap), bar.height}});
-  builder.add(Contact{.name = "impact", .a = disc, .b = struck, .law = bar.law});
-  Scene scene{.title = "Bar struck by a disc", .model = builder.build()};
-  scene.initial = rest_state(scene.model);
+  const BodyId disc =
+      builder.add_particle("disc", bar.disc_mass, {-(bar.half_width + radius + bar.gap), bar.height}, Circle{radius});
+  builder.add_contact("impact", disc, struck, bar.law);
+  Scene scene = builder.at_rest("Bar struck by a disc");
   set_velocity(scene.model, scene.initial, disc, {bar.speed, 0.0}, 0.0);
   return scene;
 }
 
 Scene two_discs(double mass, double other, double frame, const LinearSpringDashpot& law, double gap) {
-  ModelBuilder builder;
+  SceneBuilder builder;
   const Body like{.name = "left", .mobility = Mobility::particle, .mass = mass, .shape = Circle{4.0}};
   Body right = like;
   right.name = "right";
@@ -71,9 +61,8 @@ Scene two_discs(double mass, double other, double frame, const LinearSpringDashp
   right.p_WB = {8.0 + gap, 0.0};
   const BodyId a = builder.add(like);
   const BodyId b = builder.add(right);
-  builder.add(Contact{.name = "impact", .a = a, .b = b, .law = law});
-  Scene scene{.title = "Two discs", .model = builder.build()};
-  scene.initial = rest_state(scene.model);
+  builder.add_contact("impact", a, b, law);
+  Scene scene = builder.at_rest("Two discs");
   set_velocity(scene.model, scene.initial, a, {1.0 + frame, 0.0}, 0.0);
   set_velocity(scene.model, scene.initial, b, {frame, 0.0}, 0.0);
   return scene;
@@ -181,14 +170,14 @@ void check_masses(Findings& findings, const Setup& setup) {
     const State& end = impact.at_end;
     centre = (end.v[0] + ratio * end.v[2]) / (1.0 + ratio);
     worst = farther(worst, found.restitution.rms(), predicted);
-    drift = std::max(drift, std::abs(centre - (3.0 + 1.0 / (1.0 + ratio))));
+    keep_largest(drift, centre - (3.0 + 1.0 / (1.0 + ratio)));
   }
-  findings.expect("rms relative error of e, mass ratios 1/100 ... 100", worst, predicted,
+  findings.expect({"mass_ratios", "rms relative error of e, mass ratios 1/100 ... 100"}, worst, predicted,
                   near_prediction(EndRule::clamped));
-  findings.expect("velocity of the common centre of mass, largest error", drift, 0.0,
-                  Tolerance::round_off(2e-14,
-                                       "110 equal and opposite kicks, each rounded at speeds up to 5: sqrt(110) "
-                                       "x 4.4e-16 = 5e-15, times four for the worst"));
+  findings.expect_round_off({"centre_of_mass", "velocity of the common centre of mass, largest error"}, drift, 0.0,
+                            2e-14,
+                            "110 equal and opposite kicks, each rounded at speeds up to 5: sqrt(110) x 4.4e-16 = "
+                            "5e-15, times four for the worst");
 }
 
 void check_frames(Findings& findings, const Setup& setup) {
@@ -196,18 +185,17 @@ void check_frames(Findings& findings, const Setup& setup) {
   const Pose left{.p_WB = {-4.0, 0.0}, .R_WB = {}, .v_WB = {3.0, -7.0}};
   Pose right{.p_WB = {4.0, 0.0}, .R_WB = {}, .v_WB = left.v_WB};
   if (plus) right.v_WB = -right.v_WB;
-  findings.expect("closing rate of two discs that move together", depth_rate({0.0, {1.0, 0.0}, {}}, left, right), 0.0,
-                  Tolerance::exact("Eq. 20 with the minus sign: the difference of two equal numbers"));
+  findings.expect_exact("closing rate of two discs that move together", depth_rate({0.0, {1.0, 0.0}, {}}, left, right),
+                        0.0, "Eq. 20 with the minus sign: the difference of two equal numbers");
   const double at_rest = restitution_in_frame(0.0, plus, findings);
   double change = 0.0;
   for (const double frame : {-7.0, 3.0, 20.0}) {
     const double found = restitution_in_frame(frame, plus, findings) - at_rest;
     keep_worst(change, found);
   }
-  findings.expect("closing rate in moving frames, change of e", change, 0.0,
-                  Tolerance::round_off(4e-13,
-                                       "220 steps that round positions up to 130 to 1.4e-14 and speeds up to 21 to "
-                                       "1.8e-15: sqrt(220) x 1.4e-14 = 2e-13, times two for the worst"));
+  findings.expect_round_off({"moving_frames", "closing rate in moving frames, change of e"}, change, 0.0, 4e-13,
+                            "220 steps that round positions up to 130 to 1.4e-14 and speeds up to 21 to 1.8e-15: "
+                            "sqrt(220) x 1.4e-14 = 2e-13, times two for the worst");
 }
 
 void check_levers(Findings& findings, const Setup& setup) {
@@ -236,8 +224,8 @@ void check_levers(Findings& findings, const Setup& setup) {
       naive.add(arm(bar), bar_errors(bar, two_masses(bar), findings).mean_restitution);
     }
     // The overlap is 1e-6 of the bar: its rotation during contact is negligible, as in a central impact.
-    findings.in("rms_error_of_pairs")
-        ->expect("rms relative error of e, " + kind, worst, predicted, near_prediction(EndRule::attractive));
+    findings.expect({"rms_error_of_pairs", "rms relative error of e, " + kind}, worst, predicted,
+                    near_prediction(EndRule::attractive));
     figure.series.insert(figure.series.end(), {right, naive, closed_form_of_two_masses(pinned, kind)});
   }
   if (!setup.coarse) findings.figure(figure);

@@ -1,25 +1,12 @@
-#include <fmt/format.h>
-
-#include <algorithm>
-#include <array>
-#include <cmath>
-#include <string>
-#include <utility>
 #include <variant>
-#include <vector>
 
-#include "solver/integrate/integrator_list.hpp"
 #include "solver/scenes/bouncing_disc.hpp"
-#include "verification/check/case.hpp"
 #include "verification/reference/impacts/hertz_impact.hpp"
 #include "verification/reference/impacts/power_law_impact.hpp"
 #include "verification/reference/impacts/restitution.hpp"
 #include "verification/study/findings/common_formula.hpp"
-#include "verification/study/findings/expectations.hpp"
-#include "verification/study/findings/predicted_errors.hpp"
 #include "verification/study/impacts/followed_impact.hpp"
-#include "verification/study/runs/phases.hpp"
-#include "verification/study/runs/scene_run.hpp"
+#include "verification/study/toolkit.hpp"
 
 namespace talus::verification::problems::nonlinear_restitution {
 namespace {
@@ -57,11 +44,10 @@ double rebound(const ContactLaw& law, double v, Findings& findings) {
 
 /// Bound of the restitution of runs whose slowest rebound has this speed.
 Tolerance by_tolerance(double slowest) {
-  return Tolerance::truncation(
-      3e-10 / slowest, 1.0,
-      fmt::format("local errors of at most 1e-12 in some 700 steps, of which signs cancel half, "
-                  "relative to speeds after the impact from {:.2g} on",
-                  slowest));
+  return Tolerance::truncation(3e-10 / slowest, 1.0,
+                               fmt::format("local errors of at most 1e-12 in some 700 steps, of which signs cancel "
+                                           "half, relative to speeds after the impact from {:.2g} on",
+                                           slowest));
 }
 
 // --- the dashpot for a restitution ----------------------------------------------------------------------------------
@@ -78,8 +64,8 @@ void check_targets(Findings& findings, const Setup& setup) {
         {law, rule, fmt::format("{:g}", e), fmt::format("{:.8g}", damping), fmt::format("{:+.1e}", found - e)});
   };
   const auto expect = [&](const std::string& law, double worst) {
-    findings.in("targets")->expect(fmt::format("restitution of {}, largest relative error", law), worst, 0.0,
-                                   by_tolerance(0.1 * speed));
+    findings.expect({"targets", fmt::format("restitution of {}, largest relative error", law)}, worst, 0.0,
+                    by_tolerance(0.1 * speed));
   };
   for (const HertzDashpot dashpot : {HertzDashpot::tsuji, HertzDashpot::constant}) {
     double worst = 0.0;
@@ -207,10 +193,9 @@ void check_published_numbers(Findings& findings) {
                                 Formula{"Lankarani & Nikravesh 1990", [](double e) { return 0.75 * (1.0 - e * e); }},
                                 Formula{"Gonthier et al. 2004", [](double e) { return (1.0 - e * e) / e; }},
                                 Formula{"Flores et al. 2011", [](double e) { return 1.6 * (1.0 - e) / e; }}};
-  Table table =
-      common_formula("hysteresis",
-                     "Restitution of Hunt & Crossley's law with published damping numbers. Common formula: the "
-                     "restitution that each promises.");
+  Table table = common_formula("hysteresis",
+                               "Restitution of Hunt & Crossley's law with published damping numbers. Common formula: "
+                               "the restitution that each promises.");
   Figure figure{.name = "published_numbers",
                 .title = "Restitution that published damping numbers give",
                 .caption =
@@ -231,9 +216,8 @@ void check_published_numbers(Findings& findings) {
       keep_worst(worst, found / exact - 1.0);
       miss = std::max(miss, std::abs(found - e));
       points.add(e, found);
-      table.rows.push_back({fmt::format("{}, e = {:g}", formula.name, e), fmt::format("{:g}", e),
-                            fmt::format("{:.3f}", exact), fmt::format("{:+.0f} %", 100.0 * (e / exact - 1.0)),
-                            fmt::format("{:.3f}", found)});
+      table.rows.push_back(cells("{}, e = {:g} | {:g} | {:.3f} | {:+.0f} % | {:.3f}", formula.name, e, e, exact,
+                                 100.0 * (e / exact - 1.0), found));
     }
     for (int i = 5; i < 100; ++i)
       line.add(0.01 * i, reference::hunt_crossley_restitution(formula.number(0.01 * i)));
@@ -320,8 +304,8 @@ void check_speeds(Findings& findings) {
       line.add(v, exact(v));
     }
     figure.series.push_back(points), figure.series.push_back(line);
-    findings.in("speeds")->expect(fmt::format("restitution at five speeds, {}, largest relative error", name), worst,
-                                  0.0, by_tolerance(0.4 * 0.02));
+    findings.expect({"speeds", fmt::format("restitution at five speeds, {}, largest relative error", name)}, worst, 0.0,
+                    by_tolerance(0.4 * 0.02));
   };
   compare("hertz, tsuji", tsuji, [](double) { return 0.6; });
   compare("hertz, constant", constant, exact_constant);
@@ -350,15 +334,15 @@ void check_orders(Findings& findings, const Setup& setup) {
       .name = "orders",
       .title = "Error of the restitution of fixed steps",
       .caption =
-          "Error of rk4 at e = 0.6, root mean square over 64 phases, each with a different step. The "
-          "linear dashpot's force jumps at touch; Hunt & Crossley's begins like $x^n$.",
+          "Error of rk4 at e = 0.6, root mean square over 64 phases, each with a different step. The linear dashpot's "
+          "force jumps at touch; Hunt & Crossley's begins like $x^n$.",
       .x = {.label = "step / contact time", .log = true},
       .y = {.label = "relative error of e", .log = true},
       .slopes = {{1.0, 1.0 / 64.0, 6e-3, "h"}, {2.0, 1.0 / 64.0, 6e-5, "h^2"}, {2.5, 1.0 / 64.0, 3e-6, "h^(5/2)"}}};
   const auto expect = [&](const std::string& name, const ContactLaw& law, double time, double low, double high,
                           const char* why) {
     const Convergence found = fixed_steps(law, 0.6, time, counts, findings);
-    findings.in("integrator.rk4")->expect_order("order of the error of e, rk4, " + name, found, low, high, why);
+    findings.expect_order({"integrator.rk4", "order of the error of e, rk4, " + name}, found, low, high, why);
     figure.series.push_back({name, found.steps(), found.errors(), Style::points});
   };
   LinearSpringDashpot linear{stiffness, 0.0, EndRule::clamped};
@@ -382,15 +366,14 @@ void check_torn_contact(Findings& findings, const Setup& setup) {
   law.hysteresis = (setup.has("weak_hysteresis") ? 0.5 : 2.0) / away;
   const RunPlan plan{0.01, 1.0, 0.1, true, MonitorRules::off()};
   const RunEnd end = run_scene(impact(law, -away, -0.3), make_integrator("odeint_dopri5", tight), plan, findings);
-  findings.in("torn")->expect("speed of a disc that leaves an overlap faster than 1/a, change", end.state.v[1] - away,
-                              0.0, Tolerance::exact("no force acts: sums of zeros"));
+  findings.expect_exact({"torn", "speed of a disc that leaves an overlap faster than 1/a, change"},
+                        end.state.v[1] - away, 0.0, "no force acts: sums of zeros");
   const double energy = stiffness * std::pow(reference_overlap, -0.5) * std::pow(0.3, 2.5) / 2.5;
-  findings.in("torn")->expect(
-      "energy released by it over that of the spring, deviation from 1",
-      end.state.work[static_cast<std::size_t>(Mechanism::contact_release)] / energy - 1.0, 0.0,
-      Tolerance::round_off(1e-11,
-                           "the overlap is a difference of positions of 1e3, rounded by 1e-13, of which the "
-                           "energy takes 5/2 relative to 0.3"));
+  findings.expect_round_off({"torn", "energy released by it over that of the spring, deviation from 1"},
+                            end.state.work[static_cast<std::size_t>(Mechanism::contact_release)] / energy - 1.0, 0.0,
+                            1e-11,
+                            "the overlap is a difference of positions of 1e3, rounded by 1e-13, of which the energy "
+                            "takes 5/2 relative to 0.3");
 }
 
 void run(Findings& findings, const Setup& setup) {

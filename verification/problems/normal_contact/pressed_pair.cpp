@@ -1,18 +1,6 @@
-#include <fmt/format.h>
-
-#include <algorithm>
-#include <array>
-#include <cmath>
-#include <numbers>
-#include <string>
-
-#include "solver/model/model_builder.hpp"
-#include "verification/check/case.hpp"
 #include "verification/reference/many_bodies/pressed_discs.hpp"
-#include "verification/study/findings/expectations.hpp"
-#include "verification/study/findings/predicted_errors.hpp"
 #include "verification/study/impacts/plane_impact.hpp"
-#include "verification/study/runs/scene_run.hpp"
+#include "verification/study/toolkit.hpp"
 
 namespace talus::verification::problems::pressed_pair {
 namespace {
@@ -29,7 +17,7 @@ struct Pair {
 constexpr reference::PairState start{{0.03125, -0.015625}, {0.0, 0.0}};
 
 Scene pair_scene(const Pair& pair, const Setup& setup) {
-  ModelBuilder builder;
+  SceneBuilder builder;
   builder.gravity({0.0, -pair.gravity});
   const LinearSpringDashpot law{stiffness, pair.lag * stiffness, EndRule::attractive};
   const double first = 1.0 - squeeze, second = first + 2.0 - squeeze, top = second + 1.0 - squeeze;
@@ -38,22 +26,16 @@ Scene pair_scene(const Pair& pair, const Setup& setup) {
         Body{.name = name, .mobility = Mobility::particle, .mass = mass, .shape = Circle{1.0}, .p_WB = {0.0, y}});
   };
   const double above = setup.has("upper_heavier") ? 1.01 * pair.above : pair.above;
-  const BodyId floor = builder.add(Body{.name = "floor", .mobility = Mobility::fixed, .shape = HalfPlane{}});
-  const BodyId ceiling = builder.add(Body{.name = "ceiling",
-                                          .mobility = Mobility::fixed,
-                                          .shape = HalfPlane{},
-                                          .p_WB = {0.0, top},
-                                          .angle = std::numbers::pi});
+  const BodyId floor = builder.add_fixed("floor", HalfPlane{});
+  const BodyId ceiling = builder.add_fixed("ceiling", HalfPlane{}, {0.0, top}, std::numbers::pi);
   const BodyId lower = add_disc("lower", 1.0, first + start.height[0]);
   const BodyId upper = add_disc("upper", above, second + start.height[1]);
   LinearSpringDashpot middle = law;
   if (setup.has("dashpot_between_off")) middle.damping = 0.0;
-  builder.add(Contact{.name = "on_floor", .a = floor, .b = lower, .law = law});
-  builder.add(Contact{.name = "between", .a = lower, .b = upper, .law = middle});
-  builder.add(Contact{.name = "on_ceiling", .a = ceiling, .b = upper, .law = law});
-  Scene scene{.title = "Two discs between walls", .model = builder.build()};
-  scene.initial = rest_state(scene.model);
-  return scene;
+  builder.add_contact("on_floor", floor, lower, law);
+  builder.add_contact("between", lower, upper, middle);
+  builder.add_contact("on_ceiling", ceiling, upper, law);
+  return builder.at_rest("Two discs between walls");
 }
 
 /// Largest difference of both heights from `expected(t)` over the run, relative to the first displacement.
@@ -140,20 +122,17 @@ void check_undamped(Figure& figure, Findings& findings, const Setup& setup) {
     const long steps = 400;
     const double found = largest_error(pair, VelocityVerlet{}, steps,
                                        leapfrog_heights(pair, end_time / static_cast<double>(steps)), findings, setup);
-    findings.in("heights")->expect(
-        "heights against the exact leapfrog solution, " + name_of(pair), found, 0.0,
-        Tolerance::round_off(3.5e-13,
-                             "400 steps that round heights of 1 and 3 by 1.3e-16 rms; in an oscillation "
-                             "these errors add up as a random walk: sqrt(400) x 1.3e-16/0.03 = 9e-14, four times "
-                             "that for the worst of 400 steps"));
+    findings.expect_round_off(
+        {"heights", "heights against the exact leapfrog solution, " + name_of(pair)}, found, 0.0, 3.5e-13,
+        "400 steps that round heights of 1 and 3 by 1.3e-16 rms; in an oscillation these errors add up as a random "
+        "walk: sqrt(400) x 1.3e-16/0.03 = 9e-14, four times that for the worst of 400 steps");
     Convergence order;
     for (const double n : doublings(200.0, setup.coarse ? 2 : 4))
       order.add(end_time / n,
                 largest_error(pair, VelocityVerlet{}, std::lround(n), exact_heights(pair), findings, setup));
-    findings.in("order")->expect_order(
-        "order of the error of the heights, " + name_of(pair), order, 1.99, 2.01,
-        "no contact opens: the order is that of the method; the next power, (w h)^2 = 0.08 at 200 "
-        "steps, tilts the line by 0.005");
+    findings.expect_order({"order", "order of the error of the heights, " + name_of(pair)}, order, 1.99, 2.01,
+                          "no contact opens: the order is that of the method; the next power, (w h)^2 = 0.08 at 200 "
+                          "steps, tilts the line by 0.005");
     figure.series.push_back({name_of(pair), order.steps(), order.errors(), Style::points});
   }
 }
@@ -166,13 +145,12 @@ void check_damped(Figure& figure, Findings& findings, const Setup& setup) {
                  largest_error(pair, VelocityVerlet{}, std::lround(n), exact_heights(pair), findings, setup),
                  predicted_damped_error(pair, end_time / n));
     }
-    findings.in("error_at_finest_step")
-        ->expect(
-            "error of the heights over the predicted, finest step, " + name_of(pair), errors.last_ratio(), 1.0,
-            Tolerance::model(setup.coarse ? 0.1 : 0.02, "the next power of the step: ratio of w h^2 t/24 to xi h/2"));
-    findings.in("order")->expect_order(
-        "order of the error of the heights, " + name_of(pair), errors.found(), 0.9, 1.1,
-        "the dashpot's velocity is half a step late; the next power of the step tilts the line");
+    findings.expect_model(
+        {"error_at_finest_step", "error of the heights over the predicted, finest step, " + name_of(pair)},
+        errors.last_ratio(), 1.0, setup.coarse ? 0.1 : 0.02,
+        "the next power of the step: ratio of w h^2 t/24 to xi h/2");
+    findings.expect_order({"order", "order of the error of the heights, " + name_of(pair)}, errors.found(), 0.9, 1.1,
+                          "the dashpot's velocity is half a step late; the next power of the step tilts the line");
     figure.series.push_back(errors.points(name_of(pair)));
     figure.series.push_back(errors.line(name_of(pair) + ", predicted"));
   }
@@ -218,11 +196,9 @@ Case definition() {
           .requirements = {{"B10", {"heights", "order"}},
                            {"law.linear_spring_dashpot", {"error_at_finest_step"}},
                            {"end_rule.attractive", {"order of the error of the heights, equal discs, damped"}},
-                           {"shape.circle", {"heights"}},
-                           {"shape.half_plane", {"heights"}},
+                           {"shape.circle, shape.half_plane", {"heights"}},
                            {"integrator.velocity_verlet", {"order"}},
-                           {"pair.circle.circle", {"heights"}},
-                           {"pair.circle.half_plane", {"heights"}}},
+                           {"pair.circle.circle, pair.circle.half_plane", {"heights"}}},
           .main_checks = {"heights against the exact leapfrog solution, equal discs",
                           "order of the error of the heights, equal discs",
                           "error of the heights over the predicted, finest step, dissimilar discs with weight, damped"},

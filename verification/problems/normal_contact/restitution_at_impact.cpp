@@ -1,15 +1,6 @@
-#include <fmt/format.h>
-
-#include <algorithm>
-#include <cmath>
-#include <functional>
-#include <string>
-#include <vector>
-
 #include "solver/dynamics/springs.hpp"
 #include "solver/io/scene/read_scene.hpp"
-#include "verification/check/case.hpp"
-#include "verification/study/runs/scene_run.hpp"
+#include "verification/study/toolkit.hpp"
 
 namespace talus::verification::problems::restitution_at_impact {
 namespace {
@@ -153,8 +144,8 @@ std::vector<Impact> impacts() {
       {"pinned bob, another pose", std::string{bob}, 0.6, 1, bob_speed},
       {"corner",
        joined(box,
-              "position = [\"0 m\", \"0.5 m\"]\nangle = \"35 deg\"\nvelocity = [\"0.5 m/s\", \"-2 m/s\"]\n"
-              "spin = \"-2 rad/s\"",
+              "position = [\"0 m\", \"0.5 m\"]\nangle = \"35 deg\"\nvelocity = [\"0.5 m/s\", \"-2 m/s\"]\nspin = \"-2 "
+              "rad/s\"",
               ground),
        0.4, 1, corner_speed},
       {"disc on a bar that has turned",
@@ -229,8 +220,8 @@ void run(Findings& findings, const Setup& setup) {
                 .title = "Error of the restitution at impact",
                 .caption =
                     "Largest error of the restitution over the impacts of a scene against the stiffness; 0.6 was "
-                    "requested. The pose changes during the contact, which takes a time of the order of "
-                    "$1/\\sqrt{k}$; where it does not, the error is that of the method, or of a tilt of 1e-6 degrees.",
+                    "requested. The pose changes during the contact, which takes a time of the order of $1/\\sqrt{k}$; "
+                    "where it does not, the error is that of the method, or of a tilt of 1e-6 degrees.",
                 .x = {.label = "stiffness", .unit = "N/m", .log = true},
                 .y = {.label = "error of e", .log = true}};
   Table table{"values",
@@ -250,20 +241,19 @@ void run(Findings& findings, const Setup& setup) {
       last.resize(impact.impacts, 0.0);
       double worst = 0.0;
       for (const double e : last)
-        worst = std::max(worst, std::abs(e - wanted));
+        keep_largest(worst, e - wanted);
       series.add(stiffness, std::max(worst, 1e-16));
       if (stiffness > 1e6) errors.add(1.0 / std::sqrt(stiffness), worst);
     }
     figure.series.push_back(series);
     for (std::size_t i = 0; i < impact.impacts; ++i) {
       const std::string which = impact.impacts == 1 ? "" : fmt::format(", number {}", i + 1);
-      findings.expect(
-          fmt::format("restitution, {}{}", name, which), last[i], wanted,
-          exact ? Tolerance::truncation(impact.bound, 1.0, impact.why)
-                : Tolerance::truncation(
-                      0.5 * std::abs(before[i] - wanted) + 1e-9, 1.2,
-                      "the changes during contact are proportional to the contact time, which is half of that at a "
-                      "quarter of the stiffness; a fifth for the terms of higher order"));
+      findings.expect(fmt::format("restitution, {}{}", name, which), last[i], wanted,
+                      exact ? Tolerance::truncation(impact.bound, 1.0, impact.why)
+                            : Tolerance::truncation(
+                                  0.5 * std::abs(before[i] - wanted) + 1e-9, 1.2,
+                                  "the changes during contact are proportional to the contact time, which is half of "
+                                  "that at a quarter of the stiffness; a fifth for the terms of higher order"));
     }
     if (!exact && !setup.coarse) {
       findings.expect_order(fmt::format("order of the error in 1/sqrt(k), {}", name), errors, 0.9, 1.1,

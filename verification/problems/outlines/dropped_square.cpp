@@ -1,13 +1,5 @@
-#include <fmt/format.h>
-
-#include <algorithm>
-#include <cmath>
-#include <numbers>
-
-#include "solver/model/model_builder.hpp"
-#include "verification/check/case.hpp"
-#include "verification/study/runs/scene_run.hpp"
 #include "verification/study/scenes/moved_scene.hpp"
+#include "verification/study/toolkit.hpp"
 
 namespace talus::verification::problems::dropped_square {
 namespace {
@@ -18,31 +10,24 @@ enum class Target { plane, square };
 
 /// A square turned by `angle` that falls on a plane, or on the top of a fixed block; not yet touching.
 Scene fall(double angle, Target target, ContactMethod method, double aside, const Setup& setup) {
-  ModelBuilder builder{si};
+  SceneBuilder builder{si};
   const double reach = half_side * (std::abs(std::cos(angle)) + std::abs(std::sin(angle)));
-  const BodyId square =
-      builder.add(Body{.name = "square",
-                       .mass = 1.0,
-                       .inertia = 1.0 / 6.0,
-                       .shape = setup.has("one_point") ? Shape{Superquadric{half_side, half_side, 4000.0}}
-                                                       : Shape{Rectangle{half_side, half_side}},
-                       .p_WB = {aside, reach + 0.01},
-                       .angle = angle});
+  const BodyId square = builder.add_free("square", 1.0, 1.0 / 6.0,
+                                         setup.has("one_point") ? Shape{Superquadric{half_side, half_side, 4000.0}}
+                                                                : Shape{Rectangle{half_side, half_side}},
+                                         {aside, reach + 0.01}, angle);
   const BodyId below =
       target == Target::plane
-          ? builder.add(Body{.name = "plane", .mobility = Mobility::fixed, .shape = HalfPlane{}})
-          : builder.add(Body{.name = "block",
-                             .mobility = Mobility::fixed,
-                             .shape = Rectangle{setup.has("wider_to_the_left") && angle > 0.0 ? 0.2 : 0.75, 0.5},
-                             .p_WB = {0.0, -0.5}});
+          ? builder.add_fixed("plane", HalfPlane{})
+          : builder.add_fixed("block", Rectangle{setup.has("wider_to_the_left") && angle > 0.0 ? 0.2 : 0.75, 0.5},
+                              {0.0, -0.5});
   builder.add(Contact{.name = "touch",
                       .a = square,
                       .b = below,
                       .law = LinearSpringDashpot{stiffness, 0.0, EndRule::clamped},
                       .method = method,
                       .friction = CoulombFriction{0.2, 0.5 * stiffness}});
-  Scene scene{.title = "A square falls", .model = builder.build()};
-  scene.initial = rest_state(scene.model);
+  Scene scene = builder.at_rest("A square falls");
   set_velocity(scene.model, scene.initial, square, {0.0, -speed}, setup.has("a_little_spin") ? 1e-13 : 0.0);
   return scene;
 }
@@ -73,12 +58,11 @@ void check_mirror(Findings& findings, const Setup& setup) {
           differing = std::max({differing, apart.place, apart.velocity});
         }
       }
-      findings.in("mirror")->expect(
-          fmt::format("difference between mirror-image falls, {}, {}", name_of(target), name_of(method)), differing,
-          0.0,
-          Tolerance::round_off(4.0 * std::sqrt(300.0) * 0x1p-53,
-                               "corners and nodes are summed in the order of their list, which rounds mirror images "
-                               "differently in each of about 300 steps in contact"),
+      findings.expect_round_off(
+          {"mirror", fmt::format("difference between mirror-image falls, {}, {}", name_of(target), name_of(method))},
+          differing, 0.0, 4.0 * std::sqrt(300.0) * 0x1p-53,
+          "corners and nodes are summed in the order of their list, which rounds mirror images differently in each of "
+          "about 300 steps in contact",
           "m, m/s");
     }
   }
@@ -90,10 +74,10 @@ void check_even(Findings& findings, const Setup& setup) {
     for (const ContactMethod method : {ContactMethod::resultant, ContactMethod::nodes}) {
       const auto group = findings.in(name_of(target)), claim = findings.in(claim_of(method));
       const State end = after(fall(0.0, target, method, 0.0, setup), findings);
-      findings.in("flat_falls")
-          ->expect(fmt::format("spin of a square that fell flat, {}, {}", name_of(target), name_of(method)),
-                   std::abs(end.v[2]) + std::abs(end.v[0]), 0.0,
-                   Tolerance::exact("both halves have identical numbers, so that their moments cancel"), "rad/s");
+      findings.expect_exact(
+          {"flat_falls", fmt::format("spin of a square that fell flat, {}, {}", name_of(target), name_of(method))},
+          std::abs(end.v[2]) + std::abs(end.v[0]), 0.0,
+          "both halves have identical numbers, so that their moments cancel", "rad/s");
     }
   }
 }
@@ -101,14 +85,14 @@ void check_even(Findings& findings, const Setup& setup) {
 /// Order of the spin after the fall in the tilt, as the tilt goes to zero.
 void check_offsets(Findings& findings, const Setup& setup) {
   const double corner = 0.25 * std::numbers::pi;
-  Figure figure{.name = "offsets",
-                .title = "Spin after a nearly symmetric fall",
-                .caption =
-                    "Spin of the square after its fall on a plane against its tilt from the symmetric position. It "
-                    "tends to zero with the tilt both on the corner and on the edge, where the side is supported at "
-                    "both ends.",
-                .x = {.label = "tilt", .unit = "rad", .log = true},
-                .y = {.label = "spin", .unit = "rad/s", .log = true}};
+  Figure figure{
+      .name = "offsets",
+      .title = "Spin after a nearly symmetric fall",
+      .caption =
+          "Spin of the square after its fall on a plane against its tilt from the symmetric position. It tends to zero "
+          "with the tilt both on the corner and on the edge, where the side is supported at both ends.",
+      .x = {.label = "tilt", .unit = "rad", .log = true},
+      .y = {.label = "spin", .unit = "rad/s", .log = true}};
   struct Fall {
     const char* name;
     double angle;
@@ -130,8 +114,8 @@ void check_offsets(Findings& findings, const Setup& setup) {
     for (std::size_t i = 1; i < 9; ++i)
       spins.add(series.x[i], series.y[i]);
     const auto group = findings.in("plane"), claim = findings.in(claim_of(one.method));
-    findings.in("tilts")->expect_order(fmt::format("order of the spin in the tilt, {}", one.name), spins, 0.999, 1.0005,
-                                       "the spin is proportional to the tilt");
+    findings.expect_order({"tilts", fmt::format("order of the spin in the tilt, {}", one.name)}, spins, 0.999, 1.0005,
+                          "the spin is proportional to the tilt");
   }
   findings.figure(figure);
 }

@@ -1,14 +1,7 @@
-#include <fmt/format.h>
-
-#include <algorithm>
-#include <cmath>
-#include <numbers>
 #include <random>
 
-#include "solver/model/model_builder.hpp"
-#include "verification/check/case.hpp"
-#include "verification/study/runs/usage.hpp"
 #include "verification/study/scenes/touching_pair.hpp"
+#include "verification/study/toolkit.hpp"
 
 namespace talus::verification::problems::energy_slope {
 namespace {
@@ -47,16 +40,10 @@ std::vector<TouchingPair> pairs() {
 bool has_potential(const TouchingPair& pair) { return pair.rule == NodeDepth::nearest; }
 
 Model cable_model() {
-  ModelBuilder builder{si};
-  const auto body = [&](const char* name) {
-    return builder.add(Body{.name = name, .mass = 1.0, .inertia = 1.0, .shape = Circle{0.1}});
-  };
+  SceneBuilder builder{si};
+  const auto body = [&](const char* name) { return builder.add_free(name, 1.0, 1.0, Circle{0.1}); };
   const BodyId a = body("a"), b = body("b");
-  builder.add(Cable{.name = "cable",
-                    .a = {a, {0.3, -0.2, 0.0}},
-                    .b = {b, {-0.1, 0.4, 0.3}},
-                    .rest_length = 0.2,
-                    .law = TensionOnly{stiffness, 0.0}});
+  builder.add_cable("cable", {a, {0.3, -0.2, 0.0}}, {b, {-0.1, 0.4, 0.3}}, 0.2, TensionOnly{stiffness, 0.0});
   return builder.build();
 }
 
@@ -81,7 +68,7 @@ Mismatch mismatch(const Model& model, double reach, const Setup& setup) {
     const std::vector<double> forces = potential.forces(state);
     double largest = 0.0;
     for (std::size_t k = 0; k < forces.size(); ++k)
-      largest = std::max(largest, std::abs(forces[k]));
+      keep_largest(largest, forces[k]);
     if (largest < 0.02 * stiffness * reach) continue;
     double worst = 0.0;
     bool smooth = true;
@@ -100,7 +87,7 @@ Mismatch mismatch(const Model& model, double reach, const Setup& setup) {
       // With a kink within reach the slope changes with the step by far more than delta^2.
       smooth = smooth && std::abs(slope - wide) < 1e-4 * largest;
       const double force = setup.has("moments_halved") && k % 3 == 2 ? 0.5 * forces[k] : forces[k];
-      worst = std::max(worst, std::abs(force + (setup.has("energy_off") ? 1.001 : 1.0) * slope));
+      keep_largest(worst, force + (setup.has("energy_off") ? 1.001 : 1.0) * slope);
     }
     if (smooth) found.push_back(worst / largest);
   }
@@ -151,22 +138,23 @@ void check_loops(Findings& findings, const Setup& setup) {
     const double depth = std::sqrt(2.0 * loop.energy / stiffness);
     if (has_potential(pair)) worst = std::max(worst, std::abs(loop.work / loop.energy) / (2.0 * step / depth));
   }
-  findings.expect("work on a closed path round a corner, over force times step: largest of all outlines", worst, 0.0,
-                  Tolerance::truncation(2.0, 1.0,
-                                        "the trapezoidal rule errs by up to half a step times the jump of the force at "
-                                        "each kink of the path; about four kinks, of either sign"));
+  findings.expect_truncation(
+      {"round_a_corner", "work on a closed path round a corner, over force times step: largest of all outlines"}, worst,
+      0.0, 2.0, 1.0,
+      "the trapezoidal rule errs by up to half a step times the jump of the force at each kink of the path; about four "
+      "kinks, of either sign");
   if (setup.coarse) return;
   findings.table(table);
   findings.figure(figure);
 }
 
 void check_slopes(Findings& findings, const Setup& setup) {
-  Table table{.name = "slopes",
-              .caption =
-                  "Forces compared with the gradient of the stored energy: positions tested at which the outlines "
-                  "overlap, positions at which the two differ by more than 1e-6, and the largest difference over the "
-                  "largest force.",
-              .columns = {"outlines and rule", "positions", "differ", "largest"}};
+  Table table{
+      .name = "slopes",
+      .caption =
+          "Forces compared with the gradient of the stored energy: positions tested at which the outlines overlap, "
+          "positions at which the two differ by more than 1e-6, and the largest difference over the largest force.",
+      .columns = {"outlines and rule", "positions", "differ", "largest"}};
   double of_resultants = 0.0, of_nodes = 0.0, smoother = 0.0, rays = 0.0;
   for (const TouchingPair& pair : pairs()) {
     if (setup.coarse && std::holds_alternative<Superquadric>(pair.b)) continue;
@@ -180,23 +168,24 @@ void check_slopes(Findings& findings, const Setup& setup) {
     if (pair.rule == NodeDepth::nearest || pair.rule == NodeDepth::side_face) worst = std::max(worst, m.largest);
   }
   const Mismatch cable = mismatch(cable_model(), 0.6, setup);
-  table.rows.push_back({"cable between two bodies", fmt::format("{}", cable.places),
-                        fmt::format("{}", cable.mismatched), fmt::format("{:.1e}", cable.largest)});
+  table.rows.push_back(
+      cells("cable between two bodies | {} | {} | {:.1e}", cable.places, cable.mismatched, cable.largest));
   const auto bound = [](double measured) {
     return Tolerance::truncation(measured, 3.0,
                                  "measured: delta^2/6 times the third derivative at the sharpest corners of the "
                                  "positions tested; the rounding error u V/delta is less than a tenth of it");
   };
-  findings.in("slope")->expect("force against the energy gradient, resultants: largest error", of_resultants, 0.0,
-                               bound(3e-8));
-  findings.in("slope_by_nodes")
-      ->expect("force against the energy gradient, nodes: largest error", of_nodes, 0.0, bound(3e-8));
-  findings.expect("force against the energy gradient, cable: largest error", cable.largest, 0.0, bound(7e-10));
+  findings.expect({"slope", "force against the energy gradient, resultants: largest error"}, of_resultants, 0.0,
+                  bound(3e-8));
+  findings.expect({"slope_by_nodes", "force against the energy gradient, nodes: largest error"}, of_nodes, 0.0,
+                  bound(3e-8));
+  findings.expect({"gradient_cable", "force against the energy gradient, cable: largest error"}, cable.largest, 0.0,
+                  bound(7e-10));
   if (setup.coarse) return;
   findings.expect_between("fraction of positions without a potential, rule of the smoother outline", smoother, 0.1, 0.5,
                           "positions at which a node's normal is used: a known property of the rule, and measured");
-  findings.expect("fraction of positions without a potential, centroid-ray rule", rays, 1.0,
-                  Tolerance::exact("all positions except on the axes: a known property of the 1993 rule"));
+  findings.expect_exact("fraction of positions without a potential, centroid-ray rule", rays, 1.0,
+                        "all positions except on the axes: a known property of the 1993 rule");
   findings.table(table);
 }
 
@@ -208,46 +197,32 @@ void run(Findings& findings, const Setup& setup) {
 }  // namespace
 
 Case definition() {
-  return {
-      .id = "energy_slope",
-      .title = "Contact force as gradient of the stored energy",
-      .requirements =
-          {{"E6",
-            {"slope", "slope_by_nodes", "force against the energy gradient, cable: largest error",
-             "fraction of positions without a potential, rule of the smoother outline",
-             "fraction of positions without a potential, centroid-ray rule"}},
-           {"E8", {"work on a closed path round a corner, over force times step: largest of all outlines"}},
-           {"law.linear_spring_dashpot", {"slope"}},
-           {"law.tension_only", {"force against the energy gradient, cable: largest error"}},
-           {"method.resultant",
-            {"slope", "work on a closed path round a corner, over force times step: largest of all outlines"}},
-           {"method.nodes",
-            {"slope_by_nodes", "work on a closed path round a corner, over force times step: largest of all outlines"}},
-           {"shape.circle", {"slope"}},
-           {"shape.rectangle",
-            {"slope", "work on a closed path round a corner, over force times step: largest of all outlines"}},
-           {"shape.superquadric", {"slope", "slope_by_nodes"}},
-           {"shape.half_plane", {"slope"}},
-           {"shape.terrain", {"slope"}},
-           {"pair.circle.circle", {"slope"}},
-           {"pair.circle.superquadric", {"slope"}},
-           {"pair.circle.half_plane", {"slope"}},
-           {"pair.circle.terrain", {"slope"}},
-           {"pair.rectangle.half_plane", {"slope"}},
-           {"pair.superquadric.half_plane", {"slope"}},
-           {"pair.circle.rectangle", {"slope", "slope_by_nodes"}},
-           {"pair.rectangle.rectangle", {"slope", "slope_by_nodes"}},
-           {"pair.superquadric.superquadric", {"slope_by_nodes"}},
-           {"pair.superquadric.terrain", {"slope_by_nodes"}}},
-      .main_checks = {"force against the energy gradient, resultants: largest error",
-                      "force against the energy gradient, nodes: largest error",
-                      "work on a closed path round a corner, over force times step: largest of all outlines"},
-      .source = "Feng & Owen 2004",
-      .faults = {{"moments_halved", "half of the moment applied",
-                  "work on a closed path round a corner, over force times step: largest of all outlines"},
-                 {"energy_off", "a stored energy 0.1 % too large",
-                  "force against the energy gradient, nodes: largest error"}},
-      .run = run};
+  return {.id = "energy_slope",
+          .title = "Contact force as gradient of the stored energy",
+          .requirements = {{"E6",
+                            {"slope", "slope_by_nodes", "gradient_cable",
+                             "fraction of positions without a potential, rule of the smoother outline",
+                             "fraction of positions without a potential, centroid-ray rule"}},
+                           {"E8", {"round_a_corner"}},
+                           {"law.linear_spring_dashpot", {"slope"}},
+                           {"law.tension_only", {"gradient_cable"}},
+                           {"method.resultant", {"slope", "round_a_corner"}},
+                           {"method.nodes", {"slope_by_nodes", "round_a_corner"}},
+                           {"shape.circle", {"slope"}},
+                           {"shape.rectangle", {"slope", "round_a_corner"}},
+                           {"shape.superquadric", {"slope", "slope_by_nodes"}},
+                           {"shape.half_plane, shape.terrain, pair.circle.circle, pair.circle.superquadric", {"slope"}},
+                           {"pair.circle.half_plane, pair.circle.terrain, pair.rectangle.half_plane", {"slope"}},
+                           {"pair.superquadric.half_plane", {"slope"}},
+                           {"pair.circle.rectangle, pair.rectangle.rectangle", {"slope", "slope_by_nodes"}},
+                           {"pair.superquadric.superquadric, pair.superquadric.terrain", {"slope_by_nodes"}}},
+          .main_checks = {"force against the energy gradient, resultants: largest error",
+                          "force against the energy gradient, nodes: largest error", "round_a_corner"},
+          .source = "Feng & Owen 2004",
+          .faults = {{"moments_halved", "half of the moment applied", "round_a_corner"},
+                     {"energy_off", "a stored energy 0.1 % too large",
+                      "force against the energy gradient, nodes: largest error"}},
+          .run = run};
 }
 
 }  // namespace talus::verification::problems::energy_slope

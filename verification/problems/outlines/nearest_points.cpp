@@ -1,18 +1,9 @@
-#include <fmt/format.h>
-
-#include <algorithm>
-#include <array>
-#include <cmath>
-#include <limits>
-#include <numbers>
 #include <random>
 
 #include "solver/geometry/gap.hpp"
 #include "solver/geometry/node_depth.hpp"
-#include "verification/check/case.hpp"
 #include "verification/reference/outlines/superellipse.hpp"
-#include "verification/study/findings/expectations.hpp"
-#include "verification/study/runs/usage.hpp"
+#include "verification/study/toolkit.hpp"
 
 namespace talus::verification::problems::nearest_points {
 namespace {
@@ -121,10 +112,10 @@ void check_straight_outlines(Findings& findings, const Setup& setup) {
     compare(depth_below(Terrain{line}, p), line, p, p.y < height(p.x));
   }
   const char* const words = "a dozen roundings of lengths up to 20, the distance of the ends of the ground";
-  findings.expect("overlap of points with a rectangle and with uneven ground: largest error", depths, 0.0,
-                  Tolerance::round_off(2e-14, words));
-  findings.expect("points moved by overlap and normal: largest distance from these outlines", feet, 0.0,
-                  Tolerance::round_off(2e-14, words));
+  findings.expect_round_off("overlap of points with a rectangle and with uneven ground: largest error", depths, 0.0,
+                            2e-14, words);
+  findings.expect_round_off("points moved by overlap and normal: largest distance from these outlines", feet, 0.0,
+                            2e-14, words);
 }
 
 /// By the rule `centroid_ray` the overlap of a node inside is its distance from the outline along the ray from the
@@ -146,8 +137,8 @@ void check_rays(Findings& findings) {
       keep_worst(worst, depth_below(CentroidRays{shape}, p).depth - (low - 1.0) * norm(p));
     }
   }
-  findings.expect("overlap along the ray from the centre: largest difference from bisection", worst, 0.0,
-                  Tolerance::round_off(1e-14, "a power and its root, for a ray of length 1; about ten roundings"));
+  findings.expect_round_off("overlap along the ray from the centre: largest difference from bisection", worst, 0.0,
+                            1e-14, "a power and its root, for a ray of length 1; about ten roundings");
 }
 
 void run(Findings& findings, const Setup& setup) {
@@ -193,16 +184,15 @@ void run(Findings& findings, const Setup& setup) {
     table.rows.push_back(row);
   }
   for (std::size_t kind = 0; kind < kinds.size(); ++kind) {
-    findings.in("nearest_points")
-        ->expect(fmt::format("points for which the nearest point is not found, {}", kinds[kind]), wrong[kind], 0.0,
-                 Tolerance::exact("a bracket is never lost, and no interval contains two minima"));
-    findings.in("distances")
-        ->expect(fmt::format("distance from the nearest point: largest error against brute force, {}", kinds[kind]),
-                 farthest[kind], 0.0,
-                 Tolerance::round_off(1e-14,
-                                      "a dozen roundings of lengths up to 3: sqrt(12) x 3 x 1.1e-16, three times that "
-                                      "for the worst of 1600 points, and as much again for n < 2, where a coordinate "
-                                      "beside an axis is the power 1/n of a small number"));
+    findings.expect_exact(
+        {"nearest_points", fmt::format("points for which the nearest point is not found, {}", kinds[kind])},
+        wrong[kind], 0.0, "a bracket is never lost, and no interval contains two minima");
+    findings.expect_round_off(
+        {"distances",
+         fmt::format("distance from the nearest point: largest error against brute force, {}", kinds[kind])},
+        farthest[kind], 0.0, 1e-14,
+        "a dozen roundings of lengths up to 3: sqrt(12) x 3 x 1.1e-16, three times that for the worst of 1600 points, "
+        "and as much again for n < 2, where a coordinate beside an axis is the power 1/n of a small number");
   }
   if (setup.coarse) return;
   const auto group = findings.in("newton");

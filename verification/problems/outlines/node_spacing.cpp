@@ -1,18 +1,5 @@
-#include <fmt/format.h>
-
-#include <algorithm>
-#include <array>
-#include <cmath>
-#include <limits>
-#include <numbers>
-
-#include "solver/dynamics/dynamics.hpp"
-#include "solver/model/model_builder.hpp"
-#include "verification/check/case.hpp"
 #include "verification/reference/outlines/superellipse.hpp"
-#include "verification/study/findings/expectations.hpp"
-#include "verification/study/runs/scene_run.hpp"
-#include "verification/study/runs/usage.hpp"
+#include "verification/study/toolkit.hpp"
 
 namespace talus::verification::problems::node_spacing {
 namespace {
@@ -20,10 +7,9 @@ namespace {
 constexpr double radius = 0.7, stiffness = 1000.0;
 
 Model disc_of_nodes(int nodes, ContactMethod method, const Setup& setup) {
-  ModelBuilder builder{si};
-  const BodyId disc = builder.add(Body{
-      .name = "disc", .mass = 1.0, .inertia = 1.0, .shape = Circle{setup.has("radius_off") ? 1.001 * radius : radius}});
-  const BodyId plane = builder.add(Body{.name = "plane", .mobility = Mobility::fixed, .shape = HalfPlane{}});
+  SceneBuilder builder{si};
+  const BodyId disc = builder.add_free("disc", 1.0, 1.0, Circle{setup.has("radius_off") ? 1.001 * radius : radius});
+  const BodyId plane = builder.add_fixed("plane", HalfPlane{});
   builder.add(Contact{.name = "touch",
                       .a = disc,
                       .b = plane,
@@ -62,7 +48,7 @@ Rolled roll(int nodes, double overlap, ContactMethod method, const Setup& setup)
     for (int j = 0; j < nodes; ++j)
       sum += stiffness * std::max(0.0, overlap - radius * (1.0 + std::sin(angle + 2.0 * std::numbers::pi * j / nodes)));
     if (method == ContactMethod::resultant) sum = stiffness * overlap;
-    rolled.force_error = std::max(rolled.force_error, std::abs(forces.contacts[0] - sum));
+    keep_largest(rolled.force_error, forces.contacts[0] - sum);
     rolled.turned.push_back(angle * nodes / (2.0 * std::numbers::pi));
     rolled.force.push_back(forces.contacts[0] / (stiffness * overlap));
   }
@@ -93,15 +79,16 @@ void check_rolling(Findings& findings, const Setup& setup) {
     figure.series.push_back({"64 nodes, d = r/50", deep.turned, deep.force, Style::lines});
   }
   const std::string rounding = "a dozen roundings of lengths up to r";
-  findings.expect("ripple of the overlap against r (1 - cos(pi/M)), over r: largest error, 8 to 256 nodes", ratio, 0.0,
-                  Tolerance::round_off(12.0 * 0x1p-53, rounding));
-  findings.expect("force against the sum over the nodes: largest error", farthest, 0.0,
-                  Tolerance::round_off(36.0 * 0x1p-53 * radius * stiffness, rounding + ", for three nodes"), "N");
-  findings.expect_order("order of the ripple in 1/nodes", ripples.last(4), 1.999, 2.0005,
+  findings.expect_round_off(
+      {"ripple", "ripple of the overlap against r (1 - cos(pi/M)), over r: largest error, 8 to 256 nodes"}, ratio, 0.0,
+      12.0 * 0x1p-53, rounding);
+  findings.expect_round_off({"sum_over_nodes", "force against the sum over the nodes: largest error"}, farthest, 0.0,
+                            36.0 * 0x1p-53 * radius * stiffness, rounding + ", for three nodes", "N");
+  findings.expect_order({"order_of_ripple", "order of the ripple in 1/nodes"}, ripples.last(4), 1.999, 2.0005,
                         "second order; the next order is pi^2/(12 M^2) of it, 1e-3 at 32 nodes");
   const Rolled whole = roll(16, 0.01, ContactMethod::resultant, setup);
-  findings.expect("ripple of one resultant", whole.deepest - whole.shallowest, 0.0,
-                  Tolerance::exact("the disc's angle does not enter"), "m");
+  findings.expect_exact({"ripple_of_resultant", "ripple of one resultant"}, whole.deepest - whole.shallowest, 0.0,
+                        "the disc's angle does not enter", "m");
   if (!setup.coarse) findings.figure(figure);
 }
 
@@ -110,10 +97,9 @@ void check_rolling(Findings& findings, const Setup& setup) {
 void check_deepest(Findings& findings) {
   constexpr int nodes = 100;
   constexpr double half_width = 2.0, half_height = 0.3, overlap = 0.04;
-  ModelBuilder builder{si};
-  const BodyId disc = builder.add(Body{.name = "disc", .mass = 1.0, .inertia = 1.0, .shape = Circle{radius}});
-  const BodyId plank =
-      builder.add(Body{.name = "plank", .mobility = Mobility::fixed, .shape = Rectangle{half_width, half_height}});
+  SceneBuilder builder{si};
+  const BodyId disc = builder.add_free("disc", 1.0, 1.0, Circle{radius});
+  const BodyId plank = builder.add_fixed("plank", Rectangle{half_width, half_height});
   builder.add(Contact{.name = "touch",
                       .a = disc,
                       .b = plank,
@@ -138,8 +124,8 @@ void check_deepest(Findings& findings) {
     }
     keep_worst(worst, dynamics.contact_depth(work, ContactId{0}) - deepest);
   }
-  findings.expect("largest overlap of 100 nodes with a plank: largest error over 100 rotations", worst, 0.0,
-                  Tolerance::round_off(12.0 * 0x1p-53, "a dozen roundings of lengths of about 1"), "m");
+  findings.expect_round_off("largest overlap of 100 nodes with a plank: largest error over 100 rotations", worst, 0.0,
+                            12.0 * 0x1p-53, "a dozen roundings of lengths of about 1", "m");
 }
 
 void check_curvature(Findings& findings, const Setup& setup) {
@@ -165,12 +151,11 @@ void check_curvature(Findings& findings, const Setup& setup) {
       const Vec2 chord = points[before] - points[before - 1];
       if (dot(chord, chord) * exact * exact / 8.0 < 0.01) break;
     }
-    table.rows.push_back({fmt::format("{:g}", n), fmt::format("{:.4f}", exact), fmt::format("{:.4f}", 1.0 / exact),
-                          fmt::format("{}", nodes)});
+    table.rows.push_back(cells("{:g} | {:.4f} | {:.4f} | {}", n, exact, 1.0 / exact, nodes));
   }
-  findings.expect(
-      "curvature at the corner against its formula, over n: largest relative error, n = 2 to 50", farthest, 0.0,
-      Tolerance::round_off(4.0 * 0x1p-53, "powers amplify the rounding of x by a factor of n; a few such roundings"));
+  findings.expect_round_off(
+      {"corner_curvature", "curvature at the corner against its formula, over n: largest relative error, n = 2 to 50"},
+      farthest, 0.0, 4.0 * 0x1p-53, "powers amplify the rounding of x by a factor of n; a few such roundings");
   // Away from the diagonal of an outline with unequal axes: compared with the turn of the outward normal along it.
   double turned = 0.0;
   for (const double n : {2.0, 3.0, 8.0}) {
@@ -179,14 +164,13 @@ void check_curvature(Findings& findings, const Setup& setup) {
       constexpr double h = 1e-5;
       const Vec2 before = boundary_point(shape, t - h), after = boundary_point(shape, t + h);
       const double turn = std::asin(cross(outward_normal(shape, before), outward_normal(shape, after)));
-      turned =
-          std::max(turned, std::abs(curvature(shape, boundary_point(shape, t)) * norm(after - before) / turn - 1.0));
+      keep_largest(turned, curvature(shape, boundary_point(shape, t)) * norm(after - before) / turn - 1.0);
     }
   }
-  findings.expect("curvature with unequal axes against the rotation of the normal: largest relative error", turned, 0.0,
-                  Tolerance::truncation(3.5e-10, 1.2,
-                                        "3.48 h^2 at n = 8, the same with h = 1e-2, 1e-3 and 1e-4, plus "
-                                        "a rounding of 1e-16 over the rotation of 1e-5"));
+  findings.expect_truncation(
+      "curvature with unequal axes against the rotation of the normal: largest relative error", turned, 0.0, 3.5e-10,
+      1.2,
+      "3.48 h^2 at n = 8, the same with h = 1e-2, 1e-3 and 1e-4, plus a rounding of 1e-16 over the rotation of 1e-5");
   if (!setup.coarse) findings.table(table);
 }
 
@@ -194,15 +178,11 @@ void check_curvature(Findings& findings, const Setup& setup) {
 void check_apart(Findings& findings, const Setup& setup) {
   constexpr std::array<double, 2> radii{1.0, 0.6}, angles{0.3, -0.8};
   constexpr std::array<int, 2> nodes{5, 3};
-  ModelBuilder builder;
+  SceneBuilder builder;
   std::array<BodyId, 2> bodies{};
   for (std::size_t i = 0; i < 2; ++i) {
-    bodies[i] = builder.add(Body{.name = i == 0 ? "large" : "small",
-                                 .mobility = Mobility::free,
-                                 .mass = 1.0,
-                                 .inertia = 1.0,
-                                 .shape = Circle{radii[i]},
-                                 .p_WB = {5.0 * static_cast<double>(i), 0.0}});
+    bodies[i] =
+        builder.add_free(i == 0 ? "large" : "small", 1.0, 1.0, Circle{radii[i]}, {5.0 * static_cast<double>(i), 0.0});
   }
   builder.add(Contact{.name = "apart",
                       .a = bodies[0],
@@ -231,8 +211,8 @@ void check_apart(Findings& findings, const Setup& setup) {
     probe.evaluate(state);
     keep_worst(worst, probe.overlap(0) + nearest);
   }
-  findings.expect("overlap of turned circles that are apart, by their nodes: largest error", worst, 0.0,
-                  Tolerance::round_off(4e-15, "distances of up to 6 in a few roundings"));
+  findings.expect_round_off({"apart", "overlap of turned circles that are apart, by their nodes: largest error"}, worst,
+                            0.0, 4e-15, "distances of up to 6 in a few roundings");
 }
 
 void run(Findings& findings, const Setup& setup) {
@@ -245,37 +225,21 @@ void run(Findings& findings, const Setup& setup) {
 }  // namespace
 
 Case definition() {
-  return {
-      .id = "node_spacing",
-      .title = "Boundary nodes: spacing and sharp corners",
-      .requirements = {{"E4",
-                        {"ripple of the overlap against r (1 - cos(pi/M)), over r: largest error, 8 to 256 nodes",
-                         "force against the sum over the nodes: largest error", "order of the ripple in 1/nodes",
-                         "ripple of one resultant"}},
-                       {"E5",
-                        {"curvature at the corner against its formula, over n: largest relative error, n = 2 to 50"}},
-                       {"method.nodes",
-                        {"ripple of the overlap against r (1 - cos(pi/M)), over r: largest error, 8 to 256 nodes",
-                         "force against the sum over the nodes: largest error",
-                         "overlap of turned circles that are apart, by their nodes: largest error"}},
-                       {"method.resultant", {"ripple of one resultant"}},
-                       {"shape.circle",
-                        {"ripple of the overlap against r (1 - cos(pi/M)), over r: largest error, 8 to 256 nodes",
-                         "order of the ripple in 1/nodes", "ripple of one resultant"}},
-                       {"shape.superquadric",
-                        {"curvature at the corner against its formula, over n: largest relative error, n = 2 to 50"}}},
-      .main_checks = {"ripple of the overlap against r (1 - cos(pi/M)), over r: largest error, 8 to 256 nodes",
-                      "order of the ripple in 1/nodes",
-                      "curvature at the corner against its formula, over n: largest relative error, n = 2 to 50"},
-      .source = "Mustoe & Huttelmaier 1993, section 3.5",
-      .faults = {{"a_node_left_out", "one node too few", "force against the sum over the nodes: largest error"},
-                 {"angle_off", "one of two circles that are apart is not turned",
-                  "overlap of turned circles that are apart, by their nodes: largest error"},
-                 {"radius_off", "a radius 0.1 % too large",
-                  "ripple of the overlap against r (1 - cos(pi/M)), over r: largest error, 8 to 256 nodes"},
-                 {"exponent_off", "an exponent 0.01 % too large",
-                  "curvature at the corner against its formula, over n: largest relative error, n = 2 to 50"}},
-      .run = run};
+  return {.id = "node_spacing",
+          .title = "Boundary nodes: spacing and sharp corners",
+          .requirements = {{"E4", {"ripple", "sum_over_nodes", "order_of_ripple", "ripple_of_resultant"}},
+                           {"E5", {"corner_curvature"}},
+                           {"method.nodes", {"ripple", "sum_over_nodes", "apart"}},
+                           {"method.resultant", {"ripple_of_resultant"}},
+                           {"shape.circle", {"ripple", "order_of_ripple", "ripple_of_resultant"}},
+                           {"shape.superquadric", {"corner_curvature"}}},
+          .main_checks = {"ripple", "order_of_ripple", "corner_curvature"},
+          .source = "Mustoe & Huttelmaier 1993, section 3.5",
+          .faults = {{"a_node_left_out", "one node too few", "sum_over_nodes"},
+                     {"angle_off", "one of two circles that are apart is not turned", "apart"},
+                     {"radius_off", "a radius 0.1 % too large", "ripple"},
+                     {"exponent_off", "an exponent 0.01 % too large", "corner_curvature"}},
+          .run = run};
 }
 
 }  // namespace talus::verification::problems::node_spacing

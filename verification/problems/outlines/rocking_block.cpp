@@ -1,12 +1,5 @@
-#include <fmt/format.h>
-
-#include <algorithm>
-#include <cmath>
-
-#include "solver/model/model_builder.hpp"
-#include "verification/check/case.hpp"
 #include "verification/reference/outlines/rocking_block.hpp"
-#include "verification/study/runs/scene_run.hpp"
+#include "verification/study/toolkit.hpp"
 
 namespace talus::verification::problems::rocking_block {
 namespace {
@@ -14,19 +7,15 @@ namespace {
 constexpr double gravity = 9.81, damping_ratio = 3.0;
 
 Scene block_scene(const reference::RockingBlock& block, double tilt, double stiffness, const Setup& setup) {
-  ModelBuilder builder{si};
+  SceneBuilder builder{si};
   builder.gravity({0.0, -gravity});
   const double b = block.half_width, h = block.half_height, inertia = (b * b + h * h) / 3.0;
   // The right corner is at the origin, sunk by its overlap under the weight; the block is tilted clockwise.
   const double sine = std::sin(-tilt), cosine = std::cos(tilt);
   const Vec2 corner{cosine * b + sine * h, sine * b - cosine * h};
-  const BodyId body = builder.add(Body{.name = "block",
-                                       .mass = 1.0,
-                                       .inertia = setup.has("inertia_about_the_base") ? 2.0 * inertia : inertia,
-                                       .shape = Rectangle{b, h},
-                                       .p_WB = {-corner.x, -corner.y - gravity / stiffness},
-                                       .angle = -tilt});
-  const BodyId plane = builder.add(Body{.name = "plane", .mobility = Mobility::fixed, .shape = HalfPlane{}});
+  const BodyId body = builder.add_free("block", 1.0, setup.has("inertia_about_the_base") ? 2.0 * inertia : inertia,
+                                       Rectangle{b, h}, {-corner.x, -corner.y - gravity / stiffness}, -tilt);
+  const BodyId plane = builder.add_fixed("plane", HalfPlane{});
   const double dashpot = 2.0 * damping_ratio * std::sqrt(stiffness / (1.0 + b * b / inertia));
   builder.add(Contact{.name = "touch",
                       .a = body,
@@ -34,9 +23,7 @@ Scene block_scene(const reference::RockingBlock& block, double tilt, double stif
                       .law = LinearSpringDashpot{stiffness, setup.has("no_dashpot") ? 0.0 : dashpot, EndRule::clamped},
                       .method = ContactMethod::nodes,
                       .friction = CoulombFriction{setup.has("smooth_ground") ? 0.1 : 1e3, stiffness}});
-  Scene scene{.title = "Rocking block", .model = builder.build()};
-  scene.initial = rest_state(scene.model);
-  return scene;
+  return builder.at_rest("Rocking block");
 }
 
 /// Times at which the block is upright, and the largest tilt between them.
@@ -90,18 +77,18 @@ void check_slender(Findings& findings, const Setup& setup, double stiffness, Tab
   const Rocked rocked = rock(slender, tilt, stiffness, setup, findings);
   const double rate = std::sqrt(2.0 * tilt_energy(slender, tilt) * 0.75) / std::hypot(0.2, 1.0);
   const double late = gravity / stiffness / (2.0 * slender.half_width * rate);
-  findings.expect(
-      fmt::format("time of a fall over that of the rigid block, k = {:g}", stiffness), rocked.first / exact, 1.0,
-      Tolerance::model(late / exact, "the corner's overlap, divided by the speed at which the other corner descends"));
+  findings.expect_model({fmt::format("time_of_fall/{:g}", stiffness),
+                         fmt::format("time of a fall over that of the rigid block, k = {:g}", stiffness)},
+                        rocked.first / exact, 1.0, late / exact,
+                        "the corner's overlap, divided by the speed at which the other corner descends");
   const double ratio = energy_ratio(slender, tilt, rocked);
-  findings.expect(fmt::format("energy ratio at a change of corner over Housner's, k = {:g}", stiffness),
-                  ratio / impact_energy_ratio(slender), 1.0,
-                  Tolerance::model(
-                      500.0 / stiffness,
-                      "first order in 1/k, its order checked below; the measured constant falls from 640 at k = 1e4 to "
-                      "540 at 8e4 and 410 at 1e6, plus a fifth"));
-  table.rows.push_back({"slender", fmt::format("{:g}", stiffness), fmt::format("{:.6f}", rocked.first / exact),
-                        fmt::format("{:.5f}", ratio), fmt::format("{:.5f}", impact_energy_ratio(slender))});
+  findings.expect_model({fmt::format("energy_ratio/{:g}", stiffness),
+                         fmt::format("energy ratio at a change of corner over Housner's, k = {:g}", stiffness)},
+                        ratio / impact_energy_ratio(slender), 1.0, 500.0 / stiffness,
+                        "first order in 1/k, its order checked below; the measured constant falls from 640 at k = 1e4 "
+                        "to 540 at 8e4 and 410 at 1e6, plus a fifth");
+  table.rows.push_back(cells("slender | {:g} | {:.6f} | {:.5f} | {:.5f}", stiffness, rocked.first / exact, ratio,
+                             impact_energy_ratio(slender)));
 }
 
 void check_limit(Findings& findings, const Setup& setup) {
@@ -111,9 +98,9 @@ void check_limit(Findings& findings, const Setup& setup) {
     const Rocked rocked = rock(slender, tilt, stiffness, setup, findings);
     lacking.add(1.0 / stiffness, std::abs(energy_ratio(slender, tilt, rocked) - impact_energy_ratio(slender)));
   }
-  findings.expect_order("order of the energy ratio in 1/k", lacking, 0.85, 1.2,
-                        "while the new corner is hit, the old one carries part of the weight at a height proportional "
-                        "to 1/k");
+  findings.expect_order(
+      "order of the energy ratio in 1/k", lacking, 0.85, 1.2,
+      "while the new corner is hit, the old one carries part of the weight at a height proportional to 1/k");
 }
 
 void run(Findings& findings, const Setup& setup) {

@@ -1,12 +1,5 @@
-#include <fmt/format.h>
-
-#include <cmath>
-#include <numbers>
-
-#include "solver/model/model_builder.hpp"
-#include "verification/check/case.hpp"
 #include "verification/reference/outlines/rocking_ellipse.hpp"
-#include "verification/study/runs/scene_run.hpp"
+#include "verification/study/toolkit.hpp"
 
 namespace talus::verification::problems::rocking_ellipse {
 namespace {
@@ -16,7 +9,7 @@ constexpr reference::RockingEllipse ellipse{axis_a, axis_b, gravity};
 
 /// Scene at rest at the amplitude; contact and friction spring are loaded as during the oscillation.
 Scene rocking_scene(double amplitude, double stiffness, const Setup& setup) {
-  ModelBuilder builder{si};
+  SceneBuilder builder{si};
   builder.gravity({0.0, -gravity});
   const double inertia = 0.25 * (axis_a * axis_a + axis_b * axis_b);
   const BodyId body = builder.add(
@@ -26,14 +19,10 @@ Scene rocking_scene(double amplitude, double stiffness, const Setup& setup) {
            .shape = Superquadric{setup.has("longer_axis") ? 1.01 * axis_a : axis_a, axis_b, 2.0},
            .p_WB = {centre_displacement(ellipse, amplitude), centre_height(ellipse, amplitude) - gravity / stiffness},
            .angle = amplitude});
-  const BodyId plane = builder.add(Body{.name = "plane", .mobility = Mobility::fixed, .shape = HalfPlane{}});
-  builder.add(Contact{.name = "touch",
-                      .a = body,
-                      .b = plane,
-                      .law = LinearSpringDashpot{stiffness, 0.0, EndRule::clamped},
-                      .friction = CoulombFriction{setup.has("smooth_plane") ? 0.0 : 1e3, shear_ratio * stiffness}});
-  Scene scene{.title = "Rocking ellipse", .model = builder.build()};
-  scene.initial = rest_state(scene.model);
+  const BodyId plane = builder.add_fixed("plane", HalfPlane{});
+  builder.add_contact("touch", body, plane, LinearSpringDashpot{stiffness, 0.0, EndRule::clamped},
+                      CoulombFriction{setup.has("smooth_plane") ? 0.0 : 1e3, shear_ratio * stiffness});
+  Scene scene = builder.at_rest("Rocking ellipse");
   const double frequency = small_rocking_frequency(ellipse);
   // The friction force that turns the rolling body stretches the spring.
   scene.initial.z[0] = axis_b * frequency * frequency * amplitude / (shear_ratio * stiffness);
@@ -54,11 +43,10 @@ void check_amplitudes(Findings& findings, const Setup& setup) {
     if (setup.coarse && amplitude > 0.02) continue;
     const double period = solver_period(amplitude, stiffness, step, setup);
     const double rigid = reference::rocking_period(ellipse, amplitude);
-    findings.in("periods")->expect(
-        fmt::format("period at {:g} rad over that of the rigid body", amplitude), period / rigid, 1.0,
-        Tolerance::model(1.5 * std::abs(shift(stiffness)),
-                         "contact springs: their frequency shift for small oscillations, and half of it for the larger "
-                         "angles"));
+    findings.expect_model(
+        {"periods", fmt::format("period at {:g} rad over that of the rigid body", amplitude)}, period / rigid, 1.0,
+        1.5 * std::abs(shift(stiffness)),
+        "contact springs: their frequency shift for small oscillations, and half of it for the larger angles");
     solver.add(amplitude, period / rest);
   }
   if (setup.coarse) return;
@@ -86,7 +74,8 @@ void check_springs(Findings& findings, const Setup& setup) {
     solver.add(1.0 / stiffness, std::abs(found));
     line.add(1.0 / stiffness, std::abs(shift(stiffness)));
   }
-  findings.expect_between("frequency shift by the contact springs over its prediction", ratio, 0.98, 1.02,
+  findings.expect_between({"frequency_shift", "frequency shift by the contact springs over its prediction"}, ratio,
+                          0.98, 1.02,
                           "first order in the compliances; neglected: the squares of the shift and of the amplitude, "
                           "and the residual oscillation of the springs");
   findings.expect_order("order of the frequency shift in the compliance", shifts, 0.97, 1.03, "first order in 1/k");
@@ -109,11 +98,11 @@ void check_steps(Findings& findings, const Setup& setup) {
     errors.add(step, std::abs(error));
     ratio = error / (-frequency * frequency * step * step / 24.0);
   }
-  findings.expect_order("order of the period in the step", errors, 1.9, 2.15, "leapfrog");
-  findings.expect_between("error of the period due to the step over (w h)^2/24", ratio, 0.85, 1.15,
-                          "the leapfrog error of a body whose springs follow it instantly; neglected: the springs' "
-                          "dynamics, the fourth order, and the error of the finest step, which is used as the exact "
-                          "value (a hundredth)");
+  findings.expect_order({"order_in_step", "order of the period in the step"}, errors, 1.9, 2.15, "leapfrog");
+  findings.expect_between(
+      {"error_of_step", "error of the period due to the step over (w h)^2/24"}, ratio, 0.85, 1.15,
+      "the leapfrog error of a body whose springs follow it instantly; neglected: the springs' dynamics, the fourth "
+      "order, and the error of the finest step, which is used as the exact value (a hundredth)");
 }
 
 void run(Findings& findings, const Setup& setup) {
@@ -130,17 +119,15 @@ Case definition() {
       .id = "rocking_ellipse",
       .title = "Rocking ellipse on a plane",
       .requirements = {{"E3",
-                        {"periods", "frequency shift by the contact springs over its prediction",
-                         "order of the frequency shift in the compliance", "order of the period in the step",
-                         "error of the period due to the step over (w h)^2/24"}},
+                        {"periods", "frequency_shift", "order of the frequency shift in the compliance",
+                         "order_in_step", "error_of_step"}},
                        {"shape.superquadric", {"periods"}},
-                       {"Eq. 18", {"periods", "frequency shift by the contact springs over its prediction"}},
+                       {"Eq. 18", {"periods", "frequency_shift"}},
                        {"method.resultant", {"periods"}},
-                       {"integrator.velocity_verlet", {"order of the period in the step"}},
+                       {"integrator.velocity_verlet", {"order_in_step"}},
                        {"pair.superquadric.half_plane", {"periods"}}},
       .main_checks = {"period at 0.02 rad over that of the rigid body", "period at 0.6 rad over that of the rigid body",
-                      "frequency shift by the contact springs over its prediction",
-                      "error of the period due to the step over (w h)^2/24"},
+                      "frequency_shift", "error_of_step"},
       .source = "textbook mechanics, derived here",
       .faults = {{"inertia_of_a_ring", "twice the moment of inertia", "period at 0.02 rad over that of the rigid body"},
                  {"smooth_plane", "no friction", "period at 0.02 rad over that of the rigid body"},

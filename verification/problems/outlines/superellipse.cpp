@@ -1,17 +1,10 @@
-#include <fmt/format.h>
-
-#include <algorithm>
-#include <array>
-#include <cmath>
-#include <numbers>
 #include <random>
 
 #include "solver/geometry/gap.hpp"
 #include "solver/geometry/shape.hpp"
-#include "verification/check/convergence.hpp"
 #include "verification/problems/outlines/superellipse_findings.hpp"
 #include "verification/reference/outlines/superellipse.hpp"
-#include "verification/study/runs/usage.hpp"
+#include "verification/study/toolkit.hpp"
 
 namespace talus::verification::problems::superellipse {
 namespace {
@@ -84,12 +77,12 @@ void check_area(Findings& findings, const Setup& setup) {
                     "and its leading order with the constant (lines).",
                 .x = {.label = "nodes", .log = true},
                 .y = {.label = "area deficit", .log = true}};
-  Table table{.name = "areas",
-              .caption =
-                  "Area and polar moment, and the deficits of both for a polygon of 2048 boundary nodes over their "
-                  "leading order; the last columns extrapolate this ratio by its next terms, nodes^(-2/n) and "
-                  "nodes^(-6/n).",
-              .columns = {"n", "area", "moment", "deficit, area", "moment", "extrapolated, area", "moment"}};
+  Table table{
+      .name = "areas",
+      .caption =
+          "Area and polar moment, and the deficits of both for a polygon of 2048 boundary nodes over their leading "
+          "order; the last columns extrapolate this ratio by its next terms, nodes^(-2/n) and nodes^(-6/n).",
+      .columns = {"n", "area", "moment", "deficit, area", "moment", "extrapolated, area", "moment"}};
   double farthest = 0.0;
   for (const double n : {2.0, 3.0, 4.0, 8.0, 20.0, 50.0}) {
     if (setup.coarse && n != 20.0) continue;
@@ -99,27 +92,24 @@ void check_area(Findings& findings, const Setup& setup) {
     farthest = std::max({farthest, std::abs(area[1] - 1.0), std::abs(moment[1] - 1.0)});
     // From n = 8 on the next term, nodes^(-2/n), lowers the order at all numbers of nodes.
     const double low = n > 4.0 ? 1.96 : 1.98;
-    findings.in("order_of_area")
-        ->expect_order(fmt::format("order of the polygon's area in 1/nodes, n = {:g}", n), found.of_area, low, 2.01,
-                       "chords cut off an area of second order in their length; the next term, nodes^(-2/n) of that, "
-                       "slightly reduces the slope");
-    findings.in("order_of_polar_moment")
-        ->expect_order(fmt::format("order of the polygon's polar moment in 1/nodes, n = {:g}", n), found.of_moment, low,
-                       2.01, "as for the area");
+    findings.expect_order({"order_of_area", fmt::format("order of the polygon's area in 1/nodes, n = {:g}", n)},
+                          found.of_area, low, 2.01,
+                          "chords cut off an area of second order in their length; the next term, nodes^(-2/n) of "
+                          "that, slightly reduces the slope");
+    findings.expect_order(
+        {"order_of_polar_moment", fmt::format("order of the polygon's polar moment in 1/nodes, n = {:g}", n)},
+        found.of_moment, low, 2.01, "as for the area");
     draw(figure, found);
-    table.rows.push_back({fmt::format("{:g}", n), fmt::format("{:.6f}", found.area),
-                          fmt::format("{:.5f}", found.moment), fmt::format("{:.4f}", area[0]),
-                          fmt::format("{:.4f}", moment[0]), fmt::format("{:.5f}", area[1]),
-                          fmt::format("{:.5f}", moment[1])});
+    table.rows.push_back(cells("{:g} | {:.6f} | {:.5f} | {:.4f} | {:.4f} | {:.5f} | {:.5f}", n, found.area,
+                               found.moment, area[0], moment[0], area[1], moment[1]));
   }
-  findings.expect(
-      "area and moment deficits of polygons, extrapolated, over the leading order: largest error, n = 2 ... 50",
-      farthest, 0.0,
-      Tolerance::truncation(
-          1.2e-3, 1.3,
-          "terms of order nodes^(-2), which both extrapolation steps amplify, by (4 q - 1)/(1 - q) with q = 2^(-2/n) "
-          "and 2^(-6/n): 106 and 34 at n = 50, 3550 in total, which makes 8.5e-4 of 1/2048^2; their coefficient there "
-          "is 1.4, as measured from 1024 to 4096 nodes"));
+  findings.expect_truncation(
+      {"polygon_deficits",
+       "area and moment deficits of polygons, extrapolated, over the leading order: largest error, n = 2 ... 50"},
+      farthest, 0.0, 1.2e-3, 1.3,
+      "terms of order nodes^(-2), which both extrapolation steps amplify, by (4 q - 1)/(1 - q) with q = 2^(-2/n) and "
+      "2^(-6/n): 106 and 34 at n = 50, 3550 in total, which makes 8.5e-4 of 1/2048^2; their coefficient there is 1.4, "
+      "as measured from 1024 to 4096 nodes");
   if (setup.coarse) return;
   findings.table(table);
   findings.figure(figure);
@@ -143,21 +133,23 @@ void check_support(Findings& findings, const Setup& setup) {
       const Vec2 up = plane.R_WB * Vec2{0.0, 1.0};
       const Vec2 down = unrotate(body.R_WB, -up);
       const double reach = reference::support({a, b, n}, down.x, down.y);
-      depth_error = std::max(depth_error, std::abs(found.depth - (reach - dot(body.p_WB - plane.p_WB, up))));
+      keep_largest(depth_error, found.depth - (reach - dot(body.p_WB - plane.p_WB, up)));
       const Vec2 lowest = unrotate(body.R_WB, found.p_WC - 0.5 * found.depth * up - body.p_WB);
       outline_error = std::max(outline_error, std::abs(reference::excess({a, b, n}, {lowest.x, lowest.y})) / n);
-      reach_error = std::max(reach_error, std::abs(dot(lowest, down) - reach));
+      keep_largest(reach_error, dot(lowest, down) - reach);
     }
   }
-  findings.expect("overlap of a superellipse with a plane: largest error, n = 2 ... 50, 180 angles", depth_error, 0.0,
-                  Tolerance::round_off(1e-14,
-                                       "a dozen roundings of lengths up to 8: sqrt(12) x 8 x 1.1e-16 = 3e-15, and "
-                                       "three times that for the worst of 1800 positions"),
-                  "m");
-  findings.expect("lowest point of a superellipse: largest deviation from its outline", outline_error, 0.0,
-                  Tolerance::round_off(1e-14, "as for the overlap, over half axes down to 1.25"));
-  findings.expect("lowest point of a superellipse: largest distance from the support line", reach_error, 0.0,
-                  Tolerance::round_off(2e-14, "as for the overlap, transformed to world axes and back"), "m");
+  findings.expect_round_off(
+      {"plane_overlap", "overlap of a superellipse with a plane: largest error, n = 2 ... 50, 180 angles"}, depth_error,
+      0.0, 1e-14,
+      "a dozen roundings of lengths up to 8: sqrt(12) x 8 x 1.1e-16 = 3e-15, and three times that for the worst of "
+      "1800 positions",
+      "m");
+  findings.expect_round_off({"lowest_on_outline", "lowest point of a superellipse: largest deviation from its outline"},
+                            outline_error, 0.0, 1e-14, "as for the overlap, over half axes down to 1.25");
+  findings.expect_round_off(
+      {"lowest_on_support", "lowest point of a superellipse: largest distance from the support line"}, reach_error, 0.0,
+      2e-14, "as for the overlap, transformed to world axes and back", "m");
 }
 
 Figure support_figure() {
@@ -221,7 +213,7 @@ void check_depth(Findings& findings, const Setup& setup) {
       const Depth found = depth_below(superellipse_of(n, setup), p);
       const reference::NearestPoint brute = reference::nearest_point(shape, {p.x, p.y}, 400);
       const double sign = reference::excess(shape, {p.x, p.y}) < 0.0 ? 1.0 : -1.0;
-      depth_error = std::max(depth_error, std::abs(found.depth - sign * brute.distance));
+      keep_largest(depth_error, found.depth - sign * brute.distance);
       const Vec2 reached = p + found.depth * found.normal;
       normal_error = std::max(normal_error, std::abs(reference::excess(shape, {reached.x, reached.y})) / n);
     }
@@ -229,19 +221,17 @@ void check_depth(Findings& findings, const Setup& setup) {
   const double circle_exponent = setup.has("exponent_off") ? 2.002 : 2.0;
   for (int i = 0; i < 200; ++i) {
     const Vec2 p{any(random), any(random)};
-    circle_error = std::max(circle_error,
-                            std::abs(depth_below(Superquadric{1.0, 1.0, circle_exponent}, p).depth - (1.0 - norm(p))));
+    keep_largest(circle_error, depth_below(Superquadric{1.0, 1.0, circle_exponent}, p).depth - (1.0 - norm(p)));
   }
-  findings.expect("overlap of a point with a superellipse: largest error against brute force, n = 2 ... 50",
-                  depth_error, 0.0,
-                  Tolerance::round_off(3e-15,
-                                       "a distance of up to 4: three units in its last place; its error is of second "
-                                       "order in that of the nearest point"),
-                  "m");
-  findings.expect("point moved by overlap and normal: largest deviation from the outline", normal_error, 0.0,
-                  Tolerance::round_off(3e-15, "as for the overlap, over half axes down to 1.25"));
-  findings.expect("overlap of a point with a circular superellipse: largest error", circle_error, 0.0,
-                  Tolerance::round_off(1e-15, "five roundings of numbers up to 2"), "m");
+  findings.expect_round_off(
+      {"point_overlap", "overlap of a point with a superellipse: largest error against brute force, n = 2 ... 50"},
+      depth_error, 0.0, 3e-15,
+      "a distance of up to 4: three units in its last place; its error is of second order in that of the nearest point",
+      "m");
+  findings.expect_round_off("point moved by overlap and normal: largest deviation from the outline", normal_error, 0.0,
+                            3e-15, "as for the overlap, over half axes down to 1.25");
+  findings.expect_round_off({"circle_overlap", "overlap of a point with a circular superellipse: largest error"},
+                            circle_error, 0.0, 1e-15, "five roundings of numbers up to 2", "m");
 }
 
 void run(Findings& findings, const Setup& setup) {
@@ -262,84 +252,32 @@ Case definition() {
   return {
       .id = "superellipse",
       .title = "Superellipses and the contact search",
-      .requirements =
-          {{"Eq. 1",
-            {"order_of_area", "order_of_polar_moment",
-             "lowest point of a superellipse: largest deviation from its outline",
-             "lowest point of a superellipse: largest distance from the support line",
-             "overlap of a point with a superellipse: largest error against brute force, n = 2 ... 50",
-             "overlap of a point with a circular superellipse: largest error"}},
-           {"A3",
-            {"order_of_area", "order_of_polar_moment",
-             "area and moment deficits of polygons, extrapolated, over the leading order: largest error, n = 2 ... "
-             "50"}},
-           {"E1",
-            {"overlap of a superellipse with a plane: largest error, n = 2 ... 50, 180 angles",
-             "lowest point of a superellipse: largest deviation from its outline",
-             "lowest point of a superellipse: largest distance from the support line"}},
-           {"E2",
-            {"overlap of a point with a superellipse: largest error against brute force, n = 2 ... 50",
-             "overlap of a point with a circular superellipse: largest error",
-             "overlap of pairs of superellipses and rectangles: largest error against brute force",
-             "distance of pairs of superellipses and rectangles: largest error against brute force"}},
-           {"E10",
-            {"touching pairs omitted by the contact search", "fraction of separate pairs omitted by the contact search",
-             "random scenes whose contacts or accelerations differ if no pair is omitted"}},
-           {"shape.superquadric",
-            {"order_of_area", "order_of_polar_moment",
-             "area and moment deficits of polygons, extrapolated, over the leading order: largest error, n = 2 ... 50",
-             "overlap of a superellipse with a plane: largest error, n = 2 ... 50, 180 angles",
-             "lowest point of a superellipse: largest deviation from its outline",
-             "lowest point of a superellipse: largest distance from the support line",
-             "overlap of a point with a superellipse: largest error against brute force, n = 2 ... 50",
-             "overlap of a point with a circular superellipse: largest error",
-             "overlap of pairs of superellipses and rectangles: largest error against brute force",
-             "distance of pairs of superellipses and rectangles: largest error against brute force",
-             "touching pairs omitted by the contact search",
-             "fraction of separate pairs omitted by the contact search"}},
-           {"shape.half_plane",
-            {"overlap of a superellipse with a plane: largest error, n = 2 ... 50, 180 angles",
-             "touching pairs omitted by the contact search",
-             "fraction of separate pairs omitted by the contact search"}},
-           {"shape.circle",
-            {"touching pairs omitted by the contact search", "fraction of separate pairs omitted by the contact search",
-             "random scenes whose contacts or accelerations differ if no pair is omitted"}},
-           {"shape.rectangle",
-            {"touching pairs omitted by the contact search", "fraction of separate pairs omitted by the contact search",
-             "random scenes whose contacts or accelerations differ if no pair is omitted"}},
-           {"method.resultant",
-            {"overlap of a superellipse with a plane: largest error, n = 2 ... 50, 180 angles",
-             "random scenes whose contacts or accelerations differ if no pair is omitted"}},
-           {"method.nodes",
-            {"overlap of a point with a superellipse: largest error against brute force, n = 2 ... 50",
-             "overlap of a point with a circular superellipse: largest error",
-             "random scenes whose contacts or accelerations differ if no pair is omitted"}},
-           {"pair.superquadric.superquadric",
-            {"overlap of pairs of superellipses and rectangles: largest error against brute force",
-             "distance of pairs of superellipses and rectangles: largest error against brute force"}},
-           {"pair.rectangle.superquadric",
-            {"overlap of pairs of superellipses and rectangles: largest error against brute force",
-             "distance of pairs of superellipses and rectangles: largest error against brute force"}},
-           {"pair.superquadric.half_plane",
-            {"overlap of a superellipse with a plane: largest error, n = 2 ... 50, 180 angles"}}},
-      .main_checks = {"order of the polygon's area in 1/nodes, n = 20",
-                      "overlap of a superellipse with a plane: largest error, n = 2 ... 50, 180 angles",
-                      "overlap of a point with a superellipse: largest error against brute force, n = 2 ... 50",
-                      "overlap of pairs of superellipses and rectangles: largest error against brute force",
-                      "touching pairs omitted by the contact search",
-                      "random scenes whose contacts or accelerations differ if no pair is omitted"},
+      .requirements = {{"Eq. 1",
+                        {"order_of_area", "order_of_polar_moment", "lowest_on_outline", "lowest_on_support",
+                         "point_overlap", "circle_overlap"}},
+                       {"A3", {"order_of_area", "order_of_polar_moment", "polygon_deficits"}},
+                       {"E1", {"plane_overlap", "lowest_on_outline", "lowest_on_support"}},
+                       {"E2", {"point_overlap", "circle_overlap", "pair_overlap", "pair_distance"}},
+                       {"E10", {"omitted_touching", "omitted_separate", "unculled_scenes"}},
+                       {"shape.superquadric",
+                        {"order_of_area", "order_of_polar_moment", "polygon_deficits", "plane_overlap",
+                         "lowest_on_outline", "lowest_on_support", "point_overlap", "circle_overlap", "pair_overlap",
+                         "pair_distance", "omitted_touching", "omitted_separate"}},
+                       {"shape.half_plane", {"plane_overlap", "omitted_touching", "omitted_separate"}},
+                       {"shape.circle, shape.rectangle", {"omitted_touching", "omitted_separate", "unculled_scenes"}},
+                       {"method.resultant", {"plane_overlap", "unculled_scenes"}},
+                       {"method.nodes", {"point_overlap", "circle_overlap", "unculled_scenes"}},
+                       {"pair.superquadric.superquadric, pair.rectangle.superquadric",
+                        {"pair_overlap", "pair_distance"}},
+                       {"pair.superquadric.half_plane", {"plane_overlap"}}},
+      .main_checks = {"order of the polygon's area in 1/nodes, n = 20", "plane_overlap", "point_overlap",
+                      "pair_overlap", "omitted_touching", "unculled_scenes"},
       .source = "Mustoe & Huttelmaier 1993, Eq. 1; Barr 1981",
-      .faults =
-          {{"exponent_off", "an exponent 0.1 % too large",
-            "overlap of a point with a superellipse: largest error against brute force, n = 2 ... 50"},
-           {"pair_exponent_off", "exponents of pairs 5 % too large",
-            "overlap of pairs of superellipses and rectangles: largest error against brute force"},
-           {"half_axis_off", "a half axis too long by 1e-6",
-            "overlap of a superellipse with a plane: largest error, n = 2 ... 50, 180 angles"},
-           {"nodes_left_out", "every other node omitted",
-            "area and moment deficits of polygons, extrapolated, over the leading order: largest error, n = 2 ... 50"},
-           {"boxes_too_small", "bounding boxes of the search 10 % too narrow",
-            "touching pairs omitted by the contact search"}},
+      .faults = {{"exponent_off", "an exponent 0.1 % too large", "point_overlap"},
+                 {"pair_exponent_off", "exponents of pairs 5 % too large", "pair_overlap"},
+                 {"half_axis_off", "a half axis too long by 1e-6", "plane_overlap"},
+                 {"nodes_left_out", "every other node omitted", "polygon_deficits"},
+                 {"boxes_too_small", "bounding boxes of the search 10 % too narrow", "omitted_touching"}},
       .seconds = 3.0,
       .run = run};
 }

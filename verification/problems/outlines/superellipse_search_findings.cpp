@@ -1,17 +1,9 @@
-#include <fmt/format.h>
-
-#include <algorithm>
-#include <array>
-#include <cmath>
-#include <numbers>
 #include <random>
 
 #include "solver/dynamics/candidates.hpp"
-#include "solver/dynamics/dynamics.hpp"
-#include "solver/model/model_builder.hpp"
 #include "verification/problems/outlines/superellipse_findings.hpp"
 #include "verification/reference/outlines/overlap.hpp"
-#include "verification/study/runs/usage.hpp"
+#include "verification/study/toolkit.hpp"
 
 namespace talus::verification::problems {
 namespace {
@@ -78,7 +70,7 @@ Searched search_pairs(const Kind& a, const Kind& b, const Setup& setup) {
 
 /// A scene of six randomly placed bodies, any of which may touch each other and the ground.
 Model random_scene(RandomPlaces& places) {
-  ModelBuilder builder;
+  SceneBuilder builder;
   std::vector<BodyId> ids;
   std::vector<const Kind*> of;
   for (std::size_t i = 0; i < 7; ++i) {
@@ -108,7 +100,7 @@ Model random_scene(RandomPlaces& places) {
 
 /// Overlap of two outlines as computed for their contact.
 double pair_depth(const Kind& a, const Outline& A, const Kind& b, const Outline& B, const Setup& setup) {
-  ModelBuilder builder;
+  SceneBuilder builder;
   const auto add = [&](const Kind& kind, const Outline& at, const char* name) {
     Shape shape = kind.shape;
     if (auto* outline = std::get_if<Superquadric>(&shape); outline && setup.has("pair_exponent_off"))
@@ -117,7 +109,7 @@ double pair_depth(const Kind& a, const Outline& A, const Kind& b, const Outline&
         Body{.name = name, .mass = 1.0, .inertia = 1.0, .shape = shape, .p_WB = {at.x, at.y}, .angle = at.angle});
   };
   const BodyId one = add(a, A, "one"), other = add(b, B, "other");
-  builder.add(Contact{.name = "contact", .a = one, .b = other, .law = LinearSpringDashpot{1.0, 0.0}});
+  builder.add_contact("contact", one, other, LinearSpringDashpot{1.0, 0.0});
   const Model model = builder.build();
   record_use(model);
   const Dynamics dynamics{model};
@@ -140,21 +132,20 @@ void check_pairs(Findings& findings, const Setup& setup) {
         const double brute = reference::least_displacement(A, B, count);
         const double found = pair_depth(kinds[i], A, kinds[j], B, setup);
         double& worst = brute > 0.0 ? worst_inside : worst_apart;
-        worst = std::max(worst, std::abs(found - brute));
+        keep_largest(worst, found - brute);
         least = std::min(least, brute);
       }
     }
   }
-  findings.expect("overlap of pairs of superellipses and rectangles: largest error against brute force", worst_inside,
-                  0.0,
-                  Tolerance::truncation(6.1e-6, 2.0,
-                                        "boundary points spaced by 2 pi/900 of the parametric angle, between which "
-                                        "chords cut off up to (2 pi/900)^2/8 = 6.1e-6 of the half axis of 1 m for n = "
-                                        "2, and 2.2e-6 m for n = 20; twice that for both outlines"),
-                  "m");
-  findings.expect("distance of pairs of superellipses and rectangles: largest error against brute force", worst_apart,
-                  0.0, Tolerance::truncation(6.1e-6, 2.0, "the distance of the same polygons: as for the overlap"),
-                  "m");
+  findings.expect_truncation(
+      {"pair_overlap", "overlap of pairs of superellipses and rectangles: largest error against brute force"},
+      worst_inside, 0.0, 6.1e-6, 2.0,
+      "boundary points spaced by 2 pi/900 of the parametric angle, between which chords cut off up to (2 pi/900)^2/8 = "
+      "6.1e-6 of the half axis of 1 m for n = 2, and 2.2e-6 m for n = 20; twice that for both outlines",
+      "m");
+  findings.expect_truncation(
+      {"pair_distance", "distance of pairs of superellipses and rectangles: largest error against brute force"},
+      worst_apart, 0.0, 6.1e-6, 2.0, "the distance of the same polygons: as for the overlap", "m");
 }
 
 void check_search(Findings& findings, const Setup& setup) {
@@ -171,18 +162,16 @@ void check_search(Findings& findings, const Setup& setup) {
       left_out_touching += found.left_out_touching;
       left_out_apart += found.left_out_apart;
       apart += found.apart;
-      table.rows.push_back({kinds[i].name, kinds[j].name, fmt::format("{}", found.touching),
-                            fmt::format("{}", found.left_out_touching), fmt::format("{}", found.apart),
-                            fmt::format("{}", found.left_out_apart)});
+      table.rows.push_back(cells("{} | {} | {} | {} | {} | {}", kinds[i].name, kinds[j].name, found.touching,
+                                 found.left_out_touching, found.apart, found.left_out_apart));
     }
   }
-  findings.expect("touching pairs omitted by the contact search", left_out_touching, 0.0,
-                  Tolerance::exact("the bounding box of a touching shape cannot be separated from that of the other "
-                                   "shape"));
-  findings.expect_between(
-      "fraction of separate pairs omitted by the contact search", static_cast<double>(left_out_apart) / apart, 0.8, 1.0,
-      "a search that omits nothing would always pass the previous check; the separate pairs that it may not omit are "
-      "those whose boxes overlap at their corners");
+  findings.expect_exact({"omitted_touching", "touching pairs omitted by the contact search"}, left_out_touching, 0.0,
+                        "the bounding box of a touching shape cannot be separated from that of the other shape");
+  findings.expect_between({"omitted_separate", "fraction of separate pairs omitted by the contact search"},
+                          static_cast<double>(left_out_apart) / apart, 0.8, 1.0,
+                          "a search that omits nothing would always pass the previous check; the separate pairs that "
+                          "it may not omit are those whose boxes overlap at their corners");
   if (!setup.coarse) findings.table(table);
 }
 
@@ -208,8 +197,9 @@ void check_scenes(Findings& findings, const Setup& setup) {
     for (const Mode mode : a.mode)
       touching += mode != 0 ? 1.0 / count : 0.0;
   }
-  findings.expect("random scenes whose contacts or accelerations differ if no pair is omitted", differing, 0.0,
-                  Tolerance::exact("the same operations on the touching pairs"));
+  findings.expect_exact(
+      {"unculled_scenes", "random scenes whose contacts or accelerations differ if no pair is omitted"}, differing, 0.0,
+      "the same operations on the touching pairs");
   findings.note(fmt::format("On average {:.1f} contact laws act in a random scene.", touching));
 }
 

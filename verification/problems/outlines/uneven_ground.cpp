@@ -1,11 +1,4 @@
-#include <array>
-#include <cmath>
-#include <optional>
-#include <vector>
-
-#include "solver/model/model_builder.hpp"
-#include "verification/check/case.hpp"
-#include "verification/study/runs/scene_run.hpp"
+#include "verification/study/toolkit.hpp"
 
 namespace talus::verification::problems::uneven_ground {
 namespace {
@@ -16,7 +9,7 @@ constexpr double sine = 0.6, cosine = 0.8, tangent = 0.75;
 /// A disc on fixed ground; contact 0 is between the disc and the first ground body.
 Scene disc_on(const std::vector<Body>& ground, Vec2 place, const LinearSpringDashpot& law,
               const CoulombFriction& friction, Mobility mobility, double inertia) {
-  ModelBuilder builder;
+  SceneBuilder builder;
   builder.gravity({0.0, -gravity});
   const BodyId disc = builder.add(Body{.name = "disc",
                                        .mobility = mobility,
@@ -26,11 +19,9 @@ Scene disc_on(const std::vector<Body>& ground, Vec2 place, const LinearSpringDas
                                        .p_WB = place});
   for (const Body& body : ground) {
     const BodyId below = builder.add(body);
-    builder.add(Contact{.name = "on_" + body.name, .a = disc, .b = below, .law = law, .friction = friction});
+    builder.add_contact("on_" + body.name, disc, below, law, friction);
   }
-  Scene scene{.title = "Disc on uneven ground", .model = builder.build()};
-  scene.initial = rest_state(scene.model);
-  return scene;
+  return builder.at_rest("Disc on uneven ground");
 }
 
 Body fixed_body(const Shape& shape, double angle = 0.0) {
@@ -66,11 +57,10 @@ void check_straight(Findings& findings, const Setup& setup) {
     compare(ends[0].v, ends[1].v);
     compare(ends[0].z, ends[1].z);
   }
-  findings.expect("numbers that differ between straight terrain and a half-plane", differ, 0.0,
-                  Tolerance::exact("above a segment on the body's x axis the height is the body's y, and the normal is "
-                                   "(0, 1), without rounding"));
-  findings.expect("numbers compared", compared, 21.0,
-                  Tolerance::exact("three runs of 3 positions, 3 velocities and a stretch"));
+  findings.expect_exact(
+      {"straight_terrain", "numbers that differ between straight terrain and a half-plane"}, differ, 0.0,
+      "above a segment on the body's x axis the height is the body's y, and the normal is (0, 1), without rounding");
+  findings.expect_exact("numbers compared", compared, 21.0, "three runs of 3 positions, 3 velocities and a stretch");
 }
 
 /// A disc rolls over a crest: compares its speed down the slope with the rigid disc's, and checks the energy balance.
@@ -86,7 +76,7 @@ void check_crest(Findings& findings, const Setup& setup) {
   double worst = std::nan(""), balance_error = 0.0;  // NaN until the crest is reached
   const Watcher watch = [&](const State& seen, const StepInfo&) {
     if (!ledger) ledger.emplace(scene.model, seen);  // first state with updated modes: contact closed
-    balance_error = std::max(balance_error, std::abs((*ledger)(seen).energy_balance_error));
+    keep_largest(balance_error, (*ledger)(seen).energy_balance_error);
     const double s = cosine * seen.q[0] - sine * seen.q[1];
     if (s < 0.0) return;
     const double v = cosine * seen.v[0] - sine * seen.v[1];
@@ -100,17 +90,16 @@ void check_crest(Findings& findings, const Setup& setup) {
   const double step = 4e-5;
   if (!run_scene(scene, VelocityVerlet{}, {step, 1.0, 1e9, false}, findings, watch).finished) worst = std::nan("");
   const double first = std::sqrt(start_speed * start_speed + 4.0 / 3.0 * gravity * radius * (1.0 - cosine));
-  findings.expect("speed down the slope beyond a crest, largest error", worst, 0.0,
-                  Tolerance::model(overlap * (2.0 / 3.0 * gravity / first + 2.0 / (6.0 * radius)),
-                                   "the overlap changes heights and the rolling radius by at most its own value: 2 g "
-                                   "d/(3 v), largest where the disc is slowest, and v d/(6 r), with v up to 2"),
-                  "m/s");
-  findings.expect(
-      "energy balance over the crest: largest error", balance_error, 0.0,
-      Tolerance::truncation(4.6 * step * step, 2.0,
-                            "leapfrog conserves H + h^2 (v V'' v/12 - F^2/(24 m)), whose second part changes by a few "
-                            "J/s^2 with the forces of 20 N; measured: 4.6 h^2 at steps from 2e-5 to 4e-5"),
-      "J");
+  findings.expect_model({"slope_speed", "speed down the slope beyond a crest, largest error"}, worst, 0.0,
+                        overlap * (2.0 / 3.0 * gravity / first + 2.0 / (6.0 * radius)),
+                        "the overlap changes heights and the rolling radius by at most its own value: 2 g d/(3 v), "
+                        "largest where the disc is slowest, and v d/(6 r), with v up to 2",
+                        "m/s");
+  findings.expect_truncation({"crest_energy", "energy balance over the crest: largest error"}, balance_error, 0.0,
+                             4.6 * step * step, 2.0,
+                             "leapfrog conserves H + h^2 (v V'' v/12 - F^2/(24 m)), whose second part changes by a few "
+                             "J/s^2 with the forces of 20 N; measured: 4.6 h^2 at steps from 2e-5 to 4e-5",
+                             "J");
   if (setup.coarse || exact.x.empty()) return;
   findings.figure({.name = "crest",
                    .title = "Speed beyond a crest",
@@ -138,33 +127,29 @@ void check_notch(Findings& findings, const Setup& setup) {
   const auto depth = [](const State& end) { return radius - cosine * end.q[1]; };
   const State one = rest_in_notch(false, setup, step, findings), two = rest_in_notch(true, setup, step, findings);
   const double slowest = 3.0 * gravity * tangent * step;
-  findings.expect(
-      "position across the notch", one.q[0], 0.0,
-      Tolerance::truncation(slowest * slowest / (2.0 * gravity * tangent), 2.0,
-                            "measured: the disc oscillates at about three times g tan a h, at all steps from 1/1024 to "
-                            "1/16384; the displacement within which the sides reverse that speed"),
-      "m");
-  findings.expect("overlap in the notch, over m g/(k cos a)", depth(one) * stiffness * cosine / (mass * gravity), 1.0,
-                  Tolerance::truncation(6.0 * step, 2.0, "measured: six times the step, due to the dashpot's lag"));
+  findings.expect_truncation({"notch_position", "position across the notch"}, one.q[0], 0.0,
+                             slowest * slowest / (2.0 * gravity * tangent), 2.0,
+                             "measured: the disc oscillates at about three times g tan a h, at all steps from 1/1024 "
+                             "to 1/16384; the displacement within which the sides reverse that speed",
+                             "m");
+  findings.expect_truncation({"notch_overlap", "overlap in the notch, over m g/(k cos a)"},
+                             depth(one) * stiffness * cosine / (mass * gravity), 1.0, 6.0 * step, 2.0,
+                             "measured: six times the step, due to the dashpot's lag");
   Convergence overlaps;
   for (const double count : {2048.0, 4096.0, 8192.0, 16384.0}) {
     const double rest = depth(rest_in_notch(false, setup, 1.0 / count, findings));
     overlaps.add(1.0 / count, std::abs(rest * stiffness * cosine / (mass * gravity) - 1.0));
   }
-  findings.expect_order(
-      "order of the overlap in the notch", overlaps, 0.9, 1.1,
-      "the dashpot uses a velocity that results from a force whose direction alternates in each step: first order; the "
-      "phase of the oscillation at the end changes the order by up to 0.1");
-  findings.expect("overlap between two slopes, over m g/(2 k cos a)",
-                  depth(two) * 2.0 * stiffness * cosine / (mass * gravity), 1.0,
-                  Tolerance::round_off(3e-13,
-                                       "a disc stops where it moves by less than half a unit in the last place of its "
-                                       "position, 5.5e-17, in a step: it is short of rest by c/k times that over the "
-                                       "step, 1.8e-15, over an overlap of 0.006"));
-  findings.expect(
-      "position across between two slopes", two.q[0], 0.0,
-      Tolerance::round_off(1e-15, "both sides push with the same numbers except for the last digit of their normals"),
-      "m");
+  findings.expect_order({"order_in_notch", "order of the overlap in the notch"}, overlaps, 0.9, 1.1,
+                        "the dashpot uses a velocity that results from a force whose direction alternates in each "
+                        "step: first order; the phase of the oscillation at the end changes the order by up to 0.1");
+  findings.expect_round_off(
+      {"two_slopes", "overlap between two slopes, over m g/(2 k cos a)"},
+      depth(two) * 2.0 * stiffness * cosine / (mass * gravity), 1.0, 3e-13,
+      "a disc stops where it moves by less than half a unit in the last place of its position, 5.5e-17, in a step: it "
+      "is short of rest by c/k times that over the step, 1.8e-15, over an overlap of 0.006");
+  findings.expect_round_off("position across between two slopes", two.q[0], 0.0, 1e-15,
+                            "both sides push with the same numbers except for the last digit of their normals", "m");
 }
 
 void run_all(Findings& findings, const Setup& setup) {
@@ -176,44 +161,26 @@ void run_all(Findings& findings, const Setup& setup) {
 }  // namespace
 
 Case definition() {
-  return {
-      .id = "uneven_ground",
-      .title = "Uneven ground: slope, crest and notch",
-      .family = "E: outlines in contact",
-      .requirements = {{"shape.terrain",
-                        {"numbers that differ between straight terrain and a half-plane",
-                         "speed down the slope beyond a crest, largest error",
-                         "energy balance over the crest: largest error", "position across the notch",
-                         "overlap in the notch, over m g/(k cos a)", "order of the overlap in the notch"}},
-                       {"shape.circle",
-                        {"numbers that differ between straight terrain and a half-plane",
-                         "speed down the slope beyond a crest, largest error",
-                         "energy balance over the crest: largest error", "position across the notch",
-                         "overlap in the notch, over m g/(k cos a)", "order of the overlap in the notch"}},
-                       {"pair.circle.terrain",
-                        {"numbers that differ between straight terrain and a half-plane",
-                         "speed down the slope beyond a crest, largest error",
-                         "energy balance over the crest: largest error", "position across the notch",
-                         "overlap in the notch, over m g/(k cos a)", "order of the overlap in the notch",
-                         "overlap between two slopes, over m g/(2 k cos a)", "position across between two slopes"}},
-                       {"C2",
-                        {"speed down the slope beyond a crest, largest error",
-                         "energy balance over the crest: largest error"}},
-                       {"law.linear_spring_dashpot",
-                        {"numbers that differ between straight terrain and a half-plane", "position across the notch",
-                         "overlap in the notch, over m g/(k cos a)", "order of the overlap in the notch"}},
-                       {"mechanism.friction", {"energy balance over the crest: largest error"}}},
-      .main_checks = {"numbers that differ between straight terrain and a half-plane",
-                      "speed down the slope beyond a crest, largest error",
-                      "energy balance over the crest: largest error", "position across the notch",
-                      "overlap in the notch, over m g/(k cos a)", "overlap between two slopes, over m g/(2 k cos a)"},
-      .source = "Textbook mechanics, derived here",
-      .faults = {{"bent_ground", "ground bent by 1e-12 at its joints",
-                  "numbers that differ between straight terrain and a half-plane"},
-                 {"slope_too_flat", "a slope beyond the crest 0.7 % too flat",
-                  "speed down the slope beyond a crest, largest error"},
-                 {"lopsided_notch", "one side of the notch flatter", "position across the notch"}},
-      .run = run_all};
+  return {.id = "uneven_ground",
+          .title = "Uneven ground: slope, crest and notch",
+          .family = "E: outlines in contact",
+          .requirements = {{"shape.terrain, shape.circle",
+                            {"straight_terrain", "slope_speed", "crest_energy", "notch_position", "notch_overlap",
+                             "order_in_notch"}},
+                           {"pair.circle.terrain",
+                            {"straight_terrain", "slope_speed", "crest_energy", "notch_position", "notch_overlap",
+                             "order_in_notch", "two_slopes", "position across between two slopes"}},
+                           {"C2", {"slope_speed", "crest_energy"}},
+                           {"law.linear_spring_dashpot",
+                            {"straight_terrain", "notch_position", "notch_overlap", "order_in_notch"}},
+                           {"mechanism.friction", {"crest_energy"}}},
+          .main_checks = {"straight_terrain", "slope_speed", "crest_energy", "notch_position", "notch_overlap",
+                          "two_slopes"},
+          .source = "Textbook mechanics, derived here",
+          .faults = {{"bent_ground", "ground bent by 1e-12 at its joints", "straight_terrain"},
+                     {"slope_too_flat", "a slope beyond the crest 0.7 % too flat", "slope_speed"},
+                     {"lopsided_notch", "one side of the notch flatter", "notch_position"}},
+          .run = run_all};
 }
 
 }  // namespace talus::verification::problems::uneven_ground

@@ -1,23 +1,11 @@
 #include "verification/problems/speed_accuracy/bilateral_findings.hpp"
 
-#include <fmt/format.h>
-
-#include <algorithm>
-#include <cmath>
-#include <limits>
-#include <numbers>
-#include <string>
 #include <variant>
-#include <vector>
 
-#include "solver/dynamics/dynamics.hpp"
-#include "solver/dynamics/rigid_body_system.hpp"
-#include "solver/model/model_builder.hpp"
 #include "solver/run/simulate.hpp"
 #include "solver/scenes/fence_scene.hpp"
-#include "verification/study/findings/expectations.hpp"
-#include "verification/study/runs/scene_run.hpp"
 #include "verification/study/scenes/fence_table.hpp"
+#include "verification/study/toolkit.hpp"
 
 namespace talus::verification::problems {
 namespace {
@@ -115,15 +103,11 @@ Contact closed(const std::string& name, BodyId a, BodyId b) {
   return {.name = name, .a = a, .b = b, .law = LinearSpringDashpot{stiffness, 0.0, EndRule::clamped}};
 }
 
-Scene at_rest(const ModelBuilder& builder) {
-  Scene scene{.title = "Held together", .model = builder.build()};
-  scene.initial = rest_state(scene.model);
-  return scene;
-}
+Scene at_rest(const SceneBuilder& builder) { return builder.at_rest("Held together"); }
 
 /// A disc pressed on a plane and sticking to it.
 Scene pressed_on_plane(double tangential) {
-  ModelBuilder builder;
+  SceneBuilder builder;
   Body body = disc("disc", Mobility::free, {0.0, 1.0 - depth});
   body.force = {0.0, -stiffness * depth};
   const BodyId pressed = builder.add(body);
@@ -136,7 +120,7 @@ Scene pressed_on_plane(double tangential) {
 
 /// Two discs side by side: pressed together along their line of centres, or guided across it at a constant distance.
 Scene pair(bool across, double tangential) {
-  ModelBuilder builder;
+  SceneBuilder builder;
   const Mobility mobility = across ? Mobility::guided_y : Mobility::sliding_x;
   Body left = disc("left", mobility, {0.0, 0.0}), right = disc("right", mobility, {2.0 - depth, 0.0});
   if (!across) left.force.x = stiffness * depth, right.force.x = -stiffness * depth;
@@ -148,7 +132,7 @@ Scene pair(bool across, double tangential) {
 
 /// n discs in a row between two walls, all contacts with the same overlap.
 Scene row(int n) {
-  ModelBuilder builder;
+  SceneBuilder builder;
   const BodyId floor =
       builder.add({.name = "floor", .mobility = Mobility::fixed, .shape = HalfPlane{}, .p_WB = {0.0, depth - 1.0}});
   BodyId below = floor;
@@ -181,15 +165,13 @@ void check_growth(const std::string& name, const Dynamics& dynamics, const State
   }
   findings.count(1000);
   const auto claim = findings.in("integrator.velocity_verlet");
-  findings.in("sides_of_2")
-      ->expect(name + ": runs on the wrong side of w h = 2", wrong, 0.0,
-               Tolerance::exact("count: at 0.98 and 0.999 of the limit the mode stays within 1.5 times its initial "
-                                "size, as the leapfrog's invariant requires; at 1.001 and 1.02 it grows"));
-  findings.expect(name + ": ln growth per step at 1.001 and 1.02 of the limit, largest relative error", worst, 0.0,
-                  Tolerance::round_off(2e-3,
-                                       "a relative frequency error of 2e-6 turns 1.001 into 1.001002: 0.1 % of the "
-                                       "growth; the decaying mode is 1e-4 of the growing one where the measurement "
-                                       "begins"));
+  findings.expect_exact({"sides_of_2", name + ": runs on the wrong side of w h = 2"}, wrong, 0.0,
+                        "count: at 0.98 and 0.999 of the limit the mode stays within 1.5 times its initial size, as "
+                        "the leapfrog's invariant requires; at 1.001 and 1.02 it grows");
+  findings.expect_round_off(name + ": ln growth per step at 1.001 and 1.02 of the limit, largest relative error", worst,
+                            0.0, 2e-3,
+                            "a relative frequency error of 2e-6 turns 1.001 into 1.001002: 0.1 % of the growth; the "
+                            "decaying mode is 1e-4 of the growing one where the measurement begins");
 }
 
 /// Checks a system whose highest frequency has a closed form, and adds it to the table.
@@ -204,7 +186,7 @@ void check_system(const std::string& name, const std::string& formula, const Sce
                       .relative(),
                   "rad/s");
   check_growth(name, dynamics, scene.initial, mode, exact, 3e-11, findings);
-  table.rows.push_back({name, formula, fmt::format("{:.6g}", exact), fmt::format("{:.6g}", mode.frequency), "", ""});
+  table.rows.push_back(cells("{} | {} | {:.6g} | {:.6g} |  | ", name, formula, exact, mode.frequency));
 }
 
 /// The fence of Table 2 at a given time of its impact, without dashpots, held in equilibrium there by a constant force
@@ -257,9 +239,8 @@ void check_fence_limit(Findings& findings, const Setup& setup, Table& table) {
     const std::string name = fmt::format("fence held at {:g} s", time);
     check_growth(name, dynamics, scene.initial, mode, setup.has("fence_by_rule") ? rule : mode.frequency, 1e-9,
                  findings);
-    table.rows.push_back({name, fmt::format("{} cables taut", taut), "", fmt::format("{:.0f}", mode.frequency),
-                          fmt::format("{:.2f}", mode.frequency / rule),
-                          fmt::format("1/{:.0f}", 2.0 / mode.frequency / made.critical_step)});
+    table.rows.push_back(cells("{} | {} cables taut |  | {:.0f} | {:.2f} | 1/{:.0f}", name, taut, mode.frequency,
+                               mode.frequency / rule, 2.0 / mode.frequency / made.critical_step));
   }
   if (setup.coarse) return;
   findings.expect_between("fence: highest frequency of six held states over that of the 1993 rule", highest / rule, 1.0,

@@ -1,20 +1,9 @@
-#include <fmt/format.h>
-
-#include <algorithm>
-#include <array>
-#include <cmath>
-#include <limits>
-#include <string>
-#include <vector>
-
 #include "solver/io/scene/read_scene.hpp"
 #include "solver/scenes/fence_summary.hpp"
 #include "solver/stability/step_advice.hpp"
-#include "verification/check/case.hpp"
-#include "verification/study/findings/expectations.hpp"
 #include "verification/study/runs/recorded_run.hpp"
-#include "verification/study/runs/scene_run.hpp"
 #include "verification/study/scenes/varied_scenes.hpp"
+#include "verification/study/toolkit.hpp"
 
 namespace talus::verification::problems::defaults {
 namespace {
@@ -86,22 +75,18 @@ void check_scenes(Findings& findings, const Setup& setup) {
     balance.take(found.balance, varied.name);
     errors.add(static_cast<double>(errors.x.size()) + 1.0, std::max(std::abs(difference), 1e-12));
     balances.add(errors.x.back(), std::max(found.balance, 1e-12));
-    table.rows.push_back({varied.name, varied.quantity, fmt::format("{:.6g}", found.value),
-                          fmt::format("{:.6g}", truth.value), fmt::format("{:+.1e}", difference),
-                          fmt::format("{:.1e}", found.balance), fmt::format("{}", found.evaluations)});
+    table.rows.push_back(cells("{} | {} | {:.6g} | {:.6g} | {:+.1e} | {:.1e} | {}", varied.name, varied.quantity,
+                               found.value, truth.value, difference, found.balance, found.evaluations));
   }
   if (!setup.coarse) {
-    findings.expect("number of scenes", static_cast<double>(table.rows.size()), 30.0,
-                    Tolerance::exact("all scenes of the list"));
+    findings.expect_exact("number of scenes", static_cast<double>(table.rows.size()), 30.0, "all scenes of the list");
   }
-  findings.in("scenes")->expect(
-      "scenes: largest difference of a named result from its converged value", error.error, 0.0,
-      Tolerance::model(
-          0.01, "1 % is noticeable to an engineer; the converged runs have errors of 0.1 %; worst: " + error.where));
-  findings.expect(
-      "scenes: largest error of the energy balance over the largest energy", balance.error, 0.0,
-      Tolerance::truncation(1e-9, 3.0,
-                            "ten times the tolerance of a step, over some thousand steps; worst: " + balance.where));
+  findings.expect_model(
+      {"scenes", "scenes: largest difference of a named result from its converged value"}, error.error, 0.0, 0.01,
+      "1 % is noticeable to an engineer; the converged runs have errors of 0.1 %; worst: " + error.where);
+  findings.expect_truncation({"scenes_balance", "scenes: largest error of the energy balance over the largest energy"},
+                             balance.error, 0.0, 1e-9, 3.0,
+                             "ten times the tolerance of a step, over some thousand steps; worst: " + balance.where);
   if (setup.coarse) return;
   findings.table(table);
   findings.figure({.name = "scenes",
@@ -158,20 +143,20 @@ class FenceDifferences {
     const double pull = found.summary.largest_segment()->peak / truth.summary.largest_segment()->peak - 1.0;
     position_.take(off, name), energy_.take(left, name), tension_.take(pull, name);
     verdicts_ += found.summary.verdict() == truth.summary.verdict() ? 1 : 0;
-    return {fmt::format("{:.1e}", off), fmt::format("{:+.1e}", left), fmt::format("{:+.1e}", pull)};
+    return cells("{:.1e} | {:+.1e} | {:+.1e}", off, left, pull);
   }
 
   /// `bound`: of position and energy; the largest tension occurs before the paths diverge.
   void check(Findings& findings, double bound, double tension_bound, const std::string& why) const {
     const auto within = [&](const Worst& worst, const char* of, double most) {
-      findings.in("fences")->expect(fmt::format("fences: largest difference of {} from {}", of, reference_),
-                                    worst.error, 0.0, Tolerance::model(most, why + "; worst: " + worst.where));
+      findings.expect_model({"fences", fmt::format("fences: largest difference of {} from {}", of, reference_)},
+                            worst.error, 0.0, most, why + "; worst: " + worst.where);
     };
     within(position_, "the rock's final position", bound);
     within(energy_, "the rock's final energy", bound);
     within(tension_, "the largest tension", tension_bound);
-    findings.expect(fmt::format("fences: verdicts equal to those of {}", reference_), verdicts_, 20.0,
-                    Tolerance::exact("no verdict may depend on the method"));
+    findings.expect_exact(fmt::format("fences: verdicts equal to those of {}", reference_), verdicts_, 20.0,
+                          "no verdict may depend on the method");
   }
 
  private:
@@ -181,14 +166,13 @@ class FenceDifferences {
 };
 
 void check_fences(Findings& findings, const Setup& setup) {
-  Table table{
-      .name = "fences",
-      .caption =
-          "Twenty fences with all defaults; differences from runs of tolerance $10^{-13}$: of the rock's final "
-          "position over the width of its path, of its final kinetic energy over that of its approach, and of the "
-          "largest tension.",
-      .columns = {"fence", "verdict", "remaining energy", "position", "energy", "tension", "energy balance",
-                  "evaluations"}};
+  Table table{.name = "fences",
+              .caption =
+                  "Twenty fences with all defaults; differences from runs of tolerance $10^{-13}$: of the rock's final "
+                  "position over the width of its path, of its final kinetic energy over that of its approach, and of "
+                  "the largest tension.",
+              .columns = {"fence", "verdict", "remaining energy", "position", "energy", "tension", "energy balance",
+                          "evaluations"}};
   Worst balance;
   FenceDifferences tight{"runs of tolerance 1e-13"}, fixed{"runs of velocity Verlet"};
   for (const VariedScene& varied : varied_fences()) {
@@ -206,25 +190,22 @@ void check_fences(Findings& findings, const Setup& setup) {
       static_cast<void>(fixed.take(varied.name, found, run_fence(file, findings)));
     }
     const scenes::RockPassage& rock = found.summary.rocks[0];
-    table.rows.push_back({varied.name, std::string{talus::name_of(found.summary.verdict())},
-                          fmt::format("{:.1f} %", 100.0 * rock.end_energy / rock.approach_energy), differences[0],
-                          differences[1], differences[2], fmt::format("{:.1e}", found.balance),
-                          fmt::format("{}", found.evaluations)});
+    table.rows.push_back(cells("{} | {} | {:.1f} % | {} | {} | {} | {:.1e} | {}", varied.name,
+                               std::string{talus::name_of(found.summary.verdict())},
+                               100.0 * rock.end_energy / rock.approach_energy, differences[0], differences[1],
+                               differences[2], found.balance, found.evaluations));
   }
-  findings.expect(
-      "fences: largest error of the energy balance over the largest energy", balance.error, 0.0,
-      Tolerance::truncation(1e-9, 3.0,
-                            "ten times the tolerance of a step, over some thousand steps; worst: " + balance.where));
+  findings.expect_truncation({"fences_balance", "fences: largest error of the energy balance over the largest energy"},
+                             balance.error, 0.0, 1e-9, 3.0,
+                             "ten times the tolerance of a step, over some thousand steps; worst: " + balance.where);
   if (setup.coarse) return;
-  tight.check(
-      findings, 0.01, 5e-9,
-      "1 % is noticeable to an engineer; the error of a tension is about ten times the default tolerance, 1e-10, and "
-      "five times that is allowed for the worst of twenty fences");
+  tight.check(findings, 0.01, 5e-9,
+              "1 % is noticeable to an engineer; the error of a tension is about ten times the default tolerance, "
+              "1e-10, and five times that is allowed for the worst of twenty fences");
   if (setup.tier == Tier::full) {
-    fixed.check(
-        findings, 0.02, 0.002,
-        "steps of 2 microseconds, about 1,000 in a contact, cause errors of 0.1 % of the speed in each of several "
-        "impacts, and later impacts amplify these: the rock keeps moving for half a second");
+    fixed.check(findings, 0.02, 0.002,
+                "steps of 2 microseconds, about 1,000 in a contact, cause errors of 0.1 % of the speed in each of "
+                "several impacts, and later impacts amplify these: the rock keeps moving for half a second");
   }
   findings.table(table);
 }
@@ -243,14 +224,13 @@ void check_even(Findings& findings, const Setup& setup) {
     found[i] = run_fence(file, findings);
   }
   const scenes::RockPassage &half = found[0].summary.rocks[0], &whole = found[1].summary.rocks[0];
-  findings.expect("even fence: final energy of the rock, half model over full model",
-                  half.end_energy / whole.end_energy, 1.0,
-                  Tolerance::truncation(1e-7, 3.0,
-                                        "the same motion with steps of the same tolerance, 1e-10; differences grow a "
-                                        "thousandfold in each of two impacts"));
-  findings.expect("even fence: largest tension, half model over full model",
-                  found[0].summary.largest_segment()->peak / found[1].summary.largest_segment()->peak, 1.0,
-                  Tolerance::truncation(1e-10, 1.0, "the tolerance: the peak occurs before differences grow"));
+  findings.expect_truncation({"even_fence", "even fence: final energy of the rock, half model over full model"},
+                             half.end_energy / whole.end_energy, 1.0, 1e-7, 3.0,
+                             "the same motion with steps of the same tolerance, 1e-10; differences grow a thousandfold "
+                             "in each of two impacts");
+  findings.expect_truncation("even fence: largest tension, half model over full model",
+                             found[0].summary.largest_segment()->peak / found[1].summary.largest_segment()->peak, 1.0,
+                             1e-10, 1.0, "the tolerance: the peak occurs before differences grow");
 }
 
 void run(Findings& findings, const Setup& setup) {
@@ -262,38 +242,31 @@ void run(Findings& findings, const Setup& setup) {
 }  // namespace
 
 Case definition() {
-  return {.id = "defaults",
-          .title = "Accuracy of default settings",
-          .family = "speed and accuracy",
-          .requirements = {{"integrator.stormer_cowell", {"scenes", "fences"}},
-                           {"integrator.exact", {"scenes"}},
-                           {"law.linear_spring_dashpot", {"scenes"}},
-                           {"law.hertz", {"scenes"}},
-                           {"law.latching_spring", {"scenes"}},
-                           {"law.tension_only", {"scenes"}},
-                           {"law.elastic_plastic", {"scenes", "fences"}},
-                           {"mechanism.friction",
-                            {"scenes: largest error of the energy balance over the largest energy",
-                             "fences: largest error of the energy balance over the largest energy"}}},
-          .main_checks = {"scenes: largest difference of a named result from its converged value",
-                          "scenes: largest error of the energy balance over the largest energy",
-                          "fences: largest difference of the rock's final position from runs of tolerance 1e-13",
-                          "fences: largest difference of the largest tension from runs of tolerance 1e-13",
-                          "fences: largest error of the energy balance over the largest energy",
-                          "fences: verdicts equal to those of runs of tolerance 1e-13"},
-          .source = "Krogh 1974; Kennedy & Carpenter 2003",
-          .faults = {{"loose_tolerance", "a default tolerance of 3e-2",
-                      "scenes: largest difference of a named result from its converged value"},
-                     {"outputs_far_apart", "outputs a 200th of the run apart",
-                      "scenes: largest difference of a named result from its converged value"},
-                     {"impacts_by_themselves", "dashpots of two simultaneous impacts chosen as if each were alone",
-                      "even fence: final energy of the rock, half model over full model"},
-                     {"rules_of_1993", "fences by the 1993 rules",
-                      "fences: largest error of the energy balance over the largest energy"}},
-          .seconds = 11.0,
-          .full_seconds = 26.0,
-          .time_limit = 120.0,
-          .run = run};
+  return {
+      .id = "defaults",
+      .title = "Accuracy of default settings",
+      .family = "speed and accuracy",
+      .requirements = {{"integrator.stormer_cowell", {"scenes", "fences"}},
+                       {"integrator.exact, law.linear_spring_dashpot, law.hertz, law.latching_spring, law.tension_only",
+                        {"scenes"}},
+                       {"law.elastic_plastic", {"scenes", "fences"}},
+                       {"mechanism.friction", {"scenes_balance", "fences_balance"}}},
+      .main_checks = {"scenes: largest difference of a named result from its converged value", "scenes_balance",
+                      "fences: largest difference of the rock's final position from runs of tolerance 1e-13",
+                      "fences: largest difference of the largest tension from runs of tolerance 1e-13",
+                      "fences_balance", "fences: verdicts equal to those of runs of tolerance 1e-13"},
+      .source = "Krogh 1974; Kennedy & Carpenter 2003",
+      .faults = {{"loose_tolerance", "a default tolerance of 3e-2",
+                  "scenes: largest difference of a named result from its converged value"},
+                 {"outputs_far_apart", "outputs a 200th of the run apart",
+                  "scenes: largest difference of a named result from its converged value"},
+                 {"impacts_by_themselves", "dashpots of two simultaneous impacts chosen as if each were alone",
+                  "even_fence"},
+                 {"rules_of_1993", "fences by the 1993 rules", "fences_balance"}},
+      .seconds = 11.0,
+      .full_seconds = 26.0,
+      .time_limit = 120.0,
+      .run = run};
 }
 
 }  // namespace talus::verification::problems::defaults

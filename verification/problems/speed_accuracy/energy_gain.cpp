@@ -1,18 +1,7 @@
-#include <fmt/format.h>
-
-#include <algorithm>
-#include <cmath>
 #include <cstdint>
-#include <numbers>
-#include <string>
-#include <string_view>
-#include <vector>
 
-#include "solver/model/model_builder.hpp"
-#include "verification/check/case.hpp"
 #include "verification/reference/integration/leapfrog_bounce.hpp"
-#include "verification/study/findings/expectations.hpp"
-#include "verification/study/runs/scene_run.hpp"
+#include "verification/study/toolkit.hpp"
 
 namespace talus::verification::problems::energy_gain {
 namespace {
@@ -47,7 +36,7 @@ constexpr double half_box = 11.0, speed = 4e-3;  // radius 1, mass 1, w = 1
 
 /// Springs of k = 1/2 between discs, whose effective mass is 1/2, and of 1 against walls: w = 1 everywhere.
 Scene gas(std::uint64_t seed) {
-  ModelBuilder builder;
+  SceneBuilder builder;
   Draw draw{seed};
   std::vector<BodyId> discs, walls;
   for (int i = 0; i < gas_discs; ++i) {
@@ -70,12 +59,11 @@ Scene gas(std::uint64_t seed) {
   const LinearSpringDashpot soft{0.5, 0.0, EndRule::clamped}, hard{1.0, 0.0, EndRule::clamped};
   for (std::size_t i = 0; i < discs.size(); ++i) {
     for (std::size_t j = i + 1; j < discs.size(); ++j)
-      builder.add(Contact{.name = fmt::format("pair{}_{}", i, j), .a = discs[i], .b = discs[j], .law = soft});
+      builder.add_contact(fmt::format("pair{}_{}", i, j), discs[i], discs[j], soft);
     for (std::size_t j = 0; j < walls.size(); ++j)
-      builder.add(Contact{.name = fmt::format("wall{}_{}", i, j), .a = discs[i], .b = walls[j], .law = hard});
+      builder.add_contact(fmt::format("wall{}_{}", i, j), discs[i], walls[j], hard);
   }
-  Scene scene{.title = "Gas in a box", .model = builder.build()};
-  scene.initial = rest_state(scene.model);
+  Scene scene = builder.at_rest("Gas in a box");
   for (const BodyId disc : discs) {
     const double angle = 2.0 * std::numbers::pi * draw(), size = speed * std::sqrt(-2.0 * std::log(draw()));
     set_velocity(scene.model, scene.initial, disc, {size * std::cos(angle), size * std::sin(angle)}, 0.0);
@@ -114,15 +102,13 @@ GasRun run_gas(double eta, std::uint64_t seed, long collisions, const Setup& set
 constexpr double frequency = 100.0, entry = 1.0;
 
 Scene struck_plane(const Setup& setup) {
-  ModelBuilder builder{si};
+  SceneBuilder builder{si};
   const double k = frequency * frequency * (setup.has("stiffness_off") ? 1.0 + 1e-6 : 1.0);
   const double c = setup.has("slight_dashpot") ? 2e-4 * frequency : 0.0;
   const BodyId disc = builder.add({.name = "disc", .mobility = Mobility::particle, .mass = 1.0, .shape = Circle{1.0}});
   const BodyId plane = builder.add({.name = "plane", .mobility = Mobility::fixed, .shape = HalfPlane{}});
-  builder.add(Contact{.name = "contact", .a = disc, .b = plane, .law = LinearSpringDashpot{k, c, EndRule::clamped}});
-  Scene scene{.title = "Disc against a plane", .model = builder.build()};
-  scene.initial = rest_state(scene.model);
-  return scene;
+  builder.add_contact("contact", disc, plane, LinearSpringDashpot{k, c, EndRule::clamped});
+  return builder.at_rest("Disc against a plane");
 }
 
 /// A disc that hits a plane, for repeated runs with different methods, steps and phases.
@@ -173,12 +159,11 @@ void check_bounces(const Striking& striking, Findings& findings, const Setup& se
       above = std::max(above, high - limit);
       if (drawn && (n == 2 || n == 32)) {
         const bool fine = n == 2;
-        findings.in("gain_of_speed")
-            ->expect_between(fmt::format("largest gain of speed at w h = {:g}", eta), high - 1.0, fine ? 0.0005 : 0.5,
-                             fine ? 0.002 : 2.0 / 3.0,
-                             fine ? "the bound is 0.00125; 0.2 % is accepted for a fine step, and less than 0.05 % "
-                                    "would mean that nothing was hit"
-                                  : "a gain of at least one half, up to the bound 1/sqrt(1 - 0.64)");
+        findings.expect_between({"gain_of_speed", fmt::format("largest gain of speed at w h = {:g}", eta)}, high - 1.0,
+                                fine ? 0.0005 : 0.5, fine ? 0.002 : 2.0 / 3.0,
+                                fine ? "the bound is 0.00125; 0.2 % is accepted for a fine step, and less than 0.05 % "
+                                       "would mean that nothing was hit"
+                                     : "a gain of at least one half, up to the bound 1/sqrt(1 - 0.64)");
       }
       if (!drawn) continue;
       const reference::LeapfrogGain gain = reference::leapfrog_gain(eta, 500);
@@ -193,26 +178,23 @@ void check_bounces(const Striking& striking, Findings& findings, const Setup& se
     }
     findings.count(39 * 64 * 12);
     const auto claim = findings.in(fmt::format("integrator.{}", method));
-    findings.in("exit_speeds")
-        ->expect(fmt::format("exit speeds by {}, 39 steps of 64 phases, largest error", method), worst, 0.0,
-                 Tolerance::round_off(5e-13,
-                                      "an overlap, computed as a number near 1 minus 1, is off by 1.1e-16 and changes "
-                                      "the velocity by w^2 h times that: 2e-14 of v0 at w h = 1.95, in a step or two, "
-                                      "and sqrt(63) times 6e-16 at 0.05; where e varies fast with the phase, ten times "
-                                      "that"));
-    findings.in("exit_speed_bound")
-        ->expect_true(fmt::format("exit speeds by {}: none above the bound", method), above <= 1e-11,
-                      "1/sqrt(1 - eta^2/4), derived on the page");
+    findings.expect_round_off(
+        {"exit_speeds", fmt::format("exit speeds by {}, 39 steps of 64 phases, largest error", method)}, worst, 0.0,
+        5e-13,
+        "an overlap, computed as a number near 1 minus 1, is off by 1.1e-16 and changes the velocity by w^2 h times "
+        "that: 2e-14 of v0 at w h = 1.95, in a step or two, and sqrt(63) times 6e-16 at 0.05; where e varies fast with "
+        "the phase, ten times that");
+    findings.expect_true({"exit_speed_bound", fmt::format("exit speeds by {}: none above the bound", method)},
+                         above <= 1e-11, "1/sqrt(1 - eta^2/4), derived on the page");
   }
   if (setup.coarse) return;
   exact_most.label = "exact maximum";
   exact_least.label = "exact minimum";
   findings.figure({.name = "gain",
                    .title = "Exit over entry speed of one bounce",
-                   .caption =
-                       "Velocity Verlet, 64 phases of the touch, against $\\omega h$; the whole range is stable. Where "
-                       "a contact lasts a whole number of steps (1, and 1.41 for two) the exit speed equals the entry "
-                       "speed at all phases. Lines: closed form; above them the bound.",
+                   .caption = "Velocity Verlet, 64 phases of the touch, against $\\omega h$; the whole range is "
+                              "stable. Where a contact lasts a whole number of steps (1, and 1.41 for two) the exit "
+                              "speed equals the entry speed at all phases. Lines: closed form; above them the bound.",
                    .x = {.label = "w h", .min = 0.0, .max = 2.0},
                    .y = {.label = "exit over entry speed", .min = 0.0, .max = 3.0},
                    .series = {least, mean, most, exact_least, exact_most, bound}});
@@ -234,20 +216,18 @@ void check_heating(const Striking& striking, Findings& findings, const Setup& se
     findings.count(phases * 20);
     const double off = (inverse - 1.0) * 8.0 * phases * phases / (eta * eta);
     keep_worst(worst, off);
-    findings.in("integrator.velocity_verlet")
-        ->expect(fmt::format("mean of ln e at w h = {:g} over eta^4 delta^2 (1 - delta)^2/12", eta),
-                 mean_ln / reference::small_step_heating(eta), 1.0,
-                 Tolerance::model(0.5 * eta * eta,
-                                  "the next order, eta^2, with half its size; 64 phases would not suffice: the terms "
-                                  "are a hundred times their mean"));
+    findings.expect_model({"integrator.velocity_verlet",
+                           fmt::format("mean of ln e at w h = {:g} over eta^4 delta^2 (1 - delta)^2/12", eta)},
+                          mean_ln / reference::small_step_heating(eta), 1.0, 0.5 * eta * eta,
+                          "the next order, eta^2, with half its size; 64 phases would not suffice: the terms are a "
+                          "hundred times their mean");
     points.add(eta, mean_ln);
   }
-  findings.in("integrator.velocity_verlet")
-      ->expect("mean of e^-2 minus one, over eta^2/(8 n^2), largest of four steps", worst, 0.0,
-               Tolerance::truncation(1.0, 3.0,
-                                     "a midpoint mean over n = 2048 phases misses, at each phase where the slope of "
-                                     "e^-2 jumps by 2 eta^2, up to an eighth of the jump over n^2; there are two such "
-                                     "phases"));
+  findings.expect_truncation(
+      {"integrator.velocity_verlet", "mean of e^-2 minus one, over eta^2/(8 n^2), largest of four steps"}, worst, 0.0,
+      1.0, 3.0,
+      "a midpoint mean over n = 2048 phases misses, at each phase where the slope of e^-2 jumps by 2 eta^2, up to an "
+      "eighth of the jump over n^2; there are two such phases");
   Series exact{"exact", {}, {}, Style::lines};
   for (double eta = 0.05; eta < 1.95; eta *= 1.015) {
     const double value = reference::leapfrog_gain(eta, 1000).mean_ln;
@@ -283,12 +263,10 @@ void check_gas(Findings& findings, const Setup& setup, Figure& figure) {
     const auto group = findings.in("gases"), claim = findings.in("integrator.velocity_verlet");
     const std::string name = fmt::format("gas at w h = {:g}, N times ln heating per collision", gas.eta);
     if (gas.eta == 1.0) {
-      findings.expect(
-          name, n * measured, 0.0,
-          Tolerance::model(5e-4,
-                           "every bounce is exact; contacts that are not head-on rotate by v/(r w) = 0.004 of their "
-                           "length, and discs spend 0.4 % of the time in a contact, during which a third disc may "
-                           "arrive"));
+      findings.expect_model(
+          name, n * measured, 0.0, 5e-4,
+          "every bounce is exact; contacts that are not head-on rotate by v/(r w) = 0.004 of their length, and discs "
+          "spend 0.4 % of the time in a contact, during which a third disc may arrive");
       continue;
     }
     // Fraction B of the energy in a collision, of mean 1/(N + 1/2) and mean square 2/((N + 1/2)(N + 3/2)): that of the
@@ -297,11 +275,11 @@ void check_gas(Findings& findings, const Setup& setup, Figure& figure) {
     const double square = 2.0 / ((n + 0.5) * (n + 1.5));
     const double expected = n * (gain.mean_square / (n + 0.5) - 0.5 * square * gain.variance);
     const double error = n * std::sqrt(square * gain.variance / static_cast<double>(collisions));
-    findings.expect(
-        name, n * measured, expected,
-        Tolerance::model(3.0 * error, fmt::format("three standard errors of the mean of {} collisions, each with a "
-                                                  "separate phase and fraction of the energy",
-                                                  collisions)));
+    findings.expect_model(
+        name, n * measured, expected, 3.0 * error,
+        fmt::format(
+            "three standard errors of the mean of {} collisions, each with a separate phase and fraction of the energy",
+            collisions));
     if (!setup.has("gas_by_rk4") && n * measured > 3.0 * error) {
       points.add(gas.eta, 0.25 * n * measured);
       points.y_low.push_back(0.25 * (n * measured - error));

@@ -1,15 +1,11 @@
 #include "verification/problems/speed_accuracy/exact_motions.hpp"
 
-#include <algorithm>
-#include <cmath>
-
-#include "solver/model/model_builder.hpp"
 #include "solver/scenes/bouncing_disc.hpp"
 #include "solver/scenes/pendulum.hpp"
 #include "verification/reference/cables/two_cable.hpp"
 #include "verification/reference/impacts/damped_bounce.hpp"
-#include "verification/study/runs/scene_run.hpp"
 #include "verification/study/runs/swing.hpp"
+#include "verification/study/toolkit.hpp"
 
 namespace talus::verification::problems {
 namespace {
@@ -38,17 +34,13 @@ ExactMotion pendulum_from(const char* name, double amplitude, double duration) {
 }
 
 Scene particle_on_cables() {
-  ModelBuilder builder{si};
-  const BodyId particle = builder.add(Body{.name = "particle", .mobility = Mobility::particle, .mass = 1.0});
+  SceneBuilder builder{si};
+  const BodyId particle = builder.add_particle("particle", 1.0);
   for (const double side : {10.0, -10.0}) {
-    builder.add(Cable{.name = side > 0.0 ? "upper" : "lower",
-                      .a = {particle, {}},
-                      .b = {std::nullopt, {0.0, side, 0.0}},
-                      .rest_length = 10.0,
-                      .law = TensionOnly{4.0, 0.0}});
+    builder.add_cable(side > 0.0 ? "upper" : "lower", {particle, {}}, {std::nullopt, {0.0, side, 0.0}}, 10.0,
+                      TensionOnly{4.0, 0.0});
   }
-  Scene scene{.title = "Particle on two cables", .model = builder.build()};
-  scene.initial = rest_state(scene.model);
+  Scene scene = builder.at_rest("Particle on two cables");
   set_velocity(scene.model, scene.initial, particle, {2.0, 0.0}, 0.0);
   return scene;
 }
@@ -98,10 +90,10 @@ WorkPoint run_motion(const ExactMotion& motion, Integrator integrator, long step
   const Watcher compare = [&](const State& seen, const StepInfo& info) {
     if (info.step == 0 || info.step % steps != 0) return;
     const PlaceAndVelocity& exact = motion.exact[static_cast<std::size_t>(info.step / steps)];
-    place = std::max(place, std::abs(seen.q[motion.coordinate] - exact.place));
-    velocity = std::max(velocity, std::abs(seen.v[motion.coordinate] - exact.velocity));
-    largest_place = std::max(largest_place, std::abs(exact.place));
-    largest_velocity = std::max(largest_velocity, std::abs(exact.velocity));
+    keep_largest(place, seen.q[motion.coordinate] - exact.place);
+    keep_largest(velocity, seen.v[motion.coordinate] - exact.velocity);
+    keep_largest(largest_place, exact.place);
+    keep_largest(largest_velocity, exact.velocity);
   };
   const double interval = motion.duration / compared_times;
   const RunPlan plan{interval / static_cast<double>(steps), motion.duration, interval, false};

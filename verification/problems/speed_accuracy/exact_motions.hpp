@@ -1,11 +1,7 @@
 #pragma once
 
-#include <vector>
-
-#include "solver/integrate/integrator_list.hpp"
-#include "solver/scenes/scene.hpp"
-#include "verification/check/findings.hpp"
 #include "verification/problems/speed_accuracy/work_points.hpp"
+#include "verification/study/toolkit.hpp"
 
 /// Scenes whose motion is known in closed form, segment by segment, and the error of a method on them.
 namespace talus::verification::problems {

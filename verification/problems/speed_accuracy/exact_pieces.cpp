@@ -1,21 +1,10 @@
-#include <fmt/format.h>
-
-#include <algorithm>
-#include <array>
-#include <cmath>
-#include <limits>
-#include <vector>
-
 #include "solver/dynamics/closed_form.hpp"
-#include "solver/model/model_builder.hpp"
 #include "solver/scenes/bouncing_disc.hpp"
-#include "verification/check/case.hpp"
 #include "verification/reference/impacts/damped_bounce.hpp"
 #include "verification/reference/impacts/latching_impact.hpp"
 #include "verification/reference/impacts/restitution.hpp"
 #include "verification/reference/many_bodies/struck_row.hpp"
-#include "verification/study/findings/expectations.hpp"
-#include "verification/study/runs/scene_run.hpp"
+#include "verification/study/toolkit.hpp"
 
 namespace talus::verification::problems::exact_pieces {
 namespace {
@@ -69,8 +58,8 @@ void check_bounce(Findings& findings, const Setup& setup, Table& table) {
     gap.add(seen.t, seen.q[1] - 1.0);
     if (info.step == 0) return;
     const auto& exact_state = truth[static_cast<std::size_t>(info.step - 1)];
-    place = std::max(place, std::abs(seen.q[1] - 1.0 - exact_state.gap));
-    speed = std::max(speed, std::abs(seen.v[1] + exact_state.velocity));
+    keep_largest(place, seen.q[1] - 1.0 - exact_state.gap);
+    keep_largest(speed, seen.v[1] + exact_state.velocity);
   };
   const Ran found = ran(scene, exact(setup), end, outputs, findings, compare);
   const auto contacts = reference::bounces(drop, 100);
@@ -80,30 +69,31 @@ void check_bounce(Findings& findings, const Setup& setup, Table& table) {
       "segments of the reference: {} contacts, the last of which does not end; one flight, and for each other contact "
       "its loading and unloading, the exit during which the clamped law exerts no force, and a flight",
       contacts.size());
-  findings.expect("damped bounce to rest: force evaluations", static_cast<double>(found.evaluations), pieces,
-                  Tolerance::exact(words));
-  findings.expect_between("damped bounce to rest: force evaluations over the permitted 60",
-                          static_cast<double>(found.evaluations) / 60.0, 0.02, 1.0,
-                          "60 was set in advance; a result below a fiftieth would mean that evaluations are missing "
-                          "from the count");
+  findings.expect_exact({"rest_evaluations", "damped bounce to rest: force evaluations"},
+                        static_cast<double>(found.evaluations), pieces, words);
+  findings.expect_between(
+      {"rest/permitted", "damped bounce to rest: force evaluations over the permitted 60"},
+      static_cast<double>(found.evaluations) / 60.0, 0.02, 1.0,
+      "60 was set in advance; a result below a fiftieth would mean that evaluations are missing from the count");
   // Overlap at rest g/w^2 = 1e-3, largest overlap 0.036; positions are stored at about 1 from the origin.
   const double rounding = epsilon / (contacts.front().largest_depth);
-  findings.expect("damped bounce to rest: position, largest error over the drop height", place / drop.gap, 0.0,
-                  Tolerance::round_off(4.0 * rounding,
-                                       "eight positions at events, each rounded by half an epsilon of 1, relative to "
-                                       "the overlap of 0.036 that determines the impact"));
-  findings.expect("damped bounce to rest: velocity, largest error over the speed of the first impact",
-                  speed / contacts.front().start_speed, 0.0,
-                  Tolerance::round_off(8.0 * rounding,
-                                       "as for the position; if an output falls within a contact, a time error of "
-                                       "1e-16 changes the velocity by w times as much"));
+  findings.expect_round_off({"rest_position", "damped bounce to rest: position, largest error over the drop height"},
+                            place / drop.gap, 0.0, 4.0 * rounding,
+                            "eight positions at events, each rounded by half an epsilon of 1, relative to the overlap "
+                            "of 0.036 that determines the impact");
+  findings.expect_round_off(
+      {"rest/velocity", "damped bounce to rest: velocity, largest error over the speed of the first impact"},
+      speed / contacts.front().start_speed, 0.0, 8.0 * rounding,
+      "as for the position; if an output falls within a contact, a time error of 1e-16 changes the velocity by w times "
+      "as much");
   table.rows.push_back(
       {"damped bounce", fmt::format("{:.0f}", pieces), fmt::format("{}", found.evaluations),
        fmt::format("{:.1e}", place / drop.gap),
        fmt::format("{}", ran(scene, make_integrator("stormer_cowell", 1e-9), end, 1, findings).evaluations)});
   const Ran at_once = ran(scene, exact(setup), end, 1, findings);
-  findings.expect("damped bounce to rest: force evaluations with one output", static_cast<double>(at_once.evaluations),
-                  pieces, Tolerance::exact("outputs are evaluated from the segments and cost no evaluation"));
+  findings.expect_exact({"rest/one_output", "damped bounce to rest: force evaluations with one output"},
+                        static_cast<double>(at_once.evaluations), pieces,
+                        "outputs are evaluated from the segments and cost no evaluation");
   if (setup.coarse) return;
   Figure figure{.name = "bounce",
                 .title = "Damped bounce to rest with one force evaluation per segment",
@@ -132,7 +122,7 @@ void check_impacts(Findings& findings, const Setup& setup, Table& table) {
       const Scene scene =
           scenes::bouncing_disc({.gap = 0.1, .speed = 1.0, .contact = LinearSpringDashpot{1e4, damping, rule_of(end)}});
       const Ran found = ran(scene, exact(setup), 1.0, 1, findings);
-      worst = std::max(worst, std::abs(found.state.v[1] - e));
+      keep_largest(worst, found.state.v[1] - e);
       evaluations += found.evaluations, ++runs;
       // Flight, push, flight; under the clamped rule the force ends before the disc has left, which adds a segment.
       pieces += end == reference::EndRule::clamped && xi > 0.0 ? 4 : 3;
@@ -141,20 +131,19 @@ void check_impacts(Findings& findings, const Setup& setup, Table& table) {
       double lost = 0.0;
       for (const double work : kept.state.work)
         lost += work;
-      worst_lost = std::max(worst_lost, std::abs(lost - 0.5 * (1.0 - e * e)));
+      keep_largest(worst_lost, lost - 0.5 * (1.0 - e * e));
     }
   }
-  findings.expect("impacts: force evaluations in total", static_cast<double>(evaluations), static_cast<double>(pieces),
-                  Tolerance::exact("one per segment"));
+  findings.expect_exact("impacts: force evaluations in total", static_cast<double>(evaluations),
+                        static_cast<double>(pieces), "one per segment");
   const double rounding = epsilon / (0.01 * std::exp(-1.0));
-  findings.expect("impacts: exit speed, largest error over the entry speed", worst, 0.0,
-                  Tolerance::round_off(rounding,
-                                       "positions about 1 from the origin are rounded by up to epsilon in total, "
-                                       "relative to the overlap v/w = 0.01, which damping reduces by e^-1"));
-  findings.expect("impacts: work of the dashpots, largest error over twice the energy", worst_lost, 0.0,
-                  Tolerance::round_off(2.0 * rounding, "the energy is quadratic in the speed"));
-  table.rows.push_back({fmt::format("{} impacts", runs), fmt::format("{}", pieces), fmt::format("{}", evaluations),
-                        fmt::format("{:.1e}", worst), fmt::format("{}", stormer)});
+  findings.expect_round_off({"exit_speed", "impacts: exit speed, largest error over the entry speed"}, worst, 0.0,
+                            rounding,
+                            "positions about 1 from the origin are rounded by up to epsilon in total, relative to the "
+                            "overlap v/w = 0.01, which damping reduces by e^-1");
+  findings.expect_round_off({"dashpot_work", "impacts: work of the dashpots, largest error over twice the energy"},
+                            worst_lost, 0.0, 2.0 * rounding, "the energy is quadratic in the speed");
+  table.rows.push_back(cells("{} impacts | {} | {} | {:.1e} | {}", runs, pieces, evaluations, worst, stormer));
 }
 
 void check_latching(Findings& findings, const Setup& setup, Table& table) {
@@ -170,24 +159,24 @@ void check_latching(Findings& findings, const Setup& setup, Table& table) {
     const Scene scene = scenes::bouncing_disc({.radius = 4.0, .gap = 0.25, .speed = 1.0, .contact = law});
     const double end = 0.25 + truth.contact_time + 1.0;
     const Ran found = ran(scene, exact(setup), end, 1, findings);
-    worst = std::max(worst, std::abs(found.state.v[1] - truth.restitution));
+    keep_largest(worst, found.state.v[1] - truth.restitution);
     // The force ends at the residual overlap, after which the disc flies for a time of 1.
-    worst_time = std::max(worst_time, std::abs(found.state.q[1] - 4.0 + truth.residual_depth - truth.restitution));
+    keep_largest(worst_time, found.state.q[1] - 4.0 + truth.residual_depth - truth.restitution);
     evaluations += found.evaluations, ++runs;
     stormer += ran(scene, make_integrator("stormer_cowell", 1e-9), end, 1, findings).evaluations;
   }
   const std::string words =
       "positions up to 4 from the origin are rounded by up to 4 epsilon, three times until the end";
-  findings.expect("latching springs: exit speed, largest error", worst, 0.0,
-                  Tolerance::round_off(12.0 * epsilon, words));
-  findings.expect("latching springs: position a time of 1 after the end, largest error", worst_time, 0.0,
-                  Tolerance::round_off(12.0 * epsilon, words));
-  table.rows.push_back({fmt::format("{} latching springs", runs), "-", fmt::format("{}", evaluations),
-                        fmt::format("{:.1e}", worst), fmt::format("{}", stormer)});
+  findings.expect_round_off({"latching_exit", "latching springs: exit speed, largest error"}, worst, 0.0,
+                            12.0 * epsilon, words);
+  findings.expect_round_off(
+      {"latching_position", "latching springs: position a time of 1 after the end, largest error"}, worst_time, 0.0,
+      12.0 * epsilon, words);
+  table.rows.push_back(cells("{} latching springs | - | {} | {:.1e} | {}", runs, evaluations, worst, stormer));
 }
 
 Scene row_scene(const reference::StruckRow& row) {
-  ModelBuilder builder;
+  SceneBuilder builder;
   std::array<BodyId, 3> discs{};
   for (int i = 0; i < 3; ++i)
     discs[static_cast<std::size_t>(i)] = builder.add(Body{.name = fmt::format("disc{}", i + 1),
@@ -196,10 +185,9 @@ Scene row_scene(const reference::StruckRow& row) {
                                                           .shape = Circle{4.0},
                                                           .p_WB = {8.0 * (i - 1) + (i == 2 ? row.gap : 0.0), 0.0}});
   const LinearSpringDashpot law{row.stiffness, 0.0, EndRule::clamped};
-  builder.add(Contact{.name = "first", .a = discs[0], .b = discs[1], .law = law});
-  builder.add(Contact{.name = "second", .a = discs[1], .b = discs[2], .law = law});
-  Scene scene{.title = "Three discs on a line", .model = builder.build()};
-  scene.initial = rest_state(scene.model);
+  builder.add_contact("first", discs[0], discs[1], law);
+  builder.add_contact("second", discs[1], discs[2], law);
+  Scene scene = builder.at_rest("Three discs on a line");
   set_velocity(scene.model, scene.initial, discs[0], {row.speed, 0.0}, 0.0);
   return scene;
 }
@@ -212,19 +200,17 @@ void check_rows(Findings& findings, const Setup& setup, Table& table) {
     const auto truth = reference::rebound(row);
     const Ran found = ran(row_scene(row), exact(setup), truth.end_time + 1.0, 1, findings);
     for (std::size_t i = 0; i < 3; ++i)
-      worst = std::max(worst, std::abs(found.state.v[i] - truth.velocity[i]));
+      keep_largest(worst, found.state.v[i] - truth.velocity[i]);
     evaluations += found.evaluations;
     pieces += static_cast<double>(truth.changes.size());
     stormer +=
         ran(row_scene(row), make_integrator("stormer_cowell", 1e-9), truth.end_time + 1.0, 1, findings).evaluations;
   }
-  findings.expect(
-      "three discs on a line: velocities, largest error", worst, 0.0,
-      Tolerance::round_off(24.0 * epsilon,
-                           "positions 8 from the origin are rounded by half of 8 epsilon, for two discs in each of "
-                           "three changes of contact"));
-  table.rows.push_back({"4 rows of three discs", fmt::format("{:.0f}", pieces), fmt::format("{}", evaluations),
-                        fmt::format("{:.1e}", worst), fmt::format("{}", stormer)});
+  findings.expect_round_off({"three_discs", "three discs on a line: velocities, largest error"}, worst, 0.0,
+                            24.0 * epsilon,
+                            "positions 8 from the origin are rounded by half of 8 epsilon, for two discs in each of "
+                            "three changes of contact");
+  table.rows.push_back(cells("4 rows of three discs | {:.0f} | {} | {:.1e} | {}", pieces, evaluations, worst, stormer));
 }
 
 /// A touching pair, and the deviation of its overlap from a linear function of its coordinates: the largest second
@@ -234,7 +220,7 @@ struct Pair {
   double bend{};
 };
 Pair touching(const Body& a, const Body& b) {
-  ModelBuilder builder{si};
+  SceneBuilder builder{si};
   std::array<Body, 2> bodies{a, b};
   const char* name = "a";
   for (Body& body : bodies) {
@@ -243,7 +229,7 @@ Pair touching(const Body& a, const Body& b) {
     if (body.mobility == Mobility::free) body.inertia = 1.0;
   }
   const BodyId first = builder.add(bodies[0]), second = builder.add(bodies[1]);
-  builder.add(Contact{.name = "touch", .a = first, .b = second, .law = LinearSpringDashpot{1e4, 10.0}});
+  builder.add_contact("touch", first, second, LinearSpringDashpot{1e4, 10.0});
   Pair pair{.model = builder.build()};
   Probe probe{pair.model};
   const State at = rest_state(pair.model);
@@ -296,15 +282,13 @@ void check_linear_overlaps(Findings& findings) {
     }
   }
   const auto pairs = findings.in("linear_overlaps");
-  findings.expect("pairs classified as linear whose overlap is nonlinear", wrong, 0.0,
-                  Tolerance::exact("second differences over 1e-3 are 5e-7 for nonlinear overlaps and 1e-15 for linear "
-                                   "ones"));
-  findings.expect("pairs of discs and planes with linear overlap, not classified as linear", left_out, 0.0,
-                  Tolerance::exact("as for the previous check"));
-  findings.expect(
-      "pairs classified as linear", accepted, 26.0,
-      Tolerance::exact("in either order: on a plane 4 kinds of discs and 3 of squares; for two discs on a line along "
-                       "which both slide or one is fixed, 3 each; none for a disc on a square"));
+  findings.expect_exact("pairs classified as linear whose overlap is nonlinear", wrong, 0.0,
+                        "second differences over 1e-3 are 5e-7 for nonlinear overlaps and 1e-15 for linear ones");
+  findings.expect_exact("pairs of discs and planes with linear overlap, not classified as linear", left_out, 0.0,
+                        "as for the previous check");
+  findings.expect_exact("pairs classified as linear", accepted, 26.0,
+                        "in either order: on a plane 4 kinds of discs and 3 of squares; for two discs on a line along "
+                        "which both slide or one is fixed, 3 each; none for a disc on a square");
 }
 
 void run(Findings& findings, const Setup& setup) {
@@ -324,38 +308,22 @@ void run(Findings& findings, const Setup& setup) {
 }  // namespace
 
 Case definition() {
-  return {.id = "exact_pieces",
-          .title = "Exact solution between events",
-          .family = "speed and accuracy",
-          .requirements = {{"integrator.exact",
-                            {"damped bounce to rest: force evaluations",
-                             "damped bounce to rest: force evaluations over the permitted 60",
-                             "damped bounce to rest: position, largest error over the drop height",
-                             "damped bounce to rest: velocity, largest error over the speed of the first impact",
-                             "damped bounce to rest: force evaluations with one output",
-                             "impacts: force evaluations in total",
-                             "impacts: exit speed, largest error over the entry speed",
-                             "impacts: work of the dashpots, largest error over twice the energy",
-                             "latching springs: exit speed, largest error",
-                             "latching springs: position a time of 1 after the end, largest error",
-                             "three discs on a line: velocities, largest error", "linear_overlaps"}}},
-          .main_checks = {"damped bounce to rest: force evaluations",
-                          "damped bounce to rest: position, largest error over the drop height",
-                          "impacts: exit speed, largest error over the entry speed",
-                          "latching springs: exit speed, largest error",
-                          "three discs on a line: velocities, largest error"},
-          .source = "Alefeld et al. 1995; Abramowitz & Stegun 1964",
-          .faults = {{"odeint_for_exact", "Fehlberg 7(8) with step control instead of the propagator",
-                      "three discs on a line: velocities, largest error"},
-                     {"stiffness_by_1e-9", "a stiffness with a relative error of 1e-9",
-                      "damped bounce to rest: position, largest error over the drop height"},
-                     {"other_end_rule", "a contact that is attractive before it ends",
-                      "damped bounce to rest: force evaluations"},
-                     {"dashpot_by_1e-9", "a dashpot with a relative error of 1e-9",
-                      "impacts: exit speed, largest error over the entry speed"},
-                     {"growth_lost", "a latching spring that does not stiffen with the largest force",
-                      "latching springs: exit speed, largest error"}},
-          .run = run};
+  return {
+      .id = "exact_pieces",
+      .title = "Exact solution between events",
+      .family = "speed and accuracy",
+      .requirements = {{"integrator.exact",
+                        {"rest_evaluations", "rest/permitted", "rest_position", "rest/velocity", "rest/one_output",
+                         "impacts: force evaluations in total", "exit_speed", "dashpot_work", "latching_exit",
+                         "latching_position", "three_discs", "linear_overlaps"}}},
+      .main_checks = {"rest_evaluations", "rest_position", "exit_speed", "latching_exit", "three_discs"},
+      .source = "Alefeld et al. 1995; Abramowitz & Stegun 1964",
+      .faults = {{"odeint_for_exact", "Fehlberg 7(8) with step control instead of the propagator", "three_discs"},
+                 {"stiffness_by_1e-9", "a stiffness with a relative error of 1e-9", "rest_position"},
+                 {"other_end_rule", "a contact that is attractive before it ends", "rest_evaluations"},
+                 {"dashpot_by_1e-9", "a dashpot with a relative error of 1e-9", "exit_speed"},
+                 {"growth_lost", "a latching spring that does not stiffen with the largest force", "latching_exit"}},
+      .run = run};
 }
 
 }  // namespace talus::verification::problems::exact_pieces

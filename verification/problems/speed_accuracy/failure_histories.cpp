@@ -1,16 +1,8 @@
-#include <fmt/format.h>
-
-#include <algorithm>
-#include <cmath>
-#include <numbers>
-#include <vector>
-
-#include "solver/model/model_builder.hpp"
 #include "verification/problems/speed_accuracy/failure_rows.hpp"
 #include "verification/study/impacts/pressed_disc.hpp"
-#include "verification/study/runs/scene_run.hpp"
 #include "verification/study/scenes/sliding_scenes.hpp"
 #include "verification/study/scenes/turned_pair.hpp"
+#include "verification/study/toolkit.hpp"
 
 namespace talus::verification::problems {
 namespace {
@@ -49,39 +41,31 @@ double check_swinging_block(const Slope& slope, double step, long steps, Finding
   };
   const RunEnd run = run_steps(pushed, VelocityVerlet{}, step, steps, findings, watch);
   const double eta = w * step, swings = eta * static_cast<double>(steps) / (2.0 * std::numbers::pi);
-  findings.expect(
+  findings.expect_truncation(
       "creep: largest displacement of the held block, spring force oscillating up to 0.9 of the limit, over the "
       "amplitude",
-      farthest, 1.0 / std::sqrt(1.0 - 0.25 * eta * eta),
-      Tolerance::truncation(
-          eta * eta / (8.0 * swings * swings), 3.0,
-          "Verlet conserves v^2 + w^2 x^2 (1 - (w h)^2/4); the turning points of n oscillations are spread over a "
-          "step, so that one is sampled within 1/n of half a step"));
-  findings.expect("creep: work of the slider during this oscillation",
-                  run.state.work[static_cast<std::size_t>(Mechanism::friction)], 0.0,
-                  Tolerance::exact("below its limit the slider does not move"), "J");
+      farthest, 1.0 / std::sqrt(1.0 - 0.25 * eta * eta), eta * eta / (8.0 * swings * swings), 3.0,
+      "Verlet conserves v^2 + w^2 x^2 (1 - (w h)^2/4); the turning points of n oscillations are spread over a step, so "
+      "that one is sampled within 1/n of half a step");
+  findings.expect_exact("creep: work of the slider during this oscillation",
+                        run.state.work[static_cast<std::size_t>(Mechanism::friction)], 0.0,
+                        "below its limit the slider does not move", "J");
   return farthest;
 }
 
 /// Accelerations of a disc held by eight fixed discs around it, with the contacts in one order or the reverse.
 std::vector<double> accelerations(bool backwards) {
-  ModelBuilder builder;
-  const BodyId disc = builder.add(Body{.name = "disc", .mass = 1.0, .inertia = 1.0, .shape = Circle{1.0}});
+  SceneBuilder builder;
+  const BodyId disc = builder.add_free("disc", 1.0, 1.0, Circle{1.0});
   std::vector<BodyId> around;
   for (int i = 0; i < 8; ++i) {
     const double angle = 0.1 + 0.7 * i;
-    around.push_back(
-        builder.add(Body{.name = fmt::format("post{}", i),
-                         .mobility = Mobility::fixed,
-                         .shape = Circle{1.0},
-                         .p_WB = {(1.9 - 0.01 * i) * std::cos(angle), (1.9 - 0.01 * i) * std::sin(angle)}}));
+    around.push_back(builder.add_fixed(fmt::format("post{}", i), Circle{1.0},
+                                       {(1.9 - 0.01 * i) * std::cos(angle), (1.9 - 0.01 * i) * std::sin(angle)}));
   }
   if (backwards) std::reverse(around.begin(), around.end());
   for (std::size_t i = 0; i < around.size(); ++i)
-    builder.add(Contact{.name = fmt::format("contact{}", i),
-                        .a = around[i],
-                        .b = disc,
-                        .law = LinearSpringDashpot{1.0, 0.0, EndRule::clamped}});
+    builder.add_contact(fmt::format("contact{}", i), around[i], disc, LinearSpringDashpot{1.0, 0.0, EndRule::clamped});
   const Dynamics dynamics{builder.build()};
   RigidBodySystem system{dynamics};
   State state = rest_state(dynamics.model());
@@ -94,7 +78,7 @@ std::vector<double> accelerations(bool backwards) {
 double difference(const std::vector<double>& a, const std::vector<double>& b) {
   double largest = 0.0;
   for (std::size_t i = 0; i < a.size(); ++i)
-    largest = std::max(largest, std::abs(a[i] - b[i]));
+    keep_largest(largest, a[i] - b[i]);
   return largest;
 }
 
@@ -111,19 +95,17 @@ FailureFound check_turned_history(Findings& findings, const Setup& setup) {
     off = std::max(off, std::hypot(std::cos(angle) - 1.0, std::sin(angle)));
   }
   const Turn turn = turned<RigidBodySystem>(steps, {});
-  findings.expect("turned history: largest error of a friction force stored in world axes, over the force", off, 2.0,
-                  Tolerance::exact("2 sin(angle/2): the opposite sign after half a turn"));
+  findings.expect_exact("turned history: largest error of a friction force stored in world axes, over the force", off,
+                        2.0, "2 sin(angle/2): the opposite sign after half a turn");
   const double drift = turn.stretch / first_stretch;
-  findings.expect(
+  findings.expect_round_off(
       "turned history: friction gained by the solver in a full turn of 256 steps, over the force", drift,
-      exact_drift(steps) / first_stretch,
-      Tolerance::round_off(22.6 * 12.0 * 0x1p-52 / first_stretch,
-                           "512 steps, each with a dozen roundings of positions of up to 2, of either sign (case "
-                           "turning_pair)"));
-  findings.expect("turned history: largest change of the friction force in addition, over the force",
-                  turn.drag / (slip_stiffness * first_stretch), 0.0,
-                  Tolerance::round_off(4.0 * 12.0 * 0x1p-52 / (slip_stiffness * first_stretch),
-                                       "a dozen roundings of a force of 4 and of its directions"));
+      exact_drift(steps) / first_stretch, 22.6 * 12.0 * 0x1p-52 / first_stretch,
+      "512 steps, each with a dozen roundings of positions of up to 2, of either sign (case turning_pair)");
+  findings.expect_round_off("turned history: largest change of the friction force in addition, over the force",
+                            turn.drag / (slip_stiffness * first_stretch), 0.0,
+                            4.0 * 12.0 * 0x1p-52 / (slip_stiffness * first_stretch),
+                            "a dozen roundings of a force of 4 and of its directions");
   return {fmt::format("stored in world axes: error of {:.1f} F", off),
           fmt::format("solver, 256 steps per turn: {:.3f} F, explained by the chords", drift)};
 }
@@ -137,22 +119,19 @@ FailureFound check_creep(Findings& findings, const Setup& setup) {
   // From rest the block approaches the creep speed as 1 - exp(-t/tau), tau = v_reg/(mu g cos).
   const double speed = v_reg * std::tan(slope.angle) / mu, lag = v_reg / (mu * slope_gravity * std::cos(slope.angle));
   const double creep = crept(slope, v_reg, time, std::lround(8.0 * time / lag));
-  findings.expect(
+  findings.expect_truncation(
       "creep: displacement of a block with friction of mu N v/v_reg, over v_reg F_t t/(mu N)",
-      creep / (speed * (time - lag)), 1.0,
-      Tolerance::truncation(lag / time / (120.0 * 4096.0) + 8.0 * time / lag * 0x1p-54, 1.0,
-                            "steps of an eighth of v_reg/(mu g cos), for which Runge-Kutta has an error of (1/8)^4/120 "
-                            "while the block accelerates; afterwards equal displacements are added, with the same "
-                            "rounding for many steps"));
+      creep / (speed * (time - lag)), 1.0, lag / time / (120.0 * 4096.0) + 8.0 * time / lag * 0x1p-54, 1.0,
+      "steps of an eighth of v_reg/(mu g cos), for which Runge-Kutta has an error of (1/8)^4/120 while the block "
+      "accelerates; afterwards equal displacements are added, with the same rounding for many steps");
   Slope held = slope;
   if (setup.has("slope_too_steep")) held.angle = std::atan(1.01 * mu);
   const RunEnd run = run_steps(slope_scene(held), VelocityVerlet{}, step, steps, findings);
-  findings.expect(
-      "creep: displacement of a block held by spring and slider, over the stretch of its spring",
-      run.state.q[0] / held_stretch(slope), 0.0,
-      Tolerance::round_off(0x1p-53 * std::sqrt(static_cast<double>(steps)),
-                           "the spring oscillates about its equilibrium by a rounding of its force, to which each step "
-                           "adds another one of either sign"));
+  findings.expect_round_off(
+      {"creep", "creep: displacement of a block held by spring and slider, over the stretch of its spring"},
+      run.state.q[0] / held_stretch(slope), 0.0, 0x1p-53 * std::sqrt(static_cast<double>(steps)),
+      "the spring oscillates about its equilibrium by a rounding of its force, to which each step adds another one of "
+      "either sign");
   const double farthest = check_swinging_block(slope, step, steps / 10, findings);
   return {fmt::format("F = mu N v/v_reg: {:.2f} m in {:.0f} s", creep, time),
           fmt::format("spring and slider, {} steps: {:g} m; oscillation up to 0.9 mu N: {:.3f} of the amplitude", steps,
@@ -177,11 +156,13 @@ FailureFound check_latch_reload(Findings& findings, const Setup& setup) {
   const char* why = "all overlaps, forces and their products are short sums of powers of two";
   const double forgotten = reload(slack, !setup.has("retained")), kept = reload(slack, false),
                parted = reload(-0.0625, false);
-  findings.expect("latch reload: work of a reload before the surfaces separate, history lost at its start", forgotten,
-                  0.5 * soft * (most * most - slack * slack) - had_back, Tolerance::exact(why), "J");
-  findings.expect("latch reload: work of a reload before the surfaces separate", kept, 0.0, Tolerance::exact(why), "J");
-  findings.expect("latch reload: work of a reload after the surfaces have separated", parted,
-                  0.5 * soft * most * most - had_back, Tolerance::exact(why), "J");
+  findings.expect_exact(
+      {"latch_reload/lost", "latch reload: work of a reload before the surfaces separate, history lost at its start"},
+      forgotten, 0.5 * soft * (most * most - slack * slack) - had_back, why, "J");
+  findings.expect_exact({"latch_reload/before", "latch reload: work of a reload before the surfaces separate"}, kept,
+                        0.0, why, "J");
+  findings.expect_exact({"latch_reload/after", "latch reload: work of a reload after the surfaces have separated"},
+                        parted, 0.5 * soft * most * most - had_back, why, "J");
   return {fmt::format("history lost while force-free: a reload costs {:g} J", forgotten),
           fmt::format("before separation {:g} J, after it {:g} J", kept, parted)};
 }
@@ -190,13 +171,12 @@ FailureFound check_order_of_sums(Findings& findings, const Setup& setup) {
   const std::vector<double> forward = accelerations(false), again = accelerations(false);
   const std::vector<double> backward = accelerations(!setup.has("same_order"));
   const double fails = difference(forward, backward), holds = difference(forward, again);
-  findings.expect_between(
-      "order of sums: acceleration by eight contacts, reversed minus listed order, over rounding", fails / 0x1p-53,
-      0.01, 4.0,
-      "eight forces of up to 0.17 added in either order: partial sums below 1/2 are rounded to 2^-54 in each of seven "
-      "additions; any difference at all is the failure");
-  findings.expect("order of sums: difference of two evaluations in one order", holds, 0.0,
-                  Tolerance::exact("always the model's order"));
+  findings.expect_between("order of sums: acceleration by eight contacts, reversed minus listed order, over rounding",
+                          fails / 0x1p-53, 0.01, 4.0,
+                          "eight forces of up to 0.17 added in either order: partial sums below 1/2 are rounded to "
+                          "2^-54 in each of seven additions; any difference at all is the failure");
+  findings.expect_exact("order of sums: difference of two evaluations in one order", holds, 0.0,
+                        "always the model's order");
   return {fmt::format("eight contacts in reversed order: accelerations differ by {:.1g}", fails),
           fmt::format("the model's order: {:g}", holds)};
 }

@@ -87,10 +87,10 @@ FailureFound check_heating(Findings& findings, const Setup& setup) {
   const double fails = mean_ln(0.7, xi, findings), holds = mean_ln(0.1, 0.0, findings);
   const char* why =
       "a midpoint mean over n = 128 phases misses up to eta^2/(8 n^2) at each of two kinks of ln e (case energy_gain)";
-  findings.expect("heating: mean of ln e over 128 phases at w h = 0.7", fails,
-                  reference::leapfrog_gain(0.7, 20000).mean_ln, Tolerance::truncation(0.49 * missed, 2.0, why));
-  findings.expect("heating: mean of ln e over 128 phases at w h = 0.1", holds,
-                  reference::leapfrog_gain(0.1, 20000).mean_ln, Tolerance::truncation(0.01 * missed, 2.0, why));
+  findings.expect_truncation("heating: mean of ln e over 128 phases at w h = 0.7", fails,
+                             reference::leapfrog_gain(0.7, 20000).mean_ln, 0.49 * missed, 2.0, why);
+  findings.expect_truncation("heating: mean of ln e over 128 phases at w h = 0.1", holds,
+                             reference::leapfrog_gain(0.1, 20000).mean_ln, 0.01 * missed, 2.0, why);
   return {fmt::format("w h = 0.7: ln e = {:.1e} per bounce", fails), fmt::format("w h = 0.1: {:.1g}", holds)};
 }
 
@@ -107,14 +107,14 @@ FailureFound check_pull_at_end(Findings& findings, const Setup& setup) {
         least = std::min(least, force);
     }
   }
-  findings.expect("attraction at the end: minimum force over 64 phases, attractive rule, e = 0.5, over c e v0",
-                  pull / -exact, -1.0,
-                  Tolerance::model(0.5 * std::numbers::pi / production_steps,
-                                   "speeds after the jump at touch are off by 2 xi w h u, |u| <= 1/2, xi = 0.215: 0.7 "
-                                   "% at w h = pi/100; the lag of the dashpot and the distance of the last phase from "
-                                   "the end add as much again"));
-  findings.expect("attraction at the end: minimum force over 64 phases, clamped rule", kept, 0.0,
-                  Tolerance::exact("an attractive force is not exerted"));
+  findings.expect_model(
+      {"pull_at_end/attractive",
+       "attraction at the end: minimum force over 64 phases, attractive rule, e = 0.5, over c e v0"},
+      pull / -exact, -1.0, 0.5 * std::numbers::pi / production_steps,
+      "speeds after the jump at touch are off by 2 xi w h u, |u| <= 1/2, xi = 0.215: 0.7 % at w h = pi/100; the lag of "
+      "the dashpot and the distance of the last phase from the end add as much again");
+  findings.expect_exact({"pull_at_end/clamped", "attraction at the end: minimum force over 64 phases, clamped rule"},
+                        kept, 0.0, "an attractive force is not exerted");
   return {fmt::format("attractive: minimum F = {:.2f} c e v0", pull / -exact),
           fmt::format("clamped: minimum F = {:g}", kept)};
 }
@@ -138,8 +138,10 @@ FailureFound check_clamped_restitution(Findings& findings, const Setup& setup) {
   };
   const double xi = 0.5 * reference::eq_21_damping(0.5, 1.0, 1.0);
   const double exact = reference::restitution(xi, reference::EndRule::clamped);
-  findings.expect("clamped restitution: mean e with the dashpot of Eq. 21 for 0.5", fails, exact, near(xi, exact));
-  findings.expect("clamped restitution: mean e with the dashpot solved for 0.5", holds, 0.5, near(0.5 * solved, 0.5));
+  findings.expect({"clamped_restitution/eq_21", "clamped restitution: mean e with the dashpot of Eq. 21 for 0.5"},
+                  fails, exact, near(xi, exact));
+  findings.expect({"clamped_restitution/solved", "clamped restitution: mean e with the dashpot solved for 0.5"}, holds,
+                  0.5, near(0.5 * solved, 0.5));
   return {fmt::format("Eq. 21 for e = 0.5, clamped: {:.3f}", fails),
           fmt::format("solved for the clamped rule: {:.3f}", holds)};
 }
@@ -149,10 +151,10 @@ FailureFound check_hardly_a_rebound(Findings& findings, const Setup& setup) {
   const Growth fails = growth(0.01, eta, findings), holds = growth(0.2, 0.3, findings);
   const char* why =
       "overlaps of half a metre are rounded to 5.6e-17, deviations are 1.8e-5 or more: 3e-12, three times that";
-  findings.expect("e to zero: ln growth per step at w h = 0.3, dashpot for e = 0.01", fails.found,
-                  growth(0.01, 0.3, findings).exact, Tolerance::round_off(1e-11, why));
-  findings.expect("e to zero: ln growth per step at w h = 0.3, dashpot for e = 0.2", holds.found, holds.exact,
-                  Tolerance::round_off(1e-11, why));
+  findings.expect_round_off("e to zero: ln growth per step at w h = 0.3, dashpot for e = 0.01", fails.found,
+                            growth(0.01, 0.3, findings).exact, 1e-11, why);
+  findings.expect_round_off("e to zero: ln growth per step at w h = 0.3, dashpot for e = 0.2", holds.found, holds.exact,
+                            1e-11, why);
   const double xi = reference::damping_ratio(0.01, reference::EndRule::clamped);
   const double limit = 2.0 * (std::sqrt(1.0 + xi * xi) - xi);
   const double above = growth(0.01, 1.02 * limit, findings).found, below = growth(0.01, 0.98 * limit, findings).found;
@@ -160,11 +162,10 @@ FailureFound check_hardly_a_rebound(Findings& findings, const Setup& setup) {
                        above > 0.0 && below < 0.0,
                        "the limit of a dashpot that lags by half a step (case stability_maps)");
   const double slow = std::log(2.0 * xi) / (xi * xi);
-  findings.expect("e to zero: stability limit for e = 0.01 over 2 sqrt e", limit / 0.2,
-                  1.0 + 0.5 * (slow - 1.0 / (xi * xi)),
-                  Tolerance::model(slow * slow,
-                                   "for large xi, e = (1 - (ln 2 xi - 1/2)/xi^2)/(4 xi^2) and the limit is (1 - 1/(4 "
-                                   "xi^2))/xi; squares of ln 2 xi/xi^2 are neglected"));
+  findings.expect_model("e to zero: stability limit for e = 0.01 over 2 sqrt e", limit / 0.2,
+                        1.0 + 0.5 * (slow - 1.0 / (xi * xi)), slow * slow,
+                        "for large xi, e = (1 - (ln 2 xi - 1/2)/xi^2)/(4 xi^2) and the limit is (1 - 1/(4 xi^2))/xi; "
+                        "squares of ln 2 xi/xi^2 are neglected");
   return {fmt::format("e = 0.01 (xi = {:.1f}), w h = 0.3: x {:.2f} per step; limit {:.3f}", xi, std::exp(fails.found),
                       limit),
           fmt::format("e = 0.2: x {:.2f}", std::exp(holds.found))};

@@ -1,22 +1,9 @@
-#include <fmt/format.h>
-
-#include <algorithm>
-#include <array>
-#include <cmath>
-#include <numbers>
-
-#include "solver/dynamics/rigid_body_system.hpp"
 #include "solver/geometry/penetration.hpp"
-#include "solver/integrate/integrator_list.hpp"
-#include "solver/model/model_builder.hpp"
 #include "solver/run/simulate.hpp"
-#include "solver/run/snapshot.hpp"
 #include "solver/scenes/bouncing_disc.hpp"
 #include "solver/stability/run_monitor.hpp"
-#include "verification/check/convergence.hpp"
 #include "verification/problems/speed_accuracy/failure_rows.hpp"
-#include "verification/study/findings/curves.hpp"
-#include "verification/study/runs/usage.hpp"
+#include "verification/study/toolkit.hpp"
 
 namespace talus::verification::problems {
 namespace {
@@ -58,16 +45,13 @@ WatchedRun watched_run(Scene scene, double step, double end, const MonitorRules&
 
 /// A disc that flies at speed 1 towards a fixed disc of the same radius, at the distance `before` from touch.
 Scene flight(double before, double frequency, double pull = 0.0) {
-  ModelBuilder builder;
+  SceneBuilder builder;
   builder.gravity({pull, 0.0});
   const BodyId post = builder.add(
       Body{.name = "post", .mobility = Mobility::fixed, .shape = Circle{radius}, .p_WB = {2.0 * radius + before, 0.0}});
-  const BodyId stone =
-      builder.add(Body{.name = "stone", .mobility = Mobility::particle, .mass = 1.0, .shape = Circle{radius}});
-  builder.add(Contact{
-      .name = "hit", .a = post, .b = stone, .law = LinearSpringDashpot{frequency * frequency, 0.0, EndRule::clamped}});
-  Scene scene{.title = "Flight", .model = builder.build()};
-  scene.initial = rest_state(scene.model);
+  const BodyId stone = builder.add_particle("stone", 1.0, {}, Circle{radius});
+  builder.add_contact("hit", post, stone, LinearSpringDashpot{frequency * frequency, 0.0, EndRule::clamped});
+  Scene scene = builder.at_rest("Flight");
   set_velocity(scene.model, scene.initial, stone, {1.0, 0.0}, 0.0);
   return scene;
 }
@@ -113,8 +97,8 @@ ControlledFlights controlled_flights(const std::string& method, double tolerance
 
 /// An upright bar that drifts to the right across a fixed horizontal bar.
 Scene crossed(double height, ContactMethod method) {
-  ModelBuilder builder;
-  const BodyId level = builder.add(Body{.name = "level", .mobility = Mobility::fixed, .shape = Rectangle{1.0, 0.125}});
+  SceneBuilder builder;
+  const BodyId level = builder.add_fixed("level", Rectangle{1.0, 0.125});
   const BodyId upright = builder.add(
       Body{.name = "upright", .mass = 1.0, .inertia = 1.0, .shape = Rectangle{0.125, 1.0}, .p_WB = {0.0, height}});
   builder.add(Contact{.name = "across",
@@ -122,8 +106,7 @@ Scene crossed(double height, ContactMethod method) {
                       .b = level,
                       .law = LinearSpringDashpot{1.0, 0.0, EndRule::clamped},
                       .method = method});
-  Scene scene{.title = "Crossed bars", .model = builder.build()};
-  scene.initial = rest_state(scene.model);
+  Scene scene = builder.at_rest("Crossed bars");
   set_velocity(scene.model, scene.initial, upright, {0.0625, 0.0}, 0.0);
   return scene;
 }
@@ -142,14 +125,12 @@ double force(const Scene& scene) {
 
 /// Two bars that turn and approach each other, their centres `apart` [L], under gravity along y.
 Scene approaching_bars(double apart, Vec2 spins, double gravity = 0.0) {
-  ModelBuilder builder;
+  SceneBuilder builder;
   builder.gravity({0.0, -gravity});
-  const BodyId a = builder.add(Body{.name = "a", .mass = 1.0, .inertia = 1.0, .shape = Rectangle{2.0, 0.25}});
-  const BodyId b =
-      builder.add(Body{.name = "b", .mass = 1.0, .inertia = 1.0, .shape = Rectangle{1.0, 0.125}, .p_WB = {0.0, apart}});
-  builder.add(Contact{.name = "ab", .a = a, .b = b, .law = LinearSpringDashpot{1.0, 0.0, EndRule::clamped}});
-  Scene scene{.title = "Bars", .model = builder.build()};
-  scene.initial = rest_state(scene.model);
+  const BodyId a = builder.add_free("a", 1.0, 1.0, Rectangle{2.0, 0.25});
+  const BodyId b = builder.add_free("b", 1.0, 1.0, Rectangle{1.0, 0.125}, {0.0, apart});
+  builder.add_contact("ab", a, b, LinearSpringDashpot{1.0, 0.0, EndRule::clamped});
+  Scene scene = builder.at_rest("Bars");
   set_velocity(scene.model, scene.initial, a, {0.0, 0.75}, spins.x);
   set_velocity(scene.model, scene.initial, b, {0.0, -0.5}, spins.y);
   return scene;
@@ -177,11 +158,11 @@ double spinning_error() {
       std::vector<double> guards;
       for (const double horizon : {0.5 * exact, 2.0 * exact}) {
         const double found = system.guards(scene.initial, false, horizon, guards).longest_step;
-        worst = std::max(worst, std::abs(found / std::min(horizon, exact) - 1.0));
+        keep_largest(worst, found / std::min(horizon, exact) - 1.0);
       }
       Workspace work = dynamics.workspace();
       dynamics.update(scene.initial, work);
-      worst = std::max(worst, std::abs(dynamics.longest_step(work) / exact - 1.0));
+      keep_largest(worst, dynamics.longest_step(work) / exact - 1.0);
     }
   }
   return worst;
@@ -234,10 +215,10 @@ FailureFound check_long_step(Findings& findings, const Setup& setup) {
   const MonitorRules rules = setup.has("not_watched") ? unmonitored : monitored;
   const WatchedRun beyond = watched_run(flight(20.0, 0.5), 1.1 * radius, 18.0, rules, findings);
   const WatchedRun within = watched_run(flight(20.0, 0.5), 0.9 * radius, 18.0, monitored, findings);
-  findings.expect_true("long step: refusal before the run at v h = 1.1 r, 20 r before the touch",
+  findings.expect_true({"long_step/refused", "long step: refusal before the run at v h = 1.1 r, 20 r before the touch"},
                        !beyond.violation.empty() && beyond.end.t == 0.0,
                        "a step may carry the disc past the middle of the other one");
-  findings.expect_true("long step: no refusal at v h = 0.9 r", within.violation.empty(),
+  findings.expect_true({"long_step/permitted", "long step: no refusal at v h = 0.9 r"}, within.violation.empty(),
                        "the disc is sampled on either side of the middle");
   // Gravity adds g h^2/2 to the distance travelled in the first step.
   constexpr double step = 0.8 * radius;
@@ -248,10 +229,10 @@ FailureFound check_long_step(Findings& findings, const Setup& setup) {
   findings.expect_true("long step: refusal at v h + g h^2/2 = 1.05 r, with v h = 0.8 r", !pulled(1.05).empty(),
                        "falling bodies pass each other sooner");
   findings.expect_true("long step: no refusal at v h + g h^2/2 = 0.95 r", pulled(0.95).empty(), "as without gravity");
-  findings.expect(
+  findings.expect_round_off(
       "long step: permitted step of rotating bars against half their widths over the speed of their ends, largest "
       "relative error",
-      spinning_error(), 0.0, Tolerance::round_off(1e-15, "about six operations"));
+      spinning_error(), 0.0, 1e-15, "about six operations");
   // Contacts of fewer than ten steps must be reported.
   const auto contact_of = [&](double steps) {
     const MonitorRules by{
@@ -263,47 +244,44 @@ FailureFound check_long_step(Findings& findings, const Setup& setup) {
                        "half a period of the spring is half a unit of time");
   const int passes = unseen_passes(4.4 * radius, findings), seen = unseen_passes(3.6 * radius, findings);
   const double phases = static_cast<double>(fewest_phases);
-  findings.expect("long step: fraction of 64 phases with undetected passage, monitor off, v h = 1.1 of 4 r",
-                  passes / phases, 1.0 - 1.0 / 1.1,
-                  Tolerance::model(1.0 / phases,
-                                   "discs overlap along a distance of 4 r, and the other phases step over it; of 64 "
-                                   "phases one more or fewer"));
-  findings.expect("long step: undetected passages in 64 phases, monitor off, v h = 0.9 of 4 r", seen, 0.0,
-                  Tolerance::exact("no step is longer than the overlap"));
+  findings.expect_model(
+      {"long_step/passages", "long step: fraction of 64 phases with undetected passage, monitor off, v h = 1.1 of 4 r"},
+      passes / phases, 1.0 - 1.0 / 1.1, 1.0 / phases,
+      "discs overlap along a distance of 4 r, and the other phases step over it; of 64 phases one more or fewer");
+  findings.expect_exact(
+      {"long_step/detected", "long step: undetected passages in 64 phases, monitor off, v h = 0.9 of 4 r"}, seen, 0.0,
+      "no step is longer than the overlap");
   double worst_exit = 0.0;
   for (const std::string& method : integrator_names()) {
     if (!has_step_control(method)) continue;
     const auto claim = findings.in("integrator." + method);
     const ControlledFlights flights = controlled_flights(method, 1e-8, findings);
-    findings.expect(
+    findings.expect_exact(
         fmt::format("long step: {} with step control, impacts missed in 16 flights of one output interval", method),
         flights.passed, 0.0,
-        Tolerance::exact("step control detects no error in free flight, so that steps must end where discs may have "
-                         "met: no impact is missed"));
+        "step control detects no error in free flight, so that steps must end where discs may have met: no impact is "
+        "missed");
     if (method != "odeint_fehlberg78") {
       keep_worst(worst_exit, flights.error);
       continue;
     }
     // Fehlberg's estimate compares derivatives at the ends of the step alone: c = 0, 1, 0, 1.
     const ControlledFlights finer = controlled_flights(method, 1e-11, findings);
-    findings.expect(
-        "long step: odeint_fehlberg78 with step control, error of the exit speed at a thousandth of the "
-        "tolerance over that at 1e-8",
-        finer.error / flights.error, 1.0,
-        Tolerance::model(0.75,
-                         "its error estimate is a difference of derivatives at the two ends of a step and hardly "
-                         "detects a contact that begins within it: the tolerance has little effect"));
+    findings.expect_model(
+        "long step: odeint_fehlberg78 with step control, error of the exit speed at a thousandth of the tolerance over "
+        "that at 1e-8",
+        finer.error / flights.error, 1.0, 0.75,
+        "its error estimate is a difference of derivatives at the two ends of a step and hardly detects a contact that "
+        "begins within it: the tolerance has little effect");
   }
-  findings.expect(
+  findings.expect_model(
       "long step: exit speed with step control, largest error, methods with an error estimate in each stage",
-      worst_exit, 0.0,
-      Tolerance::model(
-          4e-5,
-          "steps that enter the contact are half a radius long at most, and an estimate that detects the kink "
-          "shortens them: a tenth of 4e-4, the error of Fehlberg's, which does not"));
-  findings.expect(
+      worst_exit, 0.0, 4e-5,
+      "steps that enter the contact are half a radius long at most, and an estimate that detects the kink shortens "
+      "them: a tenth of 4e-4, the error of Fehlberg's, which does not");
+  findings.expect_round_off(
       "long step: approach in the longest step of step control over the allowed one, rotating bars, largest error",
-      safe_step_error(), 0.0, Tolerance::round_off(2e-15, "about ten operations"));
+      safe_step_error(), 0.0, 2e-15, "about ten operations");
   if (!setup.coarse) findings.figure(pass_figure(findings));
   return {fmt::format("v h = 1.1 r: refused at t = 0; monitor off, 4.4 r: {} of 64 pass", passes),
           fmt::format("v h = 0.9 r: not refused; monitor off, 3.6 r: {}", seen)};
@@ -318,26 +296,25 @@ FailureFound check_deep_overlap(Findings& findings, const Setup& setup) {
             {.radius = radius, .gap = 0.1, .speed = 1.0, .contact = LinearSpringDashpot{w * w, 0.0, EndRule::clamped}}),
         0.005, 3.0, by, findings);
   };
-  findings.expect_true("deep overlap: run ended during the impact at v/w = 1.1 of r/2",
+  findings.expect_true({"deep_overlap/ended", "deep overlap: run ended during the impact at v/w = 1.1 of r/2"},
                        !fall(1.1, rules).violation.empty(), "the largest overlap is v/w");
-  findings.expect_true("deep overlap: run not ended at v/w = 0.9 of r/2", fall(0.9, monitored).violation.empty(),
-                       "as for the previous check");
+  findings.expect_true({"deep_overlap/not_ended", "deep overlap: run not ended at v/w = 0.9 of r/2"},
+                       fall(0.9, monitored).violation.empty(), "as for the previous check");
   const auto speed = [&](double ratio) {
     return watched_run(flight(0.1, 1.0 / (ratio * 2.0 * radius)), 0.005, 20.0, unmonitored, findings).end.v[0];
   };
   const double through = speed(1.1), back = speed(0.9);
-  findings.expect(
-      "deep overlap: speed beyond the disc, v/w = 1.1 of 2 r, monitor off", through, 1.0,
-      Tolerance::truncation(
-          0.5 * 0.005 * 4.0 * radius / std::pow(2.2 * radius, 2) * std::sqrt(1.0 - 1.0 / 1.21), 1.0,
-          "a spring compressed by 2 r absorbs all of v^2 if v/w = 2 r: above that, the disc leaves on the other side "
-          "with its initial speed. At the middle the force jumps by 4 r w^2, at a time known to half a step, at which "
-          "the speed is sqrt(1 - 1/1.21) v"));
-  findings.expect(
-      "deep overlap: speed after the rebound, v/w = 0.9 of 2 r, monitor off", back, -1.0,
-      Tolerance::truncation(std::pow(0.005 / 1.8, 2) / 8.0, 1.0,
-                            "the disc reverses before the middle; the leapfrog changes the speed of a bounce by at "
-                            "most a fraction (w h)^2/8"));
+  findings.expect_truncation(
+      {"deep_overlap/through", "deep overlap: speed beyond the disc, v/w = 1.1 of 2 r, monitor off"}, through, 1.0,
+      0.5 * 0.005 * 4.0 * radius / std::pow(2.2 * radius, 2) * std::sqrt(1.0 - 1.0 / 1.21), 1.0,
+      "a spring compressed by 2 r absorbs all of v^2 if v/w = 2 r: above that, the disc leaves on the other side with "
+      "its initial speed. At the middle the force jumps by 4 r w^2, at a time known to half a step, at which the speed "
+      "is sqrt(1 - 1/1.21) v");
+  findings.expect_truncation(
+      {"deep_overlap/rebound", "deep overlap: speed after the rebound, v/w = 0.9 of 2 r, monitor off"}, back, -1.0,
+      std::pow(0.005 / 1.8, 2) / 8.0, 1.0,
+      "the disc reverses before the middle; the leapfrog changes the speed of a bounce by at most a fraction (w "
+      "h)^2/8");
   return {fmt::format("v/w = 1.1 of r/2: ended; monitor off, 1.1 of 2 r: passes at {:.2f} v", through),
           fmt::format("v/w = 0.9 of r/2: not ended; monitor off, 0.9 of 2 r: {:.2f} v", back)};
 }
@@ -349,21 +326,25 @@ FailureFound check_crossed_bars(Findings& findings, const Setup& setup) {
   const double overlap = penetration(bodies[0].shape, {}, bodies[1].shape, {});
   const WatchedRun silent = watched_run(plus, 0.125, 8.0, unmonitored, findings);
   const WatchedRun said = watched_run(plus, 0.125, 8.0, monitored, findings);
-  findings.expect("crossed bars: change of speed while crossing, by nodes, monitor off", silent.end.v[0] - 0.0625, 0.0,
-                  Tolerance::exact("no node is inside, so that no force acts: this is the failure"));
-  findings.expect("crossed bars: force of the plus by nodes", force(plus), 0.0,
-                  Tolerance::exact("as for the previous check"));
+  findings.expect_exact(
+      {"crossed_bars/crossing", "crossed bars: change of speed while crossing, by nodes, monitor off"},
+      silent.end.v[0] - 0.0625, 0.0, "no node is inside, so that no force acts: this is the failure");
+  findings.expect_exact({"crossed_bars/plus_by_nodes", "crossed bars: force of the plus by nodes"}, force(plus), 0.0,
+                        "as for the previous check");
   findings.expect_true(
-      "crossed bars: overlap reported before the run",
+      {"crossed_bars/plus_overlap", "crossed bars: overlap reported before the run"},
       said.violation.find("no node of either is in the other") != std::string::npos && said.end.t == 0.0,
       "an overlap of 9 half widths that no node detects");
-  findings.expect("crossed bars: overlap of the plus, minimum over all directions, over the sum of the half sides",
-                  overlap / 1.125, 1.0, Tolerance::exact("both are sums of powers of two"));
-  findings.expect("crossed bars: force of the plus by one resultant", force(crossed(0.0, ContactMethod::resultant)),
-                  2.25, Tolerance::exact("at both ends of the side, k times the minimum overlap of the sides, 1.125"));
-  findings.expect("crossed bars: force of two corners inside, by nodes", force(corner), 0.125,
-                  Tolerance::exact("two nodes, each with an overlap of 1/16"));
-  findings.expect_true("crossed bars: no report with corners inside",
+  findings.expect_exact(
+      {"crossed_bars/plus_minimum",
+       "crossed bars: overlap of the plus, minimum over all directions, over the sum of the half sides"},
+      overlap / 1.125, 1.0, "both are sums of powers of two");
+  findings.expect_exact({"crossed_bars/plus_by_resultant", "crossed bars: force of the plus by one resultant"},
+                        force(crossed(0.0, ContactMethod::resultant)), 2.25,
+                        "at both ends of the side, k times the minimum overlap of the sides, 1.125");
+  findings.expect_exact({"crossed_bars/corners_by_nodes", "crossed bars: force of two corners inside, by nodes"},
+                        force(corner), 0.125, "two nodes, each with an overlap of 1/16");
+  findings.expect_true({"crossed_bars/corners_unreported", "crossed bars: no report with corners inside"},
                        watched_run(corner, 0.125, 0.125, monitored, findings).violation.empty(),
                        "the nodes detect them");
   return {fmt::format("a plus, by nodes: F = {:g} k L at an overlap of {:g}; reported at t = 0", force(plus), overlap),

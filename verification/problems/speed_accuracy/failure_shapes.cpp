@@ -12,6 +12,7 @@
 #include "solver/geometry/superquadric.hpp"
 #include "verification/problems/speed_accuracy/failure_rows.hpp"
 #include "verification/reference/outlines/superellipse.hpp"
+#include "verification/study/findings/expectations.hpp"
 #include "verification/study/scenes/touching_pair.hpp"
 
 namespace talus::verification::problems {
@@ -112,13 +113,13 @@ FailureFound check_corner_normal(Findings& findings, const Setup& setup) {
   const auto [one, other] = std::pair{corner_in_corner(off + 1e-9), corner_in_corner(off - 1e-9)};
   const double jump = turned(one.n_AB, other.n_AB);
   const double beside = turned(corner_in_corner(0.05 + 1e-9).n_AB, corner_in_corner(0.05 - 1e-9).n_AB);
-  findings.expect("corner normal: jump between offsets of -1e-9 and 1e-9 from the diagonal", jump, 90.0,
-                  Tolerance::exact("the normal is that of the nearest side, and two sides are equally near"),
-                  "degrees");
-  findings.expect("corner normal: change between the same offsets beside the diagonal", beside, 0.0,
-                  Tolerance::exact("one side is nearer"), "degrees");
-  findings.expect("corner normal: difference of the overlaps at the two offsets", one.depth - other.depth, 0.0,
-                  Tolerance::round_off(2.0 * 0x1p-53, "two sums of numbers up to one, mirrored"));
+  findings.expect_exact(
+      {"corner_normal/jump", "corner normal: jump between offsets of -1e-9 and 1e-9 from the diagonal"}, jump, 90.0,
+      "the normal is that of the nearest side, and two sides are equally near", "degrees");
+  findings.expect_exact({"corner_normal/beside", "corner normal: change between the same offsets beside the diagonal"},
+                        beside, 0.0, "one side is nearer", "degrees");
+  findings.expect_round_off({"corner_normal/overlaps", "corner normal: difference of the overlaps at the two offsets"},
+                            one.depth - other.depth, 0.0, 2.0 * 0x1p-53, "two sums of numbers up to one, mirrored");
   const Rectangle square{0.3, 0.3}, box{CornerLoop::corner.x, CornerLoop::corner.y};
   const Superquadric rounded{0.3, 0.3, 20.0}, column{CornerLoop::corner.x, CornerLoop::corner.y, 20.0};
   const int steps = setup.coarse ? 200 : 400;
@@ -127,15 +128,16 @@ FailureFound check_corner_normal(Findings& findings, const Setup& setup) {
   const CornerLoop nearest = round_corner(pair_model({"", square, box}, 1000.0), steps);
   const double made = sides.work / sides.energy, kept = nearest.work / nearest.energy;
   const double step = 2.0 * std::numbers::pi * CornerLoop::radius / steps;
-  findings.expect_between("corner normal: work round a corner by side faces, over the energy", std::abs(made), 0.05,
-                          2.0,
-                          "the overlap of nodes pushed out of the nearer side face jumps at the top: the work is of "
-                          "the size of the energy itself, once or twice; a twentieth is beyond the bound of the other "
-                          "rule (next check)");
-  findings.expect("corner normal: work round a corner by the nearest side, over the energy", kept, 0.0,
-                  Tolerance::truncation(2.0 * step / std::sqrt(0.002 * nearest.energy), 2.0,
-                                        "the trapezoidal rule errs by half a step times the jump of the force at each "
-                                        "of about four kinks (case energy_slope)"));
+  findings.expect_between(
+      {"corner_normal/side_faces", "corner normal: work round a corner by side faces, over the energy"}, std::abs(made),
+      0.05, 2.0,
+      "the overlap of nodes pushed out of the nearer side face jumps at the top: the work is of the size of the energy "
+      "itself, once or twice; a twentieth is beyond the bound of the other rule (next check)");
+  findings.expect_truncation(
+      {"corner_normal/nearest_side", "corner normal: work round a corner by the nearest side, over the energy"}, kept,
+      0.0, 2.0 * step / std::sqrt(0.002 * nearest.energy), 2.0,
+      "the trapezoidal rule errs by half a step times the jump of the force at each of about four kinks (case "
+      "energy_slope)");
   return {fmt::format("+-1e-9 off the diagonal: {:.0f} degrees; work by side faces {:+.2f} E", jump, made),
           fmt::format("beside it: {:.0f} degrees; work by the nearest side {:+.1g} E", beside, kept)};
 }
@@ -150,26 +152,25 @@ FailureFound check_common_normal(Findings& findings, const Setup& setup) {
     if (setup.coarse && known.n != 50.0) continue;
     const double found = newton_fails(setup.has("ellipses") ? 2.0 : known.n, pairs);
     const double error = std::sqrt(known.fraction * (1.0 - known.fraction) / pairs);
-    findings.expect(
+    findings.expect_model(
         fmt::format("common normal: fraction of pairs without a solution, radial Newton, n = {:g}", known.n), found,
-        known.fraction,
-        Tolerance::model(3.0 * error + 0.04,
-                         "known from 2000 pairs with other random positions, generated differently, for which 0.04 is "
-                         "allowed; plus three standard errors of the fraction"));
+        known.fraction, 3.0 * error + 0.04,
+        "known from 2000 pairs with other random positions, generated differently, for which 0.04 is allowed; plus "
+        "three standard errors of the fraction");
     fractions += fmt::format("{}{:.0f}", fractions.empty() ? "" : ", ", 100.0 * found);
   }
-  findings.expect("common normal: fraction of pairs of ellipses without a solution", newton_fails(2.0, 60), 0.0,
-                  Tolerance::exact("quadratic functions: known to be safe up to n = 3"));
+  findings.expect_exact("common normal: fraction of pairs of ellipses without a solution", newton_fails(2.0, 60), 0.0,
+                        "quadratic functions: known to be safe up to n = 3");
   double farthest = 0.0;
   std::mt19937_64 random{7};
   std::uniform_real_distribution<double> inside{-1.0, 1.0};
   for (int i = 0; i < 60; ++i) {
     const Vec2 p{inside(random), 0.7 * inside(random)};
     const double exact = reference::nearest_point({1.0, 0.7, 50.0}, {p.x, p.y}, 400).distance;
-    farthest = std::max(farthest, std::abs(std::abs(depth_below(Superquadric{1.0, 0.7, 50.0}, p).depth) - exact));
+    keep_largest(farthest, std::abs(depth_below(Superquadric{1.0, 0.7, 50.0}, p).depth) - exact);
   }
-  findings.expect("common normal: solver's nearest points, n = 50, largest error of 60 against brute force", farthest,
-                  0.0, Tolerance::round_off(3e-15, "a dozen roundings of lengths up to one (case nearest_points)"));
+  findings.expect_round_off("common normal: solver's nearest points, n = 50, largest error of 60 against brute force",
+                            farthest, 0.0, 3e-15, "a dozen roundings of lengths up to one (case nearest_points)");
   return {fmt::format("radial Newton, n = 8, 20, 50: {} % without a solution", fractions),
           fmt::format("solver, n = 50: all 60 found, error {:.1g}", farthest)};
 }
@@ -196,13 +197,12 @@ FailureFound check_high_powers(Findings& findings, const Setup& setup) {
       }
     }
   }
-  findings.expect("high powers: positions, of six, with F or its gradient infinite or zero, n = 1000", lost, 6.0,
-                  Tolerance::exact("10^1000 and 0.001^999 exceed the range of the format, and each position has one or "
-                                   "the other"));
-  findings.expect("high powers: positions, of six, with F or its gradient infinite or zero, n = 50", lost_below, 0.0,
-                  Tolerance::exact("10^50 and 1e-150 are within the range"));
-  findings.expect("high powers: solver's nearest points, x/a = 0.001 and 10, n = 50 and 1000, largest error", farthest,
-                  0.0, Tolerance::round_off(2e-15, "a dozen roundings, over the larger of size and distance"));
+  findings.expect_exact("high powers: positions, of six, with F or its gradient infinite or zero, n = 1000", lost, 6.0,
+                        "10^1000 and 0.001^999 exceed the range of the format, and each position has one or the other");
+  findings.expect_exact("high powers: positions, of six, with F or its gradient infinite or zero, n = 50", lost_below,
+                        0.0, "10^50 and 1e-150 are within the range");
+  findings.expect_round_off("high powers: solver's nearest points, x/a = 0.001 and 10, n = 50 and 1000, largest error",
+                            farthest, 0.0, 2e-15, "a dozen roundings, over the larger of size and distance");
   return {fmt::format("n = 1000: F or its gradient lost at {} of 6 positions", lost),
           fmt::format("n = 50: {}; error of the solver {:.1g} for both", lost_below, farthest)};
 }

@@ -1,40 +1,27 @@
-#include <fmt/format.h>
-
-#include <algorithm>
-#include <cmath>
-#include <numbers>
-#include <string>
-
-#include "solver/dynamics/rigid_body_system.hpp"
-#include "solver/model/model_builder.hpp"
 #include "solver/run/simulate.hpp"
 #include "solver/scenes/bouncing_disc.hpp"
 #include "verification/problems/speed_accuracy/failure_rows.hpp"
 #include "verification/study/impacts/disc_bounce.hpp"
-#include "verification/study/runs/scene_run.hpp"
 #include "verification/study/scenes/cable_scenes.hpp"
+#include "verification/study/toolkit.hpp"
 
 namespace talus::verification::problems {
 namespace {
 
 /// A disc of w = 1, v = 1 and damping ratio xi between two planes, with 3.7 of free travel.
 Scene boxed(double xi) {
-  ModelBuilder builder;
+  SceneBuilder builder;
   constexpr double radius = 8.0, distance = 3.7;
   const LinearSpringDashpot law{1.0, 2.0 * xi, EndRule::clamped};
   const BodyId disc =
       builder.add(Body{.name = "disc", .mobility = Mobility::sliding_y, .mass = 1.0, .shape = Circle{radius}});
   for (const double side : {1.0, -1.0}) {
     const char* name = side > 0.0 ? "below" : "above";
-    const BodyId plane = builder.add(Body{.name = name,
-                                          .mobility = Mobility::fixed,
-                                          .shape = HalfPlane{},
-                                          .p_WB = {0.0, -side * (radius + 0.5 * distance)},
-                                          .angle = side > 0.0 ? 0.0 : std::numbers::pi});
-    builder.add(Contact{.name = name, .a = plane, .b = disc, .law = law});
+    const BodyId plane = builder.add_fixed(name, HalfPlane{}, {0.0, -side * (radius + 0.5 * distance)},
+                                           side > 0.0 ? 0.0 : std::numbers::pi);
+    builder.add_contact(name, plane, disc, law);
   }
-  Scene scene{.title = "Disc in a box", .model = builder.build()};
-  scene.initial = rest_state(scene.model);
+  Scene scene = builder.at_rest("Disc in a box");
   set_velocity(scene.model, scene.initial, disc, {0.0, -1.0}, 0.0);
   return scene;
 }
@@ -56,7 +43,7 @@ Drift ln_speed(const char* method, double eta, long bounces, double xi, Findings
     if (inside && !now) {
       ++done;
       drift.end = std::log(std::abs(seen.v[0]));
-      drift.farthest = std::max(drift.farthest, std::abs(drift.end));
+      keep_largest(drift.farthest, drift.end);
     }
     inside = now;
     return done == bounces;
@@ -93,17 +80,14 @@ FailureFound check_many_rebounds(Findings& findings, const Setup& setup) {
   const double euler = ln_speed("euler", eta, few, 0.0, findings).end / static_cast<double>(few);
   const Drift verlet = ln_speed("velocity_verlet", eta, bounces, setup.has("leaky_box") ? 1e-5 : 0.0, findings);
   const double contact = 0.5 * std::numbers::pi * eta;
-  findings.expect("e to one: gain of ln v per bounce at w h = 0.1, euler", euler, contact,
-                  Tolerance::model(0.5 * eta * eta,
-                                   "ln(1 + eta^2)/2 per step, pi/eta steps: pi eta/2; a bounce has one step more or "
-                                   "fewer"));
-  findings.expect(
+  findings.expect_model("e to one: gain of ln v per bounce at w h = 0.1, euler", euler, contact, 0.5 * eta * eta,
+                        "ln(1 + eta^2)/2 per step, pi/eta steps: pi eta/2; a bounce has one step more or fewer");
+  findings.expect_truncation(
       "e to one: largest magnitude of ln v in all bounces in a box, velocity_verlet", verlet.farthest, 0.0,
-      Tolerance::truncation(eta * eta / 8.0, 3.0,
-                            "the largest gain of one bounce. A change of the speed by a thousandth moves the phase of "
-                            "the next touch, 37 steps later, by a twenty-fifth of a step: neighbouring bounces are "
-                            "similar, and as areas are preserved their errors return instead of accumulating; from "
-                            "other initial states up to 2.1 times the bound was measured"));
+      eta * eta / 8.0, 3.0,
+      "the largest gain of one bounce. A change of the speed by a thousandth moves the phase of the next touch, 37 "
+      "steps later, by a twenty-fifth of a step: neighbouring bounces are similar, and as areas are preserved their "
+      "errors return instead of accumulating; from other initial states up to 2.1 times the bound was measured");
   return {fmt::format("Euler, w h = 0.1: ln v grows by {:.3f} per bounce", euler),
           fmt::format("Verlet, {} bounces: at most {:.4f}", bounces, verlet.farthest)};
 }
@@ -117,16 +101,13 @@ FailureFound check_jump_at_touch(Findings& findings, const Setup& setup) {
   const Integrator unlocated = setup.has("located") ? located : Integrator{VelocityVerlet{}};
   const double fails = impact_errors(at, b.exact, 50.0, unlocated, findings).restitution.rms();
   const double holds = impact_errors(at, b.exact, 50.0, located, findings).restitution.max();
-  findings.expect("jump at touch: rms error of e at 50 steps, xi = 0.2, steps not cut", fails,
-                  predicted_restitution_error(b, 50.0),
-                  Tolerance::model(2.0 * next_power,
-                                   "as predicted from jump and lag, 0.35/N; the next power of the step is 4 % at 100 "
-                                   "steps")
-                      .relative());
-  findings.expect("jump at touch: largest error of e, steps cut at the touch", holds, 0.0,
-                  Tolerance::truncation(tolerance, 3.0,
-                                        "the method's tolerance applies to one step, relative to the displacement and "
-                                        "speed"));
+  findings.expect(
+      "jump at touch: rms error of e at 50 steps, xi = 0.2, steps not cut", fails, predicted_restitution_error(b, 50.0),
+      Tolerance::model(2.0 * next_power,
+                       "as predicted from jump and lag, 0.35/N; the next power of the step is 4 % at 100 steps")
+          .relative());
+  findings.expect_truncation("jump at touch: largest error of e, steps cut at the touch", holds, 0.0, tolerance, 3.0,
+                             "the method's tolerance applies to one step, relative to the displacement and speed");
   return {fmt::format("steps not cut: {:.2f}/N of e (rms)", 50.0 * fails),
           fmt::format("cut at the touch: {:.1g}", holds)};
 }
@@ -154,19 +135,17 @@ FailureFound check_snatch(Findings& findings, const Setup& setup) {
     if (i % 8 == 0) located.add(error(make_integrator("stormer_cowell", tolerance), 50.0, i));
   }
   const double order = std::log(coarse.rms() / fine.rms()) / std::log(200.5 / 50.5);
-  findings.expect("snatched cable: order of the return speed, steps not cut", order, 1.0,
-                  Tolerance::model(0.05,
-                                   "the jump of the force and the lag of the dashpot; the next power of the step, w h "
-                                   "= 0.05, changes the order by half of that over two doublings"));
-  findings.expect("snatched cable: largest error of the return speed, steps cut", located.max(), 0.0,
-                  Tolerance::truncation(tolerance, 3.0, "the method's tolerance"));
-  findings.expect("snatched cable: minimum of k x + c v while stretched without tension, over c e v0",
-                  least.let_go / (2.0 * xi * exact.restitution), -1.0,
-                  Tolerance::model(0.04,
-                                   "the compression that an unclamped cable would exert at x = 0: one phase comes "
-                                   "within a 64th of a step of it, and e itself is off by up to 0.45/N"));
-  findings.expect("snatched cable: minimum tension of all runs", least.tension, 0.0,
-                  Tolerance::exact("zero where the law is clamped"));
+  findings.expect_model("snatched cable: order of the return speed, steps not cut", order, 1.0, 0.05,
+                        "the jump of the force and the lag of the dashpot; the next power of the step, w h = 0.05, "
+                        "changes the order by half of that over two doublings");
+  findings.expect_truncation("snatched cable: largest error of the return speed, steps cut", located.max(), 0.0,
+                             tolerance, 3.0, "the method's tolerance");
+  findings.expect_model("snatched cable: minimum of k x + c v while stretched without tension, over c e v0",
+                        least.let_go / (2.0 * xi * exact.restitution), -1.0, 0.04,
+                        "the compression that an unclamped cable would exert at x = 0: one phase comes within a 64th "
+                        "of a step of it, and e itself is off by up to 0.45/N");
+  findings.expect_exact("snatched cable: minimum tension of all runs", least.tension, 0.0,
+                        "zero where the law is clamped");
   return {fmt::format("not cut: order {:.2f}; k x + c v falls to {:.2f} c e v0", order,
                       least.let_go / (2.0 * xi * exact.restitution)),
           fmt::format("cut: {:.1g}; minimum T = {:g}", located.max(), least.tension)};
@@ -190,21 +169,20 @@ FailureFound check_changed_step(Findings& findings, const Setup& setup) {
   const char* why =
       "twenty steps with overlaps that are differences of lengths of 8, each rounded by 8.9e-16 at most: a random "
       "walk, twice that for the energy";
-  findings.expect("change of step: energy gain if the step is doubled half-way, over the energy at touch",
-                  2.0 * (leaves - 0.5), 0.25 * x * x * (first * first - 0.04),
-                  Tolerance::round_off(2.0 * round_off, why));
-  findings.expect("change of step: energy gain with a constant step, over the energy at touch",
-                  2.0 * (kept_energy(kept.state, radius, first) - 0.5), 0.0,
-                  Tolerance::round_off(2.0 * round_off, why));
-  findings.expect("change of step: energy gain until half-way, over the energy at touch", 2.0 * (came - 0.5), 0.0,
-                  Tolerance::round_off(2.0 * round_off, why));
+  findings.expect_round_off(
+      {"change_of_step", "change of step: energy gain if the step is doubled half-way, over the energy at touch"},
+      2.0 * (leaves - 0.5), 0.25 * x * x * (first * first - 0.04), 2.0 * round_off, why);
+  findings.expect_round_off("change of step: energy gain with a constant step, over the energy at touch",
+                            2.0 * (kept_energy(kept.state, radius, first) - 0.5), 0.0, 2.0 * round_off, why);
+  findings.expect_round_off("change of step: energy gain until half-way, over the energy at touch", 2.0 * (came - 0.5),
+                            0.0, 2.0 * round_off, why);
   constexpr double tolerance = 1e-10;
   Scene free = scenes::bouncing_disc(
       {.radius = radius, .gap = 0.3, .speed = 1.0, .contact = LinearSpringDashpot{1.0, 0.0, EndRule::clamped}});
   const RunEnd located = run_steps(free, make_integrator("stormer_cowell", tolerance), 1.0, 6);
   const double loss = located.state.v[1] * located.state.v[1] - 1.0;
-  findings.expect("change of step: energy gain with variable steps cut at events, over the energy at touch", loss, 0.0,
-                  Tolerance::truncation(tolerance, 3.0, "the method's tolerance"));
+  findings.expect_truncation("change of step: energy gain with variable steps cut at events, over the energy at touch",
+                             loss, 0.0, tolerance, 3.0, "the method's tolerance");
   return {fmt::format("h doubled half-way: {:+.2f} % of the energy", 200.0 * (leaves - 0.5)),
           fmt::format("constant: {:.1g}; cut at events: {:.1g}",
                       std::abs(2.0 * (kept_energy(kept.state, radius, first) - 0.5)), std::abs(loss))};

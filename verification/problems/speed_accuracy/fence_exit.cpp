@@ -1,11 +1,8 @@
 #include "verification/problems/speed_accuracy/fence_exit.hpp"
 
-#include <algorithm>
-#include <cmath>
-
 #include "solver/scenes/fence_scene.hpp"
-#include "verification/study/runs/scene_run.hpp"
 #include "verification/study/scenes/fence_table.hpp"
+#include "verification/study/toolkit.hpp"
 
 namespace talus::verification::problems {
 

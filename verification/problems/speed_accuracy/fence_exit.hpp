@@ -1,8 +1,6 @@
 #pragma once
 
-#include "solver/integrate/integrator_list.hpp"
-#include "solver/scenes/scene.hpp"
-#include "verification/check/findings.hpp"
+#include "verification/study/toolkit.hpp"
 
 /// The fence of Table 2 hit by the rock of 600 lb, slack 0.5, as in its deck in cases/fence: speed of the rock and
 /// largest tension at a given time.

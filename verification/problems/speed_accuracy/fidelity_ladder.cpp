@@ -1,15 +1,7 @@
-#include <fmt/format.h>
-
-#include <algorithm>
-#include <cmath>
-#include <numbers>
-
-#include "solver/model/model_builder.hpp"
-#include "verification/check/case.hpp"
 #include "verification/problems/speed_accuracy/fidelity_levels.hpp"
 #include "verification/problems/speed_accuracy/fidelity_rungs.hpp"
 #include "verification/reference/impacts/bed_of_springs.hpp"
-#include "verification/study/runs/scene_run.hpp"
+#include "verification/study/toolkit.hpp"
 
 namespace talus::verification::problems::fidelity_ladder {
 namespace {
@@ -27,27 +19,17 @@ reference::BedOfSprings bed_for(const FenceNumbers& n, const reference::Impact& 
 
 /// Rock and column, free and touching, with `nodes` nodes of the rock, or with one resultant if `nodes` is 0.
 Scene struck_column(const FenceNumbers& n, const LinearSpringDashpot& law, int nodes, double turned) {
-  ModelBuilder builder{us};
-  const BodyId rock = builder.add(Body{.name = "rock",
-                                       .mobility = Mobility::free,
-                                       .mass = n.rock_mass,
-                                       .inertia = 0.4 * n.rock_mass * n.rock_radius * n.rock_radius,
-                                       .shape = Circle{n.rock_radius},
-                                       .p_WB = {n.half_width + n.rock_radius, 0.0},
-                                       .angle = turned});
-  const BodyId column = builder.add(Body{.name = "column",
-                                         .mobility = Mobility::free,
-                                         .mass = n.column_mass,
-                                         .inertia = n.column_inertia,
-                                         .shape = Rectangle{n.half_width, 4.0}});
+  SceneBuilder builder{us};
+  const BodyId rock = builder.add_free("rock", n.rock_mass, 0.4 * n.rock_mass * n.rock_radius * n.rock_radius,
+                                       Circle{n.rock_radius}, {n.half_width + n.rock_radius, 0.0}, turned);
+  const BodyId column = builder.add_free("column", n.column_mass, n.column_inertia, Rectangle{n.half_width, 4.0});
   builder.add(Contact{.name = "impact",
                       .a = rock,
                       .b = column,
                       .law = law,
                       .method = nodes == 0 ? ContactMethod::resultant : ContactMethod::nodes,
                       .nodes = {std::max(nodes, 12), 4}});
-  Scene scene{.title = "Rock against a free column", .model = builder.build()};
-  scene.initial = rest_state(scene.model);
+  Scene scene = builder.at_rest("Rock against a free column");
   set_velocity(scene.model, scene.initial, rock, {-n.speed, 0.0}, 0.0);
   return scene;
 }
@@ -124,12 +106,13 @@ void check_contact_ladder(Findings& findings, const Setup& setup) {
       {"formula", "0", "0", fmt::format("{:.2} %", 100.0 * std::abs(formula / exact.exit - 1.0)), "", "-", "-"});
   const Blow single =
       blow(struck_column(n, {linear.stiffness, linear.damping, EndRule::clamped}, 0, 0.0), end, findings);
-  findings.expect("one resultant: speed against the formula", single.exit, formula,
-                  Tolerance::truncation(6.5e-7, 1.0,
-                                        "a prediction may have an error of 1e-7 of the largest speed; the corrected "
-                                        "value is more accurate by one order: a tenth"),
-                  "ft/s");
-  findings.expect("one resultant: peak force against its closed form", single.push, events.largest_force,
+  findings.expect_truncation({"resultant_speed", "one resultant: speed against the formula"}, single.exit, formula,
+                             6.5e-7, 1.0,
+                             "a prediction may have an error of 1e-7 of the largest speed; the corrected value is more "
+                             "accurate by one order: a tenth",
+                             "ft/s");
+  findings.expect({"resultant_force", "one resultant: peak force against its closed form"}, single.push,
+                  events.largest_force,
                   Tolerance::truncation(2e-5, 1.0,
                                         "sampled every 0.0015 of the contact time, up to half of that beside the peak: "
                                         "(w h)^2/8 with w h = 0.0045 is 3e-6; the steps add 1e-7 of the speed")
@@ -137,9 +120,9 @@ void check_contact_ladder(Findings& findings, const Setup& setup) {
                   "lb");
   Series speeds{.label = "speed, nodes"}, pushes{.label = "peak force, nodes"};
   Convergence speed_errors, push_errors;
-  table.rows.push_back({"one resultant", fmt::format("{:.0f}", single.evaluations), "1",
-                        fmt::format("{:.2} %", 100.0 * std::abs(single.exit / exact.exit - 1.0)), "",
-                        fmt::format("{:.3} %", 100.0 * std::abs(single.push / exact.push - 1.0)), ""});
+  table.rows.push_back(cells("one resultant | {:.0f} | 1 | {:.2} % |  | {:.3} % | ", single.evaluations,
+                             100.0 * std::abs(single.exit / exact.exit - 1.0),
+                             100.0 * std::abs(single.push / exact.push - 1.0)));
   double coarsest = 0.0;
   for (const int count : {12, 24, 48, 96, 192}) {
     if (setup.coarse && count == 12) continue;
@@ -157,26 +140,25 @@ void check_contact_ladder(Findings& findings, const Setup& setup) {
          fmt::format("{:.2} %", 100.0 * found.exit.rms()), fmt::format("{:.2} %", 100.0 * found.exit.max()),
          fmt::format("{:.3} %", 100.0 * found.push.rms()), fmt::format("{:.3} %", 100.0 * found.push.max())});
   }
+  findings.expect_order({"order_of_force", "order of the peak force in the node spacing"}, push_errors, 0.7, 1.3,
+                        "first order: the dashpot of the next node sets in with a jump of c v or not; less where only "
+                        "a few nodes form the peak");
   findings.expect_order(
-      "order of the peak force in the node spacing", push_errors, 0.7, 1.3,
-      "first order: the dashpot of the next node sets in with a jump of c v or not; less where only a few nodes form "
-      "the peak");
-  findings.expect_order("order of the speed in the node spacing", speed_errors, 2.2, 3.3,
-                        "5/2: a node at the rim dissipates c v^2 over a short time, and v there falls with the root of "
-                        "its overlap; 3 where the rock's spin, of order 3/2 because its nodes are not symmetric, takes "
-                        "more");
+      {"order_of_speed", "order of the speed in the node spacing"}, speed_errors, 2.2, 3.3,
+      "5/2: a node at the rim dissipates c v^2 over a short time, and v there falls with the root of its overlap; 3 "
+      "where the rock's spin, of order 3/2 because its nodes are not symmetric, takes more");
   if (setup.coarse) return;
   const double single_miss = std::abs(single.exit / exact.exit - 1.0);
-  findings.expect_between("12 nodes: speed error over that of one resultant", coarsest / single_miss, 1.0, 10.0,
-                          "their spacing, 0.50 ft, is more than half of the 0.68 ft of outline in contact: one or two "
-                          "nodes act. From the spacing alone the speed is uncertain by a few times (0.50/0.68)^(5/2) "
-                          "of the dashpot's contribution, a tenth");
+  findings.expect_between(
+      {"twelve_nodes", "12 nodes: speed error over that of one resultant"}, coarsest / single_miss, 1.0, 10.0,
+      "their spacing, 0.50 ft, is more than half of the 0.68 ft of outline in contact: one or two nodes act. From the "
+      "spacing alone the speed is uncertain by a few times (0.50/0.68)^(5/2) of the dashpot's contribution, a tenth");
   findings.table(table);
   findings.figure(
       {.name = "contacts",
        .title = "Error of a contact model against its cost",
-       .caption = "12 to 192 nodes (rms over 16 rotations of the rock) and one resultant, compared with the bed of "
-                  "springs.",
+       .caption =
+           "12 to 192 nodes (rms over 16 rotations of the rock) and one resultant, compared with the bed of springs.",
        .x = {.label = "force evaluations times springs", .log = true},
        .y = {.label = "error", .unit = "1", .log = true},
        .series = {speeds,
@@ -194,22 +176,18 @@ void check_formula(Findings& findings, const Setup& setup) {
   const auto mass = [&](double with_arm) { return setup.has("arm_forgotten") ? n.column_mass : with_arm; };
   for (const double height : {0.0, 1.5}) {
     const FenceNumbers here = fence_numbers(ladder_fence(height));
-    findings.expect(fmt::format("free pair, {} ft off centre: speed against the formula", height),
-                    passage(free_pair(here, height), tight, findings).exit,
-                    speed_by_formula(here, mass(free_column_mass(here, height))),
-                    Tolerance::truncation(65.0 * tight, 1.0,
-                                          "exact for a free pair; one step may have an error of 1e-10 of the largest "
-                                          "speed"),
-                    "ft/s");
+    findings.expect_truncation(fmt::format("free pair, {} ft off centre: speed against the formula", height),
+                               passage(free_pair(here, height), tight, findings).exit,
+                               speed_by_formula(here, mass(free_column_mass(here, height))), 65.0 * tight, 1.0,
+                               "exact for a free pair; one step may have an error of 1e-10 of the largest speed",
+                               "ft/s");
   }
-  findings.expect("hung column: speed against the formula with I_p/h^2",
-                  passage(hung_column(n, 0.0), tight, findings).exit,
-                  speed_by_formula(n, mass(hung_column_mass(n, 0.0))),
-                  Tolerance::model(0.18,
-                                   "during the contact the column rotates by 0.0115 rad, which moves the line of force "
-                                   "2.2 ft x 0.0115 closer to the pin: 0.39 % of h, 0.78 % of the mass, 0.18 ft/s if "
-                                   "it applied from the start"),
-                  "ft/s");
+  findings.expect_model(
+      {"hung_column", "hung column: speed against the formula with I_p/h^2"},
+      passage(hung_column(n, 0.0), tight, findings).exit, speed_by_formula(n, mass(hung_column_mass(n, 0.0))), 0.18,
+      "during the contact the column rotates by 0.0115 rad, which moves the line of force 2.2 ft x 0.0115 closer to "
+      "the pin: 0.39 % of h, 0.78 % of the mass, 0.18 ft/s if it applied from the start",
+      "ft/s");
 }
 
 /// Checks the largest tension of the particle on cables against the value from its energy.
@@ -266,9 +244,8 @@ void check_fences(Findings& findings, const Setup& setup) {
     };
     apart = std::max(apart, norm(place(half_scene, half.end) - place(full_scene, full.end)));
   }
-  findings.expect("half fence against the full one at 0.2 s, largest distance", apart, 0.0,
-                  Tolerance::exact("T + T is 2 T, and the steps are chosen by the largest errors, which are equal"),
-                  "ft");
+  findings.expect_exact({"half_against_full", "half fence against the full one at 0.2 s, largest distance"}, apart, 0.0,
+                        "T + T is 2 T, and the steps are chosen by the largest errors, which are equal", "ft");
   if (setup.coarse) return;
   const FenceNumbers n = fence_numbers(ladder_fence(0.0));
   const double taken = speed_taken_by_cables(n);
@@ -278,15 +255,15 @@ void check_fences(Findings& findings, const Setup& setup) {
       "(1 + e) times what the cables take if all of it came before the contact, nothing if all came after it; it grows "
       "with the third power of time, so that most of it comes late");
   const Passage two = passage(fence_of(0.0, 2, scenes::FenceSymmetry::half), tight, findings);
-  findings.expect(
-      "two layers: speed after the first contact against one layer", two.first, full.first,
-      Tolerance::exact("the columns, 0.1 ft apart, touch after the contact has ended; until then the back layer is in "
-                       "bit-exact equilibrium, and the steps are those of one layer"),
-      "ft/s");
+  findings.expect_exact("two layers: speed after the first contact against one layer", two.first, full.first,
+                        "the columns, 0.1 ft apart, touch after the contact has ended; until then the back layer is in "
+                        "bit-exact equilibrium, and the steps are those of one layer",
+                        "ft/s");
   const double ends = passage(particle_on_cables(n, 0.0, Held::ends, {}), tight, findings).pull;
   const double neighbours = passage(particle_on_cables(n, 0.0, Held::neighbours, {}), tight, findings).pull;
-  findings.expect_between("fence: largest tension of a top cable, between those of the two particles", full.pull, ends,
-                          neighbours, "neighbours are neither fixed nor massless", "lb");
+  findings.expect_between(
+      {"cable_tension", "fence: largest tension of a top cable, between those of the two particles"}, full.pull, ends,
+      neighbours, "neighbours are neither fixed nor massless", "lb");
 }
 
 void run(Findings& findings, const Setup& setup) {
@@ -325,14 +302,12 @@ Case definition() {
                       "12 nodes: speed error over that of one resultant", "order of the peak force in the node spacing",
                       "order of the speed in the node spacing"},
       .source = "Mustoe & Huttelmaier 1993, Table 2",
-      .faults = {{"arm_forgotten", "the hung column's mass instead of I_p/h^2",
-                  "hung column: speed against the formula with I_p/h^2"},
+      .faults = {{"arm_forgotten", "the hung column's mass instead of I_p/h^2", "hung_column"},
                  {"cable_stiffness_halved", "cables of the particle with half the stiffness",
                   "particle on cables to the neighbours: largest tension against its energy"},
-                 {"half_column", "a half fence with half of its central column",
-                  "half fence against the full one at 0.2 s, largest distance"},
+                 {"half_column", "a half fence with half of its central column", "half_against_full"},
                  {"stiffness_per_node", "spring and dashpot of a node independent of the number of nodes, as in 1993",
-                  "order of the peak force in the node spacing"}},
+                  "order_of_force"}},
       .full_seconds = 4.0,
       .run = run};
 }

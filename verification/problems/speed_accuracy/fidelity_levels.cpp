@@ -1,15 +1,11 @@
 #include "verification/problems/speed_accuracy/fidelity_levels.hpp"
 
-#include <algorithm>
-#include <cmath>
-#include <limits>
 #include <numeric>
 
 #include "solver/laws/restitution.hpp"
-#include "solver/model/model_builder.hpp"
 #include "solver/scenes/pivoted_cylinder.hpp"
-#include "verification/study/runs/scene_run.hpp"
 #include "verification/study/scenes/fence_table.hpp"
+#include "verification/study/toolkit.hpp"
 
 namespace talus::verification::problems {
 namespace {
@@ -23,17 +19,13 @@ LinearSpringDashpot contact_law(const FenceNumbers& n, double felt_mass) {
 double reduced(double a, double b) { return a * b / (a + b); }
 
 /// Rock and column as two touching particles; the rock moves towards -x as in the fence.
-ModelBuilder pair_of_particles(const FenceNumbers& n, double height) {
-  ModelBuilder builder{us};
+SceneBuilder pair_of_particles(const FenceNumbers& n, double height) {
+  SceneBuilder builder{us};
   const double mass = free_column_mass(n, height);
-  const BodyId column =
-      builder.add(Body{.name = "column1", .mobility = Mobility::particle, .mass = mass, .shape = Circle{n.half_width}});
-  const BodyId rock = builder.add(Body{.name = "rock",
-                                       .mobility = Mobility::particle,
-                                       .mass = n.rock_mass,
-                                       .shape = Circle{n.rock_radius},
-                                       .p_WB = {n.half_width + n.rock_radius, 0.0}});
-  builder.add(Contact{.name = "impact", .a = rock, .b = column, .law = contact_law(n, reduced(n.rock_mass, mass))});
+  const BodyId column = builder.add_particle("column1", mass, {}, Circle{n.half_width});
+  const BodyId rock =
+      builder.add_particle("rock", n.rock_mass, {n.half_width + n.rock_radius, 0.0}, Circle{n.rock_radius});
+  builder.add_contact("impact", rock, column, contact_law(n, reduced(n.rock_mass, mass)));
   return builder;
 }
 
@@ -138,16 +130,13 @@ Scene free_pair(const FenceNumbers& n, double height) {
 }
 
 Scene particle_on_cables(const FenceNumbers& n, double height, Held held, const Setup& setup) {
-  ModelBuilder builder = pair_of_particles(n, height);
+  SceneBuilder builder = pair_of_particles(n, height);
   const double length = held == Held::ends ? n.half_span : n.segment;
   const double stiffness = n.cable_modulus / length;
   for (const double side : {1.0, -1.0}) {
     const double hung = setup.has("cable_stiffness_halved") ? 0.5 * stiffness : stiffness;
-    builder.add(Cable{.name = side > 0.0 ? "top1" : "top-1",
-                      .a = {BodyId{0}, {}},
-                      .b = {std::nullopt, {0.0, 0.0, side * length}},
-                      .rest_length = length - n.first_tension / hung,
-                      .law = TensionOnly{hung, 0.0}});
+    builder.add_cable(side > 0.0 ? "top1" : "top-1", {BodyId{0}, {}}, {std::nullopt, {0.0, 0.0, side * length}},
+                      length - n.first_tension / hung, TensionOnly{hung, 0.0});
   }
   return started("Particle on two cables", builder.build(), {-n.speed, 0.0});
 }

@@ -1,21 +1,10 @@
 #include "verification/problems/speed_accuracy/fidelity_rungs.hpp"
 
-#include <fmt/format.h>
-
-#include <algorithm>
-#include <array>
 #include <chrono>
-#include <cmath>
-#include <functional>
-#include <limits>
 #include <random>
 
-#include "solver/dynamics/rigid_body_system.hpp"
-#include "solver/integrate/integrator_list.hpp"
 #include "solver/run/simulate.hpp"
-#include "solver/run/snapshot.hpp"
-#include "verification/study/findings/expectations.hpp"
-#include "verification/study/runs/usage.hpp"
+#include "verification/study/toolkit.hpp"
 
 namespace talus::verification::problems {
 namespace {
@@ -124,27 +113,26 @@ Table rung_table(const std::vector<Level>& levels, const std::vector<Rung>& rung
   if (!times.empty()) table.rows.back().push_back("0");
   for (std::size_t l = 0; l < rungs.size(); ++l) {
     const Passage& at = rungs[l].at[0];
-    table.rows.push_back({levels[l].name, fmt::format("{}", rungs[l].usual.coordinates),
-                          fmt::format("{}", rungs[l].usual.evaluations), number(at.first, 4), number(at.push, 0),
-                          number(at.pull, 0), number(at.exit, 4), number(rungs[l].at[1].exit, 3),
-                          number(rungs[l].at[2].exit, 3)});
+    table.rows.push_back(cells("{} | {} | {} | {} | {} | {} | {} | {} | {}", levels[l].name, rungs[l].usual.coordinates,
+                               rungs[l].usual.evaluations, number(at.first, 4), number(at.push, 0), number(at.pull, 0),
+                               number(at.exit, 4), number(rungs[l].at[1].exit, 3), number(rungs[l].at[2].exit, 3)));
     if (!times.empty()) table.rows.back().push_back(fmt::format("{:.0f}", 1e6 * times[l]));
   }
   return table;
 }
 
 Figure rung_figure(const std::vector<Rung>& rungs, double own) {
-  Figure figure{.name = "ladder",
-                .title = "Error of a level against its cost",
-                .caption =
-                    "Hit at the centre, compared with the full fence. From left to right: hung column, free pair, on "
-                    "cables to the ends and to neighbours, half fence with 1, 3, ... 13 moving columns (the last has "
-                    "no error). Line: error of steps with a tolerance of 1e-7; errors below a hundredth of it are not "
-                    "drawn.",
-                .x = {.label = "force evaluations times degrees of freedom", .log = true},
-                .y = {.label = "error", .unit = "1", .log = true},
-                .series = {},
-                .lines = {{'y', own, "steps"}}};
+  Figure figure{
+      .name = "ladder",
+      .title = "Error of a level against its cost",
+      .caption =
+          "Hit at the centre, compared with the full fence. From left to right: hung column, free pair, on cables to "
+          "the ends and to neighbours, half fence with 1, 3, ... 13 moving columns (the last has no error). Line: "
+          "error of steps with a tolerance of 1e-7; errors below a hundredth of it are not drawn.",
+      .x = {.label = "force evaluations times degrees of freedom", .log = true},
+      .y = {.label = "error", .unit = "1", .log = true},
+      .series = {},
+      .lines = {{'y', own, "steps"}}};
   std::vector<std::size_t> order(full_fence - 1);
   for (std::size_t i = 0; i < order.size(); ++i)
     order[i] = i;
@@ -214,7 +202,7 @@ void check_rungs(Findings& findings, const Setup& setup) {
     for (std::size_t i = 0; i < heights.size(); ++i)
       rung.at[i] = passage(level.scene(heights[i]), tight, findings);
     rung.usual = passage(level.scene(0.0), usual, findings);
-    own = std::max(own, std::abs(rung.usual.exit - rung.at[0].exit));
+    keep_largest(own, rung.usual.exit - rung.at[0].exit);
     rungs.push_back(std::move(rung));
   }
   const Passage& full = rungs[full_fence].at[0];

@@ -1,18 +1,7 @@
-#include <fmt/format.h>
-
-#include <algorithm>
-#include <cmath>
-#include <numbers>
-#include <string>
-#include <vector>
-
-#include "solver/model/model_builder.hpp"
 #include "solver/scenes/bouncing_disc.hpp"
-#include "verification/check/case.hpp"
 #include "verification/problems/speed_accuracy/exact_motions.hpp"
 #include "verification/problems/speed_accuracy/fence_exit.hpp"
-#include "verification/study/findings/expectations.hpp"
-#include "verification/study/runs/scene_run.hpp"
+#include "verification/study/toolkit.hpp"
 
 namespace talus::verification::problems::located_events {
 namespace {
@@ -69,12 +58,12 @@ void check_motion(const ExactMotion& motion, const Bound& bound, double known, F
       "{:.0f} and {:.0f} evaluations are permitted for 1e-6 and 1e-9: {}; fewer than a fiftieth would mean that "
       "evaluations are missing from the count",
       bound.admitted[0], bound.admitted[1], bound.words);
-  findings.in("evaluations_to_1e_6")
-      ->expect_between(fmt::format("evaluations to reach 1e-6 over the permitted number, {}", motion.name),
-                       reached[0] / bound.admitted[0], 0.02, 1.0, words);
-  findings.in("evaluations_to_1e_9")
-      ->expect_between(fmt::format("evaluations to reach 1e-9 over the permitted number, {}", motion.name),
-                       reached[1] / bound.admitted[1], 0.02, 1.0, words);
+  findings.expect_between(
+      {"evaluations_to_1e_6", fmt::format("evaluations to reach 1e-6 over the permitted number, {}", motion.name)},
+      reached[0] / bound.admitted[0], 0.02, 1.0, words);
+  findings.expect_between(
+      {"evaluations_to_1e_9", fmt::format("evaluations to reach 1e-9 over the permitted number, {}", motion.name)},
+      reached[1] / bound.admitted[1], 0.02, 1.0, words);
   expect_counted(findings, motion.name, evaluations, known);
   const std::size_t last = points.size() - 1;
   const double digit = std::sqrt(points[last].evaluations / points[last - 4].evaluations);
@@ -83,8 +72,8 @@ void check_motion(const ExactMotion& motion, const Bound& bound, double known, F
       std::pow(10.0, 1.0 / 18.0), std::pow(10.0, 1.0 / 10.0),
       "over the last two digits; as a power of the step, 13 is expected at the highest order. 10 and 18 allow 5 % in "
       "either direction: orders and lengths are chosen step by step, and the motion differs from scene to scene");
-  table.rows.push_back({motion.name, whole(evaluations_to_reach(points, 1e-4)), whole(reached[0]), whole(reached[1]),
-                        fmt::format("{:.3f}", digit), fmt::format("{}", points.back().events)});
+  table.rows.push_back(cells("{} | {} | {} | {} | {:.3f} | {}", motion.name, whole(evaluations_to_reach(points, 1e-4)),
+                             whole(reached[0]), whole(reached[1]), digit, points.back().events));
 }
 
 constexpr double early = 0.05, late = 0.2;  ///< ends of the fence's runs [s]
@@ -104,10 +93,8 @@ FenceErrors fence_errors(const FenceHit& hit, double end, const FenceExit& best,
     const FenceExit found = run_fence(hit, make_integrator(name, tolerance), {end, spans}, findings);
     errors.tensions.push_back({std::abs(found.tension / best.tension - 1.0), found.evaluations, found.events});
     errors.speeds.push_back({std::abs(found.speed / best.speed - 1.0), found.evaluations, found.events});
-    table.rows.push_back({fmt::format("{:g}", end), fmt::format("{:.0e}", tolerance),
-                          fmt::format("{}", found.evaluations), fmt::format("{}", found.events),
-                          fmt::format("{:.0e}", errors.tensions.back().error),
-                          fmt::format("{:.0e}", errors.speeds.back().error)});
+    table.rows.push_back(cells("{:g} | {:.0e} | {} | {} | {:.0e} | {:.0e}", end, tolerance, found.evaluations,
+                               found.events, errors.tensions.back().error, errors.speeds.back().error));
   }
   return errors;
 }
@@ -139,10 +126,10 @@ void check_scheme_of_1993(const FenceHit& hit, const FenceExit& best, Findings& 
     }
     errors.add(mean, std::sqrt(squares));
   }
-  findings.expect_order("order of central_difference in the rock's speed at 0.05 s", errors, 0.6, 1.4,
-                        "events are late by up to a step: order 1. Root mean squares of 8 runs with steps spread over "
-                        "an octave, each uncertain by a fifth, which over two octaves changes the order by 0.2; twice "
-                        "that");
+  findings.expect_order(
+      "order of central_difference in the rock's speed at 0.05 s", errors, 0.6, 1.4,
+      "events are late by up to a step: order 1. Root mean squares of 8 runs with steps spread over an octave, each "
+      "uncertain by a fifth, which over two octaves changes the order by 0.2; twice that");
 }
 
 void check_fence(Findings& findings, const Setup& setup, Figure& figure) {
@@ -163,13 +150,12 @@ void check_fence(Findings& findings, const Setup& setup, Figure& figure) {
     const auto demand = [&](const char* what, double tension, double speed, double most) {
       const double found =
           std::max(evaluations_to_reach(errors.tensions, tension), evaluations_to_reach(errors.speeds, speed));
-      findings.in("fence_evaluations")
-          ->expect_between(
-              fmt::format("fence, evaluations to reach {} over {:.0f}", what, most), found / most, 0.1, 1.0,
-              fmt::format(
-                  "set in advance, for a method that locates events; the 1993 scheme takes {:.0f} steps of 2e-6 s; "
-                  "fewer than a tenth would mean that evaluations are missing from the count",
-                  end / 2e-6));
+      findings.expect_between(
+          {"fence_evaluations", fmt::format("fence, evaluations to reach {} over {:.0f}", what, most)}, found / most,
+          0.1, 1.0,
+          fmt::format("set in advance, for a method that locates events; the 1993 scheme takes {:.0f} steps of 2e-6 s; "
+                      "fewer than a tenth would mean that evaluations are missing from the count",
+                      end / 2e-6));
     };
     if (end == early) {
       demand("1e-5 of tension and 1.4e-4 of speed at 0.05 s", 1e-5, 1.4e-4, 561.0);
@@ -182,13 +168,13 @@ void check_fence(Findings& findings, const Setup& setup, Figure& figure) {
     furthest = std::max(furthest, distance_of_others(hit, end, best, findings));
   }
   expect_counted(findings, "fence", evaluations, counted_on_fence);
-  findings.expect("fence, speed of the rock at 0.05 and 0.2 s: largest difference of three odeint steppers at 1e-13",
-                  furthest, 0.0,
-                  Tolerance::truncation(100.0 * others_tolerance * std::abs(hit.scene.initial.v[hit.rock]), 1.0,
-                                        "the error of a step is kept below 1e-13 of the rock's initial speed, and the "
-                                        "errors of about ten thousand steps add up as a random walk: a hundred times "
-                                        "that"),
-                  "ft/s");
+  findings.expect_truncation(
+      {"odeint_steppers",
+       "fence, speed of the rock at 0.05 and 0.2 s: largest difference of three odeint steppers at 1e-13"},
+      furthest, 0.0, 100.0 * others_tolerance * std::abs(hit.scene.initial.v[hit.rock]), 1.0,
+      "the error of a step is kept below 1e-13 of the rock's initial speed, and the errors of about ten thousand steps "
+      "add up as a random walk: a hundred times that",
+      "ft/s");
   findings.table(table);
 }
 
@@ -200,29 +186,23 @@ void check_grazing(Findings& findings) {
   const double w = std::sqrt(k / m);
   double worst = 0.0;
   for (const double depth : {1e-2, 1e-4, 1e-6}) {
-    ModelBuilder builder;
+    SceneBuilder builder;
     builder.gravity({0.0, g});
-    const BodyId plane = builder.add(Body{.name = "plane", .mobility = Mobility::fixed, .shape = HalfPlane{}});
-    const BodyId disc = builder.add(Body{.name = "disc",
-                                         .mobility = Mobility::particle,
-                                         .mass = m,
-                                         .shape = Circle{radius},
-                                         .p_WB = {0.0, radius + gap}});
-    builder.add(Contact{.name = "graze", .a = disc, .b = plane, .law = LinearSpringDashpot{k, 0.0, EndRule::clamped}});
-    Scene scene{.title = "Grazing disc", .model = builder.build()};
-    scene.initial = rest_state(scene.model);
+    const BodyId plane = builder.add_fixed("plane", HalfPlane{});
+    const BodyId disc = builder.add_particle("disc", m, {0.0, radius + gap}, Circle{radius});
+    builder.add_contact("graze", disc, plane, LinearSpringDashpot{k, 0.0, EndRule::clamped});
+    Scene scene = builder.at_rest("Grazing disc");
     const double start = std::sqrt(2.0 * g * (gap + depth)), touch = std::sqrt(2.0 * g * depth);
     set_velocity(scene.model, scene.initial, disc, {0.3, -start}, 0.0);
     const RunEnd run = run_scene(scene, make_integrator("stormer_cowell", tolerance), {end, end, end, false}, findings);
     const double left = end - (start - touch) / g - 2.0 / w * std::atan(touch * w / g);
     keep_worst(worst, run.state.q[1] - (radius + touch * left + 0.5 * g * left * left));
   }
-  findings.expect(
-      "position after a grazing contact: largest error of three overlaps", worst, 0.0,
-      Tolerance::truncation(2.0 * tolerance, 3.0,
-                            "local errors below 1e-11 of the distance travelled, 2 m, about ten of random sign; a "
-                            "missed contact changes the position by 1e-5 or more"),
-      "m");
+  findings.expect_truncation("position after a grazing contact: largest error of three overlaps", worst, 0.0,
+                             2.0 * tolerance, 3.0,
+                             "local errors below 1e-11 of the distance travelled, 2 m, about ten of random sign; a "
+                             "missed contact changes the position by 1e-5 or more",
+                             "m");
 }
 
 /// Checks which methods choose their own steps. A contact of half a period, pi, lasts a third of an output interval:
@@ -242,8 +222,8 @@ void check_choice(Findings& findings) {
   }
   findings.expect_between("methods that follow a contact between two outputs", choosing, 4.0,
                           static_cast<double>(methods.size()) - 5.0, "the list contains several methods of each kind");
-  findings.expect("methods wrongly reported as choosing or not choosing their steps", wrong, 0.0,
-                  Tolerance::exact("compared with their behaviour"));
+  findings.expect_exact("methods wrongly reported as choosing or not choosing their steps", wrong, 0.0,
+                        "compared with their behaviour");
 }
 
 /// Counts discs that do not rebound: a small disc is thrown fast at a small post from afar, and only the post can
@@ -253,23 +233,19 @@ void check_posts(Findings& findings) {
   double lost = 0.0;
   for (const Vec2 from : {Vec2{1.0, 0.0}, {-1.0, 0.0}, {0.0, 1.0}, {0.0, -1.0}}) {
     for (const bool disc_first : {true, false}) {
-      ModelBuilder builder;
+      SceneBuilder builder;
       Body disc{.name = "disc", .mobility = Mobility::particle, .mass = 1.0, .shape = Circle{radius}};
       disc.p_WB = distance * from;
       const BodyId flying = builder.add(disc);
-      const BodyId post = builder.add(Body{.name = "post", .mobility = Mobility::fixed, .shape = Circle{radius}});
-      builder.add(Contact{.name = "hit",
-                          .a = disc_first ? flying : post,
-                          .b = disc_first ? post : flying,
-                          .law = LinearSpringDashpot{1e8, 0.0}});
-      Scene scene{.title = "Post", .model = builder.build()};
-      scene.initial = rest_state(scene.model);
+      const BodyId post = builder.add_fixed("post", Circle{radius});
+      builder.add_contact("hit", disc_first ? flying : post, disc_first ? post : flying, LinearSpringDashpot{1e8, 0.0});
+      Scene scene = builder.at_rest("Post");
       set_velocity(scene.model, scene.initial, flying, -speed * from, 0.0);
       const RunEnd end = run_steps(scene, make_integrator("stormer_cowell", 1e-6), 2.0 * distance / speed, 1, findings);
       if (!(dot(pose(scene.model, end.state, flying).v_WB, from) > 0.99 * speed)) lost += 1.0;
     }
   }
-  findings.expect("discs thrown at a post that do not rebound", lost, 0.0, Tolerance::exact("none of eight"));
+  findings.expect_exact("discs thrown at a post that do not rebound", lost, 0.0, "none of eight");
 }
 
 /// Checks a large disc that falls from rest on another, for so long that a step could last many seconds: only its
@@ -277,23 +253,17 @@ void check_posts(Findings& findings) {
 void check_falls(Findings& findings) {
   constexpr double radius = 100.0, height = 1000.0, gravity = 9.81;
   const double fall = std::sqrt(2.0 * height / gravity);
-  ModelBuilder builder{si};
+  SceneBuilder builder{si};
   builder.gravity({0.0, -gravity});
-  const BodyId falling = builder.add(Body{.name = "disc",
-                                          .mobility = Mobility::particle,
-                                          .mass = 1.0,
-                                          .shape = Circle{radius},
-                                          .p_WB = {0.0, 2.0 * radius + height}});
-  const BodyId post = builder.add(Body{.name = "post", .mobility = Mobility::fixed, .shape = Circle{radius}});
-  builder.add(Contact{.name = "hit", .a = falling, .b = post, .law = LinearSpringDashpot{1e6, 0.0}});
-  Scene scene{.title = "Fall", .model = builder.build()};
-  scene.initial = rest_state(scene.model);
+  const BodyId falling = builder.add_particle("disc", 1.0, {0.0, 2.0 * radius + height}, Circle{radius});
+  const BodyId post = builder.add_fixed("post", Circle{radius});
+  builder.add_contact("hit", falling, post, LinearSpringDashpot{1e6, 0.0});
+  Scene scene = builder.at_rest("Fall");
   const RunEnd end = run_steps(scene, make_integrator("stormer_cowell", 1e-6), 2.5 * fall, 1, findings);
-  findings.expect("velocity of a disc 2.5 fall times after its release above a large disc, over its impact speed",
-                  end.state.v[1] / (gravity * fall), -0.5,
-                  Tolerance::model(1e-3,
-                                   "the contact lasts pi sqrt(m/k) = 0.003 s of 14 s; a disc that has passed through "
-                                   "continues to fall at 2.5"));
+  findings.expect_model(
+      "velocity of a disc 2.5 fall times after its release above a large disc, over its impact speed",
+      end.state.v[1] / (gravity * fall), -0.5, 1e-3,
+      "the contact lasts pi sqrt(m/k) = 0.003 s of 14 s; a disc that has passed through continues to fall at 2.5");
 
   const Scene bouncing =
       scenes::bouncing_disc({.gap = 0.5, .gravity = gravity, .contact = LinearSpringDashpot{1e6, 0.0}});
@@ -303,9 +273,9 @@ void check_falls(Findings& findings) {
     // The disc starts with a speed of 1, first touches at the time `first`, and each later flight lasts 2 u/g.
     const double u = std::sqrt(1.0 + 2.0 * gravity * 0.5), first = (u - 1.0) / gravity;
     const double bounces = std::floor((3.0 - first) / (2.0 * u / gravity)) + 1.0;
-    findings.expect(fmt::format("located events of a bouncing disc, {}", method),
-                    static_cast<double>(talus::located_events(bounced.method).value_or(0)), 2.0 * bounces,
-                    Tolerance::exact("each contact begins and ends"));
+    findings.expect_exact(fmt::format("located events of a bouncing disc, {}", method),
+                          static_cast<double>(talus::located_events(bounced.method).value_or(0)), 2.0 * bounces,
+                          "each contact begins and ends");
   }
 }
 
@@ -336,23 +306,17 @@ struct CableRow {
   }
 
   static Scene scene(bool last, double speed) {
-    ModelBuilder builder;
+    SceneBuilder builder;
     std::vector<BodyId> ids;
     for (int i = 0; i < masses; ++i)
-      ids.push_back(builder.add(Body{.name = fmt::format("mass{}", i),
-                                     .mobility = Mobility::particle,
-                                     .mass = mass,
-                                     .p_WB = {(i - 0.5 * (masses - 1)) * length, 0.0}}));
+      ids.push_back(builder.add_particle(fmt::format("mass{}", i), mass, {(i - 0.5 * (masses - 1)) * length, 0.0}));
     for (int i = 0; i <= masses; ++i) {
       const CableEnd wall{{}, {(i == 0 ? -0.5 : 0.5) * (masses + 1) * length, 0.0}};
-      builder.add(Cable{.name = fmt::format("cable{}", i),
-                        .a = i == 0 ? wall : CableEnd{ids[static_cast<std::size_t>(i) - 1], {}},
-                        .b = i == masses ? wall : CableEnd{ids[static_cast<std::size_t>(i)], {}},
-                        .rest_length = length - elongation,
-                        .law = ElasticPlastic{.stiffness = stiffness}});
+      builder.add_cable(fmt::format("cable{}", i), i == 0 ? wall : CableEnd{ids[static_cast<std::size_t>(i) - 1], {}},
+                        i == masses ? wall : CableEnd{ids[static_cast<std::size_t>(i)], {}}, length - elongation,
+                        ElasticPlastic{.stiffness = stiffness});
     }
-    Scene made{.title = "Row of cables", .model = builder.build()};
-    made.initial = rest_state(made.model);
+    Scene made = builder.at_rest("Row of cables");
     set_velocity(made.model, made.initial, last ? ids.back() : ids.front(), {last ? speed : -speed, 0.0}, 0.0);
     return made;
   }
@@ -375,13 +339,11 @@ void check_rows(Findings& findings) {
     for (std::size_t i = 0; i < CableRow::masses; ++i)
       keep_worst(apart, last.q[2 * i] + first.q[2 * (CableRow::masses - 1 - i)]);
   }
-  findings.expect(
-      "runs of a row of cables that miss an outer cable which slackens for a moment, or find one that does "
-      "not",
-      wrong, 0.0, Tolerance::exact("both events of three speeds, none of two; the last and the first cable"));
-  findings.expect(
-      "positions in a row of cables against its mirror image, largest difference", apart, 0.0,
-      Tolerance::round_off(1e-12, "the same steps; sums of a hundred steps in another order of the masses"));
+  findings.expect_exact(
+      "runs of a row of cables that miss an outer cable which slackens for a moment, or find one that does not", wrong,
+      0.0, "both events of three speeds, none of two; the last and the first cable");
+  findings.expect_round_off("positions in a row of cables against its mirror image, largest difference", apart, 0.0,
+                            1e-12, "the same steps; sums of a hundred steps in another order of the masses");
 }
 
 void run(Findings& findings, const Setup& setup) {
@@ -395,8 +357,8 @@ void run(Findings& findings, const Setup& setup) {
   Figure figure{.name = "work_precision",
                 .title = "Error against force evaluations, located events",
                 .caption =
-                    "Each line is one scene with tolerances from 1e-3 to 1e-12. Dashed: order 2, for which ten "
-                    "times the evaluations give two digits.",
+                    "Each line is one scene with tolerances from 1e-3 to 1e-12. Dashed: order 2, for which ten times "
+                    "the evaluations give two digits.",
                 .x = {.label = "force evaluations", .unit = "1", .log = true},
                 .y = {.label = "error", .unit = "1", .log = true},
                 .series = {},
@@ -422,9 +384,7 @@ Case definition() {
                           "evaluations to reach 1e-9 over the permitted number, pendulum, 170 degrees",
                           "evaluations to reach 1e-9 over the permitted number, two cables",
                           "evaluations to reach 1e-9 over the permitted number, damped bounce",
-                          "factor of evaluations for a tenth of the tolerance, two cables",
-                          "fence, speed of the rock at 0.05 and 0.2 s: largest difference of three odeint steppers at "
-                          "1e-13",
+                          "factor of evaluations for a tenth of the tolerance, two cables", "odeint_steppers",
                           "fence, evaluations to reach 7e-5 of speed at 0.2 s over 2166"},
           .source = "Stoermer 1907; Cowell & Crommelin 1910; Krogh 1974; Shampine & Gordon 1975; Alefeld et al. 1995",
           .faults = {{"no_events", "Fehlberg 7(8) with step control, which does not stop at events",

@@ -1,12 +1,8 @@
 #pragma once
 
-#include <array>
-#include <vector>
-
-#include "solver/integrate/integrator_list.hpp"
-#include "verification/check/case.hpp"
 #include "verification/problems/speed_accuracy/squeezed_disc.hpp"
 #include "verification/reference/integration/amplification.hpp"
+#include "verification/study/toolkit.hpp"
 
 /// The methods with fixed steps, and the growth of their runs of a squeezed disc.
 namespace talus::verification::problems {

@@ -1,20 +1,10 @@
-#include <fmt/format.h>
-
-#include <algorithm>
-#include <cmath>
-#include <limits>
 #include <random>
-#include <vector>
 
-#include "solver/dynamics/rigid_body_system.hpp"
-#include "solver/model/model_builder.hpp"
 #include "solver/scenes/fence_scene.hpp"
-#include "solver/state/state.hpp"
-#include "verification/check/case.hpp"
-#include "verification/study/runs/scene_run.hpp"
 #include "verification/study/scenes/fence_table.hpp"
 #include "verification/study/scenes/moved_scene.hpp"
 #include "verification/study/scenes/scenes_in_motion.hpp"
+#include "verification/study/toolkit.hpp"
 
 namespace talus::verification::problems::sleeping_and_culling {
 namespace {
@@ -125,10 +115,9 @@ void check_pairs(Findings& findings, const Setup& setup, Table& table, const cha
   const State visited = stepped(scene, searched, VelocityVerlet{}, RigidBodySystem{searched, true}, step, count, watch);
   const State all = stepped(scene, dynamics, VelocityVerlet{}, EveryPair{dynamics}, step, count, unwatched);
   findings.count(2 * count);
-  findings.in("state_at_end")
-      ->expect(fmt::format("{}: state at the end against the run with every pair, largest difference", name),
-               change(visited, all), 0.0,
-               Tolerance::exact("bodies out of reach exert no force, and neither does a node outside its target"));
+  findings.expect_exact(
+      {"state_at_end", fmt::format("{}: state at the end against the run with every pair, largest difference", name)},
+      change(visited, all), 0.0, "bodies out of reach exert no force, and neither does a node outside its target");
   StormerCowell located;
   located.tolerance = 1e-8;
   // Only a tenth of the duration, because events between crowded bodies follow each other closely.
@@ -138,11 +127,11 @@ void check_pairs(Findings& findings, const Setup& setup, Table& table, const cha
       setup.has("no_time_ahead")
           ? stepped(scene, dynamics, located, ShortSighted{RigidBodySystem{dynamics, true}}, interval, 1, unwatched)
           : stepped(scene, dynamics, located, RigidBodySystem{dynamics, true}, interval, 1, unwatched);
-  findings.expect(fmt::format("{}, located events: state against the run with every guard, largest difference", name),
-                  change(ahead, every), 0.0,
-                  Tolerance::exact("bodies that at their speed do not meet within five steps end no mode within one"));
-  table.rows.push_back({fmt::format("pairs within reach, {}", name),
-                        fmt::format("{}", dynamics.contacts().candidates()), fmt::format("{:.2f}", near), "none"});
+  findings.expect_exact(
+      fmt::format("{}, located events: state against the run with every guard, largest difference", name),
+      change(ahead, every), 0.0, "bodies that at their speed do not meet within five steps end no mode within one");
+  table.rows.push_back(
+      cells("pairs within reach, {} | {} | {:.2f} | none", name, dynamics.contacts().candidates(), near));
 }
 
 /// Discs thrown together, with a contact for each pair.
@@ -150,21 +139,18 @@ Scene thrown_discs() {
   constexpr int side = 4;
   std::mt19937 random{7};
   std::uniform_real_distribution<double> nudge{-0.2, 0.2};
-  ModelBuilder builder;
+  SceneBuilder builder;
   std::vector<BodyId> discs;
   for (int i = 0; i < side * side; ++i) {
     const Vec2 place{2.6 * (i % side) + nudge(random), 2.6 * (i / side) + nudge(random)};
     discs.push_back(builder.add(
         Body{.name = fmt::format("disc{}", i), .mass = 1.0, .inertia = 0.4, .shape = Circle{1.0}, .p_WB = place}));
     for (int other = 0; other < i; ++other) {
-      builder.add(Contact{.name = fmt::format("{}-{}", other, i),
-                          .a = discs[static_cast<std::size_t>(other)],
-                          .b = discs.back(),
-                          .law = LinearSpringDashpot{4e3, 3.0, EndRule::clamped}});
+      builder.add_contact(fmt::format("{}-{}", other, i), discs[static_cast<std::size_t>(other)], discs.back(),
+                          LinearSpringDashpot{4e3, 3.0, EndRule::clamped});
     }
   }
-  Scene scene{.title = "Thrown discs", .model = builder.build()};
-  scene.initial = rest_state(scene.model);
+  Scene scene = builder.at_rest("Thrown discs");
   for (const BodyId disc : discs) {
     const Vec2 place = scene.model.bodies[index(disc)].p_WB;
     set_velocity(scene.model, scene.initial, disc, {1.5 * (4.0 - place.x), 1.5 * (4.0 - place.y)}, 0.0);
@@ -214,20 +200,22 @@ void check_rows(Findings& findings, const Setup& setup, Table& table) {
       for (const talus::CableSpan& run : runs) {
         if (!run.on_linear_branch) by_law += static_cast<double>(run.count) / count;
         for (std::size_t c = run.cable; c < run.cable + run.count; ++c)
-          largest = std::max(largest, std::abs(work.paths.tension[c] - forces.tensions[c]));
+          keep_largest(largest, work.paths.tension[c] - forces.tensions[c]);
       }
     }
   };
   const State bare = stepped(scene, dynamics, VelocityVerlet{}, RigidBodySystem{dynamics, false}, 1e-5, count, watch);
   const auto [place, velocity] = difference(bare, full_state);
   findings.count(2 * count);
-  findings.expect("without ledger: state at the end against the run with ledger, largest difference",
-                  std::max(place, velocity), 0.0,
-                  Tolerance::exact("the force on a body is the same sum, whether the paths are computed or not"));
-  findings.expect("tensions of rows of cables against those of the individual laws, largest difference over a run",
-                  largest, 0.0, Tolerance::exact("the same operations on the same numbers, several at a time"), "lb");
-  table.rows.push_back({"cables evaluated by their laws, fence that yields",
-                        fmt::format("{}", scene.model.cables.size()), fmt::format("{:.2f}", by_law), "none"});
+  findings.expect_exact(
+      {"without_ledger", "without ledger: state at the end against the run with ledger, largest difference"},
+      std::max(place, velocity), 0.0, "the force on a body is the same sum, whether the paths are computed or not");
+  findings.expect_exact(
+      {"row_tensions",
+       "tensions of rows of cables against those of the individual laws, largest difference over a run"},
+      largest, 0.0, "the same operations on the same numbers, several at a time", "lb");
+  table.rows.push_back(cells("cables evaluated by their laws, fence that yields | {} | {:.2f} | none",
+                             scene.model.cables.size(), by_law));
 }
 
 constexpr long steps = 25000;
@@ -280,10 +268,10 @@ LongRun run_long(const scenes::FenceScene& made, Findings& findings) {
 void check_sleep(Findings& findings, const Setup& setup, Table& table) {
   const auto with = [&](Sleep sleep) { return run_long(long_fence(101, Sag::fraction_of_span, sleep), findings); };
   const LongRun off = with(Sleep::off), exact = with(setup.has("default_for_exact") ? Sleep::on : Sleep::exact);
-  findings.expect("101 columns, sleep exact: state at 0.05 s against the run without sleep, largest difference",
-                  change(exact.state, off.state), 0.0,
-                  Tolerance::exact("sleeping bodies are in equilibrium at rest, and no force on them has changed by a "
-                                   "bit"));
+  findings.expect_exact(
+      {"exact_sleep", "101 columns, sleep exact: state at 0.05 s against the run without sleep, largest difference"},
+      change(exact.state, off.state), 0.0,
+      "sleeping bodies are in equilibrium at rest, and no force on them has changed by a bit");
   if (setup.coarse) return;
   const LongRun on = with(Sleep::on);
   const char* why =
@@ -291,16 +279,15 @@ void check_sleep(Findings& findings, const Setup& setup, Table& table) {
       "during a thousandth of a second, in which the motion of the next column doubles many times, on 14.9 slug cause "
       "4.4e-13 ft/s at the border, 8e-14 of the rock's 5.5 ft/s, and less in the middle; the round-off of 25 000 steps "
       "is of the same size";
-  findings.expect("101 columns, sleep by default: speed of the rock against the run without sleep", on.state.v[0],
-                  off.state.v[0], Tolerance::model(2e-13, why).relative(), "ft/s");
-  findings.expect("101 columns, sleep by default: largest difference of any coordinate or velocity",
-                  change(on.state, off.state), 0.0,
-                  Tolerance::model(2.2e-11,
-                                   "6.6e-9 lb during the whole 0.05 s on 14.9 slug: a column at the border that sleeps "
-                                   "although it would have moved if awake"));
+  findings.expect({"default_sleep", "101 columns, sleep by default: speed of the rock against the run without sleep"},
+                  on.state.v[0], off.state.v[0], Tolerance::model(2e-13, why).relative(), "ft/s");
+  findings.expect_model("101 columns, sleep by default: largest difference of any coordinate or velocity",
+                        change(on.state, off.state), 0.0, 2.2e-11,
+                        "6.6e-9 lb during the whole 0.05 s on 14.9 slug: a column at the border that sleeps although "
+                        "it would have moved if awake");
   table.rows.push_back({"sleep exact, 101 columns", "51", fmt::format("{:.1f}", exact.awake), "none"});
-  table.rows.push_back({"sleep by default, 101 columns", "51", fmt::format("{:.1f}", on.awake),
-                        fmt::format("{:.1e} of the speed", std::abs(on.state.v[0] / off.state.v[0] - 1.0))});
+  table.rows.push_back(cells("sleep by default, 101 columns | 51 | {:.1f} | {:.1e} of the speed", on.awake,
+                             std::abs(on.state.v[0] / off.state.v[0] - 1.0)));
 }
 
 void check_length(Findings& findings, const Setup& setup, Table& table) {
@@ -317,19 +304,20 @@ void check_length(Findings& findings, const Setup& setup, Table& table) {
     const bool tight = sag == Sag::as_tight;
     const double ratio = whole.awake / tenth.awake;
     if (tight) {
-      findings.expect_between("columns awake in 0.05 s, equal tightness: 1,001 columns over 101", ratio, 0.9, 1.1,
+      findings.expect_between({"awake_columns", "columns awake in 0.05 s, equal tightness: 1,001 columns over 101"},
+                              ratio, 0.9, 1.1,
                               "nothing near the impact depends on the length of the fence except the tensions, which "
                               "differ by 0.7 %, and the slopes of the cables");
     } else {
-      findings.expect_between("columns awake in 0.05 s, sag a fixed fraction of the span: 1,001 columns over 101",
-                              ratio, 1.0, std::sqrt(whole.horizontal_tension / tenth.horizontal_tension),
-                              "motion spreads along a cable at a speed proportional to the root of its tension, and "
-                              "takes time to do so");
+      findings.expect_between(
+          {"wide_fences", "columns awake in 0.05 s, sag a fixed fraction of the span: 1,001 columns over 101"}, ratio,
+          1.0, std::sqrt(whole.horizontal_tension / tenth.horizontal_tension),
+          "motion spreads along a cable at a speed proportional to the root of its tension, and takes time to do so");
     }
     const char* what = tight ? "equal tightness" : "fixed sag fraction";
     for (const auto& [columns, found] : {std::pair{51, &tenth}, std::pair{501, &whole}}) {
-      table.rows.push_back({fmt::format("sleep by default, {} columns, {}", 2 * columns - 1, what),
-                            fmt::format("{}", columns), fmt::format("{:.1f}", found->awake), ""});
+      table.rows.push_back(
+          cells("sleep by default, {} columns, {} | {} | {:.1f} | ", 2 * columns - 1, what, columns, found->awake));
       figure.series.push_back(found->columns);
       figure.series.back().label = fmt::format("{} columns, {}", 2 * columns - 1, what);
     }
@@ -363,20 +351,15 @@ void check_guards(Findings& findings, const Setup& setup) {
       compared += 1.0, missing += guards[slot] == every[slot] && std::isfinite(guards[slot]) ? 0.0 : 1.0;
     }
   }
-  findings.expect(
-      "guards ahead: cables at a moving column without the guard of their law, of 41", missing, 0.0,
-      Tolerance::exact("a column that moves by 10 ft within the horizon takes its cables off the linear branches of "
-                       "their laws"));
+  findings.expect_exact(
+      {"guards_ahead", "guards ahead: cables at a moving column without the guard of their law, of 41"}, missing, 0.0,
+      "a column that moves by 10 ft within the horizon takes its cables off the linear branches of their laws");
   // Rough discs that approach: friction cannot begin before the normal force.
-  ModelBuilder builder;
-  const BodyId a = builder.add(Body{.name = "a", .mass = 1.0, .inertia = 1.0, .shape = Circle{1.0}});
-  const BodyId b =
-      builder.add(Body{.name = "b", .mass = 1.0, .inertia = 1.0, .shape = Circle{1.0}, .p_WB = {2.25, 0.0}});
-  builder.add(Contact{.name = "ab",
-                      .a = a,
-                      .b = b,
-                      .law = LinearSpringDashpot{1.0, 0.0, EndRule::clamped},
-                      .friction = CoulombFriction{.coefficient = 0.5, .stiffness = 1.0}});
+  SceneBuilder builder;
+  const BodyId a = builder.add_free("a", 1.0, 1.0, Circle{1.0});
+  const BodyId b = builder.add_free("b", 1.0, 1.0, Circle{1.0}, {2.25, 0.0});
+  builder.add_contact("ab", a, b, LinearSpringDashpot{1.0, 0.0, EndRule::clamped},
+                      CoulombFriction{.coefficient = 0.5, .stiffness = 1.0});
   const Model pair = builder.build();
   const Dynamics discs{pair};
   State state = rest_state(pair);
@@ -384,13 +367,13 @@ void check_guards(Findings& findings, const Setup& setup) {
   RigidBodySystem approach{discs, true};
   approach.update_modes(state);
   (void)approach.guards(state, true, 1.0, guards);
-  findings.expect("guards ahead: guard of the normal law of approaching rough discs",
-                  guards[discs.layout().contact_slots[0].mode], 0.25, Tolerance::exact("the gap"));
+  findings.expect_exact("guards ahead: guard of the normal law of approaching rough discs",
+                        guards[discs.layout().contact_slots[0].mode], 0.25, "the gap");
   findings.expect_true("guards ahead: no guard for the friction of discs without contact",
                        std::isinf(guards[discs.layout().friction_slots[0].mode]),
                        "friction begins with the normal force");
-  findings.expect("guards ahead: cables compared", compared, 41.0,
-                  Tolerance::exact("21 columns with two cables each, but one at the central column"));
+  findings.expect_exact("guards ahead: cables compared", compared, 41.0,
+                        "21 columns with two cables each, but one at the central column");
 }
 
 void run(Findings& findings, const Setup& setup) {
@@ -415,33 +398,25 @@ Case definition() {
       .title = "Sleeping bodies and culled contacts: results unchanged",
       .family = "speed and accuracy",
       .requirements = {{"E10", {"state_at_end"}}},
-      .main_checks = {"101 columns, sleep exact: state at 0.05 s against the run without sleep, largest difference",
-                      "101 columns, sleep by default: speed of the rock against the run without sleep",
-                      "columns awake in 0.05 s, equal tightness: 1,001 columns over 101",
-                      "columns awake in 0.05 s, sag a fixed fraction of the span: 1,001 columns over 101",
+      .main_checks = {"exact_sleep", "default_sleep", "awake_columns", "wide_fences",
                       "yard: state at the end against the run with every pair, largest difference",
                       "16 discs: state at the end against the run with every pair, largest difference",
                       "fence of two layers: state at the end against the run with every pair, largest difference",
                       "yard, located events: state against the run with every guard, largest difference",
                       "16 discs, located events: state against the run with every guard, largest difference",
                       "fence of two layers, located events: state against the run with every guard, largest difference",
-                      "tensions of rows of cables against those of the individual laws, largest difference over a run",
-                      "without ledger: state at the end against the run with ledger, largest difference"},
+                      "row_tensions", "without_ledger"},
       .source = "Verlet 1967 and Baraff 1992 for the contact search",
-      .faults = {{"default_for_exact", "the default threshold where `exact` is required",
-                  "101 columns, sleep exact: state at 0.05 s against the run without sleep, largest difference"},
-                 {"never_asleep", "a fence that never sleeps",
-                  "columns awake in 0.05 s, equal tightness: 1,001 columns over 101"},
+      .faults = {{"default_for_exact", "the default threshold where `exact` is required", "exact_sleep"},
+                 {"never_asleep", "a fence that never sleeps", "awake_columns"},
                  {"pair_forgotten", "one pair of the yard never found",
                   "yard: state at the end against the run with every pair, largest difference"},
                  {"no_time_ahead", "located events without the guards of inactive modes",
                   "yard, located events: state against the run with every guard, largest difference"},
-                 {"columns_at_rest", "columns at rest, whose cables stay on their linear branches",
-                  "guards ahead: cables at a moving column without the guard of their law, of 41"},
-                 {"line_of_another", "the law of one cable stiffer by 1e-15",
-                  "tensions of rows of cables against those of the individual laws, largest difference over a run"},
+                 {"columns_at_rest", "columns at rest, whose cables stay on their linear branches", "guards_ahead"},
+                 {"line_of_another", "the law of one cable stiffer by 1e-15", "row_tensions"},
                  {"paths_of_another", "the run with ledger for a fence with one cable stiffer by 1e-15",
-                  "without ledger: state at the end against the run with ledger, largest difference"}},
+                  "without_ledger"}},
       .seconds = 3.0,
       .run = run};
 }

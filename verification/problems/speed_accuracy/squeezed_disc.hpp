@@ -1,11 +1,6 @@
 #pragma once
 
-#include <array>
-#include <cmath>
-#include <vector>
-
-#include "solver/model/model_builder.hpp"
-#include "verification/study/runs/scene_run.hpp"
+#include "verification/study/toolkit.hpp"
 
 /// A disc squeezed between two planes: both contacts remain closed, so that the motion about the middle is that of a
 /// bilateral damped oscillator, and each step of a method multiplies the state by the same matrix.
@@ -22,7 +17,7 @@ inline Scene squeezed_disc(const SqueezedDisc& p) {
   constexpr double depth = 0.5;
   const LinearSpringDashpot law{0.5 * mass * p.frequency * p.frequency, p.damping_ratio * mass * p.frequency,
                                 EndRule::attractive};
-  ModelBuilder builder{si};
+  SceneBuilder builder{si};
   const BodyId disc =
       builder.add({.name = "disc", .mobility = Mobility::particle, .mass = mass, .shape = Circle{radius}});
   const BodyId floor =
@@ -32,11 +27,9 @@ inline Scene squeezed_disc(const SqueezedDisc& p) {
                                       .shape = HalfPlane{},
                                       .p_WB = {0.0, radius - depth},
                                       .angle = std::acos(-1.0)});
-  builder.add(Contact{.name = "below", .a = disc, .b = floor, .law = law});
-  builder.add(Contact{.name = "above", .a = disc, .b = ceiling, .law = law});
-  Scene scene{.title = "Disc squeezed between two planes", .model = builder.build()};
-  scene.initial = rest_state(scene.model);
-  return scene;
+  builder.add_contact("below", disc, floor, law);
+  builder.add_contact("above", disc, ceiling, law);
+  return builder.at_rest("Disc squeezed between two planes");
 }
 
 /// Distance from the middle, and velocity over w [m].

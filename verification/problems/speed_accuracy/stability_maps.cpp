@@ -1,20 +1,11 @@
-#include <fmt/format.h>
-
-#include <algorithm>
-#include <cmath>
 #include <cstdint>
-#include <limits>
-#include <string>
-#include <string_view>
-#include <vector>
 
 #include "solver/stability/step_advice.hpp"
-#include "verification/check/case.hpp"
 #include "verification/problems/speed_accuracy/bilateral_findings.hpp"
 #include "verification/problems/speed_accuracy/measured_growth.hpp"
 #include "verification/reference/integration/amplification.hpp"
 #include "verification/study/findings/common_formula.hpp"
-#include "verification/study/findings/expectations.hpp"
+#include "verification/study/toolkit.hpp"
 
 namespace talus::verification::problems::stability_maps {
 namespace {
@@ -65,12 +56,12 @@ double measured_limit(const FixedStepMethod& method, double expected, double xi,
 }
 
 Tolerance limits_found(const FixedStepMethod& method) {
-  return method.dimension > 3 ? Tolerance::round_off(1e-6,
-                                                     "rounding in the fit of sixteen eigenvalues, 1e-7, over a "
-                                                     "slope of ln growth near one")
-                              : Tolerance::round_off(1e-8,
-                                                     "the exact limit is where ln growth is 1e-10, and its slope "
-                                                     "against the relative step is at least 0.02 (Euler)");
+  return method.dimension > 3
+             ? Tolerance::round_off(
+                   1e-6, "rounding in the fit of sixteen eigenvalues, 1e-7, over a slope of ln growth near one")
+             : Tolerance::round_off(1e-8,
+                                    "the exact limit is where ln growth is 1e-10, and its slope against the relative "
+                                    "step is at least 0.02 (Euler)");
 }
 
 Tolerance limits_found_between_doubles(const FixedStepMethod& method) {
@@ -78,10 +69,10 @@ Tolerance limits_found_between_doubles(const FixedStepMethod& method) {
              ? Tolerance::round_off(1e-3,
                                     "two of sixteen eigenvalues coincide: the check shows that growth has the right "
                                     "sign a thousandth of the limit on both sides")
-             : Tolerance::round_off(3e-6,
-                                    "two eigenvalues coincide, or ln growth counts from 1e-6 on: the root of a "
-                                    "rounding, 2.5e-7, times the ratio of the map to the eigenvalues, over a slope "
-                                    "above 2");
+             : Tolerance::round_off(
+                   3e-6,
+                   "two eigenvalues coincide, or ln growth counts from 1e-6 on: the root of a rounding, 2.5e-7, times "
+                   "the ratio of the map to the eigenvalues, over a slope above 2");
 }
 
 /// Checks the limits of one method at six damping ratios; returns its row of the table.
@@ -108,9 +99,9 @@ std::vector<std::string> check_limits_of(const FixedStepMethod& method, Findings
                     worst_between_doubles, 0.0, limits_found_between_doubles(method));
   }
   if (advised) {
-    findings.in("advice")->expect(
-        "step advice: linear limit of " + name + " against the measured one, largest relative error", worst_advice, 0.0,
-        limits_found_between_doubles(method));
+    findings.expect(
+        {"advice", "step advice: linear limit of " + name + " against the measured one, largest relative error"},
+        worst_advice, 0.0, limits_found_between_doubles(method));
   }
   return row;
 }
@@ -131,19 +122,17 @@ void check_both_sides(const FixedStepMethod& method, Findings& findings, const S
   worst_run = seen.worst_run;
   const std::string name = method.name;
   const auto claim = findings.in("integrator." + name);
-  findings.in("sides_of_limit")
-      ->expect(name + ": runs on the wrong side of the limit", seen.wrong, 0.0,
-               Tolerance::exact("count: at 0.98, 0.999, 1.001 and 1.02 of each limit runs must, according to the exact "
-                                "growth, either not grow in 4000 steps or grow from 1e-9 (Adams': 1e-6) to 9e-3; where "
-                                "that takes more than 45000 steps the fit decides"));
-  findings.expect(name + ": ln growth at 0.98, 0.999, 1.001, 1.02 of the limit, largest relative error", seen.worst,
-                  0.0,
-                  method.dimension > 3 ? Tolerance::round_off(1e-3,
-                                                              "rounding in the fit of sixteen eigenvalues, 1e-7, "
-                                                              "over the smallest growth here, 1e-4")
-                                       : Tolerance::round_off(1e-7,
-                                                              "a rounding of the largest start, 6e-14, over the "
-                                                              "smallest growth here, 8e-7 (Euler)"));
+  findings.expect_exact(
+      {"sides_of_limit", name + ": runs on the wrong side of the limit"}, seen.wrong, 0.0,
+      "count: at 0.98, 0.999, 1.001 and 1.02 of each limit runs must, according to the exact growth, either not grow "
+      "in 4000 steps or grow from 1e-9 (Adams': 1e-6) to 9e-3; where that takes more than 45000 steps the fit decides");
+  findings.expect(
+      name + ": ln growth at 0.98, 0.999, 1.001, 1.02 of the limit, largest relative error", seen.worst, 0.0,
+      method.dimension > 3
+          ? Tolerance::round_off(
+                1e-3, "rounding in the fit of sixteen eigenvalues, 1e-7, over the smallest growth here, 1e-4")
+          : Tolerance::round_off(
+                1e-7, "a rounding of the largest start, 6e-14, over the smallest growth here, 8e-7 (Euler)"));
 }
 
 /// Checks the steps at which runs begin to grow, for all methods at six damping ratios, against the exact limits, and
@@ -160,8 +149,8 @@ void check_limits(Findings& findings, const Setup& setup) {
     table.rows.push_back(check_limits_of(method, findings, setup));
     advised += table.rows.back().back().empty() ? 0 : 1;
   }
-  findings.expect("step advice: methods with a linear limit", advised, 8.0,
-                  Tolerance::exact("count: all methods of the map except odeint's"));
+  findings.expect_exact("step advice: methods with a linear limit", advised, 8.0,
+                        "count: all methods of the map except odeint's");
   findings.table(table);
 }
 
@@ -173,15 +162,14 @@ void check_growth_undamped(Findings& findings, const Setup& setup) {
     if (!euler && method.scheme != reference::Scheme::taylor) continue;
     const auto claim = findings.in(fmt::format("integrator.{}", method.name));
     constexpr double eta = 0.02;
-    findings.expect(fmt::format("{}: ln growth of an undamped run at w h = {:g} over the exact one", method.name, eta),
-                    long_growth(disc, method, eta, 1e-4, setup) / (0.5 * std::log1p(eta * eta / (euler ? 1.0 : 2.0))),
-                    1.0,
-                    Tolerance::round_off(3e-8,
-                                         "sixty states of 9e-3, with relative roundings of 3e-14, over a growth of "
-                                         "1e-4 and a rotation of 0.02 per step: 1.5e-8, twice that"));
-    findings.in("advice_undamped")
-        ->expect(fmt::format("step advice: linear limit of {} without damping", method.name),
-                 linear_limit(method.name, 0.0).value_or(std::nan("")), 0.0, Tolerance::exact("it grows at any step"));
+    findings.expect_round_off(
+        fmt::format("{}: ln growth of an undamped run at w h = {:g} over the exact one", method.name, eta),
+        long_growth(disc, method, eta, 1e-4, setup) / (0.5 * std::log1p(eta * eta / (euler ? 1.0 : 2.0))), 1.0, 3e-8,
+        "sixty states of 9e-3, with relative roundings of 3e-14, over a growth of 1e-4 and a rotation of 0.02 per "
+        "step: 1.5e-8, twice that");
+    findings.expect_exact(
+        {"advice_undamped", fmt::format("step advice: linear limit of {} without damping", method.name)},
+        linear_limit(method.name, 0.0).value_or(std::nan("")), 0.0, "it grows at any step");
   }
 }
 
@@ -198,13 +186,12 @@ void check_common_limit(Findings& findings, const Setup& setup) {
     for (const double xi : {0.1, 0.4, 1.0}) {
       const double exact = (method.scheme == reference::Scheme::late ? 1.0 : 2.0) * (std::sqrt(1.0 + xi * xi) - xi);
       const double found = measured_limit(method, exact, xi, setup);
-      findings.in("limits")->expect(
-          fmt::format("limit of the step of {}, xi = {:g}", method.name, xi), found, exact,
-          Tolerance::round_off(1e-9,
-                               "twenty-four halvings of an interval of 2e-3 of the limit, and a rounding of 6e-14 over "
-                               "a slope of ln growth near 0.1"));
-      table.rows.push_back({fmt::format("`{}`, $\\xi$ = {:g}", method.name, xi), "2", fmt::format("{:.4f}", exact),
-                            fmt::format("{:+.0f} %", 100.0 * (2.0 / exact - 1.0)), fmt::format("{:.4f}", found)});
+      findings.expect_round_off({"limits", fmt::format("limit of the step of {}, xi = {:g}", method.name, xi)}, found,
+                                exact, 1e-9,
+                                "twenty-four halvings of an interval of 2e-3 of the limit, and a rounding of 6e-14 "
+                                "over a slope of ln growth near 0.1");
+      table.rows.push_back(cells("`{}`, $\\xi$ = {:g} | 2 | {:.4f} | {:+.0f} % | {:.4f}", method.name, xi, exact,
+                                 100.0 * (2.0 / exact - 1.0), found));
     }
   }
   findings.table(table);
@@ -276,18 +263,15 @@ void check_map(const FixedStepMethod& method, Findings& findings, const Setup& s
   const std::string name = method.name;
   const auto claim = findings.in("integrator." + name);
   if (method.dimension > 3) {
-    findings.in("growth")->expect(
-        name + ": ln growth over the map, largest error", map.worst, 0.0,
-        Tolerance::round_off(1e-3,
-                             "sixteen eigenvalues, fitted to states in which rounding is up to 3e-7 of the smallest: "
-                             "eigenvalues smaller than that are taken as zero, and the largest one is off by as much "
-                             "over their distance from it"));
+    findings.expect_round_off(
+        {"growth", name + ": ln growth over the map, largest error"}, map.worst, 0.0, 1e-3,
+        "sixteen eigenvalues, fitted to states in which rounding is up to 3e-7 of the smallest: eigenvalues smaller "
+        "than that are taken as zero, and the largest one is off by as much over their distance from it");
   } else {
-    findings.in("growth")->expect(
-        name + ": ln growth over the map, largest error in roundings", map.worst, 0.0,
-        Tolerance::round_off(400.0,
-                             "runs begin up to twenty times closer to rest than necessary, and where eigenvalues "
-                             "nearly coincide, as Fehlberg's at xi = 1.1, the fit amplifies a rounding by twenty"));
+    findings.expect_round_off({"growth", name + ": ln growth over the map, largest error in roundings"}, map.worst, 0.0,
+                              400.0,
+                              "runs begin up to twenty times closer to rest than necessary, and where eigenvalues "
+                              "nearly coincide, as Fehlberg's at xi = 1.1, the fit amplifies a rounding by twenty");
   }
   if (method.doubles && !setup.coarse) {
     findings.expect(name + ": ln growth at xi = 1, where two eigenvalues coincide, largest error", map.worst_one, 0.0,
@@ -297,8 +281,8 @@ void check_map(const FixedStepMethod& method, Findings& findings, const Setup& s
                                                "a rounding of the largest start, 6e-14, separates them by its root, "
                                                "2.5e-7, times the ratio of the map to the eigenvalues, up to 1e2"));
   }
-  findings.expect(name + ": points of the map on the wrong side of the exact curve", map.wrong, 0.0,
-                  Tolerance::exact("count of all points at which ln growth differs from zero by more than 1e-5"));
+  findings.expect_exact(name + ": points of the map on the wrong side of the exact curve", map.wrong, 0.0,
+                        "count of all points at which ln growth differs from zero by more than 1e-5");
   if (setup.coarse) return;
   map.growth.panel = static_cast<int>(figure.panels.size());
   const std::string_view word = method.scheme == Scheme::late ? "lagged" : method.name;
@@ -322,8 +306,9 @@ void check_list(Findings& findings, const Setup& setup) {
     const bool fixed = !needs_tolerance(name) && !needs_closed_form(name);
     strangers += mapped == fixed && named != fixed ? 0 : 1;
   }
-  findings.expect("fixed-step integrators without a map, or other integrators not named on this page", strangers, 0.0,
-                  Tolerance::exact("count over the solver's closed list"));
+  findings.expect_exact(
+      {"unmapped", "fixed-step integrators without a map, or other integrators not named on this page"}, strangers, 0.0,
+      "count over the solver's closed list");
 }
 
 /// Figure of the exact limits against damping, for velocities in the dashpot of different times.
@@ -391,9 +376,8 @@ void run(Findings& findings, const Setup& setup) {
   }
   check_bilateral_systems(findings, setup);
   if (setup.coarse) return;
-  findings.expect(
-      "all methods: ln growth at the end of long runs, largest relative error", worst_run, 0.0,
-      Tolerance::round_off(1e-5, "rounding is 3e-9 of the smallest state, and the smallest growth is 5e-4"));
+  findings.expect_round_off("all methods: ln growth at the end of long runs, largest relative error", worst_run, 0.0,
+                            1e-5, "rounding is 3e-9 of the smallest state, and the smallest growth is 5e-4");
   check_limits(findings, setup);
   check_growth_undamped(findings, setup);
   check_common_limit(findings, setup);
@@ -413,9 +397,7 @@ Case definition() {
       .requirements = {{"Eq. 25",
                         {"sides_of_limit", "sides_of_2", "advice", "step advice: methods with a linear limit",
                          "advice_undamped", "limits"}},
-                       {"law.linear_spring_dashpot", {"growth"}},
-                       {"end_rule.attractive", {"growth"}},
-                       {"pair.circle.half_plane", {"growth"}}},
+                       {"law.linear_spring_dashpot, end_rule.attractive, pair.circle.half_plane", {"growth"}}},
       .main_checks =
           {"velocity_verlet: ln growth over the map, largest error in roundings",
            "blanes_moan4: ln growth over the map, largest error in roundings",
@@ -423,8 +405,8 @@ Case definition() {
            "velocity_verlet: runs on the wrong side of the limit",
            "fence held at 0.02 s: ln growth per step at 1.001 and 1.02 of the limit, largest relative error"},
       .source =
-          "Mustoe & Huttelmaier 1993, Eq. 25; Dormand & Prince 1980; Cash & Karp 1990; Fehlberg 1968; "
-          "Blanes & Moan 2002",
+          "Mustoe & Huttelmaier 1993, Eq. 25; Dormand & Prince 1980; Cash & Karp 1990; Fehlberg 1968; Blanes & Moan "
+          "2002",
       .faults = {{"dashpot_lags", "the lagged central difference under the name of velocity Verlet",
                   "velocity_verlet: ln growth over the map, largest error in roundings"},
                  {"step_too_long", "steps 3 % longer than stated",
@@ -433,8 +415,7 @@ Case definition() {
                   "velocity_verlet: points of the map on the wrong side of the exact curve"},
                  {"drift_after_kick", "Euler-Cromer's method under the name of Euler's",
                   "euler: ln growth over the map, largest error in roundings"},
-                 {"method_forgotten", "Taylor's method missing from the maps",
-                  "fixed-step integrators without a map, or other integrators not named on this page"},
+                 {"method_forgotten", "Taylor's method missing from the maps", "unmapped"},
                  {"kt_ignored", "the step of a sticking disc chosen by its normal contact alone",
                   "sticking disc, kt = 0.4 kn: runs on the wrong side of w h = 2"},
                  {"fence_by_rule", "the fence's step chosen by the frequency of the 1993 rule",

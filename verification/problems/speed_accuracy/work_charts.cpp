@@ -8,6 +8,8 @@
 #include <limits>
 #include <utility>
 
+#include "verification/study/findings/rows.hpp"
+
 namespace talus::verification::problems {
 namespace {
 
@@ -128,10 +130,11 @@ DataFile work_data(const std::vector<SceneCurves>& all) {
     for (std::size_t q = 0; q < each.scene->quantities.size(); ++q) {
       for (const WorkCurve& curve : each.curves) {
         for (const CurvePoint& point : curve.points) {
-          data.rows.push_back({plain(each.scene->name), plain(each.scene->quantities[q]), curve.method,
-                               exact_text(point.setting), fmt::format("{}", each.scene->runs), exact_text(point.rms[q]),
-                               exact_text(point.max[q]), exact_text(point.evaluations), fmt::format("{}", point.failed),
-                               exact_text(each.scene->evaluations_at_limit()), exact_text(each.scene->floor)});
+          data.rows.push_back(cells("{} | {} | {} | {} | {} | {} | {} | {} | {} | {} | {}", plain(each.scene->name),
+                                    plain(each.scene->quantities[q]), curve.method, exact_text(point.setting),
+                                    each.scene->runs, exact_text(point.rms[q]), exact_text(point.max[q]),
+                                    exact_text(point.evaluations), point.failed,
+                                    exact_text(each.scene->evaluations_at_limit()), exact_text(each.scene->floor)));
         }
       }
     }

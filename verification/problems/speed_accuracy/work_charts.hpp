@@ -1,11 +1,7 @@
 #pragma once
 
-#include <string>
-#include <vector>
-
-#include "verification/check/figure.hpp"
-#include "verification/check/table.hpp"
 #include "verification/problems/speed_accuracy/work_curves.hpp"
+#include "verification/study/toolkit.hpp"
 
 /// Curves of error against work as one file of tidy data, the figures drawn from this file alone, and tables of the
 /// cost of an accuracy.

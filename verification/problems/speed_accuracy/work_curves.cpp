@@ -1,11 +1,7 @@
 #include "verification/problems/speed_accuracy/work_curves.hpp"
 
-#include <cmath>
-#include <limits>
-#include <optional>
-
 #include "solver/dynamics/closed_form.hpp"
-#include "verification/study/findings/expectations.hpp"
+#include "verification/study/toolkit.hpp"
 
 namespace talus::verification::problems {
 namespace {

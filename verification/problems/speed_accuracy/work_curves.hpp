@@ -1,11 +1,7 @@
 #pragma once
 
-#include <array>
-#include <string>
-#include <vector>
-
-#include "verification/check/convergence.hpp"
 #include "verification/problems/speed_accuracy/work_scenes.hpp"
+#include "verification/study/toolkit.hpp"
 
 /// Error against force evaluations of one method on one scene, and the cost of an accuracy.
 namespace talus::verification::problems {

@@ -1,23 +1,12 @@
-#include <fmt/format.h>
-
-#include <algorithm>
 #include <chrono>
-#include <cmath>
-#include <limits>
 #include <numeric>
 #include <random>
 #include <stdexcept>
-#include <string>
-#include <string_view>
-#include <vector>
 
-#include "solver/dynamics/rigid_body_system.hpp"
-#include "solver/integrate/integrator_list.hpp"
 #include "solver/run/simulate.hpp"
-#include "solver/run/snapshot.hpp"
-#include "verification/check/case.hpp"
 #include "verification/problems/speed_accuracy/work_charts.hpp"
 #include "verification/study/impacts/leapfrog_impact_error.hpp"
+#include "verification/study/toolkit.hpp"
 
 namespace talus::verification::problems::work_precision {
 namespace {
@@ -126,14 +115,15 @@ std::vector<Figure> timing_figures(const DataFile& data, const std::string& mach
     const std::string own = row[0] + ": " + row[1];
     if (own != title) {
       title = own;
-      figures.push_back({.name = fmt::format("time_{}", figures.size() + 1),
-                         .title = "Time, " + title,
-                         .caption = fmt::format("Time of a run in nanoseconds against its relative error: median of {} "
-                                                "interleaved, shuffled repetitions, bars from the fastest to the "
-                                                "slowest. {}. No check uses these times.",
-                                                repetitions, machine),
-                         .x = {.label = "error", .unit = "1", .log = true},
-                         .y = {.label = "time of a run", .unit = "ns", .log = true}});
+      figures.push_back(
+          {.name = fmt::format("time_{}", figures.size() + 1),
+           .title = "Time, " + title,
+           .caption =
+               fmt::format("Time of a run in nanoseconds against its relative error: median of {} interleaved, "
+                           "shuffled repetitions, bars from the fastest to the slowest. {}. No check uses these times.",
+                           repetitions, machine),
+           .x = {.label = "error", .unit = "1", .log = true},
+           .y = {.label = "time of a run", .unit = "ns", .log = true}});
     }
     std::vector<Series>& series = figures.back().series;
     if (series.empty() || series.back().label != row[2]) series.push_back({.label = row[2], .style = Style::errorbars});
@@ -239,14 +229,15 @@ void check_constants(const SceneCurves& all, Findings& findings) {
   const double runge_kutta = 2.0 * xi / 6.0;
   const char* next =
       "the next power of the step, w h = 0.007 there, and the remainder of a mean square over 64 phases: 2 %";
-  findings.expect("error of velocity_verlet over its prediction, wall, damped", over_step("velocity_verlet") / verlet,
-                  1.0, Tolerance::model(0.02, next));
-  findings.expect("error of rk4 over its prediction, wall, damped", over_step("rk4") / runge_kutta, 1.0,
-                  Tolerance::model(0.02, next));
+  findings.expect_model("error of velocity_verlet over its prediction, wall, damped",
+                        over_step("velocity_verlet") / verlet, 1.0, 0.02, next);
+  findings.expect_model("error of rk4 over its prediction, wall, damped", over_step("rk4") / runge_kutta, 1.0, 0.02,
+                        next);
   const double at_equal_work = point("rk4").rms[0] * point("rk4").evaluations /
                                (point("velocity_verlet").rms[0] * point("velocity_verlet").evaluations);
-  findings.expect("error of rk4 over that of velocity_verlet at equal work, over its prediction, wall, damped",
-                  at_equal_work / (4.0 * runge_kutta / verlet), 1.0, Tolerance::model(0.03, next));
+  findings.expect_model(
+      {"rk4_over_verlet", "error of rk4 over that of velocity_verlet at equal work, over its prediction, wall, damped"},
+      at_equal_work / (4.0 * runge_kutta / verlet), 1.0, 0.03, next);
 }
 
 /// Expected cheapest method, and the range of the ratio of the next method's evaluations to its own.
@@ -266,10 +257,10 @@ Advantage expected_cheapest(const SceneCurves& all) {
             "for 1e-6"};
   }
   if (all.scene->runs > 1) {  // events
-    return {"stormer_cowell", 4.0, 30.0,
-            "step control without located events halves its steps about ten times at each event, with six or more "
-            "stages per attempt, and increases them again: 60 to 200 evaluations where a located event takes 10 to 20 "
-            "to restart"};
+    return {
+        "stormer_cowell", 4.0, 30.0,
+        "step control without located events halves its steps about ten times at each event, with six or more stages "
+        "per attempt, and increases them again: 60 to 200 evaluations where a located event takes 10 to 20 to restart"};
   }
   return {"stormer_cowell", 1.1, 4.0,
           "one evaluation per step of order 12, compared with two of order 8 or six of order 4"};
@@ -342,10 +333,9 @@ void report_step_of_1993(const WorkScene& fence, Findings& findings) {
   constexpr double step = 2e-6;
   const long steps = std::lround(fence.duration / (static_cast<double>(fence.spans) * step));
   const WorkRun run = fence.measure(make_integrator("central_difference"), steps, 0, findings);
-  findings.expect_between(
-      "fence, exit speed at the step of 1993: relative error", run.errors[0], 1e-4, 1e-2,
-      "w h = 0.016, of which a jump leaves a tenth: three digits are expected; a single run with 77 events may deviate "
-      "by a factor of ten in either direction");
+  findings.expect_between("fence, exit speed at the step of 1993: relative error", run.errors[0], 1e-4, 1e-2,
+                          "w h = 0.016, of which a jump leaves a tenth: three digits are expected; a single run with "
+                          "77 events may deviate by a factor of ten in either direction");
   findings.note(
       fmt::format("With the 2e-6 s of 1993 the scheme takes {:.0f} evaluations to 0.2 s; the relative error of the "
                   "rock's speed is {:.1e}, that of the largest tension {:.1e}.",
@@ -355,10 +345,9 @@ void report_step_of_1993(const WorkScene& fence, Findings& findings) {
 void check_bounce(const SceneCurves& all, Findings& findings) {
   if (all.scene->name != "damped bounce") return;
   const Convergence found = between_errors(curve(all, "velocity_verlet"), 0, 1e-9, 0.2);
-  findings.in("integrator.velocity_verlet")
-      ->expect_order("order of velocity_verlet, damped bounce", found, 0.5, 1.4,
-                     "13 contacts, each with a jump: order 1. The error of the first affects all later ones and the "
-                     "times of touch, so that an error above 0.1 is no longer proportional to the step");
+  findings.expect_order({"integrator.velocity_verlet", "order of velocity_verlet, damped bounce"}, found, 0.5, 1.4,
+                        "13 contacts, each with a jump: order 1. The error of the first affects all later ones and the "
+                        "times of touch, so that an error above 0.1 is no longer proportional to the step");
   findings.expect_between(
       "damped bounce: evaluations of velocity_verlet to 2e-2 over those of stormer_cowell",
       cost_of(curve(all, "velocity_verlet"), 0, 2e-2) / cost_of(curve(all, "stormer_cowell"), 0, 2e-2), 5.0, 100.0,
@@ -411,8 +400,7 @@ void run(Findings& findings, const Setup& setup) {
 }  // namespace
 
 Case definition() {
-  const std::string equal_work =
-      "error of rk4 over that of velocity_verlet at equal work, over its prediction, wall, damped";
+  const std::string equal_work = "rk4_over_verlet";
   return {.id = "work_precision",
           .title = "Work-precision diagrams of all integrators",
           .family = "speed and accuracy",

@@ -1,16 +1,13 @@
 #include "verification/problems/speed_accuracy/work_scenes.hpp"
 
-#include <cmath>
-#include <limits>
 #include <memory>
-#include <numbers>
 
 #include "solver/stability/step_advice.hpp"
 #include "verification/problems/speed_accuracy/exact_motions.hpp"
 #include "verification/problems/speed_accuracy/fence_exit.hpp"
 #include "verification/study/impacts/disc_bounce.hpp"
 #include "verification/study/impacts/pivoted_impact.hpp"
-#include "verification/study/runs/scene_run.hpp"
+#include "verification/study/toolkit.hpp"
 
 namespace talus::verification::problems {
 namespace {

@@ -1,12 +1,6 @@
 #pragma once
 
-#include <functional>
-#include <string>
-#include <vector>
-
-#include "solver/integrate/integrator_list.hpp"
-#include "solver/scenes/scene.hpp"
-#include "verification/check/case.hpp"
+#include "verification/study/toolkit.hpp"
 
 /// The scenes on which the integrators are compared. Each has a reference that shares no code with the solver or, for
 /// the fence, is certified by other methods.

@@ -16,6 +16,9 @@ inline void keep_worst(double& worst, double error) {
   if (!std::isnan(worst) && !(std::abs(error) <= std::abs(worst))) worst = error;
 }
 
+/// Stores the magnitude of the error in `largest` if it is larger. A NaN persists (std::max would drop it).
+inline void keep_largest(double& largest, double error) { keep_worst(largest, std::abs(error)); }
+
 /// Worst of measured - reference, component by component; both vectors have the same length.
 [[nodiscard]] inline double worst_error(const std::vector<double>& measured, const std::vector<double>& reference) {
   double worst = 0.0;
@@ -25,7 +28,7 @@ inline void keep_worst(double& worst, double error) {
 }
 
 /// Compares each of `measured` with its reference in one check of the worst difference.
-inline bool expect_each(Findings& findings, std::string name, const std::vector<double>& measured,
+inline bool expect_each(Findings& findings, CheckName name, const std::vector<double>& measured,
                         const std::vector<double>& reference, const Tolerance& tolerance, std::string unit = "1") {
   return findings.expect(std::move(name), worst_error(measured, reference), 0.0, tolerance, std::move(unit));
 }
