@@ -55,7 +55,8 @@ std::size_t strongest(const Results& results, Evidence kind, const std::string& 
 
 std::string count_text(std::size_t count) { return count == 0 ? "-" : fmt::format("{}", count); }
 
-/// The paragraph "Conclusion" of a page, Markdown on one line for a cell of a table; empty if it does not begin with it.
+/// The paragraph "Conclusion" at the beginning of a page as Markdown on one line, for a cell of a table; empty if there
+/// is none.
 std::string conclusion_of(const std::string& page) {
   std::string paragraph = page.substr(0, page.find("\n\n"));
   const std::string label = "**Conclusion.** ";

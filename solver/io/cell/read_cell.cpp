@@ -227,9 +227,10 @@ std::vector<std::string> cell_keys() {
   if constexpr (HasEndRule<L>) keys.emplace_back("end_rule");
   if constexpr (HasHertzDashpot<L>) keys.emplace_back("dashpot");
   if constexpr (!HasLinearPart<L>) keys.emplace_back("impact_speed");
+  keys.emplace_back("restitution");
   for (const std::string& key : friction_keys<DiscFrictions, L>())
     if (key != "shear_damping") keys.push_back(key);
-  keys.insert(keys.end(), {"restitution", "overburden", "seed"});
+  keys.insert(keys.end(), {"overburden", "seed"});
   for (const auto& field : ShearCell::fields())
     keys.emplace_back(field.name);
   for (const auto& field : ShearCell::counts())

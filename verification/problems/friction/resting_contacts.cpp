@@ -179,22 +179,22 @@ void nudged(Findings& findings, const Setup& setup) {
   const Ended found = ended(nudged_block(setup), 1e-10, findings);
   const double energy = 0.5 * block.mass * nudge * nudge;
   const double friction = found.accounts.dissipated[static_cast<std::size_t>(Mechanism::friction)];
-  findings.expect("nudged block: friction work over its kinetic energy", friction / energy, 1.0,
-                  Tolerance::truncation(1e-10, 1.0,
-                                        "the power of the dashpot is integrated to the tolerance, 1e-10, over about "
-                                        "10 periods"));
-  findings.expect("nudged block: speed at rest", std::hypot(found.state.v[0], found.state.v[1]), 0.0,
-                  Tolerance::truncation(1e-10 * nudge, 3.0, "errors of the method are relative to the largest speed"),
-                  "m/s");
+  findings.expect_truncation({"nudged_work", "nudged block: friction work over its kinetic energy"}, friction / energy,
+                             1.0, 1e-10, 1.0,
+                             "the power of the dashpot is integrated to the tolerance, 1e-10, over about 10 periods");
+  findings.expect_truncation({"nudged_speed", "nudged block: speed at rest"},
+                             std::hypot(found.state.v[0], found.state.v[1]), 0.0, 1e-10 * nudge, 3.0,
+                             "errors of the method are relative to the largest speed", "m/s");
   if (setup.coarse) return;
   Scene undamped = nudged_block(setup);
   std::get<CoulombFriction>(*undamped.model.contacts[0].friction).follows_normal = false;
   const double frequency = std::sqrt(2.0 * block.shear_stiffness / block.mass);
-  findings.expect("nudged block without a tangential dashpot: speed after 1 s over the initial one",
-                  ended(undamped, 1e-10, findings).state.v[0] / nudge, std::cos(frequency * undamped.plan.end),
-                  Tolerance::truncation(1e-10 * frequency * undamped.plan.end, 1.0,
-                                        "an undamped oscillation on the springs of two corners, 71 periods; its phase "
-                                        "errs by up to the tolerance times the angle, 447"));
+  findings.expect_truncation(
+      {"undamped_nudge", "nudged block without a tangential dashpot: speed after 1 s over the initial one"},
+      ended(undamped, 1e-10, findings).state.v[0] / nudge, std::cos(frequency * undamped.plan.end),
+      1e-10 * frequency * undamped.plan.end, 1.0,
+      "an undamped oscillation on the springs of two corners, 71 periods; its phase errs by up to the tolerance times "
+      "the angle, 447");
 }
 
 /// A disc that spins and bounces, with a tangential dashpot so strong that it carries most of the friction: the spring
@@ -359,11 +359,9 @@ Case definition() {
       .family = "C: friction and rotation",
       .requirements = {{"Eq. 18", {"block, tolerance 1e-10: displacement"}},
                        {"integrator.stormer_cowell", {"block, tolerance 1e-10: evaluations", "stiffness"}},
-                       {"mechanism.friction", {"nudged block: friction work over its kinetic energy"}},
+                       {"mechanism.friction", {"nudged_work"}},
                        {"regime.friction.sticking",
-                        {"disc, tolerance 1e-08: displacement", "nudged block: friction work over its kinetic energy",
-                         "nudged block: speed at rest",
-                         "nudged block without a tangential dashpot: speed after 1 s over the initial one"}},
+                        {"disc, tolerance 1e-08: displacement", "nudged_work", "nudged_speed", "undamped_nudge"}},
                        {"regime.friction.slipping_backward", {"block, tolerance 1e-10: displacement"}},
                        {"pair.rectangle.half_plane", {"block, tolerance 1e-10: displacement"}},
                        {"pair.circle.half_plane", {"disc, tolerance 1e-08: spin"}}},

@@ -47,14 +47,14 @@ void run(Findings& findings, const Setup& setup) {
   }
   const DenseFlow& slow = all.back();
   const double twice = 2.0 * slow.friction.error;
-  findings.in("slowest_flow")
-      ->expect_between("effective friction of the slowest flow", slow.friction.value, 0.10 - twice, 0.13 + twice,
-                       fmt::format("runs of an independent code gave 0.10 to 0.13 at I = 0.003; the range is extended "
-                                   "by two standard errors of {:.4f}",
-                                   slow.friction.error));
-  findings.in("slowest_flow")
-      ->expect_between("inertial number of the slowest flow", slow.inertial.value, 0.0025, 0.0040,
-                       "so that the friction is that at I of about 0.003");
+  findings.expect_between(
+      {"slowest_flow/friction", "effective friction of the slowest flow"}, slow.friction.value, 0.10 - twice,
+      0.13 + twice,
+      fmt::format("runs of an independent code gave 0.10 to 0.13 at I = 0.003; the range is extended "
+                  "by two standard errors of {:.4f}",
+                  slow.friction.error));
+  findings.expect_between({"slowest_flow/inertial_number", "inertial number of the slowest flow"}, slow.inertial.value,
+                          0.0025, 0.0040, "so that the friction is that at I of about 0.003");
   if (setup.coarse) return;
   // The flows are listed from loose to dense, which is from fast to slow.
   double smallest = std::numeric_limits<double>::infinity();
@@ -80,11 +80,11 @@ Case definition() {
   return {.id = "dense_flow",
           .title = "Dense flow of discs of different size",
           .requirements = {{"F7", {"slowest_flow", "growth"}}},
-          .main_checks = {"effective friction of the slowest flow", "inertial number of the slowest flow"},
+          .main_checks = {"slowest_flow/friction", "slowest_flow/inertial_number"},
           .source = "da Cruz et al. 2005; Peyneau & Roux 2008",
-          .faults = {{"equal_discs", "discs of equal size, which order themselves", "slowest_friction"},
-                     {"still_box", "periodic images that do not slide", "slowest_inertial_number"},
-                     {"motion_alone", "stress from motion alone", "slowest_inertial_number"}},
+          .faults = {{"equal_discs", "discs of equal size, which order themselves", "slowest_flow/friction"},
+                     {"still_box", "periodic images that do not slide", "slowest_flow/inertial_number"},
+                     {"motion_alone", "stress from motion alone", "slowest_flow/inertial_number"}},
           .seconds = 4.0,
           .full_seconds = 18.0,
           .time_limit = 600.0,
