@@ -117,7 +117,7 @@ std::string CatalogueTable::literal(std::string_view key) const {
     fail_at(value.line, key, fmt::format("found {}; it must be a text, a number, true or false", found(value)));
   const auto* text = std::get_if<std::string>(&value.data);
   if (text != nullptr && text->find_first_of("\"\\\n") != std::string::npos)
-    fail_at(value.line, key, "found a text with a quote, a backslash or a line break");
+    fail_at(value.line, key, "found a text with a quote, a backslash or a line break; give one without");
   return found(value);
 }
 

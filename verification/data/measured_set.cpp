@@ -98,7 +98,8 @@ MeasuredControl read_control(const CatalogueTable& table, const MeasuredSet& set
     table.fail("turns_red", unknown_name("quantity", control.turns_red, names).what());
   for (const MeasuredInput& input : set.inputs) {
     if (input.field == control.field)
-      table.fail("field", fmt::format("found '{}', which the column '{}' sets", control.field, input.column));
+      table.fail("field", fmt::format("found '{}', which the column '{}' sets; give another field", control.field,
+                                      input.column));
   }
   try {
     static_cast<void>(with_field(set.scene, control.field, control.value));
@@ -155,12 +156,14 @@ MeasuredSet read_measured_set(const fs::path& file) {
        table.tables("quantity", "quantity", "name", {"name", "column", "result", "uncertainty", "model_error"})) {
     set.quantities.push_back(read_quantity(each, data));
     for (std::size_t i = 0; i + 1 < set.quantities.size(); ++i) {
-      if (set.quantities[i].name == set.quantities.back().name) each.fail("name", "it is given twice");
+      if (set.quantities[i].name == set.quantities.back().name)
+        each.fail("name", fmt::format("found \"{}\" twice; give each name once", set.quantities.back().name));
     }
   }
   if (set.quantities.empty()) table.fail("quantity", "found an empty array; at least one must be compared");
   if (!table.has("control"))
-    table.fail("quantity", "without a [[control]]: a comparison that no wrong scene fails shows nothing");
+    table.fail("quantity",
+               "a [[control]] is missing; give at least one: a comparison that no wrong scene fails shows nothing");
   for (const CatalogueTable& each :
        table.tables("control", "control", "name", {"name", "what", "field", "value", "turns_red"}))
     set.controls.push_back(read_control(each, set));
@@ -175,8 +178,7 @@ std::vector<fs::path> measured_files(const fs::path& folder) {
   }
   if (failure) throw IoError{fmt::format("{}: {}", folder.string(), failure.message())};
   if (files.empty())
-    throw InputError{
-        fmt::format("{}: found no file NAME{}; each describes a set of measurements", folder.string(), ending)};
+    throw InputError{fmt::format("{}: found no file NAME{}; it must have at least one", folder.string(), ending)};
   std::sort(files.begin(), files.end());
   return files;
 }

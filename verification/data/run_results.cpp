@@ -91,8 +91,8 @@ RunResult RunResults::of_impacts(const std::string& name) const {
     if (fmt::format("{}", ++count) == number)
       return {impacts_.number(row, column), heading_of(impacts_.header()[column]).unit};
   }
-  throw InputError{
-      fmt::format("found impact '{}' of '{}'; the run has {} impacts of this contact", number, contact, count)};
+  throw InputError{fmt::format("found impact '{}' of '{}'; give one of the {} impacts of this contact in the run",
+                               number, contact, count)};
 }
 
 RunResult RunResults::single(const std::string& name) const {

@@ -86,7 +86,8 @@ std::string with_field(const std::string& scene, const std::string& field, const
     }
     toml::table* const table = at->as_table();
     if (table == nullptr)
-      throw InputError{fmt::format("'{}': nothing can be below '{}', which is a value", field, steps[i - 1].key)};
+      throw InputError{fmt::format("'{}': nothing can be below '{}', which is a value; give a shorter path", field,
+                                   steps[i - 1].key)};
     if (last && !steps[i].index) {
       if (const toml::node* const old = table->get(steps[i].key);
           old != nullptr && (old->is_table() || old->is_array()))
@@ -100,8 +101,12 @@ std::string with_field(const std::string& scene, const std::string& field, const
       throw InputError{fmt::format("'{}': {}", field, unknown_name("field", steps[i].key, keys_of(*table)).what())};
     if (!steps[i].index) continue;
     toml::array* const list = at->as_array();
-    if (list == nullptr || *steps[i].index >= list->size())
-      throw InputError{fmt::format("'{}': '{}' has no element [{}]", field, steps[i].key, *steps[i].index)};
+    if (list == nullptr)
+      throw InputError{
+          fmt::format("'{}': '{}' is not an array; give it without [{}]", field, steps[i].key, *steps[i].index)};
+    if (*steps[i].index >= list->size())
+      throw InputError{fmt::format("'{}': '{}' has no element [{}]; give one of its {} elements, from [0] on", field,
+                                   steps[i].key, *steps[i].index, list->size())};
     if (last) {
       list->replace(list->cbegin() + static_cast<std::ptrdiff_t>(*steps[i].index), fresh);
     } else {

@@ -108,7 +108,8 @@ BOOST_AUTO_TEST_CASE(results_have_names_and_units) {
   says(message("last.ball.y"), "quantity 'height': result: result 'last' is not known");
   says(message("final.ball.z"), "column of history.csv 'ball.z' is not known; nearest: ball.");
   says(message("maximum.ball.z"), "extreme 'ball.z' is not known");
-  says(message("impact.1.fall.restitution"), "found impact '1' of 'fall'; the run has 0 impacts of this contact");
+  says(message("impact.1.fall.restitution"),
+       "found impact '1' of 'fall'; give one of the 0 impacts of this contact in the run");
   says(message("final.ball.vy"), "the result is in 'm/s', the column 'height [m]' in 'm'; they must be the same");
   says(message("final.ball.y / initial.ball.vy"), "the result is in 'm / m/s'");
   for (const char* result : {"maximum.ball.y", "minimum.ball.y", "initial.ball.y", "maximum_time.ball.y"}) {

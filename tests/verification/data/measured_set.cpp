@@ -97,8 +97,8 @@ BOOST_AUTO_TEST_CASE(wrong_fields_are_named_with_file_and_line) {
   const std::string twice =
       flight_set + flight_set.substr(flight_set.find("[[quantity]]"),
                                      flight_set.find("[[control]]") - flight_set.find("[[quantity]]"));
-  BOOST_TEST(
-      refused(MeasuredFolder{"speed [m/s],height [m],u\n4,1.76,0.01\n6,2.74,0.02\n", twice}, "it is given twice"));
+  BOOST_TEST(refused(MeasuredFolder{"speed [m/s],height [m],u\n4,1.76,0.01\n6,2.74,0.02\n", twice},
+                     "name: found \"height\" twice; give each name once"));
 }
 
 BOOST_AUTO_TEST_CASE(wrong_data_and_scenes_are_refused) {
@@ -134,5 +134,6 @@ BOOST_AUTO_TEST_CASE(a_field_is_found_by_its_path) {
   BOOST_TEST(field_refused("body.ball", "it must end with a field of 'ball'"));
   BOOST_TEST(field_refused("body.ball.shape", "found a table; it must be a value"));
   BOOST_TEST(field_refused("gravity", "found an array; it must be a value"));
+  BOOST_TEST(field_refused("title[0]", "'title' is not an array; give it without [0]"));
   BOOST_TEST(field_refused("title.text", "nothing can be below 'title', which is a value"));
 }
