@@ -22,10 +22,10 @@ struct Rung {
 
 constexpr std::array rungs{
     Rung{Evidence::measurement,
-         "The model, with the parameters named, describes what was measured, within the distance stated.",
-         "Other materials, sizes and speeds; quantities that were not measured; that no other model does as well."},
+         "The model, with these parameters, describes what was measured, within the distance stated.",
+         "Other materials, sizes, speeds and quantities; that no other model does as well."},
     Rung{Evidence::closed_form, "The solver solves the equations of its model, with errors up to the bound.",
-         "That these equations describe nature; parameters and regimes that the case does not run."},
+         "That these equations describe nature; parameters that are not run."},
     Rung{Evidence::independent_integration,
          "Two programs without common code find the same solution of the same equations.",
          "That the equations are right: both were derived by the same authors."},
@@ -36,8 +36,7 @@ constexpr std::array rungs{
          "That either of them is right."},
     Rung{Evidence::property, "What every solution must satisfy, is satisfied; two ways through Talus agree.",
          "That the solution is right: wrong ones may have the same property."},
-    Rung{Evidence::earlier_result, "Nothing has changed since the result was recorded.",
-         "That the result was right then."}};
+    Rung{Evidence::earlier_result, "Nothing has changed since then.", "That the result was right then."}};
 static_assert(rungs.size() == records::Names<Evidence>::values.size());
 
 bool rests_on(const Record& record, Evidence kind) {
@@ -80,7 +79,7 @@ std::string ladder_of_claims(const Results& results) {
   }
   std::string text = markdown::table(
       {{"evidence"}, {"what may be claimed"}, {"what may not"}, {"cases", true}, {"strongest in", true}}, rows, "");
-  std::vector<markdown::Column> columns{{"family"}};
+  std::vector<markdown::Column> columns{{"strongest evidence"}};
   for (const Rung& rung : rungs)
     columns.push_back({cell(name_of(rung.kind)), true});
   Rows families;
@@ -90,7 +89,7 @@ std::string ladder_of_claims(const Results& results) {
       row.push_back(count_text(strongest(results, rung.kind, family)));
     families.push_back(row);
   }
-  return text + "\nCases of each family by their strongest evidence:\n\n" + markdown::table(columns, families, "");
+  return text + "\n" + markdown::table(columns, families, "");
 }
 
 std::string claims_of_cases(const Results& results) {

@@ -56,7 +56,7 @@ std::string checks_of_peers(const Results& results) {
 std::string errata(const Results& results) {
   std::string text;
   for (const Erratum& e : results.errata) {
-    text += fmt::format("**{}. {}.** {}\n\n- Printed: {}\n- Corrected: {}\n- Evidence: {}\n\n", markdown::words(e.id),
+    text += fmt::format("**{}. {}.** {}\n\n- Printed: {}; corrected: {}\n- Evidence: {}\n\n", markdown::words(e.id),
                         markdown::words(e.where),
                         e.case_id.empty() ? "" : fmt::format("Case {}.", link_of(results, e.case_id)),
                         markdown::words(e.printed), markdown::words(e.corrected), markdown::words(e.evidence));

@@ -114,6 +114,8 @@ std::vector<ReportPage> report_pages(const Results& results, const Trials& trial
       {"index", first_heading(front_text), "", front_text, filled(templates / "details_front.mustache", first)});
   mustache::data values;
   values.set("coverage", coverage(results, trials.mutants ? &*trials.mutants : nullptr));
+  values.set("ladder", ladder_of_claims(results));
+  values.set("claims", claims_of_cases(results));
   values.set("formulas", common_formulas(results));
   values.set("peers", checks_of_peers(results));
   values.set("errata", errata(results));
@@ -133,6 +135,9 @@ std::vector<ReportPage> report_pages(const Results& results, const Trials& trial
   if (!drawn.no_pictures.empty()) values.set("no_pictures", markdown::words(drawn.no_pictures));
   values.set("tools", tools);
   values.set("date", results.provenance.date);
+  const std::string ladder = filled(templates / "chapters" / "claims.mustache", values);
+  pages.push_back({"claims", first_heading(ladder), "", ladder,
+                   filled(templates / "chapters" / "claims_of_cases.mustache", values)});
   for (const char* name : {"coverage", "errata"})
     chapter(name, values, Volume::main);
   std::size_t number = 0;

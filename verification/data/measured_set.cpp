@@ -9,6 +9,7 @@
 
 #include "solver/base/error.hpp"
 #include "verification/catalogue/catalogue_table.hpp"
+#include "verification/data/heading.hpp"
 #include "verification/data/scene_field.hpp"
 #include "verification/record/csv.hpp"
 #include "verification/record/error.hpp"
@@ -20,13 +21,6 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr std::string_view ending = ".measured.toml";
-
-/// The unit in the brackets at the end of a heading; "1" without them.
-std::string unit_of(const std::string& heading) {
-  const std::size_t open = heading.rfind(" [");
-  if (open == std::string::npos || heading.back() != ']') return "1";
-  return heading.substr(open + 2, heading.size() - open - 3);
-}
 
 RowNumbers column(const records::Csv& data, const CatalogueTable& table, std::string_view key,
                   const std::string& heading) {
@@ -54,7 +48,7 @@ RowNumbers uncertainty(const records::Csv& data, const CatalogueTable& table) {
 MeasuredInput read_input(const CatalogueTable& table, const records::Csv& data, const std::string& scene) {
   MeasuredInput input{
       .column = table.text("column"), .unit = {}, .field = table.text("field"), .values = {}, .uncertainty = {}};
-  input.unit = unit_of(input.column);
+  input.unit = heading_of(input.column).unit;
   input.values = column(data, table, "column", input.column);
   input.uncertainty = table.has("uncertainty") ? uncertainty(data, table) : RowNumbers(data.rows(), 0.0);
   for (const double each : input.uncertainty) {
@@ -75,7 +69,7 @@ MeasuredQuantity read_quantity(const CatalogueTable& table, const records::Csv& 
                             .result = table.text("result"),
                             .values = {},
                             .uncertainty = uncertainty(data, table)};
-  quantity.unit = unit_of(quantity.column);
+  quantity.unit = heading_of(quantity.column).unit;
   quantity.values = column(data, table, "column", quantity.column);
   quantity.at = table.place_of("result");
   for (const double each : quantity.uncertainty) {
@@ -150,8 +144,8 @@ MeasuredSet read_measured_set(const fs::path& file) {
     set.inputs.push_back(read_input(each, data, set.scene));
   if (set.inputs.empty()) table.fail("input", "found an empty array; at least one condition must differ");
   const std::string axis = table.has("axis") ? table.text("axis") : set.inputs.front().column;
-  set.axis = {axis.substr(0, axis.rfind(" [")), unit_of(axis),
-              column(data, table, table.has("axis") ? "axis" : "input", axis)};
+  const Heading heading = heading_of(axis);
+  set.axis = {heading.name, heading.unit, column(data, table, table.has("axis") ? "axis" : "input", axis)};
   for (const CatalogueTable& each :
        table.tables("quantity", "quantity", "name", {"name", "column", "result", "uncertainty", "model_error"})) {
     set.quantities.push_back(read_quantity(each, data));

@@ -5,22 +5,12 @@
 #include <algorithm>
 
 #include "solver/base/error.hpp"
+#include "verification/data/heading.hpp"
 #include "verification/record/json_node.hpp"
 
 namespace talus::verification {
 
 namespace {
-
-/// A heading "NAME [UNIT]" or "NAME".
-struct Heading {
-  std::string name, unit;
-};
-
-Heading heading_of(const std::string& text) {
-  const std::size_t open = text.rfind(" [");
-  if (open == std::string::npos || text.back() != ']') return {text, "1"};
-  return {text.substr(0, open), text.substr(open + 2, text.size() - open - 3)};
-}
 
 std::vector<std::string> names_of(const records::Csv& file) {
   std::vector<std::string> names;

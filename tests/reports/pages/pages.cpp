@@ -93,6 +93,22 @@ BOOST_AUTO_TEST_CASE(the_summary_goes_by_families_and_adds_them_up) {
   BOOST_TEST(text.find("B: contact") < text.find("[bounce]"));
 }
 
+BOOST_AUTO_TEST_CASE(the_ladder_counts_cases_by_their_evidence) {
+  Results all = results();
+  all.records[0].evidence = {Evidence::closed_form, Evidence::property};
+  all.records[0].page = "**Conclusion.** It\nholds\\!\n\n**Problem.** A disc.";
+  all.records[0].not_shown = "friction | spin.";
+  all.records[1].evidence = {Evidence::property};
+  const std::string ladder = ladder_of_claims(all);
+  BOOST_TEST(contains(ladder, "| 1 | 1 |\n| independent integration"), ladder);
+  BOOST_TEST(contains(ladder, "| 2 | 1 |\n| earlier result"), ladder);
+  BOOST_TEST(contains(ladder, "| A: motion | - | - | - | - | - | 1 | - |"), ladder);
+  BOOST_TEST(contains(ladder, "| B: contact | - | 1 | - | - | - | - | - |"), ladder);
+  const std::string claims = claims_of_cases(all);
+  BOOST_TEST(contains(claims, "| closed form, property | It holds\\! | friction \\| spin. |"), claims);
+  BOOST_TEST(contains(claims, "| property | \u2013 | \u2013 |"), claims);
+}
+
 BOOST_AUTO_TEST_CASE(verified_is_what_has_checks_and_none_that_failed) {
   Results all = results();
   all.requirements.push_back(requirement("A1", "A: motion", {{"flight", {"height"}}}));
