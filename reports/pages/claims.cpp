@@ -36,7 +36,7 @@ constexpr std::array rungs{
          "That either of them is right."},
     Rung{Evidence::property, "What every solution must satisfy, is satisfied; two ways through Talus agree.",
          "That the solution is right: wrong ones may have the same property."},
-    Rung{Evidence::earlier_result, "Nothing has changed since then.", "That the result was right then."}};
+    Rung{Evidence::earlier_result, "Nothing has changed since it was recorded.", "That the result was right then."}};
 static_assert(rungs.size() == records::Names<Evidence>::values.size());
 
 bool rests_on(const Record& record, Evidence kind) {
