@@ -1,6 +1,8 @@
 /// Text of the report from records made by hand: counts, and statements about missing parts.
 #define BOOST_TEST_MODULE reports_pages
 #include <boost/test/unit_test.hpp>
+#include <filesystem>
+#include <fstream>
 
 #include "reports/base/error.hpp"
 #include "reports/pages/claims.hpp"
@@ -91,6 +93,23 @@ BOOST_AUTO_TEST_CASE(the_summary_goes_by_families_and_adds_them_up) {
   BOOST_TEST(text.find("A: motion") < text.find("[flight]"));
   BOOST_TEST(text.find("[flight]") < text.find("B: contact"));
   BOOST_TEST(text.find("B: contact") < text.find("[bounce]"));
+}
+
+// A template that no page uses is a chapter that the report has lost.
+BOOST_AUTO_TEST_CASE(the_report_has_each_chapter) {
+  Results all = results();
+  all.records.clear();
+  std::string text;
+  for (const ReportPage& page : report_pages(all, Trials{}, Drawn{}, TALUS_TEMPLATES, "", ""))
+    text += page.main + "\n" + page.details + "\n";
+  std::size_t chapters = 0;
+  for (const auto& entry : std::filesystem::directory_iterator{std::filesystem::path{TALUS_TEMPLATES} / "chapters"}) {
+    std::string heading;
+    std::getline(std::ifstream{entry.path()}, heading);
+    BOOST_TEST(contains(text, heading + "\n"), entry.path().filename());
+    ++chapters;
+  }
+  BOOST_TEST(chapters >= 14U);
 }
 
 BOOST_AUTO_TEST_CASE(the_ladder_counts_cases_by_their_evidence) {
