@@ -78,6 +78,16 @@ BOOST_AUTO_TEST_CASE(the_largest_is_a_magnitude_and_a_nan_stays) {
   BOOST_TEST(std::isnan(largest));
 }
 
+BOOST_AUTO_TEST_CASE(the_smallest_has_its_sign_and_a_nan_stays) {
+  double smallest = 1.0;
+  for (const double value : {3.0, -2.0, -1.0})
+    keep_smallest(smallest, value);
+  BOOST_TEST(smallest == -2.0);
+  keep_smallest(smallest, not_a_number);
+  keep_smallest(smallest, -3.0);
+  BOOST_TEST(std::isnan(smallest));
+}
+
 BOOST_AUTO_TEST_CASE(a_row_has_the_cells_of_its_format) {
   using Cells = std::vector<std::string>;
   BOOST_TEST((cells("{} | {:.2f} | {}", "disc", 0.125, 3) == Cells{"disc", "0.12", "3"}));

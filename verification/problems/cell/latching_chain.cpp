@@ -76,7 +76,7 @@ void check_rows(Findings& findings, const Setup& setup) {
     if (setup.coarse && count != 3) continue;
     const auto exact = reference::chain_rebound(reference::struck_chain(count, ratio, 1.0, 0.5, 1.0));
     const ChainErrors found = errors(count, 60.0, exact, findings, setup);
-    momentum = std::max(momentum, found.momentum);
+    keep_largest(momentum, found.momentum);
     findings.expect_truncation(
         {"final_velocities",
          fmt::format("final velocities of {} discs at 60 steps in a contact, largest error of 64 phases", count)},
@@ -90,7 +90,7 @@ void check_rows(Findings& findings, const Setup& setup) {
     cells.push_back(fmt::format("{:.2f}", exact.end_time / contact_time()));
     table.rows.push_back(cells);
     const double handed = std::pow(0.85, static_cast<double>(count) - 1.0);
-    if (count > 2) growth = std::min(growth, found.last / handed - before);
+    if (count > 2) keep_smallest(growth, found.last / handed - before);
     before = found.last / handed;
     common.rows.push_back(
         {fmt::format("n = {}", count), fmt::format("{:.4f}", handed), fmt::format("{:.5f}", exact.velocity.back()),

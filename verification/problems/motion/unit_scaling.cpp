@@ -141,7 +141,7 @@ void tabulate_step_control(Findings& findings, const Scene& scene) {
         keep_largest(largest, one.end.q[i]);
       }
       row.push_back(fmt::format("{:.1e}", change / largest));
-      smallest = std::min(smallest, change / largest), largest_of_all = std::max(largest_of_all, change / largest);
+      keep_smallest(smallest, change / largest), keep_largest(largest_of_all, change / largest);
     }
     table.rows.push_back(row);
   }

@@ -214,14 +214,14 @@ void check_published_numbers(Findings& findings) {
       const double found = rebound(law, speed, findings),
                    exact = reference::hunt_crossley_restitution(formula.number(e));
       keep_worst(worst, found / exact - 1.0);
-      miss = std::max(miss, std::abs(found - e));
+      keep_largest(miss, found - e);
       points.add(e, found);
       table.rows.push_back(cells("{}, e = {:g} | {:g} | {:.3f} | {:+.0f} % | {:.3f}", formula.name, e, e, exact,
                                  100.0 * (e / exact - 1.0), found));
     }
     for (int i = 5; i < 100; ++i)
       line.add(0.01 * i, reference::hunt_crossley_restitution(formula.number(0.01 * i)));
-    smallest_miss = std::min(smallest_miss, miss), largest_miss = std::max(largest_miss, miss);
+    keep_smallest(smallest_miss, miss), keep_largest(largest_miss, miss);
     figure.series.push_back(line);
   }
   figure.series.push_back({"as wanted", {0.05, 1.0}, {0.05, 1.0}, Style::lines});

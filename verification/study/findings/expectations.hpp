@@ -19,6 +19,11 @@ inline void keep_worst(double& worst, double error) {
 /// Stores the magnitude of the error in `largest` if it is larger. A NaN persists (std::max would drop it).
 inline void keep_largest(double& largest, double error) { keep_worst(largest, std::abs(error)); }
 
+/// Stores the value in `smallest` if it is smaller. A NaN persists (std::min would drop it).
+inline void keep_smallest(double& smallest, double value) {
+  if (!std::isnan(smallest) && !(value >= smallest)) smallest = value;
+}
+
 /// Worst of measured - reference, component by component; both vectors have the same length.
 [[nodiscard]] inline double worst_error(const std::vector<double>& measured, const std::vector<double>& reference) {
   double worst = 0.0;
