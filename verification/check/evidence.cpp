@@ -5,24 +5,15 @@
 
 #include <algorithm>
 #include <cctype>
+#include <optional>
+
+#include "verification/check/paragraph.hpp"
 
 namespace talus::verification {
 
 namespace {
 
-constexpr std::string_view label = "**Evidence.** ", remark = "Not shown: ";
-
-/// The paragraph behind its label on one line; empty if the page has none.
-std::string paragraph_in(std::string_view page) {
-  std::size_t at = page.find(label);
-  if (at == std::string_view::npos || (at > 0 && page[at - 1] != '\n')) return "";
-  at += label.size();
-  std::string paragraph{page.substr(at, page.find("\n\n", at) - at)};
-  while (!paragraph.empty() && paragraph.back() == '\n')
-    paragraph.pop_back();
-  std::replace(paragraph.begin(), paragraph.end(), '\n', ' ');
-  return paragraph;
-}
+constexpr std::string_view remark = "Not shown: ";
 
 /// Markdown as plain text: without the backslashes before punctuation, except in formulas.
 std::string plain(std::string_view markdown) {
@@ -38,18 +29,11 @@ std::string plain(std::string_view markdown) {
   return text;
 }
 
-const Evidence* kind_called(const std::string& name) {
-  for (const auto& [kind, known] : records::Names<Evidence>::values) {
-    if (name == known) return &kind;
-  }
-  return nullptr;
-}
-
 }  // namespace
 
 EvidenceParagraph evidence_of(std::string_view page) {
   EvidenceParagraph result;
-  std::string text = paragraph_in(page);
+  std::string text = paragraph_of(page, "Evidence");
   if (text.empty()) {
     result.error = "it has no paragraph **Evidence.**";
     return result;
@@ -61,8 +45,8 @@ EvidenceParagraph evidence_of(std::string_view page) {
     const std::size_t comma = names.find(", ", at);
     const std::string name = names.substr(at, comma == std::string::npos ? comma : comma - at);
     at = comma == std::string::npos ? comma : comma + 2;
-    const Evidence* const kind = kind_called(name);
-    if (kind == nullptr) {
+    const std::optional<Evidence> kind = records::value_named<Evidence>(name);
+    if (!kind) {
       result.error = fmt::format("its evidence '{}' is not known; known: {}", name,
                                  fmt::join(records::all_names<Evidence>(), ", "));
       return result;
@@ -88,7 +72,7 @@ std::string text_of(const EvidenceParagraph& paragraph) {
   for (const Evidence kind : paragraph.kinds)
     names += (names.empty() ? "" : ", ") + std::string{name_of(kind)};
   if (!names.empty()) names.front() = static_cast<char>(std::toupper(static_cast<unsigned char>(names.front())));
-  return fmt::format("{}{}. {}{}\n", label, names, remark, paragraph.not_shown);
+  return fmt::format("**Evidence.** {}. {}{}\n", names, remark, paragraph.not_shown);
 }
 
 }  // namespace talus::verification

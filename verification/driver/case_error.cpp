@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "verification/check/evidence.hpp"
+#include "verification/check/paragraph.hpp"
 #include "verification/check/record.hpp"
 
 namespace talus::verification {
@@ -47,11 +48,7 @@ std::string family_error(const Case& verification_case, const Catalogue& catalog
 /// Missing citations in the case's source and in the paragraph "Source" of its page.
 std::string flaw_of_citations(const Case& verification_case, const Catalogue& catalogue) {
   if (!verification_case.data_set.empty()) return "";
-  const std::string& page = verification_case.page;
-  const std::string label = "**Source.**";
-  const std::size_t place = page.find(label);
-  const std::size_t start = place == std::string::npos ? page.size() : place + label.size();
-  const std::string paragraph = page.substr(start, page.find("\n\n", start) - start);
+  const std::string paragraph = paragraph_of(verification_case.page, "Source");
   const auto missing = citations_in(verification_case.source + "; " + paragraph, catalogue.bibliography).missing;
   return missing.empty() ? "" : fmt::format("the bibliography has no entry for '{}'", missing.front());
 }

@@ -198,9 +198,7 @@ void read_into(const Node& node, T& value, Completeness completeness) {
     if (count > std::numeric_limits<T>::max()) node.refuse("a smaller number");
     value = static_cast<T>(count);
   } else if constexpr (Named<T>) {
-    const std::string name = node.one_of(all_names<T>());
-    for (const auto& [each, text] : Names<T>::values)
-      if (name == text) value = each;
+    value = value_named<T>(node.one_of(all_names<T>())).value();
   } else if constexpr (std::same_as<T, TextPairs>) {
     value.clear();
     for (const auto& [key, member] : node.members())

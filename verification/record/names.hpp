@@ -1,7 +1,9 @@
 #pragma once
 
+#include <optional>
 #include <stdexcept>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace talus::records {
@@ -23,6 +25,15 @@ template <Named Enum>
     if (each == value) return name;
   }
   throw std::logic_error("a value outside its enumeration");
+}
+
+/// The value with that name; empty if there is none.
+template <Named Enum>
+[[nodiscard]] constexpr std::optional<Enum> value_named(std::string_view name) {
+  for (const auto& [each, text] : Names<Enum>::values) {
+    if (name == text) return each;
+  }
+  return {};
 }
 
 /// All names, in the order of the values.
