@@ -228,8 +228,8 @@ std::vector<std::string> cell_keys() {
   if constexpr (HasHertzDashpot<L>) keys.emplace_back("dashpot");
   if constexpr (!HasLinearPart<L>) keys.emplace_back("impact_speed");
   keys.emplace_back("restitution");
-  for (const std::string& key : friction_keys<DiscFrictions, L>())
-    if (key != "shear_damping") keys.push_back(key);
+  const std::vector<std::string> friction = friction_keys<DiscFrictions, L>(false);
+  keys.insert(keys.end(), friction.begin(), friction.end());
   keys.insert(keys.end(), {"overburden", "seed"});
   for (const auto& field : ShearCell::fields())
     keys.emplace_back(field.name);
@@ -241,8 +241,8 @@ std::vector<std::string> cell_keys() {
 /// Reads friction. The default of `shear_stiffness` is not known before the law is complete: until complete() it is 0.
 void read_disc_friction(SceneTable& table, ShearCell& cell) {
   constexpr double any = 1.0;
-  cell.friction =
-      std::visit([&]<class L>(const L&) { return read_friction<DiscFrictions, L>(table, any, false); }, cell.law);
+  cell.friction = std::visit(
+      [&]<class L>(const L&) { return read_friction<DiscFrictions, L>(table, any, false, false); }, cell.law);
   auto* const constant = cell.friction ? std::get_if<CoulombFriction>(&*cell.friction) : nullptr;
   if (constant != nullptr && !table.has("shear_stiffness")) constant->stiffness = 0.0;
 }

@@ -53,7 +53,7 @@ void read_law(SceneTable& table, SceneContact& read) {
   L law;
   std::vector<std::string> keys = field_names<L>();
   keys.insert(keys.end(), {"between", "method", "nodes", "node_depth"});
-  const std::vector<std::string> friction = friction_keys<FrictionLaws, L>();
+  const std::vector<std::string> friction = friction_keys<FrictionLaws, L>(true);
   keys.insert(keys.end(), friction.begin(), friction.end());
   if constexpr (HasEndRule<L>) keys.push_back("end_rule");
   if constexpr (HasHertzDashpot<L>) keys.push_back("dashpot");
@@ -103,7 +103,7 @@ SceneContact read_contact(SceneTable table, const BodyNames& bodies) {
   contact.friction = std::visit(
       [&]<class L>(const L& law) {
         return read_friction<FrictionLaws, L>(table, law.tangent().stiffness,
-                                              HasRetardationTime<L> && !table.has("shear_damping"));
+                                              HasRetardationTime<L> && !table.has("shear_damping"), true);
       },
       contact.law);
   return read;

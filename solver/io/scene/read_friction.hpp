@@ -13,13 +13,15 @@
 
 namespace talus {
 
-/// The keys of a contact of law L that choose and describe its friction, by a law of the list.
+/// The keys of a contact of law L that choose and describe its friction, by a law of the list. Contacts of discs have
+/// no tangential dashpot.
 template <class Frictions, class L>
-std::vector<std::string> friction_keys() {
+std::vector<std::string> friction_keys(bool has_dashpot) {
   std::vector<std::string> keys;
   for_each_friction_of<Frictions, L>([&]<class F>(const F&) {
     for (const std::string_view field : friction_fields<F>())
-      if (std::ranges::find(keys, field) == keys.end()) keys.emplace_back(field);
+      if (std::ranges::find(keys, field) == keys.end() && (has_dashpot || field != "shear_damping"))
+        keys.emplace_back(field);
   });
   if (friction_names_of<Frictions, L>().size() > 1) keys.emplace_back("shear_law");
   return keys;
@@ -46,13 +48,13 @@ void refuse_other_friction(SceneTable& table, const F& friction) {
 }
 
 /// Reads the friction of a contact of law L, if it is given, by a law of the list. `normal_stiffness` [F/L] and
-/// `normal_damping` are those of FollowsNormal.
+/// `normal_damping` are those of FollowsNormal, `has_dashpot` that of friction_keys().
 template <class Frictions, class L>
 std::optional<typename Frictions::Variant> read_friction(SceneTable& table, double normal_stiffness,
-                                                         bool normal_damping) {
+                                                         bool normal_damping, bool has_dashpot) {
   const std::vector<std::string> names = friction_names_of<Frictions, L>();
   if (!table.has("friction")) {
-    for (const std::string& key : friction_keys<Frictions, L>())
+    for (const std::string& key : friction_keys<Frictions, L>(has_dashpot))
       if (key != "friction") table.refuse(key, "it requires friction; give friction, or remove it");
     return {};
   }
