@@ -8,8 +8,10 @@
 #include <system_error>
 
 #include "solver/base/error.hpp"
+#include "solver/io/file/quantity_table.hpp"
+#include "solver/io/read_scene_file.hpp"
 #include "verification/catalogue/catalogue_table.hpp"
-#include "verification/data/heading.hpp"
+#include "verification/data/run_results.hpp"
 #include "verification/data/scene_field.hpp"
 #include "verification/record/csv.hpp"
 #include "verification/record/error.hpp"
@@ -48,7 +50,7 @@ RowNumbers uncertainty(const records::Csv& data, const CatalogueTable& table) {
 MeasuredInput read_input(const CatalogueTable& table, const records::Csv& data, const std::string& scene) {
   MeasuredInput input{
       .column = table.text("column"), .unit = {}, .field = table.text("field"), .values = {}, .uncertainty = {}};
-  input.unit = heading_of(input.column).unit;
+  input.unit = unit_of_heading(input.column);
   input.values = column(data, table, "column", input.column);
   input.uncertainty = table.has("uncertainty") ? uncertainty(data, table) : RowNumbers(data.rows(), 0.0);
   for (const double each : input.uncertainty) {
@@ -69,7 +71,7 @@ MeasuredQuantity read_quantity(const CatalogueTable& table, const records::Csv& 
                             .result = table.text("result"),
                             .values = {},
                             .uncertainty = uncertainty(data, table)};
-  quantity.unit = heading_of(quantity.column).unit;
+  quantity.unit = unit_of_heading(quantity.column);
   quantity.values = column(data, table, "column", quantity.column);
   quantity.at = table.place_of("result");
   for (const double each : quantity.uncertainty) {
@@ -133,7 +135,8 @@ MeasuredSet read_measured_set(const fs::path& file) {
   const fs::path scene = file.parent_path() / table.text("scene");
   try {
     set.scene = read_text(scene);
-    static_cast<void>(parse_toml(set.scene, scene.string()));
+    static_cast<void>(parse_toml(set.scene, scene.string()));  // a deck of 1993 has no fields to set
+    set.integrator = read_scene_file(scene).scene.integrator;
   } catch (const std::runtime_error& wrong) {
     table.fail("scene", wrong.what());
   }
@@ -144,8 +147,8 @@ MeasuredSet read_measured_set(const fs::path& file) {
     set.inputs.push_back(read_input(each, data, set.scene));
   if (set.inputs.empty()) table.fail("input", "found an empty array; at least one condition must differ");
   const std::string axis = table.has("axis") ? table.text("axis") : set.inputs.front().column;
-  const Heading heading = heading_of(axis);
-  set.axis = {heading.name, heading.unit, column(data, table, table.has("axis") ? "axis" : "input", axis)};
+  set.axis = {name_and_unit(axis).first, unit_of_heading(axis),
+              column(data, table, table.has("axis") ? "axis" : "input", axis)};
   for (const CatalogueTable& each :
        table.tables("quantity", "quantity", "name", {"name", "column", "result", "uncertainty", "model_error"})) {
     set.quantities.push_back(read_quantity(each, data));

@@ -4,6 +4,8 @@
 #include <string>
 #include <vector>
 
+#include "solver/integrate/integrator_list.hpp"
+
 namespace talus::verification {
 
 /// A number for each row of a set.
@@ -56,6 +58,7 @@ struct MeasuredSet {
   std::string conclusion;  ///< May be empty.
   std::string not_shown;   ///< What must not be concluded.
   std::string scene;       ///< Text of the scene file.
+  Integrator integrator;   ///< Of the scene.
   std::size_t rows{};
   MeasuredAxis axis;
   std::vector<MeasuredInput> inputs;

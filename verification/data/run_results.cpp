@@ -5,7 +5,7 @@
 #include <algorithm>
 
 #include "solver/base/error.hpp"
-#include "verification/data/heading.hpp"
+#include "solver/io/file/quantity_table.hpp"
 #include "verification/record/json_node.hpp"
 
 namespace talus::verification {
@@ -15,7 +15,7 @@ namespace {
 std::vector<std::string> names_of(const records::Csv& file) {
   std::vector<std::string> names;
   for (const std::string& heading : file.header())
-    names.push_back(heading_of(heading).name);
+    names.push_back(name_and_unit(heading).first);
   return names;
 }
 
@@ -38,6 +38,11 @@ std::string taken_word(std::string& name) {
 
 }  // namespace
 
+std::string unit_of_heading(std::string_view heading) {
+  const std::string unit = name_and_unit(heading).second;
+  return unit.empty() ? "1" : unit;
+}
+
 RunResults::RunResults(const std::filesystem::path& folder)
     : history_{records::read_csv(folder / "history.csv")}, impacts_{records::read_csv(folder / "impacts.csv")} {
   const std::filesystem::path file = folder / "summary.json";
@@ -49,12 +54,12 @@ RunResults::RunResults(const std::filesystem::path& folder)
                          each.at("maximum_time").finite()});
   }
   unit_of_time_ = summary.at("units").at("time").text();
-  if (summary.has("step")) step_ = summary.at("step").finite();
+  step_ = summary.at("step").finite();
 }
 
 RunResult RunResults::of_history(std::size_t row, const std::string& name) const {
   const std::size_t column = column_of(history_, name);
-  return {history_.number(row, column), heading_of(history_.header()[column]).unit};
+  return {history_.number(row, column), unit_of_heading(history_.header()[column])};
 }
 
 RunResult RunResults::of_extremes(const std::string& which, const std::string& name) const {
@@ -79,7 +84,7 @@ RunResult RunResults::of_impacts(const std::string& name) const {
   for (std::size_t row = 0; row < impacts_.rows(); ++row) {
     if (impacts_.cell(row, contacts) != contact) continue;
     if (fmt::format("{}", ++count) == number)
-      return {impacts_.number(row, column), heading_of(impacts_.header()[column]).unit};
+      return {impacts_.number(row, column), unit_of_heading(impacts_.header()[column])};
   }
   throw InputError{fmt::format("found impact '{}' of '{}'; give one of the {} impacts of this contact in the run",
                                number, contact, count)};

@@ -2,11 +2,15 @@
 
 #include <filesystem>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "verification/record/csv.hpp"
 
 namespace talus::verification {
+
+/// The unit in the brackets at the end of a heading; "1" without them.
+[[nodiscard]] std::string unit_of_heading(std::string_view heading);
 
 /// A number of a run and its unit.
 struct RunResult {
@@ -27,7 +31,7 @@ class RunResults {
 
   /// Errors: InputError for a name that does not exist, with the known ones.
   [[nodiscard]] RunResult at(const std::string& name) const;
-  /// The step of a method of fixed step [unit of time]; 0 for others.
+  /// The step given to the method [unit of time].
   [[nodiscard]] double step() const { return step_; }
   [[nodiscard]] const std::string& unit_of_time() const { return unit_of_time_; }
 

@@ -96,6 +96,23 @@ BOOST_AUTO_TEST_CASE(a_coarse_step_is_noticed) {
   BOOST_TEST(check(record, "half the step").measured == 0.00125 / 0.003, boost::test_tools::tolerance(1e-6));
 }
 
+// A ball that bounces, by methods without a step: one has a tolerance, the other no error.
+BOOST_AUTO_TEST_CASE(the_error_of_a_method_is_that_of_its_tolerance) {
+  const auto record = [](const std::string& method) {
+    std::string scene = with(flight_scene, "\"0 m\", \"-9 m\"", "\"0 m\", \"0.5 m\"");
+    scene = with(with(scene, "\"velocity_verlet\"\nstep = \"1 ms\"", method), "1e5 N/m", "2e4 N/m");
+    scene = with(scene, "end = \"0.5 s\"", "end = \"1.2 s\"");
+    return record_of(MeasuredFolder{Heights{{0.0, 0.0}}.csv(), flight_set, scene});
+  };
+  const records::Record coarse = record("\"stormer_cowell\"\ntolerance = 1e-3");
+  const records::Record fine = record("\"stormer_cowell\"\ntolerance = 1e-9");
+  BOOST_TEST(check(coarse, "tenth of the tolerance").measured > 1e-4);
+  BOOST_TEST(check(fine, "tenth of the tolerance").measured < 1e-5);
+  BOOST_TEST(check(fine, "tenth of the tolerance").measured > 0.0);
+  const records::Record exact = record("\"exact\"");
+  BOOST_TEST(exact.checks.size() == 3U, exact.message);
+}
+
 BOOST_AUTO_TEST_CASE(results_have_names_and_units) {
   const auto message = [](const std::string& result, const std::string& column = "height [m]") {
     const std::string csv = "speed [m/s]," + column + ",u\n4,1.76,0.01\n6,2.74,0.02\n";
