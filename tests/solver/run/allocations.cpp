@@ -62,7 +62,7 @@ BOOST_AUTO_TEST_CASE(steps_of_a_fence_take_no_memory) {
   }
 }
 
-BOOST_AUTO_TEST_CASE(exact_pieces_take_no_memory) {
+BOOST_AUTO_TEST_CASE(exact_segments_take_no_memory) {
   const Scene scene = read_scene_file(std::filesystem::path{TALUS_CASES "/damped_disc.toml"}).scene;
   BOOST_TEST(taken_in_steps(scene, make_integrator("exact"), 1e-2, 200) == 0);
 }

@@ -6,7 +6,7 @@
 #include "verification/reference/many_bodies/struck_row.hpp"
 #include "verification/study/toolkit.hpp"
 
-namespace talus::verification::problems::exact_pieces {
+namespace talus::verification::problems::exact_segments {
 namespace {
 
 constexpr double epsilon = std::numeric_limits<double>::epsilon();
@@ -309,7 +309,7 @@ void run(Findings& findings, const Setup& setup) {
 
 Case definition() {
   return {
-      .id = "exact_pieces",
+      .id = "exact_segments",
       .title = "Exact solution between events",
       .family = "speed and accuracy",
       .requirements = {{"integrator.exact",
@@ -326,4 +326,4 @@ Case definition() {
       .run = run};
 }
 
-}  // namespace talus::verification::problems::exact_pieces
+}  // namespace talus::verification::problems::exact_segments

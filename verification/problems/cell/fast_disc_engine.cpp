@@ -12,7 +12,7 @@
 #include "verification/reference/many_bodies/all_pairs.hpp"
 #include "verification/study/toolkit.hpp"
 
-namespace talus::verification::problems::swept_discs {
+namespace talus::verification::problems::fast_disc_engine {
 namespace {
 
 constexpr double step = 0.157;
@@ -232,7 +232,7 @@ void run(Findings& findings, const Setup& setup) {
 }  // namespace
 
 Case definition() {
-  return {.id = "swept_discs",
+  return {.id = "fast_disc_engine",
           .title = "Vectorised and threaded disc engine against a loop over all pairs",
           .family = "the shear cell",
           .requirements = {{"F3", {"engines", "threads", "all_pairs"}}},
@@ -251,4 +251,4 @@ Case definition() {
           .run = run};
 }
 
-}  // namespace talus::verification::problems::swept_discs
+}  // namespace talus::verification::problems::fast_disc_engine

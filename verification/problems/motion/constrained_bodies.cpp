@@ -1,7 +1,7 @@
 #include "verification/reference/impacts/restitution.hpp"
 #include "verification/study/toolkit.hpp"
 
-namespace talus::verification::problems::held_bodies {
+namespace talus::verification::problems::constrained_bodies {
 namespace {
 
 constexpr Vec2 gravity{0.8, -2.0};
@@ -361,7 +361,7 @@ void run(Findings& findings, const Setup& setup) {
 
 Case definition() {
   const std::string guided = "angular momentum balance with reactions, guided_x";
-  return {.id = "held_bodies",
+  return {.id = "constrained_bodies",
           .title = "Constrained bodies and symmetry multiplicity",
           .family = "A: motion and bodies",
           .requirements =
@@ -384,4 +384,4 @@ Case definition() {
           .run = run};
 }
 
-}  // namespace talus::verification::problems::held_bodies
+}  // namespace talus::verification::problems::constrained_bodies
