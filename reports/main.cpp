@@ -54,9 +54,9 @@ void describe(CLI::App& app, Options& options) {
 }
 
 /// Writes to stderr after flushing stdout: both streams may go to one file.
-void print_errors(const std::string& words) {
+void print_errors(const std::string& message) {
   std::fflush(stdout);
-  std::fputs(words.c_str(), stderr);  // if stderr cannot be written, only the message is lost
+  std::fputs(message.c_str(), stderr);  // if stderr cannot be written, only the message is lost
 }
 
 /// Prints the files and the parts that could not be made; returns the exit status.
@@ -74,10 +74,10 @@ int check(const Options& options, const talus::reports::ToolPaths& tools) {
   const std::vector<std::string> wrong =
       talus::reports::unfounded_numbers(options.verify, options.report, tools.resources / "templates");
   if (wrong.empty()) return 0;
-  std::string words = "talus_report: numbers of the report that are not in the records:\n";
+  std::string message = "talus_report: numbers of the report that are not in the records:\n";
   for (const std::string& number : wrong)
-    words += fmt::format("  {}\n", number);
-  print_errors(words);
+    message += fmt::format("  {}\n", number);
+  print_errors(message);
   return 1;
 }
 

@@ -18,7 +18,7 @@ using nlohmann::json;
 using records::read_whole;
 
 /// Integers up to this number figures, tables, rows and references.
-constexpr double most_ordinal = 250;
+constexpr double maximum_ordinal = 250;
 
 /// A number as written: its value and the weight of its last digit.
 struct Written {
@@ -174,7 +174,7 @@ std::set<double> numbers_of_records(const fs::path& verify, const fs::path& temp
 std::vector<std::string> unfounded_numbers(const std::string& markdown, const std::set<double>& known) {
   std::vector<std::string> wrong;
   for (const Written& written : numbers_in(visible(markdown))) {
-    if (written.value == std::floor(written.value) && written.value <= most_ordinal) continue;
+    if (written.value == std::floor(written.value) && written.value <= maximum_ordinal) continue;
     const double half = 0.5 * written.last_digit * (1.0 + 1e-6);
     const auto next = known.lower_bound(written.value - half);
     if (next == known.end() || *next > written.value + half) wrong.push_back(written.text);

@@ -122,13 +122,13 @@ Trials read_trials(const fs::path& verify) {
 std::vector<SitePage> site_pages(const std::vector<ReportPage>& pages, const Results& results) {
   std::vector<SitePage> site;
   for (const ReportPage& page : pages) {
-    std::string words = page.family;
+    std::string search_text = page.family;
     for (const Record& record : results.records) {
       if (record.id != page.name) continue;
       for (const Check& check : record.checks)
-        words += " " + check.name;
+        search_text += " " + check.name;
     }
-    site.push_back({page.name, page.title, site_text(pages, page), words});
+    site.push_back({page.name, page.title, site_text(pages, page), search_text});
   }
   return site;
 }
@@ -137,13 +137,13 @@ std::vector<SitePage> site_pages(const std::vector<ReportPage>& pages, const Res
 std::string navigation(const std::vector<ReportPage>& pages, const Results& results) {
   std::string text, family;
   for (const ReportPage& page : pages) {
-    if (page.family != family && !page.family.empty()) text += fmt::format("- {}\n", markdown::words(page.family));
+    if (page.family != family && !page.family.empty()) text += fmt::format("- {}\n", markdown::text(page.family));
     family = page.family;
     const auto record = std::find_if(results.records.begin(), results.records.end(),
                                      [&](const Record& each) { return each.id == page.name; });
     const bool failed = record != results.records.end() && record->status != Status::pass;
     text += fmt::format("{}- [{}]({}.html){}\n", family.empty() ? "" : "    ",
-                        markdown::words(record == results.records.end() ? page.title : page.name), page.name,
+                        markdown::text(record == results.records.end() ? page.title : page.name), page.name,
                         failed ? " **fail**" : "");
   }
   return text;
@@ -297,8 +297,8 @@ Made make_pages(const std::vector<fs::path>& files, const std::string& title, co
       throw RecordError(fmt::format("{}:1: must begin with '# ' and the page's title", file.string()));
     page.title = first_line(page.text).substr(2);
     for (std::size_t at = page.text.find("\n#"); at != std::string::npos; at = page.text.find("\n#", at + 1))
-      page.words += page.text.substr(at, page.text.find('\n', at + 1) - at);
-    contents += fmt::format("- [{}]({}.html)\n", markdown::words(page.title), page.name);
+      page.search_text += page.text.substr(at, page.text.find('\n', at + 1) - at);
+    contents += fmt::format("- [{}]({}.html)\n", markdown::text(page.title), page.name);
     pages.push_back(std::move(page));
   }
   const Document site{staging.folder(), "index", title.empty() ? pages.front().title : title,

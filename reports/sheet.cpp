@@ -152,10 +152,10 @@ std::string html_table(const SheetTable& table) {
 
 /// The tables at one position, each written by `write`.
 template <class Write>
-std::string tables_at(SheetTable::Place place, const std::vector<SheetTable>& tables, Write&& write) {
+std::string tables_at(SheetTable::Location location, const std::vector<SheetTable>& tables, Write&& write) {
   std::string text;
   for (const SheetTable& table : tables) {
-    if (table.place == place) text += write(table);
+    if (table.location == location) text += write(table);
   }
   return text;
 }
@@ -195,9 +195,9 @@ std::string rendered(const fs::path& page, const SheetRecord& record, const Esca
   data["quality_facts"] = list(verdict.quality_facts);
   data["unusable"] = !record.quality.usable;
   data["rocks"] = write(rock_table(record));
-  data["tables"] = tables_at(SheetTable::Place::page, tables, write);
-  data["left"] = tables_at(SheetTable::Place::left, tables, write);
-  data["right"] = tables_at(SheetTable::Place::right, tables, write);
+  data["tables"] = tables_at(SheetTable::Location::page, tables, write);
+  data["left"] = tables_at(SheetTable::Location::left, tables, write);
+  data["right"] = tables_at(SheetTable::Location::right, tables, write);
   data["picture"] = picture;
   data["phone_picture"] = phone_picture;
   return frame.render(data);

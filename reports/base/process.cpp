@@ -97,8 +97,8 @@ OutputError cannot_start(const std::string& program, int failure) {
 }
 
 pid_t start(const Command& command, Pipe& out, Pipe& err) {
-  std::vector<std::string> words{command.program};
-  words.insert(words.end(), command.arguments.begin(), command.arguments.end());
+  std::vector<std::string> arguments{command.program};
+  arguments.insert(arguments.end(), command.arguments.begin(), command.arguments.end());
   std::vector<std::string> entries = environment_of(command);
 
   posix_spawn_file_actions_t actions{};
@@ -108,7 +108,7 @@ pid_t start(const Command& command, Pipe& out, Pipe& err) {
   posix_spawn_file_actions_adddup2(&actions, err.ends[1], STDERR_FILENO);
   if (!command.folder.empty()) posix_spawn_file_actions_addchdir_np(&actions, command.folder.c_str());
   pid_t child = 0;
-  const int failure = posix_spawnp(&child, command.program.c_str(), &actions, nullptr, pointers(words).data(),
+  const int failure = posix_spawnp(&child, command.program.c_str(), &actions, nullptr, pointers(arguments).data(),
                                    pointers(entries).data());
   posix_spawn_file_actions_destroy(&actions);
   if (failure == 0) return child;
@@ -148,10 +148,10 @@ void demand_program(const std::string& name) {
 Finished run_or_throw(const Command& command, const std::string& purpose) {
   Finished finished = run(command);
   if (finished.status != 0) {
-    std::string& words = finished.messages.empty() ? finished.output : finished.messages;
-    words.erase(words.find_last_not_of('\n') + 1);
+    std::string& message = finished.messages.empty() ? finished.output : finished.messages;
+    message.erase(message.find_last_not_of('\n') + 1);
     throw OutputError(
-        fmt::format("{} failed on {} (exit status {}):\n{}", command.program, purpose, finished.status, words));
+        fmt::format("{} failed on {} (exit status {}):\n{}", command.program, purpose, finished.status, message));
   }
   return finished;
 }

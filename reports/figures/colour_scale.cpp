@@ -10,7 +10,7 @@ namespace talus::reports {
 namespace {
 
 struct Stop {
-  double place;
+  double position;
   std::array<double, 3> colour;  ///< red, green, blue, 0 to 255
 };
 constexpr std::array<Stop, 4> one_hue{
@@ -29,11 +29,11 @@ long ColourScale::colour(double value) const {
   const std::span<const Stop> stops = two_hues ? std::span<const Stop>{two_hues_apart} : one_hue;
   const double at = std::round(std::clamp((value - min) / (max - min), 0.0, 1.0) * steps) / steps;
   std::size_t upper = 1;
-  while (upper + 1 < stops.size() && stops[upper].place < at)
+  while (upper + 1 < stops.size() && stops[upper].position < at)
     ++upper;
   const Stop& low = stops[upper - 1];
   const Stop& high = stops[upper];
-  const double part = (at - low.place) / (high.place - low.place);
+  const double part = (at - low.position) / (high.position - low.position);
   long colour = 0;
   for (std::size_t i = 0; i < 3; ++i)
     colour = 256 * colour + std::lround(low.colour[i] + part * (high.colour[i] - low.colour[i]));

@@ -57,12 +57,12 @@ void date_picture(const std::filesystem::path& file, long long epoch_seconds) {
     if (file.extension() != field.extension) continue;
     std::string bytes = records::read_whole(file);
     const std::string mark = field.mark;
-    const std::size_t place = bytes.find(mark);
+    const std::size_t offset = bytes.find(mark);
     const std::string date = date_text(field.form, static_cast<std::time_t>(epoch_seconds));
-    if (place == std::string::npos || place + mark.size() + date.size() > bytes.size()) {
+    if (offset == std::string::npos || offset + mark.size() + date.size() > bytes.size()) {
       throw OutputError(file.string() + ": has no creation date where cairo writes it");
     }
-    bytes.replace(place + mark.size(), date.size(), date);
+    bytes.replace(offset + mark.size(), date.size(), date);
     records::write_whole(file, bytes);
   }
 }

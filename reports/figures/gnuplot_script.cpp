@@ -65,17 +65,17 @@ std::string line_commands(const Plot& plot) {
                                             : fmt::format("graph 1, first {:.9g}", line.at);
     text += fmt::format("set arrow from {} to {} nohead lc rgb '#333333' lw 1.2 dt 4 back\n", from, to);
     if (line.label.empty()) continue;
-    const std::string place = line.axis == 'x'
-                                  ? fmt::format("first {:.9g}, graph 1.035 center", line.at)
-                                  : fmt::format("graph 0.985, first {:.9g} right offset 0,char 0.55", line.at);
-    text += fmt::format("set label {} at {} front boxed textcolor rgb '#333333'\n", gnuplot_text(line.label), place);
+    const std::string position = line.axis == 'x'
+                                     ? fmt::format("first {:.9g}, graph 1.035 center", line.at)
+                                     : fmt::format("graph 0.985, first {:.9g} right offset 0,char 0.55", line.at);
+    text += fmt::format("set label {} at {} front boxed textcolor rgb '#333333'\n", gnuplot_text(line.label), position);
   }
   return text;
 }
 
-std::string axis_commands(char name, const Axis& axis, const Extent& extent, std::size_t most) {
+std::string axis_commands(char name, const Axis& axis, const Extent& extent, std::size_t maximum) {
   const std::string unit = axis.unit.empty() || axis.unit == "1" || axis.unit == "-" ? "" : " [" + axis.unit + "]";
-  std::string text = fmt::format("set {}label {}\n", name, gnuplot_lines(axis.label + unit, most));
+  std::string text = fmt::format("set {}label {}\n", name, gnuplot_lines(axis.label + unit, maximum));
   text += fmt::format("set {}range [{:.12g}:{:.12g}]\n", name, extent.low, extent.high);
   if (axis.log) {
     text += fmt::format("set logscale {}\n", name) + log_tics(name, extent);
@@ -95,7 +95,7 @@ std::string mark_commands(const Plot& plot) {
     const bool inside = mark.x > plot.x.low && mark.x < plot.x.high && mark.y > plot.y.low && mark.y < plot.y.high;
     if (!inside) continue;
     text += fmt::format("set label {} at {:.6g},{:.6g} center front textcolor rgb '#111111' font ',{}'\n",
-                        gnuplot_text(mark.words), mark.x, mark.y, 9);
+                        gnuplot_text(mark.text), mark.x, mark.y, 9);
   }
   return text;
 }
@@ -118,12 +118,12 @@ std::size_t key_columns(const Plot& plot, const Canvas& canvas) {
 std::string log_tics(char axis, const Extent& extent) {
   const int first = static_cast<int>(std::ceil(std::log10(extent.low) - 1e-9));
   const int last = static_cast<int>(std::floor(std::log10(extent.high) + 1e-9));
-  std::string places;
+  std::string ticks;
   // Each position is listed explicitly: gnuplot's series would start at the end of the axis, whatever its value.
   const auto add = [&](const std::string& label, double digit, int decade, const char* level) {
     const double value = digit * std::pow(10.0, decade);
     if (value < extent.low * (1.0 - 1e-9) || value > extent.high * (1.0 + 1e-9)) return;
-    places += fmt::format("{}{} {:g}e{}{}", places.empty() ? "" : ", ", label, digit, decade, level);
+    ticks += fmt::format("{}{} {:g}e{}{}", ticks.empty() ? "" : ", ", label, digit, decade, level);
   };
   if (last - first >= 1) {
     const int stride = 1 + (last - first) / 9;
@@ -138,7 +138,7 @@ std::string log_tics(char axis, const Extent& extent) {
         add(fmt::format("'{:g}'", digit * std::pow(10.0, decade)), digit, decade, "");
     }
   }
-  return fmt::format("set {}tics ({})\n", axis, places);
+  return fmt::format("set {}tics ({})\n", axis, ticks);
 }
 
 std::string drawn_in_each_format(const Canvas& canvas, const std::string& stem, const std::string& body, double height,
@@ -171,7 +171,7 @@ std::size_t letters_along(double length, const Letters& letters) {
 }
 
 Panel panel_of(const Plot& plot, const std::string& prefix, const ColourScale& scale, const Canvas& canvas,
-               std::size_t most) {
+               std::size_t maximum) {
   Panel panel;
   for (std::size_t i = 0; i < plot.curves.size(); ++i) {
     const Curve& curve = plot.curves[i];
@@ -184,7 +184,7 @@ Panel panel_of(const Plot& plot, const std::string& prefix, const ColourScale& s
     if (curve.style == Style::outlines) panel.settings += "set size ratio -1\n";
   }
   panel.settings +=
-      axis_commands('x', plot.figure.x, plot.x, std::string::npos) + axis_commands('y', plot.figure.y, plot.y, most);
+      axis_commands('x', plot.figure.x, plot.x, std::string::npos) + axis_commands('y', plot.figure.y, plot.y, maximum);
   if (!plot.figure.grid) panel.settings += "unset grid\n";
   panel.settings += slope_commands(plot, panel.curves) + line_commands(plot) + mark_commands(plot);
   const std::size_t columns = key_columns(plot, canvas);
@@ -194,8 +194,8 @@ Panel panel_of(const Plot& plot, const std::string& prefix, const ColourScale& s
 
 std::string figure_script(const Plot& plot, const Canvas& canvas, const std::string& stem) {
   const double line_high = 0.62 * canvas.letters.paper;  // [cm], of the margins below and above the axes
-  const std::size_t most = letters_along(canvas.height - 5.9 * line_high, canvas.letters);
-  const Panel panel = panel_of(plot, "curve", {}, canvas, most);
+  const std::size_t maximum = letters_along(canvas.height - 5.9 * line_high, canvas.letters);
+  const Panel panel = panel_of(plot, "curve", {}, canvas, maximum);
   const std::string text = fmt::format("load {}\n", gnuplot_quoted(canvas.preamble.string())) + panel.settings;
   const auto rows = static_cast<double>(panel.key_rows);
   // gnuplot counts each letter as wide as a digit, an eighth too wide, and omits columns that seem too wide.

@@ -49,9 +49,10 @@ struct Panel {
 [[nodiscard]] std::size_t letters_along(double length, const Letters& letters);
 
 /// The parts of a plot's script; the names of its data blocks begin with `prefix`, and `scale` maps its values to
-/// colours. The key may be as wide as the canvas. A title of the y axis of more than `most` letters has several lines.
+/// colours. The key may be as wide as the canvas. A title of the y axis of more than `maximum` letters has several
+/// lines.
 [[nodiscard]] Panel panel_of(const Plot& plot, const std::string& prefix, const ColourScale& scale,
-                             const Canvas& canvas, std::size_t most);
+                             const Canvas& canvas, std::size_t maximum);
 
 /// Commands that draw the plot as folder/stem.<format>.
 [[nodiscard]] std::string figure_script(const Plot& plot, const Canvas& canvas, const std::string& stem);

@@ -11,37 +11,37 @@ namespace {
 
 bool letter_or_digit(char letter) { return std::isalnum(static_cast<unsigned char>(letter)) != 0; }
 
-/// Length of the argument of `^` or `_` at `place`: {...}, (...), a signed number, or a short word; 0 if none.
-std::size_t script_length(const std::string& text, std::size_t place) {
-  if (place >= text.size()) return 0;
-  if (text[place] == '{' || text[place] == '(') {
-    const std::size_t end = text.find(text[place] == '{' ? '}' : ')', place);
-    return end == std::string::npos ? 0 : end + 1 - place;
+/// Length of the argument of `^` or `_` at `offset`: {...}, (...), a signed number, or a short word; 0 if none.
+std::size_t script_length(const std::string& text, std::size_t offset) {
+  if (offset >= text.size()) return 0;
+  if (text[offset] == '{' || text[offset] == '(') {
+    const std::size_t end = text.find(text[offset] == '{' ? '}' : ')', offset);
+    return end == std::string::npos ? 0 : end + 1 - offset;
   }
-  std::size_t end = place;
+  std::size_t end = offset;
   if (text[end] == '-' || text[end] == '+') ++end;
-  const std::size_t sign = end - place;
+  const std::size_t sign = end - offset;
   while (end < text.size() && (letter_or_digit(text[end]) ||
                                (text[end] == '.' && end + 1 < text.size() && letter_or_digit(text[end + 1])))) {
     ++end;
   }
-  if (end - place == sign &&
+  if (end - offset == sign &&
       (static_cast<unsigned char>(text[end]) & 0x80U) != 0) {  // one sign, such as a Greek letter
     ++end;
     while (end < text.size() && (static_cast<unsigned char>(text[end]) & 0xC0U) == 0x80U)
       ++end;
   }
-  const std::size_t length = end - place;
+  const std::size_t length = end - offset;
   return length > sign && length <= 5 ? length : 0;
 }
 
 /// `_` marks a subscript only after a symbol of one letter, so that names such as two_cable are unchanged.
-bool follows_symbol(const std::string& text, std::size_t place) {
-  if (place == 0) return false;
-  const bool ascii = static_cast<unsigned char>(text[place - 1]) < 0x80;
+bool follows_symbol(const std::string& text, std::size_t offset) {
+  if (offset == 0) return false;
+  const bool ascii = static_cast<unsigned char>(text[offset - 1]) < 0x80;
   if (!ascii) return true;
-  return std::isalpha(static_cast<unsigned char>(text[place - 1])) != 0 &&
-         (place == 1 || (!letter_or_digit(text[place - 2]) && text[place - 2] != '_'));
+  return std::isalpha(static_cast<unsigned char>(text[offset - 1])) != 0 &&
+         (offset == 1 || (!letter_or_digit(text[offset - 2]) && text[offset - 2] != '_'));
 }
 
 /// Removes the two marks around each formula, by pandoc's rules.
@@ -127,20 +127,20 @@ std::string gnuplot_quoted(const std::string& text) {
   return result + "'";
 }
 
-std::string gnuplot_verbatim(const std::string& text, std::size_t most) {
+std::string gnuplot_verbatim(const std::string& text, std::size_t maximum) {
   const auto begins = [](char byte) { return (static_cast<unsigned char>(byte) & 0xC0U) != 0x80U; };  // start of a
                                                                                                       // UTF-8 character
   std::string shown;
   std::size_t characters = 0;
   for (const char byte : without_control(text)) {
-    if (begins(byte) && ++characters > most) return "'" + escaped(shown) + "...'";
+    if (begins(byte) && ++characters > maximum) return "'" + escaped(shown) + "...'";
     shown += byte;
   }
   return "'" + escaped(shown) + "'";
 }
 
-std::string gnuplot_text(const std::string& words) {
-  const std::string text = with_signs(without_control(without_formula_marks(words)));
+std::string gnuplot_text(const std::string& text_in_record) {
+  const std::string text = with_signs(without_control(without_formula_marks(text_in_record)));
   std::string result = "'";
   for (std::size_t i = 0; i < text.size(); ++i) {
     const bool raises = text[i] == '^';
@@ -158,13 +158,13 @@ std::string gnuplot_text(const std::string& words) {
   return result + "'";
 }
 
-std::string gnuplot_lines(const std::string& text_in_record, std::size_t most) {
-  const std::string words = without_formula_marks(text_in_record);  // a line may end within a formula
+std::string gnuplot_lines(const std::string& text_in_record, std::size_t maximum) {
+  const std::string plain = without_formula_marks(text_in_record);  // a line may end within a formula
   std::string text, line;
-  for (std::size_t at = 0; at < words.size();) {
-    const std::size_t space = std::min(words.find(' ', at), words.size());
-    const std::string word = words.substr(at, space - at);
-    if (!line.empty() && line.size() + 1 + word.size() > most) {
+  for (std::size_t at = 0; at < plain.size();) {
+    const std::size_t space = std::min(plain.find(' ', at), plain.size());
+    const std::string word = plain.substr(at, space - at);
+    if (!line.empty() && line.size() + 1 + word.size() > maximum) {
       text += gnuplot_text(line) + ".\"\\n\".";
       line.clear();
     }

@@ -16,14 +16,14 @@ constexpr std::array kinds{std::pair{Kind::truncation, "truncation"}, std::pair{
                            std::pair{Kind::exact, "exact"}};
 
 /// Smallest error/bound drawn to scale; smaller ones are drawn at the left end of the axis.
-constexpr double least_margin = 1e-5;
-constexpr double strip_of_zero = least_margin / 10.0;
+constexpr double minimum_margin = 1e-5;
+constexpr double strip_of_zero = minimum_margin / 10.0;
 constexpr double strip_of_infinity = 300.0;
 
-double place_of(const Check& check) {
+double shown_margin(const Check& check) {
   if (!(check.margin <= 100.0)) return strip_of_infinity;  // NaN too
   if (check.margin == 0.0) return strip_of_zero;
-  return std::max(check.margin, least_margin);
+  return std::max(check.margin, minimum_margin);
 }
 
 /// The dots of one kind: position on the axis, row of the case; the checks of a case are spread over its row.
@@ -34,7 +34,7 @@ std::string dots(const Results& results, Kind kind, bool passed, bool& some) {
     for (std::size_t i = 0; i < checks.size(); ++i) {
       if (checks[i].kind != kind || checks[i].pass != passed) continue;
       const double spread = (static_cast<double>(i) + 0.5) / static_cast<double>(checks.size()) - 0.5;
-      text += fmt::format("{:.6g} {:.4f}\n", place_of(checks[i]), static_cast<double>(row) + 1.0 + 0.7 * spread);
+      text += fmt::format("{:.6g} {:.4f}\n", shown_margin(checks[i]), static_cast<double>(row) + 1.0 + 0.7 * spread);
       some = true;
     }
   }
@@ -61,7 +61,7 @@ std::string frame(const Results& results, std::size_t rows) {
                     static_cast<double>(row) + 0.5);
   }
   text += fmt::format("set arrow from {0:g}, graph 0 to {0:g}, graph 1 nohead lc rgb '#999999' lw 0.8 back\n",
-                      least_margin / 3.0);
+                      minimum_margin / 3.0);
   text +=
       "set arrow from 1, graph 0 to 1, graph 1 nohead lc rgb '#D55E00' lw 2 back\n"
       "set arrow from 0.02, graph 0 to 0.02, graph 1 nohead lc rgb '#555555' lw 1.2 dt 2 back\n"

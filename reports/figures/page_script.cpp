@@ -124,9 +124,9 @@ std::string tics(char axis, const Extent& extent, double length) {
   return fmt::format("set {}tics {:.6g}\n", axis, round_step((extent.high - extent.low) / parts));
 }
 
-std::string panel_commands(const Plot& plot, const Panel& panel, const Layout& layout, std::size_t place,
+std::string panel_commands(const Plot& plot, const Panel& panel, const Layout& layout, std::size_t index,
                            std::size_t columns) {
-  const Frame& frame = layout.frames[place];
+  const Frame& frame = layout.frames[index];
   const double w = centimetres_wide;
   const double h = layout.height;
   std::string text = panel.settings;
@@ -135,8 +135,8 @@ std::string panel_commands(const Plot& plot, const Panel& panel, const Layout& l
   text += fmt::format("set title {} offset 0,-0.6\n", gnuplot_verbatim(plot.figure.title));
   if (plot.figure.x.divisions == 0 && !plot.figure.x.log) text += tics('x', plot.x, frame.right - frame.left);
   if (plot.figure.y.divisions == 0 && !plot.figure.y.log) text += tics('y', plot.y, frame.top - frame.bottom);
-  if (layout.shared && place % columns > 0) text += "unset ylabel\nset format y ''\n";
-  if (layout.shared && place + columns < layout.frames.size()) text += "unset xlabel\nset format x ''\n";
+  if (layout.shared && index % columns > 0) text += "unset ylabel\nset format y ''\n";
+  if (layout.shared && index + columns < layout.frames.size()) text += "unset xlabel\nset format x ''\n";
   if (panel.in_key == 0) return text + "unset key\n";
   const std::size_t rows = columns == 1 ? panel.key_rows : panel.in_key;
   return text + fmt::format("set key at screen {:.6f}, screen {:.6f} center top maxrows {} reverse Left\n",

@@ -7,7 +7,7 @@
 namespace talus::reports {
 namespace {
 
-constexpr int most_columns = 12;
+constexpr int maximum_columns = 12;
 
 void demand_file_name(const std::string& kind, const std::string& name) {
   if (!name.empty() && name.front() != '.' && name.find('/') == std::string::npos) return;
@@ -23,8 +23,8 @@ records::Fail fail_in(const std::string& picture) {
 
 void demand_sound_page(const Page& page, const std::string& picture) {
   const records::Fail fail = fail_in(picture);
-  if (page.columns < 1 || page.columns > most_columns)
-    fail("columns", fmt::format("must be from 1 to {}, found {}", most_columns, page.columns));
+  if (page.columns < 1 || page.columns > maximum_columns)
+    fail("columns", fmt::format("must be from 1 to {}, found {}", maximum_columns, page.columns));
   if (page.panels.empty()) fail("panels", "must hold at least one figure");
   for (std::size_t i = 0; i < page.panels.size(); ++i)
     records::demand_sound(page.panels[i], fail_in(fmt::format("{}: panels[{}]", picture, i)));

@@ -12,7 +12,7 @@ namespace talus::reports {
 namespace {
 
 /// A curve with more points is finer than a page can resolve.
-constexpr std::size_t most_points = 3000;
+constexpr std::size_t maximum_points = 3000;
 
 bool drawable(const Point& point, const Figure& figure) {
   return !(figure.x.log && point.x <= 0.0) && !(figure.y.log && point.y <= 0.0);
@@ -59,7 +59,7 @@ Curve curve_of(Series& series, const Figure& figure, std::size_t& undrawn) {
     *numbers = {};
   }
   if (!has_look(series.style) && series.style != Style::outlines && series.style != Style::heat)
-    curve.points = thinned(curve.points, most_points);
+    curve.points = thinned(curve.points, maximum_points);
   return curve;
 }
 
@@ -75,9 +75,9 @@ void set_limits(Extent& extent, const Axis& axis, const std::string& figure) {
 }  // namespace
 
 Extent extent_of(const std::vector<double>& values, bool log) {
-  const auto [least, greatest] = std::minmax_element(values.begin(), values.end());
-  const double low = log ? std::log10(*least) : *least;
-  const double high = log ? std::log10(*greatest) : *greatest;
+  const auto [minimum, maximum] = std::minmax_element(values.begin(), values.end());
+  const double low = log ? std::log10(*minimum) : *minimum;
+  const double high = log ? std::log10(*maximum) : *maximum;
   double margin = 0.04 * (high - low);
   if (!(margin > 1e-12 * std::max(std::abs(low), std::abs(high)))) {
     margin = log ? 0.5 : std::max(0.05 * std::abs(high), high == 0.0 ? 1.0 : 0.0);
@@ -93,10 +93,10 @@ std::vector<Point> thinned(const std::vector<Point>& points, std::size_t limit) 
   for (std::size_t first = 1; first + 1 < points.size(); first += run) {
     const auto begin = points.begin() + static_cast<std::ptrdiff_t>(first);
     const auto end = points.begin() + static_cast<std::ptrdiff_t>(std::min(first + run, points.size() - 1));
-    auto [least, greatest] = std::minmax_element(begin, end, [](const Point& a, const Point& b) { return a.y < b.y; });
-    if (greatest < least) std::swap(least, greatest);
-    kept.push_back(*least);
-    if (least != greatest) kept.push_back(*greatest);
+    auto [minimum, maximum] = std::minmax_element(begin, end, [](const Point& a, const Point& b) { return a.y < b.y; });
+    if (maximum < minimum) std::swap(minimum, maximum);
+    kept.push_back(*minimum);
+    if (minimum != maximum) kept.push_back(*maximum);
   }
   kept.push_back(points.back());
   return kept;

@@ -17,7 +17,7 @@ using Rows = std::vector<std::vector<std::string>>;
 /// Title of a group: "end_rule" becomes "end rule".
 std::string group_title(std::string group) {
   std::replace(group.begin(), group.end(), '_', ' ');
-  return markdown::words(group);
+  return markdown::text(group);
 }
 
 /// The checks that cover a requirement: for each case the names of the first few, and the number of the others.
@@ -109,7 +109,7 @@ std::string traceability(const Results& results) {
       if (requirement.group != group) continue;
       ++all;
       if (requirement.shown_by.empty()) {
-        bare += (bare.empty() ? "" : "; ") + markdown::words(requirement.id);
+        bare += (bare.empty() ? "" : "; ") + markdown::text(requirement.id);
       } else {
         rows.push_back({cell(requirement.id), cell(requirement.text), shown_by(results, requirement),
                         fmt::format("{}", check_count(requirement))});

@@ -59,7 +59,7 @@ std::string check_table(const Record& record) {
                                      rows, "");
   text += "\n**Why the bounds hold.**\n\n";
   for (std::size_t i = 0; i < arguments.size(); ++i)
-    text += fmt::format("{}. {}\n", i + 1, markdown::words(arguments[i]));
+    text += fmt::format("{}. {}\n", i + 1, markdown::text(arguments[i]));
   return text;
 }
 
@@ -99,27 +99,27 @@ std::string alternative_text(const Figure& figure) {
 }
 
 /// Position of a figure: above its caption, as wide as the text, or to the left of it, in the small size of the pages.
-enum class Place { over_caption, beside_caption };
+enum class FigureLayout { over_caption, beside_caption };
 
 /// Figures from `first` up to, but not including, `last`.
 std::string figures(const Record& record, std::size_t chapter, const Drawn& drawn, std::size_t first, std::size_t last,
-                    Place place) {
+                    FigureLayout layout) {
   std::string text;
   for (std::size_t i = first; i < std::min(last, record.figures.size()); ++i) {
     const Figure& figure = record.figures[i];
     const std::string key = record.id + "/" + figure.name;
     if (const auto why = drawn.undrawn.find(key); why != drawn.undrawn.end()) {
-      text += fmt::format("Figure {}.{} ({}) is not drawn: {}\n\n", chapter, i + 1, markdown::words(figure.title),
-                          markdown::words(why->second));
+      text += fmt::format("Figure {}.{} ({}) is not drawn: {}\n\n", chapter, i + 1, markdown::text(figure.title),
+                          markdown::text(why->second));
       continue;
     }
-    std::string caption = fmt::format("**Figure {}.{}. {}.** {}", chapter, i + 1, markdown::words(figure.title),
-                                      markdown::words(figure.caption));
+    std::string caption = fmt::format("**Figure {}.{}. {}.** {}", chapter, i + 1, markdown::text(figure.title),
+                                      markdown::text(figure.caption));
     if (const auto hidden = drawn.hidden.find(key); hidden != drawn.hidden.end() && hidden->second > 0) {
-      caption += fmt::format(" ({} points at or below zero have no place on a log axis.)", hidden->second);
+      caption += fmt::format(" ({} points at or below zero are not on the log axis.)", hidden->second);
     }
     if (!figure.csv.empty()) caption += fmt::format(" [Data]({})", data_file(record, figure).string());
-    const bool beside = place == Place::beside_caption;
+    const bool beside = layout == FigureLayout::beside_caption;
     text += fmt::format("![{}](figures/{}.svg){{{}alt=\"{}\" width={:.0f}%}}\n\n", caption,
                         picture_stem(record, figure), beside ? ".beside " : "", alternative_text(figure),
                         beside ? 100.0 * page_figure_wide / text_wide : 100.0);
@@ -153,7 +153,7 @@ std::string tables(const Record& record, std::size_t chapter) {
       for (std::string& entry : row)
         entry = cell(entry);
     }
-    const std::string caption = fmt::format("**Table {}.{}.** {}", chapter, i + 1, markdown::words(table.caption));
+    const std::string caption = fmt::format("**Table {}.{}.** {}", chapter, i + 1, markdown::text(table.caption));
     text += markdown::table(columns, rows, caption) + "\n";
   }
   return text;
@@ -183,7 +183,8 @@ std::string case_page(const Record& record, std::size_t chapter, const Drawn& dr
   values.set("page", markdown::with_headings_below(page, 2));
   values.set("main_checks", record.checks.empty() ? "No check ran.\n" : main_check_table(record));
   const bool panels = !record.figures.empty() && !record.figures.front().panels.empty();
-  values.set("figure", figures(record, chapter, drawn, 0, 1, panels ? Place::over_caption : Place::beside_caption));
+  values.set("figure",
+             figures(record, chapter, drawn, 0, 1, panels ? FigureLayout::over_caption : FigureLayout::beside_caption));
   const std::string rest = inventory(record);
   values.set("rest", rest.empty() ? "" : fmt::format("[Details](details:{}): {}.", record.id, rest));
   values.set("has_message", !record.message.empty());
@@ -201,7 +202,7 @@ std::string case_details(const Record& record, std::size_t chapter, const Drawn&
   values.set("requirements", requirements);
   values.set("checks", record.checks.empty() ? "No check ran.\n" : check_table(record));
   values.set("controls", record.controls.empty() ? "" : control_table(record));
-  values.set("figures", figures(record, chapter, drawn, 1, record.figures.size(), Place::over_caption));
+  values.set("figures", figures(record, chapter, drawn, 1, record.figures.size(), FigureLayout::over_caption));
   values.set("tables", tables(record, chapter));
   std::string notes;
   for (const std::string& note : record.notes)

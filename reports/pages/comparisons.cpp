@@ -56,10 +56,10 @@ std::string checks_of_peers(const Results& results) {
 std::string errata(const Results& results) {
   std::string text;
   for (const Erratum& e : results.errata) {
-    text += fmt::format("**{}. {}.** {}\n\n- Printed: {}; corrected: {}\n- Evidence: {}\n\n", markdown::words(e.id),
-                        markdown::words(e.where),
+    text += fmt::format("**{}. {}.** {}\n\n- Printed: {}; corrected: {}\n- Evidence: {}\n\n", markdown::text(e.id),
+                        markdown::text(e.where),
                         e.case_id.empty() ? "" : fmt::format("Case {}.", link_of(results, e.case_id)),
-                        markdown::words(e.printed), markdown::words(e.corrected), markdown::words(e.evidence));
+                        markdown::text(e.printed), markdown::text(e.corrected), markdown::text(e.evidence));
   }
   return text.empty() ? "None so far.\n" : text;
 }

@@ -145,9 +145,9 @@ std::map<int, std::vector<double>> measured_orders(const Results& results, const
     const Check* check = check_of(results, case_id, check_name);
     if (check == nullptr || !check->order || !check->pass) continue;
     if (check_name.find("false order") != std::string::npos) continue;
-    const std::size_t place = check_name.find(name);
+    const std::size_t offset = check_name.find(name);
     // "central_difference" is also the end of "lagged_central_difference".
-    if (place == std::string::npos || (place > 0 && check_name[place - 1] == '_')) continue;
+    if (offset == std::string::npos || (offset > 0 && check_name[offset - 1] == '_')) continue;
     orders[static_cast<int>(std::lround(check->measured))].push_back(check->measured);
   }
   return orders;

@@ -126,7 +126,7 @@ std::string not_verified(const Results& results) {
   constexpr std::size_t named = 12;
   for (const Requirement& requirement : results.requirements) {
     if (ids.count(requirement.id) > 0) continue;
-    if (++count <= named) open += (open.empty() ? "" : "; ") + markdown::words(phrase_of(requirement));
+    if (++count <= named) open += (open.empty() ? "" : "; ") + markdown::text(phrase_of(requirement));
   }
   if (count > named) open += fmt::format("; {} more", count - named);
   return (open.empty()
@@ -171,7 +171,7 @@ std::string findings(const Results& results) {
   for (const records::Finding& finding : results.findings) {
     const Record* const record = finished_record(results, finding.case_id);
     if (record == nullptr) continue;
-    text += fmt::format("1. {} ({})\n", markdown::words(with_values(finding.text, *record)), case_link(*record));
+    text += fmt::format("1. {} ({})\n", markdown::text(with_values(finding.text, *record)), case_link(*record));
   }
   return text.empty() ? "The cases of the findings did not run.\n" : text;
 }

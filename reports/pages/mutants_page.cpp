@@ -144,7 +144,7 @@ Figure matrix_figure(const Mutants& mutants) {
   return figure;
 }
 
-std::string place_of(const MutantRecord& mutant) {
+std::string location_of(const MutantRecord& mutant) {
   return markdown::code(fmt::format("{}:{}", mutant.file, mutant.range.line));
 }
 
@@ -162,8 +162,8 @@ std::string list_of(const Mutants& mutants, MutantStatus status) {
   std::string text;
   for (const MutantRecord* mutant : generated(mutants)) {
     if (mutant->status != status) continue;
-    text += fmt::format("- {}, {}: {}{}\n", place_of(*mutant), cell(mutant->operation), change_of(*mutant),
-                        mutant->reason.empty() ? "" : ". " + markdown::words(mutant->reason));
+    text += fmt::format("- {}, {}: {}{}\n", location_of(*mutant), cell(mutant->operation), change_of(*mutant),
+                        mutant->reason.empty() ? "" : ". " + markdown::text(mutant->reason));
   }
   return text;
 }
@@ -175,15 +175,15 @@ std::string bug_list(const Mutants& mutants, const Results& results) {
     for (const Trial& trial : bug->trials) {
       if (kills(trial)) red.push_back(trial.case_id);
     }
-    text += fmt::format("- {}, {}: {} Red: {}.\n", cell(bug->id), place_of(*bug), markdown::words(bug->words),
+    text += fmt::format("- {}, {}: {} Red: {}.\n", cell(bug->id), location_of(*bug), markdown::text(bug->description),
                         red.empty() ? "**none**" : joined_links(results, red));
   }
   return text;
 }
 
 std::string figure_link(const Figure& figure) {
-  return fmt::format("![**{}.** {}](figures/mutants-{}.svg){{alt=\"{}\" width=100%}}\n\n",
-                     markdown::words(figure.title), markdown::words(figure.caption), figure.name, figure.title);
+  return fmt::format("![**{}.** {}](figures/mutants-{}.svg){{alt=\"{}\" width=100%}}\n\n", markdown::text(figure.title),
+                     markdown::text(figure.caption), figure.name, figure.title);
 }
 
 std::string joined(const std::map<std::string, std::size_t>& counts, const Results& results) {

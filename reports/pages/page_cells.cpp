@@ -15,7 +15,7 @@ using markdown::cell;
 
 std::string filled(const std::filesystem::path& file, const mustache::data& values) {
   mustache::mustache page(records::read_whole(file));
-  page.set_custom_escape([](const std::string& text) { return markdown::words(text); });
+  page.set_custom_escape([](const std::string& text) { return markdown::text(text); });
   const std::string text = page.render(values);
   if (!page.is_valid()) throw OutputError(fmt::format("{}: {}", file.string(), page.error_message()));
   return text;
@@ -26,7 +26,7 @@ std::string case_heading(const Record& record) {
 }
 
 std::string case_link(const Record& record) {
-  return fmt::format("[{}](page:{})", markdown::words(record.id), record.id);
+  return fmt::format("[{}](page:{})", markdown::text(record.id), record.id);
 }
 
 const Check* check_of(const Results& results, const std::string& case_id, const std::string& name) {
@@ -63,15 +63,15 @@ std::string margin_text(const Check& check) {
   return records::margin_text(check.margin, true, 2) + (check.slack ? " (slack)" : "");
 }
 
-std::string measured_text(const Check& check, int most_digits) {
+std::string measured_text(const Check& check, int maximum_digits) {
   if (!check.text_measured.empty()) return cell(check.text_measured);
   const int digits = markdown::digits_to_tell(check.measured, check.reference);
-  return markdown::number(check.measured, std::min(digits, most_digits));
+  return markdown::number(check.measured, std::min(digits, maximum_digits));
 }
 
-std::string reference_text(const Check& check, int most_digits) {
+std::string reference_text(const Check& check, int maximum_digits) {
   const int digits = markdown::digits_to_tell(check.measured, check.reference);
-  return markdown::number(check.reference, std::min(digits, most_digits));
+  return markdown::number(check.reference, std::min(digits, maximum_digits));
 }
 
 std::string name_with_unit(const Check& check) {

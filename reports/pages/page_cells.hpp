@@ -33,8 +33,8 @@ namespace talus::reports {
 
 // Cells of a check's row. Enough digits to distinguish measured and reference, up to a limit (the error is beside).
 [[nodiscard]] std::string name_with_unit(const Check& check);
-[[nodiscard]] std::string measured_text(const Check& check, int most_digits = 8);
-[[nodiscard]] std::string reference_text(const Check& check, int most_digits = 8);
+[[nodiscard]] std::string measured_text(const Check& check, int maximum_digits = 8);
+[[nodiscard]] std::string reference_text(const Check& check, int maximum_digits = 8);
 [[nodiscard]] std::string error_text(const Check& check);
 [[nodiscard]] std::string margin_text(const Check& check);
 [[nodiscard]] std::string kind_text(const Check& check);

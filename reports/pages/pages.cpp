@@ -22,7 +22,7 @@ namespace {
 
 namespace mustache = kainjow::mustache;
 /// Date, tier, revision and machine of the run in one line; the appendix has all details.
-std::string run_in_words(const Results& results) {
+std::string run_text(const Results& results) {
   const Provenance& p = results.provenance;
   return fmt::format("Run of {}, tier {}, revision {}{}{}.", p.date, name_of(results.tier), p.revision.substr(0, 10),
                      p.dirty ? " with uncommitted changes" : "", p.cpu.empty() ? "" : ", on " + machine(p));
@@ -59,7 +59,7 @@ mustache::data front(const Results& results, const Drawn& drawn) {
   const std::string failed = failures(results);
   values.set("has_failures", !failed.empty());
   values.set("failures", failed);
-  values.set("run", run_in_words(results));
+  values.set("run", run_text(results));
   values.set("verified", verified(results));
   values.set("not_verified", not_verified(results));
   values.set("pictures", drawn.no_pictures.empty() ? highlights(results) : "");
@@ -132,7 +132,7 @@ std::vector<ReportPage> report_pages(const Results& results, const Trials& trial
   values.set("perturbed", perturbed_references(results));
   values.set("traceability", traceability(results));
   values.set("references", references.empty() ? "None.\n" : references);
-  if (!drawn.no_pictures.empty()) values.set("no_pictures", markdown::words(drawn.no_pictures));
+  if (!drawn.no_pictures.empty()) values.set("no_pictures", markdown::text(drawn.no_pictures));
   values.set("tools", tools);
   values.set("date", results.provenance.date);
   const std::string ladder = filled(templates / "chapters" / "claims.mustache", values);
@@ -170,7 +170,7 @@ std::string volume_text(const std::vector<ReportPage>& pages, Volume volume) {
   for (const ReportPage& page : pages) {
     if (part(page, volume).empty()) continue;
     if (volume == Volume::details && page.family != family && !page.family.empty())
-      text += fmt::format("# {}\n\n", markdown::words(page.family));
+      text += fmt::format("# {}\n\n", markdown::text(page.family));
     family = page.family;
     text += part(page, volume) + "\n";
   }

@@ -351,9 +351,9 @@ class Drawer {
 /// What a keyword allows.
 struct Grammar {
   const char* keyword;
-  std::size_t least, most;  ///< how many numbers
-  std::size_t angles;       ///< index of the first number that is not a length
-  std::size_t labels;       ///< how many labels at most
+  std::size_t minimum, maximum;  ///< how many numbers
+  std::size_t angles;            ///< index of the first number that is not a length
+  std::size_t labels;            ///< how many labels at most
   const char* flags;
   void (Drawer::*draw)(const Element&);
 };
@@ -382,7 +382,7 @@ constexpr Grammar grammar[] = {
     {"text", 2, 2, many, 1, "left right", &Drawer::text},
 };
 
-bool takes_pairs(const Grammar& rule) { return rule.most == many; }
+bool takes_pairs(const Grammar& rule) { return rule.maximum == many; }
 
 double number_of(const std::string& word, std::size_t line) {
   double value{};
@@ -396,9 +396,9 @@ double number_of(const std::string& word, std::size_t line) {
 Element element_of(const std::string& text, std::size_t line) {
   Element e;
   const std::size_t quote = text.find('"');
-  std::istringstream words(text.substr(0, quote));
-  words >> e.keyword;
-  for (std::string word; words >> word;) {
+  std::istringstream tokens(text.substr(0, quote));
+  tokens >> e.keyword;
+  for (std::string word; tokens >> word;) {
     if (std::isalpha(static_cast<unsigned char>(word.front())) != 0) {
       e.flags.insert(word);
     } else {
@@ -430,10 +430,11 @@ const Grammar& rule_of(const Element& e, std::size_t line) {
   if (rule == std::end(grammar))
     throw RecordError(fmt::format("sketch, line {}: unknown keyword '{}'; allowed: {}", line, e.keyword, keywords()));
   const std::size_t count = e.numbers.size();
-  if (count < rule->least || count > rule->most || (takes_pairs(*rule) && count % 2 != 0)) {
-    const std::string allowed = takes_pairs(*rule)          ? fmt::format("{} or more, in pairs", rule->least)
-                                : rule->least == rule->most ? fmt::format("{}", rule->least)
-                                                            : fmt::format("{} or {}", rule->least, rule->most);
+  if (count < rule->minimum || count > rule->maximum || (takes_pairs(*rule) && count % 2 != 0)) {
+    const std::string allowed = takes_pairs(*rule) ? fmt::format("{} or more, in pairs", rule->minimum)
+                                : rule->minimum == rule->maximum
+                                    ? fmt::format("{}", rule->minimum)
+                                    : fmt::format("{} or {}", rule->minimum, rule->maximum);
     throw RecordError(fmt::format("sketch, line {}: {} has {} numbers; allowed: {}", line, e.keyword, count, allowed));
   }
   for (const std::string& flag : e.flags) {

@@ -103,7 +103,7 @@ std::string failures(const Results& results) {
     }
     if (record.status != Status::pass && !record.message.empty()) {
       others +=
-          fmt::format("- {}: **{}**. {}\n", case_link(record), name_of(record.status), markdown::words(record.message));
+          fmt::format("- {}: **{}**. {}\n", case_link(record), name_of(record.status), markdown::text(record.message));
     } else if (!finished(record.status)) {
       others += fmt::format("- {}: **{}**, without a message.\n", case_link(record), name_of(record.status));
     }

@@ -28,8 +28,8 @@ class Block {
   const std::vector<double>& y() const { return y_; }
   std::string data() const { return fmt::format("${} << EOD\n{}EOD\n", name_, text_); }
   std::string curve(std::string_view style, const std::string& title = "") const {
-    const std::string words = title.empty() ? "notitle" : "title " + gnuplot_text(title);
-    return fmt::format("${} using 1:2 with lines {} {}", name_, style, words);
+    const std::string title_text = title.empty() ? "notitle" : "title " + gnuplot_text(title);
+    return fmt::format("${} using 1:2 with lines {} {}", name_, style, title_text);
   }
 
  private:
@@ -64,11 +64,11 @@ bool hidden(const SheetRecord& record, std::size_t state) {
 
 /// True for a column in the middle of the fence: in front of it the side view shows the impact.
 bool central(const SheetRecord& record, const std::string& name) {
-  double least = record.span;
+  double minimum = record.span;
   for (const SheetColumn& column : record.columns)
-    least = std::min(least, std::abs(column.along));
+    minimum = std::min(minimum, std::abs(column.along));
   return std::any_of(record.columns.begin(), record.columns.end(), [&](const SheetColumn& column) {
-    return column.name == name && std::abs(column.along) <= least * (1.0 + 1e-9);
+    return column.name == name && std::abs(column.along) <= minimum * (1.0 + 1e-9);
   });
 }
 
@@ -141,10 +141,10 @@ View force_chart(const SheetRecord& record) {
   constexpr std::array styles{"lt 3", "lt 1", "lt 2"};
   for (std::size_t i = 0; i < names.size(); ++i) {
     const auto column = std::find(record.history_columns.begin(), record.history_columns.end(), names[i]);
-    const auto place = static_cast<std::size_t>(column - record.history_columns.begin());
+    const auto index = static_cast<std::size_t>(column - record.history_columns.begin());
     Block block{fmt::format("force{}", i)};
     for (const std::vector<double>& row : record.history)
-      block.add(row.at(0), 1e-3 * row.at(place));
+      block.add(row.at(0), 1e-3 * row.at(index));
     const bool any = std::any_of(block.y().begin(), block.y().end(), [](double y) { return y > 0.0; });
     if (any) panel.add(block, styles[i], titles[i]);
   }

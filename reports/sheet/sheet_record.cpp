@@ -100,20 +100,20 @@ std::vector<SheetEnergy> energies(const Node& sheet) {
   const Node node = sheet.at("energy");
   std::vector<SheetEnergy> lines{{"kinetic energy at the start", node.at("start").at("kinetic").finite()},
                                  {"kinetic energy at the end", node.at("end").at("kinetic").finite()}};
-  for (const auto& [key, words] : {std::pair{"gravity", "gained in height"},
+  for (const auto& [key, label] : {std::pair{"gravity", "gained in height"},
                                    {"cables", "gained in cables"},
                                    {"contacts", "gained in contacts"},
                                    {"applied", "gained in applied forces"}}) {
     const double change = node.at("end").at(key).finite() - node.at("start").at(key).finite();
-    if (std::abs(change) > 1e-9 * node.at("scale").finite()) lines.push_back({words, change});
+    if (std::abs(change) > 1e-9 * node.at("scale").finite()) lines.push_back({label, change});
   }
   std::map<std::string, double> losses;  // sorted by name
   for (const auto& [mechanism, energy] : node.at("dissipated").members())
     losses[mechanism] = energy.finite();
   for (const auto& [mechanism, energy] : losses) {
-    std::string words = mechanism;
-    std::replace(words.begin(), words.end(), '_', ' ');
-    if (energy != 0.0) lines.push_back({"dissipated: " + words, energy});
+    std::string label = mechanism;
+    std::replace(label.begin(), label.end(), '_', ' ');
+    if (energy != 0.0) lines.push_back({"dissipated: " + label, energy});
   }
   lines.push_back({"energy balance error", node.at("balance_error").finite()});
   return lines;

@@ -56,7 +56,7 @@ struct SheetSegment {
 
 struct SheetAnchor {
   int layer{};
-  Triple place{};
+  Triple position{};
   SheetForce force;
 };
 

@@ -32,15 +32,16 @@ SheetHead head(const SheetRecord& record, std::string group, const SheetUnits& u
 }
 void add_blank(Row& row, std::size_t count) { row.insert(row.end(), count, ""); }
 
-void cut(SheetTable& table, std::size_t most) {
-  if (table.rows.size() <= most) return;
-  table.note += fmt::format("{}{} more are in sheet.json. ", table.note.empty() ? "" : " ", table.rows.size() - most);
-  table.rows.resize(most);
+void cut(SheetTable& table, std::size_t maximum) {
+  if (table.rows.size() <= maximum) return;
+  table.note +=
+      fmt::format("{}{} more are in sheet.json. ", table.note.empty() ? "" : " ", table.rows.size() - maximum);
+  table.rows.resize(maximum);
 }
 
 SheetTable hanger_table(const SheetRecord& record) {
   SheetTable table{"Hangers (top joints) and cable segments outwards of them: peaks",
-                   SheetTable::Place::page,
+                   SheetTable::Location::page,
                    {{"", "column"},
                     head(record, "hanger", force_units),
                     {"hanger", "at s"},
@@ -85,7 +86,7 @@ SheetTable hanger_table(const SheetRecord& record) {
 
 SheetTable anchor_table(const SheetRecord& record) {
   SheetTable table{"Anchors: force of the cables on them",
-                   SheetTable::Place::left,
+                   SheetTable::Location::left,
                    {{"", "layer, z"},
                     head(record, "peak", force_units),
                     {"peak", "at s"},
@@ -96,7 +97,7 @@ SheetTable anchor_table(const SheetRecord& record) {
                    {}};
   for (const SheetAnchor& anchor : record.anchors) {
     const SheetForce& force = anchor.force;
-    Row row{fmt::format("{}, {:.3g} m", anchor.layer, anchor.place[2]), both(record, force.peak, force_units),
+    Row row{fmt::format("{}, {:.3g} m", anchor.layer, anchor.position[2]), both(record, force.peak, force_units),
             seconds(force.peak_time)};
     for (const double part : force.at_peak)
       row.push_back(fmt::format("{:.2f}", force.peak > 0.0 ? part / force.peak : 0.0));
@@ -110,15 +111,15 @@ SheetTable anchor_table(const SheetRecord& record) {
 
 SheetTable height_table(const SheetRecord& record) {
   SheetTable table{"Heights over the ground, and the largest displacement of a column",
-                   SheetTable::Place::page,
+                   SheetTable::Location::page,
                    {{"", ""},
                     head(record, "start", length_units),
                     head(record, "extreme", length_units),
                     {"extreme", "at s"},
                     head(record, "end", length_units)},
                    {}};
-  const auto line = [&](const std::string& words, const SheetHeight& height) {
-    table.rows.push_back({words, both(record, height.start, length_units), both(record, height.extreme, length_units),
+  const auto line = [&](const std::string& label, const SheetHeight& height) {
+    table.rows.push_back({label, both(record, height.start, length_units), both(record, height.extreme, length_units),
                           seconds(height.extreme_time), both(record, height.end, length_units)});
   };
   for (std::size_t i = 0; i < record.heights.size(); ++i) {
@@ -146,7 +147,7 @@ std::string nearest_to_limit(const SheetRecord& record) {
 
 SheetTable event_table(const SheetRecord& record) {
   SheetTable table{"Order of yields and breaks",
-                   SheetTable::Place::left,
+                   SheetTable::Location::left,
                    {{"", "at s"}, {"", "part", true}, {"", "what", true}},
                    {}};
   for (const SheetEvent& event : record.events)
@@ -155,17 +156,17 @@ SheetTable event_table(const SheetRecord& record) {
     table.rows.push_back({"", "none", ""});
     table.note = nearest_to_limit(record);
   }
-  constexpr std::size_t most = 4;
-  if (table.rows.size() > most) {
-    table.note = fmt::format("{} more are in sheet.json.", table.rows.size() - most);
-    table.rows.resize(most);
+  constexpr std::size_t maximum = 4;
+  if (table.rows.size() > maximum) {
+    table.note = fmt::format("{} more are in sheet.json.", table.rows.size() - maximum);
+    table.rows.resize(maximum);
   }
   return table;
 }
 
 SheetTable energy_table(const SheetRecord& record) {
   SheetTable table{
-      "Energy of rocks and fence", SheetTable::Place::right, {{"", ""}, head(record, "", energy_units)}, {}};
+      "Energy of rocks and fence", SheetTable::Location::right, {{"", ""}, head(record, "", energy_units)}, {}};
   for (const SheetEnergy& line : record.energies)
     table.rows.push_back({line.name, both(record, line.value, energy_units)});
   if (record.energies.empty()) table.note = "The run kept no energy balance.";
@@ -181,7 +182,7 @@ std::string digits(double value) {
 
 SheetTable rock_table(const SheetRecord& record) {
   SheetTable table{"Rocks",
-                   SheetTable::Place::page,
+                   SheetTable::Location::page,
                    {{"", "rock"},
                     head(record, "mass", mass_units),
                     head(record, "before", speed_units),

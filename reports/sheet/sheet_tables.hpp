@@ -16,10 +16,10 @@ struct SheetHead {
 };
 
 struct SheetTable {
-  enum class Place { page, left, right };  ///< over the full page width, or in one of two columns below
+  enum class Location { page, left, right };  ///< over the full page width, or in one of two columns below
 
   std::string title;
-  Place place{Place::page};
+  Location location{Location::page};
   std::vector<SheetHead> heads;
   std::vector<std::vector<std::string>> rows;
   std::string note{};  ///< printed below the table; may be empty

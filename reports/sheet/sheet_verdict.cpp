@@ -10,7 +10,7 @@
 namespace talus::reports {
 namespace {
 
-std::string in_words(std::string verdict) {
+std::string verdict_text(std::string verdict) {
   if (verdict == "undecided") return "undecided at the end";
   std::replace(verdict.begin(), verdict.end(), '_', ' ');
   return verdict;
@@ -34,7 +34,7 @@ std::string with_units(const SheetRecord& record, double value, const SheetUnits
 std::string margin(double ratio) { return ratio > 0.0 ? as_per_cent(ratio) + " of its limit" : "no limit"; }
 
 std::string passage(const SheetRecord& record, const SheetRock& rock) {
-  std::string text = in_words(rock.verdict);
+  std::string text = verdict_text(rock.verdict);
   if (rock.passed_time > 0.0) text += " " + at(rock.passed_time);
   if (!rock.touched) return text + "; it never touched the fence";
   const double speed = size(rock.left ? rock.exit_velocity : rock.end_velocity);
@@ -52,7 +52,7 @@ std::string counts(const SheetRecord& record) {
   std::string text;
   for (const char* verdict : {"broke_through", "passed_over", "passed_under", "undecided", "stopped"}) {
     const auto count = std::ranges::count(record.rocks, verdict, &SheetRock::verdict);
-    if (count > 0) text += fmt::format("{}{} {}", text.empty() ? "" : ", ", count, in_words(verdict));
+    if (count > 0) text += fmt::format("{}{} {}", text.empty() ? "" : ", ", count, verdict_text(verdict));
   }
   return text;
 }
@@ -93,14 +93,14 @@ std::string repeat(const SheetRecord& record, const SheetQuality::Repeat& repeat
   const std::string start = fmt::format("with {:g} times the speed ", 1.0 + repeat.change);
   if (!repeat.failure.empty()) return start + "the run fails: " + repeat.failure;
   const std::string verdict = repeat.verdict == record.verdict ? "the verdict is unchanged"
-                                                               : "the verdict becomes: " + in_words(repeat.verdict);
+                                                               : "the verdict becomes: " + verdict_text(repeat.verdict);
   return start + fmt::format("{}; largest cable force {:+.2g} %", verdict, 100.0 * repeat.cable_change);
 }
 
 std::string repair(const SheetQuality::Repair& repair) {
   if (!repair.flaw.empty()) return fmt::format("{} was tried and does not help: {}", repair.option, repair.flaw);
   const std::string balance = repair.balance ? ", energy balance within " + as_per_cent(*repair.balance) : "";
-  return fmt::format("{} was tried and repairs it: {}{}", repair.option, in_words(repair.verdict), balance);
+  return fmt::format("{} was tried and repairs it: {}{}", repair.option, verdict_text(repair.verdict), balance);
 }
 
 std::vector<SheetFact> quality_facts(const SheetRecord& record) {
@@ -121,7 +121,7 @@ std::vector<SheetFact> quality_facts(const SheetRecord& record) {
 
 SheetVerdict sheet_verdict(const SheetRecord& record) {
   const bool usable = record.quality.usable;
-  return {in_words(record.verdict),
+  return {verdict_text(record.verdict),
           usable ? colour(record.verdict) : "red",
           facts(record),
           usable ? "usable" : "NOT USABLE",

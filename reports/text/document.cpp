@@ -24,17 +24,17 @@ struct Letter {
   std::size_t length{};  ///< bytes; 0 when the bytes are not UTF-8
 };
 
-Letter letter_at(const std::string& text, std::size_t place) {
+Letter letter_at(const std::string& text, std::size_t offset) {
   const auto byte = [&](std::size_t i) {
     return i < text.size() ? static_cast<std::uint32_t>(static_cast<unsigned char>(text[i])) : 0U;
   };
-  const std::uint32_t first = byte(place);
+  const std::uint32_t first = byte(offset);
   if (first < 0x80U) return {first, 1};
   const std::size_t length = first >= 0xF0U ? 4 : first >= 0xE0U ? 3 : first >= 0xC0U ? 2 : 0;
   std::uint32_t code = length == 0 ? 0U : first & (0x7FU >> length);
   for (std::size_t i = 1; i < length; ++i) {
-    if ((byte(place + i) & 0xC0U) != 0x80U) return {first, 0};
-    code = (code << 6U) | (byte(place + i) & 0x3FU);
+    if ((byte(offset + i) & 0xC0U) != 0x80U) return {first, 0};
+    code = (code << 6U) | (byte(offset + i) & 0x3FU);
   }
   return {code, length};
 }
@@ -42,8 +42,8 @@ Letter letter_at(const std::string& text, std::size_t place) {
 std::set<std::uint32_t> declared_in(const std::string& header) {
   const std::string mark = "\\DeclareUnicodeCharacter{";
   std::set<std::uint32_t> codes;
-  for (std::size_t place = header.find(mark); place != std::string::npos; place = header.find(mark, place + 1)) {
-    codes.insert(static_cast<std::uint32_t>(std::stoul(header.substr(place + mark.size(), 5), nullptr, 16)));
+  for (std::size_t offset = header.find(mark); offset != std::string::npos; offset = header.find(mark, offset + 1)) {
+    codes.insert(static_cast<std::uint32_t>(std::stoul(header.substr(offset + mark.size(), 5), nullptr, 16)));
   }
   return codes;
 }
@@ -62,9 +62,9 @@ std::map<std::string, std::string> fixed_time(const Document& document) {
 
 /// Extracts the error from a log: TeX's error messages start with `!`.
 std::string error_in_log(const std::string& log) {
-  const std::size_t place = log.find("\n!");
-  return place == std::string::npos ? log.substr(log.size() > 1500 ? log.size() - 1500 : 0)
-                                    : log.substr(place + 1, 900);
+  const std::size_t offset = log.find("\n!");
+  return offset == std::string::npos ? log.substr(log.size() > 1500 ? log.size() - 1500 : 0)
+                                     : log.substr(offset + 1, 900);
 }
 
 }  // namespace
@@ -72,15 +72,15 @@ std::string error_in_log(const std::string& log) {
 std::string printable(const std::string& markdown, const std::string& header) {
   const std::set<std::uint32_t> declared = declared_in(header);
   std::string result;
-  for (std::size_t place = 0; place < markdown.size();) {
-    const Letter letter = letter_at(markdown, place);
+  for (std::size_t offset = 0; offset < markdown.size();) {
+    const Letter letter = letter_at(markdown, offset);
     const std::size_t length = letter.length == 0 ? 1 : letter.length;
     if (letter.length > 0 && (known_to_latex(letter.code) || declared.count(letter.code) > 0)) {
-      result += markdown.substr(place, length);
+      result += markdown.substr(offset, length);
     } else {
       result += letter.length == 0 ? std::string("?") : fmt::format("U+{:04X}", letter.code);
     }
-    place += length;
+    offset += length;
   }
   return result;
 }
@@ -117,7 +117,7 @@ std::string make_site(const std::vector<SitePage>& pages, const std::string& nav
                        "</main>\n<script src=\"search.js\"></script>\n<script src=\"site.js\"></script>\n");
   records::Json index = records::Json::array();
   for (const SitePage& page : pages)
-    index.push_back({page.name, page.title, page.words});
+    index.push_back({page.name, page.title, page.search_text});
   // As a script, because a page opened from a disk may not fetch a file.
   records::write_whole(
       d.folder / "search.js",

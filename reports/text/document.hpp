@@ -23,10 +23,10 @@ struct Document {
 
 /// A page of a site.
 struct SitePage {
-  std::string name;   ///< file stem
-  std::string title;  ///< plain text
-  std::string text;   ///< Markdown
-  std::string words;  ///< what the search finds the page by, beside its title
+  std::string name;         ///< file stem
+  std::string title;        ///< plain text
+  std::string text;         ///< Markdown
+  std::string search_text;  ///< what the search finds the page by, beside its title
 };
 
 /// Writes folder/NAME.html of each page, with a style sheet, a script and the index of the search; `navigation` is a

@@ -12,16 +12,16 @@ namespace {
 
 bool blank(char letter) { return std::isspace(static_cast<unsigned char>(letter)) != 0; }
 
-/// Length of the `$maths$` or `` `code` `` span that starts at `place`, by pandoc's rules; 0 if none does.
-std::size_t span_length(const std::string& text, std::size_t place) {
-  const char mark = text[place];
+/// Length of the `$maths$` or `` `code` `` span that starts at `offset`, by pandoc's rules; 0 if none does.
+std::size_t span_length(const std::string& text, std::size_t offset) {
+  const char mark = text[offset];
   if (mark != '$' && mark != '`') return 0;
-  const std::size_t end = text.find(mark, place + 1);
-  if (end == std::string::npos || end == place + 1) return 0;
-  if (mark == '`') return end + 1 - place;
-  if (blank(text[place + 1]) || blank(text[end - 1])) return 0;
+  const std::size_t end = text.find(mark, offset + 1);
+  if (end == std::string::npos || end == offset + 1) return 0;
+  if (mark == '`') return end + 1 - offset;
+  if (blank(text[offset + 1]) || blank(text[end - 1])) return 0;
   if (end + 1 < text.size() && std::isdigit(static_cast<unsigned char>(text[end + 1])) != 0) return 0;
-  return end + 1 - place;
+  return end + 1 - offset;
 }
 
 bool is_mark(char letter) { return std::string("\\`*_{}[]<>#|$~^@\"'").find(letter) != std::string::npos; }
@@ -87,36 +87,36 @@ std::size_t longest_word(const std::string& text) {
 std::vector<std::size_t> widths_of(const std::vector<Column>& columns,
                                    const std::vector<std::vector<std::string>>& rows) {
   constexpr std::size_t whole = 112;
-  std::vector<std::size_t> least(columns.size());
+  std::vector<std::size_t> minimum(columns.size());
   std::vector<std::size_t> wish(columns.size());
   for (std::size_t c = 0; c < columns.size(); ++c) {
-    least[c] = std::max<std::size_t>(longest_word(columns[c].heading), 3);
+    minimum[c] = std::max<std::size_t>(longest_word(columns[c].heading), 3);
     wish[c] = length_of(columns[c].heading);
     for (const auto& row : rows) {
-      least[c] = std::max(least[c], std::min<std::size_t>(longest_word(visible(row[c])), 30));
+      minimum[c] = std::max(minimum[c], std::min<std::size_t>(longest_word(visible(row[c])), 30));
       wish[c] = std::max(wish[c], length_of(visible(row[c])));
     }
-    wish[c] = std::max(wish[c], least[c]) - least[c];
-    ++least[c];
+    wish[c] = std::max(wish[c], minimum[c]) - minimum[c];
+    ++minimum[c];
   }
   std::size_t taken = 0;
   double wished = 0.0;
   for (std::size_t c = 0; c < columns.size(); ++c) {
-    taken += least[c];
+    taken += minimum[c];
     wished += static_cast<double>(wish[c]);
   }
   const double spare = taken < whole ? static_cast<double>(whole - taken) : 0.0;
   for (std::size_t c = 0; c < columns.size(); ++c) {
     // Spare width is used only as required: a small table stays small.
     const double ratio = wished > spare ? spare / wished : 1.0;
-    least[c] += static_cast<std::size_t>(ratio * static_cast<double>(wish[c]));
+    minimum[c] += static_cast<std::size_t>(ratio * static_cast<double>(wish[c]));
   }
-  return least;
+  return minimum;
 }
 
 }  // namespace
 
-std::string words(const std::string& text) { return escaped(text, false); }
+std::string text(const std::string& text) { return escaped(text, false); }
 
 std::string cell(const std::string& text) { return escaped(text, true); }
 

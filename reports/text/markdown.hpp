@@ -8,7 +8,7 @@ namespace talus::reports::markdown {
 
 /// Text of a record as Markdown on one line: all characters with a meaning in Markdown are escaped, except `$maths$`
 /// and `` `code` `` spans, which are kept.
-[[nodiscard]] std::string words(const std::string& text);
+[[nodiscard]] std::string text(const std::string& text);
 
 /// As words(), for a cell of a pipe table.
 [[nodiscard]] std::string cell(const std::string& text);

@@ -42,7 +42,8 @@ void ReferenceSearch::climb(Climb& climb) {
   const double height = rung_height * climb.rungs++;
   const long outputs = std::lround(static_cast<double>(resolving_) * std::exp2(0.5 * height));
   climb.method = climb.ladder.at(climb.ladder.by_tolerance ? height + 1.0 : height, outputs);
-  climb.last = runs_->run(climb.method, std::min(rules_->evaluations - runs_->evaluations(), most_of(climb.next_cost)));
+  climb.last =
+      runs_->run(climb.method, std::min(rules_->evaluations - runs_->evaluations(), evaluation_limit(climb.next_cost)));
   if (rules_->progress) rules_->progress(runs_->evaluations());
   // Closed-form steps take no force evaluation, but computing time: each counts as one.
   const long cost = std::max(climb.last.evaluations, climb.ladder.by_tolerance ? 1L : climb.method.steps);

@@ -35,7 +35,7 @@ struct Refusal {
     unreached,  ///< the value is known, but none of the available methods reaches the accuracy
   };
   Kind kind{};
-  std::string words;
+  std::string message;
 };
 
 /// A value on which two methods of different orders agree.

@@ -20,7 +20,7 @@ constexpr double output_fraction = 0.25;
 /// always coincide with an output.
 constexpr double output_spread = 0.5;
 /// Maximum number of outputs of a run requested to resolve its extremes.
-constexpr long most_outputs = 2'000'000;
+constexpr long maximum_outputs = 2'000'000;
 
 /// i-th number of a sequence in [0, 1) that is evenly distributed at any length: multiples of the golden ratio.
 double golden_fraction(int i) {
@@ -35,11 +35,11 @@ double error_of_every(std::size_t n, const Reference& reference, const Quantity&
   const auto less = [&](double a, double b) { return quantity.of(a, a, a) < quantity.of(b, b, b); };
   const auto extreme =
       quantity.reduction == Reduction::min ? std::ranges::min_element(values) : std::ranges::max_element(values, less);
-  const auto place = static_cast<std::size_t>(extreme - values.begin());
+  const auto index = static_cast<std::size_t>(extreme - values.begin());
   double worst = 0.0;
   for (std::size_t before = 0; before < n; ++before) {
-    if (before > place || place - before + n >= values.size()) continue;
-    const double a = values[place - before], b = values[place - before + n];
+    if (before > index || index - before + n >= values.size()) continue;
+    const double a = values[index - before], b = values[index - before + n];
     const double seen = quantity.of(std::min(a, b), std::max(a, b), b);
     worst = std::max(worst, std::abs(seen / reference.value - 1.0));
   }
@@ -49,17 +49,17 @@ double error_of_every(std::size_t n, const Reference& reference, const Quantity&
 /// Number of outputs that a method with step control needs to resolve the extremes; nothing if that is too many.
 std::optional<long> outputs_needed(PilotRuns& runs, const AdviceRules& rules, Reference reference, long resolving) {
   if (runs.quantity().reduction == Reduction::end || !rules.judges_as_printed) return resolving;
-  const double most = output_fraction * rules.accuracy;
+  const double maximum = output_fraction * rules.accuracy;
   for (;;) {
     long outputs = 0;
     for (long n = 2; reference.method.steps >= n * resolving / 2; n *= 2) {
-      if (error_of_every(static_cast<std::size_t>(n), reference, runs.quantity()) > most) break;
+      if (error_of_every(static_cast<std::size_t>(n), reference, runs.quantity()) > maximum) break;
       outputs = std::max(resolving, reference.method.steps / n);
     }
     if (outputs != 0) return outputs;
     reference.method.steps *= 2;
     const long left = rules.evaluations - runs.evaluations();
-    if (reference.method.steps > most_outputs || left <= 0) return {};
+    if (reference.method.steps > maximum_outputs || left <= 0) return {};
     Pilot pilot = runs.run(reference.method, left);
     if (!pilot.failure.empty()) return {};
     reference.values = std::move(pilot.values);
@@ -165,7 +165,7 @@ class MethodSearch {
   /// Runs a method and records its error and cost; returns the message of a failed run, else an empty string.
   std::string judge(TriedMethod& tried, double cost) {
     const long left = rules_->evaluations - runs_->evaluations();
-    const Pilot pilot = runs_->run(tried.method, std::min(left, most_of(std::lround(cost))));
+    const Pilot pilot = runs_->run(tried.method, std::min(left, evaluation_limit(std::lround(cost))));
     if (rules_->progress) rules_->progress(runs_->evaluations());
     tried.evaluations = pilot.evaluations;
     const double value = rules_->judges_as_printed ? pilot.printed : pilot.between;
@@ -225,13 +225,13 @@ Refusal unreached(const Advice& advice, const AdviceRules& rules) {
   }
   const std::string given =
       rules.among.empty() ? "integrator" : fmt::format("given integrator ({})", fmt::join(rules.among, ", "));
-  std::string words = fmt::format("no {} has errors below {:.2g} in {} consecutive runs within {} force evaluations",
-                                  given, rules.kept * rules.accuracy, rules.in_a_row, rules.evaluations);
+  std::string message = fmt::format("no {} has errors below {:.2g} in {} consecutive runs within {} force evaluations",
+                                    given, rules.kept * rules.accuracy, rules.in_a_row, rules.evaluations);
   if (nearest != nullptr) {
-    words += fmt::format("; the smallest error of a single run is {:.1e}, of {}", nearest->error,
-                         nearest->method.integrator);
+    message += fmt::format("; the smallest error of a single run is {:.1e}, of {}", nearest->error,
+                           nearest->method.integrator);
   }
-  return {Refusal::Kind::unreached, words};
+  return {Refusal::Kind::unreached, message};
 }
 
 }  // namespace

@@ -75,12 +75,12 @@ State PilotRuns::start(const Nudge& nudge) const {
   return state;
 }
 
-Pilot PilotRuns::run(const RunMethod& method, long most, const Nudge& nudge) {
+Pilot PilotRuns::run(const RunMethod& method, long maximum, const Nudge& nudge) {
   Pilot pilot;
   try {
     const Scene scene = with_method(*scene_, method);
     RigidBodySystem system{dynamics_, scene.plan.ledger || quantity_->ledger};
-    system.allow(std::max(0L, most));
+    system.allow(std::max(0L, maximum));
     try {
       take(system, scene, start(nudge), pilot);
     } catch (const TooManyEvaluations&) {
@@ -101,7 +101,7 @@ void PilotRuns::take(RigidBodySystem& system, const Scene& scene, State start, P
   monitored.plan.watch.missing_contacts = CheckAction::off;
   Recorder recorder{dynamics_, start, scene.plan.ledger || quantity_->ledger};
   RunMonitor monitor{monitored, dynamics_, start};
-  LargestBetween largest, least;
+  LargestBetween largest, smallest;
   const std::vector<double> lengths = dynamics_.lengths();
   const Observer observer = [&](const Snapshot& seen, const StepInfo& info) {
     recorder(seen, info);
@@ -111,14 +111,14 @@ void PilotRuns::take(RigidBodySystem& system, const Scene& scene, State start, P
     const double value = recorder.row()[quantity_->column];
     pilot.values.push_back(value);
     largest(value);
-    least(-value);
+    smallest(-value);
     pilot.speed = std::max(pilot.speed, largest_speed(seen.state(), lengths));
   };
   Integrator integrator = scene.integrator;
   const Outcome outcome = simulate(system, integrator, start, scene.plan, {&observer, 1}, [&](const State& seen) {
     return !monitor.violation().empty() || (scene.early_end && reached(*scene.early_end, scene.model, seen));
   });
-  pilot.failure = outcome ? monitor.violation() : outcome.words;
+  pilot.failure = outcome ? monitor.violation() : outcome.message;
   if (pilot.failure.empty() && !warned_) {
     if (monitor.step_is_beyond()) {
       pilot.failure = monitor.step_ratio();
@@ -128,19 +128,19 @@ void PilotRuns::take(RigidBodySystem& system, const Scene& scene, State start, P
   }
   if (!pilot.failure.empty()) return;
   const Extreme extreme = recorder.extremes()[quantity_->column];
-  pilot.printed = quantity_->of(extreme.least, extreme.largest, pilot.values.back());
-  pilot.between = quantity_->of(-least.largest(), largest.largest(), pilot.values.back());
-  pilot.size = std::max(std::abs(extreme.least), std::abs(extreme.largest));
+  pilot.printed = quantity_->of(extreme.minimum, extreme.maximum, pilot.values.back());
+  pilot.between = quantity_->of(-smallest.largest(), largest.largest(), pilot.values.back());
+  pilot.size = std::max(std::abs(extreme.minimum), std::abs(extreme.maximum));
 }
 
 long PilotRuns::cost(const RunMethod& method) {
-  constexpr long sampled = 32, most_sampled = 10'000;
+  constexpr long sampled = 32, maximum_sampled = 10'000;
   if (method.steps <= sampled) return method.steps;
   try {
     Scene scene = with_method(*scene_, method);
     RigidBodySystem system{dynamics_, scene.plan.ledger || quantity_->ledger};
     scene.plan.end = scene.initial.t + static_cast<double>(sampled) * scene.plan.step;
-    system.allow(most_sampled);
+    system.allow(maximum_sampled);
     try {
       static_cast<void>(simulate(system, scene.integrator, scene.initial, scene.plan));
     } catch (const TooManyEvaluations&) {

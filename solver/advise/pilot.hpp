@@ -41,7 +41,7 @@ struct Pilot {
 
 /// Maximum number of evaluations of a pilot run with this estimated cost; beyond, it is aborted. Without the limit, a
 /// tolerance that cannot be met would use up the evaluations of the other methods.
-constexpr long most_of(long cost) { return 64 * (cost + 100); }
+constexpr long evaluation_limit(long cost) { return 64 * (cost + 100); }
 
 /// Pilot runs of one scene by any method, to evaluate one quantity. The energy balance is computed if the scene
 /// requires it, because it may cost evaluations. RunMonitor checks the runs as in `talus run`: a run that it would end
@@ -52,8 +52,8 @@ class PilotRuns {
   PilotRuns(const Scene& scene, const Quantity& quantity, bool warned)
       : scene_{&scene}, quantity_{&quantity}, dynamics_{scene.model}, warned_{warned} {}
 
-  /// One run; aborted when it would take more than `most` evaluations.
-  [[nodiscard]] Pilot run(const RunMethod& method, long most, const Nudge& nudge = {});
+  /// One run; aborted when it would take more than `maximum` evaluations.
+  [[nodiscard]] Pilot run(const RunMethod& method, long maximum, const Nudge& nudge = {});
 
   /// Estimated force evaluations of a run, extrapolated from its first steps.
   [[nodiscard]] long cost(const RunMethod& method);

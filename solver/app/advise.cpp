@@ -32,7 +32,7 @@ struct AdviseOptions {
 std::string_view name_of(Refusal::Kind kind) { return Names<Refusal::Kind>::list[static_cast<std::size_t>(kind)]; }
 
 /// A method with its tolerance and step, as text.
-std::string words(const RunMethod& method, double duration, const UnitSystem& units) {
+std::string text_of(const RunMethod& method, double duration, const UnitSystem& units) {
   return fmt::format("{}{}, step {:.6g} {}", method.integrator,
                      method.tolerance == 0.0 ? "" : fmt::format(", tolerance {:.3g}", method.tolerance),
                      duration / static_cast<double>(method.steps), symbol(units, dimension::time));
@@ -72,9 +72,9 @@ void print_text(const Scene& scene, const Quantity& quantity, const AdviceRules&
   print_tried(advice, duration, units);
   fmt::print("pilots: {} force evaluations\n", advice.evaluations);
   if (advice.refusal) {
-    fmt::print("no advice ({}): {}\n", name_of(advice.refusal->kind), advice.refusal->words);
+    fmt::print("no advice ({}): {}\n", name_of(advice.refusal->kind), advice.refusal->message);
   } else {
-    fmt::print("advice: {}: error {:.1e} with {} force evaluations\n", words(advice.best->method, duration, units),
+    fmt::print("advice: {}: error {:.1e} with {} force evaluations\n", text_of(advice.best->method, duration, units),
                advice.best->error, advice.best->evaluations);
   }
 }
@@ -104,7 +104,7 @@ void print_json(const Scene& scene, const Quantity& quantity, const AdviceRules&
     json["tried"].push_back(std::move(entry));
   }
   if (advice.refusal) {
-    json["refusal"] = {{"kind", name_of(advice.refusal->kind)}, {"message", advice.refusal->words}};
+    json["refusal"] = {{"kind", name_of(advice.refusal->kind)}, {"message", advice.refusal->message}};
   } else {
     json["advice"] = json_of(advice.best->method, duration);
     json["advice"]["error"] = advice.best->error;
@@ -159,7 +159,7 @@ int advise(AdviseOptions& options) {
   if (advice.best) {
     const std::string comment = fmt::format(
         "talus advise: {} to {:.3g}: {}: error {:.1e} with {} force evaluations", quantity.name, options.rules.accuracy,
-        words(advice.best->method, duration, file.scene.model.units), advice.best->error, advice.best->evaluations);
+        text_of(advice.best->method, duration, file.scene.model.units), advice.best->error, advice.best->evaluations);
     write_whole(out, text_with_method(file, text, options.scene, advice.best->method, comment));
   }
   if (options.json) {

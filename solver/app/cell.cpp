@@ -139,7 +139,7 @@ class RequestedCell final : public ResumableRun {
   }
   bool finish(Outcome& outcome, const Condition&) override {
     outcome.time = run_.discs().t;
-    outcome_ = {outcome.kind == Outcome::Kind::finished, outcome.words, request_->warnings};
+    outcome_ = {outcome.kind == Outcome::Kind::finished, outcome.message, request_->warnings};
     judge();
     return outcome.kind == Outcome::Kind::stopped;
   }
@@ -235,7 +235,7 @@ Command add_cell(CLI::App& talus) {
                   fmt::format("{}; default {}", fmt::join(disc_method_names(), ", "), CellPlan{}.integrator));
   app->add_option("--units", options->units, "unit system of CNTRL.DAT, which names none: SI or US");
   app->add_option("--seed", options->seed, "of the first velocities across the field; default the scene's, or 0")
-      ->check(number_between(0, static_cast<double>(most_seed)));
+      ->check(number_between(0, static_cast<double>(maximum_seed)));
   app->add_flag("--historical", options->historical,
                 "as the runs of 1989 may have been: Euler's steps; K1/K2 must be 0.45 and STEP 1e-7");
   app->add_flag("--jump", options->jump, "pass time in which nothing can touch at once");

@@ -31,38 +31,38 @@ namespace talus::app {
 namespace {
 
 /// Maximum number of coordinates for which frequencies are evaluated: this many take 2 s; the time grows with the cube.
-constexpr std::size_t most_coordinates = 1000;
+constexpr std::size_t maximum_coordinates = 1000;
 
 std::string_view mobility_name(const Body& body) {
   return Names<Mobility>::list[static_cast<std::size_t>(body.mobility)];
 }
 
 /// Maximum number of printed lines of a table.
-constexpr std::size_t most_lines = 100;
+constexpr std::size_t maximum_lines = 100;
 
-/// The items of a list that are printed: the first `most_lines`.
+/// The items of a list that are printed: the first `maximum_lines`.
 template <class Item>
 std::span<const Item> shown(const std::vector<Item>& items) {
-  return std::span{items}.first(std::min(items.size(), most_lines));
+  return std::span{items}.first(std::min(items.size(), maximum_lines));
 }
 
 void print_rest(std::size_t count) {
-  if (count > most_lines) fmt::print("  ... and {} more\n", count - most_lines);
+  if (count > maximum_lines) fmt::print("  ... and {} more\n", count - maximum_lines);
 }
 
 /// Prints the pairs of bodies that pass through each other: their number and the first three.
 void print_missing_contacts(const MissingContacts& missing, const Scene& scene) {
   if (missing.size() == 0) return;
   if (missing.is_too_large())
-    return fmt::print("pairs of bodies without a contact: more than {}\n", MissingContacts::most_pairs);
-  constexpr std::size_t most_named = 3;
+    return fmt::print("pairs of bodies without a contact: more than {}\n", MissingContacts::maximum_pairs);
+  constexpr std::size_t maximum_named = 3;
   std::vector<std::string> names;
-  for (const Candidate& pair : std::span{missing.pairs()}.first(std::min(missing.size(), most_named))) {
+  for (const Candidate& pair : std::span{missing.pairs()}.first(std::min(missing.size(), maximum_named))) {
     names.push_back(
         fmt::format("'{}' and '{}'", scene.model.bodies[index(pair.a)].name, scene.model.bodies[index(pair.b)].name));
   }
   fmt::print("pairs of bodies without a contact {}, which pass through each other: {}{}\n", missing.size(),
-             fmt::join(names, ", "), missing.size() > most_named ? ", ..." : "");
+             fmt::join(names, ", "), missing.size() > maximum_named ? ", ..." : "");
 }
 
 void print_bodies(const Scene& scene, const Dynamics& dynamics) {
@@ -118,10 +118,10 @@ std::vector<ContactRange> lighter_contacts(const Scene& scene, const Dynamics& d
   std::vector<ContactRange> lighter;
   std::size_t instance = 0;
   for (const ContactRange& range : contact_ranges(dynamics)) {
-    double least = std::numeric_limits<double>::infinity();
+    double minimum = std::numeric_limits<double>::infinity();
     for (std::size_t i = 0; i < dynamics.layout().contact_instances[index(range.contact)]; ++i)
-      least = std::min(least, advice.springs[instance++].spring.effective_mass);
-    if (range.least_mass < 0.99 * least) lighter.push_back(range);
+      minimum = std::min(minimum, advice.springs[instance++].spring.effective_mass);
+    if (range.smallest_mass < 0.99 * minimum) lighter.push_back(range);
   }
   std::ranges::stable_sort(lighter, {}, &ContactRange::shortest_time);
   const auto worst =
@@ -143,7 +143,7 @@ void print_lighter_contacts(const Scene& scene, const std::vector<ContactRange>&
              fmt::format("min, {}", symbol(units, dimension::time)), "1");
   for (const ContactRange& range : shown(lighter)) {
     fmt::print("  {:<14}{:>12.5g}{:>12}{:>15.5g}{:>14.5g}{:>15.5g}\n", scene.model.contacts[index(range.contact)].name,
-               range.least_mass, number_or_dash(range.largest_mass), range.highest_frequency, range.shortest_time,
+               range.smallest_mass, number_or_dash(range.largest_mass), range.highest_frequency, range.shortest_time,
                range.shortest_time / scene.plan.step);
   }
   print_rest(lighter.size());
@@ -158,7 +158,7 @@ void warn_of_lighter_contacts(const Scene& scene, const std::vector<ContactRange
   warnings.push_back(fmt::format(
       "contact '{}' can act with an effective mass of {:.4g} {}, less than at the start: the step is then {:.3g} times "
       "the linear limit of {}",
-      scene.model.contacts[index(worst.contact)].name, worst.least_mass, symbol(scene.model.units, dimension::mass),
+      scene.model.contacts[index(worst.contact)].name, worst.smallest_mass, symbol(scene.model.units, dimension::mass),
       step_over_limit(scene, worst), name(scene.integrator)));
 }
 
@@ -213,9 +213,9 @@ double evaluations_per_step(const Scene& scene, const Dynamics& dynamics) {
 std::string chosen_cost(const Scene& scene, const Dynamics& dynamics) {
   // About a second for a large scene.
   const auto coordinates = std::max(1L, static_cast<long>(dynamics.layout().coordinates.size()));
-  const long most = std::clamp(1'000'000L / coordinates, 100L, 20'000L);
+  const long maximum = std::clamp(1'000'000L / coordinates, 100L, 20'000L);
   RigidBodySystem system{dynamics, scene.plan.ledger};
-  system.allow(most);
+  system.allow(maximum);
   Integrator integrator = scene.integrator;
   State state = scene.initial;
   double reached = state.t;
@@ -225,11 +225,11 @@ std::string chosen_cost(const Scene& scene, const Dynamics& dynamics) {
     const Outcome outcome = simulate(system, integrator, state, scene.plan, {&observer, 1}, [&](const State& seen) {
       return scene.early_end && talus::reached(*scene.early_end, scene.model, seen);
     });
-    if (!outcome) return fmt::format("{} force evaluations, then {}", system.evaluations(), outcome.words);
+    if (!outcome) return fmt::format("{} force evaluations, then {}", system.evaluations(), outcome.message);
     return fmt::format("{} force evaluations", system.evaluations());
   } catch (const TooManyEvaluations&) {
     const double part = (reached - scene.initial.t) / (scene.plan.end - scene.initial.t);
-    return fmt::format("more than {} force evaluations: these reach {:.2g} % of the run", most, 100.0 * part);
+    return fmt::format("more than {} force evaluations: these reach {:.2g} % of the run", maximum, 100.0 * part);
   }
 }
 
@@ -275,11 +275,11 @@ bool warn_of_step(const Scene& scene, const StepAdvice& advice, const std::strin
   const auto verdict = step_verdict(scene, advice);
   if (!verdict || !verdict->is_beyond) return false;
   warnings.push_back(step_warning(verdict->text, fmt::format("talus run {} --integrator auto", shell_word(file))));
-  if (scene.initial.q.size() > most_watched_coordinates) {
+  if (scene.initial.q.size() > maximum_watched_coordinates) {
     warnings.push_back(
         fmt::format("talus run does not give that warning: it computes frequencies up to {} degrees of "
                     "freedom, here are {}",
-                    most_watched_coordinates, scene.initial.q.size()));
+                    maximum_watched_coordinates, scene.initial.q.size()));
   }
   return true;
 }
@@ -298,7 +298,7 @@ int check(const std::string& file) {
   fmt::print("{}\n", scene.title);
   print_bodies(scene, dynamics);
   print_overlaps(scene, dynamics);
-  if (scene.initial.q.size() <= most_coordinates) {
+  if (scene.initial.q.size() <= maximum_coordinates) {
     const StepAdvice advice = [&] {
       const ElapsedTime elapsed{"evaluating the frequencies"};
       return advise_step(dynamics, scene.initial);
@@ -311,7 +311,7 @@ int check(const std::string& file) {
     if (!is_beyond) warn_of_lighter_contacts(scene, lighter, warnings);
   } else {
     fmt::print("step {:.6g} {} with {}; frequencies are evaluated up to {} degrees of freedom\n", scene.plan.step,
-               symbol(scene.model.units, dimension::time), name(scene.integrator), most_coordinates);
+               symbol(scene.model.units, dimension::time), name(scene.integrator), maximum_coordinates);
   }
   print_cost(scene, dynamics);
   print_output(read, dynamics, path, warnings);

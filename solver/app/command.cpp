@@ -43,8 +43,8 @@ void describe(CLI::App& talus) {
   talus.require_subcommand(1);
 }
 
-int report(ExitCode code, std::string_view words) {
-  print_failure(words);
+int report(ExitCode code, std::string_view message) {
+  print_failure(message);
   return code;
 }
 
@@ -103,24 +103,24 @@ int parse_and_work(int count, const char* const* arguments) {
 
 }  // namespace
 
-CLI::Validator number_between(double least, double most) {
+CLI::Validator number_between(double minimum, double maximum) {
   return {[=](std::string& value) {
             double number = 0.0;
             const auto [end, failure] = std::from_chars(value.data(), value.data() + value.size(), number);
             const bool read = failure == std::errc{} && end == value.data() + value.size();
-            if (read && number >= least && number <= most) return std::string{};
-            return fmt::format("found {}; it must be a number between {} and {}", value, least, most);
+            if (read && number >= minimum && number <= maximum) return std::string{};
+            return fmt::format("found {}; it must be a number between {} and {}", value, minimum, maximum);
           },
-          fmt::format("in [{}, {}]", least, most)};
+          fmt::format("in [{}, {}]", minimum, maximum)};
 }
 
-void print_failure(std::string_view words) {
+void print_failure(std::string_view message) {
   const char* no_color = std::getenv("NO_COLOR");
   const bool red = ::isatty(STDERR_FILENO) == 1 && (no_color == nullptr || *no_color == '\0');
   std::string lines;
-  for (std::size_t from = 0; from <= words.size();) {
-    const std::size_t end = std::min(words.find('\n', from), words.size());
-    const std::string_view line = words.substr(from, end - from);
+  for (std::size_t from = 0; from <= message.size();) {
+    const std::size_t end = std::min(message.find('\n', from), message.size());
+    const std::string_view line = message.substr(from, end - from);
     const bool help = line.starts_with("help: ");
     lines += fmt::format("{}{}{}{}\n", red ? "\033[31m" : "", help ? "" : "talus: ", line, red ? "\033[0m" : "");
     from = end + 1;

@@ -37,10 +37,10 @@ struct Command {
 [[nodiscard]] Command add_animate(CLI::App& talus, const DrawingSink& sink);
 
 /// Validator of an option: a number in [least, most]. It also rejects NaN, which CLI::Range accepts.
-[[nodiscard]] CLI::Validator number_between(double least, double most);
+[[nodiscard]] CLI::Validator number_between(double minimum, double maximum);
 
 /// Prints an error or a warning to stderr, in red on a terminal unless NO_COLOR is set.
-void print_failure(std::string_view words);
+void print_failure(std::string_view message);
 
 /// A word of a printed command, quoted for a shell if it contains characters other than letters, digits, bytes of UTF-8
 /// and `/ . _ - + , : = @ %`.

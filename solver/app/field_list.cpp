@@ -13,12 +13,12 @@ namespace {
 constexpr std::size_t columns = 110, name_columns = 19;
 
 /// Appends words to a text, wrapped at `columns`; all lines except the first are indented.
-void append_wrapped(std::string& text, std::string_view words, std::size_t indent) {
+void append_wrapped(std::string& text, std::string_view added, std::size_t indent) {
   std::size_t used = text.size() - (text.rfind('\n') == std::string::npos ? 0 : text.rfind('\n') + 1);
   bool first = true;
-  while (!words.empty()) {
-    const std::string_view word = words.substr(0, words.find(' '));
-    words.remove_prefix(std::min(word.size() + 1, words.size()));
+  while (!added.empty()) {
+    const std::string_view word = added.substr(0, added.find(' '));
+    added.remove_prefix(std::min(word.size() + 1, added.size()));
     if (!first && used + 1 + word.size() > columns) {
       text += '\n' + std::string(indent, ' ');
       used = indent;
@@ -43,32 +43,32 @@ std::string either(const std::string& of_si, const std::string& of_us) {
 }
 
 /// "a stiffness, e.g. "1 N/m" or "1 lbf/ft""; "a pure number".
-std::string quantity_words(Dimension dimension) {
-  if (dimension == dimension::number) return words(dimension);
-  return fmt::format("{}, e.g. {}", words(dimension), either(example(si, dimension), example(us, dimension)));
+std::string quantity_text(Dimension dimension) {
+  if (dimension == dimension::number) return text_of(dimension);
+  return fmt::format("{}, e.g. {}", text_of(dimension), either(example(si, dimension), example(us, dimension)));
 }
 
-std::string pair_words(const CatalogueField& field) {
+std::string pair_text(const CatalogueField& field) {
   const auto pair = [&](const UnitSystem& units) {
     return fmt::format("[[{}, {}], ..]", example(units, field.dimension), example(units, field.second));
   };
   const std::string kinds = field.dimension == field.second
-                                ? fmt::format("pairs, each value {}", words(field.dimension))
-                                : fmt::format("pairs of {} and {}", words(field.dimension), words(field.second));
+                                ? fmt::format("pairs, each value {}", text_of(field.dimension))
+                                : fmt::format("pairs of {} and {}", text_of(field.dimension), text_of(field.second));
   return fmt::format("{}, e.g. {}", kinds, either(pair(si), pair(us)));
 }
 
 /// Notation of the field's value.
-std::string form_words(const CatalogueField& field) {
+std::string form_text(const CatalogueField& field) {
   switch (field.form) {
     case FieldForm::quantity:
-      return quantity_words(field.dimension);
+      return quantity_text(field.dimension);
     case FieldForm::vector:
-      return "[x, y], each " + quantity_words(field.dimension);
+      return "[x, y], each " + quantity_text(field.dimension);
     case FieldForm::point:
-      return "[x, y] or [x, y, z], each " + quantity_words(field.dimension);
+      return "[x, y] or [x, y, z], each " + quantity_text(field.dimension);
     case FieldForm::pairs:
-      return pair_words(field);
+      return pair_text(field);
     case FieldForm::whole:
       return "a whole number";
     case FieldForm::wholes:
@@ -90,13 +90,13 @@ std::string form_words(const CatalogueField& field) {
     case FieldForm::tables:
       return "an array of tables, one for each";
     case FieldForm::time_or_auto:
-      return quantity_words(field.dimension) + ", or \"auto\"";
+      return quantity_text(field.dimension) + ", or \"auto\"";
   }
   return "";
 }
 
 /// Condition under which a field is required or allowed; empty if there is none.
-std::string condition_words(const CatalogueField& field) {
+std::string condition_text(const CatalogueField& field) {
   if (!field.alternative.empty()) return fmt::format("this or {}", field.alternative);
   std::string condition = field.condition;
   if (!field.with.empty()) {
@@ -107,13 +107,13 @@ std::string condition_words(const CatalogueField& field) {
   return fmt::format("{} {}", field.required ? "required" : "only", condition);
 }
 
-std::string value_words(const CatalogueField& field) {
-  std::string text = form_words(field);
-  const auto add = [&](std::string_view words) {
-    if (!words.empty()) text.append("; ").append(words);
+std::string value_text(const CatalogueField& field) {
+  std::string text = form_text(field);
+  const auto add = [&](std::string_view added) {
+    if (!added.empty()) text.append("; ").append(added);
   };
   add(field.range);
-  add(condition_words(field));
+  add(condition_text(field));
   if (!field.absent.empty()) add("default: " + field.absent);
   return text;
 }
@@ -134,7 +134,7 @@ std::string field_list(const FieldGroup& group) {
     text += fmt::format("  {} {:<{}} ", field.required ? '*' : ' ', field.name, name_columns);
     append_wrapped(text, field.meaning, name_columns + 5);
     text += std::string(name_columns + 5, ' ');
-    append_wrapped(text, value_words(field), name_columns + 5);
+    append_wrapped(text, value_text(field), name_columns + 5);
   }
   return text;
 }

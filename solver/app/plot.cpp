@@ -68,7 +68,7 @@ Command add_plot(CLI::App& talus, const DrawingSink& sink) {
          "--element", wish.elements,
          fmt::format("elements by number, bodies and cables by name; default: all, of more than {} curves in a "
                      "panel those with the largest range (maximum less minimum)",
-                     most_curves))
+                     maximum_curves))
       ->delimiter(',');
   app->add_flag("--all", wish.all, "all curves, however many a panel has");
   app->add_option("--x", wish.abscissa, "abscissa, named as a history is; default time");

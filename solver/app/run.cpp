@@ -20,7 +20,7 @@ namespace {
 
 /// Maximum number of force evaluations of a fence's run for which it is repeated even without --sheet: some tenths of a
 /// second. New fences take 5,000 to 25,000, a deck of 1993 as many as it has steps.
-constexpr long most_repeated = 50'000;
+constexpr long maximum_repeated = 50'000;
 
 /// The command for the same run with the integrator "auto", which has step control.
 std::string repair_command(const SceneOptions& options) {
@@ -65,7 +65,7 @@ class RequestedScene final : public ResumableRun {
     if (ends_early_) outcome.kind = Outcome::Kind::finished;
     const RunMonitor& watch = run_.watch();
     if (!outcome && watch.violation().empty() && !watch.step_ratio().empty())
-      outcome.words += fmt::format("; {}", watch.step_ratio());
+      outcome.message += fmt::format("; {}", watch.step_ratio());
     record_ = run_.record(outcome);
     const bool stopped = outcome.kind == Outcome::Kind::stopped;
     const bool resumable = !ends_early_ && (stopped || (outcome && !options_->until.empty()));
@@ -101,7 +101,7 @@ class RequestedScene final : public ResumableRun {
   void run_again(const StopCondition& stop) {
     if (!record_.quality.flaw.empty() && !chooses_steps(scene().integrator)) {
       record_.quality.repair = repair_run(request_->file, record_, stop);
-    } else if (record_.outcome && (request_->sheet || record_.evaluations <= most_repeated)) {
+    } else if (record_.outcome && (request_->sheet || record_.evaluations <= maximum_repeated)) {
       record_.quality.repeat = repeat_run(request_->file, record_, stop);
     }
   }

@@ -44,8 +44,8 @@ std::string nearest_name(std::string_view found, const std::vector<std::string>&
 
 InputError unknown_name(std::string_view kind, std::string_view found, const std::vector<std::string>& known) {
   if (known.empty()) return InputError{fmt::format("{} '{}' is not known; there is none", kind, found)};
-  constexpr std::size_t most_named = 60;
-  const std::size_t named = std::min(known.size(), most_named);
+  constexpr std::size_t maximum_named = 60;
+  const std::size_t named = std::min(known.size(), maximum_named);
   const std::string more = known.size() > named ? fmt::format(" and {} more", known.size() - named) : "";
   return InputError{
       fmt::format("{} '{}' is not known; nearest: {}; known: {}{}", kind, found, nearest_name(found, known),

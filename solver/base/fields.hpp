@@ -13,7 +13,7 @@ namespace talus {
 enum class Range { any, positive, non_negative, fraction, positive_fraction, at_least_one };
 
 /// Text of an error message for a range: "it must be ...".
-constexpr std::string_view words(Range range) {
+constexpr std::string_view text_of(Range range) {
   switch (range) {
     case Range::positive:
       return "> 0";
@@ -86,13 +86,13 @@ struct VectorField {
   std::string_view meaning;
 };
 
-/// A parameter of T that is a whole number from `least` to `most`.
+/// A parameter of T that is a whole number from `minimum` to `maximum`.
 template <class T>
 struct CountField {
   std::string_view name;
   std::variant<int T::*, long T::*> member;
-  long least;
-  long most;
+  long minimum;
+  long maximum;
   std::string_view meaning;
 };
 

@@ -82,11 +82,13 @@ template <class Visit>
 /// integers, where NaN is above all numbers and therefore persists.
 using Sizes [[gnu::vector_size(32)]] = std::int64_t;
 
-[[gnu::always_inline]] inline void raise(Sizes& most, const Sizes& other) { most = other > most ? other : most; }
-[[gnu::always_inline]] inline void raise(Sizes& most, const Pack& x) {
+[[gnu::always_inline]] inline void raise(Sizes& maximum, const Sizes& other) {
+  maximum = other > maximum ? other : maximum;
+}
+[[gnu::always_inline]] inline void raise(Sizes& maximum, const Pack& x) {
   Sizes bits;
   std::memcpy(&bits, &x, sizeof bits);
-  raise(most, bits & std::numeric_limits<std::int64_t>::max());
+  raise(maximum, bits & std::numeric_limits<std::int64_t>::max());
 }
 
 /// Bitwise OR of all lanes.
@@ -104,10 +106,10 @@ using Sizes [[gnu::vector_size(32)]] = std::int64_t;
 
 /// Maximum over all lanes.
 [[gnu::always_inline]] inline double largest(const Sizes& sizes) {
-  Sizes most = sizes;
-  raise(most, __builtin_shufflevector(most, most, 2, 3, 0, 1));
-  raise(most, __builtin_shufflevector(most, most, 1, 0, 3, 2));
-  return std::bit_cast<double>(static_cast<std::int64_t>(most[0]));
+  Sizes maximum = sizes;
+  raise(maximum, __builtin_shufflevector(maximum, maximum, 2, 3, 0, 1));
+  raise(maximum, __builtin_shufflevector(maximum, maximum, 1, 0, 3, 2));
+  return std::bit_cast<double>(static_cast<std::int64_t>(maximum[0]));
 }
 
 }  // namespace talus

@@ -15,8 +15,8 @@ using Clock = std::chrono::steady_clock;
 bool on_terminal() { return ::isatty(STDERR_FILENO) == 1; }
 
 /// Overwrites the current line of the terminal. Output to a closed terminal is lost; the run continues.
-void overwrite(std::string_view words, std::size_t width, const char* end = "") {
-  std::fputs(fmt::format("\r{:{}}{}", words, width, end).c_str(), stderr);
+void overwrite(std::string_view text, std::size_t width, const char* end = "") {
+  std::fputs(fmt::format("\r{:{}}{}", text, width, end).c_str(), stderr);
   std::fflush(stderr);
 }
 
@@ -30,8 +30,8 @@ Progress::~Progress() {
 }
 
 bool Progress::due() {
-  if (!on_terminal_ || ++asked_ < stride_) return false;
-  asked_ = 0;
+  if (!on_terminal_ || ++calls_ < stride_) return false;
+  calls_ = 0;
   const Clock::time_point now = Clock::now();
   // The stride adapts to the rate of the calls: the clock is read every 0.5 to 2 ms.
   constexpr long longest = 4096;
@@ -43,9 +43,9 @@ bool Progress::due() {
   return true;
 }
 
-void Progress::show(std::string_view words) {
-  width_ = std::max(width_, words.size());
-  overwrite(words, width_);
+void Progress::show(std::string_view text) {
+  width_ = std::max(width_, text.size());
+  overwrite(text, width_);
 }
 
 ElapsedTime::ElapsedTime(std::string what) {

@@ -21,13 +21,13 @@ class Progress {
   /// Whether a line is to be shown now: at most five times a second. Cheap enough to call at every step: the clock is
   /// read only about once a millisecond.
   [[nodiscard]] bool due();
-  void show(std::string_view words);
+  void show(std::string_view text);
 
  private:
   bool on_terminal_;
   std::size_t width_{};  ///< of the longest line shown
   std::chrono::steady_clock::time_point next_, read_;
-  long stride_{1}, asked_{};  ///< the clock is read at every stride_-th call of due()
+  long stride_{1}, calls_{};  ///< the clock is read at every stride_-th call of due()
 };
 
 /// Shows the elapsed time of an operation that reports no progress, every second from 2 s on. Nothing may be

@@ -41,12 +41,12 @@ TALUS_CLONES bool all_finite(const double* x, const double* y, std::size_t count
 }
 
 TALUS_CLONES void take_extremes(const double* x, const double* times, std::size_t rows, std::size_t count,
-                                double* least, double* least_time, double* largest, double* largest_time) {
+                                double* minimum, double* minimum_time, double* largest, double* maximum_time) {
   // A value visited twice, in a last pack that overlaps the one before it, changes no extreme the second time.
   const auto take = [&](std::size_t i, auto left, auto number_of_rows) __attribute__((always_inline)) {
     Pack low, low_time, high, high_time;
-    load(low, least + i, left), load(low_time, least_time + i, left);
-    load(high, largest + i, left), load(high_time, largest_time + i, left);
+    load(low, minimum + i, left), load(low_time, minimum_time + i, left);
+    load(high, largest + i, left), load(high_time, maximum_time + i, left);
     const double* next = x + i;
     for (std::size_t row = 0; row < number_of_rows; ++row, next += count) {
       const Pack now{times[row], times[row], times[row], times[row]};
@@ -55,8 +55,8 @@ TALUS_CLONES void take_extremes(const double* x, const double* times, std::size_
       low_time = value < low ? now : low_time, low = value < low ? value : low;
       high_time = value > high ? now : high_time, high = value > high ? value : high;
     }
-    store(low, least + i, left), store(low_time, least_time + i, left);
-    store(high, largest + i, left), store(high_time, largest_time + i, left);
+    store(low, minimum + i, left), store(low_time, minimum_time + i, left);
+    store(high, largest + i, left), store(high_time, maximum_time + i, left);
   };
   if (rows == block_rows) {
     using Block = std::integral_constant<std::size_t, block_rows>;

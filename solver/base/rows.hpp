@@ -15,7 +15,7 @@ void add_scaled(double* out, const double* x, double h, const double* rate, std:
 inline constexpr std::size_t block_rows = 8;
 /// Updates the minima and maxima so far of `count` numbers, and their first times, with `rows` values of each, row by
 /// row in x at these times; NaN changes neither.
-void take_extremes(const double* x, const double* times, std::size_t rows, std::size_t count, double* least,
-                   double* least_time, double* largest, double* largest_time);
+void take_extremes(const double* x, const double* times, std::size_t rows, std::size_t count, double* minimum,
+                   double* minimum_time, double* largest, double* maximum_time);
 
 }  // namespace talus

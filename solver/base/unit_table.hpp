@@ -74,7 +74,7 @@ inline constexpr std::array units{
 /// by the system's symbols.
 struct NamedDimension {
   Dimension dimension;
-  std::string_view words;
+  std::string_view text;
   std::string_view pattern;
 };
 

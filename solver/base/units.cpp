@@ -181,7 +181,7 @@ class QuantityText {
 
   [[noreturn]] void fail_dimension(Dimension found) const {
     if (found == dimension::number) fail(fmt::format("the unit is missing; write {}", example(number_)));
-    fail(fmt::format("that is {}; it must be {}, {}", words(found), words(wanted_), example(number_)));
+    fail(fmt::format("that is {}; it must be {}, {}", text_of(found), text_of(wanted_), example(number_)));
   }
 
   std::string_view text_;
@@ -246,8 +246,8 @@ std::string symbol(const UnitSystem& system, Dimension dimension) {
   return text;
 }
 
-std::string words(Dimension dimension) {
-  if (const NamedDimension* named = find_named(dimension)) return std::string{named->words};
+std::string text_of(Dimension dimension) {
+  if (const NamedDimension* named = find_named(dimension)) return std::string{named->text};
   return fmt::format("of dimension {}", symbol({"", "M", "L", "T", "F", 1.0, 1.0}, dimension));
 }
 

@@ -45,7 +45,7 @@ inline constexpr UnitSystem us{"US", "slug", "ft", "s", "lbf", exact::slug_in_kg
 [[nodiscard]] std::string symbol(const UnitSystem& system, Dimension dimension);
 
 /// Description of a dimension in messages: "a mass", "an angular velocity", ...
-[[nodiscard]] std::string words(Dimension dimension);
+[[nodiscard]] std::string text_of(Dimension dimension);
 
 /// Symbols of all units that a quantity may use.
 [[nodiscard]] std::vector<std::string> unit_symbols();

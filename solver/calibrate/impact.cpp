@@ -53,7 +53,7 @@ class ImpactMonitor {
       stage_ = Stage::during;
       const double force = forces_.contacts[index(contact_)];
       impact_.largest_force = std::max(impact_.largest_force, force);
-      impact_.least_force = std::min(impact_.least_force, force);
+      impact_.minimum_force = std::min(impact_.minimum_force, force);
       impact_.largest_overlap = std::max(impact_.largest_overlap, work_.gaps[deepest].depth);
       return;
     }
@@ -63,7 +63,7 @@ class ImpactMonitor {
   }
 
   bool over() const { return stage_ == Stage::after; }
-  bool begun() const { return stage_ != Stage::before; }
+  bool has_started() const { return stage_ != Stage::before; }
   bool approached() const { return approach_ > 0.0; }
   const Impact& impact() const { return impact_; }
 
@@ -115,9 +115,9 @@ Followed follow_impact(const Scene& scene, ContactId contact) {
     if (monitor) monitor->check(seen, ++step);
     return watch.over() || (monitor && !monitor->violation().empty());
   });
-  if (!outcome) return {{}, outcome.words};
+  if (!outcome) return {{}, outcome.message};
   if (monitor && !monitor->violation().empty()) return {{}, monitor->violation()};
-  if (!watch.begun())
+  if (!watch.has_started())
     return {{}, fmt::format("its bodies do not meet before the scene's end at t = {}", scene.plan.end)};
   if (!watch.approached()) return {{}, "its bodies do not approach each other; they touch at the start"};
   if (!watch.over())
@@ -273,7 +273,7 @@ Calibration calibrate(const Scene& scene, ContactId contact, double e, double to
   }
   // The simulated e jumps slightly when the end of the contact moves from one step to the next: the search stops at the
   // required tolerance in e, or when the bracket is as narrow as floating-point numbers allow.
-  std::uintmax_t most = 100;
+  std::uintmax_t maximum = 100;
   double best = high, best_excess = at_high;
   const auto watched = [&](double value) {
     const double now = excess(value);
@@ -282,7 +282,7 @@ Calibration calibrate(const Scene& scene, ContactId contact, double e, double to
   };
   if (at_high != 0.0) {
     boost::math::tools::toms748_solve(watched, low, high, at_low, at_high,
-                                      boost::math::tools::eps_tolerance<double>(50), most);
+                                      boost::math::tools::eps_tolerance<double>(50), maximum);
   }
   found.dissipation = best;
   found.restitution = e + best_excess;

@@ -29,7 +29,7 @@ struct Impact {
                              ///< [T]
   double largest_overlap{};  ///< [L]
   double largest_force{};    ///< [F]
-  double least_force{};      ///< minimum [F]; < 0 if the contact pulled
+  double minimum_force{};    ///< minimum [F]; < 0 if the contact pulled
 };
 
 /// Simulates, with the solver itself, the impact of a particle of the effective mass on a fixed plane at the given

@@ -43,19 +43,19 @@ double largest_deviation(std::span<const ImpactingPair> pairs, double dissipatio
 }
 
 double minimax_dissipation(std::span<const ImpactingPair> pairs, std::span<const double> exact, double e) {
-  const auto [least, largest] = std::ranges::minmax_element(exact);
-  const ImpactingPair& lowest = pairs[static_cast<std::size_t>(least - exact.begin())];
+  const auto [smallest, largest] = std::ranges::minmax_element(exact);
+  const ImpactingPair& lowest = pairs[static_cast<std::size_t>(smallest - exact.begin())];
   const ImpactingPair& highest = pairs[static_cast<std::size_t>(largest - exact.begin())];
   const auto excess = [&](double dissipation) {
     return (restitution_with(highest, dissipation) - e) - (e - restitution_with(lowest, dissipation));
   };
   // Exact parameters that are equal up to round-off leave no bracket.
-  const double at_least = excess(*least), at_largest = excess(*largest);
-  if (!(at_least > 0.0)) return *least;
+  const double at_smallest = excess(*smallest), at_largest = excess(*largest);
+  if (!(at_smallest > 0.0)) return *smallest;
   if (!(at_largest < 0.0)) return *largest;
-  std::uintmax_t most = 200;
-  const auto [below, above] = boost::math::tools::toms748_solve(excess, *least, *largest, at_least, at_largest,
-                                                                boost::math::tools::eps_tolerance<double>(50), most);
+  std::uintmax_t maximum = 200;
+  const auto [below, above] = boost::math::tools::toms748_solve(excess, *smallest, *largest, at_smallest, at_largest,
+                                                                boost::math::tools::eps_tolerance<double>(50), maximum);
   return 0.5 * (below + above);
 }
 

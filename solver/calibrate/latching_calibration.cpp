@@ -25,18 +25,18 @@ double gain_in_loading(const SteppedContact& contact) {
   return traits(contact.method).amplitude_growth_rate * std::numbers::pi * contact.loading_angle();
 }
 
-InputError out_of_range(const SteppedContact& contact, double restitution, double least) {
-  if (least > 1.0) {
+InputError out_of_range(const SteppedContact& contact, double restitution, double minimum) {
+  if (minimum > 1.0) {
     return InputError{
         fmt::format("restitution: found {}; with {} at this step, w1 h = {:.4g}, an impact always gains speed, {:.4g} "
                     "times as much "
                     "at least; a shorter step is needed",
-                    restitution, method_name(contact), contact.loading_angle(), least)};
+                    restitution, method_name(contact), contact.loading_angle(), minimum)};
   }
   return InputError{
       fmt::format("restitution: found {}; possible with {} at this step, w1 h = {:.4g}: {:.4g} to 1; a shorter step "
                   "extends this interval",
-                  restitution, method_name(contact), contact.loading_angle(), least)};
+                  restitution, method_name(contact), contact.loading_angle(), minimum)};
 }
 
 /// Restitution of one impact of two discs. Lengths are scaled such that the largest overlap is 1/16 of a radius.
@@ -56,8 +56,8 @@ double impact_restitution(const SteppedContact& contact, double ratio, double ph
         const auto closing = [&] { return discs.vx[0] - discs.vx[1]; };
         // When the force has ended, the discs separate at their remaining speed.
         const double part = 1.0 / (contact.loading_angle() * std::sqrt(ratio));
-        const auto most = static_cast<long>(4.0 * contact.steps_in_contact(ratio) + 4.0 * part) + 10;
-        for (long n = 0; n < most; ++n) {
+        const auto maximum = static_cast<long>(4.0 * contact.steps_in_contact(ratio) + 4.0 * part) + 10;
+        for (long n = 0; n < maximum; ++n) {
           method.step(system, discs, contact.step);
           if (closing() < 0.0 && discs.x[1] - discs.x[0] > 2.0 * radius) return -closing() / speed;
         }
@@ -81,14 +81,14 @@ double stepped_restitution(const SteppedContact& contact, double ratio) {
   return stepped_restitution(contact.method, std::sqrt(ratio), contact.loading_angle());
 }
 
-double least_restitution(const SteppedContact& contact) {
+double minimum_restitution(const SteppedContact& contact) {
   const double gained = gain_in_loading(contact);
   return gained > 0.0 ? gained * std::exp(1.0 + gained) : 0.5 * contact.loading_angle();
 }
 
 double ratio_by_formula(const SteppedContact& contact, double restitution) {
-  const double least = least_restitution(contact), gained = gain_in_loading(contact);
-  if (!(restitution >= least && restitution <= 1.0)) throw out_of_range(contact, restitution, least);
+  const double minimum = minimum_restitution(contact), gained = gain_in_loading(contact);
+  if (!(restitution >= minimum && restitution <= 1.0)) throw out_of_range(contact, restitution, minimum);
   if (gained == 0.0) return restitution * restitution;
   // With r the square root of the ratio and z = c pi w1 h/r: e = r exp(c pi w1 h + z), so
   // -z exp(-z) = -c pi w1 h exp(c pi w1 h)/e, whose solution with z < 1 is on the principal branch.

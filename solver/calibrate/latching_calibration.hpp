@@ -25,7 +25,7 @@ struct SteppedContact {
 
 /// Minimum restitution by that formula: c pi w1 h exp(1 + c pi w1 h). The stiffer K2, the more a step of euler or
 /// taylor gains during unloading. For the leapfrog methods w1 h/2: below, w2 h > 2 and the contact does not rebound.
-[[nodiscard]] double least_restitution(const SteppedContact& contact);
+[[nodiscard]] double minimum_restitution(const SteppedContact& contact);
 
 /// K1/K2 that gives a restitution by that formula, the larger of the two solutions. Errors: InputError with the range,
 /// for e outside it or outside (0, 1].

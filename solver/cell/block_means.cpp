@@ -44,9 +44,9 @@ std::size_t block_length(std::span<const double> series) {
     spectrum += part, slope += part * static_cast<double>(lag);
   }
   // If successive blocks compensate each other, the spectrum nearly vanishes at frequency 0.
-  const double most = std::max(1.0, std::min(3.0 * std::sqrt(count), count / 3.0));
-  const double length = spectrum > 0.0 ? std::cbrt(1.5 * slope * slope / (spectrum * spectrum) * count) : most;
-  return static_cast<std::size_t>(std::lround(std::clamp(length, 1.0, most)));
+  const double maximum = std::max(1.0, std::min(3.0 * std::sqrt(count), count / 3.0));
+  const double length = spectrum > 0.0 ? std::cbrt(1.5 * slope * slope / (spectrum * spectrum) * count) : maximum;
+  return static_cast<std::size_t>(std::lround(std::clamp(length, 1.0, maximum)));
 }
 
 BlockMeans::BlockMeans(std::size_t quantities, double time, std::size_t blocks)
@@ -56,8 +56,8 @@ BlockMeans::BlockMeans(std::size_t quantities, double time, std::size_t blocks)
       sums_(blocks * quantities) {}
 
 void BlockMeans::add(double t, double weight, std::span<const double> values) {
-  const double place = std::clamp(t / block_time_, 0.0, static_cast<double>(blocks() - 1));
-  const auto block = static_cast<std::size_t>(place);
+  const double position = std::clamp(t / block_time_, 0.0, static_cast<double>(blocks() - 1));
+  const auto block = static_cast<std::size_t>(position);
   weight_[block] += weight;
   for (std::size_t k = 0; k < quantities_; ++k)
     sums_[block * quantities_ + k] += weight * values[k];

@@ -10,7 +10,7 @@
 namespace talus {
 namespace {
 
-constexpr double most_outputs = 1e5, most_steps = 1e15;
+constexpr double maximum_outputs = 1e5, maximum_steps = 1e15;
 /// Largest w2 h on unloading, or at the nominal overlap of a law that is not linear. In a triangular array of discs the
 /// stiffest motion is sqrt(3) times as fast as that of a pair (w^2 = 6 K/m), and a leapfrog is stable below 2.
 constexpr double largest_unloading_phase = 1.0;
@@ -32,7 +32,7 @@ std::vector<CellError> validation_errors(const ShearCell& cell, const CellPlan& 
   for (const auto& field : CellPlan::fields()) {
     if (!contains(field.range, plan.*field.member)) {
       found.push_back(
-          {std::string{field.name}, fmt::format("found {}; it must be {}", plan.*field.member, words(field.range))});
+          {std::string{field.name}, fmt::format("found {}; it must be {}", plan.*field.member, text_of(field.range))});
     }
   }
   if (!found.empty()) return found;
@@ -44,22 +44,22 @@ std::vector<CellError> validation_errors(const ShearCell& cell, const CellPlan& 
     found.push_back(
         {"every", fmt::format("found {}; it must be at most the time that the run takes, {}", plan.every, plan.end)});
   }
-  if (plan.end > most_steps * plan.step) {
+  if (plan.end > maximum_steps * plan.step) {
     found.push_back({"step", fmt::format("found {}; it must be at least {}: a run has at most {:g} steps", plan.step,
-                                         plan.end / most_steps, most_steps)});
+                                         plan.end / maximum_steps, maximum_steps)});
   }
-  if (plan.outputs() > most_outputs) {
+  if (plan.outputs() > maximum_outputs) {
     found.push_back({"every", fmt::format("found {}; it must be at least {}: a run has at most {:g} outputs",
-                                          plan.every, plan.end / most_outputs, most_outputs)});
+                                          plan.every, plan.end / maximum_outputs, maximum_outputs)});
   }
   constexpr std::string_view law_of_1989 = "latching springs that do not grow stiffer, without friction";
   if (plan.images == Images::virtual_discs) {
     const std::size_t discs = cell.free_discs() + 2 * static_cast<std::size_t>(cell.wall_discs);
     if (plan.jump) found.push_back({"jump", "found on; it requires images = \"nearest\", not virtual discs"});
-    if (discs > CellPlan::most_virtual) {
+    if (discs > CellPlan::maximum_virtual) {
       found.push_back({"images", fmt::format("found virtual with {} discs, of which all pairs are tried at each step; "
                                              "with more than {} it must be nearest",
-                                             discs, CellPlan::most_virtual)});
+                                             discs, CellPlan::maximum_virtual)});
     }
   }
   if (plan.historical && cell.law_of_1989() == nullptr)

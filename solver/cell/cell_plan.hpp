@@ -24,7 +24,7 @@ struct Names<Images> {
 /// Plan of a cell's run. The names of CNTRL.DAT are given with the members. Times [T].
 struct CellPlan {
   /// Maximum number of discs for which all pairs are tested at each step.
-  static constexpr std::size_t most_virtual = 2000;
+  static constexpr std::size_t maximum_virtual = 2000;
 
   std::string integrator{"central_difference"};
   double step{};      ///< STEP > 0

@@ -42,7 +42,7 @@ void CellProfile::add(const Disc& disc) {
   const double low = (disc.y - disc.radius) / thickness_, high = (disc.y + disc.radius) / thickness_;
   // A disc whose position is NaN is in no layer.
   const double first = std::max(0.0, std::floor(low)),
-               last = std::min(std::ceil(high), static_cast<double>(most_layers));
+               last = std::min(std::ceil(high), static_cast<double>(maximum_layers));
   if (first < last && last > static_cast<double>(sums_.size() / of_layer))
     sums_.resize(static_cast<std::size_t>(last) * of_layer);
   for (double layer = first; layer < last; layer += 1.0) {

@@ -15,7 +15,7 @@ class CellProfile {
   static constexpr std::size_t blocks = 10;
 
   /// Maximum number of layers: discs above them are ignored.
-  static constexpr std::size_t most_layers = 100000;
+  static constexpr std::size_t maximum_layers = 100000;
 
   /// Layers of this thickness [L] > 0 from y = 0 up, as many as contain discs; width of the field [L]. Averages are
   /// over the time from `from` to `to` [T].

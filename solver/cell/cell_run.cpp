@@ -52,7 +52,7 @@ CellRun::System system_of(const ShearCell& cell, const CellPlan& plan, const Fil
 
 FilledCell checked(const ShearCell& cell, const CellPlan& plan, FilledCell start) {
   if (const auto found = validation_errors(cell, plan); !found.empty())
-    throw InputError{fmt::format("{}: {}", found.front().field, found.front().words)};
+    throw InputError{fmt::format("{}: {}", found.front().field, found.front().message)};
   return start;
 }
 
@@ -107,8 +107,8 @@ void CellRun::take_steps(long steps) {
       add_walls(h, system.wall_force(block_wall), system.wall_force(base_wall), height);
     };
     using Method = std::decay_t<decltype(method)>;
-    if constexpr (traits_of<Method>.kick_and_drift && requires { system.place(block); }) {
-      system.advance(discs_, h, steps, [&] { accumulate(system.place(block).y - system.place(base).y); });
+    if constexpr (traits_of<Method>.kick_and_drift && requires { system.position(block); }) {
+      system.advance(discs_, h, steps, [&] { accumulate(system.position(block).y - system.position(base).y); });
     } else {
       for (long n = 0; n < steps; ++n) {
         method.step(system, discs_, h);
@@ -345,9 +345,9 @@ Estimate CellRun::ratio(CellQuantity over, CellQuantity under) const {
 std::size_t CellRun::intervals() const {
   if (finished()) return intervals_.blocks();
   const long ended = loops_ended(steps_);
-  const bool begun =
+  const bool has_started =
       static_cast<double>(steps_) * plan_.step > static_cast<double>(ended) * plan_.every * (1.0 + whole);
-  return static_cast<std::size_t>(ended) + (!failure_.empty() && begun ? 1 : 0);
+  return static_cast<std::size_t>(ended) + (!failure_.empty() && has_started ? 1 : 0);
 }
 
 double CellRun::interval_mean(std::size_t interval, CellQuantity quantity) const {

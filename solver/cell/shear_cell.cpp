@@ -71,7 +71,7 @@ template <Law L>
 void add_errors(CellErrors& found, const L& law, const ShearCell& cell) {
   const double effective_mass = 0.5 * cell.mass;
   for (const auto& field : L::fields()) {
-    if (!contains(field.range, law.*field.member)) object(found, field.name, law.*field.member, words(field.range));
+    if (!contains(field.range, law.*field.member)) object(found, field.name, law.*field.member, text_of(field.range));
   }
   const bool is_in_range = found.empty();
   if constexpr (HasOrders<L>) {
@@ -105,7 +105,7 @@ void add_errors(CellErrors& found, const L& law, const F& friction) {
   } else {
     for (const auto& field : F::fields()) {
       const double value = friction.*field.member;
-      if (!contains(field.range, value)) object(found, field.name, value, words(field.range));
+      if (!contains(field.range, value)) object(found, field.name, value, text_of(field.range));
     }
     if (friction.damping != 0.0)
       object(found, "shear_damping", friction.damping, "0: contacts of discs have no tangential dashpot");
@@ -181,7 +181,7 @@ std::vector<CellError> validation_errors(const ShearCell& cell) {
     if (!holds) object(found, field, value, allowed);
   };
   const auto demand_range = [&](Range range, std::string_view field, double value) {
-    demand(contains(range, value), field, value, words(range));
+    demand(contains(range, value), field, value, text_of(range));
   };
   std::visit([&](const auto& law) { add_errors(found, law, cell); }, cell.law);
   demand_range(Range::non_negative, "impact_speed", cell.impact_speed);
@@ -192,18 +192,18 @@ std::vector<CellError> validation_errors(const ShearCell& cell) {
     demand_range(field.range, field.name, cell.*field.member);
   for (const auto& field : ShearCell::counts()) {
     const int value = cell.*std::get<int ShearCell::*>(field.member);
-    demand(value >= field.least && value <= field.most, field.name, value,
-           fmt::format("a whole number between {} and {}", field.least, field.most));
+    demand(value >= field.minimum && value <= field.maximum, field.name, value,
+           fmt::format("a whole number between {} and {}", field.minimum, field.maximum));
   }
   if (cell.columns > cell.wall_discs) {
     demand(false, "columns", cell.columns,
            fmt::format("at most the discs of a wall, {}: more do not fit beside each other", cell.wall_discs));
   }
-  if (cell.rows > 0 && cell.columns > 0 && cell.free_discs() > ShearCell::most_discs) {
+  if (cell.rows > 0 && cell.columns > 0 && cell.free_discs() > ShearCell::maximum_discs) {
     demand(false, "rows", cell.rows,
            fmt::format("at most {} of {} columns: a cell has at most {} free discs",
-                       ShearCell::most_discs / static_cast<std::size_t>(cell.columns), cell.columns,
-                       ShearCell::most_discs));
+                       ShearCell::maximum_discs / static_cast<std::size_t>(cell.columns), cell.columns,
+                       ShearCell::maximum_discs));
   }
   if (found.empty()) {
     std::visit(
@@ -213,11 +213,11 @@ std::vector<CellError> validation_errors(const ShearCell& cell) {
         cell.law);
   }
   // The frequency and damping ratio of a contact contain the square root of this product.
-  constexpr double least = std::numeric_limits<double>::min();
-  if (found.empty() && cell.is_linear() && !(cell.mass * cell.stiffness() >= least)) {
+  constexpr double minimum = std::numeric_limits<double>::min();
+  if (found.empty() && cell.is_linear() && !(cell.mass * cell.stiffness() >= minimum)) {
     demand(false, "stiffness", cell.stiffness(),
-           fmt::format("at least {:.3g}: its product with the mass, {}, must be at least {:.3g}", least / cell.mass,
-                       cell.mass, least));
+           fmt::format("at least {:.3g}: its product with the mass, {}, must be at least {:.3g}", minimum / cell.mass,
+                       cell.mass, minimum));
   }
   return found;
 }
@@ -239,7 +239,7 @@ ShearCell ice_cell(double overburden, double speed, std::uint64_t seed) {
 
 FilledCell fill(const ShearCell& cell) {
   if (const auto found = validation_errors(cell); !found.empty())
-    throw InputError{fmt::format("{}: {}", found.front().field, found.front().words)};
+    throw InputError{fmt::format("{}: {}", found.front().field, found.front().message)};
   FilledCell filled{.shapes = {}, .discs = {}, .box = {.width = cell.width()}};
   const double radius = 0.5 * cell.diameter, left = -0.5 * cell.width();
   const double column = cell.width() / cell.columns, row = std::max(column, 1.05 * cell.diameter);

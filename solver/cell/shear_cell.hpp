@@ -33,7 +33,7 @@ struct ShearCell {
   double impact_speed{};  ///< see nominal_speed() [L/T] >= 0; 0: the shear velocity of the start
 
   double width() const { return wall_discs * diameter; }
-  static constexpr std::size_t most_discs = 10'000'000;  ///< maximum number of free discs
+  static constexpr std::size_t maximum_discs = 10'000'000;  ///< maximum number of free discs
 
   std::size_t free_discs() const { return static_cast<std::size_t>(rows) * static_cast<std::size_t>(columns); }
   /// Overburden by the thesis's definition, MTOP G/(TWID D^2) [F/L^2] (Lacy 1989, "Data Input and Parameters").
@@ -90,7 +90,7 @@ struct ShearCell {
 /// Validation error of a field. The message continues after the field's name: "found 3; it must be ...".
 struct CellError {
   std::string field;  ///< name in fields() or counts(), or of a parameter of the law
-  std::string words;
+  std::string message;
 };
 /// All errors that prevent a cell from being filled; empty if there are none.
 [[nodiscard]] std::vector<CellError> validation_errors(const ShearCell& cell);

@@ -18,13 +18,13 @@ double range_of(const std::vector<double>& values) {
   return low <= high ? high - low : 0.0;
 }
 
-std::vector<std::size_t> places_of_largest(const std::vector<double>& values, std::size_t most) {
-  std::vector<std::size_t> places(values.size());
-  std::iota(places.begin(), places.end(), std::size_t{0});
-  std::stable_sort(places.begin(), places.end(), [&](std::size_t a, std::size_t b) { return values[a] > values[b]; });
-  places.resize(std::min(most, places.size()));
-  std::sort(places.begin(), places.end());
-  return places;
+std::vector<std::size_t> indices_of_largest(const std::vector<double>& values, std::size_t maximum) {
+  std::vector<std::size_t> indices(values.size());
+  std::iota(indices.begin(), indices.end(), std::size_t{0});
+  std::stable_sort(indices.begin(), indices.end(), [&](std::size_t a, std::size_t b) { return values[a] > values[b]; });
+  indices.resize(std::min(maximum, indices.size()));
+  std::sort(indices.begin(), indices.end());
+  return indices;
 }
 
 void note_left_out(const std::string& panel, std::size_t drawn, std::size_t all, std::vector<std::string>& notes) {

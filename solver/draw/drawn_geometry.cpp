@@ -14,13 +14,13 @@ namespace {
 /// Minimum and maximum of a coordinate over a line's points.
 template <class Coordinate>
 std::pair<double, double> extent(const GeometryLine& line, Coordinate of) {
-  double least = std::numeric_limits<double>::infinity();
-  double largest = -least;
+  double smallest = std::numeric_limits<double>::infinity();
+  double largest = -smallest;
   for (const Vec3& p : line.points) {
-    least = std::min(least, of(p));
+    smallest = std::min(smallest, of(p));
     largest = std::max(largest, of(p));
   }
-  return {least, largest};
+  return {smallest, largest};
 }
 
 /// Extends the first and last segment of ground, which is unbounded, far beyond the window.
@@ -144,8 +144,9 @@ Window window_of(const DrawnGeometry& geometry, View view) {
   const double margin = 0.05 * std::max(width, height);
   const double x = std::max(margin, 0.05 * height + 0.5 * (0.1 * height - width));
   const double y = std::max(margin, 0.05 * width + 0.5 * (0.1 * width - height));
-  const double least = width == 0.0 && height == 0.0 ? 1.0 : 0.0;
-  return {window.left - x - least, window.bottom - y - least, window.right + x + least, window.top + y + least};
+  const double smallest = width == 0.0 && height == 0.0 ? 1.0 : 0.0;
+  return {window.left - x - smallest, window.bottom - y - smallest, window.right + x + smallest,
+          window.top + y + smallest};
 }
 
 }  // namespace talus::app

@@ -10,8 +10,8 @@ records::Figure frame_figure(const RunFolder& run, const FrameStyle& style, cons
                              std::vector<records::Series> series, std::vector<records::Mark> marks) {
   const std::string length = run.unit(dimension::length), time = run.unit(dimension::time);
   const Window& window = style.window;
-  const auto axis = [&](const std::string& words, double low, double high, std::size_t which) {
-    return records::Axis{.label = words,
+  const auto axis = [&](const std::string& label, double low, double high, std::size_t which) {
+    return records::Axis{.label = label,
                          .unit = length,
                          .min = low,
                          .max = high,
@@ -40,9 +40,9 @@ void add_polyline(records::Series& shapes, const std::vector<Vec2>& points) {
   }
 }
 
-std::optional<records::Scale> colour_scale(const std::string& words, const std::string& unit, double largest) {
+std::optional<records::Scale> colour_scale(const std::string& label, const std::string& unit, double largest) {
   if (!(largest > 0.0)) return std::nullopt;
-  return records::Scale{.label = words, .min = 0.0, .max = largest, .unit = unit};
+  return records::Scale{.label = label, .min = 0.0, .max = largest, .unit = unit};
 }
 
 }  // namespace talus::app

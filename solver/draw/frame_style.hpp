@@ -49,7 +49,7 @@ struct ShownFrame {
 void add_polyline(records::Series& shapes, const std::vector<Vec2>& points);
 
 /// Colour scale from 0 to the largest value, for a page; nothing if the largest value is zero.
-[[nodiscard]] std::optional<records::Scale> colour_scale(const std::string& words, const std::string& unit,
+[[nodiscard]] std::optional<records::Scale> colour_scale(const std::string& label, const std::string& unit,
                                                          double largest);
 
 }  // namespace talus::app

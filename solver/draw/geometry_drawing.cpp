@@ -16,7 +16,7 @@ namespace {
 /// Drawing style of each kind of shape, from back to front.
 struct Kind {
   const char* name;
-  const char* words;
+  const char* label;
   const char* colour;
   const char* fill;
   double width;
@@ -63,7 +63,7 @@ class Shapes {
       const bool scaled = std::string_view{kind.name} == "taut" && geometry.largest_tension > 0.0;
       const records::Look look{kind.colour, kind.fill, kind.width, kind.dashed};
       series_[i] = {frame_series("", records::Style::shapes, look),
-                    frame_series(scaled ? "" : kind.words, records::Style::shapes, look)};
+                    frame_series(scaled ? "" : kind.label, records::Style::shapes, look)};
     }
   }
 
@@ -137,30 +137,30 @@ std::vector<records::Series> series_of(const DrawnGeometry& geometry, const Geom
 
 /// Element numbers at the bodies' centres; numbers of one kind that would overlap are combined in one mark.
 std::vector<records::Mark> marks(const DrawnGeometry& geometry, const GeometryFrame& frame, const FrameStyle& style) {
-  struct Place {
+  struct NumberedPoint {
     Vec2 p;
     std::string kind;
     std::vector<int> numbers;
   };
   const double near = 0.05 * (style.window.right - style.window.left);
-  std::vector<Place> places;
+  std::vector<NumberedPoint> points;
   for (const GeometryLine& line : frame.lines) {
     if (line.body < 0 || !is_closed(line) || body_of(geometry, line).number == 0) continue;
     const Vec3 centre = middle(line);
     const Vec2 p{style.view == View::side ? centre.x : line.points.front().z, centre.y};
     const auto& [name, number, kind] = body_of(geometry, line);
-    auto place = places.begin();
-    while (place != places.end() && (place->kind != kind || norm(place->p - p) >= near))
-      ++place;
-    if (place == places.end()) place = places.insert(place, {p, kind, {}});
-    place->numbers.push_back(number);
+    auto point = points.begin();
+    while (point != points.end() && (point->kind != kind || norm(point->p - p) >= near))
+      ++point;
+    if (point == points.end()) point = points.insert(point, {p, kind, {}});
+    point->numbers.push_back(number);
   }
   std::vector<records::Mark> made;
-  for (const Place& place : places) {
-    const int first = place.numbers.front();
-    const int last = place.numbers.back();
-    const auto count = place.numbers.size();
-    made.push_back({place.p.x, place.p.y,
+  for (const NumberedPoint& point : points) {
+    const int first = point.numbers.front();
+    const int last = point.numbers.back();
+    const auto count = point.numbers.size();
+    made.push_back({point.p.x, point.p.y,
                     count == 1   ? fmt::format("{}", first)
                     : count == 2 ? fmt::format("{}, {}", first, last)
                                  : fmt::format("{} .. {}", first, last)});

@@ -121,9 +121,9 @@ std::vector<const SavedColumn*> of_elements(const SavedRun& run, const Found& fo
     const auto fits = [&](const SavedColumn* column) {
       return std::find(subjects.begin(), subjects.end(), column->subject()) != subjects.end();
     };
-    const auto place = std::find_if(found.second.begin(), found.second.end(), fits);
-    if (place != found.second.end()) {
-      kept.push_back(*place);
+    const auto match = std::find_if(found.second.begin(), found.second.end(), fits);
+    if (match != found.second.end()) {
+      kept.push_back(*match);
       continue;
     }
     std::vector<std::string> known;
@@ -162,10 +162,10 @@ std::vector<MenuEntry> menu_entries(const KeptHistory& history) {
   for (std::size_t i = 1; i < history.columns.size(); ++i) {
     const SavedColumn& column = history.columns[i];
     const std::string shown = of_scene(column) ? column.name : column.quantity();
-    auto place =
+    auto match =
         std::find_if(entries.begin(), entries.end(), [&](const auto& entry) { return entry.quantity == shown; });
-    if (place == entries.end()) place = entries.insert(place, {shown, column.unit, {}});
-    if (!of_scene(column)) place->subjects.push_back(shown_subject(column.subject()));
+    if (match == entries.end()) match = entries.insert(match, {shown, column.unit, {}});
+    if (!of_scene(column)) match->subjects.push_back(shown_subject(column.subject()));
   }
   return entries;
 }

@@ -19,8 +19,8 @@ struct SavedRun {
 
 /// One quantity as the abscissa or ordinate of a curve.
 struct ChosenColumn {
-  std::string words;    ///< description of the quantity: "tension in top cable", "vx"
-  std::string subject;  ///< element or body: "element 3", "rock"; empty for time
+  std::string description;  ///< description of the quantity: "tension in top cable", "vx"
+  std::string subject;      ///< element or body: "element 3", "rock"; empty for time
   std::string unit;
   std::vector<double> values;
 };

@@ -69,9 +69,9 @@ std::vector<CurvePanel> panels_of(const HistoryPlotOptions& options) {
           }
         }
         const std::string key = options.apart ? history : curve.y.unit;
-        auto place = std::find_if(panels.begin(), panels.end(), [&](const auto& panel) { return panel.key == key; });
-        if (place == panels.end()) place = panels.insert(place, {key, {}});
-        place->curves.push_back({names[i], std::move(curve)});
+        auto found = std::find_if(panels.begin(), panels.end(), [&](const auto& panel) { return panel.key == key; });
+        if (found == panels.end()) found = panels.insert(found, {key, {}});
+        found->curves.push_back({names[i], std::move(curve)});
       }
     }
   }
@@ -81,21 +81,23 @@ std::vector<CurvePanel> panels_of(const HistoryPlotOptions& options) {
 /// Keeps only the curves with the largest ranges; with several runs, a quantity is kept for all runs or for none. Adds
 /// a note about omitted curves.
 void limit(CurvePanel& panel, std::vector<std::string>& notes) {
-  if (panel.curves.size() <= most_curves) return;
+  if (panel.curves.size() <= maximum_curves) return;
   using Quantity = std::pair<std::string, std::string>;
-  const auto quantity_of = [](const RunCurve& each) { return Quantity{each.curve.y.subject, each.curve.y.words}; };
+  const auto quantity_of = [](const RunCurve& each) {
+    return Quantity{each.curve.y.subject, each.curve.y.description};
+  };
   std::vector<Quantity> quantities;
   std::vector<double> ranges;
   std::vector<std::size_t> counts;
   for (const RunCurve& each : panel.curves) {
     const auto known = std::find(quantities.begin(), quantities.end(), quantity_of(each));
-    const auto place = static_cast<std::size_t>(known - quantities.begin());
+    const auto index = static_cast<std::size_t>(known - quantities.begin());
     if (known == quantities.end()) quantities.push_back(quantity_of(each)), ranges.push_back(0.0), counts.push_back(0);
-    ranges[place] = std::max(ranges[place], range_of(each.curve.y.values));
-    ++counts[place];
+    ranges[index] = std::max(ranges[index], range_of(each.curve.y.values));
+    ++counts[index];
   }
   const std::size_t runs = *std::max_element(counts.begin(), counts.end());
-  const auto kept = places_of_largest(ranges, std::max<std::size_t>(most_curves / runs, 1));
+  const auto kept = indices_of_largest(ranges, std::max<std::size_t>(maximum_curves / runs, 1));
   std::vector<RunCurve> curves;
   for (RunCurve& each : panel.curves) {
     const auto known = std::find(quantities.begin(), quantities.end(), quantity_of(each));
@@ -116,7 +118,7 @@ std::string shared(const std::vector<RunCurve>& curves, Word word) {
 }
 
 std::string subject(const RunCurve& each) { return each.curve.y.subject; }
-std::string words(const RunCurve& each) { return each.curve.y.words; }
+std::string description(const RunCurve& each) { return each.curve.y.description; }
 std::string run_name(const RunCurve& each) { return each.run; }
 
 /// Label that distinguishes a curve from the others of its panel.
@@ -124,7 +126,7 @@ std::string label(const RunCurve& each, const CurvePanel& panel) {
   std::vector<std::string> parts;
   if (shared(panel.curves, run_name).empty() && !each.run.empty()) parts.push_back(each.run);
   if (shared(panel.curves, subject).empty() || panel.curves.size() == 1) parts.push_back(each.curve.y.subject);
-  if (shared(panel.curves, words).empty()) parts.push_back(each.curve.y.words);
+  if (shared(panel.curves, description).empty()) parts.push_back(each.curve.y.description);
   parts.erase(std::remove(parts.begin(), parts.end(), ""), parts.end());
   return fmt::format("{}", fmt::join(parts, ", "));
 }
@@ -145,28 +147,28 @@ void demand_one_unit(const CurvePanel& panel) {
     const RunCurve& first = panel.curves.front();
     if (x_unit(each) == x_unit(first) && y_unit(each) == y_unit(first)) continue;
     throw InputError{fmt::format("{} of {} is in {} against {}, {} of {} in {} against {}; one panel has one unit",
-                                 first.curve.y.words, first.run, y_unit(first), x_unit(first), each.curve.y.words,
-                                 each.run, y_unit(each), x_unit(each))};
+                                 first.curve.y.description, first.run, y_unit(first), x_unit(first),
+                                 each.curve.y.description, each.run, y_unit(each), x_unit(each))};
   }
 }
 
 /// The figure of a panel; moves the values out of the panel's curves.
-records::Figure figure(CurvePanel& panel, const HistoryPlotOptions& options, std::size_t place, bool alone) {
+records::Figure figure(CurvePanel& panel, const HistoryPlotOptions& options, std::size_t index, bool alone) {
   demand_one_unit(panel);
   const SelectedCurve& first = panel.curves.front().curve;
-  const std::string common = shared(panel.curves, words);
+  const std::string common = shared(panel.curves, description);
   const bool of_time = options.abscissa == "time";
-  const std::string x_words = of_time || first.x.subject.empty() ? first.x.words
+  const std::string x_label = of_time || first.x.subject.empty() ? first.x.description
                               : first.x.subject == first.y.subject
-                                  ? first.x.words
-                                  : fmt::format("{} of {}", first.x.words, first.x.subject);
-  const std::string y_words = common.empty() ? "value" : common;
+                                  ? first.x.description
+                                  : fmt::format("{} of {}", first.x.description, first.x.subject);
+  const std::string y_label = common.empty() ? "value" : common;
   const std::vector<int> divisions = options.divisions.empty() ? std::vector<int>{0, 0} : options.divisions;
-  records::Figure made{.name = fmt::format("panel{}", place),
-                       .title = alone ? "" : fmt::format("({})", static_cast<char>('a' + static_cast<int>(place % 26))),
+  records::Figure made{.name = fmt::format("panel{}", index),
+                       .title = alone ? "" : fmt::format("({})", static_cast<char>('a' + static_cast<int>(index % 26))),
                        .caption = "",
-                       .x = axis(options.x_title, x_words, first.x.unit, options.x_limits, divisions[0]),
-                       .y = axis(options.y_title, y_words, first.y.unit, options.y_limits, divisions[1]),
+                       .x = axis(options.x_title, x_label, first.x.unit, options.x_limits, divisions[0]),
+                       .y = axis(options.y_title, y_label, first.y.unit, options.y_limits, divisions[1]),
                        .grid = !options.no_grid};
   for (RunCurve& each : panel.curves) {
     records::Series& series = made.series.emplace_back(frame_series(label(each, panel), records::Style::lines, {}));

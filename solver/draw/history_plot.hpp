@@ -17,7 +17,7 @@ struct HistoryPlotOptions {
   std::vector<std::string> folders;
   std::vector<std::string> histories;
   std::vector<std::string> elements;
-  bool all{false};  ///< all curves of a panel, else at most `most_curves` if no elements are named
+  bool all{false};  ///< all curves of a panel, else at most `maximum_curves` if no elements are named
   std::string abscissa{"time"};
   std::string until;  ///< last time that is drawn
   bool apart{false};  ///< one panel for each history; else one for each unit

@@ -21,12 +21,12 @@ using Json = nlohmann::ordered_json;
 double rounded(double value) { return std::strtod(fmt::format("{:.6g}", value).c_str(), nullptr); }
 
 /// Position of a body (mean of its outline's points) and its angle (direction from there to the first point).
-struct Place {
+struct PlanePose {
   Vec2 p;
   double angle{};
 };
 
-Place place_of(const GeometryLine& line) {
+PlanePose pose_of(const GeometryLine& line) {
   Vec2 sum;
   const bool closed = line.points.size() > 2 && line.points.front() == line.points.back();
   const std::size_t count = line.points.size() - (closed ? 1 : 0);  // the last point of a closed line repeats the first
@@ -38,25 +38,25 @@ Place place_of(const GeometryLine& line) {
 }
 
 /// Coordinates of a point in the axes of a body.
-Vec2 within(const Place& place, const Vec3& point) {
-  const double c = std::cos(place.angle);
-  const double s = std::sin(place.angle);
-  const Vec2 r = in_plane(point) - place.p;
+Vec2 within(const PlanePose& pose, const Vec3& point) {
+  const double c = std::cos(pose.angle);
+  const double s = std::sin(pose.angle);
+  const Vec2 r = in_plane(point) - pose.p;
   return {rounded(c * r.x + s * r.y), rounded(c * r.y - s * r.x)};
 }
 
 Json body(const DrawnGeometry& geometry, const GeometryLine& line, const std::vector<HangerBar>& all_bars) {
-  const Place place = place_of(line);
+  const PlanePose pose = pose_of(line);
   Json outline = Json::array();
   for (const Vec3& point : line.points) {
-    const Vec2 p = within(place, point);
+    const Vec2 p = within(pose, point);
     outline.push_back({p.x, p.y});
   }
   Json bars = Json::array();
   for (const HangerBar& bar : all_bars) {
     if (bar.body != line.body) continue;
-    const Vec2 joint = within(place, bar.joint);
-    const Vec2 end = within(place, bar.end);
+    const Vec2 joint = within(pose, bar.joint);
+    const Vec2 end = within(pose, bar.end);
     bars.push_back({joint.x, joint.y, end.x, end.y});
   }
   const DrawnBody& named = geometry.run.files.bodies[static_cast<std::size_t>(line.body)];
@@ -79,12 +79,12 @@ Json frame_json(const GeometryFrame& frame, const std::vector<HangerBar>& bars) 
     if (!holds && std::find(broken.begin(), broken.end(), bar.body) == broken.end()) broken.push_back(bar.body);
   }
 
-  Json places = Json::array();
+  Json poses = Json::array();
   Json cables = Json::array();
   for (const GeometryLine& line : frame.lines) {
     if (line.body >= 0) {
-      const Place place = place_of(line);
-      places.push_back({rounded(place.p.x), rounded(place.p.y), rounded(place.angle)});
+      const PlanePose pose = pose_of(line);
+      poses.push_back({rounded(pose.p.x), rounded(pose.p.y), rounded(pose.angle)});
       continue;
     }
     const Vec3& a = line.points.front();
@@ -93,15 +93,15 @@ Json frame_json(const GeometryFrame& frame, const std::vector<HangerBar>& bars) 
                       line.slack ? 0.0 : rounded(line.tension)});
   }
   return {{"t", rounded(frame.time)},
-          {"bodies", std::move(places)},
+          {"bodies", std::move(poses)},
           {"cables", std::move(cables)},
           {"broken", std::move(broken)}};
 }
 
 /// A long history is drawn by two points per block of rows, at most 1000, since a screen shows no more: the smallest
 /// and the largest value, in their order, so that the peak of a short contact stays. The last row is always there.
-constexpr std::size_t most_rows = 1000;
-std::size_t block_length(std::size_t rows) { return rows <= most_rows ? 0 : 1 + 2 * rows / most_rows; }
+constexpr std::size_t maximum_rows = 1000;
+std::size_t block_length(std::size_t rows) { return rows <= maximum_rows ? 0 : 1 + 2 * rows / maximum_rows; }
 
 Json thinned(const std::vector<double>& values) {
   Json list = Json::array();
@@ -238,10 +238,10 @@ Json disc_frame_json(const DiscFrame& frame, double quantum, double speed, doubl
   const auto thousandths = [](double value, double largest) {
     return largest > 0.0 ? std::lround(1000.0 * value / largest) : 0L;
   };
-  Json places = Json::array(), speeds = Json::array(), contacts = Json::array();
+  Json positions = Json::array(), speeds = Json::array(), contacts = Json::array();
   for (const SeenDisc& disc : frame.discs) {
-    places.push_back(std::lround(disc.p.x / quantum));
-    places.push_back(std::lround(disc.p.y / quantum));
+    positions.push_back(std::lround(disc.p.x / quantum));
+    positions.push_back(std::lround(disc.p.y / quantum));
     speeds.push_back(thousandths(norm(disc.v), speed));
   }
   for (const SeenContact& contact : frame.contacts) {
@@ -250,7 +250,7 @@ Json disc_frame_json(const DiscFrame& frame, double quantum, double speed, doubl
     contacts.push_back(thousandths(contact.force, force));
   }
   return {{"t", rounded(frame.time)},
-          {"places", std::move(places)},
+          {"positions", std::move(positions)},
           {"speeds", std::move(speeds)},
           {"contacts", std::move(contacts)}};
 }

@@ -14,19 +14,19 @@ namespace {
 constexpr double wide = 10.0;
 
 bool differs(const QuantityColumn& column) {
-  const auto [least, largest] = std::ranges::minmax(column.values);
-  return least < largest;
+  const auto [smallest, largest] = std::ranges::minmax(column.values);
+  return smallest < largest;
 }
 
 records::Figure panel(const DrawnRange& range, const QuantityColumn& abscissa, const UnitSystem& units) {
-  const auto [least, largest] = std::ranges::minmax(abscissa.values);
+  const auto [smallest, largest] = std::ranges::minmax(abscissa.values);
   std::string label = abscissa.name;
   std::ranges::replace(label, '_', ' ');
   records::Figure figure{
       .name = abscissa.name,
       .title = "",
       .caption = "",
-      .x = {.label = label, .unit = symbol(units, abscissa.dimension), .log = largest > wide * least},
+      .x = {.label = label, .unit = symbol(units, abscissa.dimension), .log = largest > wide * smallest},
       .y = {.label = "restitution"}};
   records::Series& points = figure.series.emplace_back(frame_series("", records::Style::points, {}));
   for (std::size_t i = 0; i < range.restitutions.size(); ++i)

@@ -52,8 +52,8 @@ void keep_widest(records::Figure& figure, std::vector<std::string>& notes) {
   for (const records::Series& curve : figure.series)
     ranges.push_back(range_of(curve.y));
   std::vector<records::Series> kept;
-  for (const std::size_t place : places_of_largest(ranges, most_curves))
-    kept.push_back(std::move(figure.series[place]));
+  for (const std::size_t index : indices_of_largest(ranges, maximum_curves))
+    kept.push_back(std::move(figure.series[index]));
   note_left_out(figure.name, kept.size(), figure.series.size(), notes);
   figure.series = std::move(kept);
 }
@@ -84,7 +84,7 @@ DrawingRequest run_drawing(const RunFigureOptions& options) {
   DrawingRequest request{.pictures = {}, .target = options.target, .formats = options.formats};
   if (!options.all && options.elements.empty()) {
     for (records::Figure& figure : figures)
-      if (figure.series.size() > most_curves) keep_widest(figure, request.notes);
+      if (figure.series.size() > maximum_curves) keep_widest(figure, request.notes);
   }
   request.pictures.figures = std::move(figures);
   return request;

@@ -13,7 +13,7 @@ struct RunFigureOptions {
   std::filesystem::path folder;       ///< of the run
   std::filesystem::path target;       ///< of the pictures
   std::vector<std::string> elements;  ///< bodies, contacts and cables, by name or number; empty: all of them
-  bool all{false};                    ///< draw all curves; else at most `most_curves` in a figure
+  bool all{false};                    ///< draw all curves; else at most `maximum_curves` in a figure
   std::vector<std::string> formats;
 };
 

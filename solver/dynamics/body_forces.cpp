@@ -82,7 +82,7 @@ std::vector<BodyForces::Compiled>& BodyForces::array(Mobility mobility) {
   return fixed_;
 }
 
-void BodyForces::place_fixed(Workspace& work) const {
+void BodyForces::set_fixed_poses(Workspace& work) const {
   for (const Compiled& body : fixed_)
     work.poses.set(body.body, {body.p_WB, body.R_WB, {}, 0.0});
 }
@@ -94,14 +94,14 @@ void BodyForces::list_awake(ActiveSet& active) const {
   }
 }
 
-void BodyForces::place_velocities(const State& state, Workspace& work) const {
+void BodyForces::set_velocities(const State& state, Workspace& work) const {
   for (const BodySpan& span : evaluated_spans(work))
-    talus::place_velocities(span, &state.v[free_[span.place].first], work.poses);
+    set_body_velocities(span, &state.v[free_[span.index].first], work.poses);
 }
 
-void BodyForces::place(const State& state, Workspace& work) const {
+void BodyForces::set_poses(const State& state, Workspace& work) const {
   for (const BodySpan& span : evaluated_spans(work))
-    place_bodies(span, &state.q[free_[span.place].first], work.poses);
+    set_body_poses(span, &state.q[free_[span.index].first], work.poses);
   if (only_free_) return;
   for (const Compiled& body : particles_) {
     const double* q = &state.q[body.first];
@@ -135,7 +135,7 @@ void BodyForces::rates(Workspace& work, Rates& out, bool ledger) const {
   if (work.active.any_asleep) std::fill_n(out.v.begin(), std::min(std::max(out.moving, moving), out.v.size()), 0.0);
   out.moving = moving;
   for (const BodySpan& span : work.active.bodies) {
-    accelerate_bodies(span, constants_, work.wrenches, &out.v[free_[span.place].first]);
+    accelerate_bodies(span, constants_, work.wrenches, &out.v[free_[span.index].first]);
   }
   if (ledger) {
     for (const BodySpan& span : free_runs_)
@@ -221,7 +221,7 @@ void BodyForces::weigh(const Compiled& body, std::size_t angle) {
   weights_.mass.push_back(body.mass), weights_.inertia.push_back(body.inertia);
   weights_.force_x.push_back(body.force.x), weights_.force_y.push_back(body.force.y);
   weights_.moment.push_back(angle == none ? 0.0 : body.moment);
-  weights_.place_x.push_back(body.p_WB.x), weights_.place_y.push_back(body.p_WB.y);
+  weights_.reference_x.push_back(body.p_WB.x), weights_.reference_y.push_back(body.p_WB.y);
   weights_.angle.push_back(body.angle);
   weights_.angle_coordinate.push_back(angle == none ? 0 : angle);
   any_applied_ = any_applied_ || body.force != Vec2{} || body.moment != 0.0;

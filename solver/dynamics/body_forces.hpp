@@ -16,15 +16,15 @@ class BodyForces {
   BodyForces(const Model& model, const Layout& layout);
 
   /// Computes the poses of the bodies that cannot move: called once, when the workspace is made.
-  void place_fixed(Workspace& work) const;
+  void set_fixed_poses(Workspace& work) const;
   /// Lists the free bodies that are awake.
   void list_awake(ActiveSet& active) const;
   /// Computes the poses of all others, or of those that are awake, except for the velocities of free bodies.
-  void place(const State& state, Workspace& work) const;
-  /// Computes the velocities of the free bodies that place() places.
-  void place_velocities(const State& state, Workspace& work) const;
-  /// Calls place() and place_velocities().
-  void update(const State& state, Workspace& work) const { place(state, work), place_velocities(state, work); }
+  void set_poses(const State& state, Workspace& work) const;
+  /// Computes the velocities of the free bodies whose poses set_poses() sets.
+  void set_velocities(const State& state, Workspace& work) const;
+  /// Calls set_poses() and set_velocities().
+  void update(const State& state, Workspace& work) const { set_poses(state, work), set_velocities(state, work); }
   /// Computes the accelerations from the wrenches in `work` (contacts and cables), the weights and the applied forces;
   /// with `ledger` also the impulse from outside: weights, applied forces and the reactions of supports.
   void rates(Workspace& work, Rates& out, bool ledger) const;

@@ -33,19 +33,19 @@ namespace {
   store(__builtin_shufflevector(last, angle, 6, 1, 2, 7), threes + 2 * pack_size);
 }
 
-/// Computes the accelerations of a pack of free bodies, from index `place` among them.
-[[gnu::always_inline]] inline void accelerate_pack(std::size_t place, std::size_t body, const BodyConstants& constants,
+/// Computes the accelerations of a pack of free bodies, from index `index` among them.
+[[gnu::always_inline]] inline void accelerate_pack(std::size_t index, std::size_t body, const BodyConstants& constants,
                                                    const Wrenches& wrenches, double* a) {
   Pack inverse_mass, inverse_inertia, load_x, load_y, applied, x, y, moment;
-  load(inverse_mass, constants.inverse_mass.at(place)), load(inverse_inertia, constants.inverse_inertia.at(place));
-  load(load_x, constants.load_x.at(place)), load(load_y, constants.load_y.at(place));
-  load(applied, constants.moment.at(place));
+  load(inverse_mass, constants.inverse_mass.at(index)), load(inverse_inertia, constants.inverse_inertia.at(index));
+  load(load_x, constants.load_x.at(index)), load(load_y, constants.load_y.at(index));
+  load(applied, constants.moment.at(index));
   load(x, wrenches.x.at(body)), load(y, wrenches.y.at(body)), load(moment, wrenches.moment.at(body));
   join(inverse_mass * (x + load_x), inverse_mass * (y + load_y), inverse_inertia * (moment + applied), a);
 }
 
 /// Computes positions and orientations of a pack of bodies, in the lanes `are`.
-[[gnu::always_inline]] inline void place_pack(const double* q, std::size_t body, const Sizes& are, Poses& poses) {
+[[gnu::always_inline]] inline void set_pack(const double* q, std::size_t body, const Sizes& are, Poses& poses) {
   Pack x, y, angle;
   part(q, x, y, angle);
   put(poses.x.at(body), are, x), put(poses.y.at(body), are, y);
@@ -143,14 +143,14 @@ template <class DepthOf>
 
 }  // namespace
 
-TALUS_CLONES void place_bodies(const BodySpan& span, const double* q, Poses& poses) {
+TALUS_CLONES void set_body_poses(const BodySpan& span, const double* q, Poses& poses) {
   for_body_packs(
       span, q, [&](const double* threes, std::size_t body, const Sizes& are) __attribute__((always_inline)) {
-        place_pack(threes, body, are, poses);
+        set_pack(threes, body, are, poses);
       });
 }
 
-TALUS_CLONES void place_velocities(const BodySpan& span, const double* v, Poses& poses) {
+TALUS_CLONES void set_body_velocities(const BodySpan& span, const double* v, Poses& poses) {
   for_body_packs(
       span, v, [&](const double* threes, std::size_t body, const Sizes& are) __attribute__((always_inline)) {
         Pack vx, vy, w;
@@ -159,7 +159,7 @@ TALUS_CLONES void place_velocities(const BodySpan& span, const double* v, Poses&
       });
 }
 
-TALUS_CLONES bool any_exceeded_skin(const Poses& poses, const Places& places, const SkinLimits& limits) {
+TALUS_CLONES bool any_exceeded_skin(const Poses& poses, const Positions& positions, const SkinLimits& limits) {
   const auto change = [](Pack& size, const Row& now, const Row& then, std::size_t i) {
     Pack there;
     load(size, now.at(i)), load(there, then.at(i));
@@ -173,13 +173,13 @@ TALUS_CLONES bool any_exceeded_skin(const Poses& poses, const Places& places, co
   Sizes moved{};
   for (std::size_t i = limits.first; i < limits.last; i += pack_size) {
     Pack x, y, cosine, sine, radius;
-    change(x, poses.x, places.x, i), change(y, poses.y, places.y, i);
-    change(cosine, poses.cosine, places.cosine, i), change(sine, poses.sine, places.sine, i);
+    change(x, poses.x, positions.x, i), change(y, poses.y, positions.y, i);
+    change(cosine, poses.cosine, positions.cosine, i), change(sine, poses.sine, positions.sine, i);
     load(radius, limits.radius.at(i));
-    Sizes most, displacement{};
-    std::memcpy(&most, limits.displacement.at(i), sizeof most);
+    Sizes maximum, displacement{};
+    std::memcpy(&maximum, limits.displacement.at(i), sizeof maximum);
     raise(displacement, x + y + radius * (cosine + sine));
-    moved |= most - displacement;
+    moved |= maximum - displacement;
   }
   return any_bit(moved & std::numeric_limits<std::int64_t>::min());
 }
@@ -188,27 +188,27 @@ TALUS_CLONES void accelerate_bodies(const BodySpan& span, const BodyConstants& c
                                     double* a) {
   if (span.count < pack_size) {
     std::array<double, 3 * pack_size> few;
-    accelerate_pack(span.place, span.body, constants, wrenches, few.data());
+    accelerate_pack(span.index, span.body, constants, wrenches, few.data());
     std::copy_n(few.begin(), 3 * span.count, a);
     return;
   }
   // The last pack first; some of its bodies are computed again below, so that a reader that loads packs from the start
   // finds each as it was stored.
   const std::size_t last = span.count - pack_size;
-  if (last % pack_size != 0) accelerate_pack(span.place + last, span.body + last, constants, wrenches, a + 3 * last);
+  if (last % pack_size != 0) accelerate_pack(span.index + last, span.body + last, constants, wrenches, a + 3 * last);
   for (std::size_t i = 0; i + pack_size <= span.count; i += pack_size)
-    accelerate_pack(span.place + i, span.body + i, constants, wrenches, a + 3 * i);
+    accelerate_pack(span.index + i, span.body + i, constants, wrenches, a + 3 * i);
 }
 
 TALUS_CLONES void add_impulses(const BodySpan& span, const BodyConstants& constants, const Poses& poses,
                                Impulse<double>& sum) {
   auto [force_x, force_y, moment] = sum;
   for (std::size_t i = 0; i < span.count; i += pack_size) {
-    const std::size_t place = span.place + i, body = span.body + i, left = span.count - i;
+    const std::size_t index = span.index + i, body = span.body + i, left = span.count - i;
     Pack multiplicity, load_x, load_y, applied, x, y;
-    load(multiplicity, constants.multiplicity.at(place));
-    load(load_x, constants.load_x.at(place)), load(load_y, constants.load_y.at(place));
-    load(applied, constants.moment.at(place)), load(x, poses.x.at(body)), load(y, poses.y.at(body));
+    load(multiplicity, constants.multiplicity.at(index));
+    load(load_x, constants.load_x.at(index)), load(load_y, constants.load_y.at(index));
+    load(applied, constants.moment.at(index)), load(x, poses.x.at(body)), load(y, poses.y.at(body));
     add_lanes(force_x, multiplicity * load_x, left);
     add_lanes(force_y, multiplicity * load_y, left);
     add_lanes(moment, multiplicity * ((x * load_y - y * load_x) + applied), left);
@@ -221,12 +221,12 @@ TALUS_CLONES void add_energies(const BodySpan& span, const BodyWeights& weights,
   // Sums in registers: members of the result would be written and read again for each body.
   double kinetic = sum.kinetic, potential = sum.gravity;
   for (std::size_t i = 0; i < span.count; i += pack_size) {
-    const std::size_t place = span.place + i, body = span.body + i, left = span.count - i;
+    const std::size_t index = span.index + i, body = span.body + i, left = span.count - i;
     Pack x, y, vx, vy, w, weight, half_mass, half_inertia;
     load(x, poses.x.at(body)), load(y, poses.y.at(body));
     load(vx, poses.vx.at(body)), load(vy, poses.vy.at(body)), load(w, poses.w.at(body));
-    load(weight, weights.weight.at(place));
-    load(half_mass, weights.kinetic.at(place)), load(half_inertia, weights.turning.at(place));
+    load(weight, weights.weight.at(index));
+    load(half_mass, weights.kinetic.at(index)), load(half_inertia, weights.turning.at(index));
     Lanes moving, turning;
     moving.set(half_mass * (vx * vx + vy * vy)), turning.set(half_inertia * w * w);
     for (std::size_t lane = 0; lane < std::min(left, pack_size); ++lane)
@@ -240,15 +240,16 @@ TALUS_CLONES void add_applied(const BodySpan& span, const BodyWeights& weights, 
                               double& sum) {
   double potential = sum;
   for (std::size_t i = 0; i < span.count; i += pack_size) {
-    const std::size_t place = span.place + i, body = span.body + i, left = span.count - i;
+    const std::size_t index = span.index + i, body = span.body + i, left = span.count - i;
     Lanes angles{};
     for (std::size_t lane = 0; lane < std::min(left, pack_size); ++lane)
-      angles[lane] = q[weights.angle_coordinate[place + lane]];
+      angles[lane] = q[weights.angle_coordinate[index + lane]];
     Pack x, y, angle, x0, y0, angle0, force_x, force_y, moment, multiplicity;
     load(x, poses.x.at(body)), load(y, poses.y.at(body)), angles.get(angle);
-    load(x0, weights.place_x.at(place)), load(y0, weights.place_y.at(place)), load(angle0, weights.angle.at(place));
-    load(force_x, weights.force_x.at(place)), load(force_y, weights.force_y.at(place));
-    load(moment, weights.moment.at(place)), load(multiplicity, weights.multiplicity.at(place));
+    load(x0, weights.reference_x.at(index)), load(y0, weights.reference_y.at(index)),
+        load(angle0, weights.angle.at(index));
+    load(force_x, weights.force_x.at(index)), load(force_y, weights.force_y.at(index));
+    load(moment, weights.moment.at(index)), load(multiplicity, weights.multiplicity.at(index));
     const Pack along = force_x * (x - x0) + force_y * (y - y0);
     add_lanes(potential, -(multiplicity * (along + moment * (angle - angle0))), left);
   }
@@ -258,12 +259,12 @@ TALUS_CLONES void add_applied(const BodySpan& span, const BodyWeights& weights, 
 TALUS_CLONES void add_momenta(const BodySpan& span, const BodyWeights& weights, const Poses& poses, Momenta& sum) {
   double linear_x = sum.linear.x, linear_y = sum.linear.y, angular = sum.angular;
   for (std::size_t i = 0; i < span.count; i += pack_size) {
-    const std::size_t place = span.place + i, body = span.body + i, left = span.count - i;
+    const std::size_t index = span.index + i, body = span.body + i, left = span.count - i;
     Pack x, y, vx, vy, w, weight, multiplicity, mass, inertia;
     load(x, poses.x.at(body)), load(y, poses.y.at(body));
     load(vx, poses.vx.at(body)), load(vy, poses.vy.at(body)), load(w, poses.w.at(body));
-    load(weight, weights.weight.at(place)), load(multiplicity, weights.multiplicity.at(place));
-    load(mass, weights.mass.at(place)), load(inertia, weights.inertia.at(place));
+    load(weight, weights.weight.at(index)), load(multiplicity, weights.multiplicity.at(index));
+    load(mass, weights.mass.at(index)), load(inertia, weights.inertia.at(index));
     add_lanes(linear_x, weight * vx, left);
     add_lanes(linear_y, weight * vy, left);
     add_lanes(angular, multiplicity * (mass * (x * vy - y * vx) + inertia * w), left);

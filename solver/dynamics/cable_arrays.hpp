@@ -23,7 +23,7 @@ struct CableArray {
 };
 
 /// Position of the law of one cable: in the list of laws, and in its array.
-struct CablePlace {
+struct CableIndex {
   std::size_t law{};
   std::size_t index{};
 };
@@ -56,8 +56,8 @@ void for_each_span(const Laws& laws, Spans& spans, Visit&& visit) {
 /// Calls visit(law, slot, cable) for each cable of a span.
 template <class Array, class Visit>
 void for_each_of(const Array& array, const CableSpan& span, Visit&& visit) {
-  const auto* const laws = &array.laws[span.place];
-  const Slot* const slots = &array.slots[span.place];
+  const auto* const laws = &array.laws[span.index];
+  const Slot* const slots = &array.slots[span.index];
   for (std::size_t i = 0, count = span.count, cable = span.cable; i < count; ++i)
     visit(laws[i], slots[i], cable + i);
 }
@@ -66,7 +66,7 @@ void for_each_of(const Array& array, const CableSpan& span, Visit&& visit) {
 template <class L>
 [[gnu::noinline]] void make_lines(const CableArray<L>& array, const CableSpan& span, const State& state,
                                   CableLinearization& lines) {
-  const Slot first = array.slots[span.place];
+  const Slot first = array.slots[span.index];
   std::copy_n(&state.mode[first.mode], span.count, &lines.mode[span.cable]);
   std::copy_n(state.z.data() + first.memory, L::memory_size * span.count, &lines.memory[span.cable]);
   for_each_of(array, span, [&](const L& law, Slot slot, std::size_t c) {
@@ -79,7 +79,7 @@ template <class L>
 template <class L>
 [[gnu::always_inline]] inline void keep_lines(const CableArray<L>& array, const CableSpan& span, const State& state,
                                               CableLinearization& lines) {
-  const Slot first = array.slots[span.place];
+  const Slot first = array.slots[span.index];
   bool same = std::memcmp(&state.mode[first.mode], &lines.mode[span.cable], span.count * sizeof(Mode)) == 0;
   // The array z of a state without memory is empty.
   if constexpr (L::memory_size > 0) {
@@ -92,9 +92,9 @@ template <class L>
 
 /// Calls visit(law, slot) for one cable.
 template <class Laws, class Visit>
-void visit_cable(const Laws& laws, CablePlace place, Visit&& visit) {
+void visit_cable(const Laws& laws, CableIndex at, Visit&& visit) {
   for_each_array(laws, [&](const auto& array, std::size_t law) {
-    if (law == place.law) visit(array.laws[place.index], array.slots[place.index]);
+    if (law == at.law) visit(array.laws[at.index], array.slots[at.index]);
   });
 }
 

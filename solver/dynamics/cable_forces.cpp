@@ -43,7 +43,7 @@ CableForces::CableForces(const Model& model, const Layout& layout) {
     std::visit(
         [&](const auto& law) {
           auto& array = std::get<CableArray<std::decay_t<decltype(law)>>>(laws_);
-          places_.push_back({cable.law.index(), array.laws.size()});
+          indices_.push_back({cable.law.index(), array.laws.size()});
           array.cable.push_back(c);
           array.laws.push_back(law);
           array.slots.push_back(layout.cable_slots[c]);
@@ -73,7 +73,7 @@ void CableForces::list_awake(ActiveSet& active, const HangerTopology& topology) 
       const auto [a, b] = ends_[array.cable[i]];
       const bool chained = !topology.broken.empty() && (topology.broken[a] || topology.broken[b]);
       if (!active.complete && !chained && !moves(a) && !moves(b)) continue;
-      append(active.cables[law], {.place = i, .cable = array.cable[i], .a = a, .b = b, .count = 1});
+      append(active.cables[law], {.index = i, .cable = array.cable[i], .a = a, .b = b, .count = 1});
       if (sleeps(a) != sleeps(b)) active.borders.push_back(array.cable[i]);
       ++listed[a], ++listed[b];
     }
@@ -124,14 +124,14 @@ void CableForces::find_row(CableSpan& span, const std::vector<std::size_t>& ends
   span.row = true;
 }
 
-void CableForces::place_anchors(Workspace& work) const {
+void CableForces::set_anchors(Workspace& work) const {
   for (const std::size_t j : anchors_)
-    work.joints.place(j, joints_[j].p, {});
+    work.joints.set(j, joints_[j].p, {});
 }
 
 void CableForces::update(const State& state, Workspace& work) const {
   for (const JointSpan& span : work.active.joints) {
-    if (span.on_body && !span.in_row) place_joints(span, constants_.body_x, constants_.body_y, work.poses, work.joints);
+    if (span.on_body && !span.in_row) set_joints(span, constants_.body_x, constants_.body_y, work.poses, work.joints);
   }
   clear(work.pulls, work.active.reached_bodies);
   work.active.on_linear_branch = work.active.rows_only;
@@ -256,7 +256,7 @@ void CableForces::keep_rest(const State& state, const Workspace& work) {
 void CableForces::list_woken(const State& state, const Workspace& work, double fraction,
                              std::vector<BodyId>& woken) const {
   for (const std::size_t c : work.active.borders) {
-    visit_cable(laws_, places_[c], [&]<class L>(const L& law, Slot slot) {
+    visit_cable(laws_, indices_[c], [&]<class L>(const L& law, Slot slot) {
       const double tension = law(kinematics(work, c), memory(law, state, slot), state.mode[slot.mode]).total();
       const Vec2 change = tension * work.paths.pull(c) - rest_pulls_[c];
       if (std::max(std::abs(change.x), std::abs(change.y)) <= fraction * tension) return;

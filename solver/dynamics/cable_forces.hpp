@@ -39,8 +39,8 @@ class CableForces {
   /// Tangent of each law instance, in order.
   const std::vector<Tangent>& tangents() const { return tangents_; }
 
-  /// Places the joints that are points of the world: called once, when the workspace is made.
-  void place_anchors(Workspace& work) const;
+  /// Sets the joints that are points of the world: called once, when the workspace is made.
+  void set_anchors(Workspace& work) const;
   /// Updates the topology to the broken hangers of the state. True if it changed.
   bool update_topology(const State& state, HangerTopology& topology) const;
   /// Lists the joints and cables to compute: all, or those with an end on a body that does not sleep, and those that
@@ -119,7 +119,7 @@ class CableForces {
   std::vector<std::size_t> anchors_;  ///< the joints that are on no body
   std::vector<Ends> ends_;
   CableConstants constants_;
-  std::vector<CablePlace> places_;
+  std::vector<CableIndex> indices_;
   std::vector<HangerJoint> hanger_joints_;
   std::size_t first_hanger_{};    ///< mode slot of the first hanger
   std::vector<Vec2> rest_pulls_;  ///< tension times direction, of each cable at rest

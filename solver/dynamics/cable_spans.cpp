@@ -15,9 +15,9 @@ struct PackOfJoints {
 
 /// Computes the joints of a row from its joint `first` on; joints that are on no body remain unchanged.
 template <bool recorded>
-[[gnu::always_inline]] inline void place_joints(PackOfJoints& at, const CableSpan& span, std::size_t first,
-                                                const CableConstants& constants, const Poses& poses,
-                                                JointPoints& joints) {
+[[gnu::always_inline]] inline void set_joints(PackOfJoints& at, const CableSpan& span, std::size_t first,
+                                              const CableConstants& constants, const Poses& poses,
+                                              JointPoints& joints) {
   const auto from = static_cast<std::ptrdiff_t>(span.from), to = static_cast<std::ptrdiff_t>(span.to);
   const auto begin = static_cast<std::ptrdiff_t>(first);
   Sizes& on_body = at.on_body;
@@ -70,12 +70,12 @@ template <bool recorded>
   Sizes left{};
   Pack before_x{}, before_y{};  // forces of the preceding cables at their ends B
   PackOfJoints here;
-  place_joints<recorded>(here, span, 0, constants, poses, joints);
+  set_joints<recorded>(here, span, 0, constants, poses, joints);
   for (std::ptrdiff_t block = 0; block <= count; block += pack_size) {
     PackOfJoints next{};
     const auto first = static_cast<std::size_t>(block);
     if (block + static_cast<std::ptrdiff_t>(pack_size) <= count)
-      place_joints<recorded>(next, span, first + pack_size, constants, poses, joints);
+      set_joints<recorded>(next, span, first + pack_size, constants, poses, joints);
     const std::size_t cable = span.cable + first, joint = span.a + first;
     Sizes is;
     between(is, 0, count - block);
@@ -159,7 +159,7 @@ TALUS_CLONES void copy(const Wrenches& from, std::size_t count, Wrenches& to) {
   }
 }
 
-void place_joints(const JointSpan& span, const Row& p_x, const Row& p_y, const Poses& poses, JointPoints& joints) {
+void set_joints(const JointSpan& span, const Row& p_x, const Row& p_y, const Poses& poses, JointPoints& joints) {
   for (std::size_t i = 0; i < span.count; ++i) {
     const std::size_t body = span.body + i, joint = span.joint + i;
     const double cosine = poses.cosine[body], sine = poses.sine[body], w = poses.w[body];

@@ -44,7 +44,7 @@ Bounds bounds(const Shape& shape) {
 }
 
 double smaller_size(const Candidate& pair) {
-  return std::min(least_half_width(pair.bounds_a), least_half_width(pair.bounds_b));
+  return std::min(minimum_half_width(pair.bounds_a), minimum_half_width(pair.bounds_b));
 }
 
 bool out_of_reach(const Candidate& pair, const Pose& A, const Pose& B, double margin) {
@@ -65,7 +65,7 @@ constexpr double skin_ratio = 0.05;
 
 /// Largest number of bodies in the sweep. Beyond it a table of all pairs takes more memory than a machine has to spare
 /// (128 MB at this number), and the list is made by checking all pairs of the model.
-constexpr std::size_t most_swept = 4000;
+constexpr std::size_t maximum_swept = 4000;
 
 /// Range along x: the box, widened by the skin and slightly more.
 XRange x_range(const Bounds& bounds, const Pose& pose, double skin) {
@@ -91,14 +91,14 @@ void sort(std::vector<std::size_t>& order, const std::vector<XRange>& ranges) {
 
 void ContactSearch::prepare(std::size_t bodies) {
   constexpr std::size_t none = std::numeric_limits<std::size_t>::max();
-  std::vector<std::size_t> place(bodies, none);
+  std::vector<std::size_t> swept_index(bodies, none);
   std::vector<std::size_t> sweepable;
   const auto swept = [&](BodyId body, const Bounds& bounds, double reach) {
-    if (place[index(body)] == none) {
-      place[index(body)] = swept_.size();
+    if (swept_index[index(body)] == none) {
+      swept_index[index(body)] = swept_.size();
       swept_.push_back({body, bounds});
     }
-    double& largest = swept_[place[index(body)]].reach;
+    double& largest = swept_[swept_index[index(body)]].reach;
     largest = std::max(largest, 0.5 * reach);
   };
   skin_limits_ = {Row{bodies}, Row{bodies, std::numeric_limits<double>::infinity()}, bodies, 0};
@@ -106,7 +106,7 @@ void ContactSearch::prepare(std::size_t bodies) {
     const std::size_t i = index(body);
     // Turning moves no point of the outline of a disc; ground does not move.
     skin_limits_.radius[i] = bounds.round ? 0.0 : furthest(bounds);
-    skin_limits_.displacement[i] = is_unbounded(bounds) ? 0.0 : skin_ratio * least_half_width(bounds);
+    skin_limits_.displacement[i] = is_unbounded(bounds) ? 0.0 : skin_ratio * minimum_half_width(bounds);
     skin_limits_.first = std::min(skin_limits_.first, i), skin_limits_.last = std::max(skin_limits_.last, i + 1);
   };
   for (const Candidate& pair : pairs_)
@@ -120,14 +120,14 @@ void ContactSearch::prepare(std::size_t bodies) {
     swept(pair.a, pair.bounds_a, pair.reach), swept(pair.b, pair.bounds_b, pair.reach);
     sweepable.push_back(p);
   }
-  if (swept_.size() > most_swept) {
+  if (swept_.size() > maximum_swept) {
     swept_.clear();
     single_.insert(single_.end(), sweepable.begin(), sweepable.end());
     return;
   }
   swept_pairs_.assign(swept_.size() * swept_.size(), pairs_.size());
   for (const std::size_t p : sweepable) {
-    const std::size_t a = place[index(pairs_[p].a)], b = place[index(pairs_[p].b)];
+    const std::size_t a = swept_index[index(pairs_[p].a)], b = swept_index[index(pairs_[p].b)];
     std::size_t& entry = swept_pairs_[a * swept_.size() + b];
     if (entry != pairs_.size()) {
       single_.push_back(p);  // a second contact of the same two bodies
@@ -149,14 +149,14 @@ bool ContactSearch::find(const Poses& poses, std::vector<char>& found, Sweep& sw
 }
 
 void ContactSearch::list_close(const Poses& poses, Sweep& sweep) const {
-  if (sweep.places.x.size() == 0) {
+  if (sweep.positions.x.size() == 0) {
     sweep.close.reserve(pairs_.size());
     sweep.order.resize(swept_.size());
     std::iota(sweep.order.begin(), sweep.order.end(), std::size_t{0});
     sweep.ranges.resize(swept_.size());
   }
-  sweep.places.x = poses.x, sweep.places.y = poses.y;
-  sweep.places.cosine = poses.cosine, sweep.places.sine = poses.sine;
+  sweep.positions.x = poses.x, sweep.positions.y = poses.y;
+  sweep.positions.cosine = poses.cosine, sweep.positions.sine = poses.sine;
   sweep.close.clear();
   const auto look = [&](std::size_t p) {
     const Candidate& pair = pairs_[p];

@@ -26,7 +26,7 @@ struct Bounds {
 [[nodiscard]] inline bool is_unbounded(const Bounds& bounds) { return bounds.plane || bounds.half_width > 1e100; }
 
 /// Half the smallest width [L]; infinite for ground.
-[[nodiscard]] inline double least_half_width(const Bounds& bounds) {
+[[nodiscard]] inline double minimum_half_width(const Bounds& bounds) {
   return is_unbounded(bounds) ? std::numeric_limits<double>::infinity()
                               : std::min(bounds.half_width, bounds.half_height);
 }
@@ -71,7 +71,7 @@ struct Candidate {
 
 /// Largest relative displacement of the two bodies in a step that cannot miss a contact between them [L].
 [[nodiscard]] inline double tunnelling_distance(const Candidate& pair) {
-  return 0.5 * (least_half_width(pair.bounds_a) + least_half_width(pair.bounds_b));
+  return 0.5 * (minimum_half_width(pair.bounds_a) + minimum_half_width(pair.bounds_b));
 }
 
 /// True if two bodies, neither of them ground, that approach by a displacement [L] >= 0 can neither act on each other
@@ -94,7 +94,7 @@ struct Sweep {
   std::vector<std::size_t> order;  ///< indices of the swept bodies, sorted by their smallest x
   std::vector<XRange> ranges;      ///< one for each swept body
   std::vector<std::size_t> close;  ///< pairs closer than reach plus skin
-  Places places;                   ///< positions of the bodies when the list was made
+  Positions positions;             ///< positions of the bodies when the list was made
 };
 
 /// Finds the pairs within reach of each other, among a list of close pairs that is made with a skin around each body
@@ -111,7 +111,7 @@ class ContactSearch {
 
   /// True while the list of close pairs of `sweep` is valid for these poses; false if `sweep` is empty.
   bool is_current(const Poses& poses, const Sweep& sweep) const {
-    return sweep.places.x.size() != 0 && !any_exceeded_skin(poses, sweep.places, skin_limits_);
+    return sweep.positions.x.size() != 0 && !any_exceeded_skin(poses, sweep.positions, skin_limits_);
   }
   /// Marks the pairs within reach in `found`, which must be all zero. Pairs that are apart may be omitted though
   /// out_of_reach() is false for them; which ones depends on when the list was made. True if there are any pairs.

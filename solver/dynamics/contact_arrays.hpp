@@ -64,10 +64,10 @@ struct InstancePair {
 
 /// Index of an array among those of its law.
 template <class Array, class... Arrays>
-constexpr unsigned place_of(const std::tuple<Arrays...>&) {
-  unsigned place = 0;
-  static_cast<void>(((std::is_same_v<Array, Arrays> || (++place, false)) || ...));
-  return place;
+constexpr unsigned index_of(const std::tuple<Arrays...>&) {
+  unsigned index = 0;
+  static_cast<void>(((std::is_same_v<Array, Arrays> || (++index, false)) || ...));
+  return index;
 }
 
 /// Fills the arrays of one law from the model, contact by contact.
@@ -95,7 +95,7 @@ class ContactCompiler {
   void add(BodyId id_a, const ShapeA& a, BodyId id_b, const ShapeB& b) {
     using Array = typename ContactArrays<L>::template Array<ShapeA, ShapeB>;
     auto& array = std::get<Array>(arrays_.arrays);
-    arrays_.used |= 1U << place_of<Array>(arrays_.arrays);
+    arrays_.used |= 1U << index_of<Array>(arrays_.arrays);
     if (array.groups.empty() || array.groups.back().candidate != candidate_ || array.groups.back().a != id_a)
       array.groups.push_back(group(id_a, id_b, array.laws.size()));
     array.shapes_a.push_back(a);

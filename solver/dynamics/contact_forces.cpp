@@ -51,9 +51,9 @@ void for_each_near(const Laws& laws, const Workspace& work, Visit&& visit) {
 
 /// Slot of the friction of an instance of the group.
 Slot friction_slot(const ContactGroup& group, std::size_t instance) {
-  const std::size_t place = instance - group.first;
-  return {group.first_friction.mode + place,
-          group.first_friction.memory + place * talus::memory_count(*group.friction)};
+  const std::size_t offset = instance - group.first;
+  return {group.first_friction.mode + offset,
+          group.first_friction.memory + offset * talus::memory_count(*group.friction)};
 }
 
 /// c_s of a contact with this friction and normal law [F T/L].
@@ -162,10 +162,10 @@ double step_over(double distance, double speed, double pull) {
 void limit_step(ContactForces::TunnellingLimit& tunnelling_limit, const Candidate& pair, std::size_t contact,
                 double speed, double pull) {
   const double distance = tunnelling_distance(pair);
-  const double most = tunnelling_limit.longest_step;
-  if ((speed + 0.5 * pull * most) * most <= distance) return;
+  const double maximum = tunnelling_limit.longest_step;
+  if ((speed + 0.5 * pull * maximum) * maximum <= distance) return;
   const double step = step_over(distance, speed, pull);
-  if (step < most) tunnelling_limit = {step, static_cast<ContactId>(contact)};
+  if (step < maximum) tunnelling_limit = {step, static_cast<ContactId>(contact)};
 }
 
 /// Computes the gaps of the pairs marked Workspace::wanted.
@@ -415,7 +415,7 @@ void ContactForces::list_woken(const Workspace& work, std::vector<BodyId>& woken
 void ContactForces::start_contacts(State& state, const Workspace& work) const {
   if (!work.any_near) return;
   StartingImpacts impacts;
-  std::size_t begun = 0;
+  std::size_t started = 0;
   const auto for_each_impact = [&](auto&& visit) {
     for_each_array(laws_, [&](const auto& array) {
       using L = typename std::decay_t<decltype(array.laws)>::value_type;
@@ -441,12 +441,12 @@ void ContactForces::start_contacts(State& state, const Workspace& work) const {
     });
   };
   for_each_impact([&](const auto&, Slot slot, const ContactGroup& group) {
-    if (begun < impacts.each.size()) impacts.each[begun] = {&group, slot.mode, work.rates[slot.mode]};
-    ++begun;
+    if (started < impacts.each.size()) impacts.each[started] = {&group, slot.mode, work.rates[slot.mode]};
+    ++started;
   });
-  if (begun == 0) return;
-  const bool together = begun <= impacts.each.size();
-  if (together) impacts.count = begun, find_masses(mobility_, work, impacts);
+  if (started == 0) return;
+  const bool together = started <= impacts.each.size();
+  if (together) impacts.count = started, find_masses(mobility_, work, impacts);
   std::size_t next = 0;
   for_each_impact([&](const auto& law, Slot slot, const ContactGroup& group) {
     const double mass =

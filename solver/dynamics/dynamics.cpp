@@ -69,8 +69,8 @@ Workspace Dynamics::workspace() const {
   work.near.resize(contacts_.candidates());
   work.paths = Paths(cables_.size());
   work.lines = CableLinearization(cables_.size());
-  bodies_.place_fixed(work);
-  cables_.place_anchors(work);
+  bodies_.set_fixed_poses(work);
+  cables_.set_anchors(work);
   const State rest = rest_state(model_);
   cables_.update_topology(rest, work.topology);
   list_awake(rest, work, true);
@@ -121,11 +121,11 @@ void Dynamics::follow_modes(const State& state, Workspace& work) const {
 
 void Dynamics::update(const State& state, Workspace& work, Need need) const {
   follow_modes(state, work);
-  bodies_.place(state, work);
+  bodies_.set_poses(state, work);
   work.pulled = need == Need::rates && cables_.pull_rows(state, work);
   const bool near = contacts_.find(state, work);
   // Velocities take a twenty-fifth of a small fence's step: computed only if needed below.
-  if (!work.pulled || near) bodies_.place_velocities(state, work);
+  if (!work.pulled || near) bodies_.set_velocities(state, work);
   if (!work.pulled) cables_.update(state, work);
   if (near) contacts_.update(state, work);
   work.evaluated = Evaluated::geometry;
@@ -192,9 +192,9 @@ bool Dynamics::update_modes(State& state, Workspace& work, const State* before) 
 
 void Dynamics::wake(State& state, const std::vector<BodyId>& bodies) const {
   for (const BodyId body : bodies) {
-    const auto place = std::lower_bound(layout_.sleepers.begin(), layout_.sleepers.end(), body);
-    if (place == layout_.sleepers.end() || *place != body) continue;
-    state.mode[layout_.first_sleeper + static_cast<std::size_t>(place - layout_.sleepers.begin())] = Mode{1};
+    const auto found = std::lower_bound(layout_.sleepers.begin(), layout_.sleepers.end(), body);
+    if (found == layout_.sleepers.end() || *found != body) continue;
+    state.mode[layout_.first_sleeper + static_cast<std::size_t>(found - layout_.sleepers.begin())] = Mode{1};
   }
 }
 

@@ -30,10 +30,10 @@ struct LawForces {
 ///
 ///   state q, v, z, modes
 ///     |  1 hangers, sleepers   topology and active set                     follow_modes()
-///     |  2 bodies              poses                                      BodyForces::place()
+///     |  2 bodies              poses                                      BodyForces::set_poses()
 ///     |  3 cables, rates only  forces of rows, without joints and paths   CableForces::pull_rows()
 ///     |  4 contacts            pairs within reach                         ContactForces::find()
-///     |  5 bodies              velocities                                 BodyForces::place_velocities()
+///     |  5 bodies              velocities                                 BodyForces::set_velocities()
 ///     |  6 cables              joints, paths, forces of rows              CableForces::update(), unless 3 succeeded
 ///     |  7 contacts            gaps                                       ContactForces::update()
 ///   geometry                                                              1 to 7 are update()

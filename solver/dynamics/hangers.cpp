@@ -77,7 +77,7 @@ void CableForces::straighten(Chain& chain, const State& state, Workspace& work) 
   for (const std::size_t c : chain.cables) {
     lengths.push_back(constants_.rest_length[c]);
     compliances.push_back(1.0 / tangents_[c].stiffness);
-    visit_cable(laws_, places_[c], [&]<class L>(const L& law, Slot slot) {
+    visit_cable(laws_, indices_[c], [&]<class L>(const L& law, Slot slot) {
       lengths.back() += natural_elongation(law, memory(law, state, slot));
       carries = carries && !is_broken<L>(state.mode[slot.mode]);
     });
@@ -105,15 +105,15 @@ void CableForces::straighten(Chain& chain, const State& state, Workspace& work) 
     const double part = whole.length > 0.0 ? std::clamp(along / whole.length, 0.0, 1.0) : 1.0;
     const bool held = chain.start == Chain::Start::held;
     const Vec2 p_WFrom = held ? p_WStart : p_WEnd, v_WFrom = held ? v_WStart : v_WEnd;
-    work.joints.place(chain.joints[i + 1], p_WFrom + part * (p_WEnd - p_WFrom), v_WFrom + part * (v_WEnd - v_WFrom));
+    work.joints.set(chain.joints[i + 1], p_WFrom + part * (p_WEnd - p_WFrom), v_WFrom + part * (v_WEnd - v_WFrom));
   }
-  if (chain.start != Chain::Start::held) work.joints.place(first, p_WEnd, v_WEnd);
+  if (chain.start != Chain::Start::held) work.joints.set(first, p_WEnd, v_WEnd);
 }
 
 double CableForces::pull_on(const HangerJoint& hanger, const State& state, const Workspace& work) const {
   Vec2 pull;
   for (const std::size_t c : hanger.cables) {
-    visit_cable(laws_, places_[c], [&]<class L>(const L& law, Slot slot) {
+    visit_cable(laws_, indices_[c], [&]<class L>(const L& law, Slot slot) {
       const double tension = law(kinematics(work, c), memory(law, state, slot), state.mode[slot.mode]).total();
       pull += (ends_[c].a == hanger.joint ? constants_.symmetry_weight_a[c] : -constants_.symmetry_weight_b[c]) *
               tension * work.paths.pull(c);
@@ -124,13 +124,13 @@ double CableForces::pull_on(const HangerJoint& hanger, const State& state, const
 
 std::vector<HangerId> CableForces::overloaded(const State& state, const Workspace& work) const {
   std::vector<HangerId> found;
-  double most = 1.0;
+  double maximum = 1.0;
   for (std::size_t h = 0; h < hanger_joints_.size(); ++h) {
     if (state.mode[first_hanger_ + h] != 0) continue;
     const double ratio = pull_on(hanger_joints_[h], state, work) / hanger_joints_[h].strength;
-    if (ratio < most) continue;
-    if (ratio > most) found.clear();
-    most = ratio;
+    if (ratio < maximum) continue;
+    if (ratio > maximum) found.clear();
+    maximum = ratio;
     found.push_back(static_cast<HangerId>(h));
   }
   return found;
@@ -141,7 +141,7 @@ bool CableForces::any_chain_broken(const State& state, const Workspace& work) co
   for (const Chain& chain : work.topology.chains) {
     if (!chain.carries) continue;
     for (const std::size_t c : chain.cables) {
-      visit_cable(laws_, places_[c],
+      visit_cable(laws_, indices_[c],
                   [&]<class L>(const L&, Slot slot) { parted = parted || is_broken<L>(state.mode[slot.mode]); });
     }
   }

@@ -30,12 +30,12 @@ class Row {
   double& operator[](std::size_t i) { return numbers_[pack_size + i]; }
   double operator[](std::size_t i) const { return numbers_[pack_size + i]; }
   /// Pointer to a number, or to the room before the first or behind the last.
-  template <std::integral Place>
-  double* at(Place i) {
+  template <std::integral Index>
+  double* at(Index i) {
     return numbers_.data() + room + static_cast<std::ptrdiff_t>(i);
   }
-  template <std::integral Place>
-  const double* at(Place i) const {
+  template <std::integral Index>
+  const double* at(Index i) const {
     return numbers_.data() + room + static_cast<std::ptrdiff_t>(i);
   }
   void clear(std::size_t first, std::size_t count) { std::fill_n(at(first), count, 0.0); }
@@ -71,7 +71,7 @@ struct Poses {
 };
 
 /// Positions and orientations of the bodies.
-struct Places {
+struct Positions {
   Row x, y;          ///< centre of mass [L]
   Row cosine, sine;  ///< orientation
 };
@@ -115,7 +115,7 @@ struct JointPoints {
   void clear_forces(std::size_t first, std::size_t count) { force_x.clear(first, count), force_y.clear(first, count); }
   void add_force(std::size_t i, Vec2 force) { force_x[i] += force.x, force_y[i] += force.y; }
   /// Moves a point that is on no body.
-  void place(std::size_t i, Vec2 p, Vec2 v) {
+  void set(std::size_t i, Vec2 p, Vec2 v) {
     x[i] = p.x, y[i] = p.y;
     vx[i] = v.x, vy[i] = v.y;
     arm_x[i] = arm_y[i] = 0.0;
@@ -164,10 +164,10 @@ struct CableLinearization {
 
 /// Span of consecutive free bodies that are also consecutive in the model.
 struct BodySpan {
-  std::size_t place{};  ///< index of the first in the array of free bodies
+  std::size_t index{};  ///< index of the first in the array of free bodies
   std::size_t body{};   ///< index of the first in the model; the coordinates are consecutive
   std::size_t count{};
-  bool continues(const BodySpan& next) const { return next.place == place + count && next.body == body + count; }
+  bool continues(const BodySpan& next) const { return next.index == index + count && next.body == body + count; }
 };
 
 /// Span of joints on consecutive bodies, or of joints on no body.
@@ -186,7 +186,7 @@ struct JointSpan {
 /// Span of cables of one law, each from the joint at which the one before it ends to the next joint. The cables are
 /// consecutive in the model, so that their modes and memories are consecutive in the state.
 struct CableSpan {
-  std::size_t place{};  ///< index of the first among the cables of its law
+  std::size_t index{};  ///< index of the first among the cables of its law
   std::size_t cable{};  ///< index of the first in the model
   std::size_t a{};      ///< joint at end A of the first cable
   std::size_t b{};      ///< joint at end B of the first cable: a + 1 if there is another cable
@@ -199,7 +199,7 @@ struct CableSpan {
   std::ptrdiff_t body{};    ///< on which joint a is, or would be
   bool on_linear_branch{};  ///< of a row, in the last evaluation: each cable is on the linear branch of its mode
   bool continues(const CableSpan& next) const {
-    return b == a + 1 && next.a == a + count && next.b == b + count && next.place == place + count &&
+    return b == a + 1 && next.a == a + count && next.b == b + count && next.index == index + count &&
            next.cable == cable + count;
   }
 };

@@ -12,12 +12,12 @@ namespace talus {
 
 /// Computes positions and orientations of a span of free bodies from their coordinates q, three for each body. Leaves
 /// the velocities in `poses` unchanged.
-void place_bodies(const BodySpan& span, const double* q, Poses& poses);
+void set_body_poses(const BodySpan& span, const double* q, Poses& poses);
 /// Computes the velocities of a span of free bodies from the rates v of these coordinates.
-void place_velocities(const BodySpan& span, const double* v, Poses& poses);
+void set_body_velocities(const BodySpan& span, const double* v, Poses& poses);
 
 /// Computes the joints of a span of bodies from the poses of the bodies; p_x, p_y in body coordinates [L].
-void place_joints(const JointSpan& span, const Row& p_x, const Row& p_y, const Poses& poses, JointPoints& joints);
+void set_joints(const JointSpan& span, const Row& p_x, const Row& p_y, const Poses& poses, JointPoints& joints);
 
 /// Limits of the displacement of bodies since the contact search listed them, one number for each body.
 struct SkinLimits {
@@ -27,7 +27,7 @@ struct SkinLimits {
 };
 
 /// True if a point of some body has, or may have, exceeded its limit; also if a pose is not a number.
-bool any_exceeded_skin(const Poses& poses, const Places& places, const SkinLimits& limits);
+bool any_exceeded_skin(const Poses& poses, const Positions& positions, const SkinLimits& limits);
 
 /// Constants of free bodies, one number for each.
 struct BodyConstants {
@@ -53,7 +53,7 @@ struct BodyWeights {
   Row mass, inertia;
   Row force_x, force_y;                       ///< applied [F]
   Row moment;                                 ///< applied [F L]; zero for a body that does not turn
-  Row place_x, place_y, angle;                ///< reference position [L] and orientation [rad]
+  Row reference_x, reference_y, angle;        ///< reference position [L] and orientation [rad]
   std::vector<std::size_t> angle_coordinate;  ///< of a body that does not turn: any
 };
 

@@ -27,12 +27,12 @@ double coupling(const PointMobility& mobility, const Workspace& work, const Star
 
 /// Impulses that stop the closing speeds of the coupled impacts together: A p = u. False if A is singular.
 bool stopping_impulses(const PointMobility& mobility, const Workspace& work, const StartingImpacts& impacts,
-                       std::array<double, StartingImpacts::most>& p) {
-  std::array<std::size_t, StartingImpacts::most> of{};
+                       std::array<double, StartingImpacts::capacity>& p) {
+  std::array<std::size_t, StartingImpacts::capacity> of{};
   std::size_t n = 0;
   for (std::size_t i = 0; i < impacts.count; ++i)
     if (impacts.each[i].coupled) of[n++] = i;
-  std::array<std::array<double, StartingImpacts::most + 1>, StartingImpacts::most> a{};
+  std::array<std::array<double, StartingImpacts::capacity + 1>, StartingImpacts::capacity> a{};
   double largest = 0.0;  // on the diagonal
   for (std::size_t i = 0; i < n; ++i) {
     for (std::size_t j = 0; j < n; ++j)
@@ -76,7 +76,7 @@ void find_masses(const PointMobility& mobility, const Workspace& work, StartingI
   }
   // An impact that is stopped by the others needs no impulse itself: it has the mass of a single impact.
   for (bool all = false; !all;) {
-    std::array<double, StartingImpacts::most> p{};
+    std::array<double, StartingImpacts::capacity> p{};
     if (!stopping_impulses(mobility, work, impacts, p)) return;
     all = true;
     for (std::size_t i = 0; i < impacts.count; ++i) {

@@ -20,8 +20,8 @@ struct StartingImpact {
 
 /// Impacts that begin at the same time.
 struct StartingImpacts {
-  static constexpr std::size_t most = 12;  ///< if there are more, each is treated as if it were alone
-  std::array<StartingImpact, most> each{};
+  static constexpr std::size_t capacity = 12;  ///< if there are more, each is treated as if it were alone
+  std::array<StartingImpact, capacity> each{};
   std::size_t count{};
 };
 

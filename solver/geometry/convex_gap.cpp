@@ -86,12 +86,12 @@ std::array<Vec2, 9> side_normals(const Pose& A, const Pose& B) {
 /// outlines can have one minimum at each side and corner: there the arcs between side normals are searched in several
 /// intervals.
 template <class S, class T>
-class LeastCommon {
+class CommonMinimum {
  public:
   using Function = Common<S, T>;
   using At = typename Function::At;
 
-  LeastCommon(const S& a, const Pose& A, const T& b, const Pose& B) : f_{a, A, b, B}, normals_{side_normals(A, B)} {}
+  CommonMinimum(const S& a, const Pose& A, const T& b, const Pose& B) : f_{a, A, b, B}, normals_{side_normals(A, B)} {}
 
   At find() {
     std::size_t lowest = 0;
@@ -141,7 +141,7 @@ class LeastCommon {
 
 template <class S, class T>
 Gap convex_gap(const S& a, const Pose& A, const T& b, const Pose& B) {
-  LeastCommon<S, T> common{a, A, b, B};
+  CommonMinimum<S, T> common{a, A, b, B};
   const auto found = common.find();
   return {found.value, found.n, common.function().contact_point(found)};
 }

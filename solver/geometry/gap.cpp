@@ -38,16 +38,16 @@ struct Overlap {
 };
 
 /// The side of the box with the smallest overlap: the largest depth of a corner below it is the smallest.
-Overlap least_overlap(const Rectangle& box, const Pose& pose, const std::array<Vec2, 4>& corners) {
-  Overlap least;
+Overlap minimum_overlap(const Rectangle& box, const Pose& pose, const std::array<Vec2, 4>& corners) {
+  Overlap smallest;
   for (int i = 0; i < 4; ++i) {
     const Side face = side(box, pose, i);
     double lowest = std::numeric_limits<double>::infinity();
     for (const Vec2 corner : corners)
       lowest = std::min(lowest, dot(corner - face.middle, face.n));
-    if (-lowest < least.depth) least = {-lowest, face};
+    if (-lowest < smallest.depth) smallest = {-lowest, face};
   }
-  return least;
+  return smallest;
 }
 
 /// The facing sides of two rectangles: the face that the other rectangle overlaps least, and the side of the other
@@ -71,8 +71,8 @@ Side facing_side(const Side& face, const Rectangle& box, const Pose& pose) {
 }
 
 Facing facing(const Rectangle& a, const Pose& A, const Rectangle& b, const Pose& B) {
-  const Overlap below_b = least_overlap(b, B, world_corners(a, A));
-  const Overlap below_a = least_overlap(a, A, world_corners(b, B));
+  const Overlap below_b = minimum_overlap(b, B, world_corners(a, A));
+  const Overlap below_a = minimum_overlap(a, A, world_corners(b, B));
   if (below_b.depth <= below_a.depth) return {below_b.depth, true, below_b.face, facing_side(below_b.face, a, A)};
   return {below_a.depth, false, below_a.face, facing_side(below_a.face, b, B)};
 }
@@ -103,7 +103,7 @@ Gap end_gap(const Facing& found, double end) {
 Depth depth_below(const Terrain& shape, Vec2 p) {
   const std::vector<Vec2>& points = shape.points;
   Depth best;
-  double least = std::numeric_limits<double>::infinity();
+  double smallest = std::numeric_limits<double>::infinity();
   for (std::size_t i = 0; i + 1 < points.size(); ++i) {
     const Vec2 along = points[i + 1] - points[i];
     double part = dot(p - points[i], along) / dot(along, along);
@@ -111,8 +111,8 @@ Depth depth_below(const Terrain& shape, Vec2 p) {
     if (i + 2 < points.size()) part = std::min(part, 1.0);
     const Vec2 from = p - (points[i] + part * along);
     const double distance = norm(from);
-    if (distance >= least) continue;
-    least = distance;
+    if (distance >= smallest) continue;
+    smallest = distance;
     const Vec2 normal = (1.0 / norm(along)) * Vec2{-along.y, along.x};
     // Over a segment, the sign along its normal decides between above and below. At a corner both neighbouring segments
     // agree on this sign, except for points in the wedge behind one of them, where the corner itself decides.

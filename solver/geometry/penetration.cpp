@@ -51,16 +51,16 @@ double common(const S& a, const Pose& A, const T& b, const Pose& B, Vec2 n) {
 template <class S, class T>
 double convex(const S& a, const Pose& A, const T& b, const Pose& B) {
   const auto at = [&](Vec2 n) { return common(a, A, b, B, n); };
-  double least = std::numeric_limits<double>::infinity();
+  double minimum = std::numeric_limits<double>::infinity();
   for (const Rotation R : {A.R_WB, B.R_WB}) {
     for (const Vec2 side : {Vec2{1.0, 0.0}, Vec2{-1.0, 0.0}, Vec2{0.0, 1.0}, Vec2{0.0, -1.0}})
-      least = std::min(least, at(R * side));
+      minimum = std::min(minimum, at(R * side));
   }
   const Vec2 apart = B.p_WB - A.p_WB;
-  if (norm(apart) > 0.0) least = std::min(least, at((1.0 / norm(apart)) * apart));
+  if (norm(apart) > 0.0) minimum = std::min(minimum, at((1.0 / norm(apart)) * apart));
   constexpr bool boxes = std::is_same_v<S, Rectangle> && std::is_same_v<T, Rectangle>;
   constexpr bool round = std::is_same_v<S, Circle> && std::is_same_v<T, Circle>;
-  if constexpr (boxes || round) return least;
+  if constexpr (boxes || round) return minimum;
   constexpr int directions = 64;
   constexpr double part = 2.0 * std::numbers::pi / directions;
   const auto towards = [&](double angle) { return at(rotation(angle) * Vec2{1.0, 0.0}); };
@@ -80,7 +80,7 @@ double convex(const S& a, const Pose& A, const T& b, const Pose& B) {
       low = left;
     }
   }
-  return std::min({least, lowest, towards(0.5 * (low + high))});
+  return std::min({minimum, lowest, towards(0.5 * (low + high))});
 }
 
 template <class S>

@@ -90,10 +90,10 @@ double root(double x, double degree) {
 double gauge(const Superquadric& shape, Vec2 p) {
   const double u = std::abs(p.x) / shape.half_width;
   const double v = std::abs(p.y) / shape.half_height;
-  const double most = std::max(u, v);
-  if (most == 0.0) return 0.0;
-  const double ratio = std::min(u, v) / most;
-  return most * root(1.0 + power(ratio, shape.exponent), shape.exponent);
+  const double maximum = std::max(u, v);
+  if (maximum == 0.0) return 0.0;
+  const double ratio = std::min(u, v) / maximum;
+  return maximum * root(1.0 + power(ratio, shape.exponent), shape.exponent);
 }
 
 bool is_inside(const Superquadric& shape, Vec2 p) {

@@ -21,21 +21,21 @@ struct Arc {
   double n;
 
   /// A position on the arc: x/a, y/b, and the term eta^n.
-  struct Place {
+  struct Point {
     double xi;
     double eta;
     double term;
   };
-  Place at(double eta) const { return at(eta, power(eta, n)); }
-  Place at(double eta, double term) const { return {power(1.0 - term, 1.0 / n), eta, term}; }
+  Point at(double eta) const { return at(eta, power(eta, n)); }
+  Point at(double eta, double term) const { return {power(1.0 - term, 1.0 / n), eta, term}; }
 
-  Vec2 point(const Place& place) const { return {a * place.xi, b * place.eta}; }
+  Vec2 point(const Point& at) const { return {a * at.xi, b * at.eta}; }
   /// Outward normal at a position, not normalised: the gradient divided by n.
-  Vec2 normal(const Place& place) const {
-    return {(1.0 - place.term) / (place.xi * a), place.eta == 0.0 ? 0.0 : place.term / (place.eta * b)};
+  Vec2 normal(const Point& at) const {
+    return {(1.0 - at.term) / (at.xi * a), at.eta == 0.0 ? 0.0 : at.term / (at.eta * b)};
   }
   /// Half the derivative of |X - p|^2 along the arc, times a positive factor: cross product of the normal and X - p.
-  double slope(const Place& place, Vec2 p) const { return cross(normal(place), point(place) - p); }
+  double slope(const Point& at, Vec2 p) const { return cross(normal(at), point(at) - p); }
 };
 
 struct Nearest {
@@ -43,10 +43,10 @@ struct Nearest {
   Vec2 normal;
 };
 
-void consider(const Arc& arc, const Arc::Place& place, Vec2 p, bool swapped, Nearest& best) {
-  const double distance = norm(arc.point(place) - p);
+void consider(const Arc& arc, const Arc::Point& at, Vec2 p, bool swapped, Nearest& best) {
+  const double distance = norm(arc.point(at) - p);
   if (distance >= best.distance) return;
-  const Vec2 n = arc.normal(place);
+  const Vec2 n = arc.normal(at);
   const Vec2 unit = (1.0 / norm(n)) * n;
   best = {distance, swapped ? Vec2{unit.y, unit.x} : unit};
 }
@@ -78,7 +78,7 @@ class Search {
 
  private:
   /// Searches the interval that begins where the previous one ended.
-  void look_up_to(const Arc::Place& right) {
+  void look_up_to(const Arc::Point& right) {
     const double slope_right = arc_.slope(right, p_);
     if (slope_left_ < 0.0 && slope_right > 0.0) {
       std::uintmax_t evaluations = 100;
@@ -95,7 +95,7 @@ class Search {
   Vec2 p_;
   bool swapped_;
   Nearest& best_;
-  Arc::Place left_{};
+  Arc::Point left_{};
   double slope_left_{};
 };
 

@@ -37,7 +37,7 @@ class ContactLanes {
     Pack x, y, v_x{}, v_y{}, distance, rate{}, largest{}, force, radii = Pack{} + w_.equal_radii;
     if (radii_ != nullptr) collect(radii, radii_, pairs);
     if constexpr (has_history) collect(largest, contacts.before.largest.data(), from);
-    differences(x, y, w_.places, first_, second_, pairs);
+    differences(x, y, w_.positions, first_, second_, pairs);
     distance = x * x + y * y;
     square_root(distance);
     const Pack overlap = radii - distance, n_x = x / distance, n_y = y / distance;
@@ -75,10 +75,10 @@ class ContactLanes {
       if constexpr (ActsAtDistance<L>) pressed = overlap > Pack{} ? overlap : Pack{};
       apply_friction(F::onset * slip * pressed / rate, overlap, rate, force, at, from, friction);
       keep_normal(overlaps, force, at);
-      store_places(force * n_x + friction * n_y, force * n_y - friction * n_x, out.force);
+      store_points(force * n_x + friction * n_y, force * n_y - friction * n_x, out.force);
       store(friction, out.friction), store(arm_a, out.arm_a), store(arm_b, out.arm_b);
     } else {
-      store_places(force * n_x, force * n_y, out.force);
+      store_points(force * n_x, force * n_y, out.force);
     }
   }
 
@@ -114,13 +114,13 @@ class ContactLanes {
                                              const Pack& force, std::size_t at, const std::uint32_t* from,
                                              Pack& friction) {
     SweptContacts& contacts = *w_.contacts;
-    Pack stretch, normal, begun, friction_work;
+    Pack stretch, normal, initial, friction_work;
     collect(stretch, contacts.before.stretch.data(), from), collect(normal, contacts.before.normal.data(), from);
     SpringSlider<Pack> slider{friction_.coefficient, {}};
     friction_.stiffness_at(overlap, slider.stiffness);
-    slider.initial_stretch(slipped, force, begun);
+    slider.initial_stretch(slipped, force, initial);
     const Sizes pushes = force > Pack{}, begins = pushes & (rate > Pack{}) & ~(normal > Pack{});
-    stretch = begins ? begun : stretch;
+    stretch = begins ? initial : stretch;
     const Pack before = stretch;
     slider.returned_force(force, stretch, friction);
     if (contacts.kinds.friction_work) {

@@ -11,13 +11,13 @@ TALUS_CLONES std::size_t find_near(const StepBlock& sweep, double nearer, std::s
                                    std::uint32_t* found) {
   const std::uint32_t *const first = sweep.pairs->first.data(), *const second = sweep.pairs->second.data();
   const double* const sums = sweep.pairs->radii.empty() ? nullptr : sweep.pairs->radii.data();
-  const double* const places = sweep.places;
+  const double* const positions = sweep.positions;
   // Two passes: in a single one each pack would wait for the count of the previous one, which takes 1.5 times as long.
   std::array<std::uint8_t, sweep_block / pack_size> near;
   Pack within = Pack{} + (sweep.equal_radii + nearer);
   for (std::size_t k = from; k < to; k += pack_size) {
     Pack x, y;
-    listed_differences(x, y, places, first + k, second + k);
+    listed_differences(x, y, positions, first + k, second + k);
     if (sums != nullptr) load(within, sums + k), within += nearer;
     near[(k - from) / pack_size] = static_cast<std::uint8_t>(bits_of(x * x + y * y < within * within));
   }

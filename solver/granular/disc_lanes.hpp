@@ -11,25 +11,25 @@
 /// SIMD helpers for packs of disc pairs.
 namespace talus {
 
-inline constexpr std::size_t places_per_pack = pack_size / 2;
+inline constexpr std::size_t points_per_pack = pack_size / 2;
 
-using Place [[gnu::vector_size(16)]] = double;
-using Places = std::array<Place, places_per_pack>;
+using Point [[gnu::vector_size(16)]] = double;
+using Points = std::array<Point, points_per_pack>;
 
 /// Two coordinates at index `to` minus those at index `from`.
-[[gnu::always_inline]] inline Place difference(const double* numbers, std::size_t from, std::size_t to) {
-  Place a, b;
+[[gnu::always_inline]] inline Point difference(const double* numbers, std::size_t from, std::size_t to) {
+  Point a, b;
   std::memcpy(&a, numbers + from, sizeof a), std::memcpy(&b, numbers + to, sizeof b);
   return b - a;
 }
 
 /// Joins pairs of numbers to a pack.
-[[gnu::always_inline]] inline void join(Pack& pack, const Places& twos) {
+[[gnu::always_inline]] inline void join(Pack& pack, const Points& twos) {
   pack = __builtin_shufflevector(twos[0], twos[1], 0, 1, 2, 3);
 }
 
 /// Separates coordinates into x and y: p from the even pairs of a pack, q from the odd ones.
-[[gnu::always_inline]] inline void lay_out(Pack& x, Pack& y, const Places& p, const Places& q) {
+[[gnu::always_inline]] inline void lay_out(Pack& x, Pack& y, const Points& p, const Points& q) {
   Pack even, odd;
   join(even, p), join(odd, q);
   x = __builtin_shufflevector(even, odd, 0, 4, 2, 6);
@@ -39,8 +39,8 @@ using Places = std::array<Place, places_per_pack>;
 /// Differences of positions or velocities, second disc minus first, for the pack of pairs with these indices.
 [[gnu::always_inline]] inline void differences(Pack& x, Pack& y, const double* numbers, const std::uint32_t* first,
                                                const std::uint32_t* second, const std::uint32_t* pairs) {
-  Places p, q;
-  for (std::size_t l = 0; l < places_per_pack; ++l) {
+  Points p, q;
+  for (std::size_t l = 0; l < points_per_pack; ++l) {
     p[l] = difference(numbers, first[pairs[2 * l]], second[pairs[2 * l]]);
     q[l] = difference(numbers, first[pairs[2 * l + 1]], second[pairs[2 * l + 1]]);
   }
@@ -51,8 +51,8 @@ using Places = std::array<Place, places_per_pack>;
 [[gnu::always_inline]] inline void listed_differences(Pack& x, Pack& y, const double* numbers,
                                                       const std::uint32_t* first, const std::uint32_t* second) {
   static_assert(std::endian::native == std::endian::little);
-  Places p, q;
-  for (std::size_t l = 0; l < places_per_pack; ++l) {
+  Points p, q;
+  for (std::size_t l = 0; l < points_per_pack; ++l) {
     std::uint64_t from, to;
     std::memcpy(&from, first + 2 * l, sizeof from), std::memcpy(&to, second + 2 * l, sizeof to);
     p[l] = difference(numbers, static_cast<std::uint32_t>(from), static_cast<std::uint32_t>(to));
@@ -95,18 +95,18 @@ template <class Lanes, class Number>
   lanes = Lanes{number(0), number(1), number(2), number(3)};
 }
 
-/// Gathers a pack from `row` at the indices `places`.
-[[gnu::always_inline]] inline void collect(Pack& lanes, const double* row, const std::uint32_t* places) {
-  Places twos;
-  for (std::size_t l = 0; l < places_per_pack; ++l)
-    twos[l] = Place{row[places[2 * l]], row[places[2 * l + 1]]};
+/// Gathers a pack from `row` at the indices `indices`.
+[[gnu::always_inline]] inline void collect(Pack& lanes, const double* row, const std::uint32_t* indices) {
+  Points twos;
+  for (std::size_t l = 0; l < points_per_pack; ++l)
+    twos[l] = Point{row[indices[2 * l]], row[indices[2 * l + 1]]};
   join(lanes, twos);
 }
 
 /// Stores x and y of a pack interleaved: x0, y0, x1, y1, ...
-[[gnu::always_inline]] inline void store_places(const Pack& x, const Pack& y, double* places) {
-  store(__builtin_shufflevector(x, y, 0, 4, 1, 5), places);
-  store(__builtin_shufflevector(x, y, 2, 6, 3, 7), places + pack_size);
+[[gnu::always_inline]] inline void store_points(const Pack& x, const Pack& y, double* numbers) {
+  store(__builtin_shufflevector(x, y, 0, 4, 1, 5), numbers);
+  store(__builtin_shufflevector(x, y, 2, 6, 3, 7), numbers + pack_size);
 }
 
 /// Sets lanes of x to zero where the mask `is` is false.

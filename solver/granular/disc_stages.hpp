@@ -46,16 +46,16 @@ struct NextOutgoing {
 /// Applies the impulse of each of these pairs to both discs; before each of them, those of preceding outgoing pairs to
 /// their first discs.
 void give(const StepBlock& sweep, std::span<const std::uint32_t> touching, Pushes pushes, NextOutgoing& next);
-/// Applies the impulses of outgoing pairs to first discs whose positions have indices below to_place.
-void give_outgoing(const StepBlock& sweep, std::size_t to_place, NextOutgoing& next);
+/// Applies the impulses of outgoing pairs to first discs whose positions have indices below to_index.
+void give_outgoing(const StepBlock& sweep, std::size_t to_index, NextOutgoing& next);
 
 /// Moves the discs from <= i < to; raises the largest squared speed relative to the mean flow.
 void move(const StepBlock& sweep, std::size_t from, std::size_t to, Sizes& fastest);
 
 /// Index of the position of the disc itself, by the index of its position or its image's; disc(): index of the disc.
-[[gnu::always_inline]] inline std::size_t own_place(const StepBlock& w, std::size_t at) {
+[[gnu::always_inline]] inline std::size_t own_index(const StepBlock& w, std::size_t at) {
   return at < 2 * w.discs ? at : 2 * std::size_t{w.ghost_disc[at / 2 - w.discs]};
 }
-[[gnu::always_inline]] inline std::size_t disc(const StepBlock& w, std::size_t at) { return own_place(w, at) / 2; }
+[[gnu::always_inline]] inline std::size_t disc(const StepBlock& w, std::size_t at) { return own_index(w, at) / 2; }
 
 }  // namespace talus::stages

@@ -111,7 +111,7 @@ void FastDiscEngine::sweep(double kick, double drift) {
   }
   if (traits_.turns && drift != 0.0) {
     each([&](Stripe& stripe) {
-      if (kick == 0.0) place_ghosts(stripe, places_.data(), &NeighbourList::Shift::x);
+      if (kick == 0.0) set_ghosts(stripe, positions_.data(), &NeighbourList::Shift::x);
       StepBlock of = work(stripe, false, drift);
       of.pairs = &numbered(stripe.own);
       stretch_contacts(of);
@@ -224,8 +224,8 @@ void FastDiscEngine::copy_before(Stripe& stripe) {
 
 /// Evaluates the outgoing pairs of a stripe.
 void FastDiscEngine::find_outgoing(Stripe& stripe) {
-  place_ghosts(stripe, places_.data(), &NeighbourList::Shift::x);
-  if (sees_rates()) place_ghosts(stripe, before_.data(), &NeighbourList::Shift::vx);
+  set_ghosts(stripe, positions_.data(), &NeighbourList::Shift::x);
+  if (sees_rates()) set_ghosts(stripe, before_.data(), &NeighbourList::Shift::vx);
   for (std::vector<Vec2>& pushes : stripe.wall_forces)
     pushes.clear();
   if (stripes_.size() == 1) return;
@@ -239,7 +239,7 @@ StepBlock FastDiscEngine::work(Stripe& stripe, bool kicks, double drift) {
           .drift = drift,
           .reach = traits_.reach,
           .flow = list_.flow(),
-          .places = places_.data(),
+          .positions = positions_.data(),
           .velocities = velocities_.data(),
           .spins = traits_.turns ? spins_.data() : nullptr,
           .before = sees_rates() ? before_.data() : nullptr,
@@ -282,7 +282,7 @@ void FastDiscEngine::end_drift(Discs& discs, double h) {
 void FastDiscEngine::load(const Discs& discs) {
   each([&](const Stripe& stripe) {
     for (std::size_t i = stripe.begin; i < stripe.end; ++i) {
-      places_[2 * i] = discs.x[i], places_[2 * i + 1] = discs.y[i];
+      positions_[2 * i] = discs.x[i], positions_[2 * i + 1] = discs.y[i];
       velocities_[2 * i] = discs.vx[i], velocities_[2 * i + 1] = discs.vy[i];
     }
   });
@@ -294,7 +294,7 @@ void FastDiscEngine::load(const Discs& discs) {
 void FastDiscEngine::store(Discs& discs) {
   each([&](const Stripe& stripe) {
     for (std::size_t i = stripe.begin; i < stripe.end; ++i) {
-      discs.x[i] = places_[2 * i], discs.y[i] = places_[2 * i + 1];
+      discs.x[i] = positions_[2 * i], discs.y[i] = positions_[2 * i + 1];
       discs.vx[i] = velocities_[2 * i], discs.vy[i] = velocities_[2 * i + 1];
     }
   });
@@ -303,13 +303,13 @@ void FastDiscEngine::store(Discs& discs) {
 }
 
 /// Computes the positions of a stripe's ghosts, or their velocities before the kick.
-void FastDiscEngine::place_ghosts(Stripe& stripe, double* numbers, double NeighbourList::Shift::*along) {
-  const bool places = along == &NeighbourList::Shift::x;
+void FastDiscEngine::set_ghosts(Stripe& stripe, double* numbers, double NeighbourList::Shift::*along) {
+  const bool of_positions = along == &NeighbourList::Shift::x;
   double* ghost = numbers + velocities_.size() + 2 * stripe.first_ghost;
   for (std::size_t g = stripe.first_ghost; g < stripe.end_of_ghosts; ++g, ghost += 2) {
     const double* const of = numbers + 2 * std::size_t{ghost_disc_[g]};
     const NeighbourList::Shift& shift = shifts_[ghost_image_[g]];
-    ghost[0] = of[0] + shift.*along, ghost[1] = places ? of[1] + shift.y : of[1];
+    ghost[0] = of[0] + shift.*along, ghost[1] = of_positions ? of[1] + shift.y : of[1];
   }
 }
 
@@ -345,7 +345,7 @@ void FastDiscEngine::serialize(Archive& archive, const Discs& discs) {
     }
   }
   list_stripes();
-  list_places();
+  list_positions();
   std::vector<Kept> kept;
   for (std::size_t k = 0; k < first.size(); ++k)
     kept.push_back({static_cast<std::uint32_t>(first[k]),

@@ -88,7 +88,7 @@ class FastDiscEngine {
   void evaluate(Discs& discs, DiscRates& out);
   void update_modes(Discs& discs);
   /// Performs kick() and drift() `steps` times, the steps of EulerCromer and CentralDifference, and advances the time.
-  /// Calls after() after each step: place() then returns the position of a disc, wall_force() the contact force on a
+  /// Calls after() after each step: position() then returns the position of a disc, wall_force() the contact force on a
   /// wall.
   template <class After>
   void advance(Discs& discs, double h, long steps, After&& after);
@@ -96,7 +96,7 @@ class FastDiscEngine {
     advance(discs, h, steps, [] {});
   }
   /// Position of a disc during advance() [L].
-  Vec2 place(std::size_t disc) const { return {places_[2 * disc], places_[2 * disc + 1]}; }
+  Vec2 position(std::size_t disc) const { return {positions_[2 * disc], positions_[2 * disc + 1]}; }
 
   /// Energy that contacts of a history-dependent law have lost so far [F L]; 0 for other laws. (Its sum rounds
   /// differently from DiscSystem's work.)
@@ -176,12 +176,12 @@ class FastDiscEngine {
   void end_drift(Discs& discs, double h);
   void load(const Discs& discs);
   void store(Discs& discs);
-  void place_ghosts(Stripe& stripe, double* numbers, double NeighbourList::Shift::*along);
+  void set_ghosts(Stripe& stripe, double* numbers, double NeighbourList::Shift::*along);
   void rebuild(Discs& discs);
   std::vector<Kept> kept_contacts() const;
   void take_contacts(const std::vector<Kept>& kept);
   void list_stripes();
-  void list_places();
+  void list_positions();
   void number_as_listed();
   void prune();
   void prune(Stripe& stripe);
@@ -214,7 +214,7 @@ class FastDiscEngine {
 
   /// Values of discs, which each step traverses.
   using Numbers = std::vector<double, HugePages<double>>;
-  Numbers places_;                 ///< x, y of the discs, of their ghosts and of one padding entry (NaN) [L]
+  Numbers positions_;              ///< x, y of the discs, of their ghosts and of one padding entry (NaN) [L]
   Numbers velocities_, spins_;     ///< of the discs [L/T, 1/T]
   Numbers rates_, spin_rates_;     ///< of evaluate() [L/T^2, 1/T^2]
   Numbers before_, spins_before_;  ///< if sees_rates(): before the kick, of discs and ghosts; spins

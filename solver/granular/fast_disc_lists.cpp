@@ -30,7 +30,7 @@ void FastDiscEngine::rebuild(Discs& discs) {
   list_.build(shapes_, discs, pool_);
   ++builds_;
   list_stripes();
-  list_places();
+  list_positions();
   // A step may be so long that a contact is beyond the reach of the new list: it has ended.
   std::erase_if(kept, [&](const Kept& contact) {
     if (list_.find(contact.first, contact.second) < list_.size()) return false;
@@ -88,7 +88,7 @@ void FastDiscEngine::list_stripes() {
 }
 
 /// Lays out positions, of the discs, of the ghosts that the list needs and of one padding entry, and the pairs of them.
-void FastDiscEngine::list_places() {
+void FastDiscEngine::list_positions() {
   const std::size_t discs = shapes_.size();
   constexpr std::uint8_t here = NeighbourList::images / 2;
   using Ghost = std::pair<std::uint32_t, std::uint8_t>;
@@ -120,23 +120,23 @@ void FastDiscEngine::list_places() {
     for (std::size_t i = stripe.begin; i < stripe.end; ++i) {
       for (std::size_t pair = list_.begin(i); pair < list_.end(i); ++pair) {
         const auto j = static_cast<std::uint32_t>(list_.second(pair));
-        std::size_t place = j;
+        std::size_t position = j;
         if (list_.image(pair) != here) {
           const auto ghost = std::lower_bound(own.begin(), own.end(), Ghost{j, list_.image(pair)});
-          place = discs + stripe.first_ghost + static_cast<std::size_t>(ghost - own.begin());
+          position = discs + stripe.first_ghost + static_cast<std::size_t>(ghost - own.begin());
         }
         pairs_.first[pair] = static_cast<std::uint32_t>(2 * i);
-        pairs_.second[pair] = static_cast<std::uint32_t>(2 * place);
+        pairs_.second[pair] = static_cast<std::uint32_t>(2 * position);
         if (equal_radii_ == 0.0) pairs_.radii[pair] = shapes_.radius[i] + shapes_.radius[j];
       }
     }
   });
   const std::size_t nowhere = discs + ghost_disc_.size();
-  places_.resize(2 * (nowhere + 1));
+  positions_.resize(2 * (nowhere + 1));
   velocities_.resize(2 * discs);
   if (traits_.turns) spins_.resize(discs), spins_before_.resize(discs);
   if (sees_rates()) before_.resize(2 * (nowhere + 1));
-  std::fill(places_.end() - 2, places_.end(), std::numeric_limits<double>::quiet_NaN());
+  std::fill(positions_.end() - 2, positions_.end(), std::numeric_limits<double>::quiet_NaN());
   pairs_.fill_up(static_cast<std::uint32_t>(2 * nowhere));
 }
 
@@ -147,7 +147,7 @@ void FastDiscEngine::prune() {
   number_as_listed();
   if (choose_reach()) return;
   ++prunings_;
-  each([this](Stripe& stripe) { place_ghosts(stripe, places_.data(), &NeighbourList::Shift::x); });
+  each([this](Stripe& stripe) { set_ghosts(stripe, positions_.data(), &NeighbourList::Shift::x); });
   each([this](Stripe& stripe) { prune(stripe); });
 }
 
@@ -171,7 +171,7 @@ void FastDiscEngine::prune(Stripe& stripe) {
     own_near.take(pairs_, {found.data(), own});
     outgoing_near.take(pairs_, {outgoing.data(), out});
   }
-  const auto nowhere = static_cast<std::uint32_t>(places_.size() - 2);
+  const auto nowhere = static_cast<std::uint32_t>(positions_.size() - 2);
   own_near.fill_up(nowhere), outgoing_near.fill_up(nowhere);
 }
 
@@ -189,8 +189,8 @@ bool FastDiscEngine::choose_reach() {
   if (approach_ == 0.0 || near == 0.0 || is_checked_again) return false;
   const double listed = static_cast<double>(pairs_.count);
   const double making = making_cost * listed * approach_;
-  const double least = std::min(2.0 * approach_, skin_), last = reach_;
-  reach_ = std::clamp(std::sqrt(making * last / std::max(near - touching, 1.0)), least, skin_);
+  const double minimum = std::min(2.0 * approach_, skin_), last = reach_;
+  reach_ = std::clamp(std::sqrt(making * last / std::max(near - touching, 1.0)), minimum, skin_);
   const bool settled = std::abs(reach_ / last - 1.0) < 0.2;
   // With several stripes a near list is always built, because it also separates the outgoing pairs.
   return all_near_ = stripes_.size() == 1 && settled && near + making / last > worth * listed;

@@ -51,7 +51,7 @@ double kick_and_drift(const L& law, const F& friction, const StepBlock& w) {
       stages::give(w, touching, pushes, next);
       if (!moves || to == pairs) continue;
       const std::size_t first = std::min<std::size_t>(w.pairs->first[to] / 2, w.end);
-      const std::size_t done = moved + (first - std::min(first, moved)) / places_per_pack * places_per_pack;
+      const std::size_t done = moved + (first - std::min(first, moved)) / points_per_pack * points_per_pack;
       stages::give_outgoing(w, 2 * done, next);
       stages::move_others(w, moved, done, fastest);
       moved = done;

@@ -25,14 +25,14 @@ constexpr int image_bits = 8;
 constexpr Numbered numbered(std::size_t disc, std::uint8_t image) { return Numbered{disc} << image_bits | image; }
 
 /// A disc or an image of one.
-struct PlacedDisc {
+struct BinnedDisc {
   double x, y, radius;  ///< [L]
   Numbered number;
 };
 
-/// Integer part of x, limited to [least, most]; `least` if x is NaN, as in a diverged run.
-std::size_t whole_between(double least, double x, double most) {
-  return static_cast<std::size_t>(x > least ? std::min(std::floor(x), most) : least);
+/// Integer part of x, limited to [minimum, maximum]; `minimum` if x is NaN, as in a diverged run.
+std::size_t whole_between(double minimum, double x, double maximum) {
+  return static_cast<std::size_t>(x > minimum ? std::min(std::floor(x), maximum) : minimum);
 }
 
 /// Cells of a rectangle around all discs, with one more layer of cells around it for images. Cells are so large that
@@ -49,18 +49,18 @@ class Cells {
     std::tie(left_, right_) = range(discs.x, box.width);
     std::tie(bottom_, top_) = range(discs.y, box.height);
     // Limits the number of cells, so that most of them are not empty.
-    const double most = 4.0 * (std::sqrt(static_cast<double>(discs.size())) + 1.0);
-    columns_ = whole_between(1.0, (right_ - left_) / reach, most);
-    rows_ = whole_between(1.0, (top_ - bottom_) / reach, most);
+    const double maximum = 4.0 * (std::sqrt(static_cast<double>(discs.size())) + 1.0);
+    columns_ = whole_between(1.0, (right_ - left_) / reach, maximum);
+    rows_ = whole_between(1.0, (top_ - bottom_) / reach, maximum);
     stride_ = columns_ + 2;
 
     const auto disc = [&](std::size_t i) {
-      return PlacedDisc{discs.x[i], discs.y[i], shapes.radius[i], numbered(i, code({}))};
+      return BinnedDisc{discs.x[i], discs.y[i], shapes.radius[i], numbered(i, code({}))};
     };
     // For each thread: the images of its discs, and the number of its entries in each cell, which is then replaced by
     // the index in standing_ of the first of them.
     struct ThreadBins {
-      std::vector<PlacedDisc> images;
+      std::vector<BinnedDisc> images;
       std::vector<std::uint32_t> in_cell;
     };
     std::vector<ThreadBins> all_bins(pool == nullptr ? 1 : pool->size());
@@ -70,12 +70,12 @@ class Cells {
       ThreadBins& bins = all_bins[part.number];
       bins.in_cell.assign(cells, 0);
       for (std::size_t i = part.begin; i < part.end; ++i) {
-        const PlacedDisc one = disc(i);
+        const BinnedDisc one = disc(i);
         cell_[i] = static_cast<std::uint32_t>(cell(one));
         ++bins.in_cell[cell_[i]];
         add_images(box, offset, reach, one, bins.images);
       }
-      for (const PlacedDisc& image : bins.images)
+      for (const BinnedDisc& image : bins.images)
         ++bins.in_cell[cell(image)];
     });
     begin_.resize(cells + 1);
@@ -91,14 +91,14 @@ class Cells {
       ThreadBins& bins = all_bins[part.number];
       for (std::size_t i = part.begin; i < part.end; ++i)
         standing_[bins.in_cell[cell_[i]]++] = disc(i);
-      for (const PlacedDisc& image : bins.images)
+      for (const BinnedDisc& image : bins.images)
         standing_[bins.in_cell[cell(image)]++] = image;
     });
   }
 
   /// All discs and images in the 3 x 3 cells around a disc's cell: one span for each row of cells.
-  std::array<std::span<const PlacedDisc>, 3> around(std::size_t disc) const {
-    std::array<std::span<const PlacedDisc>, 3> rows;
+  std::array<std::span<const BinnedDisc>, 3> around(std::size_t disc) const {
+    std::array<std::span<const BinnedDisc>, 3> rows;
     for (std::size_t row = 0; row < rows.size(); ++row) {
       const std::size_t middle = cell_[disc] + row * stride_ - stride_;
       rows[row] = {standing_.data() + begin_[middle - 1], standing_.data() + begin_[middle + 2]};
@@ -108,9 +108,9 @@ class Cells {
 
  private:
   /// Adds those images of a disc that are within reach of the rectangle.
-  void add_images(const PeriodicBox& box, double offset, double reach, const PlacedDisc& disc,
-                  std::vector<PlacedDisc>& images) const {
-    const auto inside = [&](const PlacedDisc& one, double by) {
+  void add_images(const PeriodicBox& box, double offset, double reach, const BinnedDisc& disc,
+                  std::vector<BinnedDisc>& images) const {
+    const auto inside = [&](const BinnedDisc& one, double by) {
       return one.x > left_ + by && one.x < right_ - by && one.y > bottom_ + by && one.y < top_ - by;
     };
     if (inside(disc, reach)) return;
@@ -119,19 +119,19 @@ class Cells {
       for (int right = -beside; right <= beside; ++right) {
         const PeriodicBox::Image which{static_cast<double>(right), static_cast<double>(up)};
         const Vec2 shift = box.shift(which, offset);
-        const PlacedDisc image{disc.x + shift.x, disc.y + shift.y, disc.radius, disc.number + code(which) - code({})};
+        const BinnedDisc image{disc.x + shift.x, disc.y + shift.y, disc.radius, disc.number + code(which) - code({})};
         if (image.number != disc.number && inside(image, -reach)) images.push_back(image);
       }
     }
   }
-  std::size_t cell(const PlacedDisc& one) const {
+  std::size_t cell(const BinnedDisc& one) const {
     // Discs are in inner cells, however the division rounds at an edge; images may be in the outer layer.
     const double outside = (one.number & numbered(0, 0xff)) == code({}) ? 0.0 : 1.0;
-    const auto place = [&](double at, double low, double high, std::size_t count) {
+    const auto bin_of = [&](double at, double low, double high, std::size_t count) {
       const auto cells = static_cast<double>(count);
       return whole_between(1.0 - outside, 1.0 + (at - low) / (high - low) * cells, cells + outside);
     };
-    return place(one.y, bottom_, top_, rows_) * stride_ + place(one.x, left_, right_, columns_);
+    return bin_of(one.y, bottom_, top_, rows_) * stride_ + bin_of(one.x, left_, right_, columns_);
   }
 
   double left_{}, right_{}, bottom_{}, top_{};  ///< [L]
@@ -139,7 +139,7 @@ class Cells {
   std::size_t stride_{};              ///< from a row of cells to the next
   std::vector<std::uint32_t> begin_;  ///< start of each cell in standing_
   std::vector<std::uint32_t> cell_;   ///< cell of each disc
-  std::vector<PlacedDisc> standing_;
+  std::vector<BinnedDisc> standing_;
 };
 
 }  // namespace
@@ -203,12 +203,12 @@ bool NeighbourList::holds(const Discs& discs) {
 }
 
 double NeighbourList::furthest(const Discs& discs) const {
-  double most = 0.0;
+  double maximum = 0.0;
   for (std::size_t i = 0; i < x_.size(); ++i) {
     const double dx = discs.x[i] - x_[i], dy = discs.y[i] - y_[i];
-    most = std::max(most, dx * dx + dy * dy);
+    maximum = std::max(maximum, dx * dx + dy * dy);
   }
-  return std::sqrt(most);
+  return std::sqrt(maximum);
 }
 
 void NeighbourList::find_pairs(const DiscShapes& shapes, const Discs& discs, ThreadPool* pool) {
@@ -237,8 +237,8 @@ void NeighbourList::find_pairs(const DiscShapes& shapes, const Discs& discs, Thr
       // The test is unpredictable for the processor, so each candidate is written, and counted only if it is near.
       std::size_t count = 0;
       const Numbered own = numbered(i, 0xff);
-      for (const std::span<const PlacedDisc> standing : around) {
-        for (const PlacedDisc& other : standing) {
+      for (const std::span<const BinnedDisc> standing : around) {
+        for (const BinnedDisc& other : standing) {
           const double dx = other.x - discs.x[i], dy = other.y - discs.y[i];
           const double within = shapes.radius[i] + other.radius + margin_;
           row[count] = other.number;

@@ -49,8 +49,8 @@ Packing empty(const PackingPlan& plan, std::mt19937_64& random) {
   if (plan.walls) packing.width = plan.diameter * std::max(1.0, std::round(packing.width / plan.diameter));
   packing.height = area / packing.width;
   const double largest = 2.0 * *std::max_element(packing.shapes.radius.begin(), packing.shapes.radius.end());
-  const double least = plan.walls ? packing.width : std::min(packing.width, packing.height);
-  if (least < largest) {
+  const double smallest = plan.walls ? packing.width : std::min(packing.width, packing.height);
+  if (smallest < largest) {
     throw InputError{
         fmt::format("discs: found {}, for which the rectangle is {:g} wide and {:g} high; a disc of {:g} "
                     "would touch its own image",
@@ -85,7 +85,7 @@ class Room {
 
   /// Whether there is room for a disc of that radius.
   bool free(Vec2 at, double radius) const {
-    const long column = place(at.x, packing_.width, columns_), row = place(at.y, packing_.height, rows_);
+    const long column = cell_of(at.x, packing_.width, columns_), row = cell_of(at.y, packing_.height, rows_);
     for (long c = column - 1; c <= column + 1; ++c) {
       for (long r = row - 1; r <= row + 1; ++r) {
         for (const std::size_t other : cells_[cell(c, r)]) {
@@ -99,12 +99,12 @@ class Room {
     return true;
   }
   void put(std::size_t disc, Vec2 at) {
-    cells_[cell(place(at.x, packing_.width, columns_), place(at.y, packing_.height, rows_))].push_back(disc);
+    cells_[cell(cell_of(at.x, packing_.width, columns_), cell_of(at.y, packing_.height, rows_))].push_back(disc);
   }
 
  private:
   long cells(double length) const { return std::max(1L, static_cast<long>(std::floor(length / largest_))); }
-  static long place(double at, double length, long count) {
+  static long cell_of(double at, double length, long count) {
     return std::clamp(static_cast<long>(std::floor((at / length + 0.5) * static_cast<double>(count))), 0L, count - 1);
   }
   std::size_t cell(long column, long row) const {
@@ -120,19 +120,19 @@ class Room {
 
 /// Scales the radii of a packing and places its discs at random.
 void put_down(const PackingPlan& plan, double scale, Packing& packing, std::mt19937_64& random) {
-  constexpr int most = 20000;
+  constexpr int maximum = 20000;
   for (double& radius : packing.shapes.radius)
     radius *= scale;
   Room room{packing};
   for (std::size_t i = 0; i < plan.discs; ++i) {
     const double radius = packing.shapes.radius[i];
     const double up = 0.5 * packing.height - (plan.walls ? radius : 0.0);
-    for (int place = 0;; ++place) {
-      if (place == most || up < 0.0) {
+    for (int attempt = 0;; ++attempt) {
+      if (attempt == maximum || up < 0.0) {
         throw InputError{
             fmt::format("solid_fraction of a packing: found {}; disc {} of {} has no room in {} random places, and it "
                         "must be less, or the packing grown",
-                        plan.solid_fraction, i + 1, plan.discs, most)};
+                        plan.solid_fraction, i + 1, plan.discs, maximum)};
       }
       const double x = 0.5 * packing.width * symmetric(random), y = up * symmetric(random);
       if (!room.free({x, y}, radius)) continue;
@@ -186,13 +186,13 @@ void grow_from(const PackingPlan& plan, double scale, Packing& packing) {
 
 void push_apart(const PackingPlan& plan, Packing& packing) {
   constexpr double farther = 1.001;
-  constexpr int stage = 200, most = 500;
+  constexpr int stage = 200, maximum = 500;
   DiscSystem system = pushed(plan, packing, farther, 0.3);
   std::fill(packing.discs.vx.begin(), packing.discs.vx.end(), 0.0);
   std::fill(packing.discs.vy.begin(), packing.discs.vy.end(), 0.0);
   system.begin(packing.discs);
   for (int n = 0; closest(packing) < 1.0; ++n) {
-    if (n == most) {
+    if (n == maximum) {
       throw InputError{fmt::format(
           "solid_fraction of a packing: found {}; the discs still overlap by {:.1e} of their diameter, and it must be "
           "less",
@@ -234,17 +234,17 @@ Packing grow(const PackingPlan& plan) {
 }
 
 double closest(const Packing& packing) {
-  constexpr double most = 1.1;
+  constexpr double maximum = 1.1;
   const double largest = *std::max_element(packing.shapes.radius.begin(), packing.shapes.radius.end());
-  NeighbourList list{packing.box, (most - 1.0) * 2.0 * largest};
+  NeighbourList list{packing.box, (maximum - 1.0) * 2.0 * largest};
   Discs discs = packing.discs;
   wrap(packing.box, discs);
   list.build(packing.shapes, discs);
-  double least = most;
+  double smallest = maximum;
   list.for_each_pair(discs, [&](std::size_t i, std::size_t j, std::size_t, Vec2 d, const auto&) {
-    least = std::min(least, norm(d) / (packing.shapes.radius[i] + packing.shapes.radius[j]));
+    smallest = std::min(smallest, norm(d) / (packing.shapes.radius[i] + packing.shapes.radius[j]));
   });
-  return least;
+  return smallest;
 }
 
 void agitate(Packing& packing, double temperature, std::uint64_t seed) {

@@ -14,8 +14,8 @@ namespace stages {
 TALUS_CLONES void move(const StepBlock& w, std::size_t from, std::size_t to, Sizes& fastest) {
   const NeighbourList::Flow flow = w.flow;
   const double h = w.drift;
-  double *const places = w.places, *const velocities = w.velocities;
-  Sizes most = fastest;
+  double *const positions = w.positions, *const velocities = w.velocities;
+  Sizes maximum = fastest;
   // Includes the discs of two packs in the largest squared speeds.
   const auto raise_speeds = [&](const Pack& p, const Pack& q, const Pack& v_p, const Pack& v_q)
       __attribute__((always_inline)) {
@@ -23,27 +23,27 @@ TALUS_CLONES void move(const StepBlock& w, std::size_t from, std::size_t to, Siz
     const Pack v_x = __builtin_shufflevector(v_p, v_q, 0, 4, 2, 6);
     const Pack v_y = __builtin_shufflevector(v_p, v_q, 1, 5, 3, 7);
     const Pack own_x = v_x - (flow.x + flow.rate * y), own_y = v_y - flow.y;
-    raise(most, own_x * own_x + own_y * own_y);
+    raise(maximum, own_x * own_x + own_y * own_y);
   };
-  double *place = places + 2 * from, *v = velocities + 2 * from;
+  double *position = positions + 2 * from, *v = velocities + 2 * from;
   std::size_t left = to - from;
   Pack p, q, v_p, v_q;
-  for (; left >= 2 * places_per_pack; left -= 2 * places_per_pack, place += 2 * pack_size, v += 2 * pack_size) {
-    load(p, place), load(q, place + pack_size), load(v_p, v), load(v_q, v + pack_size);
+  for (; left >= 2 * points_per_pack; left -= 2 * points_per_pack, position += 2 * pack_size, v += 2 * pack_size) {
+    load(p, position), load(q, position + pack_size), load(v_p, v), load(v_q, v + pack_size);
     raise_speeds(p, q, v_p, v_q);
-    store(p + h * v_p, place), store(q + h * v_q, place + pack_size);
+    store(p + h * v_p, position), store(q + h * v_q, position + pack_size);
   }
-  if (left >= places_per_pack) {
-    load(p, place), load(v_p, v);
+  if (left >= points_per_pack) {
+    load(p, position), load(v_p, v);
     raise_speeds(p, p, v_p, v_p);
-    store(p + h * v_p, place);
-    left -= places_per_pack, place += pack_size, v += pack_size;
+    store(p + h * v_p, position);
+    left -= points_per_pack, position += pack_size, v += pack_size;
   }
-  for (; left > 0; --left, place += 2, v += 2) {
-    raise(most, Pack{} + flow.own_speed_squared({v[0], v[1]}, place[1]));
-    place[0] += h * v[0], place[1] += h * v[1];
+  for (; left > 0; --left, position += 2, v += 2) {
+    raise(maximum, Pack{} + flow.own_speed_squared({v[0], v[1]}, position[1]));
+    position[0] += h * v[0], position[1] += h * v[1];
   }
-  fastest = most;
+  fastest = maximum;
 }
 
 /// stretch_contacts() of one block.
@@ -58,11 +58,11 @@ TALUS_CLONES [[gnu::noinline]] void stretch(const F& friction, const StepBlock& 
     Pack radii = Pack{} + w.equal_radii, x, y, v_x, v_y, distance, arm_a = 0.5 * radii, arm_b = arm_a, spin_a, spin_b;
     for (std::size_t l = 0; l < pack_size; ++l) {
       pairs[l] = contacts.now.pair[t + std::min(l, last)];
-      const std::size_t second = w.pairs->second[pairs[l]], place = second / 2;
-      a[l] = w.pairs->first[pairs[l]], b[l] = static_cast<std::uint32_t>(own_place(w, second));
-      sliding[l] = place < w.discs ? 0.0 : w.shifts[w.ghost_image[place - w.discs]].vx;
+      const std::size_t second = w.pairs->second[pairs[l]], disc_or_ghost = second / 2;
+      a[l] = w.pairs->first[pairs[l]], b[l] = static_cast<std::uint32_t>(own_index(w, second));
+      sliding[l] = disc_or_ghost < w.discs ? 0.0 : w.shifts[w.ghost_image[disc_or_ghost - w.discs]].vx;
     }
-    differences(x, y, w.places, w.pairs->first.data(), w.pairs->second.data(), pairs.data());
+    differences(x, y, w.positions, w.pairs->first.data(), w.pairs->second.data(), pairs.data());
     collect(v_x, [&](std::size_t l) { return w.velocities[b[l]] + sliding[l] - w.velocities[a[l]]; });
     collect(v_y, [&](std::size_t l) { return w.velocities[b[l] + 1] - w.velocities[a[l] + 1]; });
     collect(spin_a, [&](std::size_t l) { return w.spins[a[l] / 2]; });

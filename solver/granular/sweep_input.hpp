@@ -13,7 +13,7 @@ namespace talus {
 
 /// Forces of the first discs of pairs on the second.
 struct PairForces {
-  std::vector<std::uint32_t> first, second;    ///< index of the disc's x in StepBlock::places
+  std::vector<std::uint32_t> first, second;    ///< index of the disc's x in StepBlock::positions
   std::vector<double> force;                   ///< on the second disc: x, y of each pair [F]
   std::vector<double> friction, arm_a, arm_b;  ///< friction, which turns both discs [F], and its lever arms [L]
   std::size_t count{};
@@ -31,7 +31,7 @@ struct StepBlock {
   double drift{};  ///< duration of the drift [T]; 0: none
   double reach{};  ///< largest gap of surfaces at which the law acts [L]
   NeighbourList::Flow flow{};
-  double* places{};                         ///< x, y of discs, of ghosts and of one padding entry (NaN) [L]
+  double* positions{};                      ///< x, y of discs, of ghosts and of one padding entry (NaN) [L]
   double *velocities{}, *spins{};           ///< of discs [L/T, 1/T]; spins is null if they do not turn
   const double *before{}, *spins_before{};  ///< before the kick: of discs and ghosts, and spins; null if not needed
   std::size_t discs{};                      ///< number of all discs
@@ -47,7 +47,7 @@ struct StepBlock {
       per_disc_radius{};        ///< index masks: all bits set, or 0 if all discs have the first value
   double equal_radii{};         ///< sum of two radii, if all are equal [L]
   const std::uint32_t* wall{};  ///< wall number of each disc
-  std::size_t first_wall{};     ///< index in `places` before which no disc belongs to a wall
+  std::size_t first_wall{};     ///< index in `positions` before which no disc belongs to a wall
 
   const SweptPairs* pairs{};
   SweptContacts* contacts{};           ///< contacts of these pairs

@@ -12,7 +12,7 @@ namespace talus {
 
 /// Pairs in the order of the neighbour list, followed by a pack of padding pairs.
 struct SweptPairs {
-  std::vector<std::uint32_t> first, second;  ///< index of x in StepBlock::places; across a border, that of the ghost
+  std::vector<std::uint32_t> first, second;  ///< index of x in StepBlock::positions; across a border, that of the ghost
   std::vector<std::uint32_t> listed;         ///< indices in the whole list; empty if these are all its pairs
   std::vector<double> radii;                 ///< sum of the two radii, if discs are of different size [L]
   std::size_t count{};

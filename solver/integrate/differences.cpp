@@ -64,19 +64,19 @@ TALUS_CLONES void move_rows(const double* q, const double* v, double h, const do
 TALUS_CLONES std::array<double, 3> largest_sums(const double* x, const double* one, double weight_one,
                                                 const double* other, double weight_other, const double* factors,
                                                 std::size_t count) {
-  Sizes most{}, most_one{}, most_other{};
+  Sizes maximum{}, maximum_one{}, maximum_other{};
   for_packs(
       count, [&](std::size_t c, auto left) __attribute__((always_inline)) {
         Pack sum, row, factor = Pack{} + 1.0;
         load(sum, x + c, left);
         if (factors != nullptr) load(factor, factors + c, left);
-        raise(most, factor * sum);
+        raise(maximum, factor * sum);
         load(row, one + c, left);
-        raise(most_one, factor * (sum + row * weight_one));
+        raise(maximum_one, factor * (sum + row * weight_one));
         load(row, other + c, left);
-        raise(most_other, factor * (sum + row * weight_other));
+        raise(maximum_other, factor * (sum + row * weight_other));
       });
-  return {talus::largest(most), talus::largest(most_one), talus::largest(most_other)};
+  return {talus::largest(maximum), talus::largest(maximum_one), talus::largest(maximum_other)};
 }
 
 /// Let G_i^q be the integral of N_i, q times over, from the newest time to t. Since N_(i+1) = (s - t_i) N_i at time s,
@@ -85,7 +85,7 @@ TALUS_CLONES std::array<double, 3> largest_sums(const double* x, const double* o
 /// because N_i never decreases: q H_i^(q+1) is at most H_i^q q/(q + 1), and t - t_i is at least h.
 TALUS_CLONES void integrate_basis(const double* times, double t, std::size_t terms, Differences::Basis* out) {
   // The last of most + 1 terms is integrated twice, so the first term needs most + 3 integrals.
-  constexpr std::size_t packs = whole_packs(Differences::most + 3) / pack_size;
+  constexpr std::size_t packs = whole_packs(Differences::capacity + 3) / pack_size;
   static constexpr auto inverse_factorials = [] {
     std::array<double, packs * pack_size> made{1.0};
     for (std::size_t q = 1; q < made.size(); ++q)
@@ -115,18 +115,18 @@ TALUS_CLONES void integrate_basis(const double* times, double t, std::size_t ter
 void Differences::begin(double t, std::span<const double> rates) {
   width_ = rates.size();
   stride_ = whole_packs(width_);
-  times_.reserve(most + 1), table_.reserve(most * stride_);  // so that steps do not allocate
+  times_.reserve(capacity + 1), table_.reserve(capacity * stride_);  // so that steps do not allocate
   times_.assign(1, t);
   table_.assign(rates.begin(), rates.end());
   table_.resize(stride_);
 }
 
 void Differences::add(double t, std::span<const double> rates) {
-  const std::size_t count = std::min(times_.size() + 1, most);
+  const std::size_t count = std::min(times_.size() + 1, capacity);
   table_.resize(count * stride_);
   above_.assign(rates.begin(), rates.end());
   above_.resize(stride_);
-  std::array<double, most> inverse{};
+  std::array<double, capacity> inverse{};
   for (std::size_t i = 0; i + 1 < count; ++i)
     inverse[i] = 1.0 / (t - times_[i]);
   push(table_.data(), stride_, count, inverse.data(), above_.data());
@@ -162,9 +162,9 @@ void Differences::serialize(Archive& archive, std::size_t width) {
   archive.list("differences", table_);
   if (!archive.is_loading()) return;
   const bool falling = std::adjacent_find(times_.begin(), times_.end(), std::less_equal{}) == times_.end();
-  if (times_.size() > most || !falling)
+  if (times_.size() > capacity || !falling)
     throw InputError{
-        fmt::format("times: found {} of them; at most {} must be there, the newest first", times_.size(), most)};
+        fmt::format("times: found {} of them; at most {} must be there, the newest first", times_.size(), capacity)};
   if (table_.size() != times_.size() * stride_)
     throw InputError{fmt::format("differences: found {} numbers; {} times of {} must be there", table_.size(),
                                  times_.size(), stride_)};

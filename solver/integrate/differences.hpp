@@ -17,11 +17,11 @@ namespace talus {
 class Differences {
  public:
   /// Maximum number of stored times.
-  static constexpr std::size_t most = 13;
+  static constexpr std::size_t capacity = 13;
 
   /// Restarts with the rates at one time.
   void begin(double t, std::span<const double> rates);
-  /// Adds the rates at a later time; beyond `most` times the oldest are dropped.
+  /// Adds the rates at a later time; beyond `capacity` times the oldest are dropped.
   void add(double t, std::span<const double> rates);
 
   std::size_t count() const { return times_.size(); }

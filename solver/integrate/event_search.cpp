@@ -16,7 +16,7 @@
 namespace talus {
 
 std::string accumulation_failure(double t) {
-  return fmt::format("{} events follow each other with hardly any time between them at t = {:.6g}", most_accumulated,
+  return fmt::format("{} events follow each other with hardly any time between them at t = {:.6g}", maximum_accumulated,
                      t);
 }
 
@@ -108,10 +108,10 @@ double EventSearch::find(HybridSystem& system, const State& begin, double end, d
     proceed(begin.t);
     return infinite;
   }
-  const double after = least_ratio();
+  const double after = minimum_ratio();
   const auto ratio_at = [&](double t) {
     evaluate_guards(system, begin, t, state_at);
-    return least_ratio();
+    return minimum_ratio();
   };
   const double before = ratio_at(begin.t);
   if (!(before > 0.0)) return begin.t;
@@ -149,7 +149,7 @@ bool EventSearch::may_have_ended(std::size_t guard) const {
 std::optional<double> EventSearch::interior_minimum(double begin, double end) const {
   std::optional<double> found;
   if (earlier_.each.size() != guards_.each.size() || finite_.empty()) return found;
-  double least = std::numeric_limits<double>::infinity();
+  double minimum = std::numeric_limits<double>::infinity();
   const double b = end - begin;
   const double per_a = 1.0 / (begin - earlier_time_), per_b = 1.0 / b, per_both = 1.0 / (end - earlier_time_);
   for (const std::size_t i : finite_) {
@@ -163,8 +163,8 @@ std::optional<double> EventSearch::interior_minimum(double begin, double end) co
       continue;
     const double s = std::min(-0.5 * slope / curvature, b);
     const double ratio = 1.0 + 0.5 * slope * s / before_.each[i];
-    if (ratio > 0.1 * std::min(1.0, guards_.each[i] / before_.each[i]) || ratio >= least) continue;
-    least = ratio;
+    if (ratio > 0.1 * std::min(1.0, guards_.each[i] / before_.each[i]) || ratio >= minimum) continue;
+    minimum = ratio;
     found = begin + s;
   }
   return found;
@@ -192,13 +192,15 @@ bool EventSearch::find_ended(HybridSystem& system, const State& begin, double t,
 
 /// Minimum of the guards listed in ended_, each relative to its value at the beginning of the step, so that units do
 /// not matter.
-double EventSearch::least_ratio() const {
-  double least = std::numeric_limits<double>::max();
+double EventSearch::minimum_ratio() const {
+  double minimum = std::numeric_limits<double>::max();
   for (const std::size_t i : ended_) {
     const bool measured = before_.each[i] > 0.0 && std::isfinite(before_.each[i]);
-    least = std::min(least, measured ? sampled_guards_[i] / before_.each[i] : sampled_guards_[i] > 0.0 ? 1.0 : -1.0);
+    minimum = std::min(minimum, measured                   ? sampled_guards_[i] / before_.each[i]
+                                : sampled_guards_[i] > 0.0 ? 1.0
+                                                           : -1.0);
   }
-  return least;
+  return minimum;
 }
 
 void EventSearch::update_modes(HybridSystem& system, State& at, const State& before) {

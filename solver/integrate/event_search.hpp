@@ -13,7 +13,7 @@
 namespace talus {
 
 /// Number of successive events with hardly any time between them (Zeno behaviour) after which a run fails.
-inline constexpr long most_accumulated = 1000;
+inline constexpr long maximum_accumulated = 1000;
 /// Message of that failure.
 [[nodiscard]] std::string accumulation_failure(double t);
 
@@ -67,7 +67,7 @@ class EventSearch {
   std::optional<double> interior_minimum(double begin, double end) const;
   void evaluate_guards(HybridSystem& system, const State& begin, double t, const StateAt& state_at);
   bool find_ended(HybridSystem& system, const State& begin, double t, const StateAt& state_at);
-  double least_ratio() const;
+  double minimum_ratio() const;
 
   Guards guards_;               ///< at the end of the last step
   Guards earlier_;              ///< at the beginning of the last step; empty in the first step of a segment

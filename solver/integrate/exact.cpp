@@ -110,7 +110,7 @@ void LinearMotion::serialize(Archive& archive, const State& like) {
   archive.list("terms", numbers);
   if (!archive.is_loading()) return;
   const double size = static_cast<double>(like.q.size());
-  const auto place = [size](double x) {
+  const auto index_of = [size](double x) {
     if (!(x >= 0.0 && x < size && x == std::floor(x)))
       throw InputError{fmt::format("terms: found one of coordinate {}; there are {}", x, size)};
     return static_cast<std::size_t>(x);
@@ -119,7 +119,7 @@ void LinearMotion::serialize(Archive& archive, const State& like) {
     throw InputError{fmt::format("terms: found {} numbers; there must be four for each", numbers.size())};
   piece_.terms.clear();
   for (std::size_t i = 0; i < numbers.size(); i += 4)
-    piece_.terms.push_back({place(numbers[i]), place(numbers[i + 1]), numbers[i + 2], numbers[i + 3]});
+    piece_.terms.push_back({index_of(numbers[i]), index_of(numbers[i + 1]), numbers[i + 2], numbers[i + 3]});
 }
 
 }  // namespace talus

@@ -26,17 +26,17 @@ constexpr std::array<double, 6> embedded{4586570599.0 / 29645900160.0, 0.0,
                                          178811875.0 / 945068544.0,    814220225.0 / 1159782912.0,
                                          -3700637.0 / 11593932.0,      61727.0 / 225920.0};
 
-constexpr int most_iterations = 6;
+constexpr int maximum_iterations = 6;
 /// Error of Newton's method allowed in a stage, relative to the error allowed in the step.
 constexpr double newton_error = 0.02;
 
 double largest(const std::vector<double>& x, std::span<const double> lengths) {
-  double most = 0.0;
+  double maximum = 0.0;
   for (std::size_t i = 0; i < x.size(); ++i) {
     const double size = std::abs(x[i]) * (lengths.empty() ? 1.0 : lengths[i]);
-    most = size > most || size != size ? size : most;
+    maximum = size > maximum || size != size ? size : maximum;
   }
-  return most;
+  return maximum;
 }
 
 /// Error relative to a scale; a zero error is zero on any scale.
@@ -56,7 +56,7 @@ bool ImplicitStep::begin(HybridSystem& system, const State& at) {
 }
 
 /// Computes the state of a stage from the rates of the stages before it and its own rates.
-void ImplicitStep::place_stage(const State& begin, double h, std::size_t stage) {
+void ImplicitStep::set_stage(const State& begin, double h, std::size_t stage) {
   const auto sum = [&](const auto& start, auto& out, const auto& rates_of) {
     for (std::size_t i = 0; i < out.size(); ++i) {
       double total = 0.0;
@@ -81,8 +81,8 @@ bool ImplicitStep::solve_stage(HybridSystem& system, const State& begin, double 
   rates = rates_[stage - 1];
   const double force_scale = fastest_rate_ * scales.speed;
   double before = 0.0;
-  for (int iteration = 0; iteration < most_iterations; ++iteration) {
-    place_stage(begin, h, stage);
+  for (int iteration = 0; iteration < maximum_iterations; ++iteration) {
+    set_stage(begin, h, stage);
     system.derivative(at_, found_);
     change_.resize(rates.v.size());
     for (std::size_t i = 0; i < change_.size(); ++i)
@@ -148,7 +148,7 @@ double ImplicitStep::take(HybridSystem& system, const State& begin, Rates& rates
   for (std::size_t stage = 1; stage < stages; ++stage) {
     if (!solve_stage(system, begin, h, stage, scales)) return infinity;
   }
-  place_stage(begin, h, stages - 1);
+  set_stage(begin, h, stages - 1);
   const double found = error(h, scales);
   if (!(found <= 1.0)) return found;
   end.q = at_.q, end.v = at_.v, end.z = at_.z;

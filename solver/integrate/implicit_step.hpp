@@ -49,7 +49,7 @@ class ImplicitStep {
   static constexpr std::size_t stages = 6;
 
   bool solve_stage(HybridSystem& system, const State& begin, double h, std::size_t stage, const ErrorScales& scales);
-  void place_stage(const State& begin, double h, std::size_t stage);
+  void set_stage(const State& begin, double h, std::size_t stage);
   double error(double h, const ErrorScales& scales);
 
   LinearSegment piece_;

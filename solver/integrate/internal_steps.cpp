@@ -8,7 +8,7 @@ std::string internal_steps_failure(double t) {
   return fmt::format(
       "more than {} steps of the method's step control in one time step, at t = {:.6g}; a shorter time step, a larger "
       "tolerance, or a method of fixed step, may do",
-      most_internal_steps, t);
+      maximum_internal_steps, t);
 }
 
 std::string short_step_failure(double tolerance, double t) {

@@ -6,7 +6,7 @@ namespace talus {
 
 /// Maximum number of internal steps of step control within one time step h. A run that needs more has failed: it would
 /// not end in an acceptable time.
-inline constexpr long most_internal_steps = 1'000'000;
+inline constexpr long maximum_internal_steps = 1'000'000;
 /// Message of that failure; t: the time reached [T].
 [[nodiscard]] std::string internal_steps_failure(double t);
 

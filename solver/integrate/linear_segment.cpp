@@ -36,13 +36,13 @@ bool AffineSolver::group(const LinearSegment& piece, std::size_t coordinates) {
     root[std::max(a, b)] = std::min(a, b);
   }
   groups_.clear();
-  places_.assign(coordinates, {none, 0});
+  indices_.assign(coordinates, {none, 0});
   std::vector<std::size_t> group_of(coordinates, none);
   for (std::size_t i = 0; i < coordinates; ++i) {
     if (!coupled[i]) continue;
     std::size_t& group = group_of[find(i)];
     if (group == none) group = groups_.size(), groups_.emplace_back();
-    places_[i] = {group, groups_[group].coordinates.size()};
+    indices_[i] = {group, groups_[group].coordinates.size()};
     groups_[group].coordinates.push_back(i);
   }
   return std::all_of(groups_.begin(), groups_.end(),
@@ -58,9 +58,9 @@ bool AffineSolver::factorise(const LinearSegment& piece, double b) {
       group.lu[i * n + i] = 1.0;
   }
   for (const LinearSegment::Term& term : piece.terms) {
-    const Place row = places_[term.row];
+    const GroupIndex row = indices_[term.row];
     Group& group = groups_[row.group];
-    group.lu[row.index * group.coordinates.size() + places_[term.column].index] +=
+    group.lu[row.index * group.coordinates.size() + indices_[term.column].index] +=
         b * term.damping + b * b * term.stiffness;
   }
   return std::all_of(groups_.begin(), groups_.end(), [](Group& group) { return factorise(group); });

@@ -61,14 +61,14 @@ class AffineSolver {
     std::vector<double> lu;           ///< row-major
     std::vector<std::size_t> pivots;  ///< per column, the row that was exchanged with it
   };
-  struct Place {
+  struct GroupIndex {
     std::size_t group{};
     std::size_t index{};
   };
   static bool factorise(Group& group);
 
   std::vector<Group> groups_;
-  std::vector<Place> places_;  ///< per coordinate; no group for one without terms
+  std::vector<GroupIndex> indices_;  ///< per coordinate; no group for one without terms
   mutable std::vector<double> gathered_;
 };
 

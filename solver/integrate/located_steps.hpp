@@ -111,7 +111,7 @@ class LocatedSteps {
   void advance(HybridSystem& system, State& state, double h) {
     const double t = state.t + h;
     for (long steps = 0; failure_.empty() && end_.t < t; ++steps) {
-      if (steps == most_internal_steps) {
+      if (steps == maximum_internal_steps) {
         failure_ = internal_steps_failure(end_.t);
         break;
       }
@@ -175,7 +175,7 @@ class LocatedSteps {
     accumulated_ = end_.t - event_time_ <= 1e-3 * motion_.usual_step() ? accumulated_ + 1 : 0;
     event_time_ = end_.t;
     needs_restart_ = true;
-    if (accumulated_ == most_accumulated) failure_ = accumulation_failure(end_.t);
+    if (accumulated_ == maximum_accumulated) failure_ = accumulation_failure(end_.t);
   }
 
   State begin_;  ///< state at the beginning of the last step ...

@@ -78,7 +78,7 @@ class Adams8 {
   template <class System>
   void do_step(System system, Vector& x, double t, double h) {
     // Eight derivatives are stored; the first seven steps use the starting method.
-    kept_ = std::min(kept_ + 1, most);
+    kept_ = std::min(kept_ + 1, maximum);
     if (!predictor_.is_initialized()) return predictor_.do_step(system, x, t, h);
     predicted_.resize(x.size());
     predictor_.do_step(system, x, t, predicted_, h);
@@ -89,7 +89,8 @@ class Adams8 {
     long kept = kept_;
     archive.count("stored_derivatives", kept);
     if (archive.is_loading()) {
-      if (kept > most) throw InputError{fmt::format("stored_derivatives: found {}; it must be at most {}", kept, most)};
+      if (kept > maximum)
+        throw InputError{fmt::format("stored_derivatives: found {}; it must be at most {}", kept, maximum)};
       count_steps(kept, size);
     }
     for (long i = 0; i < kept_; ++i)
@@ -97,7 +98,7 @@ class Adams8 {
   }
 
  private:
-  static constexpr long most = 8;
+  static constexpr long maximum = 8;
   // Started by Fehlberg 7(8): odeint's default, rk4, causes an error of h^5 that persists during the whole run.
   using Predictor = odeint::adams_bashforth<8, Vector, double, Vector, double, odeint::range_algebra,
                                             odeint::default_operations, odeint::initially_resizer, Fehlberg78>;
@@ -156,7 +157,7 @@ template <class Stepper>
 constexpr bool keeps_derivative = std::is_same_v<Stepper, Dopri5> || std::is_same_v<Stepper, Controlled<Dopri5>>;
 
 /// Minimum internal step as a fraction of the interval: below it a run has failed, not merely slowed down.
-constexpr double least_ratio = 1e-12;
+constexpr double minimum_ratio = 1e-12;
 
 }  // namespace
 
@@ -186,11 +187,11 @@ std::string controlled_steps(Stepper& stepper, Method& method, const OdeintStepp
   if constexpr (std::is_same_v<Stepper, BulirschStoer>) stepper.reset();
   const double end = t + h;
   double dt = method.internal_step == 0.0 ? h : std::min(method.internal_step, h);
-  double most = 0.0;  // longest step from the state accepted last; 0: not evaluated
+  double maximum = 0.0;  // longest step from the state accepted last; 0: not evaluated
   for (long steps = 0; t < end; ++steps) {
-    if (steps == most_internal_steps) return internal_steps_failure(t);
-    if (most == 0.0) most = longest(end - t);
-    const double next = std::min(dt, most);
+    if (steps == maximum_internal_steps) return internal_steps_failure(t);
+    if (maximum == 0.0) maximum = longest(end - t);
+    const double next = std::min(dt, maximum);
     const bool last = t + next * (1.0 + 1e-12) >= end;
     double attempt = last ? end - t : next;
     const double wanted = attempt;
@@ -199,11 +200,11 @@ std::string controlled_steps(Stepper& stepper, Method& method, const OdeintStepp
       // A step cut short by the end of the interval or by a contact to come is no reason to shorten the next one.
       dt = last || next < dt ? std::max(dt, attempt) : attempt;
       accepted(x, t);
-      most = 0.0;
+      maximum = 0.0;
     } else {
       dt = attempt;
     }
-    if (dt < least_ratio * h || !std::isfinite(wanted)) return short_step_failure(method.tolerance, t);
+    if (dt < minimum_ratio * h || !std::isfinite(wanted)) return short_step_failure(method.tolerance, t);
   }
   method.internal_step = dt;
   return {};

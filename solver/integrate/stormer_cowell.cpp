@@ -18,7 +18,7 @@
 namespace talus {
 namespace {
 
-constexpr std::size_t most_terms = 12;
+constexpr std::size_t maximum_terms = 12;
 /// First step of a segment as a fraction of the usual step.
 constexpr double first_fraction = 0.25;
 
@@ -26,7 +26,7 @@ constexpr double first_fraction = 0.25;
 constexpr double implicit_cost = 12.0;
 /// Steps of the polynomial above this order are limited by their errors, not by stiffness.
 constexpr std::size_t stiff_order = 4;
-constexpr long most_patience = 400;
+constexpr long maximum_patience = 400;
 
 /// Maximum ratio of a step to the last one: the first few steps search for their length, high orders tolerate little
 /// growth.
@@ -70,7 +70,7 @@ PolynomialMotion::PolynomialMotion(const State& state, double tolerance)
       start_{state.q},
       implicit_step_{state},
       implicit_rates_{state},
-      basis_(Differences::most + 1),
+      basis_(Differences::capacity + 1),
       predicted_{state},
       found_{state} {}
 
@@ -113,10 +113,10 @@ void PolynomialMotion::start_scales(HybridSystem& system, const State& start) {
   if (!system.linearization(start, piece)) return;
   const double rate = fastest_rate(piece, lengths_);
   if (rate == 0.0) return;
-  double most = 0.0;
+  double maximum = 0.0;
   for (std::size_t i = 0; i < lengths_.size(); ++i)
-    most = std::max(most, lengths_[i] * std::abs(found_.v[i]));
-  speed_ = most / rate, displacement_ = speed_ / rate;
+    maximum = std::max(maximum, lengths_[i] * std::abs(found_.v[i]));
+  speed_ = maximum / rate, displacement_ = speed_ / rate;
 }
 
 std::string PolynomialMotion::advance(HybridSystem& system, const State& begin, State& end, double longest) {
@@ -159,7 +159,7 @@ bool PolynomialMotion::is_held_by_stiffness(HybridSystem& system, const State& b
   held_ = 0;
   system.derivative(begin, implicit_rates_);
   if (!implicit_step_.begin(system, begin) || !(step_ * implicit_step_.fastest_rate(lengths_) > 0.1)) {
-    patience_ = std::min(2 * patience_, most_patience);
+    patience_ = std::min(2 * patience_, maximum_patience);
     return false;
   }
   explicit_step_ = step_;
@@ -198,7 +198,7 @@ void PolynomialMotion::leave_implicit(const State& begin) {
   rates_.begin(begin.t, new_);
   order_ = 1;
   const double paid = implicit_cost * static_cast<double>(implicit_count_) * explicit_step_;
-  patience_ = begin.t - implicit_start_ > 2.0 * paid ? first_patience : std::min(2 * patience_, most_patience);
+  patience_ = begin.t - implicit_start_ > 2.0 * paid ? first_patience : std::min(2 * patience_, maximum_patience);
   step_ = first_fraction * explicit_step_;
   implicit_ = false;
 }
@@ -212,7 +212,7 @@ void PolynomialMotion::try_step(HybridSystem& system, const State& begin, double
   move(begin, t, {basis_.data(), used_}, predicted_);
   system.derivative(predicted_, found_);
   flatten(found_);
-  std::array<double, most_terms> weights;
+  std::array<double, maximum_terms> weights;
   for (std::size_t i = 0; i < used_; ++i)
     weights[i] = -basis_[i].value;
   miss_.resize(new_.size());
@@ -227,7 +227,7 @@ void PolynomialMotion::try_step(HybridSystem& system, const State& begin, double
 void PolynomialMotion::move(const State& begin, double t, std::span<const Basis> basis, State& to) const {
   to.t = t;
   rates_.move(begin.q, begin.v, t - begin.t, basis, to.q, to.v);
-  std::array<double, most_terms> once;
+  std::array<double, maximum_terms> once;
   for (std::size_t i = 0; i < basis.size(); ++i)
     once[i] = basis[i].once;
   std::size_t first = to.v.size();
@@ -259,7 +259,7 @@ void PolynomialMotion::correct(const Basis& last, const State& from, State& to) 
 
 void PolynomialMotion::state_at(const State& begin, const State&, double t, State& out) const {
   if (implicit_last_) return implicit_step_.state_at(begin, t, out);
-  std::array<Basis, Differences::most + 1> basis;
+  std::array<Basis, Differences::capacity + 1> basis;
   rates_.basis(t, used_ + 1, basis);
   move(begin, t, {basis.data(), used_}, out);
   correct(basis[used_], out, out);
@@ -276,7 +276,7 @@ void PolynomialMotion::measure(double h, const State& begin, const State& end) {
 /// The last step's errors as multiples of the tolerance: the difference between prediction and correction.
 PolynomialMotion::Errors PolynomialMotion::errors(const State& like) const {
   const std::size_t n = like.v.size(), m = moves_memory_ ? like.z.size() : 0;
-  const bool less = used_ > 1, more = used_ < rates_.count() && used_ < most_terms;
+  const bool less = used_ > 1, more = used_ < rates_.count() && used_ < maximum_terms;
   // With one term fewer, that term is missed as well; with one more, that term is no longer missed.
   const std::array<Differences::Term, 2> terms{
       less ? Differences::Term{used_ - 1, basis_[used_ - 1].value} : Differences::Term{},
@@ -286,16 +286,16 @@ PolynomialMotion::Errors PolynomialMotion::errors(const State& like) const {
   std::array<double, 3> memory{};
   if (m > 0) memory = rates_.largest(missed.subspan(n, m), n, terms, {});
   // NaN counts as the largest.
-  const auto raise = [](double& most, double x) { most = x > most || x != x ? x : most; };
+  const auto raise = [](double& maximum, double x) { maximum = x > maximum || x != x ? x : maximum; };
   // While the motion has not begun, its scale is zero and any error but zero is too large.
   const auto ratio = [](double x, double of) { return x == 0.0 ? 0.0 : x / of; };
-  const auto error = [&](std::size_t place, std::size_t used) {
+  const auto error = [&](std::size_t index, std::size_t used) {
     const Basis& left_out = basis_[used];
     const double once = std::abs(left_out.once / left_out.value), twice = std::abs(left_out.twice / left_out.value);
-    double most = ratio(motion[place] * once, speed_now_);
-    raise(most, ratio(motion[place] * twice, displacement_now_));
-    raise(most, ratio(memory[place] * once, displacement_now_));
-    return most / tolerance_;
+    double maximum = ratio(motion[index] * once, speed_now_);
+    raise(maximum, ratio(motion[index] * twice, displacement_now_));
+    raise(maximum, ratio(memory[index] * once, displacement_now_));
+    return maximum / tolerance_;
   };
   constexpr double none = std::numeric_limits<double>::infinity();
   return {error(0, used_), less ? error(1, used_ - 1) : none, more ? error(2, used_ + 1) : none};
@@ -318,7 +318,7 @@ void PolynomialMotion::choose_next(double h, const Errors& errors) {
     const double lower = growth(errors.fewer, used_ - 1);
     if (lower > best) best = lower, order_ = used_ - 1;
   }
-  if (order_ == used_ && used_ < most_terms) {
+  if (order_ == used_ && used_ < maximum_terms) {
     if (rates_.count() == used_) {
       ++order_;  // all known times were used: the next step has one more
     } else {
@@ -332,11 +332,11 @@ void PolynomialMotion::choose_next(double h, const Errors& errors) {
     if (errors.now > 0.0) step_ = std::min(best * h, step_);
     return;
   }
-  const double most = largest_growth(used_);
-  step_ = h * std::clamp(best, 0.3, most);
+  const double maximum = largest_growth(used_);
+  step_ = h * std::clamp(best, 0.3, maximum);
   if (used_ > stiff_order || step_ > 3.0 * held_step_) held_ = 0, held_step_ = step_;
   ++held_;
-  usual_ = best < most ? step_ : std::max(usual_, step_);
+  usual_ = best < maximum ? step_ : std::max(usual_, step_);
 }
 
 void PolynomialMotion::serialize(Archive& archive, const State& like) {
@@ -353,7 +353,7 @@ void PolynomialMotion::serialize(Archive& archive, const State& like) {
     long whole = static_cast<long>(value);
     archive.count(part, whole);
     value = static_cast<std::size_t>(whole);
-    const std::size_t allowed = std::clamp<std::size_t>(rates_.count() + 1, 1, most_terms);
+    const std::size_t allowed = std::clamp<std::size_t>(rates_.count() + 1, 1, maximum_terms);
     if (value < 1 || value > allowed)
       throw InputError{fmt::format("{}: found {}; it must lie in [1, {}]", part, value, allowed)};
   };

@@ -47,7 +47,7 @@ CatalogueField quantity(std::string name, std::string meaning, Dimension dimensi
   return {.name = std::move(name),
           .meaning = std::move(meaning),
           .dimension = dimension,
-          .range = range == Range::any ? "" : std::string{words(range)},
+          .range = range == Range::any ? "" : std::string{text_of(range)},
           .absent = std::move(absent)};
 }
 

@@ -64,7 +64,7 @@ void add_counts(Group& group) {
     group.fields.push_back({.name = std::string{field.name},
                             .meaning = std::string{field.meaning},
                             .form = Form::whole,
-                            .range = fmt::format("{} .. {}", field.least, field.most),
+                            .range = fmt::format("{} .. {}", field.minimum, field.maximum),
                             .required = true});
   }
 }

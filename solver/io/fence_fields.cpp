@@ -53,7 +53,7 @@ Group fence() {
         .form = Form::wholes,
         .absent = "none"},
        {.name = "history_codes",
-        .meaning = fmt::format("variab: codes of the quantities kept, at most {}", most_history_codes),
+        .meaning = fmt::format("variab: codes of the quantities kept, at most {}", maximum_history_codes),
         .form = Form::wholes,
         .range = fmt::format("1 .. {}", last_history_code),
         .absent = "none"},

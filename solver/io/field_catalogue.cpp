@@ -289,7 +289,7 @@ void add_cell(std::vector<Group>& groups) {
   group.fields.push_back({.name = "seed",
                           .meaning = "of the random velocities at the start",
                           .form = Form::whole,
-                          .range = fmt::format("0 .. {}", most_seed),
+                          .range = fmt::format("0 .. {}", maximum_seed),
                           .absent = "0"});
   groups.push_back(std::move(group));
   DiscLaws::for_each([&]<class L>(const L& law) {

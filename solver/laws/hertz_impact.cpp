@@ -106,10 +106,10 @@ HertzImpact hertz_impact(double damping_ratio, HertzDashpot dashpot, EndRule rul
   };
   /// Fraction of a step at which `function` of the point is zero: > 0 now, <= 0 after the step.
   const auto located = [&](const auto& function) {
-    std::uintmax_t most = 100;
+    std::uintmax_t maximum = 100;
     const auto [below, above] =
         boost::math::tools::toms748_solve([&](double by) { return function(moved(by)); }, 0.0, step, function(now),
-                                          function(next), boost::math::tools::eps_tolerance<double>(50), most);
+                                          function(next), boost::math::tools::eps_tolerance<double>(50), maximum);
     return moved(0.5 * (below + above));
   };
   HertzImpact found;
@@ -133,16 +133,17 @@ HertzImpact hertz_impact(double damping_ratio, HertzDashpot dashpot, EndRule rul
 
 double hertz_damping_ratio(double e, HertzDashpot dashpot, EndRule rule) {
   if (dashpot == HertzDashpot::tsuji) return damping_ratio(e, rule);
-  constexpr double least = 1e-6;
-  if (!(e >= least && e <= 1.0)) throw InputError{fmt::format("restitution is {}; it must be in [{}, 1]", e, least)};
+  constexpr double minimum = 1e-6;
+  if (!(e >= minimum && e <= 1.0))
+    throw InputError{fmt::format("restitution is {}; it must be in [{}, 1]", e, minimum)};
   if (e == 1.0) return 0.0;
   const auto excess = [&](double xi) { return hertz_impact(xi, dashpot, rule).restitution - e; };
   double high = 1.0;
   while (excess(high) > 0.0)
     high *= 2.0;
-  std::uintmax_t most = 200;
+  std::uintmax_t maximum = 200;
   const auto [below, above] = boost::math::tools::toms748_solve(excess, 0.0, high, 1.0 - e, excess(high),
-                                                                boost::math::tools::eps_tolerance<double>(48), most);
+                                                                boost::math::tools::eps_tolerance<double>(48), maximum);
   return 0.5 * (below + above);
 }
 

@@ -19,9 +19,9 @@ namespace {
 double excess_of_log(double x) { return x > -1.0 ? boost::math::log1pmx(x) : std::numeric_limits<double>::lowest(); }
 
 double root_between(const auto& function, double low, double high, double at_low, double at_high) {
-  std::uintmax_t most = 200;
+  std::uintmax_t maximum = 200;
   const auto [below, above] = boost::math::tools::toms748_solve(function, low, high, at_low, at_high,
-                                                                boost::math::tools::eps_tolerance<double>(52), most);
+                                                                boost::math::tools::eps_tolerance<double>(52), maximum);
   return 0.5 * (below + above);
 }
 

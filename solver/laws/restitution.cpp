@@ -66,9 +66,9 @@ double damping_ratio(double e, EndRule rule) {
   double high = 1.0;
   while (excess(high) < 0.0)
     high *= 2.0;
-  std::uintmax_t most = 200;
+  std::uintmax_t maximum = 200;
   const auto [below, above] =
-      boost::math::tools::toms748_solve(excess, 0.0, high, boost::math::tools::eps_tolerance<double>(52), most);
+      boost::math::tools::toms748_solve(excess, 0.0, high, boost::math::tools::eps_tolerance<double>(52), maximum);
   return 0.5 * (below + above);
 }
 

@@ -20,7 +20,7 @@ void check_name(std::string_view kind, const std::string& name, const std::set<s
 
 void check_number(std::string_view kind, std::string_view name, std::string_view field, Range range, double value) {
   if (std::isfinite(value) && contains(range, value)) return;
-  throw InputError{fmt::format("{} '{}': {} is {}; it must be {}", kind, name, field, value, words(range))};
+  throw InputError{fmt::format("{} '{}': {} is {}; it must be {}", kind, name, field, value, text_of(range))};
 }
 
 template <class T>

@@ -5,9 +5,9 @@
 namespace talus {
 
 void Extremes::add(double time, std::span<const double> values) {
-  if (least_.empty()) {
-    least_.assign(values.begin(), values.end()), largest_ = least_;
-    least_time_.assign(values.size(), time), largest_time_ = least_time_;
+  if (minimum_.empty()) {
+    minimum_.assign(values.begin(), values.end()), maximum_ = minimum_;
+    minimum_time_.assign(values.size(), time), maximum_time_ = minimum_time_;
     return;
   }
   rows_.resize(block_rows * size());
@@ -17,17 +17,17 @@ void Extremes::add(double time, std::span<const double> values) {
 }
 
 void Extremes::compare() {
-  take_extremes(rows_.data(), row_times_.data(), pending_, size(), least_.data(), least_time_.data(), largest_.data(),
-                largest_time_.data());
+  take_extremes(rows_.data(), row_times_.data(), pending_, size(), minimum_.data(), minimum_time_.data(),
+                maximum_.data(), maximum_time_.data());
   pending_ = 0;
 }
 
 Extreme Extremes::operator[](std::size_t i) const {
-  Extreme found{least_[i], least_time_[i], largest_[i], largest_time_[i]};
+  Extreme found{minimum_[i], minimum_time_[i], maximum_[i], maximum_time_[i]};
   for (std::size_t row = 0; row < pending_; ++row) {
     const double value = rows_[row * size() + i];
-    if (value < found.least) found.least = value, found.least_time = row_times_[row];
-    if (value > found.largest) found.largest = value, found.largest_time = row_times_[row];
+    if (value < found.minimum) found.minimum = value, found.minimum_time = row_times_[row];
+    if (value > found.maximum) found.maximum = value, found.maximum_time = row_times_[row];
   }
   return found;
 }
@@ -36,14 +36,14 @@ void Extremes::serialize(Archive& archive, std::size_t count) {
   compare();
   std::vector<double> numbers;
   for (std::size_t i = 0; i < size(); ++i)
-    numbers.insert(numbers.end(), {least_[i], least_time_[i], largest_[i], largest_time_[i]});
+    numbers.insert(numbers.end(), {minimum_[i], minimum_time_[i], maximum_[i], maximum_time_[i]});
   numbers.resize(4 * count);
   archive.numbers("extremes", numbers);
-  for (std::vector<double>* const list : {&least_, &least_time_, &largest_, &largest_time_})
+  for (std::vector<double>* const list : {&minimum_, &minimum_time_, &maximum_, &maximum_time_})
     list->clear();
   for (std::size_t i = 0; i < numbers.size(); i += 4) {
-    least_.push_back(numbers[i]), least_time_.push_back(numbers[i + 1]);
-    largest_.push_back(numbers[i + 2]), largest_time_.push_back(numbers[i + 3]);
+    minimum_.push_back(numbers[i]), minimum_time_.push_back(numbers[i + 1]);
+    maximum_.push_back(numbers[i + 2]), maximum_time_.push_back(numbers[i + 3]);
   }
 }
 

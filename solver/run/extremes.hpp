@@ -12,10 +12,10 @@ namespace talus {
 
 /// Minimum and maximum of a quantity over a run, and the first time of each.
 struct Extreme {
-  double least{};
-  double least_time{};
-  double largest{};
-  double largest_time{};
+  double minimum{};
+  double minimum_time{};
+  double maximum{};
+  double maximum_time{};
 };
 
 /// The extremes of many quantities, stored as one array for each number. Values are compared in blocks of several
@@ -25,7 +25,7 @@ class Extremes {
   /// Adds the values at one time; their number must not change. Later NaN values are ignored.
   void add(double time, std::span<const double> values);
 
-  std::size_t size() const { return least_.size(); }
+  std::size_t size() const { return minimum_.size(); }
   Extreme operator[](std::size_t i) const;
 
   /// Serializes the extremes of `count` quantities.
@@ -37,7 +37,7 @@ class Extremes {
   std::vector<double> rows_;  ///< values that have not been compared yet, time by time
   std::array<double, block_rows> row_times_{};
   std::size_t pending_{};  ///< number of these rows
-  std::vector<double> least_, least_time_, largest_, largest_time_;
+  std::vector<double> minimum_, minimum_time_, maximum_, maximum_time_;
 };
 
 }  // namespace talus

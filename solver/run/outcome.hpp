@@ -13,8 +13,8 @@ struct [[nodiscard]] Outcome {
   };
 
   Kind kind{Kind::finished};
-  double time{};      ///< the last time reached [T]
-  std::string words;  ///< for a diverged run: the cause, with the body or contact where there is one
+  double time{};        ///< the last time reached [T]
+  std::string message;  ///< for a diverged run: the cause, with the body or contact where there is one
 
   /// Whether the results are valid up to `time`.
   explicit operator bool() const { return kind != Kind::diverged; }

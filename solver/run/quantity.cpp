@@ -24,21 +24,21 @@ std::vector<std::string_view> kinds(const Model& model, const std::vector<Column
 
 Reduction reduction_named(std::string_view name) {
   const auto& list = Names<Reduction>::list;
-  const auto place = std::find(list.begin(), list.end(), name);
-  if (place == list.end()) throw unknown_name("reduction", name, {list.begin(), list.end()});
-  return static_cast<Reduction>(place - list.begin());
+  const auto found = std::find(list.begin(), list.end(), name);
+  if (found == list.end()) throw unknown_name("reduction", name, {list.begin(), list.end()});
+  return static_cast<Reduction>(found - list.begin());
 }
 
 }  // namespace
 
-double Quantity::of(double least, double largest, double last) const {
+double Quantity::of(double minimum, double maximum, double last) const {
   switch (reduction) {
     case Reduction::max:
-      return largest;
+      return maximum;
     case Reduction::min:
-      return least;
+      return minimum;
     case Reduction::abs_max:
-      return std::max(std::abs(least), std::abs(largest));
+      return std::max(std::abs(minimum), std::abs(maximum));
     case Reduction::end:
       break;
   }

@@ -25,7 +25,7 @@ struct Quantity {
   Reduction reduction{Reduction::end};
 
   /// The reduced value, from the minimum, the maximum and the last value of the column.
-  [[nodiscard]] double of(double least, double largest, double last) const;
+  [[nodiscard]] double of(double minimum, double maximum, double last) const;
 };
 
 /// The quantity with the given name: a column of the history ("top.tension", "rock.vx", "energy.kinetic"), optionally

@@ -81,7 +81,7 @@ struct FenceElement {
 
 /// A column that differs from the others: values that replace theirs, for a longer, shorter, heavier or lighter column.
 struct ChangedColumn {
-  int place{1};       ///< position from the centre outwards, 1 .. half the count; in every layer and on both sides
+  int number{1};      ///< position from the centre outwards, 1 .. half the count; in every layer and on both sides
   double a{};         ///< half-width [L] > 0
   double b{};         ///< half-height [L] > 0
   double density{};   ///< [M/L^3] > 0
@@ -97,7 +97,7 @@ struct ChangedColumn {
              {"y_bottom", dimension::length, &F::y_bottom, Range::any, "bottom joint, < 0 below the centroid"}}};
   }
   static constexpr std::array<CountField<ChangedColumn>, 1> counts() {
-    return {{{"place", &ChangedColumn::place, 1, 1000, "place from the centre outwards"}}};
+    return {{{"place", &ChangedColumn::number, 1, 1000, "place from the centre outwards"}}};
   }
 
   friend bool operator==(const ChangedColumn&, const ChangedColumn&) = default;

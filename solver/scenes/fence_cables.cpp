@@ -32,24 +32,25 @@ CableId FenceMaker::add_cable(const std::string& name, CableEnd a, CableEnd b, d
 }
 
 /// The column at a position, with its changed values if it has any.
-ChangedColumn FenceMaker::column(int place) const {
+ChangedColumn FenceMaker::column(int position) const {
   for (const ChangedColumn& changed : fence_.changed_columns) {
-    if (changed.place == place + 1) return changed;
+    if (changed.number == position + 1) return changed;
   }
   const FenceElement& e = fence_.column;
-  return {place + 1, e.a, e.b, e.density, fence_.y_top, fence_.y_bottom};
+  return {position + 1, e.a, e.b, e.density, fence_.y_top, fence_.y_bottom};
 }
 
 /// A rock can hit the columns within half their spacing along the fence: one, or two when it is midway between them. In
 /// the half model these are the central ones.
 bool FenceMaker::meets(const FenceElement& rock, const Column& column) const {
-  if (!full()) return column.place == 0;
+  if (!full()) return column.position == 0;
   return std::abs(rock.along - column.along) <= 0.5 * fence_.spacing * (1.0 + 1e-9);
 }
 
-void FenceMaker::add_member(int layer, const Column& column, const ChangedColumn& place, Vec2 position, double angle) {
+void FenceMaker::add_member(int layer, const Column& column, const ChangedColumn& changed, Vec2 position,
+                            double angle) {
   FenceElement own = fence_.column;
-  own.a = place.a, own.b = place.b, own.density = place.density;
+  own.a = changed.a, own.b = changed.b, own.density = changed.density;
   const MassProperties solid = mass_properties(own);
   made_.members.push_back({.body = column.body,
                            .layer = layer,
@@ -70,14 +71,14 @@ void FenceMaker::add_layer(int layer) {
   std::vector<std::array<std::size_t, 2>> hung;  // indices in layers_.back(): for each position, the column on either
                                                  // side
   for (int i = 0; i < count; ++i) {
-    const ChangedColumn place = column(i);
+    const ChangedColumn changed = column(i);
     FenceElement own = e;
-    own.a = place.a, own.b = place.b, own.density = place.density;
+    own.a = changed.a, own.b = changed.b, own.density = changed.density;
     Body made = body(own, "", fence_.options.contact);
     made.sleeps = made.mobility == Mobility::free;
     const bool centre = i == 0;
     // Equal columns add an exact zero, so that their heights suffer no round-off.
-    const double lower = place.y_top == column(0).y_top ? 0.0 : column(0).y_top - place.y_top;
+    const double lower = changed.y_top == column(0).y_top ? 0.0 : column(0).y_top - changed.y_top;
     made.p_WB = {x, e.position.y + shape.heights[static_cast<std::size_t>(i)] + lower};
     if (!full() && !(centre && (!even() || doubled()))) made.multiplicity = 2;
     if (centre && doubled()) made.mass *= 2.0, made.inertia *= 2.0;
@@ -89,7 +90,7 @@ void FenceMaker::add_layer(int layer) {
         column.along = (side == 1 ? -1 : 1) * (inner + i * fence_.spacing);
         column.height = made.p_WB.y;
         column.mass = made.mass, column.inertia = made.inertia, column.multiplicity = made.multiplicity;
-        column.place = i;
+        column.position = i;
         column.struck = std::ranges::any_of(fence_.rocks, [&](const FenceElement& r) { return meets(r, column); });
         made.name = fmt::format("{}column{}", prefix(layer), column.number);
         column.body = builder_.add(made);
@@ -97,7 +98,7 @@ void FenceMaker::add_layer(int layer) {
       }
       hung.back()[static_cast<std::size_t>(side)] = layers_.back().size() - 1;
     }
-    add_member(layer, layers_.back()[hung.back()[0]], place, made.p_WB, made.angle);
+    add_member(layer, layers_.back()[hung.back()[0]], changed, made.p_WB, made.angle);
   }
   const MassProperties solid = mass_properties(e);
   const Vec2 end{x, e.position.y + shape.heights.back()};
@@ -110,14 +111,14 @@ void FenceMaker::add_layer(int layer) {
 void FenceMaker::add_segments(int layer, bool top, const StaticShape& shape,
                               const std::vector<std::array<std::size_t, 2>>& hung) {
   const std::vector<Column>& columns = layers_.back();
-  const auto joint = [&](std::size_t place, std::size_t hand) {
-    const ChangedColumn own = column(static_cast<int>(place));
-    const Column& at = columns[hung[place][hand]];
+  const auto joint = [&](std::size_t position, std::size_t hand) {
+    const ChangedColumn own = column(static_cast<int>(position));
+    const Column& at = columns[hung[position][hand]];
     return CableEnd{at.body, {0.0, top ? own.y_top : own.y_bottom, at.along}};
   };
   // Top joints lie on the cable; bottom joints of equal columns follow the rise of the top joints.
-  const auto drop = [&](std::size_t place) {
-    const ChangedColumn own = column(static_cast<int>(place));
+  const auto drop = [&](std::size_t position) {
+    const ChangedColumn own = column(static_cast<int>(position));
     return top ? 0.0 : (own.y_bottom - own.y_top) - (fence_.y_bottom - fence_.y_top);
   };
   const std::string stem = prefix(layer) + (top ? "top" : "bottom");
@@ -157,9 +158,9 @@ void FenceMaker::add_hangers(int layer) {
   for (const Column& hung : layers_.back()) {
     const HangerId id = builder_.add(Hanger{.name = fmt::format("{}hanger{}", prefix(layer), hung.number),
                                             .body = hung.body,
-                                            .p = {0.0, column(hung.place).y_top, hung.along},
+                                            .p = {0.0, column(hung.position).y_top, hung.along},
                                             .strength = fence_.options.hanger_strength});
-    if (hung.along >= 0.0) made_.members[first_member + static_cast<std::size_t>(hung.place)].hanger = id;
+    if (hung.along >= 0.0) made_.members[first_member + static_cast<std::size_t>(hung.position)].hanger = id;
   }
 }
 

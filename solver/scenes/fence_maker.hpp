@@ -29,7 +29,7 @@ class FenceMaker {
   struct Column {
     BodyId body{};
     std::string number;  ///< number in names: its position from 1, with a minus on the other side
-    int place{};         ///< position from the centre outwards, from 0
+    int position{};      ///< position from the centre outwards, from 0
     double along{};      ///< position along the fence [L]
     double height{};     ///< of its centroid, y [L]
     double mass{};       ///< of the body: doubled where one body represents two columns
@@ -50,12 +50,12 @@ class FenceMaker {
 
   void add_rocks();
 
-  ChangedColumn column(int place) const;
+  ChangedColumn column(int position) const;
   bool meets(const FenceElement& rock, const Column& column) const;
   void add_layer(int layer);
   void add_segments(int layer, bool top, const StaticShape& shape, const std::vector<std::array<std::size_t, 2>>& hung);
   void add_hangers(int layer);
-  void add_member(int layer, const Column& column, const ChangedColumn& place, Vec2 position, double angle);
+  void add_member(int layer, const Column& column, const ChangedColumn& changed, Vec2 position, double angle);
   CableId add_cable(const std::string& name, CableEnd a, CableEnd b, double stiffness, double rest_length, bool top);
   void add_contacts();
   void add_rock_contacts(std::size_t i);

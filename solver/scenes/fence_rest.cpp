@@ -162,7 +162,7 @@ StaticShape static_shape(const Fence& fence) {
     for (const ChangedColumn& changed : fence.changed_columns) {
       FenceElement other = fence.column;
       other.a = changed.a, other.b = changed.b, other.density = changed.density;
-      if (changed.place == i + 1) own = mass_properties(other).mass / mass;
+      if (changed.number == i + 1) own = mass_properties(other).mass / mass;
     }
     load += i == 0 && !even ? 0.5 * own : own;
     shape.distances.push_back(distance);

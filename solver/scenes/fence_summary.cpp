@@ -41,7 +41,7 @@ const Item* largest(const std::vector<Item>& items, Value&& value) {
 }
 
 /// Position of a column from the centre outwards, read from its name: 3 for "back_column-3".
-int place(const std::string& name) { return std::stoi(name.substr(name.find_first_of("123456789"))); }
+int column_number(const std::string& name) { return std::stoi(name.substr(name.find_first_of("123456789"))); }
 
 /// Errors: InputError if the number in the checkpoint is not a verdict.
 void serialize(Archive& archive, std::string_view name, Verdict& verdict) {
@@ -121,7 +121,7 @@ const ColumnRecord* FenceSummary::closest_hanger() const {
 FenceMonitor::FenceMonitor(const Fence& fence, const FenceScene& made, const Dynamics& dynamics)
     : fence_{&fence}, made_{&made}, dynamics_{&dynamics} {
   list_parts();
-  list_places();
+  list_positions();
   touch_x_.resize(rocks_.size());
   last_spin_.resize(rocks_.size());
   last_hanger_.resize(summary_.columns.size());
@@ -140,7 +140,7 @@ FenceMonitor::FenceMonitor(const Fence& fence, const FenceScene& made, const Dyn
 }
 
 /// Collects everything that does not move.
-void FenceMonitor::list_places() {
+void FenceMonitor::list_positions() {
   const Model& model = dynamics_->model();
   const Body& ground = model.bodies[index(*made_->members.front().body)];
   const bool plane = !std::holds_alternative<Terrain>(ground.shape);
@@ -176,7 +176,7 @@ void FenceMonitor::add_column(const Joint& hanger, int layer) {
   const Model& model = dynamics_->model();
   double y_bottom = fence_->y_bottom, strength = std::numeric_limits<double>::infinity();
   for (const ChangedColumn& changed : fence_->changed_columns) {
-    if (changed.place == place(model.bodies[index(hanger.body)].name)) y_bottom = changed.y_bottom;
+    if (changed.number == column_number(model.bodies[index(hanger.body)].name)) y_bottom = changed.y_bottom;
   }
   for (const Hanger& breakable : model.hangers) {
     if (breakable.body == hanger.body) strength = breakable.strength;
@@ -249,7 +249,7 @@ double FenceMonitor::kinetic(std::size_t rock, const State& state) const {
 /// For a rock that touches from the start, the approach velocity is the one in the deck: the half kick has already
 /// changed the state's velocity slightly.
 void FenceMonitor::begin(const State& state) {
-  begun_ = true;
+  started_ = true;
   time_ = state.t;
   summary_.start = summary_.at_travel = state;
   directions_.clear();
@@ -268,7 +268,7 @@ void FenceMonitor::begin(const State& state) {
 void FenceMonitor::operator()(const Snapshot& snapshot, const StepInfo& info) {
   const State& state = snapshot.state();
   now_ = &snapshot.pulls(), forces_now_ = &snapshot.forces();
-  if (!begun_) begin(state);
+  if (!started_) begin(state);
   watch_rocks(state);
   watch_columns(state);
   watch_cables(state);
@@ -442,7 +442,7 @@ std::vector<double> FenceMonitor::row(const State& state) const {
 void FenceMonitor::serialize(Archive& archive) {
   FenceSummary& s = summary_;
   const auto force = [&archive](Vec3& value) { archive.vector("force", value); };
-  archive.flag("started", begun_);
+  archive.flag("started", started_);
   archive.number("time", time_);
   archive.numbers("touch_x", touch_x_);
   archive.numbers("last_spin", last_spin_);

@@ -143,7 +143,7 @@ class FenceMonitor {
 
  private:
   void list_parts();
-  void list_places();
+  void list_positions();
   void add_column(const Joint& hanger, int layer);
   void begin(const State& state);
   void watch_rocks(const State& state);
@@ -174,7 +174,7 @@ class FenceMonitor {
   FenceSummary summary_;
   History history_;
   double time_{};  ///< time of the previous step
-  bool begun_{false};
+  bool started_{false};
   std::vector<double> touch_x_;    ///< x of each rock at its touch
   std::vector<double> last_spin_;  ///< of each rock, at the previous step [rad/T]
   /// A rock and a column that it can touch.

@@ -40,7 +40,7 @@ double lever(const Superquadric& shape, Vec2 point) {
 
 /// Bounds of the inverse effective mass of a body at a contact [1/M].
 struct MobilityRange {
-  double least{};
+  double smallest{};
   double largest{};
 };
 MobilityRange mobility_range(const Dynamics& dynamics, BodyId id) {
@@ -60,7 +60,7 @@ MobilityRange mobility_range(const Dynamics& dynamics, BodyId id) {
     found.largest += l * l / (body.mobility == Mobility::pinned ? dynamics.inertias()[i] : body.inertia);
   }
   if (x || y) found.largest += 1.0 / body.mass;
-  if (x && y) found.least = 1.0 / body.mass;
+  if (x && y) found.smallest = 1.0 / body.mass;
   return found;
 }
 
@@ -90,12 +90,12 @@ std::vector<ContactRange> contact_ranges(const Dynamics& dynamics) {
     const Contact& contact = model.contacts[c];
     const MobilityRange &a = mobilities[index(contact.a)], &b = mobilities[index(contact.b)];
     ContactRange range{.contact = static_cast<ContactId>(c),
-                       .least_mass = 1.0 / (a.largest + b.largest),
-                       .largest_mass = 1.0 / (a.least + b.least)};
-    const Tangent slopes = std::visit([&](const auto& law) { return tangent(law, range.least_mass); }, contact.law);
-    range.highest_frequency = std::sqrt(slopes.stiffness / range.least_mass);
-    range.damping_ratio = slopes.damping / (2.0 * std::sqrt(slopes.stiffness * range.least_mass));
-    range.shortest_time = contact_time(contact.law, range.least_mass);
+                       .smallest_mass = 1.0 / (a.largest + b.largest),
+                       .largest_mass = 1.0 / (a.smallest + b.smallest)};
+    const Tangent slopes = std::visit([&](const auto& law) { return tangent(law, range.smallest_mass); }, contact.law);
+    range.highest_frequency = std::sqrt(slopes.stiffness / range.smallest_mass);
+    range.damping_ratio = slopes.damping / (2.0 * std::sqrt(slopes.stiffness * range.smallest_mass));
+    range.shortest_time = contact_time(contact.law, range.smallest_mass);
     ranges.push_back(range);
   }
   return ranges;

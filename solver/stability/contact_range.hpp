@@ -17,7 +17,7 @@ namespace talus {
 /// smallest mobilities. Two free bodies reach both bounds.
 struct ContactRange {
   ContactId contact{};
-  double least_mass{};         ///< smallest effective mass [M]
+  double smallest_mass{};      ///< smallest effective mass [M]
   double largest_mass{};       ///< infinite if the contact can act where no motion of the bodies closes it [M]
   double highest_frequency{};  ///< sqrt(k/m) with the smallest effective mass [rad/T]
   double damping_ratio{};      ///< with the smallest effective mass

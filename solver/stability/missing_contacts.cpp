@@ -45,7 +45,7 @@ void for_each_pair(const Model& model, Visit&& visit) {
 
 MissingContacts::MissingContacts(const Dynamics& dynamics) : dynamics_{&dynamics} {
   const Model& model = dynamics.model();
-  for_each_pair(model, [&](std::size_t, std::size_t) { return ++size_ <= most_pairs; });
+  for_each_pair(model, [&](std::size_t, std::size_t) { return ++size_ <= maximum_pairs; });
   if (!is_checked()) return;
   for_each_pair(model, [&](std::size_t a, std::size_t b) {
     search_.add({.a = static_cast<BodyId>(a),
@@ -79,33 +79,34 @@ std::vector<UndeclaredOverlap> MissingContacts::new_overlaps(const Workspace& ge
 }
 
 void MissingContacts::serialize(Archive& archive) {
-  std::vector<double> places, returned;
+  std::vector<double> positions, returned;
   const std::size_t bodies = dynamics_->model().bodies.size();
-  std::array<Row*, 4> rows{&sweep_.places.x, &sweep_.places.y, &sweep_.places.cosine, &sweep_.places.sine};
+  std::array<Row*, 4> rows{&sweep_.positions.x, &sweep_.positions.y, &sweep_.positions.cosine, &sweep_.positions.sine};
   if (!archive.is_loading()) {
     for (const Row* row : rows) {
       for (std::size_t i = 0; i < row->size(); ++i)
-        places.push_back((*row)[i]);
+        positions.push_back((*row)[i]);
     }
     for (std::size_t p = 0; p < returned_.size(); ++p) {
       if (returned_[p]) returned.push_back(static_cast<double>(p));
     }
   }
-  archive.list("places", places);
+  archive.list("places", positions);
   archive.list("returned", returned);
   if (!archive.is_loading()) return;
-  if (!places.empty() && (!is_checked() || places.size() != rows.size() * bodies))
-    throw InputError{fmt::format("places: found {} numbers; there are {} bodies", places.size(), bodies)};
+  if (!positions.empty() && (!is_checked() || positions.size() != rows.size() * bodies))
+    throw InputError{fmt::format("places: found {} numbers; there are {} bodies", positions.size(), bodies)};
   for (const double p : returned) {
     if (!(p >= 0.0 && p < static_cast<double>(returned_.size()) && p == std::floor(p)))
       throw InputError{fmt::format("returned: found {}; there are {} pairs", p, returned_.size())};
     returned_[static_cast<std::size_t>(p)] = 1;
   }
   sweep_ = Sweep();
-  if (places.empty()) return;
+  if (positions.empty()) return;
   Poses poses{bodies};
   for (std::size_t i = 0; i < bodies; ++i)
-    poses.set(i, {{places[i], places[bodies + i]}, {places[2 * bodies + i], places[3 * bodies + i]}, {}, 0.0});
+    poses.set(i,
+              {{positions[i], positions[bodies + i]}, {positions[2 * bodies + i], positions[3 * bodies + i]}, {}, 0.0});
   static_cast<void>(search_.find(poses, near_, sweep_));
   std::ranges::fill(near_, 0);
 }
@@ -121,7 +122,7 @@ std::string unchecked_pairs_warning() {
   return fmt::format(
       "more than {} pairs of bodies have no contact between them: their overlaps are not checked, at the start and "
       "during the run",
-      MissingContacts::most_pairs);
+      MissingContacts::maximum_pairs);
 }
 
 std::string missing_contact_warning(const Dynamics& dynamics, const State& state) {

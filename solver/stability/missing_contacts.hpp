@@ -21,16 +21,16 @@ struct UndeclaredOverlap {
 class MissingContacts {
  public:
   /// Number of pairs beyond which none is checked, because their list would take more memory than the run (20 MB).
-  static constexpr std::size_t most_pairs = 200'000;
+  static constexpr std::size_t maximum_pairs = 200'000;
 
   explicit MissingContacts(const Dynamics& dynamics);
 
-  /// Number of pairs without a contact; `most_pairs` + 1 if there are more.
+  /// Number of pairs without a contact; `maximum_pairs` + 1 if there are more.
   std::size_t size() const { return size_; }
   /// True if the pairs are checked.
   bool is_checked() const { return size_ > 0 && !is_too_large(); }
   /// True if there are more pairs than are checked.
-  bool is_too_large() const { return size_ > most_pairs; }
+  bool is_too_large() const { return size_ > maximum_pairs; }
   /// The pairs, in the order of the bodies; empty if they are not checked.
   const std::vector<Candidate>& pairs() const { return search_.pairs(); }
 
@@ -46,7 +46,7 @@ class MissingContacts {
   const Dynamics* dynamics_;
   std::size_t size_{};
   ContactSearch search_;
-  Sweep sweep_;                 ///< its places are those of the last comparison
+  Sweep sweep_;                 ///< its positions are those of the last comparison
   std::vector<char> near_;      ///< for each pair; zero between two calls
   std::vector<char> returned_;  ///< for each pair
 };
@@ -55,7 +55,7 @@ class MissingContacts {
 /// between them: they pass through each other without a force".
 [[nodiscard]] std::string overlap_text(const UndeclaredOverlap& overlap, const Model& model);
 
-/// Warning that the overlaps of pairs without a contact are not checked, because there are more than most_pairs.
+/// Warning that the overlaps of pairs without a contact are not checked, because there are more than maximum_pairs.
 [[nodiscard]] std::string unchecked_pairs_warning();
 
 /// Warning about bodies that overlap in the first state of a scene without a contact between them, with the largest of

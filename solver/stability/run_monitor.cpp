@@ -26,7 +26,7 @@ constexpr double fewest_steps = 10.0;
 constexpr long regular_checks = 64, frequency_checks = 512;
 
 /// Number of pairs without a contact whose overlap is reported.
-constexpr long most_reported_pairs = 5;
+constexpr long maximum_reported_pairs = 5;
 
 std::vector<double> times_of_contacts(const Dynamics& dynamics, const StepAdvice& advice) {
   std::vector<double> times(dynamics.contacts().size());
@@ -70,26 +70,26 @@ RunMonitor::RunMonitor(const Scene& scene, const Dynamics& dynamics, const State
   const long steps = step_count(scene.plan);
   every_ = std::max(1L, steps / regular_checks);
   apart_ = std::max(1L, steps / frequency_checks);
-  if (start.q.size() > most_watched_coordinates) return;
+  if (start.q.size() > maximum_watched_coordinates) return;
   const StepAdvice closed = advise_step(dynamics, start);
   contact_times_ = times_of_contacts(dynamics, closed);
   if (const auto verdict = step_verdict(scene, closed))
     step_is_beyond_ = verdict->is_beyond, step_ratio_ = verdict->text;
 }
 
-template <class Words>
+template <class Message>
 void RunMonitor::take(Watched which, double value, double limit, CheckAction violation, const State& seen,
-                      ContactId contact, const Words& words) {
-  const auto place = static_cast<std::size_t>(which);
-  Extreme& extreme = extremes_[place];
+                      ContactId contact, const Message& message) {
+  const auto index = static_cast<std::size_t>(which);
+  Extreme& extreme = extremes_[index];
   // For steps in a contact the extreme is the minimum; NaN counts as the worst value.
   const bool fewest = which == Watched::contact;
   const bool beyond = !(fewest ? value >= limit : value <= limit);
   if (!extreme.seen || !(fewest ? value >= extreme.value : value <= extreme.value))
     extreme = {value, seen.t, contact, true};
-  if (!beyond || reported_[place] >= limit) return;
-  reported_[place] = limit;
-  const std::string said = fmt::format("at t = {:.6g} {}", seen.t, words());
+  if (!beyond || reported_[index] >= limit) return;
+  reported_[index] = limit;
+  const std::string said = fmt::format("at t = {:.6g} {}", seen.t, message());
   if (violation == CheckAction::error) {
     violation_ = said;
   } else {
@@ -102,7 +102,7 @@ void RunMonitor::check(const Snapshot& snapshot, long step, const std::optional<
   const MonitorRules& rules = scene_->plan.watch;
   const bool turn = step % every_ == 0;
   const bool changed = seen.mode != modes_;
-  if (fixed_step_ && rules.instability != CheckAction::off && seen.q.size() <= most_watched_coordinates &&
+  if (fixed_step_ && rules.instability != CheckAction::off && seen.q.size() <= maximum_watched_coordinates &&
       (turn || (changed && step - checked_step_ >= apart_))) {
     checked_step_ = step;
     check_frequency(snapshot);
@@ -116,7 +116,7 @@ void RunMonitor::check(const Snapshot& snapshot, long step, const std::optional<
     check_pairs(snapshot);
     if (step % 8 == 0) check_unseen_overlaps(snapshot);
   }
-  if (missing_contacts_ && reported_pairs_ < most_reported_pairs)
+  if (missing_contacts_ && reported_pairs_ < maximum_reported_pairs)
     check_missing_contacts(snapshot.state().t, snapshot.geometry());
   if ((turn || balance) && scene_->plan.ledger && rules.accuracy != CheckAction::off) check_balance(snapshot, balance);
 }
@@ -214,8 +214,9 @@ void RunMonitor::check_unseen_overlaps(const Snapshot& snapshot) {
   }
 }
 
-template <class Words>
-void RunMonitor::take_overlap(Watched which, double ratio, const State& seen, ContactId contact, const Words& words) {
+template <class Message>
+void RunMonitor::take_overlap(Watched which, double ratio, const State& seen, ContactId contact,
+                              const Message& message) {
   if (!(ratio > 0.0)) return;
   const MonitorRules& rules = scene_->plan.watch;
   const bool through = ratio > deepest_ratio && rules.tunnelling != CheckAction::off;
@@ -224,16 +225,16 @@ void RunMonitor::take_overlap(Watched which, double ratio, const State& seen, Co
   take(which, ratio, limit, through ? rules.tunnelling : rules.accuracy, seen, contact, [&] {
     return fmt::format(
         "contact '{}' overlaps by {:.3g} of half the least width of its smaller body, more than {:g}: {}",
-        dynamics_->model().contacts[index(contact)].name, ratio, limit, words(through));
+        dynamics_->model().contacts[index(contact)].name, ratio, limit, message(through));
   });
 }
 
 void RunMonitor::check_missing_contacts(double time, const Workspace& geometry) {
   for (const UndeclaredOverlap& overlap : missing_contacts_->new_overlaps(geometry)) {
-    if (reported_pairs_++ == most_reported_pairs) return;
+    if (reported_pairs_++ == maximum_reported_pairs) return;
     const std::string said =
         fmt::format("at t = {:.6g} {}{}", time, overlap_text(overlap, dynamics_->model()),
-                    reported_pairs_ == most_reported_pairs ? "; further pairs are not reported" : "");
+                    reported_pairs_ == maximum_reported_pairs ? "; further pairs are not reported" : "");
     if (scene_->plan.watch.missing_contacts == CheckAction::error) {
       violation_ = said;
       return;
@@ -269,10 +270,10 @@ void RunMonitor::check_balance(const Snapshot& snapshot, const std::optional<Bal
   if (!(error <= balance_.error)) balance_.error = error, drift_time_ = snapshot.state().t;
   balance_.scale = std::max(balance_.scale, now.scale);
   if (scene_->plan.watch.accuracy == CheckAction::error && !(drift() <= largest_balance_error))
-    violation_ = drift_words();
+    violation_ = drift_text();
 }
 
-std::string RunMonitor::drift_words() const {
+std::string RunMonitor::drift_text() const {
   return fmt::format("at t = {:.6g} the energy balance is off by {:.3g} % of the largest energy, more than {:g} %",
                      drift_time_, 100.0 * drift(), 100.0 * largest_balance_error);
 }
@@ -280,7 +281,7 @@ std::string RunMonitor::drift_words() const {
 std::vector<std::string> RunMonitor::warnings() const {
   std::vector<std::string> all = warnings_;
   const bool judged = scene_->plan.ledger && scene_->plan.watch.accuracy == CheckAction::warning;
-  if (judged && !(drift() <= largest_balance_error)) all.push_back(drift_words());
+  if (judged && !(drift() <= largest_balance_error)) all.push_back(drift_text());
   return all;
 }
 

@@ -32,8 +32,8 @@ inline constexpr double largest_balance_error = 0.01;
 ///   for fixed steps: methods that locate events limit their steps themselves); unseen after every eighth;
 /// - contact is checked when one closes, for methods of fixed step and scenes of up to as many coordinates;
 /// - bodies without a contact between them are checked for overlaps at the start, by the constructor, and after every
-///   step; each of the first five pairs is reported once; more pairs than MissingContacts::most_pairs are not checked,
-///   which is a warning;
+///   step; each of the first five pairs is reported once; more pairs than MissingContacts::maximum_pairs are not
+///   checked, which is a warning;
 /// - the energy balance is checked after every step for which it is given, else 64 times, with the ledger on. If it is
 ///   to warn, the whole run is judged at its end: early errors are small relative to later energies.
 class RunMonitor {
@@ -93,18 +93,18 @@ class RunMonitor {
   void check_pairs(const Snapshot& snapshot);
   void check_unseen_overlaps(const Snapshot& snapshot);
   /// Records an overlap as a fraction of the size, and checks both its limits.
-  template <class Words>
-  void take_overlap(Watched which, double ratio, const State& seen, ContactId contact, const Words& words);
+  template <class Message>
+  void take_overlap(Watched which, double ratio, const State& seen, ContactId contact, const Message& message);
   void check_contact_steps(const State& seen);
   /// `geometry` has the poses of a state at `time`.
   void check_missing_contacts(double time, const Workspace& geometry);
   void check_balance(const Snapshot& snapshot, const std::optional<Balance>& balance);
-  std::string drift_words() const;
+  std::string drift_text() const;
   /// Updates the extreme of a quantity; if a limit is exceeded for the first time, reports a violation with the text of
-  /// `words`. A quantity may have two limits, of which the larger is the more severe.
-  template <class Words>
+  /// `message`. A quantity may have two limits, of which the larger is the more severe.
+  template <class Message>
   void take(Watched which, double value, double limit, CheckAction violation, const State& seen, ContactId contact,
-            const Words& words);
+            const Message& message);
 
   const Scene* scene_;
   const Dynamics* dynamics_;

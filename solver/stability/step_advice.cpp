@@ -145,17 +145,17 @@ double automatic_step(const Scene& scene) {
 }
 
 double output_step(const Scene& scene) {
-  constexpr double rows = 1000.0, most_per_row = 1000.0;
-  constexpr double outputs_per_contact = 20.0;   // the peak of half a sine is missed by at most (pi/40)^2/2
-  constexpr std::size_t most_coordinates = 150;  // the springs of a scene cost n^2
+  constexpr double rows = 1000.0, maximum_per_row = 1000.0;
+  constexpr double outputs_per_contact = 20.0;      // the peak of half a sine is missed by at most (pi/40)^2/2
+  constexpr std::size_t maximum_coordinates = 150;  // the springs of a scene cost n^2
   double shortest = std::numeric_limits<double>::infinity();
-  if (scene.initial.q.size() <= most_coordinates) {
+  if (scene.initial.q.size() <= maximum_coordinates) {
     const Dynamics dynamics{scene.model};
     for (const SpringAdvice& spring : advise_step(dynamics, scene.initial).springs)
       shortest = std::min(shortest, spring.contact_time);
   }
   const double wanted = shortest > 0.0 ? std::ceil(outputs_per_contact * scene.plan.end / (rows * shortest)) : 1.0;
-  return scene.plan.end / (rows * std::clamp(wanted, 1.0, most_per_row));
+  return scene.plan.end / (rows * std::clamp(wanted, 1.0, maximum_per_row));
 }
 
 }  // namespace talus

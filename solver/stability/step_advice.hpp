@@ -60,7 +60,7 @@ struct StepVerdict {
 
 /// Largest number of coordinates for which a run computes natural frequencies, at the start and in its monitor: the
 /// cost grows with the cube of that number.
-inline constexpr std::size_t most_watched_coordinates = 150;
+inline constexpr std::size_t maximum_watched_coordinates = 150;
 
 /// Name by which a scene selects automatic_step() for its fixed step.
 inline constexpr std::string_view automatic_step_name = "auto";

@@ -84,10 +84,10 @@ void average(StudyMean& point) {
 }
 
 /// The points of a series with at least two successful runs, up to a load, by increasing overburden.
-std::vector<const StudyMean*> loads(const std::vector<StudyMean>& study, std::string_view series, double most) {
+std::vector<const StudyMean*> loads(const std::vector<StudyMean>& study, std::string_view series, double maximum) {
   std::vector<const StudyMean*> found;
   for (const StudyMean& point : study)
-    if (point.point.series == series && point.seeds > 1 && point.point.overburden <= most) found.push_back(&point);
+    if (point.point.series == series && point.seeds > 1 && point.point.overburden <= maximum) found.push_back(&point);
   if (found.size() < 2)
     throw InputError{fmt::format("study: found {} loads of the series {} that ran; it must have two at least",
                                  found.size(), series)};
@@ -134,21 +134,21 @@ std::pair<const StudyMean*, const StudyMean*> softest_and_hardest(const std::vec
   return {soft, hard};
 }
 
-std::string words(Estimate estimate) { return fmt::format("{:.3f} +- {:.3f}", estimate.value, estimate.error); }
+std::string text_of(Estimate estimate) { return fmt::format("{:.3f} +- {:.3f}", estimate.value, estimate.error); }
 
 Verdict falls(const std::vector<StudyMean>& study, std::string_view series, std::string prediction) {
   const auto of = loads(study, series, 32e3);
   const Estimate first = of.front()->of(Q::stress_ratio), last = of.back()->of(Q::stress_ratio);
   return verdict(
       std::move(prediction),
-      fmt::format("S/N {} at {:.0f} kPa, {} at {:.0f} kPa, {}", words(first), of.front()->point.overburden / 1e3,
-                  words(last), of.back()->point.overburden / 1e3, series),
+      fmt::format("S/N {} at {:.0f} kPa, {} at {:.0f} kPa, {}", text_of(first), of.front()->point.overburden / 1e3,
+                  text_of(last), of.back()->point.overburden / 1e3, series),
       difference(*of.back(), *of.front(), Q::stress_ratio), -1.0);
 }
 
 }  // namespace
 
-std::string_view words(Outturn outturn) {
+std::string_view text_of(Outturn outturn) {
   switch (outturn) {
     case Outturn::holds:
       return "holds";
@@ -202,7 +202,7 @@ std::vector<StudyMean> shear_study(const std::vector<StudyPoint>& points, const 
   for (const StudyPoint* point : cells) {
     const ShearCell cell = study_cell(*point, 1);
     if (const auto found = validation_errors(cell, plan_of(cell, plan.time)); !found.empty())
-      throw InputError{fmt::format("{}: {}", found.front().field, found.front().words)};
+      throw InputError{fmt::format("{}: {}", found.front().field, found.front().message)};
   }
   std::vector<std::optional<StudyMean::Run>> runs(cells.size() * seeds);
   double all_steps = 0.0;
@@ -234,13 +234,14 @@ std::vector<Verdict> verdicts(const std::vector<StudyMean>& study) {
   const auto of = loads(study, "5000 d/s", 32e3);
   const StudyMean &low = *of.front(), &high = *of.back();
   std::vector<Verdict> made;
-  made.push_back(verdict("1. The field compresses as overburden is added.",
-                         fmt::format("depth {} D at {:.0f} kPa, {} D at {:.0f} kPa", words(low.of(Q::depth)),
-                                     low.point.overburden / 1e3, words(high.of(Q::depth)), high.point.overburden / 1e3),
-                         difference(high, low, Q::depth), -1.0));
+  made.push_back(
+      verdict("1. The field compresses as overburden is added.",
+              fmt::format("depth {} D at {:.0f} kPa, {} D at {:.0f} kPa", text_of(low.of(Q::depth)),
+                          low.point.overburden / 1e3, text_of(high.of(Q::depth)), high.point.overburden / 1e3),
+              difference(high, low, Q::depth), -1.0));
   made.push_back(verdict("2. Multiple contacts form as it does.",
-                         fmt::format("their fraction of contact time {} and {}", words(low.of(Q::multiple_fraction)),
-                                     words(high.of(Q::multiple_fraction))),
+                         fmt::format("their fraction of contact time {} and {}", text_of(low.of(Q::multiple_fraction)),
+                                     text_of(high.of(Q::multiple_fraction))),
                          difference(high, low, Q::multiple_fraction), 1.0));
   // The difference between the two ratios is taken within each run, because their errors are from the same flow.
   double sum = 0.0, squares = 0.0, count = 0.0;
@@ -261,8 +262,8 @@ std::vector<Verdict> verdicts(const std::vector<StudyMean>& study) {
     made.push_back(verdict(
         "Softer discs under the same load and drive, whose contacts are multiple more often, carry a lower ratio.",
         fmt::format("S/N {} at {:g} times the stiffness, fraction of multiple contacts {}; {} and {} at {:g} times",
-                    words(soft->of(Q::stress_ratio)), soft->point.stiffness, words(soft->of(Q::multiple_fraction)),
-                    words(hard->of(Q::stress_ratio)), words(hard->of(Q::multiple_fraction)), hard->point.stiffness),
+                    text_of(soft->of(Q::stress_ratio)), soft->point.stiffness, text_of(soft->of(Q::multiple_fraction)),
+                    text_of(hard->of(Q::stress_ratio)), text_of(hard->of(Q::multiple_fraction)), hard->point.stiffness),
         difference(*soft, *hard, Q::stress_ratio), -1.0));
   }
   return made;

@@ -90,7 +90,7 @@ enum class Outturn {
   opposed,    ///< significant difference of the opposite sign
   not_shown,  ///< no significant difference
 };
-[[nodiscard]] std::string_view words(Outturn outturn);
+[[nodiscard]] std::string_view text_of(Outturn outturn);
 
 /// A prediction of the hypothesis (Dent 1986, as reported by Lacy 1989, "The Problem") and the study's result on it.
 struct Verdict {

@@ -28,12 +28,12 @@ class BareCell {
   void load(const Discs& discs);
   void store(Discs& discs) const;
   /// Index of the x coordinate of the disc that is at, or has its ghost at, this index.
-  std::size_t own(std::size_t place) const {
-    return place < velocities_.size() ? place : ghosts_[(place - velocities_.size()) / 2];
+  std::size_t own(std::size_t index) const {
+    return index < velocities_.size() ? index : ghosts_[(index - velocities_.size()) / 2];
   }
   /// A block of all discs that drift for this time.
   StepBlock all(double drift);
-  void place_ghosts();
+  void set_ghosts();
   void prune();
   std::size_t push();
   void give(std::size_t touching);
@@ -42,11 +42,11 @@ class BareCell {
   NeighbourList list_;
   LatchingSpring law_;
   double diameter_, block_mass_, gravity_, reach_;
-  std::size_t base_, block_;                 ///< index of the x coordinate of their first discs
-  std::vector<double> places_, velocities_;  ///< x, y of discs, then of ghosts, then NaN as padding
-  double impulse_{};                         ///< velocity change of a free disc by a force of 1 [T/M]
-  std::vector<std::uint32_t> ghosts_;        ///< index of the x coordinate of the disc of each ghost
-  std::vector<double> shifts_;               ///< x offset of each ghost from its disc [L]
+  std::size_t base_, block_;                    ///< index of the x coordinate of their first discs
+  std::vector<double> positions_, velocities_;  ///< x, y of discs, then of ghosts, then NaN as padding
+  double impulse_{};                            ///< velocity change of a free disc by a force of 1 [T/M]
+  std::vector<std::uint32_t> ghosts_;           ///< index of the x coordinate of the disc of each ghost
+  std::vector<double> shifts_;                  ///< x offset of each ghost from its disc [L]
   SweptPairs listed_, near_;
   double used_{};                        ///< part of the reach that motion has used up [L]
   std::vector<double> kept_;             ///< history of listed pairs between two near lists [L]

@@ -26,10 +26,10 @@ struct Strewn {
 
   explicit Strewn(std::size_t count) : poses(count), found(count * (count - 1) / 2) {
     std::mt19937 random{1};
-    std::uniform_real_distribution<double> place{0.0, 2.5 * std::sqrt(static_cast<double>(count))};
+    std::uniform_real_distribution<double> coordinate{0.0, 2.5 * std::sqrt(static_cast<double>(count))};
     const Bounds disc = bounds(Circle{1.0});
     for (std::size_t a = 0; a < count; ++a) {
-      const double x = place(random), y = place(random);
+      const double x = coordinate(random), y = coordinate(random);
       poses.set(a, {{x, y}, {}, {}, 0.0});
       for (std::size_t b = 0; b < a; ++b)
         search.add({static_cast<BodyId>(b), static_cast<BodyId>(a), disc, disc, 0, 0});

@@ -58,7 +58,7 @@ double median_ratio(std::vector<double> over, const std::vector<double>& under) 
   return median(over);
 }
 
-std::string words(const LammpsRun& run) {
+std::string text_of(const LammpsRun& run) {
   return fmt::format("{}, newton {}, skin {:.2f}", run.style == LammpsRun::Style::granular ? "granular" : "gran/hooke",
                      run.newton ? "on" : "off", run.skin);
 }
@@ -181,7 +181,7 @@ void print_gas(const LammpsProgram& lammps, const Size& size, LammpsRun& best, c
       "{:>6.0f}   {}\n",
       size.discs(), size.solid_fraction, l, median(ours), f, median(memory), l > 0.0 ? 1e9 / l : 0.0, 1e9 / f,
       median_ratio(theirs, fast), median_ratio(ours, fast), median_ratio(memory, fast), portable_ratio(size),
-      bytes(self, size, "linear"), bytes(self, size, "latching"), lammps.there() ? words(best) : "");
+      bytes(self, size, "linear"), bytes(self, size, "latching"), lammps.there() ? text_of(best) : "");
   std::fflush(stdout);
 }
 
@@ -241,7 +241,7 @@ void print_rough_gases(const LammpsProgram& lammps, bool quick) {
       }
       fmt::print("{:>9} {:>5.2f} {:>8.1f} {:>8.1f} {:>8.2f} {:>8.1f} {:>8.1f}   {}\n", size.discs(),
                  size.solid_fraction, median(theirs), median(plain), median(fast), median_ratio(theirs, fast),
-                 median_ratio(plain, fast), lammps.there() ? words(best) : "");
+                 median_ratio(plain, fast), lammps.there() ? text_of(best) : "");
       std::fflush(stdout);
     }
   }
@@ -299,7 +299,7 @@ void print_skins() {
       const Size size{columns, rows, solid_fraction};
       const DiscGas gas = mixed(size);
       fmt::print("{:>9} {:>5.2f}", size.discs(), solid_fraction);
-      double least = std::numeric_limits<double>::infinity(), best = 0.0;
+      double smallest = std::numeric_limits<double>::infinity(), best = 0.0;
       for (const double skin : skins) {
         double ns = std::numeric_limits<double>::infinity();
         FastDiscSystem system{gas.shapes, gas.box, elastic, skin};
@@ -308,7 +308,7 @@ void print_skins() {
         const long steps = size.steps(3e7);
         for (int round = 0; round < 3; ++round)
           ns = std::min(ns, size.ns(seconds_of([&] { system.advance(discs, gas_step, steps); }), steps));
-        if (ns < least) least = ns, best = skin;
+        if (ns < smallest) smallest = ns, best = skin;
         fmt::print(" {:>7.2f}", ns);
         std::fflush(stdout);
       }
@@ -349,15 +349,15 @@ void print_cell() {
     same_bits = same_bits && same(plain_discs, fast_discs) && same(plain_discs, bare_discs);
     evaluations += fast.evaluations(), builds += fast.builds(), prunings += fast.prunings();
   }
-  const auto words = [](const std::vector<double>& times) {
+  const auto time_text = [](const std::vector<double>& times) {
     return fmt::format("{:.3f} ({:.3f})", median(times), *std::min_element(times.begin(), times.end()));
   };
   fmt::print(
       "Shear cell of 80 discs and 22 of walls at 8 kPa and 5000 d/s, eight seeds, microseconds a step, median and "
       "least: plain {}, fast {}, a loop for this cell alone {}; {}.\n  Of {} steps {} made the list, {} the near "
       "list.\n",
-      words(plain_us), words(fast_us), words(bare_us), same_bits ? "the same bits" : "BITS DIFFER", evaluations, builds,
-      prunings);
+      time_text(plain_us), time_text(fast_us), time_text(bare_us), same_bits ? "the same bits" : "BITS DIFFER",
+      evaluations, builds, prunings);
 }
 
 /// Prints the gain from skipping time intervals in which no discs can touch.

@@ -66,7 +66,7 @@ void print_fence_costs() {
                        RunPlan plan = named.scene.plan;
                        plan.end = plan.step * static_cast<double>(steps);
                        const Outcome outcome = simulate(system, integrator, state, plan);
-                       if (!outcome) fmt::print("  {}\n", outcome.words);
+                       if (!outcome) fmt::print("  {}\n", outcome.message);
                        benchmark::DoNotOptimize(state);
                      }});
   }
@@ -77,7 +77,7 @@ void print_fence_costs() {
   const double per_step = 1e6 / static_cast<double>(steps);
   for (std::size_t i = 0; i < fences.size(); ++i) {
     fmt::print("{:32} {:>8} {:>8.3f} {:>11.3f} .. {:>9.3f}   ({:.2f}x)\n", fences[i].name,
-               fences[i].scene.model.bodies.size() - 1, timings[i].median * per_step, timings[i].least * per_step,
+               fences[i].scene.model.bodies.size() - 1, timings[i].median * per_step, timings[i].smallest * per_step,
                timings[i].largest * per_step, timings[i].median / timings[0].median);
   }
 }

@@ -42,7 +42,7 @@ Run advanced(const Scene& scene, const Dynamics& dynamics, Integrator integrator
   RigidBodySystem system{dynamics, ledger};
   State state = scene.initial;
   const Outcome outcome = simulate(system, integrator, state, {step, step * static_cast<double>(steps), 1e300, ledger});
-  if (!outcome) fmt::print("  {}\n", outcome.words);
+  if (!outcome) fmt::print("  {}\n", outcome.message);
   return {state, system.evaluations()};
 }
 
@@ -143,7 +143,7 @@ void print_work_precision(const std::string& title, const Scene& scene, double d
     const double evaluations = static_cast<double>(runs[i].evaluations);
     fmt::print("{:24} {:>10} {:>8} {:>10.2e} {:>12} {:>12.1f} {:>12.1f} .. {:>10.1f} {:>14.0f}\n", points[i].method,
                points[i].tolerance == 0.0 ? "fixed" : fmt::format("{:.0e}", points[i].tolerance), points[i].steps,
-               error(runs[i].end), runs[i].evaluations, timings[i].median * 1e6, timings[i].least * 1e6,
+               error(runs[i].end), runs[i].evaluations, timings[i].median * 1e6, timings[i].smallest * 1e6,
                timings[i].largest * 1e6, timings[i].median * 1e9 / evaluations);
   }
 }

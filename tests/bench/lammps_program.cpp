@@ -44,10 +44,10 @@ double LammpsProgram::seconds(const LammpsScene& scene, const LammpsRun& run, in
 
 LammpsRun LammpsProgram::best_run(const LammpsScene& scene, double step, long steps) const {
   LammpsRun best{.step = step, .steps = steps, .skin = 0.3, .style = LammpsRun::Style::gran_hooke, .forces = false};
-  double least = seconds(scene, best);
+  double smallest = seconds(scene, best);
   const auto attempt = [&](LammpsRun run) {
     const double taken = seconds(scene, run);
-    if (taken > 0.0 && taken < least) best = run, least = taken;
+    if (taken > 0.0 && taken < smallest) best = run, smallest = taken;
   };
   for (const double skin : {0.05, 0.1, 0.15, 0.2, 0.5, 0.7}) {
     LammpsRun run = best;

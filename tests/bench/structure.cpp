@@ -39,7 +39,7 @@ struct Compiled {
     State state = scene.initial;
     const double step = scene.plan.step, end = step * static_cast<double>(steps);
     const Outcome outcome = simulate(system, method, state, {step, end, end, false});
-    if (!outcome) fmt::print("  {}\n", outcome.words);
+    if (!outcome) fmt::print("  {}\n", outcome.message);
     benchmark::DoNotOptimize(state);
   }
 

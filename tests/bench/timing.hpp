@@ -15,7 +15,7 @@ struct Task {
 /// Wall time of one task over all repetitions [s].
 struct Timing {
   double median{};
-  double least{};
+  double smallest{};
   double largest{};
 };
 

@@ -96,11 +96,11 @@ void print_user_run_costs() {
     const double per_step = 1e6 / static_cast<double>(rows[i].steps);
     if (rows[i].what == "bare loop") bare_time = timings[i].median;
     fmt::print("{:20} {:24} {:>9.3f} {:>11.3f} .. {:>9.3f} {:>7.2f}x\n", rows[i].scene, rows[i].what,
-               timings[i].median * per_step, timings[i].least * per_step, timings[i].largest * per_step,
+               timings[i].median * per_step, timings[i].smallest * per_step, timings[i].largest * per_step,
                timings[i].median / bare_time);
   }
   fmt::print("the whole program, table_2 with --out: {:.3f} s ({:.3f} .. {:.3f})\n", timings.back().median,
-             timings.back().least, timings.back().largest);
+             timings.back().smallest, timings.back().largest);
 }
 
 }  // namespace talus::bench

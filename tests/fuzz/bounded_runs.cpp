@@ -48,8 +48,8 @@ bool advance(app::SceneRun& run) {
   };
   Progress progress;
   const Outcome outcome = run.proceed(stop, progress);
-  if (outcome.kind == Outcome::Kind::diverged && (outcome.words.empty() || !std::isfinite(outcome.time)))
-    throw std::logic_error{fmt::format("diverged at {} because of '{}'", outcome.time, outcome.words)};
+  if (outcome.kind == Outcome::Kind::diverged && (outcome.message.empty() || !std::isfinite(outcome.time)))
+    throw std::logic_error{fmt::format("diverged at {} because of '{}'", outcome.time, outcome.message)};
   const RunRecord record = run.record(outcome);
   if (summary_json(record).empty() || app::run_summary(record, run.parts(), true).empty())
     throw std::logic_error{"a run without a summary"};
@@ -85,7 +85,7 @@ Checkpoint saved(const fs::path& scene) {
 bool run_scene(const SceneFile& scene, const fs::path& file) {
   if (is_large(scene.scene.model)) return false;
   app::SceneRun run{scene, {}, file, {}};
-  if (run.dynamics().layout().coordinates.size() <= most_watched_coordinates)
+  if (run.dynamics().layout().coordinates.size() <= maximum_watched_coordinates)
     static_cast<void>(step_verdict(scene.scene, advise_step(run.dynamics(), scene.scene.initial)));
   return advance(run);
 }
@@ -137,15 +137,15 @@ void leave_scene_run(const fs::path& scene, const fs::path& folder) {
   run.write(record);
   write_whole(folder / "summary.json", summary_json(record));
 
-  app::SceneRun begun{file, {}, scene, {}};
+  app::SceneRun interrupted{file, {}, scene, {}};
   long steps = 0;
-  static_cast<void>(begun.proceed([&](const Snapshot&) { return ++steps >= saved_steps; }, progress));
+  static_cast<void>(interrupted.proceed([&](const Snapshot&) { return ++steps >= saved_steps; }, progress));
   Archive archive;
-  begun.serialize(archive);
+  interrupted.serialize(archive);
   Checkpoint checkpoint = saved(scene);
   checkpoint.integrator = name(file.scene.integrator), checkpoint.tolerance = tolerance(file.scene.integrator);
   checkpoint.step = file.scene.plan.step, checkpoint.end = file.scene.plan.end;
-  checkpoint.steps = begun.run_state().step;
+  checkpoint.steps = interrupted.run_state().step;
   checkpoint.memory = archive.items();
   write_whole(folder / "saved.json", checkpoint_text(checkpoint, TALUS_VERSION));
 }

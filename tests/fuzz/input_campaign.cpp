@@ -37,7 +37,7 @@ namespace fs = std::filesystem;
 /// Number of inputs that one child process reads.
 constexpr long batch = 2000;
 /// Address space of a child; the address sanitizer reserves far more, and is limited elsewhere (mutate_inputs.cpp).
-[[maybe_unused]] constexpr rlim_t most_memory = rlim_t{3} << 30U;
+[[maybe_unused]] constexpr rlim_t maximum_memory = rlim_t{3} << 30U;
 /// Exit status of a child that found a flaw.
 constexpr int flawed = 77;
 
@@ -90,7 +90,7 @@ struct BatchFiles {
   redirect(STDOUT_FILENO, "/dev/null");
   redirect(STDERR_FILENO, files.errors);
 #ifndef TALUS_WITH_ASAN
-  const rlimit memory{most_memory, most_memory};
+  const rlimit memory{maximum_memory, maximum_memory};
   ::setrlimit(RLIMIT_AS, &memory);
 #endif
   const rlimit core{0, 0};
@@ -194,7 +194,7 @@ Tally run_inputs(const Reader& reader, const CampaignPlan& plan, const fs::path&
   const auto start = std::chrono::steady_clock::now();
   const long inputs = std::max(static_cast<long>(reader.corpus.size()), reader.slow ? plan.inputs / 4 : plan.inputs);
   const SharedProgress progress;
-  while (progress->number < inputs && tally.findings.size() < plan.most_findings) {
+  while (progress->number < inputs && tally.findings.size() < plan.maximum_findings) {
     const long end = std::min(inputs, progress->number + batch);
     const int status = status_of_batch(reader, plan, folder, *progress.operator->(), end);
     if (WIFEXITED(status) && WEXITSTATUS(status) == 0) continue;

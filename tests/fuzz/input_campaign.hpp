@@ -12,12 +12,12 @@ namespace talus::fuzz {
 
 /// Number of inputs for each reader, and limits of an input.
 struct CampaignPlan {
-  long inputs{1000};                 ///< per reader; a quarter of them for a slow one
-  std::uint64_t seed{1};             ///< the same inputs for the same seed
-  long cpu_seconds{20};              ///< limit of one input
-  std::filesystem::path findings{};  ///< folder for inputs that were findings; empty: they are not saved
-  bool messages{};                   ///< whether patterns of messages are collected
-  std::size_t most_findings{200};    ///< per reader; after that it gets no more inputs
+  long inputs{1000};                  ///< per reader; a quarter of them for a slow one
+  std::uint64_t seed{1};              ///< the same inputs for the same seed
+  long cpu_seconds{20};               ///< limit of one input
+  std::filesystem::path findings{};   ///< folder for inputs that were findings; empty: they are not saved
+  bool messages{};                    ///< whether patterns of messages are collected
+  std::size_t maximum_findings{200};  ///< per reader; after that it gets no more inputs
 };
 
 /// An input that crashed, hung or took too much memory, or was refused by an error that does not say where.

@@ -95,8 +95,8 @@ std::vector<Span> lines_of(std::string_view text) {
 /// A random span of up to 64 bytes; one in eight may be as long as the text.
 Span any_span(std::mt19937_64& random, std::size_t size) {
   const std::size_t begin = below(random, size + 1);
-  const std::size_t room = size - begin, most = below(random, 8) == 0 ? room : std::min<std::size_t>(room, 64);
-  return {begin, begin + below(random, most + 1)};
+  const std::size_t room = size - begin, maximum = below(random, 8) == 0 ? room : std::min<std::size_t>(room, 64);
+  return {begin, begin + below(random, maximum + 1)};
 }
 
 void change_bytes(std::string& text, std::mt19937_64& random) {

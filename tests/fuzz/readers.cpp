@@ -294,9 +294,9 @@ bool says_where(std::string_view rest) {
 /// value is not an object.
 std::string case_error(const std::string& message, const fs::path& file) {
   const std::string name = file.string(), folder = file.parent_path().string() + "/";
-  const std::size_t place = message.find(name), beside = message.find(folder);
+  const std::size_t offset = message.find(name), beside = message.find(folder);
   if (beside == std::string::npos) return "the error does not name the file: " + message;
-  const std::size_t end = place != std::string::npos ? place + name.size() : message.find(':', beside);
+  const std::size_t end = offset != std::string::npos ? offset + name.size() : message.find(':', beside);
   const std::string_view rest = std::string_view{message}.substr(std::min(end, message.size()));
   for (const std::string_view whole : {"is empty", "must be an object", "found a run of", "No such file or directory"})
     if (rest.find(whole) != std::string_view::npos) return {};

@@ -83,9 +83,9 @@ void restore_originals() {
 }
 
 void keep_original(const fs::path& file, const std::string& text) {
-  const fs::path place = originals() / fs::relative(file, fs::current_path());
-  fs::create_directories(place.parent_path());
-  write(place, text);
+  const fs::path original = originals() / fs::relative(file, fs::current_path());
+  fs::create_directories(original.parent_path());
+  write(original, text);
 }
 
 }  // namespace

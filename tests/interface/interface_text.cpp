@@ -223,9 +223,9 @@ std::vector<DataArray> data_arrays(const std::string& text) {
 }
 
 std::string changed_numbers(const std::string& text) {
-  std::istringstream words(text);
+  std::istringstream tokens(text);
   std::string result;
-  for (std::string word; words >> word;)
+  for (std::string word; tokens >> word;)
     result += changed_number(word, true) + " ";
   return result;
 }

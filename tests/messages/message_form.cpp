@@ -29,7 +29,7 @@ std::string lasting(const std::string& line) {
 std::string form_of(const std::string& line) {
   static const std::regex quoted{R"("(?:[^"\\]|\\.)*")"}, named{R"('[^']*')"};
   // The position: segments that end in ": ", up to one of the words with which a message begins.
-  static const std::regex place{
+  static const std::regex location{
       R"(^(?:(?:[^;:]|:(?=[0-9]))*: )+?(?=(?:found|it|its|this|give|given|possible|the|a|an|no|not|neither|there|is)"
       R"(|several) |contact by |[a-z ]+ '\.\.\.' (?:is|was|exists|belongs)|[0-9]+ cables end|line [0-9]+ joins|history [0-9]))"};
   static const std::regex lists{R"((nearest|known|recorded|recorded for|allowed are|known pairs): [^;]*)"};
@@ -44,16 +44,16 @@ std::string form_of(const std::string& line) {
              R"((?![A-Za-z0-9_]|[.,][0-9]|/[a-z]))"};
   std::string text = replaced(replaced(lasting(line), line_of_file, ""), parser, "$1: ...");
   text = replaced(replaced(replaced(text, system, ""), quoted, "\"...\""), named, "'...'");
-  text = replaced(replaced(text, place, ""), lists, "$1: ...");
+  text = replaced(replaced(text, location, ""), lists, "$1: ...");
   text = replaced(replaced(text, hex, "$1N"), year, "$1 \x01$2");
   return replaced(replaced(text, number, "$1N"), mark, "");
 }
 
 bool names_cure(const std::string& form) {
-  static const std::regex words{
+  static const std::regex word_pattern{
       R"(\b(?:must|needs|requires|required|give|write|remove|delete|leave|choose|name (?:one|two|its)|set [A-Z]|take a|use (?:a|the))"
       R"(|run (?:it|the)|resume (?:it|the)|known:|there is none|allowed are|at most|at least|is it installed)(?![a-z]))"};
-  return std::regex_search(form, words);
+  return std::regex_search(form, word_pattern);
 }
 
 std::vector<Cure> read_cures(std::istream& in) {
@@ -64,10 +64,10 @@ std::vector<Cure> read_cures(std::istream& in) {
       cures.push_back({line, {}});
       continue;
     }
-    const std::string words = line.substr(std::min(line.find_first_not_of(' '), line.size()));
-    if (cures.empty() || words.empty()) throw std::runtime_error("cures: no message before: " + line);
+    const std::string added = line.substr(std::min(line.find_first_not_of(' '), line.size()));
+    if (cures.empty() || added.empty()) throw std::runtime_error("cures: no message before: " + line);
     std::string& cure = cures.back().cure;
-    cure += cure.empty() ? words : ' ' + words;
+    cure += cure.empty() ? added : ' ' + added;
   }
   return cures;
 }
@@ -103,8 +103,8 @@ std::vector<Form> forms_of(const std::vector<std::string>& recorded, const std::
     for (std::string one; std::getline(lines, one, '\x1f');) {
       if (one.empty() || one.starts_with("help: ")) continue;
       const std::string example = lasting(one);
-      const auto [place, added] = examples.try_emplace({kind, form_of(one)}, example);
-      if (!added && before(example, place->second)) place->second = example;
+      const auto [entry, added] = examples.try_emplace({kind, form_of(one)}, example);
+      if (!added && before(example, entry->second)) entry->second = example;
       if (one.back() == ':') break;  // the text of another program follows
     }
   }

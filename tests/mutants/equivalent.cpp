@@ -8,8 +8,8 @@ std::vector<Equivalent> equivalent_mutants(const std::filesystem::path& file) {
   std::vector<Equivalent> all;
   const toml::table table = parsed(file);
   for (const toml::table* each : tables_of(table, "equivalent", {"file", "operation", "line", "new", "reason"})) {
-    all.push_back({words(*each, "file"), words(*each, "operation"), words(*each, "line"), words(*each, "new", true),
-                   words(*each, "reason")});
+    all.push_back({text_of(*each, "file"), text_of(*each, "operation"), text_of(*each, "line"),
+                   text_of(*each, "new", true), text_of(*each, "reason")});
   }
   return all;
 }

@@ -25,7 +25,7 @@ struct Edit {
 struct Mutant {
   std::string id{};                  ///< unique: the name of a written bug, or FILE:LINE:COLUMN:OPERATION:N
   std::string operation{};           ///< mutation operator, or "bug"
-  std::string words{};               ///< description of the fault for a reader
+  std::string description{};         ///< description of the fault for a reader
   std::vector<Edit> edits{};         ///< one position; written bugs may have several
   std::vector<std::string> cases{};  ///< of a written bug: at least one must turn red; "*": all that evaluate it
 };

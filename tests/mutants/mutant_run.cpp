@@ -51,7 +51,7 @@ struct Options {
   fs::path out;
   unsigned jobs = 0;
   double build_seconds = 0.0;
-  double least_score = 0.0;
+  double minimum_score = 0.0;
   double longest = std::numeric_limits<double>::infinity();
   bool matrix = false;
   bool full = false;
@@ -227,25 +227,25 @@ class Child {
 /// Runs work in parallel: `next` returns a request for a free job slot, or nothing; `done` receives its outcome.
 template <class Next, class Done>
 void run_side_by_side(unsigned jobs, Next&& next, Done&& done) {
-  struct Place {
+  struct Slot {
     std::unique_ptr<Child> child;
     std::size_t task{};
   };
-  std::vector<Place> places(jobs);
+  std::vector<Slot> slots(jobs);
   bool any = true;
   while (any) {
     any = false;
-    for (Place& place : places) {
-      if (place.child) {
-        if (const auto outcome = place.child->outcome()) {
-          place.child.reset();
-          done(place.task, *outcome);
+    for (Slot& slot : slots) {
+      if (slot.child) {
+        if (const auto outcome = slot.child->outcome()) {
+          slot.child.reset();
+          done(slot.task, *outcome);
         }
       }
-      if (!place.child) {
-        if (const auto request = next(place.task)) place.child = std::make_unique<Child>(*request);
+      if (!slot.child) {
+        if (const auto request = next(slot.task)) slot.child = std::make_unique<Child>(*request);
       }
-      any = any || place.child;
+      any = any || slot.child;
     }
     std::this_thread::sleep_for(std::chrono::milliseconds(1));
   }
@@ -509,8 +509,8 @@ int run(const Options& options) {
   save();
   records::write_whole(out.parent_path() / "report.json", schema_report(mutants, options.root));
   const records::Score score = print(mutants);
-  const bool enough = score.fraction() >= options.least_score;
-  if (!enough) fmt::print("the score is less than {:.1f} %\n", 100.0 * options.least_score);
+  const bool enough = score.fraction() >= options.minimum_score;
+  if (!enough) fmt::print("the score is less than {:.1f} %\n", 100.0 * options.minimum_score);
   return demand_named(mutants) && enough ? 0 : 1;
 }
 
@@ -522,14 +522,15 @@ int main(int argc, char** argv) {
   using namespace talus::mutants;
   CLI::App app{
       "talus_mutant_run: runs the cases with each mutant of this build. Exit status: 0 done and every written "
-      "bug turned a case red that it names, 1 not so, a score below --least-score, or not done, 2 wrong command line"};
+      "bug turned a case red that it names, 1 not so, a score below --minimum-score, or not done, 2 wrong command "
+      "line"};
   Options options;
   app.add_option("--list", options.list, "What talus_mutate wrote")->capture_default_str()->check(CLI::ExistingFile);
   app.add_option("--root", options.root, "The sources without mutants")->capture_default_str();
   app.add_option("--out", options.out, "Results; default: killed.json beside the list");
   app.add_option("--jobs", options.jobs, "Cases at once (default: the processors of this machine)");
   app.add_option("--build-seconds", options.build_seconds, "What building took, for the report");
-  app.add_option("--least-score", options.least_score,
+  app.add_option("--minimum-score", options.minimum_score,
                  "Fail if a smaller fraction of the generated mutants that count is killed")
       ->check(CLI::Range(0.0, 1.0))
       ->capture_default_str();

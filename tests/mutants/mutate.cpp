@@ -204,7 +204,7 @@ records::MutantRecord record_of(const Mutant& mutant, int number, const fs::path
   record.number = number;
   record.id = mutant.id;
   record.operation = mutant.operation;
-  record.words = mutant.words;
+  record.description = mutant.description;
   record.file = edit.file;
   record.range = range_of(text, edit);
   record.original = text.substr(edit.begin, edit.end - edit.begin);
@@ -260,14 +260,14 @@ void mutate(const Options& options) {
   list.seed = options.seed;
   list.operator_count = operations().size();
   std::map<std::string, std::vector<Switched>> edits;
-  const auto take = [&](const Mutant& mutant, std::size_t place) {
-    const int number = static_cast<int>(place) + 1;
+  const auto take = [&](const Mutant& mutant, std::size_t index) {
+    const int number = static_cast<int>(index) + 1;
     list.mutants.push_back(record_of(mutant, number, options.root));
     for (const Edit& edit : mutant.edits)
       edits[edit.file].push_back({edit, number});
   };
   // A mutant that does not compile keeps its number, so that the sources of the others need no recompilation.
-  std::size_t places = 0;
+  std::size_t count = 0;
   if (options.bugs) {
     const auto files = mutated_files(options);
     const auto elsewhere = [&](const Edit& edit) {
@@ -275,20 +275,20 @@ void mutate(const Options& options) {
     };
     for (const Mutant& bug : written_bugs(options.root / "tests/mutants/bugs", options.root)) {
       if (options.sources && std::any_of(bug.edits.begin(), bug.edits.end(), elsewhere)) continue;
-      take(bug, places++);
+      take(bug, count++);
     }
   }
   std::size_t drawn = 0;
   for (std::size_t i = options.skip; i < all.size() && drawn < options.sample; ++i) {
     const Candidate& one = all[i];
-    const std::size_t place = places++;
+    const std::size_t index = count++;
     if (uncompiled.count(one.mutant.id) > 0) {
       ++list.uncompiled;
       continue;
     }
     ++drawn;
     if (one.reason.empty()) {
-      take(one.mutant, place);
+      take(one.mutant, index);
       continue;
     }
     auto record = record_of(one.mutant, 0, options.root);
@@ -318,10 +318,11 @@ void blame(const Options& options) {
     if (!std::regex_match(line, part, error)) continue;
     // Some messages quote the switch; for the others the position identifies it.
     std::smatch quoted;
-    const std::string words = part[5];
-    const int number = std::regex_search(words, quoted, named) ? std::stoi(quoted[1])
-                                                               : switch_at(records::read_whole(source / part[2].str()),
-                                                                           std::stoul(part[3]), std::stoul(part[4]));
+    const std::string message = part[5];
+    const int number =
+        std::regex_search(message, quoted, named)
+            ? std::stoi(quoted[1])
+            : switch_at(records::read_whole(source / part[2].str()), std::stoul(part[3]), std::stoul(part[4]));
     const auto found = std::find_if(list.mutants.begin(), list.mutants.end(),
                                     [&](const auto& mutant) { return number > 0 && mutant.number == number; });
     if (found == list.mutants.end() || found->operation == "bug")

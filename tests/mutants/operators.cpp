@@ -122,13 +122,13 @@ class Search {
  private:
   [[nodiscard]] std::string text(const Node& node) const { return std::string(source_.text(node.extent())); }
 
-  void add(const char* operation, Extent place, Form form, const std::string& replacement) {
+  void add(const char* operation, Extent extent, Form form, const std::string& replacement) {
     const auto line = one_line(replacement);
-    if (!line || place.size() == 0) return;
-    const std::string old = trimmed(source_.text(place));
+    if (!line || extent.size() == 0) return;
+    const std::string old = trimmed(source_.text(extent));
     if (old == *line) return;
-    if (source_.text(place).find("//") != std::string_view::npos) return;
-    mutants_.push_back({.operation = operation, .edits = {{file_, place.begin, place.end, form, *line}}});
+    if (source_.text(extent).find("//") != std::string_view::npos) return;
+    mutants_.push_back({.operation = operation, .edits = {{file_, extent.begin, extent.end, form, *line}}});
   }
   void express(const char* operation, const Node& node, const std::string& replacement) {
     add(operation, node.extent(), Form::expression, replacement);
@@ -165,8 +165,8 @@ class Search {
       case CXCursor_NamespaceRef:
         return true;
       case CXCursor_VarDecl: {
-        const std::string words = text(node);
-        return words.substr(0, words.find(node.name())).find("constexpr") != std::string::npos;
+        const std::string code = text(node);
+        return code.substr(0, code.find(node.name())).find("constexpr") != std::string::npos;
       }
       case CXCursor_UnexposedDecl:
         return text(node).find("concept ") != std::string::npos;
@@ -312,10 +312,10 @@ class Search {
   void change_unary(const Node& node) {
     const auto operand = node.children();
     if (operand.size() != 1) return;
-    const std::string words = text(node);
+    const std::string code = text(node);
     const std::string inner = text(operand[0]);
-    if (words.starts_with("-") && is_number(node)) express("sign", node, inner);
-    if (words.starts_with("!")) express("negated_condition", node, fmt::format("static_cast<bool>({})", inner));
+    if (code.starts_with("-") && is_number(node)) express("sign", node, inner);
+    if (code.starts_with("!")) express("negated_condition", node, fmt::format("static_cast<bool>({})", inner));
   }
 
   void change_choice(const Node& node) {
@@ -326,10 +326,10 @@ class Search {
   }
 
   void change_number(const Node& node) {
-    const std::string words = text(node);
-    const double value = std::strtod(words.c_str(), nullptr);
+    const std::string code = text(node);
+    const double value = std::strtod(code.c_str(), nullptr);
     if (std::abs(value) < 1e-6 || std::abs(value) > 1e15) return;
-    express("factor", node, fmt::format("1.1 * {}", words));
+    express("factor", node, fmt::format("1.1 * {}", code));
   }
 
   void change_integer(const Node& node) {
@@ -340,11 +340,11 @@ class Search {
     const char before = extent.begin > 0 ? all[extent.begin - 1] : ' ';
     const char after = extent.end < all.size() ? all[extent.end] : ' ';
     if (before == '<' || after == '>' || before == '[' || before == '\'' || after == '\'') return;
-    const std::string words = text(node);
-    if (words.find_first_not_of("0123456789uUlLzZ") != std::string::npos) return;
-    const std::string digits = words.substr(0, words.find_first_not_of("0123456789"));
+    const std::string code = text(node);
+    if (code.find_first_not_of("0123456789uUlLzZ") != std::string::npos) return;
+    const std::string digits = code.substr(0, code.find_first_not_of("0123456789"));
     if (digits.size() > 6) return;
-    const std::string suffix = words.substr(digits.size());
+    const std::string suffix = code.substr(digits.size());
     const long value = std::strtol(digits.c_str(), nullptr, 10);
     express("off_by_one", node, fmt::format("{}{}", value == 1 ? 0 : value + 1, suffix));
   }
@@ -407,11 +407,11 @@ class Search {
     const std::string name = node.name();
     const auto partner = partners().find(name);
     if (partner == partners().end()) return;
-    const std::string words = text(node);
-    if (!words.ends_with(name)) return;
+    const std::string code = text(node);
+    if (!code.ends_with(name)) return;
     const Node member = node.referenced();
     if (member.is_null() || member.kind() == CXCursor_InvalidFile || !has_sibling(member, partner->second)) return;
-    express("other_of_pair", node, words.substr(0, words.size() - name.size()) + partner->second);
+    express("other_of_pair", node, code.substr(0, code.size() - name.size()) + partner->second);
   }
 
   static bool has_sibling(const Node& member, const std::string& name) {
@@ -442,8 +442,8 @@ class Search {
       case CXCursor_BreakStmt:
         break;
       case CXCursor_UnaryOperator: {
-        const std::string words = text(node);
-        if (words.find("++") == std::string::npos && words.find("--") == std::string::npos) return;
+        const std::string code = text(node);
+        if (code.find("++") == std::string::npos && code.find("--") == std::string::npos) return;
         break;
       }
       case CXCursor_ReturnStmt:
@@ -457,12 +457,12 @@ class Search {
       default:
         return;
     }
-    Extent place = node.extent();
-    if (place.size() == 0) return;
-    const std::size_t semicolon = source_.text().find_first_not_of(" \n", place.end);
+    Extent extent = node.extent();
+    if (extent.size() == 0) return;
+    const std::size_t semicolon = source_.text().find_first_not_of(" \n", extent.end);
     if (semicolon == std::string::npos || source_.text()[semicolon] != ';') return;
-    place.end = semicolon + 1;
-    add("missing_statement", place, Form::statement, "");
+    extent.end = semicolon + 1;
+    add("missing_statement", extent, Form::statement, "");
   }
 
   const Source& source_;

@@ -11,7 +11,7 @@ namespace talus::mutants {
 /// A mutation operator.
 struct Operation {
   std::string name;
-  std::string words;  ///< what it makes wrong
+  std::string description;  ///< what it makes wrong
 };
 /// All mutation operators, in the order of the report.
 [[nodiscard]] const std::vector<Operation>& operations();

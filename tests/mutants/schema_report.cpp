@@ -52,7 +52,7 @@ Json json_of(const MutantRecord& mutant) {
             {"killedBy", killed_by},
             {"testsCompleted", mutant.trials.size()}};
   if (!reason.empty()) json["statusReason"] = reason;
-  if (!mutant.words.empty()) json["description"] = mutant.words;
+  if (!mutant.description.empty()) json["description"] = mutant.description;
   return json;
 }
 

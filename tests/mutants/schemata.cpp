@@ -20,7 +20,7 @@ bool comes_before(const Switched& a, const Switched& b) {
   return a.number < b.number;
 }
 
-bool same_place(const Edit& a, const Edit& b) { return a.begin == b.begin && a.end == b.end && a.form == b.form; }
+bool same_position(const Edit& a, const Edit& b) { return a.begin == b.begin && a.end == b.end && a.form == b.form; }
 
 /// `inner`: the text at this position without these mutants.
 std::string switched(std::span<const Switched> here, const std::string& inner) {
@@ -43,7 +43,7 @@ std::string written(std::string_view text, std::size_t begin, std::size_t end, s
   while (!edits.empty()) {
     const Edit& first = edits.front().edit;
     const auto same = std::find_if_not(edits.begin(), edits.end(),
-                                       [&](const Switched& other) { return same_place(first, other.edit); });
+                                       [&](const Switched& other) { return same_position(first, other.edit); });
     const auto inside =
         std::find_if_not(same, edits.end(), [&](const Switched& other) { return other.edit.begin < first.end; });
     if (std::any_of(same, inside, [&](const Switched& other) { return other.edit.end > first.end; }))

@@ -8,8 +8,8 @@
 
 namespace talus::mutants {
 
-void refuse(const toml::source_region& place, const std::string& words) {
-  throw std::runtime_error(fmt::format("{}:{}: {}", place.path ? *place.path : "", place.begin.line, words));
+void refuse(const toml::source_region& region, const std::string& message) {
+  throw std::runtime_error(fmt::format("{}:{}: {}", region.path ? *region.path : "", region.begin.line, message));
 }
 
 toml::table parsed(const std::filesystem::path& file) {
@@ -37,7 +37,7 @@ std::vector<const toml::table*> tables_of(const toml::table& table, std::string_
   return tables;
 }
 
-std::string words(const toml::table& table, std::string_view key, bool may_be_empty) {
+std::string text_of(const toml::table& table, std::string_view key, bool may_be_empty) {
   const auto value = table[key].value<std::string>();
   if (!value || (value->empty() && !may_be_empty))
     refuse(table.source(), fmt::format("{} is missing; it must be a text", key));

@@ -10,8 +10,8 @@
 /// TOML files of mutants, read strictly.
 namespace talus::mutants {
 
-/// Throws std::runtime_error with file, line and `words`.
-[[noreturn]] void refuse(const toml::source_region& place, const std::string& words);
+/// Throws std::runtime_error with file, line and `text_of`.
+[[noreturn]] void refuse(const toml::source_region& region, const std::string& message);
 
 /// Parses a TOML file. Errors: std::runtime_error with file and line if it is not TOML.
 [[nodiscard]] toml::table parsed(const std::filesystem::path& file);
@@ -21,6 +21,6 @@ namespace talus::mutants {
                                                         std::initializer_list<std::string_view> known);
 
 /// The string of a key. Errors: std::runtime_error if it is missing, or empty although it must not be.
-[[nodiscard]] std::string words(const toml::table& table, std::string_view key, bool may_be_empty = false);
+[[nodiscard]] std::string text_of(const toml::table& table, std::string_view key, bool may_be_empty = false);
 
 }  // namespace talus::mutants

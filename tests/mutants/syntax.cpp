@@ -19,13 +19,13 @@ std::string taken(CXString string) {
 }
 
 /// Byte offset of a location; sets `as_written` to false in a macro.
-std::size_t offset_of(CXSourceLocation place, bool& as_written) {
+std::size_t offset_of(CXSourceLocation location, bool& as_written) {
   unsigned expansion = 0;
   unsigned spelling = 0;
   CXFile expanded = nullptr;
   CXFile spelled = nullptr;
-  clang_getExpansionLocation(place, &expanded, nullptr, nullptr, &expansion);
-  clang_getSpellingLocation(place, &spelled, nullptr, nullptr, &spelling);
+  clang_getExpansionLocation(location, &expanded, nullptr, nullptr, &expansion);
+  clang_getSpellingLocation(location, &spelled, nullptr, nullptr, &spelling);
   as_written = as_written && expansion == spelling && clang_File_isEqual(expanded, spelled) != 0;
   return expansion;
 }
@@ -45,9 +45,9 @@ Unit parsed(CXIndex index, const std::filesystem::path& root, const std::filesys
   for (unsigned i = 0; i < clang_getNumDiagnostics(read); ++i) {
     const CXDiagnostic diagnostic = clang_getDiagnostic(read, i);
     const bool is_error = clang_getDiagnosticSeverity(diagnostic) >= CXDiagnostic_Error;
-    const std::string words = taken(clang_formatDiagnostic(diagnostic, CXDiagnostic_DisplaySourceLocation));
+    const std::string message = taken(clang_formatDiagnostic(diagnostic, CXDiagnostic_DisplaySourceLocation));
     clang_disposeDiagnostic(diagnostic);
-    if (is_error) throw std::runtime_error(fmt::format("{}: libclang cannot read it: {}", file.string(), words));
+    if (is_error) throw std::runtime_error(fmt::format("{}: libclang cannot read it: {}", file.string(), message));
   }
   return unit;
 }

@@ -15,16 +15,16 @@ namespace {
 namespace fs = std::filesystem;
 
 Form form_of(const toml::table& table) {
-  const std::string form = words(table, "form");
+  const std::string form = text_of(table, "form");
   if (form == "expression") return Form::expression;
   if (form == "statement") return Form::statement;
   refuse(table.source(), fmt::format("form is '{}'; allowed: expression, statement", form));
 }
 
 Edit edit_of(const toml::table& table, const fs::path& root) {
-  Edit edit{.file = words(table, "file"), .begin = 0, .end = 0, .form = form_of(table), .replacement = {}};
-  const std::string old = words(table, "old");
-  edit.replacement = words(table, "new", edit.form == Form::statement);
+  Edit edit{.file = text_of(table, "file"), .begin = 0, .end = 0, .form = form_of(table), .replacement = {}};
+  const std::string old = text_of(table, "old");
+  edit.replacement = text_of(table, "new", edit.form == Form::statement);
   const std::string text = records::read_whole(root / edit.file);
   edit.begin = text.find(old);
   if (edit.begin == std::string::npos) refuse(table.source(), fmt::format("{} does not hold 'old'", edit.file));
@@ -48,10 +48,10 @@ std::vector<std::string> cases_of(const toml::table& table) {
 }
 
 Mutant bug_of(const toml::table& table, const fs::path& root) {
-  Mutant bug{.id = words(table, "id"), .operation = "bug", .words = words(table, "bug")};
+  Mutant bug{.id = text_of(table, "id"), .operation = "bug", .description = text_of(table, "bug")};
   bug.edits.push_back(edit_of(table, root));
-  for (const toml::table* place : tables_of(table, "also", {"file", "form", "old", "new"}))
-    bug.edits.push_back(edit_of(*place, root));
+  for (const toml::table* also : tables_of(table, "also", {"file", "form", "old", "new"}))
+    bug.edits.push_back(edit_of(*also, root));
   bug.cases = cases_of(table);
   return bug;
 }

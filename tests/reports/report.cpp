@@ -209,9 +209,9 @@ BOOST_AUTO_TEST_CASE(the_summary_comes_first_and_the_long_tables_in_a_volume_of_
   const auto in_order = [](const std::string& text, const std::vector<const char*>& headings) {
     std::size_t before = 0;
     for (const char* heading : headings) {
-      const std::size_t place = text.find(heading, before);
-      BOOST_TEST_REQUIRE(place != std::string::npos, heading);
-      before = place;
+      const std::size_t offset = text.find(heading, before);
+      BOOST_TEST_REQUIRE(offset != std::string::npos, heading);
+      before = offset;
     }
   };
   in_order(read_whole(scratch.folder / "verification.md"),
@@ -280,10 +280,10 @@ BOOST_AUTO_TEST_CASE(missing_tools_and_wrong_usage_have_their_exit_codes) {
   const Scratch scratch("report");
   const Finished bare = program({(data / "pass").string(), scratch.folder.string()}, {{"PATH", "/nowhere"}});
   BOOST_TEST(bare.status == 4);
-  for (const char* words :
+  for (const char* expected :
        {"gnuplot: cannot be started: No such file or directory (is it installed? Debian's packages: gnuplot-nox; ",
         "Debian's packages: pandoc; "})
-    BOOST_TEST(contains(bare.messages, words), bare.messages);
+    BOOST_TEST(contains(bare.messages, expected), bare.messages);
   BOOST_TEST(bare.output == (scratch.folder / "verification.md").string() + "\n" +
                                 (scratch.folder / "verification-details.md").string() + "\n");
   BOOST_TEST(program({(data / "pass").string()}).status == 2);

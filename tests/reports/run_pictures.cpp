@@ -187,12 +187,12 @@ BOOST_AUTO_TEST_CASE(wrong_figures_of_a_run_are_named) {
       {{"\"y\": \"x\"", "\"y\": \"z\""}, "history.csv: has no column 'z'"},
       {{"history.csv", "other.csv"}, "other.csv: No such file or directory"},
       {{"[{\"name\"", "[], \"unknown\": [{\"name\""}, "plot.figures: must hold at least one figure"}};
-  for (const auto& [change, words] : changes) {
+  for (const auto& [change, expected] : changes) {
     std::string text = good;
     text.replace(text.find(change.first), change.first.size(), change.second);
     write_whole(scratch.folder / "plot.json", text);
     const Finished finished = program({"--plot", scratch.folder.string()});
     BOOST_TEST(finished.status == 2);
-    BOOST_TEST(contains(finished.messages, words), finished.messages);
+    BOOST_TEST(contains(finished.messages, expected), finished.messages);
   }
 }

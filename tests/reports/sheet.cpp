@@ -32,9 +32,9 @@ SheetTable table(const SheetRecord& record, const std::string& title) {
 bool contains(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }
 
 std::string replaced(std::string text, const std::string& what, const std::string& by) {
-  const std::size_t place = text.find(what);
-  BOOST_REQUIRE(place != std::string::npos);
-  return text.replace(place, what.size(), by);
+  const std::size_t offset = text.find(what);
+  BOOST_REQUIRE(offset != std::string::npos);
+  return text.replace(offset, what.size(), by);
 }
 
 }  // namespace
@@ -183,13 +183,13 @@ BOOST_AUTO_TEST_CASE(a_title_is_text_in_every_format) {
       "_ ^ ~ & { } "
       "\\\"; system 'touch pwned' \\u0007 {{title}} <%title%> \\n\\n'quit' @x";
   const std::string record = read_whole(record_file);
-  const std::size_t place = record.find("\"title\": \"") + 10, end = record.find('"', place);
+  const std::size_t offset = record.find("\"title\": \"") + 10, end = record.find('"', offset);
   const std::size_t name = record.find("top1");
   BOOST_REQUIRE((end != std::string::npos && name != std::string::npos && name > end));
   std::string text = record;
   for (std::size_t at = text.rfind("top1"); at != std::string::npos && at > end; at = text.rfind("top1", at - 1))
     text.replace(at, 4, "<b>`touch pwned` $ \\\\x % #");
-  text.replace(place, end - place, title);
+  text.replace(offset, end - offset, title);
   write_whole(scratch.folder / "sheet.json", text);
   const Finished made = run({TALUS_REPORT_PROGRAM, {"--sheet", scratch.folder.string()}, scratch.folder, {}});
   BOOST_TEST(made.status == 0, made.messages);
@@ -206,7 +206,7 @@ BOOST_AUTO_TEST_CASE(records_that_are_wrong) {
   const Scratch scratch("sheet");
   const std::string good = read_whole(record_file);
   const fs::path file = scratch.folder / "sheet.json";
-  for (const auto& [text, words] :
+  for (const auto& [text, expected] :
        {std::pair{replaced(good, "\"schema\": 3", "\"schema\": 2"),
                   ".schema: must be 3, found 2: run the fence again with --sheet, by this version of talus"},
         {replaced(good, "\"verdict\": \"passed_under\"", "\"verdict\": \"won\""),
@@ -217,7 +217,7 @@ BOOST_AUTO_TEST_CASE(records_that_are_wrong) {
     write_whole(file, text);
     const Finished refused = run({TALUS_REPORT_PROGRAM, {"--sheet", scratch.folder.string()}, {}, {}});
     BOOST_TEST(refused.status == 2);
-    BOOST_TEST(contains(refused.messages, words), refused.messages);
+    BOOST_TEST(contains(refused.messages, expected), refused.messages);
     BOOST_TEST(!fs::exists(scratch.folder / "sheet.pdf"));
   }
 }

@@ -114,19 +114,19 @@ const Requirement* Catalogue::requirement(const std::string& id) const {
 
 std::string Catalogue::family_of(const std::string& named, const std::vector<std::string>& requirement_ids) const {
   if (!named.empty()) return named;
-  std::string most;
-  std::ptrdiff_t most_problems = 0;
+  std::string largest;
+  std::ptrdiff_t largest_problems = 0;
   for (const std::string& family : families) {
     const auto problems = std::count_if(requirement_ids.begin(), requirement_ids.end(), [&](const std::string& id) {
       const Requirement* const found = requirement(id);
       return found != nullptr && found->group == family;
     });
-    if (problems > most_problems) {
-      most = family;
-      most_problems = problems;
+    if (problems > largest_problems) {
+      largest = family;
+      largest_problems = problems;
     }
   }
-  return most;
+  return largest;
 }
 
 Catalogue read_catalogue(const fs::path& folder) {

@@ -61,17 +61,17 @@ const TomlValue& CatalogueTable::demand(std::string_view key) const {
   return *value;
 }
 
-std::string CatalogueTable::place(int line, std::string_view key) const {
-  std::string place = fmt::format("{}:{}: ", file_, line);
-  if (!noun_.empty()) place += noun_ + ": ";
-  if (!key.empty()) place += fmt::format("{}: ", key);
-  return place;
+std::string CatalogueTable::location(int line, std::string_view key) const {
+  std::string location = fmt::format("{}:{}: ", file_, line);
+  if (!noun_.empty()) location += noun_ + ": ";
+  if (!key.empty()) location += fmt::format("{}: ", key);
+  return location;
 }
 
-std::string CatalogueTable::place_of(std::string_view key) const { return place(demand(key).line, key); }
+std::string CatalogueTable::location_of(std::string_view key) const { return location(demand(key).line, key); }
 
 void CatalogueTable::fail_at(int line, std::string_view key, std::string_view message) const {
-  throw InputError{place(line, key).append(message)};
+  throw InputError{location(line, key).append(message)};
 }
 
 void CatalogueTable::fail(std::string_view key, std::string_view message, std::string_view entry) const {

@@ -39,7 +39,7 @@ class CatalogueTable {
   [[nodiscard]] bool is_text(std::string_view key) const;
 
   /// File, line, table and key, as messages name them.
-  [[nodiscard]] std::string place_of(std::string_view key) const;
+  [[nodiscard]] std::string location_of(std::string_view key) const;
   [[nodiscard]] bool has(std::string_view key) const { return find(key) != nullptr; }
   /// Throws InputError about a key, or about one of the entries under it.
   [[noreturn]] void fail(std::string_view key, std::string_view message, std::string_view entry = "") const;
@@ -50,7 +50,7 @@ class CatalogueTable {
   const TomlValue* find(std::string_view key) const;
   const TomlValue& demand(std::string_view key) const;
   std::string text_of(std::string_view key, const TomlValue& value) const;
-  std::string place(int line, std::string_view key) const;
+  std::string location(int line, std::string_view key) const;
   [[noreturn]] void fail_at(int line, std::string_view key, std::string_view message) const;
 
   std::string file_;

@@ -16,7 +16,7 @@ using Usage = std::set<std::string, std::less<>>;
 /// The members of one kind that were used, e.g. "law.hertz, law.tension_only"; "nothing" if there are none.
 [[nodiscard]] std::string used_of_kind(const Usage& usage, std::string_view kind);
 
-/// Collects all uses in this process during its lifetime. The runs of a case are made in many places, most of which
+/// Collects all uses in this process during its lifetime. The runs of a case are made in many functions, most of which
 /// have no access to its Findings; this way none of them can be forgotten. Errors: std::logic_error if a recording is
 /// already in progress.
 class UsageRecording {

@@ -231,16 +231,16 @@ void run(const MeasuredSet& set, Findings& findings, const Setup& setup) {
 }
 
 std::string page_of(const MeasuredSet& set) {
-  using reports::markdown::words;
+  using reports::markdown::text;
   std::string page;
-  if (!set.conclusion.empty()) page += "**Conclusion.** " + words(set.conclusion) + "\n\n";
-  page += "**Problem.** " + words(set.what) + "\n\n";
+  if (!set.conclusion.empty()) page += "**Conclusion.** " + text(set.conclusion) + "\n\n";
+  page += "**Problem.** " + text(set.what) + "\n\n";
   page +=
       "**Uncertainty.** With $E$ the computed less the measured value, $u^2 = u_D^2 + u_{in}^2 + u_{num}^2 + "
       "u_{model}^2$: of the measured value, of the conditions (change of the result with each), of the method (change "
       "with half the step, or a tenth of the tolerance), and what is granted to the model.\n\n";
-  page += "**Source.** " + words(set.source) + (set.source.ends_with('.') ? "" : ".") + "\n\n";
-  return page + text_of(EvidenceParagraph{{Evidence::measurement}, words(set.not_shown), ""});
+  page += "**Source.** " + text(set.source) + (set.source.ends_with('.') ? "" : ".") + "\n\n";
+  return page + text_of(EvidenceParagraph{{Evidence::measurement}, text(set.not_shown), ""});
 }
 
 }  // namespace

@@ -73,7 +73,7 @@ MeasuredQuantity read_quantity(const CatalogueTable& table, const records::Csv& 
                             .uncertainty = uncertainty(data, table)};
   quantity.unit = unit_of_heading(quantity.column);
   quantity.values = column(data, table, "column", quantity.column);
-  quantity.at = table.place_of("result");
+  quantity.at = table.location_of("result");
   for (const double each : quantity.uncertainty) {
     if (!(each > 0.0)) table.fail("uncertainty", fmt::format("found {:g}; it must be > 0", each));
   }

@@ -96,10 +96,10 @@ Items<RecordedControl> controls_of(const RecordedResults& results) {
 /// Items out of scope are excluded.
 template <class Changed, class T>
 std::vector<Changed> paired(const Items<T>& before, const Items<T>& after, const Targets& targets, const Scope& scope) {
-  std::map<ItemName, std::size_t> place;
+  std::map<ItemName, std::size_t> index;
   std::vector<Changed> now(after.size()), lost;
   for (std::size_t i = 0; i < after.size(); ++i) {
-    place.emplace(after[i].first, i);
+    index.emplace(after[i].first, i);
     now[i].name = after[i].first;
     now[i].presence = Presence::added;
     now[i].after = *after[i].second;
@@ -108,8 +108,8 @@ std::vector<Changed> paired(const Items<T>& before, const Items<T>& after, const
     for (const auto& [name, value] : before) {
       const Target target = targets.of(name);
       if (target.rank != rank || !scope.has(target.name ? target.name->id : name.id)) continue;
-      const auto found = target.name ? place.find(*target.name) : place.end();
-      const bool is_free = found != place.end() && now[found->second].presence == Presence::added;
+      const auto found = target.name ? index.find(*target.name) : index.end();
+      const bool is_free = found != index.end() && now[found->second].presence == Presence::added;
       Changed& change = is_free ? now[found->second] : lost.emplace_back();
       change.before = *value;
       change.presence = is_free ? Presence::both : target.name ? Presence::gone : Presence::removed;
@@ -139,7 +139,7 @@ bool is_given(const std::vector<Renaming>& renames, const ItemName& name) {
 }
 
 std::string still_there(const Renaming& renaming, const std::string& where) {
-  return fmt::format("{}: found '{}'; {} still has it: it must be a name that is no longer used", renaming.place,
+  return fmt::format("{}: found '{}'; {} still has it: it must be a name that is no longer used", renaming.location,
                      text_of(renaming.before), where);
 }
 
@@ -156,7 +156,7 @@ std::vector<std::string> renaming_errors_of(const std::vector<Renaming>& renames
     const bool ended =
         target == nullptr || target->outcome.status == Status::pass || target->outcome.status == Status::fail;
     if (renaming.after && ended && !has_item(after, *renaming.after)) {
-      errors.push_back(fmt::format("{}: found '{}' on the right; it must be a name of {}", renaming.place,
+      errors.push_back(fmt::format("{}: found '{}' on the right; it must be a name of {}", renaming.location,
                                    text_of(*renaming.after), file));
     }
     if (has_item(after, renaming.before) && !is_given(renames, renaming.before))
@@ -419,10 +419,10 @@ void validate(const RecordedResults& before, Tier tier, const Allowance& allowan
       throw InputError(
           fmt::format("{}: found '{}' on the left; it must be a name of the baseline {} (delete the line if "
                       "the baseline has the new name already)",
-                      renaming.place, text_of(renaming.before), file));
+                      renaming.location, text_of(renaming.before), file));
     }
     if (renaming.after && !contains(registered, renaming.after->id))
-      throw unknown_name(renaming.place + ": case", renaming.after->id, registered);
+      throw unknown_name(renaming.location + ": case", renaming.after->id, registered);
     if (renaming.before.item.empty() && contains(registered, renaming.before.id) && !is_given(renames, renaming.before))
       throw InputError(still_there(renaming, "this program"));
   }

@@ -13,10 +13,10 @@ namespace talus::verification {
 
 namespace {
 
-constexpr std::size_t most_worse = 100;
-constexpr std::size_t most_admitted = 20;
-constexpr std::size_t most_names = 50;
-constexpr std::size_t most_times = 5;
+constexpr std::size_t maximum_worse = 100;
+constexpr std::size_t maximum_admitted = 20;
+constexpr std::size_t maximum_names = 50;
+constexpr std::size_t maximum_times = 5;
 
 /// Escapes text so that Markdown shows it literally, in one line.
 std::string unmarked(const std::string& text) {
@@ -39,24 +39,25 @@ std::string row(const std::vector<std::string>& cells) {
   return text + "\n";
 }
 
-std::string changes(const std::vector<ChangeLine>& lines, std::size_t most) {
+std::string changes(const std::vector<ChangeLine>& lines, std::size_t maximum) {
   std::string text =
       "| why | case/check | baseline | now | change/bound | error/bound | bound |\n"
       "|:--|:--|:--|:--|:--|:--|:--|\n";
-  for (std::size_t i = 0; i < std::min(most, lines.size()); ++i) {
+  for (std::size_t i = 0; i < std::min(maximum, lines.size()); ++i) {
     const ChangeLine& line = lines[i];
     text += row({line.why, line.item, line.before, line.after, line.moved, line.margin, line.bound});
   }
-  if (lines.size() > most) text += fmt::format("\nand {} more in `baseline.json`\n", grouped(lines.size() - most));
+  if (lines.size() > maximum)
+    text += fmt::format("\nand {} more in `baseline.json`\n", grouped(lines.size() - maximum));
   return text;
 }
 
 std::string names_list(const char* title, const std::vector<std::string>& names) {
   if (names.empty()) return "";
   std::string text = fmt::format("\n### {}\n\n", title);
-  for (std::size_t i = 0; i < std::min(most_names, names.size()); ++i)
+  for (std::size_t i = 0; i < std::min(maximum_names, names.size()); ++i)
     text += "- " + unmarked(names[i]) + "\n";
-  if (names.size() > most_names) text += fmt::format("- and {} more\n", names.size() - most_names);
+  if (names.size() > maximum_names) text += fmt::format("- and {} more\n", names.size() - maximum_names);
   return text;
 }
 
@@ -88,7 +89,7 @@ std::string times(const Comparison& comparison) {
   if (cases.empty()) return "";
   std::string text =
       "\n### Times with the largest difference (not compared)\n\n| case | baseline | now |\n|:--|--:|--:|\n";
-  for (std::size_t i = 0; i < std::min(most_times, cases.size()); ++i) {
+  for (std::size_t i = 0; i < std::min(maximum_times, cases.size()); ++i) {
     text += row({cases[i]->name.id, fmt::format("{:.2f} s", cases[i]->before->seconds),
                  fmt::format("{:.2f} s", cases[i]->after->seconds)});
   }
@@ -116,7 +117,7 @@ std::string markdown_of(const Comparison& comparison) {
   for (const std::string& error : comparison.renaming_errors)
     text += "\n- " + unmarked(error);
   if (!comparison.renaming_errors.empty()) text += "\n";
-  if (!worse.empty()) text += "\n### Worse\n\n" + changes(worse, most_worse);
+  if (!worse.empty()) text += "\n### Worse\n\n" + changes(worse, maximum_worse);
   text +=
       "\n### Totals\n\n| | compared | worse | pass -> fail | fail -> pass | gone | removed | new |\n"
       "|:--|--:|--:|--:|--:|--:|--:|--:|\n";
@@ -133,7 +134,7 @@ std::string markdown_of(const Comparison& comparison) {
           ? ""
           : fmt::format(" Not selected: {} of the baseline.", counted(comparison.unselected.size(), "case")));
   text += sources(comparison, totals);
-  if (!admitted.empty()) text += "\n### Largest changes that are not worse\n\n" + changes(admitted, most_admitted);
+  if (!admitted.empty()) text += "\n### Largest changes that are not worse\n\n" + changes(admitted, maximum_admitted);
   text += names_list("New", new_items(comparison));
   text += names_list("Gone or removed", lost_items(comparison));
   return text + times(comparison);

@@ -22,8 +22,8 @@ std::string row(const std::string& name, const std::string& text) { return fmt::
 /// Non-zero counts as text: "2 new, 1 gone".
 std::string joined(const std::vector<std::pair<std::size_t, std::string>>& counts) {
   std::string text;
-  for (const auto& [count, words] : counts) {
-    if (count > 0) text += (text.empty() ? "" : ", ") + grouped(count) + " " + words;
+  for (const auto& [count, message] : counts) {
+    if (count > 0) text += (text.empty() ? "" : ", ") + grouped(count) + " " + message;
   }
   return text;
 }
@@ -97,11 +97,11 @@ std::string text_of(const ChangeLine& line) {
   return text + "\n";
 }
 
-std::string list_of(const std::vector<ChangeLine>& lines, std::size_t most) {
+std::string list_of(const std::vector<ChangeLine>& lines, std::size_t maximum) {
   std::string text;
-  for (std::size_t i = 0; i < std::min(most, lines.size()); ++i)
+  for (std::size_t i = 0; i < std::min(maximum, lines.size()); ++i)
     text += text_of(lines[i]);
-  if (lines.size() > most) text += fmt::format("  and {} more in baseline.json\n", grouped(lines.size() - most));
+  if (lines.size() > maximum) text += fmt::format("  and {} more in baseline.json\n", grouped(lines.size() - maximum));
   return text;
 }
 

@@ -48,15 +48,15 @@ Colour colour_of(const Check* check) {
 }
 
 std::string message_of(const Control& control, const std::string& thrown) {
-  std::string words;
-  if (control.observed == Colour::green) words = "the check stayed green with the fault";
-  if (control.observed == Colour::missing) words = "the check was not made with the fault";
+  std::string message;
+  if (control.observed == Colour::green) message = "the check stayed green with the fault";
+  if (control.observed == Colour::missing) message = "the check was not made with the fault";
   if (control.observed == Colour::red && control.unplanted != Colour::green) {
-    words = fmt::format("the check is {} at this resolution without the fault, too",
-                        control.unplanted == Colour::red ? "red" : "missing");
+    message = fmt::format("the check is {} at this resolution without the fault, too",
+                          control.unplanted == Colour::red ? "red" : "missing");
   }
-  if (!thrown.empty()) words += (words.empty() ? "" : "; ") + thrown;
-  return words;
+  if (!thrown.empty()) message += (message.empty() ? "" : "; ") + thrown;
+  return message;
 }
 
 /// Injects `fault`, runs until the check that it names is made, and evaluates that check.
@@ -93,8 +93,8 @@ void plant_all(const Case& verification_case, Record& record) {
 
 /// Main checks that were not made, and claims that no check or no run of the case supports; empty if there are none.
 std::string missing_checks(const Record& record, bool must_claim) {
-  std::string words;
-  const auto add = [&](const std::string& more) { words += (words.empty() ? "" : "; ") + more; };
+  std::string message;
+  const auto add = [&](const std::string& more) { message += (message.empty() ? "" : "; ") + more; };
   for (const auto& name : record.main_checks) {
     const auto named = [&](const Check& check) { return check.name == name; };
     if (std::none_of(record.checks.begin(), record.checks.end(), named))
@@ -104,17 +104,17 @@ std::string missing_checks(const Record& record, bool must_claim) {
   }
   if (must_claim && record.requirements.empty()) add(fmt::format("case {}: it claims no requirement", record.id));
   for (const auto& trace : record.requirements) {
-    const std::string place = fmt::format("case {}: claim {}", record.id, trace.requirement);
+    const std::string prefix = fmt::format("case {}: claim {}", record.id, trace.requirement);
     if (!trace.unmatched.empty()) {
       add(fmt::format("{}: found '{}'; it must be the name of a check or the id of a group of checks of the case",
-                      place, trace.unmatched));
+                      prefix, trace.unmatched));
     } else if (trace.checks.empty()) {
-      add(fmt::format("{}: the case names no check for it", place));
+      add(fmt::format("{}: the case names no check for it", prefix));
     }
     if (!trace.used_instead.empty())
-      add(fmt::format("{}: no run of the case used it; its runs used {}", place, trace.used_instead));
+      add(fmt::format("{}: no run of the case used it; its runs used {}", prefix, trace.used_instead));
   }
-  return words;
+  return message;
 }
 
 }  // namespace
@@ -127,10 +127,10 @@ Record run_case(const Case& verification_case, Tier tier, const Record* earlier)
   if (!verification_case.has_full_part()) tier = Tier::quick;
   const std::string thrown = [&] {
     const UsageRecording recording;
-    const std::string words = thrown_by(verification_case, findings,
-                                        {.fault = "", .coarse = false, .tier = tier, .machine = machine_words()});
+    const std::string message =
+        thrown_by(verification_case, findings, {.fault = "", .coarse = false, .tier = tier, .machine = machine_text()});
     usage = recording.usage();
-    return words;
+    return message;
   }();
   const Case with_names = with_check_names(verification_case, findings);
   record.main_checks = with_names.main_checks;
@@ -182,9 +182,9 @@ void judge(const Case& verification_case, Record& record) {
                                   record.controls.size());
   }
   // Without any check all of them are missing, which the message already says.
-  const std::string words = missing_checks(record, verification_case.data_set.empty());
-  if (!words.empty() && !record.checks.empty()) {
-    record.message += (record.message.empty() ? "" : "; ") + words;
+  const std::string message = missing_checks(record, verification_case.data_set.empty());
+  if (!message.empty() && !record.checks.empty()) {
+    record.message += (record.message.empty() ? "" : "; ") + message;
   }
   record.status = record.message.empty() ? Status::pass : Status::fail;
 }

@@ -159,12 +159,12 @@ std::vector<Record> records_of(const std::vector<Case>& selection, const std::ve
                                const Catalogue& catalogue, const RunPlan& plan, Terminal& terminal) {
   std::vector<Record> records(selection.size());
   std::vector<Case> sound;
-  std::vector<std::size_t> places;
+  std::vector<std::size_t> indices;
   for (std::size_t i = 0; i < selection.size(); ++i) {
     const std::string flaw = case_error(selection[i], all, catalogue);
     if (flaw.empty()) {
       sound.push_back(selection[i]);
-      places.push_back(i);
+      indices.push_back(i);
     } else {
       records[i] = unfinished(selection[i], Status::error, "the case is not well formed: " + flaw);
       terminal.report(records[i], {});
@@ -174,7 +174,7 @@ std::vector<Record> records_of(const std::vector<Case>& selection, const std::ve
     terminal.report(ended, running, reused);
   });
   for (std::size_t i = 0; i < finished.size(); ++i)
-    records[places[i]] = std::move(finished[i]);
+    records[indices[i]] = std::move(finished[i]);
   return records;
 }
 

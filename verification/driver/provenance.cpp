@@ -62,7 +62,7 @@ Provenance provenance() {
           date()};
 }
 
-std::string machine_words() {
+std::string machine_text() {
   return fmt::format("{}, {}, {}", value_in("/proc/cpuinfo", "model name"), build_compiler, build_flags);
 }
 

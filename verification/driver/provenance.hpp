@@ -13,6 +13,6 @@ using records::Provenance;
 [[nodiscard]] Provenance provenance();
 
 /// Processor, compiler and options as text.
-[[nodiscard]] std::string machine_words();
+[[nodiscard]] std::string machine_text();
 
 }  // namespace talus::verification

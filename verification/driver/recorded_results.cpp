@@ -274,10 +274,10 @@ RecordedResults read_results(const fs::path& file) {
   } catch (const records::RecordError& fault) {
     throw InputError(fault.what());
   } catch (const nlohmann::json::exception& fault) {
-    const std::string words = fault.what();  // "[json.exception.parse_error.101] parse error at line 1, ..."
-    const auto start = words.find("] ");
+    const std::string message = fault.what();  // "[json.exception.parse_error.101] parse error at line 1, ..."
+    const auto start = message.find("] ");
     throw InputError(fmt::format("{}: is truncated or not JSON: {}", file.string(),
-                                 start == std::string::npos ? words : words.substr(start + 2)));
+                                 start == std::string::npos ? message : message.substr(start + 2)));
   }
   return results_from(Field(&json, "", file), file);
 }

@@ -25,8 +25,8 @@ std::string trimmed(const std::string& text) {
 
 bool is_control(const ItemName& name) { return name.item.starts_with(control_prefix); }
 
-[[noreturn]] void fail(const std::string& place, const std::string& found, const char* allowed) {
-  throw InputError(fmt::format("{}: found '{}'; it must be {}", place, found, allowed));
+[[noreturn]] void fail(const std::string& location, const std::string& found, const char* allowed) {
+  throw InputError(fmt::format("{}: found '{}'; it must be {}", location, found, allowed));
 }
 
 /// Parses an item name; no value if a part of it is empty.
@@ -41,22 +41,22 @@ std::optional<ItemName> name_from(const std::string& text) {
   return name;
 }
 
-Renaming renaming_from(const std::string& line, const std::string& place) {
+Renaming renaming_from(const std::string& line, const std::string& location) {
   constexpr const char* form =
       "'old_case -> new_case', 'old_case/old check -> new_case/new check', "
       "'old_case/control: old name -> new_case/control: new name', or '-' on the right for what was removed";
   const auto at = line.find(arrow);
-  if (at == std::string::npos || line.find(arrow, at + 1) != std::string::npos) fail(place, line, form);
+  if (at == std::string::npos || line.find(arrow, at + 1) != std::string::npos) fail(location, line, form);
   const std::string right = trimmed(line.substr(at + arrow.size()));
   const auto before = name_from(trimmed(line.substr(0, at)));
-  if (!before) fail(place, line, form);
-  if (right == "-") return {*before, std::nullopt, place};
+  if (!before) fail(location, line, form);
+  if (right == "-") return {*before, std::nullopt, location};
   const auto after = name_from(right);
-  if (!after) fail(place, line, form);
-  if (before->item.empty() != after->item.empty()) fail(place, line, "a case on both sides, or a check on both");
-  if (is_control(*before) != is_control(*after)) fail(place, line, "a check on both sides, or a control on both");
-  if (*before == *after) fail(place, line, "two different names");
-  return {*before, after, place};
+  if (!after) fail(location, line, form);
+  if (before->item.empty() != after->item.empty()) fail(location, line, "a case on both sides, or a check on both");
+  if (is_control(*before) != is_control(*after)) fail(location, line, "a check on both sides, or a control on both");
+  if (*before == *after) fail(location, line, "two different names");
+  return {*before, after, location};
 }
 
 }  // namespace
@@ -78,12 +78,12 @@ std::vector<Renaming> read_renames(const std::filesystem::path& file) {
     const std::string text = trimmed(line);
     if (text.empty() || text.front() == '#') continue;
     Renaming renaming = renaming_from(text, fmt::format("{}:{}", file.string(), number));
-    if (const auto [other, is_new] = renamed.emplace(renaming.before, renaming.place); !is_new)
-      fail(renaming.place, text_of(renaming.before),
+    if (const auto [other, is_new] = renamed.emplace(renaming.before, renaming.location); !is_new)
+      fail(renaming.location, text_of(renaming.before),
            fmt::format("renamed once; {} renames it, too", other->second).c_str());
     if (renaming.after) {
-      if (const auto [other, is_new] = given.emplace(*renaming.after, renaming.place); !is_new)
-        fail(renaming.place, text_of(*renaming.after),
+      if (const auto [other, is_new] = given.emplace(*renaming.after, renaming.location); !is_new)
+        fail(renaming.location, text_of(*renaming.after),
              fmt::format("given once; {} gives it, too", other->second).c_str());
     }
     all.push_back(std::move(renaming));

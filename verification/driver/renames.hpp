@@ -25,7 +25,7 @@ struct ItemName {
 struct Renaming {
   ItemName before;                ///< The name in the baseline.
   std::optional<ItemName> after;  ///< The present name; no value: removed on purpose.
-  std::string place;              ///< "FILE:LINE", for errors.
+  std::string location;           ///< "FILE:LINE", for errors.
 };
 
 /// Reads a file of renames, one per line:

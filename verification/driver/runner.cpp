@@ -119,10 +119,10 @@ Record read_back(const Case& verification_case, const fs::path& folder) {
 
 Record outcome_of(const Child& child, int status, const Case& verification_case, const RunPlan& plan) {
   const fs::path folder = plan.out / verification_case.id;
-  const auto failed = [&](Status how, std::string words) {
+  const auto failed = [&](Status how, std::string message) {
     const std::string last = last_line(folder / "output.txt");
-    if (!last.empty()) words += "; its last words: " + last;
-    Record record = unfinished(verification_case, how, words);
+    if (!last.empty()) message += "; its last words: " + last;
+    Record record = unfinished(verification_case, how, message);
     record.seconds = seconds_since(child.start);
     write_record(record, folder);  // The folder must agree with results.json.
     return record;

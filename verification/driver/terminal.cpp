@@ -56,12 +56,12 @@ std::pair<const Record*, const Check*> worst_failed(const std::vector<Record>& r
 std::string sentence(const std::string& id, const Check& check) {
   const std::string bound =
       check.relative ? fmt::format("{:.6g} of the reference", check.bound) : with_unit(check.bound, check.unit);
-  std::string words =
+  std::string message =
       fmt::format("{}.{}: measured {}, reference {}, bound {}, error/bound {}", id, check.name,
                   check.text_measured.empty() ? with_unit(check.measured, check.unit) : check.text_measured,
                   with_unit(check.reference, check.unit), bound, records::margin_text(check.margin, check.pass, 3));
-  if (!check.message.empty()) words += "; " + check.message;
-  return words + " (" + check.why + ")";
+  if (!check.message.empty()) message += "; " + check.message;
+  return message + " (" + check.why + ")";
 }
 
 std::string sentence(const std::string& id, const Control& control) {

@@ -16,7 +16,7 @@ namespace talus::records {
 inline constexpr int schema = 1;
 
 void fields(auto& f, Like<Check> auto& check) {
-  f.words("name", check.name);
+  f.nonempty_text("name", check.name);
   f.value("unit", check.unit);
   f.number("measured", check.measured);
   f.number("reference", check.reference);
@@ -25,7 +25,7 @@ void fields(auto& f, Like<Check> auto& check) {
   f.number("margin", check.margin);
   f.value("relative", check.relative);
   f.value("kind", check.kind);
-  f.words("why", check.why);
+  f.nonempty_text("why", check.why);
   f.value("pass", check.pass);
   f.value("slack", check.slack);
   f.value_if(check.order, "order", check.order);
@@ -63,8 +63,8 @@ void fields(auto& f, Like<Trace> auto& trace) {
 }
 
 void fields(auto& f, Like<Table> auto& table) {
-  f.words("name", table.name);
-  f.words("caption", table.caption);
+  f.nonempty_text("name", table.name);
+  f.nonempty_text("caption", table.caption);
   f.value("columns", table.columns);
   f.value("rows", table.rows);
 }
@@ -84,10 +84,10 @@ inline void read_into(const Node& node, DataFile& file, Completeness /*completen
 
 void fields(auto& f, Like<Record> auto& record) {
   f.derived("schema", schema);
-  f.words("id", record.id);
+  f.nonempty_text("id", record.id);
   f.value("title", record.title);
   f.value("family", record.family);
-  f.place("requirements");
+  f.reserve("requirements");
   f.value("traces", record.requirements);
   std::vector<std::string> ids;
   for (const Trace& trace : record.requirements)

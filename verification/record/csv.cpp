@@ -29,11 +29,11 @@ class Splitter {
 
   /// Moves to the next line with cells; false if there is none.
   bool find_row() {
-    while (place_ < text_.size()) {
-      if (text_[place_] != '\n' && text_[place_] != '#' && text_.compare(place_, 2, "\r\n") != 0) return true;
-      const std::size_t end = text_.find('\n', place_);
+    while (offset_ < text_.size()) {
+      if (text_[offset_] != '\n' && text_[offset_] != '#' && text_.compare(offset_, 2, "\r\n") != 0) return true;
+      const std::size_t end = text_.find('\n', offset_);
       if (end == std::string_view::npos) return false;
-      place_ = end + 1;
+      offset_ = end + 1;
       ++line_;
     }
     return false;
@@ -43,16 +43,16 @@ class Splitter {
   std::string_view next_cell(bool& last) {
     const char* const begin = cells_.data() + cells_.size();
     const std::size_t size = cells_.size();
-    if (place_ < text_.size() && text_[place_] == '"') take_quoted();
+    if (offset_ < text_.size() && text_[offset_] == '"') take_quoted();
     // Text after a closing quote belongs to the cell, up to the next comma.
-    while (place_ < text_.size() && text_[place_] != ',' && text_[place_] != '\n') {
-      if (text_.compare(place_, 2, "\r\n") != 0) cells_.push_back(text_[place_]);
-      ++place_;
+    while (offset_ < text_.size() && text_[offset_] != ',' && text_[offset_] != '\n') {
+      if (text_.compare(offset_, 2, "\r\n") != 0) cells_.push_back(text_[offset_]);
+      ++offset_;
     }
-    if (place_ == text_.size()) {
+    if (offset_ == text_.size()) {
       throw RecordError(fmt::format("{}:{}: the last line has no end; the file was cut short", file_.string(), line_));
     }
-    last = text_[place_++] == '\n';
+    last = text_[offset_++] == '\n';
     line_ += last ? 1 : 0;
     return {begin, cells_.size() - size};
   }
@@ -60,13 +60,13 @@ class Splitter {
  private:
   void take_quoted() {
     const std::size_t first = line_;
-    for (++place_; place_ < text_.size(); ++place_) {
-      if (text_[place_] == '"') {
-        ++place_;
-        if (place_ == text_.size() || text_[place_] != '"') return;
+    for (++offset_; offset_ < text_.size(); ++offset_) {
+      if (text_[offset_] == '"') {
+        ++offset_;
+        if (offset_ == text_.size() || text_[offset_] != '"') return;
       }
-      line_ += text_[place_] == '\n' ? 1 : 0;
-      cells_.push_back(text_[place_]);
+      line_ += text_[offset_] == '\n' ? 1 : 0;
+      cells_.push_back(text_[offset_]);
     }
     throw RecordError(fmt::format("{}:{}: a quoted cell that begins here does not end", file_.string(), first));
   }
@@ -74,7 +74,7 @@ class Splitter {
   const std::filesystem::path& file_;
   std::string_view text_;
   std::vector<char>& cells_;
-  std::size_t place_ = 0;
+  std::size_t offset_ = 0;
   std::size_t line_ = 1;
 };
 
@@ -100,12 +100,12 @@ Csv::Csv(std::filesystem::path file, std::string_view text) : file_{std::move(fi
 }
 
 std::size_t Csv::column(std::string_view name) const {
-  const auto place = std::find(header_.begin(), header_.end(), name);
-  if (place == header_.end()) {
+  const auto found = std::find(header_.begin(), header_.end(), name);
+  if (found == header_.end()) {
     throw RecordError(
         fmt::format("{}: has no column '{}'; its columns: {}", file_.string(), name, fmt::join(header_, ", ")));
   }
-  return static_cast<std::size_t>(place - header_.begin());
+  return static_cast<std::size_t>(found - header_.begin());
 }
 
 double Csv::number(std::size_t row, std::size_t column) const {

@@ -8,14 +8,14 @@
 namespace talus::records {
 namespace {
 
-constexpr int most_columns = 12;
-constexpr int most_divisions = 100;
+constexpr int maximum_columns = 12;
+constexpr int maximum_divisions = 100;
 
 void demand_sound(const Axis& axis, const std::string& part, const Fail& fail) {
   if (axis.log && ((axis.min && *axis.min <= 0.0) || (axis.max && *axis.max <= 0.0)))
     fail(part, "limits of a log axis must be > 0");
-  if (axis.divisions < 0 || axis.divisions > most_divisions) {
-    fail(part + ".divisions", fmt::format("must be from 0 to {}, found {}", most_divisions, axis.divisions));
+  if (axis.divisions < 0 || axis.divisions > maximum_divisions) {
+    fail(part + ".divisions", fmt::format("must be from 0 to {}, found {}", maximum_divisions, axis.divisions));
   }
 }
 
@@ -85,8 +85,8 @@ void demand_sound(const Figure& figure, const Fail& fail) {
   demand_sound(figure.x, "x", fail);
   demand_sound(figure.y, "y", fail);
   if (figure.series.empty()) fail("series", "must hold at least one series");
-  if (figure.columns < 1 || figure.columns > most_columns)
-    fail("columns", fmt::format("must be from 1 to {}, found {}", most_columns, figure.columns));
+  if (figure.columns < 1 || figure.columns > maximum_columns)
+    fail("columns", fmt::format("must be from 1 to {}, found {}", maximum_columns, figure.columns));
   if (figure.scale) demand_sound(*figure.scale, fail);
   for (std::size_t i = 0; i < figure.series.size(); ++i)
     demand_sound(figure, figure.series[i], fmt::format("series[{}]", i), fail);

@@ -117,7 +117,7 @@ struct Line {
 struct Mark {
   double x = 0.0;
   double y = 0.0;
-  std::string words;
+  std::string text;
 };
 
 /// Colour scale for values. A single figure uses two hues that meet at the middle of the range; a page of shapes runs

@@ -7,7 +7,7 @@
 namespace talus::records {
 
 void fields(auto& f, Like<Axis> auto& axis) {
-  f.words("label", axis.label);
+  f.nonempty_text("label", axis.label);
   f.defaulted("unit", axis.unit);
   f.defaulted("log", axis.log);
   f.value_if(axis.min.has_value(), "min", axis.min);
@@ -18,8 +18,8 @@ void fields(auto& f, Like<Axis> auto& axis) {
 void fields(auto& f, Like<Series> auto& series) {
   auto& columns = series.columns;
   f.defaulted("label", series.label);
-  f.words("x", columns.x);
-  f.words("y", columns.y);
+  f.nonempty_text("x", columns.x);
+  f.nonempty_text("y", columns.y);
   f.value("style", series.style);
   f.value_if(!columns.where.empty(), "where", columns.where);
   f.value_if(!columns.y_low.empty(), "y_low", columns.y_low);
@@ -48,11 +48,11 @@ void fields(auto& f, Like<Line> auto& line) {
 void fields(auto& f, Like<Mark> auto& mark) {
   f.value("x", mark.x);
   f.value("y", mark.y);
-  f.words("words", mark.words);
+  f.nonempty_text("words", mark.text);
 }
 
 void fields(auto& f, Like<Scale> auto& scale) {
-  f.words("label", scale.label);
+  f.nonempty_text("label", scale.label);
   f.defaulted("unit", scale.unit);
   f.value("min", scale.min);
   f.value("max", scale.max);

@@ -14,8 +14,8 @@ struct Interface {
 }  // namespace
 
 void fields(auto& f, Like<InterfaceItem> auto& item) {
-  f.words("kind", item.kind);
-  f.words("name", item.name);
+  f.nonempty_text("kind", item.kind);
+  f.nonempty_text("name", item.name);
   f.value("cases", item.cases);
   f.value("status", item.status);
   f.value("killed_by", item.killed_by);

@@ -63,7 +63,7 @@ class Writer {
     json_[key] = json_of(value);
   }
   /// Reserves the position of a field that a later `derived` call writes.
-  void place(const char* key) { json_[key] = nullptr; }
+  void reserve(const char* key) { json_[key] = nullptr; }
   template <class T>
   void list(const char* key, const std::vector<T>& values, auto&& list_of_fields) {
     Json& json = json_[key] = Json::array();
@@ -73,7 +73,7 @@ class Writer {
       json.push_back(std::move(writer.json_));
     }
   }
-  void words(const char* key, const std::string& value) { json_[key] = value; }
+  void nonempty_text(const char* key, const std::string& value) { json_[key] = value; }
   void file_name(const char* key, const std::string& value) { json_[key] = value; }
   void number(const char* key, double value) { json_[key] = json_number(value); }
   void number_or_null(bool known, const char* key, double value) {
@@ -145,7 +145,7 @@ class Reader {
   void derived(const char* key, const T& value, const char* why = "") const {
     demand_equal(node_.at(key), json_of(value), why);
   }
-  void place(const char* /*key*/) const {}
+  void reserve(const char* /*key*/) const {}
   /// A list of objects whose fields depend on the enclosing object.
   template <class T>
   void list(const char* key, std::vector<T>& values, auto&& list_of_fields) const {
@@ -155,7 +155,7 @@ class Reader {
       list_of_fields(reader, values.emplace_back());
     }
   }
-  void words(const char* key, std::string& value) const { value = node_.at(key).words(); }
+  void nonempty_text(const char* key, std::string& value) const { value = node_.at(key).nonempty_text(); }
   void file_name(const char* key, std::string& value) const { value = node_.at(key).file_name(); }
   /// A number that may be non-finite.
   void number(const char* key, double& value) const { value = node_.at(key).number(); }

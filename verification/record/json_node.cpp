@@ -23,10 +23,10 @@ Json read_json(const std::filesystem::path& file) {
   }
 }
 
-void Node::fail(const std::string& what) const { throw RecordError(place_ + ": " + what); }
+void Node::fail(const std::string& what) const { throw RecordError(path_ + ": " + what); }
 
 void Node::fail_at(const std::string& part, const std::string& what) const {
-  throw RecordError(fmt::format("{}{}{}: {}", place_, part.empty() ? "" : ".", part, what));
+  throw RecordError(fmt::format("{}{}{}: {}", path_, part.empty() ? "" : ".", part, what));
 }
 
 void Node::refuse(const std::string& allowed) const {
@@ -51,9 +51,9 @@ bool Node::is_null(const char* key) const {
 Node Node::at(const char* key) const {
   demand_object();
   const auto member = value_->find(key);
-  if (member == value_->end()) throw RecordError(fmt::format("{}.{}: is missing", place_, key));
-  if (member->is_null()) throw RecordError(fmt::format("{}.{}: is null", place_, key));
-  return {*member, place_ + "." + key};
+  if (member == value_->end()) throw RecordError(fmt::format("{}.{}: is missing", path_, key));
+  if (member->is_null()) throw RecordError(fmt::format("{}.{}: is null", path_, key));
+  return {*member, path_ + "." + key};
 }
 
 std::string Node::text() const {
@@ -61,7 +61,7 @@ std::string Node::text() const {
   return value_->get<std::string>();
 }
 
-std::string Node::words() const {
+std::string Node::nonempty_text() const {
   std::string result = text();
   if (result.find_first_not_of(" \t\n") == std::string::npos) refuse("a text that is not empty");
   return result;
@@ -75,7 +75,7 @@ std::string Node::one_of(const std::vector<std::string>& allowed) const {
 }
 
 std::string Node::file_name() const {
-  std::string name = words();
+  std::string name = nonempty_text();
   if (name.find('/') != std::string::npos || name.front() == '.') refuse("a plain file name");
   return name;
 }
@@ -117,7 +117,7 @@ std::vector<Node> Node::list() const {
   std::vector<Node> result;
   result.reserve(value_->size());
   for (std::size_t i = 0; i < value_->size(); ++i)
-    result.emplace_back((*value_)[i], fmt::format("{}[{}]", place_, i));
+    result.emplace_back((*value_)[i], fmt::format("{}[{}]", path_, i));
   return result;
 }
 
@@ -125,7 +125,7 @@ std::vector<std::pair<std::string, Node>> Node::members() const {
   demand_object();
   std::vector<std::pair<std::string, Node>> result;
   for (const auto& item : value_->items())
-    result.emplace_back(item.key(), Node{item.value(), place_ + "." + item.key()});
+    result.emplace_back(item.key(), Node{item.value(), path_ + "." + item.key()});
   return result;
 }
 

@@ -23,7 +23,7 @@ using Json = nlohmann::ordered_json;
 /// node.
 class Node {
  public:
-  Node(const Json& value, std::string place) : value_(&value), place_(std::move(place)) {}
+  Node(const Json& value, std::string path) : value_(&value), path_(std::move(path)) {}
 
   /// Throws RecordError: the path, then `what`.
   [[noreturn]] void fail(const std::string& what) const;
@@ -40,7 +40,7 @@ class Node {
 
   [[nodiscard]] std::string text() const;
   /// A text that is neither empty nor blank.
-  [[nodiscard]] std::string words() const;
+  [[nodiscard]] std::string nonempty_text() const;
   /// A text from the list.
   [[nodiscard]] std::string one_of(const std::vector<std::string>& allowed) const;
   /// A file name that cannot refer to another folder.
@@ -63,7 +63,7 @@ class Node {
   void demand_object() const;
 
   const Json* value_;
-  std::string place_;
+  std::string path_;
 };
 
 }  // namespace talus::records

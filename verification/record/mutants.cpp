@@ -6,7 +6,7 @@
 namespace talus::records {
 
 void fields(auto& f, Like<Trial> auto& trial) {
-  f.words("case", trial.case_id);
+  f.nonempty_text("case", trial.case_id);
   f.value("end", trial.end);
   f.number("ratio", trial.ratio);
   f.value("check", trial.check);
@@ -22,12 +22,12 @@ void fields(auto& f, Like<SourceRange> auto& range) {
 
 void fields(auto& f, Like<MutantRecord> auto& mutant) {
   f.value("number", mutant.number);
-  f.words("id", mutant.id);
-  f.words("operation", mutant.operation);
-  f.value("words", mutant.words);
-  f.words("file", mutant.file);
+  f.nonempty_text("id", mutant.id);
+  f.nonempty_text("operation", mutant.operation);
+  f.value("words", mutant.description);
+  f.nonempty_text("file", mutant.file);
   f.value("range", mutant.range);
-  f.words("original", mutant.original);
+  f.nonempty_text("original", mutant.original);
   f.value("replacement", mutant.replacement);
   f.value("cases", mutant.cases);
   f.value("status", mutant.status);
@@ -37,7 +37,7 @@ void fields(auto& f, Like<MutantRecord> auto& mutant) {
 }
 
 void fields(auto& f, Like<UnchangedCase> auto& unchanged) {
-  f.words("id", unchanged.id);
+  f.nonempty_text("id", unchanged.id);
   f.value("family", unchanged.family);
   f.value("seconds", unchanged.seconds);
   f.value("recorded", unchanged.recorded);

@@ -65,7 +65,7 @@ struct MutantRecord {
   int number{};                      ///< number that activates it
   std::string id{};                  ///< unique
   std::string operation{};           ///< mutation operator, or "bug" for a hand-written one
-  std::string words{};               ///< description of the error
+  std::string description{};         ///< description of the error
   std::string file{};                ///< path in the source tree
   SourceRange range{};               ///< source range that it replaces
   std::string original{};            ///< replaced text

@@ -20,7 +20,7 @@ void fields(auto& f, Like<Provenance> auto& provenance) {
   f.value("cores", provenance.cores);
   f.value("os", provenance.os);
   f.value("libraries", provenance.libraries);
-  f.words("date", provenance.date);
+  f.nonempty_text("date", provenance.date);
 }
 
 /// Checks that the date is valid.
@@ -39,16 +39,16 @@ void fields(auto& f, Like<Counts> auto& counts) {
 }
 
 void fields(auto& f, Like<ShownBy> auto& shown) {
-  f.words("case", shown.case_id);
+  f.nonempty_text("case", shown.case_id);
   f.value("checks", shown.checks);
 }
 
 void fields(auto& f, Like<Requirement> auto& requirement) {
-  f.words("id", requirement.id);
-  f.words("group", requirement.group);
+  f.nonempty_text("id", requirement.id);
+  f.nonempty_text("group", requirement.group);
   f.value("text", requirement.text);
-  f.place("cases");
-  f.place("checks");
+  f.reserve("cases");
+  f.reserve("checks");
   f.value("shown_by", requirement.shown_by);
   f.value_if(requirement.order > 0, "order", requirement.order);
   std::vector<std::string> cases;
@@ -62,17 +62,17 @@ void fields(auto& f, Like<Requirement> auto& requirement) {
 }
 
 void fields(auto& f, Like<Peer> auto& peer) {
-  f.words("suite", peer.suite);
-  f.words("id", peer.id);
-  f.words("what", peer.what);
-  f.words("form", peer.form);
+  f.nonempty_text("suite", peer.suite);
+  f.nonempty_text("id", peer.id);
+  f.nonempty_text("what", peer.what);
+  f.nonempty_text("form", peer.form);
   f.value("problems", peer.problems);
   f.value("remark", peer.remark);
   f.value("cases", peer.cases);
 }
 
 void fields(auto& f, Like<Erratum> auto& erratum) {
-  f.words("id", erratum.id);
+  f.nonempty_text("id", erratum.id);
   f.value("where", erratum.where);
   f.value("printed", erratum.printed);
   f.value("corrected", erratum.corrected);
@@ -81,13 +81,13 @@ void fields(auto& f, Like<Erratum> auto& erratum) {
 }
 
 void fields(auto& f, Like<Finding> auto& finding) {
-  f.words("case", finding.case_id);
-  f.words("text", finding.text);
+  f.nonempty_text("case", finding.case_id);
+  f.nonempty_text("text", finding.text);
 }
 
 void fields(auto& f, Like<Highlight> auto& highlight) {
-  f.words("case", highlight.case_id);
-  f.words("figure", highlight.figure);
+  f.nonempty_text("case", highlight.case_id);
+  f.nonempty_text("figure", highlight.figure);
   f.value("caption", highlight.caption);
 }
 
@@ -97,8 +97,8 @@ void fields(auto& f, Like<Results> auto& results) {
   f.value("tier", results.tier);
   f.value("registered", results.registered);
   f.value("selected", results.selected);
-  f.place("counts");
-  f.place("verdict");
+  f.reserve("counts");
+  f.reserve("verdict");
   f.value("requirements", results.requirements);
   f.value("families", results.families);
   f.value("cases", results.records);

@@ -137,10 +137,10 @@ void remove_remains(const fs::path& folder, const std::function<bool(std::string
   std::vector<fs::path> found;
   for (const fs::directory_entry& entry : fs::directory_iterator{folder, none}) {
     const std::string file = entry.path().filename().string();
-    const std::size_t least = ending.size() + letters;
-    if (file.size() < least + 2 || file.front() != '.') continue;
-    const std::string_view target = std::string_view{file}.substr(1, file.size() - least - 1);
-    if (file.compare(file.size() - least, ending.size(), ending) == 0 && of(target)) found.push_back(entry.path());
+    const std::size_t minimum = ending.size() + letters;
+    if (file.size() < minimum + 2 || file.front() != '.') continue;
+    const std::string_view target = std::string_view{file}.substr(1, file.size() - minimum - 1);
+    if (file.compare(file.size() - minimum, ending.size(), ending) == 0 && of(target)) found.push_back(entry.path());
   }
   for (const fs::path& file : found)
     fs::remove(file, none);

@@ -42,7 +42,7 @@ double step_of(const std::string& text) {
   return bare;
 }
 
-constexpr double most_steps = 2e5;  ///< maximum number of steps in a simulated contact
+constexpr double maximum_steps = 2e5;  ///< maximum number of steps in a simulated contact
 
 void refuse_what_means_nothing(const CalibrateOptions& options) {
   constexpr std::array<std::string_view, 6> used{"--law",        "--speed", "--step",
@@ -71,11 +71,11 @@ LatchingRatio calibrated_ratio(const CalibrateOptions& options) {
   found.speed = option_quantity("--speed", options.speed, dimension::velocity, si);
   try {
     found.by_formula = ratio_by_formula(found.contact, *options.restitution);
-    if (const double steps = found.contact.steps_in_contact(found.by_formula); steps > most_steps) {
+    if (const double steps = found.contact.steps_in_contact(found.by_formula); steps > maximum_steps) {
       throw InputError{
           fmt::format("step: found {} s, {:.3g} steps in a contact; it must be at least {:.3g} s: more than "
                       "{:g} steps take minutes to simulate, and hardly change the restitution",
-                      found.contact.step, steps, 1.01 * found.contact.step * steps / most_steps, most_steps)};
+                      found.contact.step, steps, 1.01 * found.contact.step * steps / maximum_steps, maximum_steps)};
     }
     found.by_simulation = ratio_by_simulation(found.contact, *options.restitution);
   } catch (const InputError& error) {

@@ -28,7 +28,7 @@ double parameter_value(const std::string& option, const std::string& text, const
   double value = 0.0;
   const auto read = std::from_chars(text.data(), text.data() + text.size(), value);
   if (read.ec != std::errc{} || read.ptr != text.data() + text.size() || !contains(parameter.range, value))
-    throw InputError{fmt::format("{}: found \"{}\"; it must be a number {}", option, text, words(parameter.range))};
+    throw InputError{fmt::format("{}: found \"{}\"; it must be a number {}", option, text, text_of(parameter.range))};
   return value;
 }
 

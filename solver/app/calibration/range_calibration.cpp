@@ -30,7 +30,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr int most_on_axis = 100;
+constexpr int maximum_on_axis = 100;
 
 /// A range as the options give it, in SI units: one row for each pair.
 struct GivenPairs {
@@ -75,9 +75,9 @@ std::vector<double> axis_of(const std::string& option, const std::vector<std::st
   int count = 0;
   const std::string& text = texts[2];
   const auto read = std::from_chars(text.data(), text.data() + text.size(), count);
-  if (read.ec != std::errc{} || read.ptr != text.data() + text.size() || count < 2 || count > most_on_axis) {
+  if (read.ec != std::errc{} || read.ptr != text.data() + text.size() || count < 2 || count > maximum_on_axis) {
     throw InputError{
-        fmt::format("{}: found \"{}\"; the count must be a whole number from 2 to {}", option, text, most_on_axis)};
+        fmt::format("{}: found \"{}\"; the count must be a whole number from 2 to {}", option, text, maximum_on_axis)};
   }
   return log_spaced(first, last, count);
 }

@@ -26,35 +26,35 @@ std::string line(const CellScene& scene, const CellNumber& number) {
   return fmt::format("  {:24} {:28} {}{}\n", number.name, value, number.meaning, drift);
 }
 
-std::string law_words(const CellScene& scene, const ShearCell& cell) {
-  std::string words{std::visit([](const auto& of) { return of.name; }, cell.law)};
+std::string law_text(const CellScene& scene, const ShearCell& cell) {
+  std::string value{std::visit([](const auto& of) { return of.name; }, cell.law)};
   if (cell.friction) {
     std::visit(
         [&]<class F>(const F& of) {
-          words += fmt::format(", friction {}{}", of.coefficient,
+          value += fmt::format(", friction {}{}", of.coefficient,
                                has_varying_stiffness<F> ? fmt::format(" by {}", F::name) : std::string{});
         },
         *cell.friction);
   }
   if (!cell.is_linear())
-    words += fmt::format("; impacts are stated at {}", with_unit(scene, cell.nominal_speed(), dimension::velocity));
-  return words;
+    value += fmt::format("; impacts are stated at {}", with_unit(scene, cell.nominal_speed(), dimension::velocity));
+  return value;
 }
 
 }  // namespace
 
 std::string cell_summary(const CellScene& scene, CellRun& run, const CellOutcome& outcome) {
   std::string text = scene.title + "\n";
-  const auto add = [&](const char* name, const std::string& words) {
-    text += fmt::format("  {:24} {}\n", name, words);
+  const auto add = [&](const char* name, const std::string& value) {
+    text += fmt::format("  {:24} {}\n", name, value);
   };
   const double time = run.discs().t;
-  const std::string kind = outcome.finished ? "finished" : outcome.words.empty() ? "stopped" : "diverged";
+  const std::string kind = outcome.finished ? "finished" : outcome.message.empty() ? "stopped" : "diverged";
   add("outcome", fmt::format("{} at t = {}{}", kind, with_unit(scene, time, dimension::time),
-                             outcome.words.empty() ? "" : ": " + outcome.words));
+                             outcome.message.empty() ? "" : ": " + outcome.message));
   add("integrator",
       fmt::format("{}, step {}", scene.plan.integrator, with_unit(scene, scene.plan.step, dimension::time)));
-  add("law", law_words(scene, run.cell()));
+  add("law", law_text(scene, run.cell()));
   add("steps", run.jumped() == 0 ? fmt::format("{}", run.steps())
                                  : fmt::format("{}, of which {} passed at once", run.steps(), run.jumped()));
   add("discs", fmt::format("{} free, {} in each wall; seed {}", run.cell().free_discs(), run.cell().wall_discs,
@@ -90,13 +90,13 @@ std::string cell_check(const CellScene& scene) {
   CellRun run{scene.cell, scene.plan};
   const ShearCell& cell = scene.cell;
   std::string text = scene.title + "\n";
-  const auto add = [&](const char* name, const std::string& words) {
-    text += fmt::format("  {:24} {}\n", name, words);
+  const auto add = [&](const char* name, const std::string& value) {
+    text += fmt::format("  {:24} {}\n", name, value);
   };
   add("discs", fmt::format("{} free in {} rows, {} in each wall; seed {}", cell.free_discs(), cell.rows,
                            cell.wall_discs, cell.seed));
   add("overburden", with_unit(scene, cell.overburden(), dimension::pressure));
-  add("law", law_words(scene, cell));
+  add("law", law_text(scene, cell));
   add("contact time", with_unit(scene, cell.contact_time(), dimension::time));
   add("step", fmt::format("{} with {}", with_unit(scene, scene.plan.step, dimension::time), scene.plan.integrator));
   add("expected cost", fmt::format("{} steps and force evaluations to {}; {} outputs", run.last_step(),

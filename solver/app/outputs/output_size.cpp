@@ -125,7 +125,7 @@ OutputSize expected_output(const SceneFile& file, const Dynamics& dynamics, cons
 OutputSize expected_output(const CellScene& scene, CellRun& run) {
   // Enough steps for discs to move and some to touch.
   constexpr double pilot_steps = 1e7;
-  constexpr long most_samples = 16;
+  constexpr long maximum_samples = 16;
   const long last =
       std::min(run.last_step(), 1 + static_cast<long>(pilot_steps / static_cast<double>(1 + run.cell().free_discs())));
   // Averaged over several states, because the number of contacts fluctuates.
@@ -133,7 +133,7 @@ OutputSize expected_output(const CellScene& scene, CellRun& run) {
   int samples = 0;
   while (run.steps() < last && run.failure().empty()) {
     run.advance();
-    if (scene.pictures && (samples + 1) * last <= most_samples * run.steps())
+    if (scene.pictures && (samples + 1) * last <= maximum_samples * run.steps())
       of_state += static_cast<double>(cell_state_vtp(run).size()), ++samples;
   }
   const auto outputs = static_cast<long>(scene.plan.outputs());

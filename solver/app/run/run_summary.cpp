@@ -69,8 +69,8 @@ void final_state(Page& page, const RunRecord& record, bool all) {
   page.line("  {:<14}{:>14}{:>14}{:>14}{:>14}{:>14}{:>14}", "body", "x", "y", "angle", "vx", "vy", "spin");
   page.line("  {:<14}{:>14}{:>14}{:>14}{:>14}{:>14}{:>14}", "", length, length, "rad", speed, speed,
             symbol(units, dimension::angular_velocity));
-  constexpr std::size_t most = 20;
-  const std::size_t shown = all ? record.bodies.size() : std::min(most, record.bodies.size());
+  constexpr std::size_t maximum = 20;
+  const std::size_t shown = all ? record.bodies.size() : std::min(maximum, record.bodies.size());
   for (const BodyState& body : std::span{record.bodies}.first(shown)) {
     page.line("  {:<14}{:>14.7g}{:>14.7g}{:>14.7g}{:>14.7g}{:>14.7g}{:>14.7g}", body.name, body.p.x, body.p.y,
               body.angle, body.v.x, body.v.y, body.spin);
@@ -112,9 +112,9 @@ void extremes(Page& page, const RunRecord& record) {
   page.line("  {:<28}{:>14}{:>12}{:>16}{:>12}  unit", "quantity", "minimum", "at t", "maximum", "at t");
   for (const ExtremeRecord& item : record.extremes) {
     if (item.column.name.rfind("balance_error.", 0) == 0) continue;  // printed with the energy ledger below
-    if (item.extreme.least == 0.0 && item.extreme.largest == 0.0) continue;
-    page.line("  {:<28}{:>14.7g}{:>12.6g}{:>16.7g}{:>12.6g}  {}", item.column.name, item.extreme.least,
-              item.extreme.least_time, item.extreme.largest, item.extreme.largest_time,
+    if (item.extreme.minimum == 0.0 && item.extreme.maximum == 0.0) continue;
+    page.line("  {:<28}{:>14.7g}{:>12.6g}{:>16.7g}{:>12.6g}  {}", item.column.name, item.extreme.minimum,
+              item.extreme.minimum_time, item.extreme.maximum, item.extreme.maximum_time,
               symbol(record.units, item.column.dimension));
   }
 }

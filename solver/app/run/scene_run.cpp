@@ -32,7 +32,7 @@ SceneRun::SceneRun(const SceneFile& file, const std::filesystem::path& folder, c
       folder_{folder},
       dynamics_{file.scene.model},
       system_{dynamics_, file.scene.plan.ledger},
-      run_state_{initial_run_state(file.scene.integrator, begun(file.scene.initial))},
+      run_state_{initial_run_state(file.scene.integrator, started(file.scene.initial))},
       seen_{dynamics_, run_state_.state},
       integrator_reason_{file.scene.integrator_reason},
       recorder_{dynamics_, run_state_.state, file.scene.plan.ledger},
@@ -45,7 +45,7 @@ SceneRun::SceneRun(const SceneFile& file, const std::filesystem::path& folder, c
   if (file.fence) fence_.emplace(file.fence->fence, file.fence->made, dynamics_);
 }
 
-State SceneRun::begun(State state) {
+State SceneRun::started(State state) {
   system_.begin(state);
   return state;
 }
@@ -134,7 +134,7 @@ RunQuality SceneRun::quality(const Outcome& outcome) const {
   } else if (watch_.step_is_beyond()) {
     found.flaw = "its step is beyond the linear limit, and no energy balance was kept: " + watch_.step_ratio();
   }
-  if (!outcome) found.flaw = outcome.words;
+  if (!outcome) found.flaw = outcome.message;
   if (located_events(run_state_.integrator)) {
     found.step = fmt::format("steps chosen by {}, events located", name(run_state_.integrator));
     if (tolerance(run_state_.integrator) > 0.0)

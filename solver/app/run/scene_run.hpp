@@ -50,7 +50,7 @@ class SceneRun {
   std::vector<std::string> file_names() const { return outputs_.files(); }
 
  private:
-  State begun(State state);
+  State started(State state);
   RunQuality quality(const Outcome& outcome) const;
 
   const SceneFile* file_;

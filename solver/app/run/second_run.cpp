@@ -10,20 +10,21 @@ namespace {
 
 constexpr const char* interrupted = "it was interrupted";
 
-/// The record of a run without files; nothing if `stop` ended it. The run is aborted after `most` evaluations.
-std::optional<RunRecord> record_of(const SceneFile& file, long most, const StopCondition& stop) {
+/// The record of a run without files; nothing if `stop` ended it. The run is aborted after `maximum` evaluations.
+std::optional<RunRecord> record_of(const SceneFile& file, long maximum, const StopCondition& stop) {
   SceneRun run{file, {}, {}, {}};
   const Scene& scene = file.scene;
   bool there = false, given_up = false;
   Progress progress;
   const auto ends = [&](const Snapshot& seen) {
     there = scene.early_end && reached(*scene.early_end, scene.model, seen.state());
-    given_up = run.run_state().evaluations > most;
+    given_up = run.run_state().evaluations > maximum;
     return there || given_up || (stop && stop(seen));
   };
   Outcome outcome = run.proceed(ends, progress);
   if (there) outcome.kind = Outcome::Kind::finished;
-  if (given_up) outcome = {Outcome::Kind::diverged, outcome.time, fmt::format("given up after {} evaluations", most)};
+  if (given_up)
+    outcome = {Outcome::Kind::diverged, outcome.time, fmt::format("given up after {} evaluations", maximum)};
   if (outcome.kind == Outcome::Kind::stopped) return std::nullopt;
   return run.record(outcome);
 }
@@ -53,7 +54,7 @@ RunQuality::Repeat repeat_run(const SceneFile& file, const RunRecord& record, co
     return repeat;
   }
   repeat.verdict = repeated->fence->verdict();
-  if (!repeated->outcome) repeat.failure = repeated->outcome.words;
+  if (!repeated->outcome) repeat.failure = repeated->outcome.message;
   const double before = largest_tension(record);
   if (before > 0.0) repeat.cable_change = largest_tension(*repeated) / before - 1.0;
   return repeat;

@@ -119,7 +119,7 @@ class Lines {
   /// Text with the number of contacts that never touched; empty if there are none.
   std::string untouched() const {
     const auto count = std::ranges::count_if(record_.extremes, [](const ExtremeRecord& item) {
-      return item.column.name.ends_with(".overlap") && item.extreme.largest < 0.0;
+      return item.column.name.ends_with(".overlap") && item.extreme.maximum < 0.0;
     });
     return count == 0 ? "" : fmt::format("; {} of {} contacts never touched{}", count, record_.contacts, closest());
   }
@@ -128,13 +128,13 @@ class Lines {
   std::string closest() const {
     const ExtremeRecord* best = nullptr;
     for (const ExtremeRecord& item : record_.extremes) {
-      if (!item.column.name.ends_with(".overlap") || !std::isfinite(item.extreme.largest)) continue;
-      if (item.extreme.largest >= 0.0) continue;
-      if (!best || item.extreme.largest > best->extreme.largest) best = &item;
+      if (!item.column.name.ends_with(".overlap") || !std::isfinite(item.extreme.maximum)) continue;
+      if (item.extreme.maximum >= 0.0) continue;
+      if (!best || item.extreme.maximum > best->extreme.maximum) best = &item;
     }
     if (!best) return "";
     return fmt::format("; closest was {} with a gap of {}", best->column.name.substr(0, best->column.name.rfind('.')),
-                       value(-best->extreme.largest, dimension::length));
+                       value(-best->extreme.maximum, dimension::length));
   }
 
   void quality() {

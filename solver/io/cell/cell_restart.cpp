@@ -18,8 +18,8 @@
 namespace talus {
 namespace {
 
-constexpr double most_cycles = 1e15;
-constexpr double largest_place = 1e6;  ///< of a position [widths]: beyond it a double has too few digits
+constexpr double maximum_cycles = 1e15;
+constexpr double largest_coordinate = 1e6;  ///< of a position [widths]: beyond it a double has too few digits
 
 /// Position along x mapped into the field, [-width/2, width/2).
 double in_field(double x, double width) { return x - width * std::floor(x / width + 0.5); }
@@ -53,7 +53,7 @@ void for_each_overlap(const ShearCell& cell, const FilledCell& filled, Visit&& v
 }
 
 /// Name of a disc in messages.
-std::string disc_words(const ShearCell& cell, std::size_t disc) {
+std::string disc_text(const ShearCell& cell, std::size_t disc) {
   return disc < cell.free_discs()        ? fmt::format("disc {}", disc + 1)
          : disc < first_block_disc(cell) ? "the base"
                                          : "the block";
@@ -65,8 +65,8 @@ CellRestart read_cell_restart(std::string_view text, std::string_view name, cons
   CellRestart restart{.start = fill(cell)};
   ListDirected input{text};
   const auto real = [&](const std::string& field) {
-    const auto fail = [&](std::string_view words) {
-      throw InputError{fmt::format("{}:{}: {}: {}", name, std::max(input.line(), 1), field, words)};
+    const auto fail = [&](std::string_view message) {
+      throw InputError{fmt::format("{}:{}: {}: {}", name, std::max(input.line(), 1), field, message)};
     };
     double number = 0.0;
     try {
@@ -83,9 +83,9 @@ CellRestart read_cell_restart(std::string_view text, std::string_view name, cons
   if (discs.t < 0.0)
     throw InputError{fmt::format("{}:{}: elapsed time: found {}; it must be >= 0", name, input.line(), discs.t)};
   const double cycles = real("cycles");
-  if (cycles < 0.0 || cycles > most_cycles || cycles != std::floor(cycles)) {
+  if (cycles < 0.0 || cycles > maximum_cycles || cycles != std::floor(cycles)) {
     throw InputError{fmt::format("{}:{}: cycles: found {}; it must be a whole number between 0 and {:g}", name,
-                                 input.line(), cycles, most_cycles)};
+                                 input.line(), cycles, maximum_cycles)};
   }
   restart.cycles = static_cast<long>(cycles);
   std::vector<int> lines;
@@ -93,9 +93,9 @@ CellRestart read_cell_restart(std::string_view text, std::string_view name, cons
     input.start_record();
     const auto of = [&](const char* part) { return fmt::format("disc {}: {}", i + 1, part); };
     discs.x[i] = real(of("x")), discs.y[i] = real(of("y"));
-    if (std::abs(discs.x[i]) > largest_place * cell.width()) {
+    if (std::abs(discs.x[i]) > largest_coordinate * cell.width()) {
       throw InputError{fmt::format("{}:{}: {}: found {}; it must be within {:g} widths of the field", name,
-                                   input.line(), of("x"), discs.x[i], largest_place)};
+                                   input.line(), of("x"), discs.x[i], largest_coordinate)};
     }
     discs.vx[i] = real(of("vx")), discs.vy[i] = real(of("vy"));
     lines.push_back(input.line());
@@ -118,7 +118,7 @@ CellRestart read_cell_restart(std::string_view text, std::string_view name, cons
       // The error is reported at the later record of the pair; discs of a wall have no record.
       const std::size_t disc = b < cell.free_discs() ? b : a;
       throw InputError{fmt::format("{}:{}: disc {}: found it {:.4g} diameters inside {}; it must be at most {}", name,
-                                   lines[disc], disc + 1, overlap / cell.diameter, disc_words(cell, disc == b ? a : b),
+                                   lines[disc], disc + 1, overlap / cell.diameter, disc_text(cell, disc == b ? a : b),
                                    CellRun::deepest)};
     }
     ++restart.forgotten;

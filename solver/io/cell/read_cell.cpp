@@ -40,7 +40,7 @@ std::string_view option_of(const CellChoices& choices, std::string_view field) {
 /// Throws the error under the name of the option that sets its field; returns if the file sets it. Errors: InputError.
 void blame_option(const CellChoices& choices, const CellError& error) {
   if (const std::string_view option = option_of(choices, error.field); !option.empty())
-    throw InputError{fmt::format("{}: {}", option, error.words)};
+    throw InputError{fmt::format("{}: {}", option, error.message)};
 }
 
 /// Errors of a historical run, which must be as the runs of 1989 may have been: Euler, K1/K2 = 0.45 and a step of 1e-7
@@ -72,13 +72,13 @@ std::vector<CellError> all_errors(const CellScene& scene) {
 
 /// Reads the records of CNTRL.DAT and stores the location of each number.
 class ControlReader {
-  struct Place {
+  struct Location {
     int line{};
     std::string record, name;
   };
 
-  [[noreturn]] void fail(int line, std::string_view record, std::string_view name, std::string_view words) const {
-    throw InputError{fmt::format("{}:{}: {}: {}: {}", name_, std::max(line, 1), record, name, words)};
+  [[noreturn]] void fail(int line, std::string_view record, std::string_view name, std::string_view message) const {
+    throw InputError{fmt::format("{}:{}: {}: {}: {}", name_, std::max(line, 1), record, name, message)};
   }
 
   template <class Action>
@@ -105,35 +105,36 @@ class ControlReader {
   /// `field` is the name that validation_errors uses.
   double real(std::string_view name, std::string_view field) {
     const std::string_view text = value(name);
-    places_[std::string{field}] = {input_.line(), std::string{record_}, std::string{name}};
+    locations_[std::string{field}] = {input_.line(), std::string{record_}, std::string{name}};
     double number = 0.0;
     if (!placed(name, [&] { return parse_fortran_real(text, number); }))
       fail(input_.line(), record_, name, found_text(text) + "; it must be a number");
     return number;
   }
 
-  int whole(std::string_view name, std::string_view field, int least, int most) {
+  int whole(std::string_view name, std::string_view field, int minimum, int maximum) {
     const double number = real(name, field);
-    if (number != std::floor(number) || number < least || number > most) {
-      const std::string allowed = most - least == 1 ? fmt::format("{} or {}", least, most)
-                                                    : fmt::format("a whole number between {} and {}", least, most);
+    if (number != std::floor(number) || number < minimum || number > maximum) {
+      const std::string allowed = maximum - minimum == 1
+                                      ? fmt::format("{} or {}", minimum, maximum)
+                                      : fmt::format("a whole number between {} and {}", minimum, maximum);
       fail(input_.line(), record_, name, fmt::format("found {}; it must be {}", number, allowed));
     }
     return static_cast<int>(number);
   }
 
   [[noreturn]] void fail(const CellError& error) const {
-    const auto place = places_.find(error.field);
-    if (place == places_.end()) throw InputError{fmt::format("{}: {}: {}", name_, error.field, error.words)};
-    const auto& [line, record, name] = place->second;
-    fail(line, record, name, error.words);
+    const auto location = locations_.find(error.field);
+    if (location == locations_.end()) throw InputError{fmt::format("{}: {}: {}", name_, error.field, error.message)};
+    const auto& [line, record, name] = location->second;
+    fail(line, record, name, error.message);
   }
 
  private:
   ListDirected input_;
   std::string name_;
   std::string_view record_;
-  std::map<std::string, Place> places_;
+  std::map<std::string, Location> locations_;
 };
 
 template <std::size_t N>
@@ -150,7 +151,7 @@ CellScene read_control(std::string_view text, std::string_view name, const CellC
   constexpr auto counts = ShearCell::counts();
   const auto whole = [&](std::string_view deck_name, std::string_view field) {
     const auto& range = count(counts, field);
-    return reader.whole(deck_name, field, static_cast<int>(range.least), static_cast<int>(range.most));
+    return reader.whole(deck_name, field, static_cast<int>(range.minimum), static_cast<int>(range.maximum));
   };
   reader.record("RESTRT GRAPH");
   scene.restart = reader.whole("RESTRT", "restart", 0, 1) == 1;
@@ -215,8 +216,8 @@ std::optional<double> read_law(SceneTable& table, L& law) {
 void object(const SceneTable& table, const CellError& error) {
   constexpr std::string_view found = "found ";
   const std::string written = table.written(error.field);
-  const std::string_view rest = std::string_view{error.words}.substr(found.size());
-  if (written.empty() || rest.starts_with(written)) return table.report(error.field, error.words);
+  const std::string_view rest = std::string_view{error.message}.substr(found.size());
+  if (written.empty() || rest.starts_with(written)) return table.report(error.field, error.message);
   table.report(error.field, fmt::format("found \"{}\", in {}: {}", written, table.units().name, rest));
 }
 
@@ -274,7 +275,7 @@ std::optional<double> read_cell_table(SceneTable& table, ShearCell& cell) {
     cell.block_mass = pressure * cell.wall_discs * cell.diameter * cell.diameter / cell.gravity;
   }
   if (table.has("seed")) {
-    cell.seed = static_cast<std::uint64_t>(table.whole_between("seed", 0, most_seed));
+    cell.seed = static_cast<std::uint64_t>(table.whole_between("seed", 0, maximum_seed));
   }
   read_disc_friction(table, cell);
   return restitution;
@@ -382,9 +383,9 @@ bool describes_cell(const std::filesystem::path& file) {
     return std::any_of(table.begin(), table.end(), [](const TomlEntry& entry) { return entry.key == "cell"; });
   }
   if (file.filename() == "CNTRL.DAT") return true;
-  std::istringstream words{std::string{without_mark(text)}};
+  std::istringstream tokens{std::string{without_mark(text)}};
   int numbers = 0;
-  for (std::string word; words >> word; ++numbers) {
+  for (std::string word; tokens >> word; ++numbers) {
     double number = 0.0;
     if (!parse_fortran_real(word, number)) return false;
   }

@@ -22,7 +22,7 @@ struct CellScene {
 };
 
 /// Largest seed: files store it as a double, which cannot represent all whole numbers beyond it.
-inline constexpr std::int64_t most_seed = (std::int64_t{1} << 53U) - 1;
+inline constexpr std::int64_t maximum_seed = (std::int64_t{1} << 53U) - 1;
 
 /// Options of the command line that override the file, or supplement CNTRL.DAT, which has no fields for them.
 struct CellChoices {

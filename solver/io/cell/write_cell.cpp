@@ -265,12 +265,12 @@ std::string cell_summary_json(const CellScene& scene, CellRun& run, const CellOu
             {"title", scene.title},
             {"units", nullptr},
             {"outcome",
-             {{"kind", std::string{outcome.finished        ? "finished"
-                                   : outcome.words.empty() ? "stopped"
-                                                           : "diverged"}},
+             {{"kind", std::string{outcome.finished          ? "finished"
+                                   : outcome.message.empty() ? "stopped"
+                                                             : "diverged"}},
               {"time", json_number(run.discs().t)}}}};
   if (scene.units) json["units"] = std::string{scene.units->name};
-  if (!outcome.words.empty()) json["outcome"]["message"] = outcome.words;
+  if (!outcome.message.empty()) json["outcome"]["message"] = outcome.message;
   json["warnings"] = outcome.warnings;
   json["parameters"] = parameters(scene);
   json["groups"] = numbers(scene, cell_groups(scene, run));

@@ -39,7 +39,7 @@ struct CellNumber {
 /// Outcome of a cell run.
 struct CellOutcome {
   bool finished{};
-  std::string words;  ///< why it did not finish; empty for a run that was stopped
+  std::string message;  ///< why it did not finish; empty for a run that was stopped
   std::vector<std::string> warnings;
 };
 

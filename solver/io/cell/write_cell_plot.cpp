@@ -15,7 +15,7 @@ namespace {
 /// A column of a CSV file and its label in pictures.
 struct Drawn {
   std::string_view column;
-  std::string_view words;
+  std::string_view label;
 };
 
 /// A figure: columns over one abscissa, or the height over one column.
@@ -70,10 +70,10 @@ records::Axis axis(const CellScene& scene, std::string_view label, Dimension dim
   return {.label = std::string{label}, .unit = scene.units ? symbol(*scene.units, dimension) : ""};
 }
 
-records::Figure figure(const CellScene& scene, const Kind& kind, std::string_view csv, std::string_view words) {
+records::Figure figure(const CellScene& scene, const Kind& kind, std::string_view csv, std::string_view caption) {
   return {.name = std::string{kind.name},
           .title = std::string{kind.title},
-          .caption = fmt::format("{}: {}{}.", scene.title, kind.title, words),
+          .caption = fmt::format("{}: {}{}.", scene.title, kind.title, caption),
           .x = {},
           .y = {},
           .series = {},
@@ -92,7 +92,7 @@ records::Figure history_figure(const CellScene& scene, const Kind& kind) {
   made.x = axis(scene, "time", dimension::time);
   made.y = axis(scene, kind.axis, kind.dimension);
   for (const Drawn& drawn : kind.columns) {
-    made.series.push_back(series(drawn.words, cell_header(scene, "time", dimension::time),
+    made.series.push_back(series(drawn.label, cell_header(scene, "time", dimension::time),
                                  cell_header(scene, drawn.column, kind.dimension)));
   }
   return made;

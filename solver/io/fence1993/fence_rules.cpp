@@ -107,10 +107,10 @@ void add_end_faults(Faults& found, const Fence& fence) {
 }
 
 void add_history_faults(Faults& found, const Fence& fence) {
-  if (fence.history_codes.size() > most_history_codes) {
+  if (fence.history_codes.size() > maximum_history_codes) {
     found.push_back(
         {0, "history_codes",
-         fmt::format("found {} codes; there can be at most {}", fence.history_codes.size(), most_history_codes)});
+         fmt::format("found {} codes; there can be at most {}", fence.history_codes.size(), maximum_history_codes)});
   }
   for (const int code : fence.history_codes) {
     if (code >= 1 && code <= last_history_code) continue;

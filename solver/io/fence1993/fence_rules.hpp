@@ -13,7 +13,7 @@ namespace talus {
 struct FenceFault {
   std::size_t element{};  ///< number of the element concerned; 0: the fence itself
   std::string field;      ///< name of the member of Fence or FenceElement
-  std::string words;      ///< what was found and what is allowed
+  std::string message;    ///< what was found and what is allowed
 };
 
 /// All violations of the rules between records, for files of any format; empty if the fence can be built. Rules for a
@@ -24,7 +24,7 @@ struct FenceFault {
 [[nodiscard]] std::string title_error(std::string_view title);
 
 /// Maximum number of codes that the 1993 program could store.
-inline constexpr std::size_t most_history_codes = 8;
+inline constexpr std::size_t maximum_history_codes = 8;
 /// Largest code of a quantity in its list.
 inline constexpr int last_history_code = 61;
 

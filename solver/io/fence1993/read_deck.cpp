@@ -21,22 +21,22 @@ using scenes::ElementType;
 using scenes::Fence;
 
 /// Maximum number of rocks, and of elements with histories, of a deck.
-constexpr long most_items = 1000;
+constexpr long maximum_items = 1000;
 
-std::string words_for(Range range) {
-  return range == Range::any ? "a number" : fmt::format("a number {}", words(range));
+std::string allowed_text(Range range) {
+  return range == Range::any ? "a number" : fmt::format("a number {}", text_of(range));
 }
 
 /// Reads the records that deck_records::pass visits.
 class DeckReader {
-  struct Place {
+  struct Location {
     int line{};
     std::string record{"title"};
   };
 
-  [[noreturn]] void fail(const Place& place, std::string_view name, std::string_view words) const {
-    const std::string record = name.substr(0, place.record.size()) == place.record ? "" : place.record + ": ";
-    throw InputError{fmt::format("{}:{}: {}{}: {}", name_, place.line, record, name, words)};
+  [[noreturn]] void fail(const Location& location, std::string_view name, std::string_view message) const {
+    const std::string record = name.substr(0, location.record.size()) == location.record ? "" : location.record + ": ";
+    throw InputError{fmt::format("{}:{}: {}{}: {}", name_, location.line, record, name, message)};
   }
 
   /// Calls `action`; prepends the location to an InputError that it throws.
@@ -45,7 +45,7 @@ class DeckReader {
     try {
       return action();
     } catch (const InputError& error) {
-      fail({std::max(input_.line(), 1), place_.record}, name, error.what());
+      fail({std::max(input_.line(), 1), location_.record}, name, error.what());
     }
   }
 
@@ -53,9 +53,9 @@ class DeckReader {
   DeckReader(std::string_view text, std::string_view name) : input_{text}, name_{name} {}
 
   std::string title() {
-    place_.line = 1;
+    location_.line = 1;
     const std::string title = as_utf8(placed("title", [&] { return input_.whole_line(); }));
-    if (const std::string why = title_error(title); !why.empty()) fail(place_, "title", why);
+    if (const std::string why = title_error(title); !why.empty()) fail(location_, "title", why);
     return title;
   }
 
@@ -63,7 +63,7 @@ class DeckReader {
 
   void record(std::string_view names) {
     input_.start_record();
-    place_.record = element_ == 0 ? std::string{names} : fmt::format("element {}: {}", element_, names);
+    location_.record = element_ == 0 ? std::string{names} : fmt::format("element {}: {}", element_, names);
   }
 
   template <class T>
@@ -83,7 +83,7 @@ class DeckReader {
   template <class T, class Whole>
   void count(std::string_view name, T& owner, Whole T::*member) {
     const auto field = deck_records::field_of(T::counts(), member);
-    owner.*member = static_cast<Whole>(whole(name, field.name, field.least, field.most));
+    owner.*member = static_cast<Whole>(whole(name, field.name, field.minimum, field.maximum));
   }
 
   template <class Enum>
@@ -98,14 +98,14 @@ class DeckReader {
   }
 
   void rocks(Fence& fence) {
-    elements_ = whole("nel", "rocks", 3, most_items + 2);
+    elements_ = whole("nel", "rocks", 3, maximum_items + 2);
     fence.rocks.resize(static_cast<std::size_t>(elements_ - 2));
   }
 
   void list(std::string_view count, std::string_view item, std::string_view field, std::vector<int>& values) {
     record(count);
     const bool codes = field == "history_codes";
-    const auto size = whole(count, field, 0, codes ? static_cast<long>(most_history_codes) : most_items);
+    const auto size = whole(count, field, 0, codes ? static_cast<long>(maximum_history_codes) : maximum_items);
     record(item);
     values.clear();
     for (long i = 1; i <= size; ++i)
@@ -114,47 +114,49 @@ class DeckReader {
   }
 
   [[noreturn]] void fail(const FenceFault& fault) const {
-    const auto& [place, name] = places_.at({fault.element, fault.field});
-    fail(place, name, fault.words);
+    const auto& [location, name] = locations_.at({fault.element, fault.field});
+    fail(location, name, fault.message);
   }
 
  private:
   std::string_view value(std::string_view name, std::string_view field) {
     const std::string_view text = placed(name, [&] { return input_.value(); });
-    place_.line = input_.line();
-    places_[{element_, std::string{field}}] = {place_, std::string{name}};
+    location_.line = input_.line();
+    locations_[{element_, std::string{field}}] = {location_, std::string{name}};
     return text;
   }
 
   /// Names a member that consists of several numbers by all their names.
-  void call(std::string_view field, std::string_view names) { places_[{element_, std::string{field}}].second = names; }
+  void call(std::string_view field, std::string_view names) {
+    locations_[{element_, std::string{field}}].second = names;
+  }
 
   double number(std::string_view name, std::string_view field, Dimension dimension, Range range) {
     const std::string_view text = value(name, field);
     double number = 0.0;
     const bool is_number = placed(name, [&] { return parse_fortran_real(text, number); });
     const double result = consistent(number, deck_unit(dimension), dimension, us);
-    if (is_number && !std::isfinite(result)) fail(place_, name, found_text(text) + "; the number is too large");
+    if (is_number && !std::isfinite(result)) fail(location_, name, found_text(text) + "; the number is too large");
     if (!is_number || !contains(range, result)) {
-      fail(place_, name, fmt::format("{}; it must be {}", found_text(text), words_for(range)));
+      fail(location_, name, fmt::format("{}; it must be {}", found_text(text), allowed_text(range)));
     }
     return result;
   }
 
-  long whole(std::string_view name, std::string_view field, long least, long most) {
+  long whole(std::string_view name, std::string_view field, long minimum, long maximum) {
     const std::string_view text = value(name, field);
     double number = 0.0;
     const bool is_number = placed(name, [&] { return parse_fortran_real(text, number); });
-    if (!is_number || number != std::floor(number) || number < static_cast<double>(least) ||
-        number > static_cast<double>(most)) {
-      fail(place_, name, fmt::format("{}; it must be {}", found_text(text), whole_words(least, most)));
+    if (!is_number || number != std::floor(number) || number < static_cast<double>(minimum) ||
+        number > static_cast<double>(maximum)) {
+      fail(location_, name, fmt::format("{}; it must be {}", found_text(text), allowed_whole_text(minimum, maximum)));
     }
     return static_cast<long>(number);
   }
 
-  static std::string whole_words(long least, long most) {
-    return most - least == 1 ? fmt::format("{} or {}", least, most)
-                             : fmt::format("a whole number between {} and {}", least, most);
+  static std::string allowed_whole_text(long minimum, long maximum) {
+    return maximum - minimum == 1 ? fmt::format("{} or {}", minimum, maximum)
+                                  : fmt::format("a whole number between {} and {}", minimum, maximum);
   }
 
   /// Fails if the type of an element does not fit its position in the deck, which reveals a wrong count of elements.
@@ -164,18 +166,18 @@ class DeckReader {
     const std::string_view due = last            ? "1, the column, since it is the last"
                                  : element_ == 1 ? "0, the ground, since it is the first"
                                                  : "0, a rock, since it is between the ground and the column";
-    fail(place_, "type",
+    fail(location_, "type",
          fmt::format("found {}; with nel = {} this element must be {}; does nel count the elements below?",
                      static_cast<int>(type), elements_, due));
   }
 
   ListDirected input_;
   std::string name_;
-  Place place_;
+  Location location_;
   std::size_t element_{0};
   long elements_{};
   /// Locations of the members of the fence (element 0) and of its elements (by their numbers).
-  std::map<std::pair<std::size_t, std::string>, std::pair<Place, std::string>> places_;
+  std::map<std::pair<std::size_t, std::string>, std::pair<Location, std::string>> locations_;
 };
 
 }  // namespace

@@ -59,7 +59,7 @@ class DeckWriter {
     for (const int value : values)
       values_.push_back(fmt::format("{}", value));
     // The 1993 program reads hvmax codes, more than it stores; its sample deck ends the codes with an additional 0.
-    if (field == "history_codes") values_.resize(most_history_codes + 1, "0");
+    if (field == "history_codes") values_.resize(maximum_history_codes + 1, "0");
   }
 
   std::string text() {

@@ -26,9 +26,9 @@ std::string holder(int descriptor) {
   const std::string locked = fmt::format("{:02x}:{:02x}:{}", major(status.st_dev), minor(status.st_dev), status.st_ino);
   std::ifstream list{"/proc/locks"};
   for (std::string line; std::getline(list, line);) {
-    std::istringstream words{line};
+    std::istringstream fields{line};
     std::string number, kind, form, mode, process, file;
-    words >> number >> kind >> form >> mode >> process >> file;
+    fields >> number >> kind >> form >> mode >> process >> file;
     if (kind == "FLOCK" && file == locked && process != "0") return fmt::format(" (process {})", process);
   }
   return {};

@@ -36,16 +36,16 @@ std::string unit_of(const std::string& unit, const AllowedColumn& column, const 
   if (is_number && (unit.empty() || unit == "1")) return "";
   if (is_number) throw InputError{fmt::format("found the unit {}; it must be a pure number, without a unit", unit)};
   if (unit.empty()) {
-    throw InputError{fmt::format("found no unit; it must be {}, e.g. {} [{}]", words(column.dimension), column.name,
+    throw InputError{fmt::format("found no unit; it must be {}, e.g. {} [{}]", text_of(column.dimension), column.name,
                                  symbol(si, column.dimension))};
   }
   static_cast<void>(parse_quantity("1 " + unit, column.dimension, units));
   return unit;
 }
 
-QuantityColumn read_column(const records::Csv& csv, std::size_t place, const std::vector<AllowedColumn>& allowed,
+QuantityColumn read_column(const records::Csv& csv, std::size_t column_index, const std::vector<AllowedColumn>& allowed,
                            const UnitSystem& units) {
-  const std::string file = csv.file().string(), head = csv.header()[place];
+  const std::string file = csv.file().string(), head = csv.header()[column_index];
   const auto [name, unit] = name_and_unit(head);
   const auto named = [&](const auto& read) {
     try {
@@ -58,10 +58,10 @@ QuantityColumn read_column(const records::Csv& csv, std::size_t place, const std
   const std::string read_unit = named([&] { return unit_of(unit, column, units); });
   QuantityColumn made{name, column.dimension};
   for (std::size_t row = 0; row < csv.rows(); ++row) {
-    const double value = value_of(csv.number(row, place), read_unit, column, units);
+    const double value = value_of(csv.number(row, column_index), read_unit, column, units);
     if (!contains(column.range, value)) {
       throw InputError{fmt::format("{}:{}: column '{}': found '{}'; it must be {}", file, csv.line(row), head,
-                                   csv.cell(row, place), words(column.range))};
+                                   csv.cell(row, column_index), text_of(column.range))};
     }
     made.values.push_back(value);
   }
@@ -81,11 +81,11 @@ std::vector<QuantityColumn> read_quantity_table(const std::filesystem::path& fil
   std::vector<QuantityColumn> columns;
   try {
     const records::Csv csv = records::read_csv(file);
-    for (std::size_t place = 0; place < csv.header().size(); ++place) {
-      QuantityColumn column = read_column(csv, place, allowed, units);
+    for (std::size_t column_index = 0; column_index < csv.header().size(); ++column_index) {
+      QuantityColumn column = read_column(csv, column_index, allowed, units);
       if (std::ranges::find(columns, column.name, &QuantityColumn::name) != columns.end()) {
         throw InputError{fmt::format("{}: column '{}': it is the second one named {}; remove one", file.string(),
-                                     csv.header()[place], column.name)};
+                                     csv.header()[column_index], column.name)};
       }
       columns.push_back(std::move(column));
     }

@@ -29,16 +29,16 @@ Decimal decimal(double value, std::string_view unit, Dimension dimension, const 
   }
   // The quotient and the product are rounded separately: the number sought may differ by a few units in the last place.
   Decimal nearest;
-  double least = INFINITY;
-  for (const int places : {0, -1, 1, -2, 2}) {
+  double error = INFINITY;
+  for (const int ulps : {0, -1, 1, -2, 2}) {
     double number = quotient;
-    for (int i = 0; i < std::abs(places); ++i)
-      number = std::nextafter(number, places > 0 ? INFINITY : -INFINITY);
+    for (int i = 0; i < std::abs(ulps); ++i)
+      number = std::nextafter(number, ulps > 0 ? INFINITY : -INFINITY);
     const std::string text = fmt::format("{:.17g}", number);
     const double read = read_back(text, unit, dimension, system);
     if (same_bits(read, value)) return {text, true};
-    if (std::abs(read - value) < least) {
-      least = std::abs(read - value);
+    if (std::abs(read - value) < error) {
+      error = std::abs(read - value);
       nearest.text = text;
     }
   }

@@ -60,7 +60,7 @@ TomlValue copied(const toml::node& node) {
 
 /// Rejects keys of very many parts, a.b.c: the library nests a table for each, and its destructor overflows the stack.
 void refuse_long_keys(std::string_view text, std::string_view name) {
-  constexpr std::size_t most = 100;
+  constexpr std::size_t maximum = 100;
   std::size_t line = 1, parts = 1;
   bool after_key = false;
   for (std::size_t i = 0; i < text.size(); ++i) {
@@ -74,9 +74,9 @@ void refuse_long_keys(std::string_view text, std::string_view name) {
       after_key = true;
     } else if (letter == '.' && after_key) {
       after_key = false;
-      if (++parts > most)
+      if (++parts > maximum)
         throw InputError{
-            fmt::format("{}:{}: a key has more than {} parts, which are joined by dots", name, line, most)};
+            fmt::format("{}:{}: a key has more than {} parts, which are joined by dots", name, line, maximum)};
     } else if (letter != ' ' && letter != '\t') {
       line += letter == '\n' ? 1 : 0;
       parts = 1, after_key = false;

@@ -130,9 +130,9 @@ Checkpoint read_checkpoint(const std::filesystem::path& file, std::string_view p
   }
   const Reader reader{file, json};
   const auto demand = [&](std::string_view field, const nlohmann::json& allowed, std::string_view remedy = "") {
-    const std::string words = fmt::format("{}{}", allowed.dump(), remedy);
-    if (const nlohmann::json& found = reader.member(field, words); found != allowed)
-      reader.refuse(field, found.dump(), words);
+    const std::string allowed_text = fmt::format("{}{}", allowed.dump(), remedy);
+    if (const nlohmann::json& found = reader.member(field, allowed_text); found != allowed)
+      reader.refuse(field, found.dump(), allowed_text);
   };
   demand("schema", schema, ": resume the run with the version of talus that wrote it, or run the scene again");
   demand("talus", program);

@@ -96,8 +96,8 @@ void FenceHistory::operator()(const Snapshot& snapshot, const StepInfo& info) {
 
 std::string FenceHistory::csv_text() const {
   std::string text;
-  for (const std::string& words : skipped_)
-    text += fmt::format("# {}\n", words);
+  for (const std::string& message : skipped_)
+    text += fmt::format("# {}\n", message);
   return text + csv(history_, fence_->units);
 }
 

@@ -28,7 +28,7 @@ class VtkFile {
         fmt::format("{}:{}: not XML: {}", name_, 1 + std::count(text.begin(), end, '\n'), result.description())};
   }
 
-  [[noreturn]] void report(std::string_view words) const { throw InputError{fmt::format("{}: {}", name_, words)}; }
+  [[noreturn]] void report(std::string_view message) const { throw InputError{fmt::format("{}: {}", name_, message)}; }
 
   pugi::xml_node part(const char* path) const {
     const pugi::xml_node found = document_.first_element_by_path(path);

@@ -21,9 +21,9 @@ std::string SavedColumn::quantity() const {
 }
 
 const SavedColumn* KeptHistory::find(const std::string& name) const {
-  const auto place =
+  const auto found =
       std::find_if(columns.begin(), columns.end(), [&](const SavedColumn& each) { return each.name == name; });
-  return place == columns.end() ? nullptr : &*place;
+  return found == columns.end() ? nullptr : &*found;
 }
 
 KeptHistory read_history(const std::filesystem::path& file) {

@@ -142,7 +142,7 @@ bool all_names(std::string_view) { return true; }
 
 }  // namespace
 
-std::string cell_state_name(std::size_t place) { return fmt::format("{}/cell_{:06}.vtp", cell_states_folder, place); }
+std::string cell_state_name(std::size_t index) { return fmt::format("{}/cell_{:06}.vtp", cell_states_folder, index); }
 
 void remove_unfinished(const std::filesystem::path& folder) {
   std::error_code none;

@@ -66,6 +66,6 @@ void remove_unfinished(const std::filesystem::path& folder);
 
 /// The folder of a cell's states, and the path of a state by its index in the series: "cell_states/cell_000003.vtp".
 inline constexpr std::string_view cell_states_folder = "cell_states";
-[[nodiscard]] std::string cell_state_name(std::size_t place);
+[[nodiscard]] std::string cell_state_name(std::size_t index);
 
 }  // namespace talus

@@ -49,8 +49,8 @@ class Sheet {
   }
   Json length(double value) const { return in_si(value, dimension::length); }
   Json time(double value) const { return in_si(value, dimension::time); }
-  Json place(Vec2 p) const { return Json::array({length(p.x), length(p.y)}); }
-  Json place(Vec2 p, double z) const { return Json::array({length(p.x), length(p.y), length(z)}); }
+  Json position(Vec2 p) const { return Json::array({length(p.x), length(p.y)}); }
+  Json position(Vec2 p, double z) const { return Json::array({length(p.x), length(p.y), length(z)}); }
   Json vector(Vec3 v, Dimension d) const { return Json::array({in_si(v.x, d), in_si(v.y, d), in_si(v.z, d)}); }
   const Cable& cable(CableId id) const { return dynamics_.model().cables[index(id)]; }
 
@@ -187,7 +187,7 @@ Json Sheet::anchors() const {
   for (const scenes::AnchorRecord& anchor : summary_.anchors) {
     const Joint& joint = dynamics_.cables().joints()[anchor.joint];
     list.push_back(
-        {{"layer", anchor.layer}, {"position", place(joint.p, joint.along)}, {"force", force(anchor.force)}});
+        {{"layer", anchor.layer}, {"position", position(joint.p, joint.along)}, {"force", force(anchor.force)}});
   }
   return list;
 }
@@ -230,7 +230,7 @@ Json Sheet::drawn(const char* name, const State& state) const {
     const auto column = std::find_if(summary_.columns.begin(), summary_.columns.end(), is);
     Json points = Json::array();
     for (const Vec2 p : outline(model.bodies[i], 0.0))
-      points.push_back(place(world_point(work.poses[i], p)));
+      points.push_back(position(world_point(work.poses[i], p)));
     bodies.push_back({{"name", model.bodies[i].name},
                       {"layer", column == summary_.columns.end() ? 0 : column->layer},
                       {"outline", std::move(points)}});
@@ -239,7 +239,7 @@ Json Sheet::drawn(const char* name, const State& state) const {
     const CableForces::Ends ends = dynamics_.cables().ends()[index(segment.cable)];
     Json points = Json::array();
     for (const std::size_t j : {ends.a, ends.b})
-      points.push_back(place(work.joints.p_WP(j), dynamics_.cables().joints()[j].along));
+      points.push_back(position(work.joints.p_WP(j), dynamics_.cables().joints()[j].along));
     cables.push_back(
         {{"layer", segment.layer}, {"cable", segment.top ? "top" : "bottom"}, {"ends", std::move(points)}});
   }
@@ -251,7 +251,7 @@ Json Sheet::drawing() const {
   const Pose ground_pose{ground.p_WB, rotation(ground.angle), {}, 0.0};
   Json line = Json::array();
   for (const Vec2 p : outline(ground, 100.0 * input_.fence.span))
-    line.push_back(place(world_point(ground_pose, p)));
+    line.push_back(position(world_point(ground_pose, p)));
   return {{"ground", std::move(line)},
           {"column_half_width", length(input_.fence.column.a)},
           {"states", Json::array({drawn("start", summary_.start), drawn("largest travel", summary_.at_travel),

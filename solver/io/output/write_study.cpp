@@ -41,7 +41,7 @@ std::string study_text(const std::vector<StudyMean>& study, const std::vector<Ve
   if (failed) fmt::format_to(std::back_inserter(text), "Where seeds are fewer than {} runs failed.\n", seeds);
   for (const Verdict& verdict : verdicts) {
     fmt::format_to(std::back_inserter(text), "{}\n  {}: {} (t = {:+.1f}, chance {:.2g})\n", verdict.prediction,
-                   words(verdict.outturn), verdict.measured, verdict.significance, verdict.chance);
+                   text_of(verdict.outturn), verdict.measured, verdict.significance, verdict.chance);
   }
   return text;
 }

@@ -16,7 +16,7 @@ Json vector(Vec2 value) { return Json::array({json_number(value.x), json_number(
 Json outcome(const Outcome& outcome) {
   constexpr std::array kinds{"finished", "stopped", "diverged"};
   Json json{{"kind", kinds.at(static_cast<std::size_t>(outcome.kind))}, {"time", json_number(outcome.time)}};
-  if (!outcome) json["message"] = outcome.words;
+  if (!outcome) json["message"] = outcome.message;
   return json;
 }
 
@@ -60,10 +60,10 @@ Json extremes(const RunRecord& record) {
   for (const ExtremeRecord& item : record.extremes) {
     json.push_back({{"name", item.column.name},
                     {"unit", symbol(record.units, item.column.dimension)},
-                    {"minimum", json_number(item.extreme.least)},
-                    {"minimum_time", json_number(item.extreme.least_time)},
-                    {"maximum", json_number(item.extreme.largest)},
-                    {"maximum_time", json_number(item.extreme.largest_time)}});
+                    {"minimum", json_number(item.extreme.minimum)},
+                    {"minimum_time", json_number(item.extreme.minimum_time)},
+                    {"maximum", json_number(item.extreme.maximum)},
+                    {"maximum_time", json_number(item.extreme.maximum_time)}});
   }
   return json;
 }

@@ -202,14 +202,14 @@ scenes::ChangedColumn read_changed(SceneTable& table, const Fence& fence) {
 void check_changed(const std::vector<SceneTable>& tables, const Fence& fence) {
   const std::vector<scenes::ChangedColumn>& columns = fence.changed_columns;
   for (std::size_t i = 0; i < columns.size(); ++i) {
-    const int place = columns[i].place;
-    if (const int most = columns_of_half(fence); place > most) {
-      tables[i].report("place", fmt::format("found {}; it must be in 1 .. {}", place, most));
+    const int number = columns[i].number;
+    if (const int maximum = columns_of_half(fence); number > maximum) {
+      tables[i].report("place", fmt::format("found {}; it must be in 1 .. {}", number, maximum));
     }
     if (!(columns[i].y_top > columns[i].y_bottom)) tables[i].report("y_top", "it must be above the bottom joint");
     const auto before = columns.begin() + static_cast<std::ptrdiff_t>(i);
-    if (std::ranges::find(columns.begin(), before, place, &scenes::ChangedColumn::place) != before)
-      tables[i].report("place", fmt::format("found {} again; each place can be changed once", place));
+    if (std::ranges::find(columns.begin(), before, number, &scenes::ChangedColumn::number) != before)
+      tables[i].report("place", fmt::format("found {} again; each place can be changed once", number));
   }
 }
 
@@ -295,7 +295,7 @@ Fence read_fence(SceneTable& file, SceneSource& source) {
   source.collect();
   check_changed(changed, fence);
   for (const FenceFault& fault : faults(fence))
-    (fault.element == 0 ? table : elements[fault.element - 1]).report(fault.field, fault.words);
+    (fault.element == 0 ? table : elements[fault.element - 1]).report(fault.field, fault.message);
   source.check();
   set_steps(table, fence, duration);
   return fence;

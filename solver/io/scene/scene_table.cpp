@@ -30,7 +30,7 @@ std::string_view refusal_reason(std::string_view name) {
 
 void SceneSource::add(int line, std::string message) const {
   errors_.push_back({line, std::move(message)});
-  if (errors_.size() >= most_errors) check();
+  if (errors_.size() >= maximum_errors) check();
 }
 
 bool SceneSource::has_nameless(std::string_view kind) const {
@@ -50,7 +50,7 @@ void SceneSource::check() const {
   std::string all;
   for (const Error& error : errors_)
     all += (all.empty() ? "" : "\n") + error.message;
-  if (errors_.size() >= most_errors)
+  if (errors_.size() >= maximum_errors)
     all += fmt::format("\n{}: there may be more errors; these are the first found", file);
   throw InputError{all};
 }
@@ -89,11 +89,11 @@ const TomlValue& SceneTable::demand_at_once(std::string_view key) {
   return *value;
 }
 
-std::string SceneTable::place(int line) const { return fmt::format("{}:{}: ", source_->file, line); }
+std::string SceneTable::location(int line) const { return fmt::format("{}:{}: ", source_->file, line); }
 
 std::string SceneTable::full_message(int line, std::string_view key, std::string_view message) const {
   const std::string noun = noun_.empty() ? "" : noun_ + ": ";
-  return fmt::format("{}{}{}: {}", place(line), noun, key, message);
+  return fmt::format("{}{}{}: {}", location(line), noun, key, message);
 }
 
 void SceneTable::report_at(int line, std::string_view key, std::string_view message) const {
@@ -131,7 +131,7 @@ double SceneTable::quantity_of(std::string_view key, const TomlValue& value, Dim
   try {
     const double quantity = parse_quantity(*text, dimension, source_->units);
     if (contains(range, quantity)) return quantity;
-    wrong = fmt::format("found \"{}\"; it must be {}", *text, words(range));
+    wrong = fmt::format("found \"{}\"; it must be {}", *text, text_of(range));
   } catch (const InputError& error) {
     wrong = error.what();
   }
@@ -148,26 +148,26 @@ double SceneTable::quantity_or(std::string_view key, Dimension dimension, double
   return has(key) ? quantity(key, dimension, range) : absent;
 }
 
-std::vector<double> SceneTable::quantities(std::string_view key, Dimension dimension, std::size_t least,
-                                           std::size_t most) {
+std::vector<double> SceneTable::quantities(std::string_view key, Dimension dimension, std::size_t minimum,
+                                           std::size_t maximum) {
   constexpr std::string_view axes = "xyz";
-  TALUS_DEMAND(most <= axes.size());
+  TALUS_DEMAND(maximum <= axes.size());
   const TomlValue* const given = demand(key);
-  if (given == nullptr) return std::vector<double>(least);
+  if (given == nullptr) return std::vector<double>(minimum);
   const TomlValue& value = *given;
   const auto* elements = std::get_if<TomlArray>(&value.data);
-  const std::string count = least == most ? fmt::format("{}", least) : fmt::format("{} or {}", least, most);
+  const std::string count = minimum == maximum ? fmt::format("{}", minimum) : fmt::format("{} or {}", minimum, maximum);
   if (elements == nullptr) {
     const std::string example = fmt::format("\"1 {}\"", symbol(source_->units, dimension));
-    const std::vector<std::string> examples(least, example);
+    const std::vector<std::string> examples(minimum, example);
     report_at(value.line, key,
               fmt::format("found {}; it must be an array of {} quantities, e.g. [{}]", found(value), count,
                           fmt::join(examples, ", ")));
-    return std::vector<double>(least);
+    return std::vector<double>(minimum);
   }
-  if (elements->size() < least || elements->size() > most) {
+  if (elements->size() < minimum || elements->size() > maximum) {
     report_at(value.line, key, fmt::format("found {} components; it must have {}", elements->size(), count));
-    return std::vector<double>(least);
+    return std::vector<double>(minimum);
   }
   std::vector<double> result;
   for (std::size_t i = 0; i < elements->size(); ++i) {
@@ -202,31 +202,32 @@ double SceneTable::number_of(std::string_view key, const TomlValue& value, Range
     return placeholder;
   }
   if (std::isfinite(number) && contains(range, number)) return number;
-  report_at(value.line, key, fmt::format("found {}; it must be {}", found(value), words(range)));
+  report_at(value.line, key, fmt::format("found {}; it must be {}", found(value), text_of(range)));
   return placeholder;
 }
 
 int SceneTable::whole(std::string_view key) { return whole_of(key, demand_at_once(key)); }
 
-std::int64_t SceneTable::whole_between(std::string_view key, std::int64_t least, std::int64_t most) {
+std::int64_t SceneTable::whole_between(std::string_view key, std::int64_t minimum, std::int64_t maximum) {
   const TomlValue* const given = demand(key);
-  if (given == nullptr) return least;
+  if (given == nullptr) return minimum;
   const TomlValue& value = *given;
   const auto* integer = std::get_if<std::int64_t>(&value.data);
-  if (integer != nullptr && *integer >= least && *integer <= most) return *integer;
-  const std::string allowed = most - least == 1 ? fmt::format("{} or {}", least, most)
-                                                : fmt::format("a whole number between {} and {}", least, most);
+  if (integer != nullptr && *integer >= minimum && *integer <= maximum) return *integer;
+  const std::string allowed = maximum - minimum == 1
+                                  ? fmt::format("{} or {}", minimum, maximum)
+                                  : fmt::format("a whole number between {} and {}", minimum, maximum);
   report_at(value.line, key, fmt::format("found {}; it must be {}", found(value), allowed));
-  return least;
+  return minimum;
 }
 
 int SceneTable::whole_of(std::string_view key, const TomlValue& value) const {
-  constexpr std::int64_t most = 1'000'000'000;
+  constexpr std::int64_t maximum = 1'000'000'000;
   const auto* integer = std::get_if<std::int64_t>(&value.data);
   if (integer == nullptr)
     fail_at(value.line, key, fmt::format("found {}; it must be a whole number, e.g. 12", found(value)));
-  if (*integer < -most || *integer > most)
-    fail_at(value.line, key, fmt::format("found {}; it must be between {} and {}", *integer, -most, most));
+  if (*integer < -maximum || *integer > maximum)
+    fail_at(value.line, key, fmt::format("found {}; it must be between {} and {}", *integer, -maximum, maximum));
   return static_cast<int>(*integer);
 }
 

@@ -19,7 +19,7 @@ namespace talus {
 class SceneSource {
  public:
   /// Maximum number of errors listed for one file.
-  static constexpr std::size_t most_errors = 20;
+  static constexpr std::size_t maximum_errors = 20;
 
   std::string file;  ///< as named in messages
   UnitSystem units;
@@ -86,17 +86,17 @@ class SceneTable {
   /// A quantity with its unit, in consistent units of the scene; without dimension, a pure number.
   [[nodiscard]] double quantity(std::string_view key, Dimension dimension, Range range = Range::any);
   [[nodiscard]] double quantity_or(std::string_view key, Dimension dimension, double absent, Range range = Range::any);
-  /// An array of `least` to `most` quantities of one dimension.
-  [[nodiscard]] std::vector<double> quantities(std::string_view key, Dimension dimension, std::size_t least,
-                                               std::size_t most);
+  /// An array of `minimum` to `maximum` quantities of one dimension.
+  [[nodiscard]] std::vector<double> quantities(std::string_view key, Dimension dimension, std::size_t minimum,
+                                               std::size_t maximum);
   [[nodiscard]] Vec2 vector(std::string_view key, Dimension dimension);
   [[nodiscard]] Vec2 vector_or(std::string_view key, Dimension dimension, Vec2 absent);
   /// A pure number, written without quotes.
   [[nodiscard]] double number(std::string_view key, Range range = Range::any);
   /// A whole number.
   [[nodiscard]] int whole(std::string_view key);
-  /// A whole number from `least` to `most`.
-  [[nodiscard]] std::int64_t whole_between(std::string_view key, std::int64_t least, std::int64_t most);
+  /// A whole number from `minimum` to `maximum`.
+  [[nodiscard]] std::int64_t whole_between(std::string_view key, std::int64_t minimum, std::int64_t maximum);
   /// A whole number, or a non-empty array of whole numbers.
   [[nodiscard]] std::vector<int> wholes_or_one(std::string_view key);
   /// An array of pairs of quantities.
@@ -148,7 +148,7 @@ class SceneTable {
   /// Reads a whole number in the range of its field.
   template <class T>
   void read_count(T& value, const CountField<T>& field) {
-    const auto count = static_cast<int>(whole_between(field.name, field.least, field.most));
+    const auto count = static_cast<int>(whole_between(field.name, field.minimum, field.maximum));
     std::visit([&](auto member) { value.*member = count; }, field.member);
   }
 
@@ -170,7 +170,7 @@ class SceneTable {
     try {
       return action();
     } catch (const InputError& error) {
-      throw InputError{place(line_) + error.what()};
+      throw InputError{location(line_) + error.what()};
     }
   }
 
@@ -186,7 +186,7 @@ class SceneTable {
   [[noreturn]] void fail_at(int line, std::string_view key, std::string_view message) const;
   void report_at(int line, std::string_view key, std::string_view message) const;
   std::string full_message(int line, std::string_view key, std::string_view message) const;
-  std::string place(int line) const;
+  std::string location(int line) const;
 
   const SceneSource* source_;
   const TomlTable* table_;

@@ -35,15 +35,15 @@ std::size_t line_start(std::string_view text, std::size_t at) {
 }
 
 /// Location of a key of [run] in the text.
-struct Place {
+struct KeySpan {
   std::size_t key{}, begin{}, end{};  ///< start of the key, start and end of its value
 };
 
-std::optional<Place> place_of(std::string_view text, const toml::table& run, std::string_view wanted) {
+std::optional<KeySpan> span_of(std::string_view text, const toml::table& run, std::string_view wanted) {
   for (const auto& [key, value] : run) {
     if (key.str() == wanted)
-      return Place{offset(text, key.source().begin), offset(text, value.source().begin),
-                   offset(text, value.source().end)};
+      return KeySpan{offset(text, key.source().begin), offset(text, value.source().begin),
+                     offset(text, value.source().end)};
   }
   return {};
 }
@@ -55,19 +55,19 @@ const toml::table& run_of(const toml::table& document) { return *document["run"]
 void take_out(std::string& text, std::string_view key) {
   const toml::table document = toml::parse(text);
   const toml::table& run = run_of(document);
-  const auto place = place_of(text, run, key);
-  if (!place) return;
+  const auto span = span_of(text, run, key);
+  if (!span) return;
   if (!run.is_inline()) {
-    const std::size_t from = line_start(text, place->key), after = text.find('\n', place->end);
+    const std::size_t from = line_start(text, span->key), after = text.find('\n', span->end);
     text.erase(from, after == std::string::npos ? after : after + 1 - from);
     return;
   }
-  const std::size_t next = text.find_first_not_of(" \t", place->end);
+  const std::size_t next = text.find_first_not_of(" \t", span->end);
   if (text[next] == ',') {
-    text.erase(place->key, text.find_first_not_of(" \t", next + 1) - place->key);
+    text.erase(span->key, text.find_first_not_of(" \t", next + 1) - span->key);
   } else {
-    const std::size_t comma = text.rfind(',', place->key);
-    text.erase(comma, place->end - comma);
+    const std::size_t comma = text.rfind(',', span->key);
+    text.erase(comma, span->end - comma);
   }
 }
 
@@ -80,14 +80,14 @@ bool has(std::string_view text, std::string_view key) {
 void put(std::string& text, std::string_view key, const std::string& value) {
   const toml::table document = toml::parse(text);
   const toml::table& run = run_of(document);
-  if (const auto place = place_of(text, run, key)) {
-    text.replace(place->begin, place->end - place->begin, value);
+  if (const auto span = span_of(text, run, key)) {
+    text.replace(span->begin, span->end - span->begin, value);
     return;
   }
   // Inserted after the integrator, or otherwise after the end, which is always present; on a line of the same form,
   // including a leading "run." and blanks.
-  const auto integrator = place_of(text, run, "integrator");
-  const Place beside = integrator ? *integrator : place_of(text, run, "end").value();
+  const auto integrator = span_of(text, run, "integrator");
+  const KeySpan beside = integrator ? *integrator : span_of(text, run, "end").value();
   const std::size_t start = line_start(text, beside.key);
   const std::string front =
       run.is_inline() ? ", " : fmt::format("\n{}", std::string_view{text}.substr(start, beside.key - start));

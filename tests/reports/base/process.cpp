@@ -46,7 +46,7 @@ BOOST_AUTO_TEST_CASE(children_of_other_threads_hold_no_pipe) {
 }
 
 BOOST_AUTO_TEST_CASE(a_missing_or_failing_tool_is_named) {
-  const auto words = [](const Command& command) -> std::string {
+  const auto message_of = [](const Command& command) -> std::string {
     try {
       run_or_throw(command, "page 3");
     } catch (const OutputError& error) {
@@ -57,13 +57,13 @@ BOOST_AUTO_TEST_CASE(a_missing_or_failing_tool_is_named) {
   const std::string missing =
       ": cannot be started: No such file or directory (is it installed? scripts/setup installs "
       "what reports and pictures need)";
-  BOOST_TEST(words({"no-such-tool", {}, {}, {}}) == "no-such-tool" + missing);
-  BOOST_TEST(words({"/no/such-tool", {}, {}, {}}) == "/no/such-tool" + missing);
-  BOOST_TEST(words({"/etc/passwd", {}, {}, {}}) == "/etc/passwd: cannot be started: Permission denied");
-  BOOST_TEST(words({"true", {}, "/no/folder", {}}) ==
+  BOOST_TEST(message_of({"no-such-tool", {}, {}, {}}) == "no-such-tool" + missing);
+  BOOST_TEST(message_of({"/no/such-tool", {}, {}, {}}) == "/no/such-tool" + missing);
+  BOOST_TEST(message_of({"/etc/passwd", {}, {}, {}}) == "/etc/passwd: cannot be started: Permission denied");
+  BOOST_TEST(message_of({"true", {}, "/no/folder", {}}) ==
              "true: cannot be started in /no/folder: No such file or directory");
-  BOOST_TEST(words({"true", {}, "/etc/passwd", {}}) == "true: cannot be started in /etc/passwd: Not a directory");
-  BOOST_TEST(words({"sh", {"-c", "echo why >&2; exit 1"}, {}, {}}) == "sh failed on page 3 (exit status 1):\nwhy");
-  BOOST_TEST(words({"sh", {"-c", "kill -9 $$"}, {}, {}}) == "sh failed on page 3 (exit status 137):\n");
-  BOOST_TEST(words({"true", {}, {}, {}}) == "nothing");
+  BOOST_TEST(message_of({"true", {}, "/etc/passwd", {}}) == "true: cannot be started in /etc/passwd: Not a directory");
+  BOOST_TEST(message_of({"sh", {"-c", "echo why >&2; exit 1"}, {}, {}}) == "sh failed on page 3 (exit status 1):\nwhy");
+  BOOST_TEST(message_of({"sh", {"-c", "kill -9 $$"}, {}, {}}) == "sh failed on page 3 (exit status 137):\n");
+  BOOST_TEST(message_of({"true", {}, {}, {}}) == "nothing");
 }

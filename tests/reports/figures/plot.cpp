@@ -131,12 +131,12 @@ BOOST_AUTO_TEST_CASE(long_titles_of_y_axes_are_broken) {
   figure.y.label = "plastic elongation of the segment beside the column that was hit";
   const Canvas canvas{"/p/preamble.gp", "/out", {"pdf"}};
   const std::string script = figure_script(plot_of(figure, scratch.folder), canvas, "stem");
-  const std::size_t most = letters_along(canvas.height - 1.8, canvas.letters);
+  const std::size_t maximum = letters_along(canvas.height - 1.8, canvas.letters);
   const std::size_t from = script.find("set ylabel "), to = script.find('\n', from);
   std::size_t lines = 0;
   for (std::size_t at = script.find('\'', from); at < to;
        at = script.find('\'', script.find('\'', at + 1) + 1), ++lines)
-    BOOST_TEST(script.find('\'', at + 1) - at - 1 <= most);
+    BOOST_TEST(script.find('\'', at + 1) - at - 1 <= maximum);
   BOOST_TEST(lines == 2U);
 }
 

@@ -9,15 +9,15 @@
 namespace md = talus::reports::markdown;
 
 BOOST_AUTO_TEST_CASE(marks_are_escaped) {
-  BOOST_TEST(md::words("two_cable * [x] <b> h^2 ~ #1") == R"(two\_cable \* \[x\] \<b\> h\^2 \~ \#1)");
-  BOOST_TEST(md::words("costs $5") == R"(costs \$5)");
-  BOOST_TEST(md::words("- a\nb...") == R"(\- a b\.\..)");
+  BOOST_TEST(md::text("two_cable * [x] <b> h^2 ~ #1") == R"(two\_cable \* \[x\] \<b\> h\^2 \~ \#1)");
+  BOOST_TEST(md::text("costs $5") == R"(costs \$5)");
+  BOOST_TEST(md::text("- a\nb...") == R"(\- a b\.\..)");
 }
 
 BOOST_AUTO_TEST_CASE(maths_and_code_are_kept) {
-  BOOST_TEST(md::words("error $C_1 h^2$ by `a_b`_c") == R"(error $C_1 h^2$ by `a_b`\_c)");
+  BOOST_TEST(md::text("error $C_1 h^2$ by `a_b`_c") == R"(error $C_1 h^2$ by `a_b`\_c)");
   BOOST_TEST(md::cell("$|x|$ | y") == R"($\vert x\vert $ \| y)");
-  BOOST_TEST(md::words("$5 and $6") == R"(\$5 and \$6)");
+  BOOST_TEST(md::text("$5 and $6") == R"(\$5 and \$6)");
 }
 
 BOOST_AUTO_TEST_CASE(headings_move_together_outside_code) {

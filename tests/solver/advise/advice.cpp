@@ -57,9 +57,9 @@ BOOST_AUTO_TEST_CASE(quantities_are_named_as_the_columns_of_the_history) {
 
 BOOST_AUTO_TEST_CASE(unknown_quantities_are_refused_by_name) {
   const Model model = oscillator().model;
-  const auto says = [&](const char* name, const std::string& words) {
+  const auto says = [&](const char* name, const std::string& expected) {
     BOOST_CHECK_EXCEPTION((void)quantity_named(model, name), InputError, [&](const InputError& error) {
-      return std::string{error.what()}.find(words) != std::string::npos;
+      return std::string{error.what()}.find(expected) != std::string::npos;
     });
   };
   says("bob", "found \"bob\"; it must be a column of the history and max, min, abs_max or end");

@@ -183,9 +183,9 @@ BOOST_AUTO_TEST_CASE(wrong_requests_are_refused_before_any_pilot) {
   const Folder folder;
   const std::string out = (folder.path / "advised.toml").string();
   const std::string file = scene("two_cable.toml");
-  const auto says = [&](const Ended& ended, int code, const std::string& words) {
+  const auto says = [&](const Ended& ended, int code, const std::string& expected) {
     BOOST_TEST(ended.code == code);
-    BOOST_TEST(holds(ended.err, words));
+    BOOST_TEST(holds(ended.err, expected));
     BOOST_TEST(ended.out.empty());
   };
   says(advised(file, "1e-3", "cable.upper.tensoin.max", out), 2,

@@ -120,8 +120,8 @@ BOOST_AUTO_TEST_CASE(an_impact_that_a_run_refuses_is_not_calibrated) {
   BOOST_TEST(run.code == 3);
   BOOST_TEST(calibrated.code == 2);
   BOOST_TEST(calibrated.out.empty());
-  const std::size_t words = run.err.find("overlap");
-  BOOST_REQUIRE(words != std::string::npos);
+  const std::size_t offset = run.err.find("overlap");
+  BOOST_REQUIRE(offset != std::string::npos);
   BOOST_TEST(holds(calibrated.err, "overlap"), calibrated.err);
 }
 
@@ -152,10 +152,10 @@ BOOST_AUTO_TEST_CASE(a_range_of_calibrated_pairs_is_drawn) {
     BOOST_TEST(panel.y.label == "restitution");
     BOOST_REQUIRE(panel.series.size() == 1U);
     BOOST_TEST(panel.series[0].x.size() == 6U);
-    const auto [least, largest] = std::minmax_element(panel.series[0].y.begin(), panel.series[0].y.end());
+    const auto [smallest, largest] = std::minmax_element(panel.series[0].y.begin(), panel.series[0].y.end());
     BOOST_REQUIRE(panel.lines.size() == 3U);
     BOOST_TEST(panel.lines[0].at == 0.7);
-    BOOST_TEST(panel.lines[1].at == *least, boost::test_tools::tolerance(1e-12));
+    BOOST_TEST(panel.lines[1].at == *smallest, boost::test_tools::tolerance(1e-12));
     BOOST_TEST(panel.lines[2].at == *largest, boost::test_tools::tolerance(1e-12));
   }
   BOOST_TEST(requested.panel(1).series[0].x[1] == 1.0 / 0.3048, boost::test_tools::tolerance(1e-12));

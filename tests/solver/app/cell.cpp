@@ -53,9 +53,9 @@ BOOST_AUTO_TEST_CASE(a_run_leaves_its_files) {
   // The printed means are followed by their standard errors.
   for (const char* name : {"top_shear", "top_normal"}) {
     const Json& result = summary["results"][name];
-    const std::string words = fmt::format("  {:24} {:.4g} N/m^2 +- {:.2g} ", name, result["value"].get<double>(),
-                                          result["error"].get<double>());
-    BOOST_TEST(holds(ended.out, words), words);
+    const std::string expected = fmt::format("  {:24} {:.4g} N/m^2 +- {:.2g} ", name, result["value"].get<double>(),
+                                             result["error"].get<double>());
+    BOOST_TEST(holds(ended.out, expected), expected);
   }
   const std::string history = left.at("history.csv");
   BOOST_TEST(std::count(history.begin(), history.end(), '\n') == 11);
@@ -240,7 +240,7 @@ BOOST_AUTO_TEST_CASE(options_that_mean_nothing_are_refused) {
       file = scene("cell/CNTRL.DAT"),
       many = folder.file(
           "MANY.DAT", "0 0\n1.7e4 34693.877551020405 1e-3 7.2e-7 9.81 100\n100000 100000 100000 5.0\n6e-7 1e-3 1e-2\n");
-  for (const auto& [words, said] : std::vector<std::pair<std::vector<std::string>, std::string>>{
+  for (const auto& [arguments, said] : std::vector<std::pair<std::vector<std::string>, std::string>>{
            {{"cell", file, "--out", ""}, "--out: found \"\"; a value must follow"},
            {{"cell", file, "--integrator", ""}, "--integrator: found \"\"; a value must follow"},
            {{"cell", file, "--seed", "9007199254740993"},
@@ -250,7 +250,7 @@ BOOST_AUTO_TEST_CASE(options_that_mean_nothing_are_refused) {
             "--jump: found on; it requires images = \"nearest\", not virtual discs"},
            {{"study", "shear", "--time", "nan"}, "--time: found nan; it must be a number between 0.01 and 1000"},
            {{"cell", many}, "NHT: found 100000; it must be at most 100 of 100000 columns"}}) {
-    const Ended ended = talus_ran(words);
+    const Ended ended = talus_ran(arguments);
     BOOST_TEST(ended.code == 2);
     BOOST_TEST(holds(ended.err, said), ended.err);
   }
@@ -320,11 +320,11 @@ BOOST_AUTO_TEST_CASE(lammps_prints_what_a_cell_prints) {
   const Folder folder;
   const std::string text = talus::read_text(scene("cell/ice.toml"));
   const std::string latching = "restitution = 0.7 ";
-  const std::size_t place = text.find(latching);
-  BOOST_REQUIRE(place != std::string::npos);
+  const std::size_t offset = text.find(latching);
+  BOOST_REQUIRE(offset != std::string::npos);
   const std::string cell = folder.file(
       "cell.toml",
-      std::string{text}.replace(place, latching.size(), "law = \"linear_spring_dashpot\"\nrestitution = 0.7 "));
+      std::string{text}.replace(offset, latching.size(), "law = \"linear_spring_dashpot\"\nrestitution = 0.7 "));
   const std::string out = folder.path / "lammps";
   const Ended ended = talus_ran({"export", "lammps", cell, "--out", out});
   BOOST_TEST(ended.code == 0, ended.err);
@@ -345,7 +345,7 @@ BOOST_AUTO_TEST_CASE(lammps_prints_what_a_cell_prints) {
       BOOST_TEST(contacts > 0.0);
     }
     std::string name;
-    if (std::istringstream words{line}; words >> name >> value) means[name] = value;
+    if (std::istringstream tokens{line}; tokens >> name >> value) means[name] = value;
   }
   BOOST_TEST(energies.size() == 20U);
   const Json results = Json::parse(talus_ran({"cell", cell, "--json"}).out).at("results");

@@ -56,12 +56,12 @@ struct Expected {
   double bytes{};
 };
 Expected expected_of(const std::string& checked) {
-  const std::string words = "expected output of --out";
-  const std::size_t at = checked.find(words);
+  const std::string expected = "expected output of --out";
+  const std::size_t at = checked.find(expected);
   BOOST_REQUIRE(at != std::string::npos);
   Expected found;
   std::string unit, word;
-  std::istringstream in{checked.substr(at + words.size() + (checked[at + words.size()] == ':' ? 1 : 0))};
+  std::istringstream in{checked.substr(at + expected.size() + (checked[at + expected.size()] == ':' ? 1 : 0))};
   in >> found.rows >> word >> word >> word >> found.columns;
   const std::string line = checked.substr(at, checked.find('\n', at) - at);
   if (const std::size_t states = line.find("columns, "); line.find("states") != std::string::npos)
@@ -164,8 +164,8 @@ BOOST_AUTO_TEST_CASE(the_automatic_step_is_what_the_help_says) {
   // Without contacts only the limit counts.
   const std::string hung = scene("cable_pendulum.toml");
   const Ended checked = talus_ran({"check", hung}), ended = talus_ran({"run", hung, "--step", "auto"});
-  const auto number_after = [](const std::string& text, const std::string& words) {
-    return std::stod(text.substr(text.find(words) + words.size()));
+  const auto number_after = [](const std::string& text, const std::string& expected) {
+    return std::stod(text.substr(text.find(expected) + expected.size()));
   };
   BOOST_TEST(number_after(ended.out, ", step ") == number_after(checked.out, ", a step of ") / 20.0,
              boost::test_tools::tolerance(1e-5));
@@ -180,9 +180,10 @@ BOOST_AUTO_TEST_CASE(overlaps_at_the_start) {
   for (const std::string contact : {"", "method = \"nodes\"\nnodes = 12"}) {
     // Overlaps of 4 % of the radius, 0.2 %, none.
     const Ended large = ended("check", 0.48, contact), small = ended("check", 0.499, contact);
-    const std::string words = "contact 'landing' overlaps by 0.02 m at the start, 4 % of half the width of its smaller";
-    BOOST_TEST(holds(large.out, "overlaps at the start 1\n  " + words));
-    BOOST_TEST(holds(large.err, "warning: " + words));
+    const std::string expected =
+        "contact 'landing' overlaps by 0.02 m at the start, 4 % of half the width of its smaller";
+    BOOST_TEST(holds(large.out, "overlaps at the start 1\n  " + expected));
+    BOOST_TEST(holds(large.err, "warning: " + expected));
     BOOST_TEST(large.err == ended("run", 0.48, contact).err);
     BOOST_TEST(holds(small.out, "overlaps by 0.001 m at the start, 0.2 %"));
     BOOST_TEST(small.err == "");
@@ -288,7 +289,7 @@ BOOST_AUTO_TEST_CASE(bodies_without_a_contact) {
     return text.insert(text.find("[[body]]\nname = \"floor"),
                        fmt::format("velocity = [\"{} m/s\", \"0 m/s\"]\n", speed));
   };
-  const std::string words =
+  const std::string expected =
       " of half the width of the smaller one, and no [[contact]] is declared between them: they pass through each "
       "other";
   const std::string apart = folder.file("apart.toml", two(3.0, 10.0, "")).string();
@@ -302,10 +303,10 @@ BOOST_AUTO_TEST_CASE(bodies_without_a_contact) {
   BOOST_TEST(met.code == 0);
   BOOST_TEST(holds(met.err, "talus: warning: at t = 0.20"), met.err);
   BOOST_TEST(holds(met.err, " bodies 'disc' and 'post' overlap by "));
-  BOOST_TEST(holds(met.err, words));
+  BOOST_TEST(holds(met.err, expected));
   BOOST_TEST(std::ranges::count(met.err, '\n') == 1);
   const std::string inside = folder.file("inside.toml", two(0.9, 0.0, "")).string();
-  const std::string said = "talus: warning: at the start bodies 'disc' and 'post' overlap by 20 %" + words;
+  const std::string said = "talus: warning: at the start bodies 'disc' and 'post' overlap by 20 %" + expected;
   BOOST_TEST(holds(talus_ran({"check", inside}).err, said));
   const Ended ran = talus_ran({"run", inside});
   BOOST_TEST(holds(ran.err, "talus: warning: at t = 0 bodies 'disc' and 'post' overlap by 20 %"));

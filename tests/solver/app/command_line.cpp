@@ -157,13 +157,14 @@ BOOST_AUTO_TEST_CASE(check_gives_the_cost_of_a_run) {
   std::string fence = talus_ran({"new", "fence"}).out;
   for (const char* option : {"# end = \"exit\"", "# exit_x = "})
     fence.erase(fence.find(option), 2);
-  const std::size_t place = fence.find("exit_x = \"");
-  fence.replace(place, fence.find('\n', place) - place, "exit_x = \"0.4 m\"");
+  const std::size_t offset = fence.find("exit_x = \"");
+  fence.replace(offset, fence.find('\n', offset) - offset, "exit_x = \"0.4 m\"");
   for (const std::string& file :
        {scene("rolling_disc.toml"), scene("sliding_block.toml"), folder.file("exit.toml", fence).string()}) {
     const auto summary = nlohmann::json::parse(talus_ran({"run", file, "--json"}).out);
-    const std::string words = std::to_string(summary.at("evaluations").get<long>()) + " force evaluations; each over";
-    BOOST_TEST(holds(talus_ran({"check", file}).out, words), file);
+    const std::string expected =
+        std::to_string(summary.at("evaluations").get<long>()) + " force evaluations; each over";
+    BOOST_TEST(holds(talus_ran({"check", file}).out, expected), file);
   }
 }
 
@@ -226,10 +227,10 @@ BOOST_AUTO_TEST_CASE(folders_that_are_not_there_or_hold_no_run) {
   const Folder folder;
   const std::string none = folder.path / "none", file = folder.file("file", ""), empty = folder.path / "empty";
   fs::create_directory(empty);
-  const auto refused = [](const std::vector<std::string>& arguments, const std::string& words) {
+  const auto refused = [](const std::vector<std::string>& arguments, const std::string& expected) {
     const Ended ended = talus_ran(arguments);
     BOOST_TEST(ended.code == 4);
-    BOOST_TEST(ended.err == "talus: " + words + "\n");
+    BOOST_TEST(ended.err == "talus: " + expected + "\n");
   };
   const std::string of_run = "; it must be a folder that `talus run --out` or `talus cell --out` wrote";
   for (const std::string command : {"plot", "snapshot", "animate"}) {
@@ -282,11 +283,11 @@ BOOST_AUTO_TEST_CASE(titles_and_names_in_other_encodings) {
   BOOST_TEST(text.substr(14) == wanted.substr(6));
 
   fs::copy_file(file, folder.path / "\xe9.DAT");
-  const std::string words = ", which is not UTF-8; what names files and titles must be, since it is written to JSON";
+  const std::string expected = ", which is not UTF-8; what names files and titles must be, since it is written to JSON";
   for (const char* const command : {"run", "check"}) {
     const Ended ended = talus_ran({command, (folder.path / "\xe9.DAT").string()});
     BOOST_TEST(ended.code == 2);
-    BOOST_TEST(holds(ended.err, "/\xc3\xa9.DAT\"" + words));
+    BOOST_TEST(holds(ended.err, "/\xc3\xa9.DAT\"" + expected));
   }
 }
 
@@ -294,9 +295,9 @@ BOOST_AUTO_TEST_CASE(check_distinguishes_cells_from_bodies) {
   for (const char* const cell : {"cell/ice.toml", "cell/CNTRL.DAT", "cell/rough.toml", "cell/spheres.toml"}) {
     const Ended ended = talus_ran({"check", scene(cell)});
     BOOST_TEST(ended.code == 0, ended.err);
-    for (const char* const words :
+    for (const char* const expected :
          {"80 free in 8 rows, 11 in each wall", "contact_steps", "inertial_number", "force evaluations to"})
-      BOOST_TEST(holds(ended.out, words), words);
+      BOOST_TEST(holds(ended.out, expected), expected);
     const bool rough = std::string_view{cell} == "cell/rough.toml",
                spheres = std::string_view{cell} == "cell/spheres.toml";
     BOOST_TEST(holds(ended.out, "stepped_restitution") != (rough || spheres));
@@ -417,10 +418,10 @@ BOOST_AUTO_TEST_CASE(drawing_that_fails_says_why_and_leaves_nothing) {
       "gnuplot-nox; scripts/setup installs what "
       "reports and pictures need)\n";
   const auto refused = [&](const std::vector<std::string>& command, const char* path, int code,
-                           const std::string& words) {
+                           const std::string& expected) {
     const Ended ended = ran(TALUS_EXECUTABLE, command, "", path);
     BOOST_TEST(ended.code == code, ended.err);
-    BOOST_TEST(holds(ended.err, words), ended.err);
+    BOOST_TEST(holds(ended.err, expected), ended.err);
     const bool notes = command.front() == "snapshot";  // the times of the states, printed before they are drawn
     BOOST_TEST(ended.out == (notes ? "5 states drawn from t = 0 s to t = 10 s\n" : ""));
     BOOST_TEST((files(pictures) == before));

@@ -83,8 +83,9 @@ BOOST_AUTO_TEST_CASE(images_stand_beyond_the_borders) {
   BOOST_TEST(std::abs(x.max.value() - 6.5e-3) < 1e-12);
   const auto drawn = rows(requested.panel(0));
   for (const talus::SeenDisc& disc : state.discs) {
-    const double place = disc.p.x - width * std::floor(disc.p.x / width + 0.5);
-    const bool near = std::abs(place) > 0.5 * width - 1.5e-3 - 1e-9;  // some wall discs just touch the edge of the view
+    const double position = disc.p.x - width * std::floor(disc.p.x / width + 0.5);
+    const bool near =
+        std::abs(position) > 0.5 * width - 1.5e-3 - 1e-9;  // some wall discs just touch the edge of the view
     BOOST_TEST(rows_at(drawn.at(disc.wall ? "wall" : "disc"), disc.p.x, disc.p.y).size() == (near ? 2U : 1U));
   }
   // Two borders with two ends each; each bar has four corners.
@@ -129,7 +130,7 @@ BOOST_AUTO_TEST_CASE(the_options_of_snapshots_hold_for_discs) {
   const std::vector<talus::records::Mark>& marks = requested.panel(1).marks;
   BOOST_TEST(marks.size() > 20U);
   for (const talus::records::Mark& mark : marks) {
-    const talus::Vec2 p = state.discs[std::stoul(mark.words) - 1].p;
+    const talus::Vec2 p = state.discs[std::stoul(mark.text) - 1].p;
     const double periods = (mark.x - p.x) / width;
     BOOST_TEST((std::abs(periods - std::round(periods)) < 1e-12 && mark.y == p.y));
   }
@@ -217,7 +218,7 @@ BOOST_AUTO_TEST_CASE(a_cell_moves_in_a_gif_and_in_one_page) {
   const double fastest = data.at("discs").at("largest").at("speed").get<double>();
   BOOST_TEST(std::abs(quantum - 1e-6) < 1e-15);
   for (std::size_t i = 0; i < state.discs.size(); ++i) {
-    BOOST_TEST(std::abs(frame.at("places").at(2 * i + 1).get<double>() * quantum - state.discs[i].p.y) <= 0.51e-6);
+    BOOST_TEST(std::abs(frame.at("positions").at(2 * i + 1).get<double>() * quantum - state.discs[i].p.y) <= 0.51e-6);
     BOOST_TEST(std::abs(frame.at("speeds").at(i).get<double>() / 1000.0 * fastest - norm(state.discs[i].v)) <=
                0.51e-3 * fastest);
   }

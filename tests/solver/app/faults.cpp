@@ -25,21 +25,21 @@ namespace {
 
 using Json = nlohmann::json;
 using Clock = std::chrono::steady_clock;
-using Words = std::vector<std::string>;
+using Arguments = std::vector<std::string>;
 
-/// Runs `script` in a shell, with $TALUS as the program and $1, $2, ... as the words.
-Ended shell(const std::string& script, Words words = {}) {
-  words.insert(words.begin(), {"-c", "TALUS='" TALUS_EXECUTABLE "'\n" + script, "sh"});
-  return ran("/bin/bash", words);
+/// Runs `script` in a shell, with $TALUS as the program and $1, $2, ... as the arguments.
+Ended shell(const std::string& script, Arguments shell_arguments = {}) {
+  shell_arguments.insert(shell_arguments.begin(), {"-c", "TALUS='" TALUS_EXECUTABLE "'\n" + script, "sh"});
+  return ran("/bin/bash", shell_arguments);
 }
 
 /// A run by its command without --out, and the files that it writes when undisturbed.
 struct Undisturbed {
-  Words command;
+  Arguments command;
   std::map<std::string, std::string> content;
   double seconds{};
 
-  explicit Undisturbed(Words run) : command{std::move(run)} {
+  explicit Undisturbed(Arguments run) : command{std::move(run)} {
     const Folder folder;
     const Clock::time_point start = Clock::now();
     const Ended ended = talus_ran(into(folder.path / "run"));
@@ -47,8 +47,8 @@ struct Undisturbed {
     seconds = std::chrono::duration<double>(Clock::now() - start).count();
     content = files(folder.path / "run");
   }
-  Words into(const fs::path& out) const {
-    Words all = command;
+  Arguments into(const fs::path& out) const {
+    Arguments all = command;
     all.insert(all.end(), {"--out", out.string()});
     return all;
   }
@@ -65,8 +65,8 @@ struct Undisturbed {
   }
 };
 
-Words fence_run() { return {"run", scene("fence/table_2.toml"), "--end", "60 ms"}; }
-Words scene_run(const char* end) {
+Arguments fence_run() { return {"run", scene("fence/table_2.toml"), "--end", "60 ms"}; }
+Arguments scene_run(const char* end) {
   return {"run", scene("two_cable.toml"), "--step", "0.5 ms", "--end", end, "--frames", "40"};
 }
 
@@ -127,7 +127,7 @@ BOOST_AUTO_TEST_CASE(a_run_that_is_killed_continues_to_the_same_files) {
     const Undisturbed& run = runs[static_cast<std::size_t>(trial) % runs.size()];
     const fs::path out = folder.path / fmt::format("out{}", trial);
     BOOST_TEST_CONTEXT("trial " << trial << ", " << run.command[1]) {
-      const auto killed = [&](const Words& command) {
+      const auto killed = [&](const Arguments& command) {
         const auto before = fs::exists(out) ? files(out) : std::map<std::string, std::string>{};
         StartedProgram program{TALUS_EXECUTABLE, command};
         std::this_thread::sleep_for(std::chrono::duration<double>{1.1 * run.seconds * fraction()});
@@ -140,7 +140,7 @@ BOOST_AUTO_TEST_CASE(a_run_that_is_killed_continues_to_the_same_files) {
       const auto count = [&] { ++(fs::exists(out / "checkpoint.json") ? resumed : before_checkpoint); };
       // From the start, or from a checkpoint in the middle.
       const bool from_midst = fraction() < 0.5 && run.command.front() == "run";
-      Words command = run.into(out);
+      Arguments command = run.into(out);
       if (from_midst) {
         command.insert(command.end(), {"--until", run.command[1].ends_with("table_2.toml") ? "30 ms" : "5 s"});
         BOOST_TEST_REQUIRE(talus_ran(command).code == 0);
@@ -172,7 +172,7 @@ BOOST_AUTO_TEST_CASE(a_reader_that_has_gone_costs_no_file) {
   const fs::path out = folder.path / "out";
   // A pipe without a reader, a closed stdout, a full one, all streams closed; with the exit status and the message.
   const std::string start = "\"$TALUS\" \"$@\" ";
-  for (const auto& [script, code, words] :
+  for (const auto& [script, code, expected] :
        {std::tuple{start + "2>/dev/null | head -c 0; exit ${PIPESTATUS[0]}", 128 + SIGPIPE, ""},
         {start + ">&-", 4, "talus: standard output: "},
         {start + ">/dev/full", 4, "talus: standard output: "},
@@ -180,7 +180,7 @@ BOOST_AUTO_TEST_CASE(a_reader_that_has_gone_costs_no_file) {
     BOOST_TEST_CONTEXT(script) {
       const Ended ended = shell(script, run.into(out));
       BOOST_TEST(ended.code == code);
-      BOOST_TEST(holds(ended.err, words), ended.err);
+      BOOST_TEST(holds(ended.err, expected), ended.err);
       run.same(out);
     }
   }
@@ -190,7 +190,7 @@ BOOST_AUTO_TEST_CASE(a_reader_that_has_gone_costs_no_file) {
 BOOST_AUTO_TEST_CASE(messages_that_nobody_takes_cost_no_run) {
   const Folder folder;
   const fs::path out = folder.path / "out";
-  const Words command{"run", scene("fence/sample2.DAT"), "--end", "5 ms", "--out", out.string()};
+  const Arguments command{"run", scene("fence/sample2.DAT"), "--end", "5 ms", "--out", out.string()};
   BOOST_TEST(holds(talus_ran(command).err, "talus: warning: "));
   const auto before = files(out);
   for (const char* const to : {"2>&-", "2>/dev/full"}) {
@@ -284,7 +284,7 @@ BOOST_AUTO_TEST_CASE(a_folder_that_is_read_only) {
   const Undisturbed run{scene_run("5 s")};
   const fs::path out = disk.path / "out";
   const bool mounted = disk.mount("size=4m");
-  Words until = run.into(out);
+  Arguments until = run.into(out);
   until.insert(until.end(), {"--until", "2 s"});
   BOOST_TEST(talus_ran(until).code == 0);
   const auto before = files(out);
@@ -295,7 +295,8 @@ BOOST_AUTO_TEST_CASE(a_folder_that_is_read_only) {
     fs::permissions(out, fs::perms::owner_read | fs::perms::owner_exec);
   }
   const std::string reason = mounted ? "Read-only file system" : "Permission denied";
-  for (const Words& command : {Words{"run", "--resume", out.string()}, run.into(out), run.into(disk.path / "other")}) {
+  for (const Arguments& command :
+       {Arguments{"run", "--resume", out.string()}, run.into(out), run.into(disk.path / "other")}) {
     const Ended ended = talus_ran(command);
     BOOST_TEST(ended.code == 4);
     BOOST_TEST(ended.err.starts_with("talus: " + disk.path.string()), ended.err);
@@ -316,15 +317,16 @@ BOOST_AUTO_TEST_CASE(a_second_run_in_the_folder_is_refused_and_names_the_first) 
   const Undisturbed run{scene_run("40 s")};
   const fs::path out = folder.path / "out", written = folder.path / "pid";
   // The shell is replaced by the program, which keeps its process id.
-  Words words{"-c", "echo $$ > \"$1\"; shift; exec '" TALUS_EXECUTABLE "' \"$@\"", "sh", written.string()};
-  const Words command{"run", scene("two_cable.toml"), "--end", "100000 s", "--out", out.string()};
-  words.insert(words.end(), command.begin(), command.end());
-  StartedProgram first{"/bin/bash", words};
+  Arguments shell_arguments{"-c", "echo $$ > \"$1\"; shift; exec '" TALUS_EXECUTABLE "' \"$@\"", "sh",
+                            written.string()};
+  const Arguments command{"run", scene("two_cable.toml"), "--end", "100000 s", "--out", out.string()};
+  shell_arguments.insert(shell_arguments.end(), command.begin(), command.end());
+  StartedProgram first{"/bin/bash", shell_arguments};
   while (!fs::exists(out / "checkpoint.json"))
     std::this_thread::sleep_for(std::chrono::milliseconds{5});
   std::string pid = talus::read_text(written);
   pid.pop_back();
-  for (const Words& other : {run.into(out), Words{"run", "--resume", out.string()}}) {
+  for (const Arguments& other : {run.into(out), Arguments{"run", "--resume", out.string()}}) {
     const Ended refused = talus_ran(other);
     BOOST_TEST(refused.code == 4);
     BOOST_TEST(refused.err == fmt::format("talus: {}: another run (process {}) is writing into it; each run needs a "
@@ -382,11 +384,11 @@ BOOST_AUTO_TEST_CASE(numbers_have_points_in_every_locale) {
   fmt::print("faults: decimal comma in C++{}\n", set != nullptr ? " and C" : "; no such locale of C is installed");
   for (const auto& [undisturbed, name] : {std::pair{&run, "run"}, {&cell, "cell"}}) {
     const fs::path out = folder.path / name;
-    Words words = undisturbed->into(out);
-    words.insert(words.begin(), "talus");
-    words.push_back("--json");
+    Arguments program_arguments = undisturbed->into(out);
+    program_arguments.insert(program_arguments.begin(), "talus");
+    program_arguments.push_back("--json");
     std::vector<const char*> arguments;
-    for (const std::string& word : words)
+    for (const std::string& word : program_arguments)
       arguments.push_back(word.c_str());
     BOOST_TEST(talus::app::run_command_line(static_cast<int>(arguments.size()), arguments.data()) == 0);
     undisturbed->same(out);
@@ -405,22 +407,22 @@ BOOST_AUTO_TEST_CASE(paths_with_blanks_quotes_and_letters_of_all_scripts) {
   fs::create_directories(home);
   const fs::path file = home / "Böschung 1.toml", out = home / "mein Lauf";
   fs::copy_file(scene("two_cable.toml"), file);
-  const Words command{"run", file.string(), "--end", "0.4 s", "--frames", "4", "--out", out.string()};
-  Words until = command;
+  const Arguments command{"run", file.string(), "--end", "0.4 s", "--frames", "4", "--out", out.string()};
+  Arguments until = command;
   until.insert(until.end(), {"--until", "0.1 s"});
   const Ended stopped = talus_ran(until);
   BOOST_TEST_REQUIRE(stopped.code == 0, stopped.err);
   // A shell accepts the printed command unchanged.
   const std::string mark = "\nresume: talus ";
-  const std::size_t place = stopped.out.find(mark);
-  BOOST_TEST_REQUIRE(place != std::string::npos, stopped.out);
-  const std::string rest = stopped.out.substr(place + mark.size());
+  const std::size_t offset = stopped.out.find(mark);
+  BOOST_TEST_REQUIRE(offset != std::string::npos, stopped.out);
+  const std::string rest = stopped.out.substr(offset + mark.size());
   const Ended resumed = shell("\"$TALUS\" " + rest.substr(0, rest.find('\n')));
   BOOST_TEST(resumed.code == 0, resumed.err);
   BOOST_TEST(!fs::exists(out / "checkpoint.json"));
-  for (const Words& drawing : {Words{"plot", out.string(), "--format", "svg"},
-                               {"snapshot", out.string(), "--format", "svg"},
-                               {"animate", out.string(), "--html", "--gif", "--seconds", "1"}}) {
+  for (const Arguments& drawing : {Arguments{"plot", out.string(), "--format", "svg"},
+                                   {"snapshot", out.string(), "--format", "svg"},
+                                   {"animate", out.string(), "--html", "--gif", "--seconds", "1"}}) {
     const Ended drawn = talus_ran(drawing);
     BOOST_TEST(drawn.code == 0, drawn.err);
     BOOST_TEST(drawn.err == "");

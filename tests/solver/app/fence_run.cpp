@@ -29,8 +29,8 @@ BOOST_AUTO_TEST_CASE(the_repeat_of_a_fence_counts_every_rock) {
       "[[fence.rock]]\na = \"0.4 m\"\nb = \"0.4 m\"\nmass = \"700 kg\"\nposition = [\"2 m\", \"8 m\"]\n"
       "velocity = [\"-20 m/s\", \"0 m/s\"]\n\n";
   const std::size_t first = text.find(head), next = text.find("\n[", first) + 1;
-  for (const std::size_t place : {first, next}) {
-    const std::string file = folder.file("two.toml", std::string{text}.insert(place, over)).string();
+  for (const std::size_t offset : {first, next}) {
+    const std::string file = folder.file("two.toml", std::string{text}.insert(offset, over)).string();
     const auto summary = nlohmann::json::parse(talus_ran({"run", file, "--json"}).out);
     const auto& repeat = summary.at("quality").at("repeat");
     BOOST_TEST(summary.at("verdict").at("fence") == "passed_over");
@@ -160,10 +160,10 @@ BOOST_AUTO_TEST_CASE(a_sheet_says_how_sensitive_its_verdict_is) {
   const auto plain = json(scene("fence/table_2.toml"), {"--sheet", "--out", (folder.path / "run").string()});
   const auto& repeat = plain.at("quality").at("repeat");
   BOOST_TEST(repeat.at("change_of_speed").get<double>() == 1e-3);
-  const std::size_t place = text.find("velocity = [\"-65 ft/s\"");
-  BOOST_TEST_REQUIRE(place != std::string::npos);
+  const std::size_t offset = text.find("velocity = [\"-65 ft/s\"");
+  BOOST_TEST_REQUIRE(offset != std::string::npos);
   std::string faster = text;
-  faster.replace(place, std::string{"velocity = [\"-65 ft/s\""}.size(), "velocity = [\"-65.065 ft/s\"");
+  faster.replace(offset, std::string{"velocity = [\"-65 ft/s\""}.size(), "velocity = [\"-65.065 ft/s\"");
   std::ofstream{folder.path / "faster.toml"} << faster;
   const auto other = json((folder.path / "faster.toml").string(), {});
   const double change = other.at("verdict").at("largest_cable_force").at("peak").get<double>() /

@@ -33,8 +33,8 @@ Times last_times(std::vector<std::string> order, const fs::path& out) {
   BOOST_TEST(sheet.at("history").at("rows").back().at(0) == end);
   BOOST_TEST(sheet.at("drawing").at("states").back().at("time") == end);
   const std::string listing = talus::read_text(out / "sample2.OUT");
-  const std::size_t place = listing.rfind("time = ") + 7;
-  return {end, listing.substr(place, listing.find(" secs", place) - place), sheet.at("run").at("step")};
+  const std::size_t offset = listing.rfind("time = ") + 7;
+  return {end, listing.substr(offset, listing.find(" secs", offset) - offset), sheet.at("run").at("step")};
 }
 
 }  // namespace

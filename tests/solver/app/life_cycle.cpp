@@ -56,8 +56,8 @@ std::string interrupted(const Kind& kind, const std::string& file, const Folder&
   return talus::read_text(output);
 }
 
-void refused(const std::vector<std::string>& words, int code, const std::string& message) {
-  const Ended ended = talus_ran(words);
+void refused(const std::vector<std::string>& command_line, int code, const std::string& message) {
+  const Ended ended = talus_ran(command_line);
   BOOST_TEST(ended.code == code);
   BOOST_TEST(ended.err.rfind("talus: " + message, 0) == 0U, ended.err);
 }
@@ -107,9 +107,9 @@ BOOST_AUTO_TEST_CASE(a_run_under_nohup_outlives_its_terminal) {
     BOOST_TEST_CONTEXT(kind.command) {
       const Folder folder;
       const std::string file = kind.put(folder), out = folder.path / "out";
-      std::vector<std::string> words = arguments(kind, file, out);
-      words.insert(words.begin(), TALUS_EXECUTABLE);
-      StartedProgram program{"/usr/bin/nohup", words};
+      std::vector<std::string> command_line = arguments(kind, file, out);
+      command_line.insert(command_line.begin(), TALUS_EXECUTABLE);
+      StartedProgram program{"/usr/bin/nohup", command_line};
       while (!fs::exists(fs::path{out} / (kind.command == "run" ? "scene_geometry" : "checkpoint.json")))
         std::this_thread::sleep_for(std::chrono::milliseconds{1});
       program.send(SIGHUP);
@@ -131,9 +131,10 @@ BOOST_AUTO_TEST_CASE(a_run_that_has_ended_is_not_resumed) {
       BOOST_TEST(again.out == out + ": the run is finished; there is nothing to resume\n");
       BOOST_TEST(talus_ran({kind.command, "--resume", out, "--json"}).out == before.at("summary.json"));
       for (const auto& option : {kind.option, std::vector<std::string>{"--out", out}}) {
-        std::vector<std::string> words{kind.command, "--resume", out};
-        words.insert(words.end(), option.begin(), option.end());
-        refused(words, 2, option[0] + ": the run in " + out + " has ended; only an interrupted run can be resumed\n");
+        std::vector<std::string> command_line{kind.command, "--resume", out};
+        command_line.insert(command_line.end(), option.begin(), option.end());
+        refused(command_line, 2,
+                option[0] + ": the run in " + out + " has ended; only an interrupted run can be resumed\n");
       }
       BOOST_TEST((files(out) == before));
     }

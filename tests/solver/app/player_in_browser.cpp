@@ -102,13 +102,13 @@ BOOST_AUTO_TEST_CASE(a_half_model_is_seen_whole_along_the_fence) {
 }
 
 BOOST_AUTO_TEST_CASE(playing_goes_on_to_the_end) {
-  const std::string begun = document(player(), "play&speed=8&loop=0", 500);
+  const std::string playing = document(player(), "play&speed=8&loop=0", 500);
   const std::string ended = document(player(), "play&speed=8&loop=0", 5000);
-  const int first = std::stoi(after(begun, "data-frame=\""));
+  const int first = std::stoi(after(playing, "data-frame=\""));
   BOOST_TEST(first > 2);
   BOOST_TEST(first < 25);
   BOOST_TEST(after(ended, "data-frame=\"") == "26");
-  BOOST_TEST(holds(begun, ">Pause</button>"));
+  BOOST_TEST(holds(playing, ">Pause</button>"));
   BOOST_TEST(holds(ended, ">Play</button>"));
 }
 

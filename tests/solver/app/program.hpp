@@ -61,9 +61,9 @@ inline bool holds(std::string_view text, std::string_view part) { return text.fi
 
 /// The text with `by` in place of the first `what`, which it must contain.
 inline std::string replaced(std::string text, std::string_view what, std::string_view by) {
-  const std::size_t place = text.find(what);
-  BOOST_REQUIRE(place != std::string::npos);
-  return text.replace(place, what.size(), by);
+  const std::size_t offset = text.find(what);
+  BOOST_REQUIRE(offset != std::string::npos);
+  return text.replace(offset, what.size(), by);
 }
 
 /// All files below a folder, by name.

@@ -194,7 +194,7 @@ BOOST_AUTO_TEST_CASE(checkpoints_that_are_refused) {
   const fs::path file = folder.path / "checkpoint.json";
   runs({"run", scene("two_cable.toml"), "--until", "10 ms", "--out", folder.path.string()});
   const std::string good = talus::read_text(file);
-  const std::string place = "talus: " + file.string() + ": ";
+  const std::string prefix = "talus: " + file.string() + ": ";
   const std::string hash = good.substr(good.rfind(": \"") + 3, 16);
   const std::string remedy =
       "it must be 3: resume the run with the version of talus that wrote it, or run the scene again\n";
@@ -210,7 +210,7 @@ BOOST_AUTO_TEST_CASE(checkpoints_that_are_refused) {
     std::ofstream{file} << text;
     const Ended ended = talus_ran({"run", "--resume", folder.path.string()});
     BOOST_TEST(ended.code == 2);
-    BOOST_TEST(ended.err.rfind(place + message, 0) == 0U, ended.err);
+    BOOST_TEST(ended.err.rfind(prefix + message, 0) == 0U, ended.err);
   }
 }
 

@@ -41,7 +41,7 @@ BOOST_AUTO_TEST_CASE(a_run_leaves_its_files) {
 // The last line lists the files written, or says how to have them written; with --json only the summary is printed.
 BOOST_AUTO_TEST_CASE(a_run_without_a_folder_says_where_results_could_go) {
   const std::string none = "files: none; --out DIR writes ";
-  for (const auto& [command, file, words] :
+  for (const auto& [command, file, expected] :
        {std::tuple{"run", "pendulum.toml", "histories, geometry and summary\n"},
         {"run", "fence/table_2.toml", "histories, geometry and summary; with --sheet also the engineer's sheet\n"},
         {"cell", "cell/ice.toml", "histories, profiles, states and summary\n"}}) {
@@ -49,7 +49,7 @@ BOOST_AUTO_TEST_CASE(a_run_without_a_folder_says_where_results_could_go) {
     if (std::string_view{command} == "run") arguments.insert(arguments.end(), {"--end", "100 ms"});
     const Ended bare = talus_ran(arguments);
     BOOST_TEST(bare.code == 0);
-    BOOST_TEST(bare.out.ends_with('\n' + none + words), bare.out);
+    BOOST_TEST(bare.out.ends_with('\n' + none + expected), bare.out);
     const Folder folder;
     arguments.insert(arguments.end(), {"--out", (folder.path / "out").string()});
     BOOST_TEST(!holds(talus_ran(arguments).out, none));
@@ -256,11 +256,11 @@ BOOST_AUTO_TEST_CASE(another_integrator_keeps_the_tolerance_and_takes_a_step_of_
 // For a deck whose step of 1993 is too long, the first message is a single warning with the repair.
 BOOST_AUTO_TEST_CASE(a_step_that_is_too_long_is_said_first_and_once) {
   const Ended ended = talus_ran({"run", scene("fence/sample2.DAT")});
-  const std::string words = "the linear limit of lagged_central_difference";
+  const std::string expected = "the linear limit of lagged_central_difference";
   BOOST_TEST(ended.err.starts_with("talus: warning: h omega = "), ended.err);
-  const std::size_t first = ended.err.find(words);
+  const std::size_t first = ended.err.find(expected);
   BOOST_REQUIRE(first != std::string::npos);
-  BOOST_TEST(ended.err.find(words, first + 1) == std::string::npos, ended.err);
+  BOOST_TEST(ended.err.find(expected, first + 1) == std::string::npos, ended.err);
   BOOST_TEST(holds(ended.err, "`talus run " + scene("fence/sample2.DAT") + " --integrator auto`"));
 }
 
@@ -302,8 +302,8 @@ BOOST_AUTO_TEST_CASE(a_step_of_its_own) {
   BOOST_TEST(step.code == 0);
   const double chosen = nlohmann::json::parse(step.out)["step"];
   BOOST_TEST(chosen > 0.0);
-  const std::string words = nlohmann::json(chosen).dump() + " s";
-  const Ended same = talus_ran({"run", scene("two_cable.toml"), "--step", words, "--end", "10 ms", "--json"});
+  const std::string step_text = nlohmann::json(chosen).dump() + " s";
+  const Ended same = talus_ran({"run", scene("two_cable.toml"), "--step", step_text, "--end", "10 ms", "--json"});
   BOOST_TEST(same.out == step.out);
 }
 
@@ -336,9 +336,9 @@ BOOST_AUTO_TEST_CASE(a_summary_begins_with_the_verdict) {
                                           "\nfinal state\n"};
   std::size_t from = 0;
   for (const std::string& subject : subjects) {
-    const std::size_t place = fence.out.find(subject, from);
-    BOOST_TEST_REQUIRE(place != std::string::npos, subject << fence.out.substr(0, 1500));
-    from = place;
+    const std::size_t offset = fence.out.find(subject, from);
+    BOOST_TEST_REQUIRE(offset != std::string::npos, subject << fence.out.substr(0, 1500));
+    from = offset;
   }
   BOOST_TEST(holds(fence.out, "it still advances at 5.476 ft/s: a longer run decides"));
   const Ended cables = talus_ran({"run", scene("two_cable.toml")});
@@ -357,9 +357,9 @@ BOOST_AUTO_TEST_CASE(unusable_results_have_an_exit_code) {
   const std::string out = (folder.path / "run").string();
   const std::vector<std::string> step{"--step", "2 ms", "--out", out};
   const auto ran = [&](const std::string& file) {
-    std::vector<std::string> words{"run", file};
-    words.insert(words.end(), step.begin(), step.end());
-    return talus_ran(words);
+    std::vector<std::string> command{"run", file};
+    command.insert(command.end(), step.begin(), step.end());
+    return talus_ran(command);
   };
   const Ended ended = ran(scene("two_cable.toml"));
   BOOST_TEST(ended.code == 7);

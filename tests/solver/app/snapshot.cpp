@@ -124,7 +124,7 @@ BOOST_AUTO_TEST_CASE(the_dialogue_of_gplot_as_options) {
                                        "state drawn at t = 0.0248212 s, the nearest one to \"26 ms\""}));
   BOOST_TEST(panel.y.max.value() == 9.69);
   BOOST_TEST(!panel.grid);
-  BOOST_TEST(panel.marks.at(0).words == "2");
+  BOOST_TEST(panel.marks.at(0).text == "2");
   const Requested single{{"snapshot", sample().string(), "--count", "3", "--single"}};
   BOOST_TEST(single.pages().size() == 3U);
   BOOST_TEST((single.request.notes == std::vector<std::string>{"3 states drawn from t = 0 s to t = 0.0500561 s"}));

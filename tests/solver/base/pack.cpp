@@ -26,11 +26,11 @@ BOOST_AUTO_TEST_CASE(the_largest_size_of_all_lanes) {
   const auto of = [](double special, std::size_t lane) {
     Pack pack{0.5, -1.5, -0.0, 1.25};
     pack[lane] = special;
-    Sizes most{};
-    raise(most, Pack{} + 0.25);
-    raise(most, pack);
-    raise(most, Pack{} - 0.125);
-    return largest(most);
+    Sizes maximum{};
+    raise(maximum, Pack{} + 0.25);
+    raise(maximum, pack);
+    raise(maximum, Pack{} - 0.125);
+    return largest(maximum);
   };
   for (std::size_t lane = 0; lane < pack_size; ++lane) {
     BOOST_TEST(of(-7.0, lane) == 7.0);

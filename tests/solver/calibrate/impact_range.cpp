@@ -79,12 +79,12 @@ BOOST_AUTO_TEST_CASE(restitution_decreases_with_the_dissipation) {
 BOOST_AUTO_TEST_CASE(minimax_deviates_equally_on_both_sides_and_no_other_value_is_better) {
   for_each_range([](const std::vector<ImpactingPair>& pairs) {
     const double e = 0.6, best = minimax_of(pairs, e), deviation = largest_deviation(pairs, best, e);
-    double least = 1.0, largest = 0.0;
+    double smallest = 1.0, largest = 0.0;
     for (const ImpactingPair& pair : pairs) {
-      least = std::min(least, restitution_with(pair, best));
+      smallest = std::min(smallest, restitution_with(pair, best));
       largest = std::max(largest, restitution_with(pair, best));
     }
-    BOOST_TEST(std::abs((largest - e) - (e - least)) < 1e-13);
+    BOOST_TEST(std::abs((largest - e) - (e - smallest)) < 1e-13);
     BOOST_TEST(deviation == largest - e, boost::test_tools::tolerance(1e-11));
     for (double other = 0.01 * best; other < 100.0 * best; other *= 1.1)
       BOOST_TEST(largest_deviation(pairs, other, e) > deviation);

@@ -35,7 +35,7 @@ BOOST_AUTO_TEST_CASE(formula_and_its_inverse) {
   for (const char* method : {"euler", "taylor", "velocity_verlet"}) {
     for (const double angle : {0.001, 0.02, 0.1}) {
       const SteppedContact contact = contact_of(method, angle);
-      for (const double e : {1.0, 0.9, 0.5, 1.001 * least_restitution(contact)})
+      for (const double e : {1.0, 0.9, 0.5, 1.001 * minimum_restitution(contact)})
         BOOST_TEST(stepped_restitution(contact, ratio_by_formula(contact, e)) == e,
                    boost::test_tools::tolerance(1e-12));
     }
@@ -43,10 +43,10 @@ BOOST_AUTO_TEST_CASE(formula_and_its_inverse) {
   const SteppedContact contact = contact_of("euler", 0.1);
   BOOST_TEST(contact.steps_in_contact(0.25) == 7.5 * std::numbers::pi, boost::test_tools::tolerance(1e-15));
   // The minimum: values on both sides are larger.
-  const double root = 0.025 * std::numbers::pi, least = least_restitution(contact);
-  BOOST_TEST(stepped_restitution(contact, root * root) == least, boost::test_tools::tolerance(1e-12));
-  BOOST_TEST(stepped_restitution(contact, 0.9 * root * root) > least);
-  BOOST_TEST(stepped_restitution(contact, 1.1 * root * root) > least);
+  const double root = 0.025 * std::numbers::pi, minimum = minimum_restitution(contact);
+  BOOST_TEST(stepped_restitution(contact, root * root) == minimum, boost::test_tools::tolerance(1e-12));
+  BOOST_TEST(stepped_restitution(contact, 0.9 * root * root) > minimum);
+  BOOST_TEST(stepped_restitution(contact, 1.1 * root * root) > minimum);
 }
 
 BOOST_AUTO_TEST_CASE(simulated_impacts_have_the_required_mean) {
@@ -63,8 +63,9 @@ BOOST_AUTO_TEST_CASE(simulated_impacts_have_the_required_mean) {
 }
 
 BOOST_AUTO_TEST_CASE(what_cannot_be_reached_is_refused_with_the_range) {
-  const auto says = [](const char* words) {
-    return [words](const InputError& error) { return std::string{error.what()}.find(words) != std::string::npos; };
+  const auto says = [](const char* expected) {
+    return
+        [expected](const InputError& error) { return std::string{error.what()}.find(expected) != std::string::npos; };
   };
   // c pi w1 h = 0.0785: 0.0785 e^1.0785 = 0.2309.
   BOOST_CHECK_EXCEPTION((void)ratio_by_formula(contact_of("euler", 0.1), 0.2), InputError,

@@ -209,7 +209,7 @@ BOOST_AUTO_TEST_CASE(contacts_are_counted_from_their_first_moment_on) {
   CellPlan how = plan(cell, 1000.0, 10.0);
   how.integrator = "euler_cromer";
   CellRun ran{cell, how};
-  std::size_t most = 0;
+  std::size_t maximum = 0;
   while (!ran.finished()) {
     ran.advance();
     // Wall discs do not act on each other.
@@ -222,9 +222,9 @@ BOOST_AUTO_TEST_CASE(contacts_are_counted_from_their_first_moment_on) {
       }
     }
     if (ran.steps() % 5 == 0) BOOST_TEST(ran.acting_contacts().size() == overlaps);  // a sample
-    most = std::max(most, overlaps);
+    maximum = std::max(maximum, overlaps);
   }
-  BOOST_TEST(most > 5U);
+  BOOST_TEST(maximum > 5U);
 }
 
 BOOST_AUTO_TEST_CASE(the_number_of_samples_changes_no_result) {

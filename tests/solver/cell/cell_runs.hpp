@@ -58,12 +58,12 @@ inline CellPlan plan(const ShearCell& cell, double contacts, double steps_in_con
 inline double apart(CellRun& one_run, CellRun& other_run) {
   const Discs one = one_run.discs(), other = other_run.discs();
   const double width = one_run.cell().width();
-  double most = 0.0;
+  double maximum = 0.0;
   for (std::size_t i = 0; i < one.size(); ++i) {
     const double x = one.x[i] - other.x[i];
-    most = std::max({most, std::abs(x - width * std::round(x / width)), std::abs(one.y[i] - other.y[i])});
+    maximum = std::max({maximum, std::abs(x - width * std::round(x / width)), std::abs(one.y[i] - other.y[i])});
   }
-  return most;
+  return maximum;
 }
 
 inline CellRun& run(CellRun& cell) {

@@ -71,11 +71,11 @@ BOOST_AUTO_TEST_CASE(cells_that_cannot_be) {
   refused([](ShearCell& c) { c.friction = CoulombFriction{-0.1, 1e4}; });
   refused([](ShearCell& c) { c.friction = CoulombFriction{0.1, 0.0}; });
   refused([](ShearCell& c) { c.friction = CoulombFriction{0.1, 1e4, 1.0}; });
-  const auto refused_mindlin = [](const DiscLaw& law, const Mindlin& friction, const std::string& words) {
+  const auto refused_mindlin = [](const DiscLaw& law, const Mindlin& friction, const std::string& expected) {
     ShearCell cell = ice_cell(8e3, 5e3);
     cell.law = law, cell.friction = friction;
     BOOST_CHECK_EXCEPTION(static_cast<void>(fill(cell)), InputError,
-                          [&](const InputError& error) { return error.what() == words; });
+                          [&](const InputError& error) { return error.what() == expected; });
   };
   const Hertz hertz{7e8, 2.5e-4};
   refused_mindlin(

@@ -28,8 +28,8 @@ double lowest_corner(const Rectangle& box, const Pose& A, const Pose& plane) {
 
 struct RandomPoses {
   std::mt19937_64 random{3};
-  std::uniform_real_distribution<double> place{-4.0, 4.0}, angle{-7.0, 7.0};
-  Pose operator()() { return {{place(random), place(random)}, rotation(angle(random)), {}, 0.0}; }
+  std::uniform_real_distribution<double> position{-4.0, 4.0}, angle{-7.0, 7.0};
+  Pose operator()() { return {{position(random), position(random)}, rotation(angle(random)), {}, 0.0}; }
 };
 
 /// Counts the excluded pairs among 20000 and checks that none of them overlaps according to the exact gap.
@@ -58,10 +58,10 @@ struct Strewn {
 
   /// `reach` [L] is the reach of a third of the pairs; another third has twice that, the rest zero.
   explicit Strewn(unsigned seed, double reach = 0.0) : random{seed} {
-    std::uniform_real_distribution<double> place{-6.0, 6.0}, turn{0.0, 6.3}, size{0.2, 1.0};
+    std::uniform_real_distribution<double> position{-6.0, 6.0}, turn{0.0, 6.3}, size{0.2, 1.0};
     for (std::size_t i = 0; i < bodies; ++i) {
       angles.push_back(turn(random));
-      poses.set(i, {{place(random), place(random)}, rotation(angles[i]), {}, 0.0});
+      poses.set(i, {{position(random), position(random)}, rotation(angles[i]), {}, 0.0});
       if (i % 3 == 0)
         shapes.emplace_back(Circle{size(random)});
       else
@@ -79,9 +79,9 @@ struct Strewn {
     search.prepare(bodies);
   }
 
-  /// Moves and turns all bodies except the ground by up to `most`.
-  void wander(double most) {
-    std::uniform_real_distribution<double> step{-most, most};
+  /// Moves and turns all bodies except the ground by up to `maximum`.
+  void wander(double maximum) {
+    std::uniform_real_distribution<double> step{-maximum, maximum};
     for (std::size_t i = 0; i + 1 < bodies; ++i) {
       const Vec2 displacement{step(random), step(random)};
       angles[i] += step(random);
@@ -204,7 +204,7 @@ BOOST_AUTO_TEST_CASE(a_list_stands_until_a_body_has_moved_by_its_skin) {
     Poses poses = at_rest;
     poses.set(body, pose);
     search.find(poses, found, scratch);
-    const Places& listed = scratch.places;
+    const Positions& listed = scratch.positions;
     return listed.x[body] == at_rest.x[body] && listed.y[body] == at_rest.y[body] &&
            listed.cosine[body] == at_rest.cosine[body] && listed.sine[body] == at_rest.sine[body];
   };
@@ -244,7 +244,7 @@ BOOST_AUTO_TEST_CASE(what_is_said_at_once_is_never_too_little) {
       ++apart;
       BOOST_REQUIRE(norm(B.p_WB - A.p_WB) - largest_radius(pair.bounds_a) - largest_radius(pair.bounds_b) >
                     displacement);
-      BOOST_REQUIRE(displacement <= 0.5 * (least_half_width(pair.bounds_a) + least_half_width(pair.bounds_b)));
+      BOOST_REQUIRE(displacement <= 0.5 * (minimum_half_width(pair.bounds_a) + minimum_half_width(pair.bounds_b)));
     }
   }
   BOOST_TEST(apart > 10000);
@@ -272,7 +272,7 @@ BOOST_AUTO_TEST_CASE(bodies_that_come_from_beyond_their_skins_are_found_as_they_
   BOOST_TEST(!search.find(poses, found, fresh));
   poses.x[0] += 0.0499, poses.x[1] -= 0.0999;
   BOOST_TEST(search.find(poses, found, fresh));
-  BOOST_TEST(fresh.places.x[0] == 0.0);
+  BOOST_TEST(fresh.positions.x[0] == 0.0);
 }
 
 // With this many bodies the search has no table of all pairs: it finds the same pairs, also after a move.

@@ -240,5 +240,5 @@ BOOST_AUTO_TEST_CASE(what_cannot_go_on_says_why) {
   Integrator method = make_integrator("stormer_cowell", 1e-9);
   const Outcome outcome = simulate(system, method, state, {1.0, 1.0, 1.0, false});
   BOOST_TEST(!static_cast<bool>(outcome));
-  BOOST_TEST(outcome.words.find("t = ") != std::string::npos);
+  BOOST_TEST(outcome.message.find("t = ") != std::string::npos);
 }

@@ -45,10 +45,10 @@ BOOST_AUTO_TEST_CASE(circle_pair) {
 
 BOOST_AUTO_TEST_CASE(ball_on_rectangle_against_brute_force) {
   std::mt19937 random{7};
-  std::uniform_real_distribution<double> place{-3.0, 3.0};
+  std::uniform_real_distribution<double> coordinate{-3.0, 3.0};
   const Rectangle box{1.25, 0.75};
   for (int i = 0; i < 200; ++i) {
-    const Vec2 p{place(random), place(random)};
+    const Vec2 p{coordinate(random), coordinate(random)};
     const bool inside = std::abs(p.x) < box.half_width && std::abs(p.y) < box.half_height;
     const double found = depth_below(box, p).depth;
     BOOST_TEST((found > 0.0) == inside);
@@ -59,10 +59,10 @@ BOOST_AUTO_TEST_CASE(ball_on_rectangle_against_brute_force) {
 
 BOOST_AUTO_TEST_CASE(normal_is_the_gradient_of_the_depth) {
   std::mt19937 random{11};
-  std::uniform_real_distribution<double> place{-3.0, 3.0};
+  std::uniform_real_distribution<double> coordinate{-3.0, 3.0};
   const double h = 1e-6;
   for (int i = 0; i < 100; ++i) {
-    const Vec2 p{place(random), place(random)};
+    const Vec2 p{coordinate(random), coordinate(random)};
     const auto check = [&](const auto& shape) {
       const Vec2 slope{(depth_below(shape, p + Vec2{h, 0}).depth - depth_below(shape, p - Vec2{h, 0}).depth) / (2 * h),
                        (depth_below(shape, p + Vec2{0, h}).depth - depth_below(shape, p - Vec2{0, h}).depth) / (2 * h)};
@@ -124,7 +124,7 @@ BOOST_AUTO_TEST_CASE(ends_of_two_rectangles_move_without_a_jump_and_have_a_poten
   }
   BOOST_TEST(jump < 1.2 * step);  // a corner moves no farther
   double worst = 0.0;
-  int places = 0;
+  int positions = 0;
   for (double tilt = -0.25; tilt < 0.25; tilt += 0.0617) {
     for (double x = -0.55; x < 0.55; x += 0.0731) {
       const auto energy = [&](double dx, double turn) {
@@ -141,20 +141,21 @@ BOOST_AUTO_TEST_CASE(ends_of_two_rectangles_move_without_a_jump_and_have_a_poten
       const double h = 1e-6;
       worst = std::max(worst, std::abs(force + (energy(h, 0) - energy(-h, 0)) / (2 * h)));
       worst = std::max(worst, std::abs(moment + (energy(0, h) - energy(0, -h)) / (2 * h)));
-      places += energy(0, 0) > 0.0 ? 1 : 0;
+      positions += energy(0, 0) > 0.0 ? 1 : 0;
     }
   }
-  BOOST_TEST(places > 60);
+  BOOST_TEST(positions > 60);
   BOOST_TEST(worst < 1e-8);  // h^2 times the third derivative, and 1e-17/h
 }
 
 BOOST_AUTO_TEST_CASE(ends_of_rectangles_apart_are_at_least_as_far_apart_as_the_sides) {
   std::mt19937 random{17};
-  std::uniform_real_distribution<double> place{-3.0, 3.0};
+  std::uniform_real_distribution<double> coordinate{-3.0, 3.0};
   const Rectangle a{1.0, 0.4}, b{0.6, 0.8};
   int apart = 0;
   for (int i = 0; i < 20000; ++i) {
-    const Pose A = at(place(random), place(random), place(random)), B = at(place(random), place(random), place(random));
+    const Pose A = at(coordinate(random), coordinate(random), coordinate(random)),
+               B = at(coordinate(random), coordinate(random), coordinate(random));
     const double depth = gap(a, A, b, B).depth;
     if (depth >= 0.0) {
       BOOST_TEST(std::max(depth_of(RectangleEnd{a, 0}, A, b, B), depth_of(RectangleEnd{a, 1}, A, b, B)) > 0.0);
@@ -174,10 +175,11 @@ BOOST_AUTO_TEST_CASE(crossed_rectangles_are_found_without_a_vertex_inside) {
 
 BOOST_AUTO_TEST_CASE(swapping_the_rectangles_turns_the_normal_round) {
   std::mt19937 random{3};
-  std::uniform_real_distribution<double> place{-1.5, 1.5};
+  std::uniform_real_distribution<double> coordinate{-1.5, 1.5};
   const Rectangle a{1.0, 0.4}, b{0.6, 0.8};
   for (int i = 0; i < 100; ++i) {
-    const Pose A = at(place(random), place(random), place(random)), B = at(place(random), place(random), place(random));
+    const Pose A = at(coordinate(random), coordinate(random), coordinate(random)),
+               B = at(coordinate(random), coordinate(random), coordinate(random));
     const Gap one = gap(a, A, b, B), two = gap(b, B, a, A);
     BOOST_TEST(one.depth == two.depth, boost::test_tools::tolerance(1e-12));
     BOOST_TEST(one.n_AB.x == -two.n_AB.x, boost::test_tools::tolerance(1e-12));
@@ -186,7 +188,7 @@ BOOST_AUTO_TEST_CASE(swapping_the_rectangles_turns_the_normal_round) {
 
 BOOST_AUTO_TEST_CASE(depth_rate_is_the_rate_of_the_depth) {
   std::mt19937 random{5};
-  std::uniform_real_distribution<double> place{-1.0, 1.0};
+  std::uniform_real_distribution<double> coordinate{-1.0, 1.0};
   const double h = 1e-6;
   const auto moved = [](Pose pose, double angle, double t) {
     pose.p_WB += t * pose.v_WB;
@@ -195,10 +197,10 @@ BOOST_AUTO_TEST_CASE(depth_rate_is_the_rate_of_the_depth) {
   };
   const auto check = [&](const auto& a, const auto& b, double apart) {
     for (int i = 0; i < 50; ++i) {
-      const double turn_a = place(random), turn_b = place(random);
-      Pose A = at(0.2 * place(random), apart + 0.2 * place(random), turn_a), B = at(0, 0, turn_b);
-      A.v_WB = {place(random), place(random)}, A.w_WB = place(random);
-      B.v_WB = {place(random), place(random)}, B.w_WB = place(random);
+      const double turn_a = coordinate(random), turn_b = coordinate(random);
+      Pose A = at(0.2 * coordinate(random), apart + 0.2 * coordinate(random), turn_a), B = at(0, 0, turn_b);
+      A.v_WB = {coordinate(random), coordinate(random)}, A.w_WB = coordinate(random);
+      B.v_WB = {coordinate(random), coordinate(random)}, B.w_WB = coordinate(random);
       const double rate = depth_rate(gap(a, A, b, B), A, B);
       const double later = depth_of(a, moved(A, turn_a, h), b, moved(B, turn_b, h));
       const double sooner = depth_of(a, moved(A, turn_a, -h), b, moved(B, turn_b, -h));

@@ -28,11 +28,12 @@ BOOST_AUTO_TEST_CASE(crossed_bars_overlap_by_their_half_sides) {
 
 BOOST_AUTO_TEST_CASE(rectangles_and_circles_as_by_their_gaps) {
   std::mt19937_64 random{4};
-  std::uniform_real_distribution<double> place{-1.5, 1.5}, angle{-std::numbers::pi, std::numbers::pi};
+  std::uniform_real_distribution<double> coordinate{-1.5, 1.5}, angle{-std::numbers::pi, std::numbers::pi};
   const Rectangle a{0.9, 0.4}, b{0.3, 1.1};
   const Circle one{0.7}, other{0.4};
   for (int i = 0; i < 200; ++i) {
-    const Pose A = at(place(random), place(random), angle(random)), B = at(place(random), place(random), angle(random));
+    const Pose A = at(coordinate(random), coordinate(random), angle(random)),
+               B = at(coordinate(random), coordinate(random), angle(random));
     const double sides = gap(a, A, b, B).depth, all = penetration(a, A, b, B);
     BOOST_TEST((all > 0.0) == (sides > 0.0));
     if (sides > 0.0) BOOST_TEST(std::abs(all - sides) < 4e-15);
@@ -44,11 +45,11 @@ BOOST_AUTO_TEST_CASE(rectangles_and_circles_as_by_their_gaps) {
 /// For a circle the overlap is its radius plus the depth of its centre, which is computed from the nearest point.
 BOOST_AUTO_TEST_CASE(superquadrics_from_above_to_a_thousandth) {
   std::mt19937_64 random{5};
-  std::uniform_real_distribution<double> place{-1.2, 1.2}, angle{-std::numbers::pi, std::numbers::pi};
+  std::uniform_real_distribution<double> coordinate{-1.2, 1.2}, angle{-std::numbers::pi, std::numbers::pi};
   for (const double n : {1.5, 2.0, 5.0, 20.0}) {
     const Superquadric outline{1.0, 0.5, n};
     for (int i = 0; i < 100; ++i) {
-      const Pose A = at(place(random), place(random)), B = at(0.1, -0.2, angle(random));
+      const Pose A = at(coordinate(random), coordinate(random)), B = at(0.1, -0.2, angle(random));
       const double exact = gap(Ball{{}, 0.6}, A, outline, B).depth;
       if (exact < 0.0) continue;
       BOOST_TEST(penetration(Circle{0.6}, A, outline, B) >= exact - 1e-12);
@@ -69,11 +70,11 @@ BOOST_AUTO_TEST_CASE(a_peak_of_terrain_in_a_box) {
 BOOST_AUTO_TEST_CASE(outlines_below_a_segment_of_terrain) {
   const Terrain straight{{{-50.0, 0.0}, {50.0, 0.0}}};
   std::mt19937_64 random{11};
-  std::uniform_real_distribution<double> place{-1.5, 1.5}, angle{-std::numbers::pi, std::numbers::pi};
+  std::uniform_real_distribution<double> coordinate{-1.5, 1.5}, angle{-std::numbers::pi, std::numbers::pi};
   for (const Shape& shape : {Shape{Circle{0.7}}, Shape{Rectangle{1.0, 0.4}}, Shape{Superquadric{1.0, 0.4, 2.0}},
                              Shape{Superquadric{0.5, 0.9, 7.0}}}) {
     for (int i = 0; i < 50; ++i) {
-      const Pose A = at(place(random), place(random), angle(random)), B = at(0.3, -0.2, 0.5 * angle(random));
+      const Pose A = at(coordinate(random), coordinate(random), angle(random)), B = at(0.3, -0.2, 0.5 * angle(random));
       const double exact = penetration(shape, A, HalfPlane{}, B);
       BOOST_TEST(std::abs(penetration(shape, A, straight, B) - exact) < 1e-13);
       BOOST_TEST(std::abs(penetration(straight, B, shape, A) - exact) < 1e-13);

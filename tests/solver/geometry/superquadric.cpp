@@ -205,10 +205,10 @@ BOOST_AUTO_TEST_CASE(nearest_point_beside_a_sharp_corner) {
     for (int i = 0; i < 2000; ++i) {
       const double in = 0.01 + 0.09 * ratio(random);  // similar distances from both sides
       const Vec2 p{1.0 - in * (0.9 + 0.2 * ratio(random)), 0.7 - in};
-      double least = 1.0;
+      double minimum = 1.0;
       for (const Vec2 q : outline)
-        least = std::min(least, norm(q - p));
-      if (depth_below(shape, p).depth > least + 1e-14) ++farther;
+        minimum = std::min(minimum, norm(q - p));
+      if (depth_below(shape, p).depth > minimum + 1e-14) ++farther;
     }
     BOOST_TEST(farther == 0, "n = " << n << ": " << farther);
   }

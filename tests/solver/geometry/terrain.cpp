@@ -24,19 +24,19 @@ double height(const Terrain& terrain, double x) {
 
 /// Distance to the polyline by dense sampling.
 double distance(const Terrain& terrain, Vec2 p) {
-  double least = std::numeric_limits<double>::infinity();
+  double minimum = std::numeric_limits<double>::infinity();
   for (double x = p.x - 6.0; x < p.x + 6.0; x += 1e-4)
-    least = std::min(least, norm(p - Vec2{x, height(terrain, x)}));
-  return least;
+    minimum = std::min(minimum, norm(p - Vec2{x, height(terrain, x)}));
+  return minimum;
 }
 
 }  // namespace
 
 BOOST_AUTO_TEST_CASE(depth_is_the_distance_and_its_sign_the_side) {
   std::mt19937 random{7};
-  std::uniform_real_distribution<double> place{-4.0, 4.0};
+  std::uniform_real_distribution<double> coordinate{-4.0, 4.0};
   for (int i = 0; i < 200; ++i) {
-    const Vec2 p{place(random), place(random)};
+    const Vec2 p{coordinate(random), coordinate(random)};
     const Depth found = depth_below(valley, p);
     // Adjacent samples are at most 1e-4 sqrt(1 + 3.6^2) apart: the nearest is off by at most half of it.
     BOOST_TEST(std::abs(std::abs(found.depth) - distance(valley, p)) < 2e-4);
@@ -47,9 +47,9 @@ BOOST_AUTO_TEST_CASE(depth_is_the_distance_and_its_sign_the_side) {
 
 BOOST_AUTO_TEST_CASE(the_normal_leads_out) {
   std::mt19937 random{11};
-  std::uniform_real_distribution<double> place{-3.0, 3.0};
+  std::uniform_real_distribution<double> coordinate{-3.0, 3.0};
   for (int i = 0; i < 200; ++i) {
-    const Vec2 p{place(random), place(random)};
+    const Vec2 p{coordinate(random), coordinate(random)};
     const Depth found = depth_below(valley, p);
     // A small displacement along the normal reduces the depth by the same amount.
     const double moved = depth_below(valley, p + 1e-7 * found.normal).depth;

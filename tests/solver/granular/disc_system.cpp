@@ -151,16 +151,16 @@ BOOST_AUTO_TEST_CASE(both_engines_move_discs_alike) {
     DiscSystem system{p.shapes, {}, law, 0.3};
     system.begin(p.discs);
     const EulerCromer method;
-    double most = 0.0;
+    double maximum = 0.0;
     for (long n = 0; n < 1500; ++n) {
       method.step(rigid, state, 5e-4);
       system.kick(p.discs, 5e-4), system.drift(p.discs, 5e-4);
     }
     for (std::size_t i = 0; i < p.discs.size(); ++i) {
-      most = std::max({most, std::abs(p.discs.x[i] - state.q[2 * i]), std::abs(p.discs.y[i] - state.q[2 * i + 1]),
-                       std::abs(p.discs.vx[i] - state.v[2 * i]), std::abs(p.discs.vy[i] - state.v[2 * i + 1])});
+      maximum = std::max({maximum, std::abs(p.discs.x[i] - state.q[2 * i]), std::abs(p.discs.y[i] - state.q[2 * i + 1]),
+                          std::abs(p.discs.vx[i] - state.v[2 * i]), std::abs(p.discs.vy[i] - state.v[2 * i + 1])});
     }
-    BOOST_TEST(most < 1e-11);
+    BOOST_TEST(maximum < 1e-11);
     BOOST_TEST(p.discs.dissipated() > 0.1);
     double lost = 0.0;
     for (const double work : state.work)
@@ -264,13 +264,13 @@ Twin twin(const Packing& p, const ContactLaw& law = dashpot, const FrictionLaw& 
 
 /// Largest difference of positions, velocities and spins between the two engines.
 double apart(const Discs& discs, const State& state) {
-  double most = 0.0;
+  double maximum = 0.0;
   for (std::size_t i = 0; i < discs.size(); ++i) {
-    most = std::max({most, std::abs(discs.x[i] - state.q[3 * i]), std::abs(discs.y[i] - state.q[3 * i + 1]),
-                     std::abs(discs.vx[i] - state.v[3 * i]), std::abs(discs.vy[i] - state.v[3 * i + 1]),
-                     std::abs(discs.spin[i] - state.v[3 * i + 2])});
+    maximum = std::max({maximum, std::abs(discs.x[i] - state.q[3 * i]), std::abs(discs.y[i] - state.q[3 * i + 1]),
+                        std::abs(discs.vx[i] - state.v[3 * i]), std::abs(discs.vy[i] - state.v[3 * i + 1]),
+                        std::abs(discs.spin[i] - state.v[3 * i + 2])});
   }
-  return most;
+  return maximum;
 }
 
 }  // namespace

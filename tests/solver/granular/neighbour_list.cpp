@@ -35,17 +35,17 @@ Packing scattered(std::size_t count, double width, double height, unsigned seed)
 
 /// Distance between the surfaces of the nearest images, by trying many images.
 double gap(const Packing& p, const PeriodicBox& box, std::size_t i, std::size_t j) {
-  double least = 1e300;
+  double minimum = 1e300;
   for (int up = -2; up <= 2; ++up) {
     for (int right = -3; right <= 3; ++right) {
       if ((up != 0 && !box.repeats_y()) || (right != 0 && !box.repeats_x())) continue;
       const double dx = p.discs.x[j] - p.discs.x[i] + (right == 0 ? 0.0 : right * box.width) +
                         (up == 0 ? 0.0 : up * p.discs.shear_displacement);
       const double dy = p.discs.y[j] - p.discs.y[i] + (up == 0 ? 0.0 : up * box.height);
-      least = std::min(least, std::hypot(dx, dy));
+      minimum = std::min(minimum, std::hypot(dx, dy));
     }
   }
-  return least - p.shapes.radius[i] - p.shapes.radius[j];
+  return minimum - p.shapes.radius[i] - p.shapes.radius[j];
 }
 
 const std::array boxes{PeriodicBox{},

@@ -26,8 +26,8 @@ PackingPlan plan_of(std::size_t discs, double fraction, double spread = 0.0, boo
 }
 
 /// Smallest ratio of the centre distance to the sum of radii over all pairs and images.
-double least_distance(const Packing& p) {
-  double least = 1e300;
+double minimum_distance(const Packing& p) {
+  double minimum = 1e300;
   for (std::size_t i = 0; i < p.discs.size(); ++i) {
     for (std::size_t j = i + 1; j < p.discs.size(); ++j) {
       if (p.shapes.inverse_mass[i] == 0.0 && p.shapes.inverse_mass[j] == 0.0) continue;
@@ -36,12 +36,12 @@ double least_distance(const Packing& p) {
           if (up != 0 && !p.box.repeats_y()) continue;
           const double dx = p.discs.x[j] - p.discs.x[i] + right * p.width;
           const double dy = p.discs.y[j] - p.discs.y[i] + (up == 0 ? 0.0 : up * p.box.height);
-          least = std::min(least, std::hypot(dx, dy) / (p.shapes.radius[i] + p.shapes.radius[j]));
+          minimum = std::min(minimum, std::hypot(dx, dy) / (p.shapes.radius[i] + p.shapes.radius[j]));
         }
       }
     }
   }
-  return least;
+  return minimum;
 }
 
 /// Checks the properties that every packing of a plan must have.
@@ -69,10 +69,10 @@ void demand_that_it_is_as_planned(const Packing& p, const PackingPlan& plan) {
   BOOST_TEST(p.height / p.width == plan.aspect, boost::test_tools::tolerance(plan.walls ? 0.2 : 1e-12));
   BOOST_TEST(p.box.width == p.width);
   BOOST_TEST(p.box.repeats_y() == !plan.walls);
-  const double least = least_distance(p);
-  BOOST_TEST(least >= 1.0);
+  const double minimum = minimum_distance(p);
+  BOOST_TEST(minimum >= 1.0);
   // closest() searches up to 1.1.
-  BOOST_TEST(closest(p) == std::min(least, 1.1), boost::test_tools::tolerance(1e-12));
+  BOOST_TEST(closest(p) == std::min(minimum, 1.1), boost::test_tools::tolerance(1e-12));
 }
 
 /// Mean of |psi_6| over the discs, from their six nearest neighbours: 1 in a triangular lattice, below 0.6 without

@@ -18,7 +18,7 @@ namespace {
 /// One coordinate under a force that depends on its position.
 struct Motion {
   std::function<double(double)> acceleration;
-  double place{}, velocity{}, duration{};
+  double position{}, velocity{}, duration{};
   long evaluations{};  ///< number at which errors are compared; there all errors follow their power laws
 
   void drift(State& state, double h) { drift_coordinates(state, h); }
@@ -27,7 +27,7 @@ struct Motion {
   void evaluate(State& state, Rates& out) { derivative(state, out); }
   State start() const {
     State state;
-    state.q = {place};
+    state.q = {position};
     state.v = {velocity};
     return state;
   }
@@ -49,7 +49,7 @@ struct Composition {
   std::vector<double> outer, inner;
 
   State run(const Motion& motion, long steps) const {
-    double q = motion.place, v = motion.velocity;
+    double q = motion.position, v = motion.velocity;
     const double h = motion.duration / static_cast<double>(steps);
     const auto move = [&](bool kick, double fraction) {
       if (kick)

@@ -67,10 +67,10 @@ BOOST_AUTO_TEST_CASE(polynomials_are_integrated_exactly) {
     BOOST_TEST(1.0 + last.front() == values[width - 1], boost::test_tools::tolerance(1e-12));
     std::vector<double> x(width, 0.0), factors(width, 1.0);
     x[width - 1] = -2.0, factors[width - 1] = 3.0;
-    const auto most = differences.largest(x, 0, {Differences::Term{0, 0.0}, Differences::Term{6, 1e3}}, factors);
-    BOOST_TEST(most[0] == 6.0);
-    BOOST_TEST(most[1] == 6.0);
-    BOOST_TEST(most[2] == 6.0, boost::test_tools::tolerance(1e-8));  // of degree 5: the seventh difference vanishes
+    const auto maximum = differences.largest(x, 0, {Differences::Term{0, 0.0}, Differences::Term{6, 1e3}}, factors);
+    BOOST_TEST(maximum[0] == 6.0);
+    BOOST_TEST(maximum[1] == 6.0);
+    BOOST_TEST(maximum[2] == 6.0, boost::test_tools::tolerance(1e-8));  // of degree 5: the seventh difference vanishes
   }
 }
 
@@ -82,12 +82,12 @@ BOOST_AUTO_TEST_CASE(every_term_is_integrated_to_round_off) {
     std::vector<double> times{0.0};
     differences.begin(0.0, std::vector<double>{1.0});
     double h = 0.1;
-    for (std::size_t n = 1; n < Differences::most; ++n, h *= n < 4 ? growth : std::min(growth, 1.3)) {
+    for (std::size_t n = 1; n < Differences::capacity; ++n, h *= n < 4 ? growth : std::min(growth, 1.3)) {
       times.insert(times.begin(), times.front() + h);
       differences.add(times.front(), std::vector<double>{1.0});
     }
     const double t = times.front() + h;
-    std::vector<Differences::Basis> basis(Differences::most + 1);
+    std::vector<Differences::Basis> basis(Differences::capacity + 1);
     differences.basis(t, basis.size(), basis);
     for (std::size_t i = 0; i < basis.size(); ++i) {
       const auto value = [&](long double s) {
@@ -113,7 +113,7 @@ BOOST_AUTO_TEST_CASE(the_oldest_times_are_forgotten) {
   differences.begin(0.0, std::vector<double>{1.0});
   for (int n = 1; n < 40; ++n)
     differences.add(0.1 * n, std::vector<double>{1.0 + 0.1 * n});
-  BOOST_TEST(differences.count() == Differences::most);
+  BOOST_TEST(differences.count() == Differences::capacity);
   BOOST_TEST(differences.newest() == 0.1 * 39);
   std::vector<Differences::Basis> basis(2);
   differences.basis(5.0, 2, basis);

@@ -72,9 +72,9 @@ double growth_of(Integrator integrator, double xi, double h) {
         std::array<double, 2> largest{};
         for (int i = 0; i < 2 * half; ++i) {
           method.step(system, state, h);
-          double& most = largest[i < half ? 0 : 1];
-          most = std::max(most, std::abs(state.q[0]));
-          if (most > 1e100) return std::numeric_limits<double>::infinity();
+          double& maximum = largest[i < half ? 0 : 1];
+          maximum = std::max(maximum, std::abs(state.q[0]));
+          if (maximum > 1e100) return std::numeric_limits<double>::infinity();
         }
         return largest[1] / largest[0];
       },
@@ -286,15 +286,15 @@ BOOST_AUTO_TEST_CASE(declared_additions_are_counted) {
         Fall<Counted> system;
         StateOf<Counted> state = start_of<Counted>();
         const Counted h{0.125};
-        const auto most = [&] { return std::max(state.q[0].additions, state.v[0].additions); };
+        const auto maximum = [&] { return std::max(state.q[0].additions, state.v[0].additions); };
         method.start(system, state, h);
         // Coefficients are also sums: their additions count in the first step only.
         for (int i = 0; i < 10; ++i)
           method.step(system, state, h);
-        const int before = most();
+        const int before = maximum();
         for (int i = 0; i < 10; ++i)
           method.step(system, state, h);
-        BOOST_TEST(most() - before == 10 * Method::additions);
+        BOOST_TEST(maximum() - before == 10 * Method::additions);
       }
     }
   });

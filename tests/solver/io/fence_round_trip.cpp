@@ -34,7 +34,9 @@ class Numbers {
   double fraction() { return uniform(1e-9, 1.0); }
 
  private:
-  double uniform(double least, double most) { return std::uniform_real_distribution<double>{least, most}(random_); }
+  double uniform(double minimum, double maximum) {
+    return std::uniform_real_distribution<double>{minimum, maximum}(random_);
+  }
   std::string few_digits(double number) {
     std::string text(32, '\0');
     const int digits = 1 + static_cast<int>(random_() % 6);

@@ -59,9 +59,9 @@ bool is_required(const FileTable& table, const CatalogueField& field) {
   });
 }
 
-/// The names after "known: " in the line of a message that contains `words`.
-NameSet known_names(const std::string& message, const std::string& words) {
-  const std::size_t at = message.find(words);
+/// The names after "known: " in the line of a message that contains `expected`.
+NameSet known_names(const std::string& message, const std::string& expected) {
+  const std::size_t at = message.find(expected);
   if (at == std::string::npos) return {};
   const std::string line = message.substr(at, message.find('\n', at) - at);
   NameSet names;

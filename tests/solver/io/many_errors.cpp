@@ -10,9 +10,9 @@
 
 namespace {
 
-/// A mistake: `from` of a complete file becomes `to`, and a line of the message contains `words`.
+/// A mistake: `from` of a complete file becomes `to`, and a line of the message contains `expected`.
 struct Mistake {
-  std::string_view from, to, words;
+  std::string_view from, to, expected;
 };
 
 /// Makes all mistakes in a complete file and compares the messages.
@@ -32,7 +32,8 @@ void check_all(std::string_view file, const std::vector<Mistake>& mistakes) {
   const auto lines = static_cast<std::size_t>(1 + std::ranges::count(errors, '\n'));
   BOOST_TEST(lines == mistakes.size(), errors);
   for (const Mistake& mistake : mistakes)
-    BOOST_TEST((errors.find(mistake.words) != std::string::npos), fmt::format("\"{}\" in {}", mistake.words, errors));
+    BOOST_TEST((errors.find(mistake.expected) != std::string::npos),
+               fmt::format("\"{}\" in {}", mistake.expected, errors));
 }
 
 }  // namespace

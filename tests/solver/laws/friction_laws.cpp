@@ -136,14 +136,14 @@ BOOST_AUTO_TEST_CASE(lanes_of_disc_friction_have_the_bits_of_numbers) {
       law.stiffness_at(overlap, stiffness);
       law.move_stretch(stretch, slip, overlap, rate, h, moved);
       law.area_power(stretch, overlap, rate, power);
-      std::array<double, pack_size> k, s, p, begun, left, pushed, lost;
+      std::array<double, pack_size> k, s, p, first, left, pushed, lost;
       for (std::size_t l = 0; l < pack_size; ++l) {
         const Kinematics x{overlaps[l], rates[l]};
         const CoulombFriction at = law.at(overlaps[l]);
         const double normal = std::abs(forces[l]);
         k[l] = at.stiffness, s[l] = law.stretch_after(stretches[l], slips[l], x, h);
         p[l] = law.area_power(stretches[l], x);
-        begun[l] = at.initial_stretch(slips[l], normal);
+        first[l] = at.initial_stretch(slips[l], normal);
         const auto mapped = at.return_mapping(stretches[l], normal);
         left[l] = mapped.stretch, lost[l] = mapped.dissipated, pushed[l] = at(mapped.stretch, normal);
       }
@@ -153,7 +153,7 @@ BOOST_AUTO_TEST_CASE(lanes_of_disc_friction_have_the_bits_of_numbers) {
       // Without overlap the slider of a stiffness that follows the contact radius has none: no force pushes it.
       Pack initial, kept = stretch, push, work;
       for (std::size_t l = 0; l < pack_size; ++l) {
-        if (!(overlaps[l] > 0.0)) begun[l] = left[l] = pushed[l] = lost[l] = 0.0;
+        if (!(overlaps[l] > 0.0)) first[l] = left[l] = pushed[l] = lost[l] = 0.0;
       }
       const SpringSlider<Pack> slider{law.coefficient, stiffness};
       slider.initial_stretch(slip, force, initial);
@@ -161,7 +161,7 @@ BOOST_AUTO_TEST_CASE(lanes_of_disc_friction_have_the_bits_of_numbers) {
       slider.dissipated(stretch, force, kept, work);
       for (Pack* const lanes : {&initial, &kept, &push, &work})
         *lanes = overlap > Pack{} ? *lanes : Pack{};
-      same_slider = same_slider && has_lanes(initial, begun) && has_lanes(kept, left) && has_lanes(push, pushed) &&
+      same_slider = same_slider && has_lanes(initial, first) && has_lanes(kept, left) && has_lanes(push, pushed) &&
                     has_lanes(work, lost);
     }
     BOOST_TEST_CONTEXT(std::string{F::name}) {

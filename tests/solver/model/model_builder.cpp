@@ -19,14 +19,14 @@ Body rock(std::string name = "rock") {
 
 /// Checks that an InputError with exactly this message is thrown.
 template <class Act>
-void refuses(Act&& act, const std::string& words) {
+void refuses(Act&& act, const std::string& expected) {
   try {
     act();
   } catch (const InputError& error) {
-    BOOST_TEST(error.what() == words);
+    BOOST_TEST(error.what() == expected);
     return;
   }
-  BOOST_ERROR("accepted, but expected: " << words);
+  BOOST_ERROR("accepted, but expected: " << expected);
 }
 
 }  // namespace

@@ -29,8 +29,8 @@ BOOST_AUTO_TEST_CASE(extremes_are_those_of_each_quantity_alone_at_any_time) {
         const double x = values.emplace_back(value(step, i));
         Extreme& extreme = alone[i];
         if (step == 0) extreme = {x, time, x, time};
-        if (x < extreme.least) extreme.least = x, extreme.least_time = time;
-        if (x > extreme.largest) extreme.largest = x, extreme.largest_time = time;
+        if (x < extreme.minimum) extreme.minimum = x, extreme.minimum_time = time;
+        if (x > extreme.maximum) extreme.maximum = x, extreme.maximum_time = time;
       }
       found.add(time, values);
       if (step % 13 == 5) {
@@ -42,10 +42,10 @@ BOOST_AUTO_TEST_CASE(extremes_are_those_of_each_quantity_alone_at_any_time) {
       }
       BOOST_TEST(found.size() == count);
       for (std::size_t i = 0; i < count; ++i) {
-        BOOST_TEST(found[i].least == alone[i].least);
-        BOOST_TEST(found[i].least_time == alone[i].least_time);
-        BOOST_TEST(found[i].largest == alone[i].largest);
-        BOOST_TEST(found[i].largest_time == alone[i].largest_time);
+        BOOST_TEST(found[i].minimum == alone[i].minimum);
+        BOOST_TEST(found[i].minimum_time == alone[i].minimum_time);
+        BOOST_TEST(found[i].maximum == alone[i].maximum);
+        BOOST_TEST(found[i].maximum_time == alone[i].maximum_time);
       }
     }
   }

@@ -41,7 +41,7 @@ class Leg {
       : plan_{scene.plan},
         dynamics_{scene.model},
         system_{dynamics_, plan_.ledger},
-        run_state_{initial_run_state(scene.integrator, begun(scene.initial))},
+        run_state_{initial_run_state(scene.integrator, started(scene.initial))},
         recorder_{dynamics_, run_state_.state, plan_.ledger},
         failures_{dynamics_} {}
 
@@ -54,7 +54,7 @@ class Leg {
     const double end = run_state_.start + static_cast<double>(step) * plan_.step;
     const StopCondition stop = [end](const State& seen) { return seen.t >= end; };
     const Outcome outcome = simulate(system_, run_state_, plan_, observers, stop);
-    BOOST_TEST_REQUIRE(static_cast<bool>(outcome), outcome.words);
+    BOOST_TEST_REQUIRE(static_cast<bool>(outcome), outcome.message);
     BOOST_TEST(run_state_.step == step);
   }
 
@@ -71,7 +71,7 @@ class Leg {
              .rows = recorder_.history().rows};
     for (std::size_t i = 0; i < recorder_.extremes().size(); ++i) {
       const Extreme e = recorder_.extremes()[i];
-      all.extremes.insert(all.extremes.end(), {e.least, e.least_time, e.largest, e.largest_time});
+      all.extremes.insert(all.extremes.end(), {e.minimum, e.minimum_time, e.maximum, e.maximum_time});
     }
     for (const Failure& failure : failures_.failures())
       all.failures += failure.part + " " + std::string{failure.what} + " at " + std::to_string(failure.time) + "\n";
@@ -88,7 +88,7 @@ class Leg {
   }
 
  private:
-  State begun(State state) {
+  State started(State state) {
     system_.begin(state);
     return state;
   }
@@ -112,12 +112,12 @@ void same_bits(const Left& one, const Left& other) {
 }
 
 /// Compares an uninterrupted run with runs that stop at these steps, each leg resumed by new objects.
-void stopped_runs_end_alike(const Scene& scene, const std::vector<std::vector<long>>& places) {
+void stopped_runs_end_alike(const Scene& scene, const std::vector<std::vector<long>>& all_stops) {
   const long steps = step_count(scene.plan);
   Leg whole{scene};
   whole.run_to(steps);
   const Left wanted = whole.left();
-  for (const std::vector<long>& stops : places) {
+  for (const std::vector<long>& stops : all_stops) {
     BOOST_TEST_CONTEXT("first stop after step " << stops.front() << " of " << steps) {
       ArchiveItems kept;
       {
@@ -156,14 +156,14 @@ std::vector<Integrator> all_integrators() {
   return made;
 }
 
-void every_integrator(Scene scene, long steps, const std::vector<std::vector<long>>& places) {
+void every_integrator(Scene scene, long steps, const std::vector<std::vector<long>>& all_stops) {
   scene.plan.end = static_cast<double>(steps) * scene.plan.step;
   scene.plan.interval = 7.0 * scene.plan.step;
   scene.plan.ledger = true;
   for (const Integrator& integrator : all_integrators()) {
     BOOST_TEST_CONTEXT(scene.title << ", " << name(integrator)) {
       scene.integrator = integrator;
-      stopped_runs_end_alike(scene, places);
+      stopped_runs_end_alike(scene, all_stops);
     }
   }
 }

@@ -108,10 +108,10 @@ BOOST_AUTO_TEST_CASE(histories_show_no_cable_that_pushes_and_no_clamped_contact_
       for (std::size_t c = 0; c < done.history.columns.size(); ++c) {
         const std::string& column = done.history.columns[c].name;
         if (column != "cable.tension" && column != "impact.force") continue;
-        double least = 0.0, largest = 0.0;
+        double smallest = 0.0, largest = 0.0;
         for (const auto& row : done.history.rows)
-          least = std::min(least, row[c]), largest = std::max(largest, row[c]);
-        BOOST_TEST(least >= 0.0);
+          smallest = std::min(smallest, row[c]), largest = std::max(largest, row[c]);
+        BOOST_TEST(smallest >= 0.0);
         BOOST_TEST(largest > 0.0);
       }
     }
@@ -160,7 +160,7 @@ BOOST_AUTO_TEST_CASE(a_run_that_grows_without_bound_is_a_result_with_time_and_re
   BOOST_TEST((done.outcome.kind == Outcome::Kind::diverged));
   BOOST_TEST(done.outcome.time > 1.0);
   BOOST_TEST(done.outcome.time < 20.0);
-  BOOST_TEST(done.outcome.words.find("'bead.x' is not finite (step 0.05 s)") != std::string::npos);
+  BOOST_TEST(done.outcome.message.find("'bead.x' is not finite (step 0.05 s)") != std::string::npos);
 }
 
 BOOST_AUTO_TEST_CASE(step_count_reaches_the_end_and_forgives_round_off) {

@@ -147,17 +147,17 @@ BOOST_AUTO_TEST_CASE(extremes_are_the_first_of_all_times) {
         if (step > 0 && (step + static_cast<int>(i)) % 11 == 0) row[i] = std::nan("");
         Extreme& e = expected[i];
         if (step == 0) e = {row[i], 0.0, row[i], 0.0};
-        if (row[i] < e.least) e.least = row[i], e.least_time = step;
-        if (row[i] > e.largest) e.largest = row[i], e.largest_time = step;
+        if (row[i] < e.minimum) e.minimum = row[i], e.minimum_time = step;
+        if (row[i] > e.maximum) e.maximum = row[i], e.maximum_time = step;
       }
       extremes.add(step, row);
     }
     BOOST_REQUIRE(extremes.size() == count);
     for (std::size_t i = 0; i < count; ++i) {
-      BOOST_TEST(extremes[i].least == expected[i].least);
-      BOOST_TEST(extremes[i].least_time == expected[i].least_time);
-      BOOST_TEST(extremes[i].largest == expected[i].largest);
-      BOOST_TEST(extremes[i].largest_time == expected[i].largest_time);
+      BOOST_TEST(extremes[i].minimum == expected[i].minimum);
+      BOOST_TEST(extremes[i].minimum_time == expected[i].minimum_time);
+      BOOST_TEST(extremes[i].maximum == expected[i].maximum);
+      BOOST_TEST(extremes[i].maximum_time == expected[i].maximum_time);
     }
   }
 }

@@ -118,9 +118,9 @@ BOOST_AUTO_TEST_CASE(peaks_and_passage) {
   };
   for (const SegmentRecord& segment : run.summary().segments) {
     const Extreme kept = peak(run.made.scene.model.cables[index(segment.cable)].name + ".tension");
-    BOOST_TEST(segment.peak == kept.largest);
-    BOOST_TEST(segment.peak_time == (kept.largest > 0.0 ? kept.largest_time : 0.0));
-    BOOST_TEST(segment.margin() == kept.largest / 1e8);
+    BOOST_TEST(segment.peak == kept.maximum);
+    BOOST_TEST(segment.peak_time == (kept.maximum > 0.0 ? kept.maximum_time : 0.0));
+    BOOST_TEST(segment.margin() == kept.maximum / 1e8);
   }
   const RockPassage& passage = run.summary().rocks.front();
   BOOST_TEST(passage.approach_energy == 0.5 * m * 65.0 * 65.0 + 0.5 * 0.4 * m * 1.201 * 1.201 * 34.0 * 34.0,
@@ -137,7 +137,7 @@ BOOST_AUTO_TEST_CASE(peaks_and_passage) {
   for (const ColumnRecord& c : run.summary().columns) {
     const std::string name = run.made.scene.model.bodies[index(c.body)].name;
     const Extreme kept = peak(name + ".x");
-    BOOST_TEST(c.travel == std::max(-kept.least, kept.largest));  // columns start at x = 0
+    BOOST_TEST(c.travel == std::max(-kept.minimum, kept.maximum));  // columns start at x = 0
     largest = std::max(largest, c.travel);
   }
   BOOST_TEST(run.summary().travel == largest);

@@ -36,9 +36,9 @@ struct Story : Watched {
   }
 };
 
-bool says(const std::vector<std::string>& found, std::string_view words) {
+bool says(const std::vector<std::string>& found, std::string_view expected) {
   return std::any_of(found.begin(), found.end(),
-                     [&](const std::string& text) { return text.find(words) != std::string::npos; });
+                     [&](const std::string& text) { return text.find(expected) != std::string::npos; });
 }
 
 }  // namespace

@@ -29,7 +29,7 @@ Model pair_of(Body a, Body b) {
 std::pair<double, double> measured(Model model, bool turns_b) {
   std::mt19937_64 random{7};
   const auto angle = [&] { return 2.0 * std::acos(-1.0) * (static_cast<double>(random() >> 11) * 0x1p-53); };
-  double least = std::numeric_limits<double>::infinity(), largest = 0.0;
+  double smallest = std::numeric_limits<double>::infinity(), largest = 0.0;
   for (int i = 0; i < 3000; ++i) {
     const double direction = angle();
     model.bodies[0].angle = angle();
@@ -47,9 +47,9 @@ std::pair<double, double> measured(Model model, bool turns_b) {
       (deepest(middle).deformation > 0.0 ? near : far) = middle;
     }
     const Spring touching = deepest(near);
-    least = std::min(least, touching.effective_mass), largest = std::max(largest, touching.effective_mass);
+    smallest = std::min(smallest, touching.effective_mass), largest = std::max(largest, touching.effective_mass);
   }
-  return {least, largest};
+  return {smallest, largest};
 }
 
 }  // namespace
@@ -76,14 +76,14 @@ BOOST_AUTO_TEST_CASE(free_bodies_reach_both_bounds) {
   for (const auto& [a, b] : {std::pair{rod, ball}, std::pair{egg, ball}, std::pair{rod, egg}}) {
     const Model model = pair_of(a, b);
     const ContactRange range = contact_ranges(Dynamics{model}).at(0);
-    const auto [least, largest] = measured(model, true);
-    BOOST_TEST(least >= range.least_mass * (1.0 - 1e-4));
-    BOOST_TEST(least <= range.least_mass * 1.03);
+    const auto [smallest, largest] = measured(model, true);
+    BOOST_TEST(smallest >= range.smallest_mass * (1.0 - 1e-4));
+    BOOST_TEST(smallest <= range.smallest_mass * 1.03);
     BOOST_TEST(largest <= range.largest_mass * (1.0 + 1e-9));
     BOOST_TEST(largest >= range.largest_mass * 0.98);
   }
   const ContactRange discs = contact_ranges(Dynamics{pair_of(ball, ball)}).at(0);
-  BOOST_TEST(discs.least_mass == 1.5);
+  BOOST_TEST(discs.smallest_mass == 1.5);
   BOOST_TEST(discs.largest_mass == 1.5);
 }
 
@@ -93,15 +93,16 @@ BOOST_AUTO_TEST_CASE(a_pinned_body_has_the_lever_about_its_pin) {
       .mobility = Mobility::pinned, .mass = 3.0, .inertia = 1.0, .shape = Rectangle{1.0, 0.1}, .p_BPin = {-1.0, 0.0}};
   const Body ball{.mobility = Mobility::particle, .mass = 2.0, .shape = Circle{0.1}};
   const ContactRange range = contact_ranges(Dynamics{pair_of(beam, ball)}).at(0);
-  BOOST_TEST(range.least_mass == 1.0 / (0.5 + 4.0 / 4.0), boost::test_tools::tolerance(1e-15));
+  BOOST_TEST(range.smallest_mass == 1.0 / (0.5 + 4.0 / 4.0), boost::test_tools::tolerance(1e-15));
   BOOST_TEST(range.largest_mass == 2.0);
-  BOOST_TEST(range.highest_frequency == std::sqrt(100.0 / range.least_mass), boost::test_tools::tolerance(1e-15));
-  BOOST_TEST(range.damping_ratio == 0.6 / (2.0 * std::sqrt(100.0 * range.least_mass)),
+  BOOST_TEST(range.highest_frequency == std::sqrt(100.0 / range.smallest_mass), boost::test_tools::tolerance(1e-15));
+  BOOST_TEST(range.damping_ratio == 0.6 / (2.0 * std::sqrt(100.0 * range.smallest_mass)),
              boost::test_tools::tolerance(1e-14));
-  BOOST_TEST(range.shortest_time == contact_time(LinearSpringDashpot{100.0, 0.6, EndRule::clamped}, range.least_mass));
+  BOOST_TEST(range.shortest_time ==
+             contact_time(LinearSpringDashpot{100.0, 0.6, EndRule::clamped}, range.smallest_mass));
   const Body slider{.mobility = Mobility::sliding_x, .mass = 2.0, .shape = Circle{0.1}};
   const Body post{.mobility = Mobility::fixed, .shape = Circle{0.1}, .p_WB = {1.0, 0.0}};
   const ContactRange sliding = contact_ranges(Dynamics{pair_of(slider, post)}).at(0);
-  BOOST_TEST(sliding.least_mass == 2.0);
+  BOOST_TEST(sliding.smallest_mass == 2.0);
   BOOST_TEST(std::isinf(sliding.largest_mass));
 }

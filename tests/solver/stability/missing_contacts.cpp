@@ -79,7 +79,7 @@ BOOST_AUTO_TEST_CASE(every_overlap_is_found_once) {
       const double reported = plausible_overlap * smaller_size(pair);
       double moved = 0.0;
       for (const Bounds& outline : {pair.bounds_a, pair.bounds_b})
-        moved += is_unbounded(outline) ? 0.0 : 0.05 * least_half_width(outline);
+        moved += is_unbounded(outline) ? 0.0 : 0.05 * minimum_half_width(outline);
       if (overlap > reported) shallow.insert({pair.a, pair.b});
       if (overlap > reported + 1.001 * moved) deep.insert({pair.a, pair.b});
     }

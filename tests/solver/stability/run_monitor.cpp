@@ -48,7 +48,7 @@ WatchedRun run(Scene scene, double step, double end, const char* method = "veloc
   return {watch.violation(), watch.warnings(), state.t, watch.extreme(Watched::overlap).value};
 }
 
-bool says(const std::string& text, const char* words) { return text.find(words) != std::string::npos; }
+bool says(const std::string& text, const char* expected) { return text.find(expected) != std::string::npos; }
 
 /// A disc of mass and radius 1 compressed between two planes, w = 100 of both springs together.
 Scene squeezed() {

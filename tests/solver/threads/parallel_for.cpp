@@ -22,11 +22,11 @@ bool met(std::atomic<int>& arrived, int count) {
   return arrived >= count;
 }
 
-/// Error message that the loop throws; `begun` counts the calls.
-std::string thrown(std::size_t count, unsigned threads, std::size_t first_bad, std::atomic<int>& begun) {
+/// Error message that the loop throws; `started` counts the calls.
+std::string thrown(std::size_t count, unsigned threads, std::size_t first_bad, std::atomic<int>& started) {
   try {
     parallel_for(count, threads, [&](std::size_t i) {
-      ++begun;
+      ++started;
       // Among the failing calls, later ones fail sooner.
       if (i >= first_bad) {
         std::this_thread::sleep_for(std::chrono::microseconds{i == first_bad ? 300 : 0});
@@ -74,13 +74,13 @@ BOOST_AUTO_TEST_CASE(threads_work_at_the_same_time) {
 BOOST_AUTO_TEST_CASE(the_error_of_the_smallest_is_thrown) {
   for (const unsigned threads : {1U, 2U, 3U, 8U}) {
     for (int attempt = 0; attempt < 50; ++attempt) {
-      std::atomic<int> begun{0};
-      BOOST_REQUIRE(thrown(200, threads, 5, begun) == "5");
-      BOOST_REQUIRE(begun >= 6);
-      BOOST_REQUIRE(begun <= 5 + static_cast<int>(threads));
+      std::atomic<int> started{0};
+      BOOST_REQUIRE(thrown(200, threads, 5, started) == "5");
+      BOOST_REQUIRE(started >= 6);
+      BOOST_REQUIRE(started <= 5 + static_cast<int>(threads));
     }
   }
-  std::atomic<int> begun{0};
-  BOOST_TEST(thrown(4, 2, 9, begun) == "nothing");
-  BOOST_TEST(begun == 4);
+  std::atomic<int> started{0};
+  BOOST_TEST(thrown(4, 2, 9, started) == "nothing");
+  BOOST_TEST(started == 4);
 }

@@ -7,10 +7,10 @@ using namespace talus::verification;
 
 namespace {
 
-bool refused(const std::string& page, const std::string& words) {
+bool refused(const std::string& page, const std::string& expected) {
   const EvidenceParagraph found = evidence_of(page);
   BOOST_TEST_INFO(found.error);
-  return found.error.find(words) != std::string::npos;
+  return found.error.find(expected) != std::string::npos;
 }
 
 }  // namespace

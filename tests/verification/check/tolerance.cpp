@@ -16,11 +16,11 @@ const double infinity = std::numeric_limits<double>::infinity();
 }  // namespace
 
 BOOST_AUTO_TEST_CASE(every_constructor_demands_words) {
-  for (const char* words : {"", "  \n\t"}) {
-    BOOST_CHECK_THROW((void)Tolerance::exact(words), std::invalid_argument);
-    BOOST_CHECK_THROW((void)Tolerance::round_off(1e-15, words), std::invalid_argument);
-    BOOST_CHECK_THROW((void)Tolerance::truncation(1e-3, 2.0, words), std::invalid_argument);
-    BOOST_CHECK_THROW((void)Tolerance::model(1e-3, words), std::invalid_argument);
+  for (const char* reason : {"", "  \n\t"}) {
+    BOOST_CHECK_THROW((void)Tolerance::exact(reason), std::invalid_argument);
+    BOOST_CHECK_THROW((void)Tolerance::round_off(1e-15, reason), std::invalid_argument);
+    BOOST_CHECK_THROW((void)Tolerance::truncation(1e-3, 2.0, reason), std::invalid_argument);
+    BOOST_CHECK_THROW((void)Tolerance::model(1e-3, reason), std::invalid_argument);
   }
 }
 

@@ -41,8 +41,8 @@ struct Run {
   Run& operator=(const Run&) = delete;
 
   nlohmann::json record(std::size_t i = 0) const { return results.at("cases").at(i); }
-  bool says(const std::string& words, std::size_t i = 0) const {
-    return record(i).at("message").get<std::string>().find(words) != std::string::npos;
+  bool says(const std::string& expected, std::size_t i = 0) const {
+    return record(i).at("message").get<std::string>().find(expected) != std::string::npos;
   }
 };
 

@@ -42,18 +42,19 @@ std::string message_of(const std::string& file) {
   return "it was read";
 }
 
-/// Checks that `text` of a results.json is refused by a message that begins with the file's name and `words`.
-void demand_refused(const std::string& text, const std::string& words) {
+/// Checks that `text` of a results.json is refused by a message that begins with the file's name and `expected`.
+void demand_refused(const std::string& text, const std::string& expected) {
   const TemporaryFolder folder;
   const std::string file = folder.write("results.json", text);
   const std::string message = message_of(file);
-  BOOST_TEST(message.find(file + ": " + words) == 0u, "'" << message << "' does not begin with '" << words << "'");
+  BOOST_TEST(message.find(file + ": " + expected) == 0u,
+             "'" << message << "' does not begin with '" << expected << "'");
 }
 
-void demand_refused(const std::function<void(json&)>& spoil, const std::string& words) {
+void demand_refused(const std::function<void(json&)>& spoil, const std::string& expected) {
   json results = json::parse(text_of(two_cases()));
   spoil(results);
-  demand_refused(results.dump(), words);
+  demand_refused(results.dump(), expected);
 }
 
 }  // namespace

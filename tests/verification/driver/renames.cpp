@@ -10,8 +10,8 @@ using namespace talus::verification;
 
 namespace {
 
-/// Checks that line `number` is refused by a message with FILE:number and `words`.
-void demand_refused(const std::string& text, int number, const std::string& words) {
+/// Checks that line `number` is refused by a message with FILE:number and `expected`.
+void demand_refused(const std::string& text, int number, const std::string& expected) {
   const TemporaryFolder folder;
   const std::string file = folder.write("renames.txt", text);
   std::string message = "it was read";
@@ -21,7 +21,7 @@ void demand_refused(const std::string& text, int number, const std::string& word
     message = fault.what();
   }
   BOOST_TEST(message.find(file + ":" + std::to_string(number) + ": found ") == 0u, message);
-  BOOST_TEST(holds_text(message, words), message);
+  BOOST_TEST(holds_text(message, expected), message);
 }
 
 }  // namespace
@@ -39,7 +39,7 @@ BOOST_AUTO_TEST_CASE(each_form_is_read) {
   BOOST_REQUIRE(renames.size() == 5u);
   BOOST_TEST((renames[0].before == ItemName{"caught_fall", ""}));
   BOOST_TEST((renames[0].after == ItemName{"damped_bungee", ""}));
-  BOOST_TEST(renames[0].place == (folder.path / "renames.txt").string() + ":3");
+  BOOST_TEST(renames[0].location == (folder.path / "renames.txt").string() + ":3");
   BOOST_TEST((renames[1].before == ItemName{"a", "error / bound"}));
   BOOST_TEST((renames[1].after == ItemName{"b", "ratio of a/b"}));
   BOOST_TEST((renames[2].before == ItemName{"a", control_item("mass halved")}));

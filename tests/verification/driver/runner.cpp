@@ -30,13 +30,13 @@ namespace {
 
 /// Checks one misbehaving case: exit status 1, its status, and text of its message; the sound case beside it still
 /// passes.
-void demand_failure(const Case& bad, const std::string& status, const std::string& words) {
+void demand_failure(const Case& bad, const std::string& status, const std::string& expected) {
   const Run run({bad, synthetic("sound", sound)});
   BOOST_TEST_CONTEXT(bad.id) {
     BOOST_TEST(run.status == 1);
     BOOST_TEST(run.results.at("verdict") == "fail");
     BOOST_TEST(run.record().at("status") == status);
-    BOOST_TEST(run.says(words), run.record().at("message"));
+    BOOST_TEST(run.says(expected), run.record().at("message"));
     BOOST_TEST(run.record().at("controls").size() == bad.faults.size());
     BOOST_TEST(run.record(1).at("status") == "pass");
     BOOST_TEST(fs::exists(run.out / "junit.xml"));
@@ -413,13 +413,13 @@ BOOST_AUTO_TEST_CASE(a_figure_with_a_hole_fails) {
 }
 
 BOOST_AUTO_TEST_CASE(a_case_that_is_not_well_formed_fails_without_being_run) {
-  const auto refuse = [](auto&& spoil, const std::string& words) {
+  const auto refuse = [](auto&& spoil, const std::string& expected) {
     Case bad = synthetic("bad", sound);
     spoil(bad);
     const Run run({bad});
     BOOST_TEST(run.status == 1);
     BOOST_TEST(run.record().at("status") == "error");
-    BOOST_TEST(run.says(words), run.record().at("message"));
+    BOOST_TEST(run.says(expected), run.record().at("message"));
   };
   refuse([](Case& c) { c.faults.clear(); }, "plants no fault");
   refuse([](Case& c) { c.source.clear(); }, "cites no source");

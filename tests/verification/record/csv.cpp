@@ -93,9 +93,9 @@ BOOST_AUTO_TEST_CASE(only_finite_numbers_are_numbers) {
 BOOST_AUTO_TEST_CASE(what_is_written_is_read_back) {
   using Limits = std::numeric_limits<double>;
   const std::vector<double> numbers{0.1, 1.0 / 3.0, -0.0, 1e300, Limits::denorm_min(), Limits::max()};
-  const Cells words{"", "#1", "a,b", "\"", "two\nlines", "cr\rhere", " blank "};
+  const Cells texts{"", "#1", "a,b", "\"", "two\nlines", "cr\rhere", " blank "};
   CsvText text({"#word", "short", "long"});
-  for (const std::string& word : words) {
+  for (const std::string& word : texts) {
     for (const double number : numbers) {
       text.cell(word);
       text.number(number);
@@ -105,10 +105,10 @@ BOOST_AUTO_TEST_CASE(what_is_written_is_read_back) {
   }
   const Csv csv("a.csv", std::move(text).text());
   BOOST_TEST(csv.header() == Cells({"#word", "short", "long"}));
-  BOOST_REQUIRE(csv.rows() == words.size() * numbers.size());
+  BOOST_REQUIRE(csv.rows() == texts.size() * numbers.size());
   for (std::size_t row = 0; row < csv.rows(); ++row) {
     const double number = numbers[row % numbers.size()];
-    BOOST_TEST(csv.cell(row, 0) == words[row / numbers.size()]);
+    BOOST_TEST(csv.cell(row, 0) == texts[row / numbers.size()]);
     BOOST_TEST(csv.number(row, 1) == number);
     BOOST_TEST(csv.number(row, 2) == number);
     BOOST_TEST(std::signbit(csv.number(row, 1)) == std::signbit(number));

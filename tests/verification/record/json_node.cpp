@@ -39,7 +39,7 @@ BOOST_AUTO_TEST_CASE(values_are_read) {
       R"({"t": "text", "n": 0.5, "i": -3, "c": 7, "f": true, "z": null, "l": ["a", "b"], "o": {"q": "1", "b": "2"}})");
   const Node node{json, "a.json: all"};
   BOOST_TEST(node.at("t").text() == "text");
-  BOOST_TEST(node.at("t").words() == "text");
+  BOOST_TEST(node.at("t").nonempty_text() == "text");
   BOOST_TEST(node.at("t").one_of({"word", "text"}) == "text");
   BOOST_TEST(node.at("t").file_name() == "text");
   BOOST_TEST(node.at("n").finite() == 0.5);
@@ -59,7 +59,7 @@ BOOST_AUTO_TEST_CASE(values_are_read) {
 
 BOOST_AUTO_TEST_CASE(errors_name_file_path_what_was_found_and_what_is_allowed) {
   const auto text = [](const Node& node) { (void)node.text(); };
-  const auto words = [](const Node& node) { (void)node.words(); };
+  const auto nonempty_text = [](const Node& node) { (void)node.nonempty_text(); };
   const auto one_of = [](const Node& node) { (void)node.one_of({"pass", "fail"}); };
   const auto name = [](const Node& node) { (void)node.file_name(); };
   const auto number = [](const Node& node) { (void)node.number(); };
@@ -70,7 +70,7 @@ BOOST_AUTO_TEST_CASE(errors_name_file_path_what_was_found_and_what_is_allowed) {
   const auto list = [](const Node& node) { (void)node.list(); };
   const auto members = [](const Node& node) { (void)node.members(); };
   BOOST_TEST(refused("3", text) == "a.json: all.x: must be a text, found 3");
-  BOOST_TEST(refused("\" \"", words) == "a.json: all.x: must be a text that is not empty, found \" \"");
+  BOOST_TEST(refused("\" \"", nonempty_text) == "a.json: all.x: must be a text that is not empty, found \" \"");
   BOOST_TEST(refused("\"red\"", one_of) == "a.json: all.x: must be one of pass, fail, found \"red\"");
   BOOST_TEST(refused("[]", one_of) == "a.json: all.x: must be one of pass, fail, found []");
   BOOST_TEST(refused("\"../a\"", name) == "a.json: all.x: must be a plain file name, found \"../a\"");

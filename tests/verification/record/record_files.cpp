@@ -193,7 +193,7 @@ BOOST_AUTO_TEST_CASE(each_member_of_a_figure_comes_back) {
   const Line& line = back.figures[0].lines.at(0);
   BOOST_TEST((line.axis == 'x' && line.at == 0.15 && line.label == "limit"));
   const Mark& mark = back.figures[1].marks.at(0);
-  BOOST_TEST((mark.x == 0.5 && mark.y == 0.25 && mark.words == "here"));
+  BOOST_TEST((mark.x == 0.5 && mark.y == 0.25 && mark.text == "here"));
   const Scale& scale = back.figures[1].scale.value();
   BOOST_TEST((scale.label == "growth" && scale.min == -2.0 && scale.max == 3.0 && scale.unit == "m"));
   BOOST_TEST(!back.figures[0].scale.has_value());

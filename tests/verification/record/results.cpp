@@ -134,9 +134,9 @@ BOOST_AUTO_TEST_CASE(errors_name_file_and_path) {
 BOOST_AUTO_TEST_CASE(results_that_contradict_themselves_are_refused) {
   for (const char* count :
        {"cases", "passed", "failed", "checks", "checks_failed", "slack", "exempt", "controls", "controls_failed"}) {
-    const std::string words = refused([&](Json& d) { d["counts"][count] = 99; });
-    BOOST_TEST(holds(words, fmt::format("results.counts.{}: must be ", count)), words);
-    BOOST_TEST(holds(words, ", which the cases hold, found 99"), words);
+    const std::string expected = refused([&](Json& d) { d["counts"][count] = 99; });
+    BOOST_TEST(holds(expected, fmt::format("results.counts.{}: must be ", count)), expected);
+    BOOST_TEST(holds(expected, ", which the cases hold, found 99"), expected);
   }
   BOOST_TEST(holds(refused([](Json& d) { d["verdict"] = "fail"; }),
                    "results.verdict: must be \"pass\", which follows from the cases, found \"fail\""));

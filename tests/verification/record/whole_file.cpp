@@ -65,12 +65,12 @@ BOOST_AUTO_TEST_CASE(a_failure_leaves_the_old_file) {
   const Scratch folder;
   const fs::path file = folder.path / "results.json";
   write_whole(file, "old");
-  std::string words;
+  std::string expected;
   {
     const FileLimit limit{1000};
-    words = message(file, std::string(5000, 'x'));
+    expected = message(file, std::string(5000, 'x'));
   }
-  BOOST_TEST(words == file.string() + ": File too large");
+  BOOST_TEST(expected == file.string() + ": File too large");
   BOOST_TEST(read_whole(file) == "old");
   BOOST_TEST(folder.files() == 1);
 }

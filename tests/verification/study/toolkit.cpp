@@ -219,9 +219,9 @@ BOOST_AUTO_TEST_CASE(a_ledger_and_a_recorded_run_balance_the_energy) {
 
 BOOST_AUTO_TEST_CASE(options_are_given_but_for_the_one_that_a_fault_leaves_out) {
   const Options options{{"--grid", {}}, {"--x-limits", {"0", "1"}}};
-  using Words = std::vector<std::string>;
-  BOOST_TEST((with_options({"plot"}, options, {}) == Words{"plot", "--grid", "--x-limits", "0", "1"}));
-  BOOST_TEST((with_options({"plot"}, options, {.fault = "without_x_limits"}) == Words{"plot", "--grid"}));
+  using Arguments = std::vector<std::string>;
+  BOOST_TEST((with_options({"plot"}, options, {}) == Arguments{"plot", "--grid", "--x-limits", "0", "1"}));
+  BOOST_TEST((with_options({"plot"}, options, {.fault = "without_x_limits"}) == Arguments{"plot", "--grid"}));
 }
 
 BOOST_AUTO_TEST_CASE(differences_are_named_and_none_need_a_comparison) {

@@ -119,19 +119,19 @@ void check_located_breaks(Findings& findings, const Setup& setup) {
       const Scene scene = thrown_mass(law, mass, thrown);
       const CableRunResult run =
           run_cables(scene, scene.initial, make_integrator(name, tolerance), {half_swing, 10.0, true}, findings);
-      const char* const words =
+      const char* const reason =
           "27 to 44 steps with local errors below 1e-10 of the distance travelled and the speed, a third of that on "
           "average: as a random walk, sqrt(44)/3 = 2.2 times; the event itself is located to round-off";
       const std::string by = fmt::format(", {}, {}", what, name);
       findings.expect_truncation({"located_breaks", "speed after a located break" + by}, run.end.v[0],
-                                 reference::speed_kept(cable, mass, thrown, stretch), tolerance * thrown, 3.0, words,
+                                 reference::speed_kept(cable, mass, thrown, stretch), tolerance * thrown, 3.0, reason,
                                  "m/s");
       findings.expect_round_off(
           {"located_breaks", "plastic stretch at a located break" + by}, run.end.z[0], stretch, 4e-15,
           "the event is defined by the plastic stretch itself: a difference of lengths of up to 10 m", "m");
       if (!law.table.empty()) continue;  // the power of yielding jumps at its corners, which are not events
       findings.expect_truncation({"located_breaks", "energy balance error after a located break" + by},
-                                 run.balance_error, 0.0, tolerance * mass * thrown * thrown, 3.0, words, "J");
+                                 run.balance_error, 0.0, tolerance * mass * thrown * thrown, 3.0, reason, "J");
     }
   }
 }
@@ -286,13 +286,13 @@ void check_merged_plastic(Findings& findings) {
   // The first cable ends at the point between the cables: at its plastic length plus the elastic elongation.
   const Dynamics dynamics{scene.model};
   const Snapshot seen{dynamics, run.end};
-  const double place = seen.geometry().joints.p_WP(dynamics.cables().ends()[0].b).x;
-  findings.expect_round_off("end point of the first of two plastically stretched cables past the broken hanger", place,
+  const double x = seen.geometry().joints.p_WP(dynamics.cables().ends()[0].b).x;
+  findings.expect_round_off("end point of the first of two plastically stretched cables past the broken hanger", x,
                             cable_length + drawn[0] + exact.merged_stiffness * elongation / pair.stiffness_1, 1e-14,
                             "a few roundings of lengths near 8 m", "m");
 }
 
-constexpr const char* control_words =
+constexpr const char* control_reason =
     "local errors below 1e-11; a step across the break is rejected until the jump of the force times the square of the "
     "step is below that: the break is up to 1e-6 s early or late, with its full effect on the energy and half of it on "
     "the speed";
@@ -304,22 +304,22 @@ void check_hanger_exactly(Findings& findings, const Setup& setup) {
   const CableRunResult run = run_pair(strength, exact.slack_time / 40.0, 0.5, 1.1 * exact.slack_time,
                                       make_integrator("odeint_dopri5", 1e-11), findings);
   findings.expect_truncation({"hanger_loss", "energy lost in the hanger break with step control"},
-                             recorded_work(run.end, Mechanism::hanger_break), exact.lost, 2e-8, 1.0, control_words,
+                             recorded_work(run.end, Mechanism::hanger_break), exact.lost, 2e-8, 1.0, control_reason,
                              "J");
   findings.expect_truncation({"hanger/exit_speed", "exit speed of the mass on the merged cable with step control"},
-                             -run.end.v[1], exact.exit_speed_c, 2e-9, 1.0, control_words, "m/s");
+                             -run.end.v[1], exact.exit_speed_c, 2e-9, 1.0, control_reason, "m/s");
   // A method that locates the break finds it also if a hanger that holds comes first in the list.
   Scene scene = hung_pair(pair, strength);
   scene.model.hangers.insert(scene.model.hangers.begin(), Hanger{"holds", *find_body(scene.model, "c"), {}, 1e9});
   scene.initial.mode.push_back(Mode{0});
   const CableRunResult located = run_cables(scene, scene.initial, make_integrator("stormer_cowell", 1e-11),
                                             {exact.slack_time / 4.0, 1.1 * exact.slack_time, false}, findings);
-  const Tolerance located_words = Tolerance::truncation(
+  const Tolerance located_bound = Tolerance::truncation(
       1e-10, 1.0, "local errors below 1e-11 of speed and distance travelled, about ten of them with the same sign");
   findings.expect("energy lost in the located break of the second of two hangers",
-                  recorded_work(located.end, Mechanism::hanger_break), exact.lost, located_words, "J");
+                  recorded_work(located.end, Mechanism::hanger_break), exact.lost, located_bound, "J");
   findings.expect("exit speed of the mass after the located break of the second of two hangers", -located.end.v[1],
-                  exact.exit_speed_c, located_words, "m/s");
+                  exact.exit_speed_c, located_bound, "m/s");
 }
 
 void draw_hanger(Findings& findings) {

@@ -24,7 +24,7 @@ struct Listing {
 /// Result for a chain past its broken hangers.
 struct LaidChain {
   std::vector<double> tensions;  ///< of the cables [N]
-  std::vector<Vec2> places;      ///< positions of the points [m]
+  std::vector<Vec2> positions;   ///< positions of the points [m]
   double lost{};                 ///< energy recorded as lost by breaking cables [J]
 };
 
@@ -58,14 +58,14 @@ LaidChain laid(const std::vector<ChainPoint>& points, const std::vector<ChainCab
   dynamics.update_modes(state, work);
   const Snapshot seen{dynamics, state};
   LaidChain found;
-  found.places.resize(points.size());
+  found.positions.resize(points.size());
   found.lost = state.work[static_cast<std::size_t>(Mechanism::cable_break)];
   for (std::size_t c = 0; c < cables.size(); ++c) {
     const std::size_t cable = index(*find_cable(model, fmt::format("cable{}", c)));
     const auto [a, b] = dynamics.cables().ends()[cable];
     found.tensions.push_back(seen.forces().tensions[cable]);
-    found.places[c + turned(c)] = seen.geometry().joints.p_WP(a);
-    found.places[c + 1 - turned(c)] = seen.geometry().joints.p_WP(b);
+    found.positions[c + turned(c)] = seen.geometry().joints.p_WP(a);
+    found.positions[c + 1 - turned(c)] = seen.geometry().joints.p_WP(b);
   }
   return found;
 }
@@ -83,7 +83,7 @@ std::vector<ChainPoint> line_of_four(Vec2 to) {
 void check_listings(Findings& findings) {
   const Vec2 to{10.0, 3.0};
   const double length = norm(to), tension = (length - rest_of_three) / compliance_of_three;
-  double force_error = 0.0, place_error = 0.0;
+  double force_error = 0.0, position_error = 0.0;
   Listing listing{.order = {0, 1, 2}};
   do {
     for (listing.turned = 0; listing.turned < 8; ++listing.turned) {
@@ -92,7 +92,7 @@ void check_listings(Findings& findings) {
       for (std::size_t c = 0; c < 3; ++c) {
         keep_worst(force_error, found.tensions[c] - tension);
         along += three[c].rest + tension / three[c].law.stiffness;
-        keep_worst(place_error, norm(found.places[c + 1] - along / length * to));
+        keep_worst(position_error, norm(found.positions[c + 1] - along / length * to));
       }
     }
   } while (std::next_permutation(listing.order.begin(), listing.order.end()));
@@ -103,7 +103,7 @@ void check_listings(Findings& findings) {
                             "N");
   findings.expect_round_off(
       "positions of the points between three cables past broken hangers, largest error over 48 listing orders",
-      place_error, 0.0, 1e-14, "a dozen roundings of lengths near 10 m", "m");
+      position_error, 0.0, 1e-14, "a dozen roundings of lengths near 10 m", "m");
 }
 
 /// Chain at a plane of symmetry: the body in the plane represents only itself, the cables and the next body represent
@@ -115,14 +115,14 @@ void check_mirror_image(Findings& findings) {
   const double tension = (to - from - 7.0) / (1.0 / 100.0 + 1.0 / 50.0);
   const std::vector<ChainPoint> points{
       {hung("middle", 0.0), {0.0, 0.0, from}}, {hung("next", 0.5, 2), {0.0, 0.0, 4.0}}, {{}, {0.0, 3.0, to}}};
-  double force_error = 0.0, place_error = 0.0;
+  double force_error = 0.0, position_error = 0.0;
   for (const std::vector<std::size_t>& order : {std::vector<std::size_t>{0, 1}, {1, 0}}) {
     for (unsigned turned = 0; turned < 4; ++turned) {
       const LaidChain found = laid(points, two, {order, turned}, 2);
       for (const double t : found.tensions)
         keep_worst(force_error, t - tension);
-      for (const Vec2 place : found.places)
-        keep_worst(place_error, norm(place - Vec2{0.0, 3.0}));
+      for (const Vec2 position : found.positions)
+        keep_worst(position_error, norm(position - Vec2{0.0, 3.0}));
     }
   }
   findings.expect_round_off(
@@ -133,8 +133,8 @@ void check_mirror_image(Findings& findings) {
       "N");
   findings.expect_exact(
       "positions of the points of two cables along the fence past broken hangers, largest error over 8 listing orders",
-      place_error, 0.0, "the cables run straight along the fence: in the plane, all points coincide with the last one",
-      "m");
+      position_error, 0.0,
+      "the cables run straight along the fence: in the plane, all points coincide with the last one", "m");
 }
 
 /// The middle cable is loaded beyond its strength: all cables lose their tension at once, and their stored energy,

@@ -9,7 +9,7 @@ namespace {
 /// Cable end in the check's separate list: a body of the net, or an anchor.
 struct NetEnd {
   std::optional<std::size_t> body;
-  Vec2 place;  ///< position [m]
+  Vec2 position;  ///< position [m]
 };
 
 struct NetCable {
@@ -18,8 +18,8 @@ struct NetCable {
 };
 
 struct Net {
-  std::vector<Vec2> places;    ///< positions of the bodies [m]
-  std::vector<double> masses;  ///< [kg]
+  std::vector<Vec2> positions;  ///< positions of the bodies [m]
+  std::vector<double> masses;   ///< [kg]
   std::vector<NetCable> cables;
 };
 
@@ -42,17 +42,17 @@ class NetDraw {
 void add_chain(Net& net, std::size_t first, std::size_t count, NetDraw& draw) {
   std::vector<NetEnd> points;
   const auto anchor = [&](std::size_t beside) {
-    return NetEnd{std::nullopt, net.places[beside] + Vec2{draw.between(-2.0, 2.0), draw.between(0.5, 2.0)}};
+    return NetEnd{std::nullopt, net.positions[beside] + Vec2{draw.between(-2.0, 2.0), draw.between(0.5, 2.0)}};
   };
   if (draw.below(2) == 0) points.push_back(anchor(first));
   for (std::size_t i = first; i < first + count; ++i)
-    points.push_back({i, net.places[i]});
+    points.push_back({i, net.positions[i]});
   if (draw.below(2) == 0) points.push_back(anchor(first + count - 1));
   const std::size_t begin = net.cables.size();
   for (std::size_t i = 0; i + 1 < points.size(); ++i) {
     NetCable cable{points[i], points[i + 1], 0.0, draw.between(10.0, 100.0)};
     // A quarter of the cables are slack.
-    cable.rest = norm(cable.b.place - cable.a.place) * draw.between(0.7, 1.1);
+    cable.rest = norm(cable.b.position - cable.a.position) * draw.between(0.7, 1.1);
     if (draw.below(8) == 0) std::swap(cable.a, cable.b);
     net.cables.push_back(cable);
   }
@@ -66,11 +66,11 @@ Net drawn_net(NetDraw& draw) {
   Net net;
   const std::size_t chains = 2 + draw.below(3);
   for (std::size_t c = 0; c < chains; ++c) {
-    const bool shared = !net.places.empty() && draw.below(3) == 0;
-    const std::size_t first = shared ? net.places.size() - 1 : net.places.size();
+    const bool shared = !net.positions.empty() && draw.below(3) == 0;
+    const std::size_t first = shared ? net.positions.size() - 1 : net.positions.size();
     const std::size_t count = 2 + draw.below(6);
-    while (net.places.size() < first + count) {
-      net.places.push_back({static_cast<double>(net.places.size()), draw.between(-1.0, 1.0)});
+    while (net.positions.size() < first + count) {
+      net.positions.push_back({static_cast<double>(net.positions.size()), draw.between(-1.0, 1.0)});
       net.masses.push_back(draw.between(1.0, 3.0));
     }
     add_chain(net, first, count, draw);
@@ -81,10 +81,10 @@ Net drawn_net(NetDraw& draw) {
 Model model_of(const Net& net) {
   SceneBuilder builder;
   std::vector<BodyId> bodies;
-  for (std::size_t i = 0; i < net.places.size(); ++i)
-    bodies.push_back(builder.add_particle(fmt::format("body{}", i), net.masses[i], net.places[i]));
+  for (std::size_t i = 0; i < net.positions.size(); ++i)
+    bodies.push_back(builder.add_particle(fmt::format("body{}", i), net.masses[i], net.positions[i]));
   const auto end = [&](const NetEnd& e) {
-    return e.body ? CableEnd{bodies[*e.body], {}} : CableEnd{{}, {e.place.x, e.place.y, 0.0}};
+    return e.body ? CableEnd{bodies[*e.body], {}} : CableEnd{{}, {e.position.x, e.position.y, 0.0}};
   };
   for (std::size_t c = 0; c < net.cables.size(); ++c) {
     const NetCable& cable = net.cables[c];
@@ -97,8 +97,8 @@ Model model_of(const Net& net) {
 std::vector<Vec2> accelerations(const Net& net, const std::vector<Vec2>& at) {
   std::vector<Vec2> found(at.size());
   for (const NetCable& cable : net.cables) {
-    const Vec2 from = cable.a.body ? at[*cable.a.body] : cable.a.place;
-    const Vec2 to = cable.b.body ? at[*cable.b.body] : cable.b.place;
+    const Vec2 from = cable.a.body ? at[*cable.a.body] : cable.a.position;
+    const Vec2 to = cable.b.body ? at[*cable.b.body] : cable.b.position;
     const double length = norm(to - from), tension = std::max(0.0, cable.stiffness * (length - cable.rest));
     const Vec2 pull = tension / length * (to - from);
     if (cable.a.body) found[*cable.a.body] += 1.0 / net.masses[*cable.a.body] * pull;
@@ -120,9 +120,9 @@ void check_nets(Findings& findings) {
     Workspace work = dynamics.workspace();
     State state = rest_state(model);
     for (int move = 0; move < moves; ++move) {
-      std::vector<Vec2> at(net.places.size());
+      std::vector<Vec2> at(net.positions.size());
       for (std::size_t i = 0; i < at.size(); ++i) {
-        at[i] = net.places[i] + Vec2{draw.between(-0.1, 0.1), draw.between(-0.1, 0.1)};
+        at[i] = net.positions[i] + Vec2{draw.between(-0.1, 0.1), draw.between(-0.1, 0.1)};
         state.q[2 * i] = at[i].x, state.q[2 * i + 1] = at[i].y;
       }
       Rates rates{state};

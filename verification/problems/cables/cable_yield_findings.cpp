@@ -26,7 +26,7 @@ ElasticPlastic law_of(const reference::YieldingCable& cable, const Setup& setup)
 
 /// Rms relative error of the exit speed from an elastic cable: (w h)^2/(2 sqrt(90)), as of an elastic impact.
 double elastic_error(double count) { return std::pow(half_swing / (count + 0.5), 2) / (2.0 * std::sqrt(90.0)); }
-constexpr const char* exit_words =
+constexpr const char* exit_reason =
     "as for an elastic impact, (w h)^2/(2 sqrt(90)), from the fractions of a step at which the cable becomes taut and "
     "slack";
 
@@ -34,7 +34,7 @@ constexpr const char* exit_words =
 double stretch_error(double count, double squares) {
   return std::pow(half_swing / (count + 0.5), 2) * mass * squares / (2.0 * std::sqrt(30.0) * yield);
 }
-constexpr const char* stretch_words =
+constexpr const char* stretch_reason =
     "if the cable becomes taut at the fraction u of a step, the energy error is (w h)^2 u (1 - u) of m v^2/2, rms "
     "including its mean (w h)^2/sqrt(30); divided by the yield force it is an error of the stretch, reduced because "
     "velocity Verlet's spring is softer, and summed over the throws";
@@ -153,10 +153,10 @@ void check_speeds(Findings& findings, const Setup& setup) {
   }
   findings.expect_truncation(
       {"plastic/exit", "exit speed, perfectly plastic, largest rms relative error of six speeds"}, exit, 0.0,
-      elastic_error(400.0), 1.2, exit_words);
+      elastic_error(400.0), 1.2, exit_reason);
   findings.expect_truncation(
       {"plastic/stretch", "residual stretch, perfectly plastic, largest rms error of six speeds"}, stretch, 0.0,
-      stretch_error(400.0, std::pow(4.0 * limit, 2)), 1.0, stretch_words, "m");
+      stretch_error(400.0, std::pow(4.0 * limit, 2)), 1.0, stretch_reason, "m");
   if (!setup.coarse) findings.table(shown);
 }
 
@@ -219,9 +219,9 @@ void check_cycles(Findings& findings, const Setup& setup, const std::string& ste
       "for each throw, h times Y v1/sqrt(3), as for a perfectly plastic cable, plus h times half the growth of the "
       "yield force at the mean speed v1/2; 10 % more because the phases of successive throws are correlated");
   findings.expect_truncation({"residual_stretch/" + name, "residual stretch after " + name + ", rms error"},
-                             residual.rms(), 0.0, stretch_error(200.0, squares), 1.0, stretch_words, "m");
+                             residual.rms(), 0.0, stretch_error(200.0, squares), 1.0, stretch_reason, "m");
   findings.expect_truncation({"exit_speed/" + name, "exit speed after " + name + ", rms relative error"}, exit.rms(),
-                             0.0, elastic_error(200.0), 1.2, exit_words);
+                             0.0, elastic_error(200.0), 1.2, exit_reason);
   if (setup.coarse) return;
   const double step = offset_step(half_swing, 200.0, 0);
   findings.figure(loops(stem, "Tension and elongation: " + name,

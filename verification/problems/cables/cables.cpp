@@ -19,7 +19,7 @@ struct Fall {
 
 /// Vertex of the parabola through three values one step apart: its position in steps from the middle, and its value.
 struct Turn {
-  double place{}, value{};
+  double offset{}, value{};
 };
 Turn turn_of(double before, double at, double after) {
   const double slope = 0.5 * (after - before), bend = after - 2.0 * at + before;
@@ -38,7 +38,7 @@ Fall run_fall(const CableLaw& law, double gravity, double step, const Integrator
   for (std::size_t i = 1; i + 1 < e.size(); ++i) {
     if (!(e[i] > 0.0 && e[i] >= e[i - 1] && e[i] > e[i + 1])) continue;
     turns.push_back(turn_of(e[i - 1], e[i], e[i + 1]));
-    times.push_back(run.time[i] + step * turns.back().place);
+    times.push_back(run.time[i] + step * turns.back().offset);
   }
   if (turns.size() != 2) return {std::nan(""), std::nan(""), run.end};
   return {turns[0].value, times[1] - times[0], run.end};
@@ -69,13 +69,13 @@ void check_bungee(Findings& findings, const Setup& setup) {
       time.add(1.0 / count, of_period.rms());
     }
     const std::string name = method.name;
-    const char* const words =
+    const char* const reason =
         "the order of the method; the cable becomes taut and slack within a step, which causes errors of second order";
     if (!setup.coarse) {
       findings.expect_order({"order_of_depth/" + name, "order of the largest elongation in a fall, " + name}, depth,
-                            1.9, 2.1, words);
+                            1.9, 2.1, reason);
       findings.expect_order({"order_of_period/" + name, "order of the period of a fall, " + name}, time, 1.9, 2.1,
-                            words);
+                            reason);
     }
     const double wh = std::sqrt(fall.stiffness / fall.mass) * period / counts.back();
     const char* const measured = "measured constant times (w h)^2, plus 20 % for other phases";

@@ -33,7 +33,7 @@ double predicted_error(double gravity, double step) {
 }
 
 struct Catch {
-  double restitution{}, least_tension{};
+  double restitution{}, minimum_tension{};
 };
 
 Catch caught(double gravity, double step, double phase, const Setup& setup, Findings& findings) {
@@ -50,7 +50,7 @@ Catch caught(double gravity, double step, double phase, const Setup& setup, Find
 
 struct Catches {
   PhaseError error;
-  double least_tension{};
+  double minimum_tension{};
   double step{};  ///< mean
 };
 
@@ -61,7 +61,7 @@ Catches catches(double gravity, double steps, const Setup& setup, Findings& find
   for (const auto& [i, step, phase] : offset_phases(taut, steps)) {
     const Catch found = caught(gravity, step, phase, setup, findings);
     all.error.add(found.restitution / exact - 1.0);
-    all.least_tension = std::min(all.least_tension, found.least_tension);
+    all.minimum_tension = std::min(all.minimum_tension, found.minimum_tension);
     all.step += step / static_cast<double>(fewest_phases);
   }
   return all;
@@ -74,12 +74,12 @@ void check_speeds(Findings& findings, const Setup& setup) {
                   "solver's relative error at 50 steps (root mean square over 64 phases) with its prediction.",
               .columns = {"G", "exact", "first order", "error", "predicted"}};
   const double without = exact_restitution(0.0);
-  double least = 0.0;
+  double minimum = 0.0;
   for (const double gravity : {0.0, 0.03, 0.1, 0.3}) {
     if (setup.coarse && gravity != 0.1) continue;
     const Catches found = catches(gravity, production_steps, setup, findings);
     const double predicted = predicted_error(gravity, found.step);
-    least = std::min(least, found.least_tension);
+    minimum = std::min(minimum, found.minimum_tension);
     findings.expect_model(
         {"restitution", fmt::format("return speed ratio e, rms error over its prediction, G = {:g}", gravity)},
         found.error.rms() / predicted, 1.0, 0.01,
@@ -88,7 +88,7 @@ void check_speeds(Findings& findings, const Setup& setup) {
                                without - 2.0 * damping_ratio * (1.0 + without) * gravity, found.error.rms(),
                                predicted));
   }
-  findings.expect_exact({"minimum_tension", "minimum tension of all runs"}, least, 0.0,
+  findings.expect_exact({"minimum_tension", "minimum tension of all runs"}, minimum, 0.0,
                         "zero after the cable has gone slack");
   findings.table(table);
 }

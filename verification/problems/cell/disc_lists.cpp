@@ -269,21 +269,21 @@ void expect_flight(Findings& findings, const std::string& engine) {
 }
 
 /// NeighbourList::find compared with a search through the whole list, for listed and unlisted pairs.
-void expect_places(Findings& findings) {
+void expect_indices(Findings& findings) {
   const FilledCell start = fill(ice_cell(8e3, 5e3));
   NeighbourList list{start.box, 0.3 * 2.0 * start.shapes.radius[0]};
   Discs discs = start.discs;
   wrap(start.box, discs);
   list.build(start.shapes, discs);
-  std::vector<std::size_t> places(discs.size() * discs.size(), list.size());
+  std::vector<std::size_t> indices(discs.size() * discs.size(), list.size());
   list.for_each_pair(discs, [&](std::size_t i, std::size_t j, std::size_t pair, Vec2, const auto&) {
-    places[i * discs.size() + j] = pair;
+    indices[i * discs.size() + j] = pair;
   });
   double differ = 0.0, listed = 0.0;
   for (std::size_t i = 0; i < discs.size(); ++i) {
     for (std::size_t j = i + 1; j < discs.size(); ++j) {
-      differ += list.find(i, j) == places[i * discs.size() + j] ? 0.0 : 1.0;
-      listed += places[i * discs.size() + j] < list.size() ? 1.0 : 0.0;
+      differ += list.find(i, j) == indices[i * discs.size() + j] ? 0.0 : 1.0;
+      listed += indices[i * discs.size() + j] < list.size() ? 1.0 : 0.0;
     }
   }
   findings.expect_exact({"edges", "indices of pairs in a list that differ from a full search"}, differ, 0.0,
@@ -292,7 +292,7 @@ void expect_places(Findings& findings) {
 }
 
 void run(Findings& findings, const Setup& setup) {
-  if (setup.needs("pairs in a list")) expect_places(findings);
+  if (setup.needs("pairs in a list")) expect_indices(findings);
   if (setup.needs("positions in free flight")) {
     expect_flight<DiscSystem<LinearSpringDashpot>>(findings, "plain engine");
     expect_flight<FastDiscSystem<LinearSpringDashpot>>(findings, "fast engine");

@@ -7,12 +7,12 @@ namespace talus::verification::problems {
 FilledRow fill(const DiscRow& row) {
   FilledRow filled;
   const std::size_t count = row.velocity.size();
-  std::vector<double> place(count);
+  std::vector<double> x(count);
   for (std::size_t i = count; i-- > 1;)
-    place[i - 1] = place[i] - 2.0 * row.radius - row.gap[i - 1];
+    x[i - 1] = x[i] - 2.0 * row.radius - row.gap[i - 1];
   for (std::size_t i = 0; i < count; ++i) {
     filled.shapes.add(row.radius, 1.0 / row.mass);
-    filled.discs.add(place[i], 0.0, row.velocity[i], 0.0);
+    filled.discs.add(x[i], 0.0, row.velocity[i], 0.0);
   }
   return filled;
 }

@@ -40,9 +40,9 @@ bool over(const DiscSystem<L>& system, const Discs& discs) {
   return !forced;
 }
 
-/// Steps a row until over(); calls seen(system) after each step. Returns false if that takes more than `most` steps.
+/// Steps a row until over(); calls seen(system) after each step. Returns false if that takes more than `maximum` steps.
 template <class L, class Seen>
-bool run_row(DiscSystem<L>& system, FilledRow& row, DiscMethod method, double step, long most, Seen&& seen) {
+bool run_row(DiscSystem<L>& system, FilledRow& row, DiscMethod method, double step, long maximum, Seen&& seen) {
   record_use(method);
   record_use(system.law());
   std::uint32_t visited = 0;
@@ -50,7 +50,7 @@ bool run_row(DiscSystem<L>& system, FilledRow& row, DiscMethod method, double st
       [&](auto& steps) {
         system.begin(row.discs);
         steps.start(system, row.discs, step);
-        for (long n = 0; n < most; ++n) {
+        for (long n = 0; n < maximum; ++n) {
           steps.step(system, row.discs, step);
           for (const Mode mode : system.modes())
             visited |= 1U << mode;

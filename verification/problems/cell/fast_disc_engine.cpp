@@ -51,13 +51,13 @@ long differing(const Discs& a, const Discs& b) {
 }
 
 double furthest(const Discs& a, const Discs& b, const PeriodicBox& box) {
-  double most = 0.0;
+  double maximum = 0.0;
   for (std::size_t i = 0; i < a.size(); ++i) {
     const Vec2 d{a.x[i] - b.x[i], a.y[i] - b.y[i]};
     const double offset = box.offset(a.shear_displacement);
-    most = std::max(most, norm(d + box.shift(box.nearest(d, offset), offset)));
+    maximum = std::max(maximum, norm(d + box.shift(box.nearest(d, offset), offset)));
   }
-  return most;
+  return maximum;
 }
 
 template <class Law, class Friction>

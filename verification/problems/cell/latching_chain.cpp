@@ -43,10 +43,10 @@ ChainErrors errors(std::size_t count, double steps, const reference::ChainReboun
     const double h = offset_step(contact_time(), steps, k);
     FilledRow row = thrown_row(count, fractions[k] * h, setup);
     DiscSystem system{row.shapes, {}, LatchingSpring{0.5, 0.5 / ratio, 0.0}, row_skin};
-    const auto most = static_cast<long>(500.0 * contact_time() / h);
+    const auto maximum = static_cast<long>(500.0 * contact_time() / h);
     // Discs that leave at nearly equal speeds may approach each other for a long time; they are then evaluated as they
     // are.
-    (void)run_row(system, row, method_of(setup), h, most, [](const auto&) {});
+    (void)run_row(system, row, method_of(setup), h, maximum, [](const auto&) {});
     findings.count(system.evaluations());
     double worst = 0.0;
     for (std::size_t i = 0; i < count; ++i) {

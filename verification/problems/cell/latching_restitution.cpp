@@ -32,7 +32,7 @@ constexpr int latch_phases = 200;
 /// Statistics of the restitution e over the phases.
 struct PhasesOfLatch {
   double mean{}, deviation{};       ///< of e
-  double least{}, most{};           ///< of e
+  double minimum{}, maximum{};      ///< of e
   PhaseError found{}, predicted{};  ///< deviation of ln e from the predicted mean
   double beyond{};                  ///< largest difference of ln e from the prediction for the same impact
 };
@@ -72,8 +72,8 @@ Parting parting(const Meeting& meeting, Findings& findings, const Setup& setup) 
     });
   };
   Parting found{NAN, NAN, NAN, NAN};
-  const auto most = static_cast<long>(40.0 / meeting.step + 2.0 * before / meeting.speed) + 1000;
-  const bool over = run_row(system, row, make_disc_method(meeting.method), meeting.step, most, watch);
+  const auto maximum = static_cast<long>(40.0 / meeting.step + 2.0 * before / meeting.speed) + 1000;
+  const bool over = run_row(system, row, make_disc_method(meeting.method), meeting.step, maximum, watch);
   findings.count(system.evaluations());
   if (!over) return found;
   found.restitution = (row.discs.vx[1] - row.discs.vx[0]) / meeting.speed;
@@ -92,14 +92,14 @@ double latch_step(double steps_in_contact, double ratio) {
 PhasesOfLatch phases_of(const reference::SteppedLatch& latch, const char* method, Findings& findings,
                         const Setup& setup) {
   const double exact = reference::mean_restitution(latch);
-  PhasesOfLatch found{.least = INFINITY, .most = -INFINITY};
+  PhasesOfLatch found{.minimum = INFINITY, .maximum = -INFINITY};
   double squares = 0.0;
   for (int i = 0; i < latch_phases; ++i) {
     const double phase = latch_phase(i);
     const double e = parting({latch.ratio, latch.step, phase, method}, findings, setup).restitution;
     const double here = reference::stepped_restitution(latch, phase);
     found.mean += e / latch_phases, squares += e * e / latch_phases;
-    found.least = std::min(found.least, e), found.most = std::max(found.most, e);
+    found.minimum = std::min(found.minimum, e), found.maximum = std::max(found.maximum, e);
     found.found.add(std::log(e / exact)), found.predicted.add(std::log(here / exact));
     const double beyond = std::abs(std::log(e / here));
     keep_worst(found.beyond, beyond);
@@ -163,10 +163,10 @@ void check_means(const Measured& measured, Findings& findings) {
     findings.expect_true(
         {"gains_of_speed", fmt::format("{}: restitution above 1 at {} steps in a contact, below 1 at {}",
                                        latch_schemes[scheme].label, coarse, fine)},
-        fails.least > 1.0 && works.most < 1.0,
+        fails.minimum > 1.0 && works.maximum < 1.0,
         fmt::format(
             "at every phase; measured e >= {:.3f} and e <= {:.3f}; the full growth formula gives {:.3f} and {:.3f}",
-            fails.least, works.most, reference::mean_restitution(latch_of(latch_schemes[scheme], coarse)),
+            fails.minimum, works.maximum, reference::mean_restitution(latch_of(latch_schemes[scheme], coarse)),
             reference::mean_restitution(latch_of(latch_schemes[scheme], fine))));
   };
   gains(0, 10.0, 20.0);
@@ -180,12 +180,12 @@ void check_limit(Findings& findings, const Setup& setup) {
   const PhasesOfLatch beyond = of(1.8), before = of(2.9);
   findings.expect_true(
       {"stability_limit", "Verlet: restitution above 1 at some phases with 1.8 steps in a contact, at none with 2.9"},
-      beyond.most > 1.0 && before.most < 1.0,
+      beyond.maximum > 1.0 && before.maximum < 1.0,
       fmt::format("w2 h is {:.2f} and {:.2f}, the stability limit 2; measured e from {:.2f} to {:.2f} (mean {:.2f}) "
                   "and from {:.2f} to {:.2f} (mean {:.2f})",
                   latch_step(1.8, shown_ratio) / std::sqrt(shown_ratio),
-                  latch_step(2.9, shown_ratio) / std::sqrt(shown_ratio), beyond.least, beyond.most, beyond.mean,
-                  before.least, before.most, before.mean));
+                  latch_step(2.9, shown_ratio) / std::sqrt(shown_ratio), beyond.minimum, beyond.maximum, beyond.mean,
+                  before.minimum, before.maximum, before.mean));
 }
 
 void record(const Measured& measured, Findings& findings) {

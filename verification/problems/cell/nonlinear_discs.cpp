@@ -175,21 +175,21 @@ std::array<double, 2> apart(const Impact<L>& impact, const Setup& setup, Finding
   Discs discs = row.discs;
   fast.begin(discs);
   const EulerCromer method;
-  std::array<double, 2> most{};
+  std::array<double, 2> maximum{};
   for (long n = 0; n < 150; ++n) {
     method.step(rigid, state, step);
     fast.kick(discs, step), fast.drift(discs, step);
     for (std::size_t i = 0; i < 2; ++i) {
-      keep_worst(most[0], (discs.x[i] - state.q[2 * i]) / disc_radius);
-      keep_worst(most[0], (discs.vx[i] - state.v[2 * i]) / speed);
+      keep_worst(maximum[0], (discs.x[i] - state.q[2 * i]) / disc_radius);
+      keep_worst(maximum[0], (discs.vx[i] - state.v[2 * i]) / speed);
     }
   }
   findings.count(300);
-  const double begun = 0.5 * pair_mass * speed * speed;
+  const double initial_energy = 0.5 * pair_mass * speed * speed;
   for (std::size_t k = 0; k < mechanism_count; ++k)
-    keep_worst(most[1], (discs.work[k] - state.work[k]) / begun);
-  if (discs.dissipated() < 0.1 * begun) most[1] = NAN;  // nothing to compare
-  return most;
+    keep_worst(maximum[1], (discs.work[k] - state.work[k]) / initial_energy);
+  if (discs.dissipated() < 0.1 * initial_energy) maximum[1] = NAN;  // nothing to compare
+  return maximum;
 }
 
 void check_engines(Findings& findings, const Setup& setup) {

@@ -78,8 +78,8 @@ Watched run_by(const L& by, double gap, double step, double phase, Findings& fin
   FilledRow row = row_of(gap, phase * step);
   DiscSystem<L> system{row.shapes, {}, by, skin};
   Watched watched;
-  const auto most = static_cast<long>(30.0 * contact_time() / step);
-  (void)run_row(system, row, make_disc_method("velocity_verlet"), step, most, [&](const auto& seen) {
+  const auto maximum = static_cast<long>(30.0 * contact_time() / step);
+  (void)run_row(system, row, make_disc_method("velocity_verlet"), step, maximum, [&](const auto& seen) {
     seen.for_each_contact(row.discs, [&](const auto& contact) {
       if (contact.a != 1 || contact.depth < 0.0) return;
       watched.depth.push_back(contact.depth), watched.force.push_back(contact.force);
@@ -172,8 +172,8 @@ std::array<double, 3> restarted(double gap, double step, long every, bool droppe
   DiscSystem system{row.shapes, {}, law, row_skin};
   system.begin(row.discs);
   method.start(system, row.discs, step);
-  const auto most = static_cast<long>(30.0 * contact_time() / step);
-  for (long n = 1; n <= most && !over(system, row.discs); ++n) {
+  const auto maximum = static_cast<long>(30.0 * contact_time() / step);
+  for (long n = 1; n <= maximum && !over(system, row.discs); ++n) {
     method.step(system, row.discs, step);
     if (n % every != 0) continue;
     Archive saved;
@@ -217,8 +217,8 @@ std::array<double, 2> single_impact(const L& by, Findings& findings) {
   const double step = step_of_restarts();
   FilledRow row = fill({.radius = 8.0, .velocity = {1.0, 0.0}, .gap = {0.3 * step}});
   DiscSystem<L> system{row.shapes, {}, by, row_skin};
-  const auto most = static_cast<long>(30.0 * contact_time() / step);
-  (void)run_row(system, row, make_disc_method("velocity_verlet"), step, most, [](const auto&) {});
+  const auto maximum = static_cast<long>(30.0 * contact_time() / step);
+  (void)run_row(system, row, make_disc_method("velocity_verlet"), step, maximum, [](const auto&) {});
   findings.count(system.evaluations());
   return {row.discs.vx[0], row.discs.vx[1]};
 }

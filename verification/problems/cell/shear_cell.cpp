@@ -189,18 +189,18 @@ Table numbers(const CellRun& loose, const CellRun& dense) {
   Table table{.name = "cell",
               .caption = "Results of the two cells: means over 0.6 s with standard errors from a block bootstrap.",
               .columns = {"quantity", "8 kPa", "32 kPa"}};
-  const auto words = [](const Estimate& of, double unit) {
+  const auto scaled_text = [](const Estimate& of, double unit) {
     return fmt::format("{:.4g} +- {:.2g}", of.value / unit, of.error / unit);
   };
   const auto row = [&](const char* name, auto&& of) { table.rows.push_back({name, of(loose), of(dense)}); };
-  row("S/N on the block", [&](const CellRun& run) { return words(run.ratio(Q::top_shear, Q::top_normal), 1.0); });
-  row("depth over D", [&](const CellRun& run) { return words(run.mean(Q::depth), run.cell().diameter); });
-  row("solid fraction", [&](const CellRun& run) { return words(run.mean(Q::solid_fraction), 1.0); });
-  row("contacts per disc", [&](const CellRun& run) { return words(run.mean(Q::coordination), 1.0); });
+  row("S/N on the block", [&](const CellRun& run) { return scaled_text(run.ratio(Q::top_shear, Q::top_normal), 1.0); });
+  row("depth over D", [&](const CellRun& run) { return scaled_text(run.mean(Q::depth), run.cell().diameter); });
+  row("solid fraction", [&](const CellRun& run) { return scaled_text(run.mean(Q::solid_fraction), 1.0); });
+  row("contacts per disc", [&](const CellRun& run) { return scaled_text(run.mean(Q::coordination), 1.0); });
   row("fraction of contact time in multiple contacts",
-      [&](const CellRun& run) { return words(run.ratio(Q::multiple, Q::contacts), 1.0); });
+      [&](const CellRun& run) { return scaled_text(run.ratio(Q::multiple, Q::contacts), 1.0); });
   row("fraction of the contact shear carried by multiple contacts (M/S)",
-      [&](const CellRun& run) { return words(run.ratio(Q::multiple_shear_virial, Q::shear_virial), 1.0); });
+      [&](const CellRun& run) { return scaled_text(run.ratio(Q::multiple_shear_virial, Q::shear_virial), 1.0); });
   row("mean of S times mean of Y, over the mean of S Y", [&](const CellRun& run) {
     const double apart = value(run, Q::top_shear) * (value(run, Q::depth) + run.cell().diameter);
     return fmt::format("{:.4f}", apart / value(run, Q::top_moment));

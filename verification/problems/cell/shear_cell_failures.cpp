@@ -164,7 +164,7 @@ Figure figure_of(const std::vector<Row>& rows) {
 /// Leapfrogs with few steps in a contact, and the range of their unaccounted energy.
 struct Long {
   double steps;
-  double least, most;  ///< unaccounted energy: smallest and largest value
+  double minimum, maximum;  ///< unaccounted energy: smallest and largest value
   const char* why;
   std::uint64_t seeds{1};
 };
@@ -254,15 +254,15 @@ void expect_long_steps(Findings& findings, const Setup& setup, const ShearCell& 
     other.seed = cell.seed;
     rows.push_back({fmt::format("Verlet, {}", by.steps), cells.front()});
     const auto burst = std::count_if(cells.begin(), cells.end(), [](const Flow& flow) { return flow.burst; });
-    const auto least = std::min_element(cells.begin(), cells.end(), [](const Flow& one, const Flow& another) {
+    const auto minimum = std::min_element(cells.begin(), cells.end(), [](const Flow& one, const Flow& another) {
       return one.unaccounted < another.unaccounted;
     });
     findings.expect_between(fmt::format("energy unaccounted for, {}{}", name, by.seeds > 1 ? ", minimum of eight" : ""),
-                            least->unaccounted, by.least, by.most, by.why);
+                            minimum->unaccounted, by.minimum, by.maximum, by.why);
     double mean = 0.0;
     for (const Flow& flow : cells)
       mean += flow.ratio / static_cast<double>(cells.size());
-    draw(by.steps, {.ratio = mean, .unaccounted = least->unaccounted});
+    draw(by.steps, {.ratio = mean, .unaccounted = minimum->unaccounted});
     if (by.steps >= 2.9) {
       findings.expect_model("stress ratio, " + name, mean, right.ratio, setup.coarse ? 0.04 : 0.01,
                             "the ratio hardly depends on the step: both have a standard error of 0.003 to 0.004");
@@ -291,7 +291,7 @@ void expect_long_steps(Findings& findings, const Setup& setup, const ShearCell& 
 /// Euler and Taylor steps, which add energy in every impact.
 void expect_first_order(Findings& findings, const Setup& setup, const ShearCell& cell, std::vector<Row>& rows) {
   struct By {
-    const char *method, *words;
+    const char *method, *label;
     double few, many;
     const char *gains, *stays;
   };
@@ -299,22 +299,22 @@ void expect_first_order(Findings& findings, const Setup& setup, const ShearCell&
                               "each contact returns more energy than it received: e is above 1", "e is 0.73 there"},
                            By{"taylor", "Taylor", 5.0, 60.0, "e is 1.15", "e is 0.73 there"}};
   for (const By& by : all) {
-    if (!setup.needs(by.words)) continue;
+    if (!setup.needs(by.label)) continue;
     FlowPlan plan;
     if (setup.coarse) plan.time = 0.03;
     plan.integrator = by.method;
     plan.steps_in_contact = setup.has("first_order_finer") ? by.many : by.few;
     const Flow heated = right_flow(cell, plan, findings);
-    rows.push_back({fmt::format("{}, {} steps", by.words, by.few), heated});
-    findings.expect_true(fmt::format("limits exceeded, {} with {} steps in a contact", by.words, by.few),
+    rows.push_back({fmt::format("{}, {} steps", by.label, by.few), heated});
+    findings.expect_true(fmt::format("limits exceeded, {} with {} steps in a contact", by.label, by.few),
                          !within_limits(heated), by.gains);
     // Euler with 120 steps takes as long as all other first-order runs together; Taylor with 60 shows the same.
     if (by.many > 100.0 && setup.tier != Tier::full) continue;
     plan.steps_in_contact = setup.has("first_order_coarser") ? by.few : by.many;
     plan.time *= 0.5;
     const Flow fine = right_flow(cell, plan, findings);
-    rows.push_back({fmt::format("{}, {} steps", by.words, by.many), fine});
-    findings.expect_true(fmt::format("limits met, {} with {} steps in a contact", by.words, by.many),
+    rows.push_back({fmt::format("{}, {} steps", by.label, by.many), fine});
+    findings.expect_true(fmt::format("limits met, {} with {} steps in a contact", by.label, by.many),
                          within_limits(fine), by.stays);
   }
 }

@@ -17,12 +17,12 @@ FilledCell lively(const ShearCell& cell, double times = 60.0) {
 }
 
 double apart(const Discs& one, const std::vector<double>& x, const std::vector<double>& y, double width) {
-  double most = 0.0;
+  double maximum = 0.0;
   for (std::size_t i = 0; i < one.size(); ++i) {
     const double across = one.x[i] - x[i];
-    most = std::max({most, std::abs(across - width * std::round(across / width)), std::abs(one.y[i] - y[i])});
+    maximum = std::max({maximum, std::abs(across - width * std::round(across / width)), std::abs(one.y[i] - y[i])});
   }
-  return most;
+  return maximum;
 }
 
 /// Number of contacts that act across the border of the field, which is wider than two discs.
@@ -61,7 +61,7 @@ void expect_virtual(Findings& findings, const Setup& setup) {
                                 .vy = start.discs.vy};
   if (setup.has("latch_weaker")) discs.k2 *= 1.0 - 1e-9;
   Series difference{.label = "positions", .style = Style::lines};
-  double most = 0.0, early = 0.0;  // `early`: over the first half
+  double maximum = 0.0, early = 0.0;  // `early`: over the first half
   long across = 0;
   for (long n = 0; !run.finished();) {
     run.advance();
@@ -70,8 +70,8 @@ void expect_virtual(Findings& findings, const Setup& setup) {
     if (2 * n <= steps) across += across_border(run);
     if (n % 100 != 0) continue;
     const double now = apart(run.discs(), discs.x, discs.y, cell.width()) / cell.diameter;
-    most = std::max(most, now);
-    if (2 * n <= steps) early = most;
+    maximum = std::max(maximum, now);
+    if (2 * n <= steps) early = maximum;
     difference.add(static_cast<double>(n), std::max(now, 1e-17));
   }
   findings.count(run.evaluations());
@@ -86,7 +86,7 @@ void expect_virtual(Findings& findings, const Setup& setup) {
       "1.6e-13 with this seed, and to 2e-16 ... 1.8e-11 with eleven others. Other roundings of the same trajectories "
       "change the errors, but hardly their amplification: six times the measured error");
   findings.expect_round_off(
-      "positions after twice as many steps, largest difference over a diameter", most, 0.0, 3e-9,
+      "positions after twice as many steps, largest difference over a diameter", maximum, 0.0, 3e-9,
       "neighbouring trajectories diverge: 1.6e-13 grows to 2.9e-10, and ten times that is allowed");
   findings.figure({.name = "difference",
                    .title = "Minimum image against virtual discs",
@@ -200,7 +200,7 @@ void expect_restart(Findings& findings, const Setup& setup) {
                        "everything that a step reads is saved");
   expect_rough_restart(findings, cell, plan);
   const CellScene scene{.title = "", .units = {}, .cell = cell, .plan = plan};
-  const CellOutcome outcome{.finished = true, .words = "", .warnings = {}};
+  const CellOutcome outcome{.finished = true, .message = "", .warnings = {}};
   double differ = cell_history_csv(scene, whole) == cell_history_csv(scene, rest) ? 0.0 : 1.0;
   differ += cell_profile_csv(scene, whole) == cell_profile_csv(scene, rest) ? 0.0 : 1.0;
   differ += cell_summary_json(scene, whole, outcome, "") == cell_summary_json(scene, rest, outcome, "") ? 0.0 : 1.0;

@@ -110,13 +110,13 @@ void add_verdicts(Findings& findings, const std::vector<Verdict>& found) {
               .columns = {"prediction", "measured", "t", "probability", "verdict"}};
   for (const Verdict& verdict : found)
     table.rows.push_back(cells("{} | {} | {:+.1f} | {:.1g} | {}", verdict.prediction, verdict.measured,
-                               verdict.significance, verdict.chance, std::string{words(verdict.outturn)}));
+                               verdict.significance, verdict.chance, std::string{text_of(verdict.outturn)}));
   findings.table(std::move(table));
-  std::string words = "Results of the cells:";
+  std::string note = "Results of the cells:";
   for (const Verdict& verdict : found) {
-    words += fmt::format(" *{}* This {}: {}.", verdict.prediction, talus::words(verdict.outturn), verdict.measured);
+    note += fmt::format(" *{}* This {}: {}.", verdict.prediction, talus::text_of(verdict.outturn), verdict.measured);
   }
-  findings.note(words);
+  findings.note(note);
 }
 
 void add_numbers(Findings& findings, const std::vector<StudyMean>& study) {

@@ -55,10 +55,10 @@ Simulation simulation(std::string name, const scenes::Fence& fence, const Setup&
 }
 
 double Simulation::low(double FenceSample::*quantity) const {
-  double least = run.peaks.*quantity;
+  double minimum = run.peaks.*quantity;
   for (const FenceSample& twin : twins)
-    least = std::min(least, twin.*quantity);
-  return least;
+    minimum = std::min(minimum, twin.*quantity);
+  return minimum;
 }
 
 double Simulation::high(double FenceSample::*quantity) const {

@@ -51,10 +51,10 @@ const std::vector<FenceQuantity>& fence_quantities() {
 }
 
 double RowRun::low(const FenceQuantity& quantity) const {
-  double least = run.peaks.*quantity.ours;
+  double minimum = run.peaks.*quantity.ours;
   for (const FenceSample& twin : twins)
-    least = std::min(least, twin.*quantity.ours);
-  return least;
+    minimum = std::min(minimum, twin.*quantity.ours);
+  return minimum;
 }
 
 double RowRun::high(const FenceQuantity& quantity) const {

@@ -11,8 +11,8 @@ namespace talus::verification::problems {
 namespace {
 
 /// Indices of the bodies and cables of a scene whose quantities a sample contains.
-struct Places {
-  explicit Places(const scenes::FenceScene& made) {
+struct CableIndices {
+  explicit CableIndices(const scenes::FenceScene& made) {
     std::size_t member = 1;
     for (; made.members[member].layer == 0; ++member)
       rocks.push_back(index(*made.members[member].body));
@@ -33,14 +33,14 @@ class WatchedFence {
  public:
   WatchedFence(const scenes::FenceScene& made, double step, long every)
       : dynamics_{made.scene.model},
-        places_{made},
+        indices_{made},
         work_{dynamics_.workspace()},
         tensions_(made.scene.model.cables.size()),
-        joint_{dynamics_.cables().ends()[places_.top.front()].a},
-        memory_{dynamics_.layout().cable_slots[places_.top.front()].memory},
+        joint_{dynamics_.cables().ends()[indices_.top.front()].a},
+        memory_{dynamics_.layout().cable_slots[indices_.top.front()].memory},
         half_step_{0.5 * step},
         every_{every} {
-    for (const std::size_t rock : places_.rocks)
+    for (const std::size_t rock : indices_.rocks)
       mass_ += made.scene.model.bodies[rock].mass;
     start_energy_ = rock_energy(made.scene.initial);
   }
@@ -75,8 +75,8 @@ class WatchedFence {
     dynamics_.cables().tensions(state, work_, tensions_);
     const FenceSample now{.time = state.t + half_step_,
                           .joint = norm(work_.joints.force(joint_)),
-                          .top = tensions_[places_.top.front()],
-                          .bottom = places_.bottom.empty() ? 0.0 : tensions_[places_.bottom.front()],
+                          .top = tensions_[indices_.top.front()],
+                          .bottom = indices_.bottom.empty() ? 0.0 : tensions_[indices_.bottom.front()],
                           .speed = rock_speed(state),
                           .stretch = state.z[memory_]};
     FenceSample& peaks = run_.peaks;
@@ -85,16 +85,16 @@ class WatchedFence {
     peaks.top = std::max(peaks.top, now.top);
     peaks.bottom = std::max(peaks.bottom, now.bottom);
     peaks.stretch = std::max(peaks.stretch, now.stretch);
-    for (const std::size_t c : places_.top)
+    for (const std::size_t c : indices_.top)
       run_.top_any = std::max(run_.top_any, tensions_[c]);
-    for (const std::size_t c : places_.bottom)
+    for (const std::size_t c : indices_.bottom)
       run_.bottom_any = std::max(run_.bottom_any, tensions_[c]);
     if (every_ > 0 && run_.evaluations % every_ == 0) run_.history.push_back(now);
   }
 
   double rock_speed(const State& state) const {
     double momentum = 0.0;
-    for (const std::size_t rock : places_.rocks)
+    for (const std::size_t rock : indices_.rocks)
       momentum += dynamics_.model().bodies[rock].mass * state.v[dynamics_.layout().first[rock]];
     return momentum / mass_;
   }
@@ -102,7 +102,7 @@ class WatchedFence {
   /// Kinetic energy of the rocks, translational and rotational.
   double rock_energy(const State& state) const {
     double energy = 0.0;
-    for (const std::size_t rock : places_.rocks) {
+    for (const std::size_t rock : indices_.rocks) {
       const std::size_t first = dynamics_.layout().first[rock];
       for (std::size_t i = first; i < first + 3; ++i)
         energy += 0.5 * dynamics_.inertias()[i] * state.v[i] * state.v[i];
@@ -111,7 +111,7 @@ class WatchedFence {
   }
 
   Dynamics dynamics_;
-  Places places_;
+  CableIndices indices_;
   Workspace work_;
   std::vector<double> tensions_;
   std::size_t joint_;

@@ -42,14 +42,14 @@ std::vector<scenes::Fence> fences(const Setup& setup) {
   for (const Layout layout : {Layout{13, FenceSymmetry::half}, Layout{13, FenceSymmetry::full},
                               Layout{12, FenceSymmetry::half, EvenCentre::doubled}, Layout{12, FenceSymmetry::half},
                               Layout{12, FenceSymmetry::full, EvenCentre::doubled}}) {
-    for (const std::vector<int>& places : {std::vector<int>{}, {3, 6}, {1}}) {
+    for (const std::vector<int>& numbers : {std::vector<int>{}, {3, 6}, {1}}) {
       scenes::Fence fence = fence_of_today();
       fence.columns = layout.columns, fence.layers = 2;
       fence.options.symmetry = layout.symmetry, fence.options.even_centre = layout.centre;
       fence.options.bottom_end = scenes::BottomEnd::anchored;
-      for (const int place : places) {
+      for (const int number : numbers) {
         fence.changed_columns.push_back(unlike);
-        fence.changed_columns.back().place = place;
+        fence.changed_columns.back().number = number;
         if (setup.has("denser_columns")) fence.changed_columns.back().density *= 1.0 + 1e-6;
       }
       all.push_back(fence);
@@ -61,8 +61,8 @@ std::vector<scenes::Fence> fences(const Setup& setup) {
 bool is_column(const Body& body) { return body.name.find("column") != std::string::npos; }
 bool is_unlike(const scenes::Fence& fence, const Body& body) {
   return std::ranges::any_of(fence.changed_columns, [&](const scenes::ChangedColumn& changed) {
-    return body.name.ends_with(fmt::format("column{}", changed.place)) ||
-           body.name.ends_with(fmt::format("column-{}", changed.place));
+    return body.name.ends_with(fmt::format("column{}", changed.number)) ||
+           body.name.ends_with(fmt::format("column-{}", changed.number));
   });
 }
 bool is_top(const Cable& cable) { return cable.name.find("top") != std::string::npos; }
@@ -130,8 +130,8 @@ void check_hanging(Findings& findings, const Setup& setup) {
     double moment = 0.0;
     for (int i = 0; i < fence.columns; ++i) {
       const double along = std::abs(i - 0.5 * (fence.columns - 1)) * fence.spacing;
-      const int place = 1 + static_cast<int>(along / fence.spacing);  // 0 and 0.5 spacings: place 1
-      const bool other = std::ranges::count(fence.changed_columns, place, &scenes::ChangedColumn::place) > 0;
+      const int number = 1 + static_cast<int>(along / fence.spacing);  // 0 and 0.5 spacings: number 1
+      const bool other = std::ranges::count(fence.changed_columns, number, &scenes::ChangedColumn::number) > 0;
       moment += 0.5 * (other ? mass_of_unlike() : usual) * fence.gravity * (0.5 * fence.span - along);
     }
     double lowest = std::numeric_limits<double>::infinity(), highest = -lowest, farthest = 0.0;
@@ -351,24 +351,24 @@ void check_hangers(Findings& findings) {
 }
 
 /// Checks the error for a stretched cable that does not exist, and the reason given for the integrator chosen.
-void check_words(Findings& findings) {
+void check_messages(Findings& findings) {
   scenes::Fence fence = fence_of_today();
   fence.stretched_cables = {{"top99", 0.01}};
-  std::string words;
+  std::string message;
   try {
     (void)scenes::fence_scene(fence);
   } catch (const InputError& found) {
-    words = found.what();
+    message = found.what();
   }
   fence.stretched_cables.clear();
   fence.options.integrator = automatic_integrator;
   const Scene scene = scenes::fence_scene(fence).scene;
   double named = 0.0;
   for (const Cable& cable : scene.model.cables)
-    named += words.find(cable.name) != std::string::npos ? 1.0 : 0.0;
+    named += message.find(cable.name) != std::string::npos ? 1.0 : 0.0;
   findings.expect_exact("number of cables listed by the error for an unknown stretched cable", named,
                         static_cast<double>(scene.model.cables.size()), "all cables that may be meant");
-  findings.expect_true("name of the unknown cable in the error for it", words.find("top99") != std::string::npos,
+  findings.expect_true("name of the unknown cable in the error for it", message.find("top99") != std::string::npos,
                        "an error says what was found");
   findings.expect_true("reason for the integrator chosen for a fence", !scene.integrator_reason.empty(),
                        "the integrator was not given");
@@ -475,7 +475,7 @@ void run(Findings& findings, const Setup& setup) {
   check_long_cables(findings);
   check_linearization(findings);
   check_hangers(findings);
-  check_words(findings);
+  check_messages(findings);
   check_start(findings, setup);
   check_sides(findings, setup);
   check_outlines(findings);

@@ -9,7 +9,7 @@ namespace talus::verification::problems::fence_layouts {
 /// The fence of Table 2 with the current options.
 [[nodiscard]] scenes::Fence fence_of_today();
 
-/// A column that is longer and heavier than the others and has other joints; each use sets its place.
+/// A column that is longer and heavier than the others and has other joints; each use sets its number.
 inline constexpr scenes::ChangedColumn unlike{3, 1.0, 4.6, 0.8, 7.3, -4.5};
 
 // fence_outlines.cpp

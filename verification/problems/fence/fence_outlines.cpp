@@ -51,12 +51,12 @@ void check_reach(Findings& findings) {
   double wrong = 0.0;
   for (const double spacing : {2.5, 3.5}) {
     fence.spacing = spacing;
-    for (const double places : {0.0, 0.3, 0.49, 0.5, 0.51, 1.0, 1.5, -0.5, -2.4, -2.5}) {
-      fence.rocks[0].along = places * spacing;
+    for (const double spacings : {0.0, 0.3, 0.49, 0.5, 0.51, 1.0, 1.5, -0.5, -2.4, -2.5}) {
+      fence.rocks[0].along = spacings * spacing;
       const Model model = scenes::fence_scene(fence).scene.model;
       for (int i = -6; i <= 6; ++i) {
         const std::string name = i < 0 ? fmt::format("rock-column-{}", 1 - i) : fmt::format("rock-column{}", 1 + i);
-        const bool within = std::abs(places - i) <= 0.5;
+        const bool within = std::abs(spacings - i) <= 0.5;
         wrong += find_contact(model, name).has_value() == within ? 0.0 : 1.0;
       }
     }

@@ -227,13 +227,13 @@ void check_printed_pairs(Findings& findings, const FirstSegment& segment) {
                   "force gives the plastic elongation of the segment.",
               .columns = {"row", "joint [lb]", "top [lb]", "joint from top [lb]", "top from joint [lb]",
                           "beyond digits [lb]", "plastic elongation [ft]"}};
-  double least_stretch = 1.0, largest_stretch = 0.0;
+  double smallest_stretch = 1.0, largest_stretch = 0.0;
   for (const PrintedRow& row : printed_rows()) {
     std::vector<std::string> cells{name_of(row), fmt::format("{:.0f}", row.joint.value),
                                    fmt::format("{:.0f}", row.top.value)};
     if (yields(row)) {
       const double stretch = segment.plastic_stretch(row.joint.value, row.top.value);
-      least_stretch = std::min(least_stretch, stretch), largest_stretch = std::max(largest_stretch, stretch);
+      smallest_stretch = std::min(smallest_stretch, stretch), largest_stretch = std::max(largest_stretch, stretch);
       cells.insert(cells.end(), {"yields", "yields", "", fmt::format("{:.4f}", stretch)});
     } else {
       const double beyond = beyond_digits(segment, row);
@@ -247,7 +247,7 @@ void check_printed_pairs(Findings& findings, const FirstSegment& segment) {
   findings.expect_exact(
       {"pull_at_a_joint", "number of printed elastic pairs, of 21, that satisfy joint = 2 T sin to their digits"},
       consistent_pairs(segment), 18, "a count; the other three are the errata");
-  findings.expect_between("plastic elongation from the printed joint forces, minimum", least_stretch, 0.0, 0.01,
+  findings.expect_between("plastic elongation from the printed joint forces, minimum", smallest_stretch, 0.0, 0.01,
                           "a cable that yields is elongated; a smaller value would require less than its yield force",
                           "ft");
   findings.expect_between("plastic elongation from the printed joint forces, maximum", largest_stretch, 0.01, 0.02,

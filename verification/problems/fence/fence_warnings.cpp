@@ -88,7 +88,7 @@ void check_counts(Findings& findings) {
   };
   struct Range {
     const char* field;
-    long least, most;
+    long minimum, maximum;
   };
   static constexpr std::array ranges{Range{"steps", 1, 1'000'000'000},
                                      Range{"print_every", 1, 1'000'000'000},
@@ -103,10 +103,10 @@ void check_counts(Findings& findings) {
     return refusal(range.field, value).find(says) != std::string::npos;
   };
   for (const Range& range : ranges) {
-    for (const long value : {range.least - 1, range.most + 1})
+    for (const long value : {range.minimum - 1, range.maximum + 1})
       wrong += refused(range, value) ? 0.0 : 1.0;
     // A thousand columns are refused, but for their width.
-    for (const long value : {range.least, range.most})
+    for (const long value : {range.minimum, range.maximum})
       wrong += refused(range, value) ? 1.0 : 0.0;
   }
   findings.expect_exact("number of integers at or beyond the ends of their ranges that are wrongly accepted or refused",

@@ -27,9 +27,9 @@ std::vector<std::string> lines_of(const std::string& text) {
   std::istringstream in{text};
   for (std::string line; std::getline(in, line);) {
     if (line.rfind("# ", 0) == 0) continue;
-    std::istringstream words{line};
+    std::istringstream tokens{line};
     std::string joined;
-    for (std::string word; words >> word;)
+    for (std::string word; tokens >> word;)
       joined += joined.empty() ? word : " " + word;
     if (!joined.empty()) lines.push_back(joined);
   }

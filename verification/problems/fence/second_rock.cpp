@@ -331,18 +331,18 @@ void check_summary(Findings& findings, const Setup& setup) {
   const BodyId third = *find_body(model, "column-3");
   const auto hung = std::ranges::find(summary.columns, third, &scenes::ColumnRecord::body);
   const Vec2 hanger{hung->hanger.impulse.x, hung->hanger.impulse.y};
-  const auto sums = [](const char* words) { return Tolerance::round_off(2.5e-13, words); };
-  const char* const words =
+  const auto sums = [](const char* reason) { return Tolerance::round_off(2.5e-13, reason); };
+  const char* const reason =
       "velocity Verlet integrates forces to the momentum by the same trapezoidal rule: 2250 sums, each rounded by "
       "1.1e-16 of the sum: 2.5e-13 if all have the same sign";
   const double thrown = summary.rocks[0].mass * norm(fence.rocks[0].velocity);
   findings.expect(
       {"momentum_balance", "balance of the momentum across the fence with the impulse on the anchors, relative error"},
-      (change.x + anchors.x) / thrown, 0.0, sums(words));
+      (change.x + anchors.x) / thrown, 0.0, sums(reason));
   findings.expect("balance of the vertical momentum with weights and impulse on the anchors, relative error",
-                  (change.y + weight * end + anchors.y) / (weight * end), 0.0, sums(words));
+                  (change.y + weight * end + anchors.y) / (weight * end), 0.0, sums(reason));
   findings.expect("balance of a column's momentum with its weight and the impulse of its hanger, relative error",
-                  norm(of_column + Vec2{0.0, on_column * end} - hanger) / norm(hanger), 0.0, sums(words));
+                  norm(of_column + Vec2{0.0, on_column * end} - hanger) / norm(hanger), 0.0, sums(reason));
 }
 
 /// Checks verdicts for a rock that hits the lower end of a column and passes below it, with hangers that hold, that

@@ -106,7 +106,7 @@ void WatchedSummary::take_heights(const Snapshot& seen) {
     if (!name.starts_with("column")) continue;
     double y_top = fence_->y_top, y_bottom = fence_->y_bottom;
     for (const scenes::ChangedColumn& changed : fence_->changed_columns) {
-      if (name.ends_with(std::to_string(changed.place))) y_top = changed.y_top, y_bottom = changed.y_bottom;
+      if (name.ends_with(std::to_string(changed.number))) y_top = changed.y_top, y_bottom = changed.y_bottom;
     }
     const Pose at = pose(*model_, seen.state(), static_cast<BodyId>(i));
     const auto height = [&](double y) { return over_ground(at.p_WB + y * Vec2{-at.R_WB.sine, at.R_WB.cosine}); };
@@ -114,14 +114,14 @@ void WatchedSummary::take_heights(const Snapshot& seen) {
   }
   scenes::LayerRecord::Height &lowest = heights_.top, &highest = heights_.bottom;
   const double time = seen.state().t;
-  if (!begun_) lowest.start = top, highest.start = bottom;
-  if (!begun_ || top < lowest.extreme) lowest.extreme = top, lowest.extreme_time = time;
-  if (!begun_ || bottom > highest.extreme) highest.extreme = bottom, highest.extreme_time = time;
+  if (!started_) lowest.start = top, highest.start = bottom;
+  if (!started_ || top < lowest.extreme) lowest.extreme = top, lowest.extreme_time = time;
+  if (!started_ || bottom > highest.extreme) highest.extreme = bottom, highest.extreme_time = time;
   lowest.end = top, highest.end = bottom;
   const Vec2 rock = pose(*model_, seen.state(), *find_body(*model_, summary().rocks[0].name)).p_WB;
-  rock_height_ = begun_ ? std::max(rock_height_, over_ground(rock)) : over_ground(rock);
+  rock_height_ = started_ ? std::max(rock_height_, over_ground(rock)) : over_ground(rock);
   rock_distance_ = std::abs(rock.x - fence_->column.position.x);
-  begun_ = true;
+  started_ = true;
 }
 
 double WatchedSummary::resumed_differences() const {

@@ -36,7 +36,7 @@ class WatchedSummary {
   double stop_{}, tension_error_{}, hanger_error_{}, at_resume_{}, rock_height_{}, rock_distance_{};
   ArchiveItems saved_;
   scenes::LayerRecord heights_;
-  bool begun_{false};
+  bool started_{false};
 };
 
 }  // namespace talus::verification::problems

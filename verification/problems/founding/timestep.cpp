@@ -188,15 +188,15 @@ void check_gain(Findings& findings) {
     const std::vector<double> counts{pi / eta - common_offset};
     const Sweep swept = sweep(elastic, make_integrator("velocity_verlet"), counts, Offset::common);
     const std::vector<double> phases = even_phases(fewest_phases);
-    double largest = 0.0, least = 1.0, seen = 0.0;
+    double largest = 0.0, smallest = 1.0, seen = 0.0;
     for (std::size_t i = 0; i < phases.size(); ++i) {
       const double exact = leapfrog_exit(eta, phases[i]), solver = 1.0 + swept.by_phase.front()[i];
       largest = std::max(largest, exact);
-      least = std::min(least, exact);
+      smallest = std::min(smallest, exact);
       seen = std::max(seen, solver);
       keep_largest(worst, solver - exact);
     }
-    table.rows.push_back(cells("$\\omega h$ = {:g} | 1 | {:.3f} | {:.3f} | {:+.1f} % | {:.3f}", eta, largest, least,
+    table.rows.push_back(cells("$\\omega h$ = {:g} | 1 | {:.3f} | {:.3f} | {:+.1f} % | {:.3f}", eta, largest, smallest,
                                100.0 * (1.0 / largest - 1.0), seen));
   }
   findings.expect_round_off("exit speed at w h = 0.3 ... 1.9, largest error against the exact map over 64 phases",

@@ -56,14 +56,14 @@ double kept_in_addition(double x, double v) {
 double integral_in_addition(double v1) {
   const reference::TwoCableMotion motion{problem, v1};
   const double furthest = motion.largest_distance();
-  const double longest = std::hypot(problem.length, furthest), most = longest - problem.length;
+  const double longest = std::hypot(problem.length, furthest), maximum = longest - problem.length;
   constexpr int n = 200;
   double sum = 0.0;
   for (int i = 0; i <= n; ++i) {
     const double x = furthest * std::sin(0.5 * std::numbers::pi * i / n);
     const double length = std::hypot(problem.length, x), s = length - problem.length;
-    const double rate = std::sqrt(most * (longest + length) / (1.0 + s / most)) / v1;
-    const double v_square = v1 * v1 * (1.0 - s / most) * (1.0 + s / most);
+    const double rate = std::sqrt(maximum * (longest + length) / (1.0 + s / maximum)) / v1;
+    const double v_square = v1 * v1 * (1.0 - s / maximum) * (1.0 + s / maximum);
     sum += (i == 0 || i == n ? 1.0
             : i % 2 == 1     ? 4.0
                              : 2.0) *

@@ -97,11 +97,11 @@ Figure chart(const char* name, const char* title, const std::string& caption) {
 
 /// Position at which the slope of a method's order is drawn for comparison, so that slopes and labels do not overlap
 /// the curves.
-struct SlopePlace {
+struct SlopeMark {
   double fraction;  ///< fraction of the curve's points before it
   double height;    ///< ratio to the curve there; 0: the method has no slope
 };
-SlopePlace slope_place(std::string_view method) {
+SlopeMark slope_mark(std::string_view method) {
   if (method == "euler_cromer") return {0.75, 0.2};
   if (method == "velocity_verlet") return {0.95, 0.1};
   if (method == "rk4") return {0.75, 0.1};
@@ -112,10 +112,10 @@ SlopePlace slope_place(std::string_view method) {
 /// Adds a method's curve to a chart of error against work and, for some methods, the slope of its order.
 void draw(const MethodRange& method, const Series& series, Figure& chart) {
   chart.series.push_back(series);
-  const SlopePlace place = slope_place(method.name);
-  if (place.height == 0.0 || series.x.empty()) return;
-  const auto at = static_cast<std::size_t>(place.fraction * static_cast<double>(series.x.size()));
-  chart.slopes.push_back({-static_cast<double>(method.order()), series.x[at], place.height * series.y[at],
+  const SlopeMark mark = slope_mark(method.name);
+  if (mark.height == 0.0 || series.x.empty()) return;
+  const auto at = static_cast<std::size_t>(mark.fraction * static_cast<double>(series.x.size()));
+  chart.slopes.push_back({-static_cast<double>(method.order()), series.x[at], mark.height * series.y[at],
                           fmt::format("order {}", method.order())});
 }
 

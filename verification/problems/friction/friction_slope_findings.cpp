@@ -236,12 +236,12 @@ void check_rolling(Findings& findings, const Setup& setup) {
 void check_slopes(Findings& findings, const Setup& setup) {
   const SlopeSweep disc = sweep_slopes(true, setup, findings), block = sweep_slopes(false, setup, findings);
   const Slope steepest{true, std::atan(6.2 * mu), mu, stiffness, stiffness, 0.0, true};
-  const std::string words =
+  const std::string reason =
       "constant forces, which velocity Verlet integrates exactly; the round-off of the overlap and its oscillation, "
       "relative to net forces of the size of the friction";
   findings.expect_round_off(
       {"slopes/disc", "acceleration of a disc on slopes, largest relative error against the reference"}, disc.farthest,
-      0.0, 3.0 * normal_round_off(steepest), words);
+      0.0, 3.0 * normal_round_off(steepest), reason);
   findings.expect_round_off(
       {"slopes/block", "acceleration of a block on slopes, largest relative error against the reference"},
       block.farthest, 0.0, 30.0 * normal_round_off(steepest),

@@ -120,7 +120,7 @@ void check_impacts(Findings& findings, const Setup& setup) {
                 .y = {.label = "error", .log = true},
                 .slopes = {{2.0, 1.0 / 100.0, 1e-5, "h^2"}}};
   double unlike = 0.0;
-  for (const auto& [words, kappa, ratio] :
+  for (const auto& [label, kappa, ratio] :
        {std::tuple{"a contact that sticks", 1.286, 0.5}, std::tuple{"a contact that slips first", 2.0, 1.5}}) {
     const reference::MindlinImpact impact = impact_of(kappa, ratio);
     const reference::MindlinRebound exact = reference::rebound(impact);
@@ -146,13 +146,13 @@ void check_impacts(Findings& findings, const Setup& setup) {
       energies.add(1.0 / count, energy.rms());
       return std::pair{1.0 / count, slip.rms()};
     });
-    findings.in("impacts")->expect_order(fmt::format("order of the slip rate after an impact, {}", words), slips, 1.8,
+    findings.in("impacts")->expect_order(fmt::format("order of the slip rate after an impact, {}", label), slips, 1.8,
                                          2.3, "second order, and h^(5/2) from the onset and the end of a slip");
     findings.in("energy")->expect_order(
-        fmt::format("order of the energy that friction dissipates, less that of the slip rates, {}", words), energies,
+        fmt::format("order of the energy that friction dissipates, less that of the slip rates, {}", label), energies,
         0.9, 1.2, "first order: powers are evaluated before the kick");
-    figure.series.push_back({fmt::format("slip rate, {}", words), slips.steps(), slips.errors(), Style::points});
-    figure.series.push_back({fmt::format("energy, {}", words), energies.steps(), energies.errors(), Style::points});
+    figure.series.push_back({fmt::format("slip rate, {}", label), slips.steps(), slips.errors(), Style::points});
+    figure.series.push_back({fmt::format("energy, {}", label), energies.steps(), energies.errors(), Style::points});
   }
   findings.in("impacts")->expect("lateral speeds and spins after impacts, plain less fast engine, largest", unlike, 0.0,
                                  Tolerance::exact("both engines give the same bits"));

@@ -166,10 +166,10 @@ void check_stiffness(Findings& findings, const Setup& setup) {
     const auto evaluations = [&](double factor) {
       return static_cast<double>(ended(stiffer(file, factor, setup), 1e-10, findings).evaluations);
     };
-    const auto [fewest, most] = std::minmax({evaluations(0.1), evaluations(1.0), evaluations(100.0)});
+    const auto [fewest, maximum] = std::minmax({evaluations(0.1), evaluations(1.0), evaluations(100.0)});
     group->expect_between(
         fmt::format("{}, 0.1 to 100 times the stiffness, tolerance 1e-10: most over fewest evaluations", name),
-        most / fewest, 1.0, 2.0,
+        maximum / fewest, 1.0, 2.0,
         "1,000 times the stiffness has 32 times as many oscillations; a method that followed a "
         "thirtieth of them would need twice the evaluations");
   }
@@ -245,18 +245,18 @@ void unmoved(Findings& findings) {
   SceneBuilder builder{si};
   builder.add_free("disc", 2.0, 0.01, Circle{0.1}, {1.0, 2.0});
   Scene scene = builder.at_rest();
-  double moved = 0.0, most = 0.0;
+  double moved = 0.0, maximum = 0.0;
   for (const std::string& name : integrator_names()) {
     if (!takes_tolerance(integrator_traits(name).step_control)) continue;
     const RunEnd end = run_scene(scene, make_integrator(name, 1e-10), {1.0, 1.0, 1.0, true}, findings);
     for (std::size_t i = 0; i < end.state.q.size(); ++i)
       keep_worst(moved, std::abs(end.state.q[i] - scene.initial.q[i]) + std::abs(end.state.v[i]));
-    most = std::max(most, static_cast<double>(end.evaluations));
+    maximum = std::max(maximum, static_cast<double>(end.evaluations));
   }
   const auto group = findings.in("unmoved");
   findings.expect_exact("body without forces: displacement and speed, largest of all methods", moved, 0.0,
                         "sums of zeros", "m, m/s");
-  findings.expect_between("body without forces: evaluations of 1 s, maximum over the methods", most, 1.0, 26.0,
+  findings.expect_between("body without forces: evaluations of 1 s, maximum over the methods", maximum, 1.0, 26.0,
                           "without motion no step is too long: one step, or two of Fehlberg's thirteen evaluations");
 }
 

@@ -57,7 +57,7 @@ void check_turn(Findings& findings, const Setup& setup) {
                    .series = {drift.points("solver"), drift.line("2/3 pi^3 D/n^2")}});
 }
 
-using Place = std::array<double, 3>;  // x, y, angle
+using Coordinates = std::array<double, 3>;  // x, y, angle
 
 /// A disc pressed on a plane and drawn along straight lines; all numbers are sums of few powers of two.
 class DrawnDisc {
@@ -71,14 +71,14 @@ class DrawnDisc {
   }
 
   /// Draws the disc to a pose, given relative to its start.
-  void draw(const Place& to) {
+  void draw(const Coordinates& to) {
     constexpr int steps = 64;
-    const Place start{0.0, radius - first_overlap, 0.0};
+    const Coordinates start{0.0, radius - first_overlap, 0.0};
     for (std::size_t i = 0; i < 3; ++i)
       state_.v[i] = to[i] + start[i] - state_.q[i];
     for (int n = 0; n < steps; ++n) {
       system_.drift(state_, 1.0 / steps);
-      const Place now = force();
+      const Coordinates now = force();
       for (std::size_t i = 0; i < 3; ++i)
         work_ -= 0.5 * (force_[i] + now[i]) * state_.v[i] / steps;
       force_ = now;
@@ -101,7 +101,7 @@ class DrawnDisc {
   }
 
   /// Forces and moment on the disc, equal to its accelerations (unit mass and inertia).
-  Place force() {
+  Coordinates force() {
     Rates rates{state_};
     system_.evaluate(state_, rates);
     return {rates.v[0], rates.v[1], rates.v[2]};
@@ -110,7 +110,7 @@ class DrawnDisc {
   Dynamics dynamics_;
   RigidBodySystem system_;
   State state_;
-  Place force_{};
+  Coordinates force_{};
   double work_{};
 };
 
@@ -120,8 +120,9 @@ void check_loops(Findings& findings, const Setup& setup) {
       "straight line at constant overlap or constant angle, the force is linear and the sum exact";
   const double friction = setup.has("friction_that_slips") ? 0.03125 : 8.0;
   DrawnDisc slid{friction};
-  for (const Place& to : {Place{0.0625, 0.0, 0.0}, Place{0.0625, -0.03125, 0.0}, Place{-0.03125, -0.03125, 0.0},
-                          Place{-0.03125, 0.015625, 0.0}, Place{0.0, 0.015625, 0.0}, Place{0.0, 0.0, 0.0}})
+  for (const Coordinates& to :
+       {Coordinates{0.0625, 0.0, 0.0}, Coordinates{0.0625, -0.03125, 0.0}, Coordinates{-0.03125, -0.03125, 0.0},
+        Coordinates{-0.03125, 0.015625, 0.0}, Coordinates{0.0, 0.015625, 0.0}, Coordinates{0.0, 0.0, 0.0}})
     slid.draw(to);
   findings.expect_exact({"work_xy", "work of a closed path in x and y"}, slid.work(), 0.0, dyadic, "J");
   findings.expect_exact({"stretch_xy", "stretch after a closed path in x and y"}, slid.stretch(), 0.0, dyadic, "m");
@@ -129,21 +130,23 @@ void check_loops(Findings& findings, const Setup& setup) {
                         "J");
 
   DrawnDisc rolled{friction};
-  for (const Place& to : {Place{0.0625, 0.0, 0.0}, Place{0.0625, 0.0, -0.0625}, Place{0.0, 0.0, -0.0625}, Place{}})
+  for (const Coordinates& to : {Coordinates{0.0625, 0.0, 0.0}, Coordinates{0.0625, 0.0, -0.0625},
+                                Coordinates{0.0, 0.0, -0.0625}, Coordinates{}})
     rolled.draw(to);
   findings.expect_exact({"work_xa", "work of a closed path in x and the angle"}, rolled.work(), 0.0, dyadic, "J");
 
   constexpr double low = -0.03125, turn = 0.5;
   DrawnDisc turned{friction};
-  const std::array<Place, 4> corners{Place{0.0, 0.0, turn}, Place{0.0, low, turn}, Place{0.0, low, 0.0}, Place{}};
-  for (const Place& to : corners)
+  const std::array<Coordinates, 4> corners{Coordinates{0.0, 0.0, turn}, Coordinates{0.0, low, turn},
+                                           Coordinates{0.0, low, 0.0}, Coordinates{}};
+  for (const Coordinates& to : corners)
     turned.draw(to);
   const double left = 0.5 * turn * low;
   findings.expect_exact({"stretch_ya", "stretch after a closed path in y and the angle"}, turned.stretch(), left,
                         dyadic, "m");
   findings.expect_exact({"work_ya", "work of a closed path in y and the angle"}, turned.work(),
                         0.5 * DrawnDisc::stiffness * left * left, dyadic, "J");
-  for (const Place& to : {corners[2], corners[1], corners[0], corners[3]})
+  for (const Coordinates& to : {corners[2], corners[1], corners[0], corners[3]})
     turned.draw(to);
   findings.expect_exact("work of a closed path in y and the angle and of the same path back", turned.work(), 0.0,
                         dyadic, "J");

@@ -140,15 +140,16 @@ void check_elastic(Findings& findings, const Setup& setup) {
     // alone gives d = pi eta/24; the mean over all fractions is 1/30 for d^2 (1 - d)^2.
     const double eta = std::numbers::pi / steps, d = std::numbers::pi * eta / 24.0;
     const double each = collisions * std::pow(eta, 4) / 6.0;
-    const double least = std::expm1(each * d * d * (1.0 - d) * (1.0 - d)), most = std::expm1(each / 30.0);
+    const double smallest = std::expm1(each * d * d * (1.0 - d) * (1.0 - d)), maximum = std::expm1(each / 30.0);
     findings.expect_between(
-        fmt::format("change of the energy of elastic discs, {:g} steps in a contact", steps), found.heated, least, most,
+        fmt::format("change of the energy of elastic discs, {:g} steps in a contact", steps), found.heated, smallest,
+        maximum,
         fmt::format(
             "in the mean, a collision multiplies the energy of a disc by 1 + (w h)^4 d^2 (1 - d)^2/6, where d is the "
             "fraction of a step in the contact time: with w h = {:.2f} and {:g} collisions a gain of {:.3f} if all "
             "contacts last {:g} steps, less the leapfrog's shorter period, and of {:.3f} if their fractions are evenly "
             "distributed; contacts that are not head-on last longer or shorter and lie in between",
-            eta, collisions, least, steps, most));
+            eta, collisions, smallest, steps, maximum));
   }
   if (!setup.coarse) findings.table(table);
 }
@@ -198,7 +199,7 @@ void run(Findings& findings, const Setup& setup) {
             "the slowing is no accident",
             scatter));
   }
-  const auto [least, most] = std::minmax_element(slopes.begin(), slopes.end());
+  const auto [smallest, maximum] = std::minmax_element(slopes.begin(), slopes.end());
   const double w1h = std::sqrt(2.0 * latching.stiffness) * contact_time / 20.0;
   const auto count = static_cast<double>(discs);
   constexpr double loss = 1.0 - restitution * restitution;
@@ -227,7 +228,7 @@ void run(Findings& findings, const Setup& setup) {
        .title = "Temperature of the cooling gas",
        .caption = fmt::format("Temperature over its initial value against time over $\\tau$, first of {} runs with "
                               "each law; the slopes of all runs are {:.3f} to {:.3f} of that of Haff's law.",
-                              seeds, *least, *most),
+                              seeds, *smallest, *maximum),
        .x = {.label = "t/tau"},
        .y = {.label = "T/T0", .log = true},
        .series = {curve("Haff's law", multiples(0.01 * length, 0, 100), haff), drawn[0], drawn[1]}});

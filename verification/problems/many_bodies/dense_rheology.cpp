@@ -58,22 +58,22 @@ double over_error(double difference, double error_a, double error_b) {
 
 /// Properties of any mu(I) and phi(I): mu grows with I, and phi falls. As phi is given, I must fall as phi grows.
 void check_slopes(Findings& findings, const std::vector<DenseFlow>& flows) {
-  double least_rise = 1e9, least_fall = 1e9;
+  double minimum_rise = 1e9, minimum_fall = 1e9;
   for (std::size_t i = 1; i < flows.size(); ++i) {
     const DenseFlow &loose = flows[i - 1], &dense = flows[i];
-    least_rise = std::min(least_rise, over_error(loose.friction.value - dense.friction.value, loose.friction.error,
-                                                 dense.friction.error));
-    least_fall = std::min(least_fall, over_error(loose.inertial.value - dense.inertial.value, loose.inertial.error,
-                                                 dense.inertial.error));
+    minimum_rise = std::min(minimum_rise, over_error(loose.friction.value - dense.friction.value, loose.friction.error,
+                                                     dense.friction.error));
+    minimum_fall = std::min(minimum_fall, over_error(loose.inertial.value - dense.inertial.value, loose.inertial.error,
+                                                     dense.inertial.error));
   }
   findings.expect_between(
-      {"friction_increase", "increase of friction with the inertial number, smallest step over its error"}, least_rise,
-      3.0, 100.0,
+      {"friction_increase", "increase of friction with the inertial number, smallest step over its error"},
+      minimum_rise, 3.0, 100.0,
       "three standard errors between any two neighbouring flows; above 100 the errors would be too small for flows of "
       "this length");
   findings.expect_between(
       {"fraction_decrease", "decrease of solid fraction with the inertial number, smallest step over its error"},
-      least_fall, 3.0, 100.0, "as for friction: each denser flow has a smaller I by three standard errors");
+      minimum_fall, 3.0, 100.0, "as for friction: each denser flow has a smaller I by three standard errors");
 }
 
 /// Stiffer discs: only p/K1 changes.
@@ -111,13 +111,14 @@ void check_rough(Findings& findings, const std::vector<DenseFlow>& smooth, const
         over_error(flow.friction.value - beside.friction.value, flow.friction.error, beside.friction.error));
     loss.push_back(beside.fraction - flow.fraction);
   }
-  const auto least = [](const std::vector<double>& all) {
+  const auto minimum = [](const std::vector<double>& all) {
     return all.empty() ? 0.0 : *std::min_element(all.begin(), all.end());
   };
-  findings.expect_between({"rough_excess", "excess friction of rough discs over its error"}, least(excess), 3.0, 100.0,
+  findings.expect_between({"rough_excess", "excess friction of rough discs over its error"}, minimum(excess), 3.0,
+                          100.0,
                           "three standard errors above the next faster smooth flow, whose friction is above that of "
                           "smooth discs at the same I");
-  findings.expect_between("lower solid fraction of rough discs at the same inertial number", least(loss), 0.005, 0.1,
+  findings.expect_between("lower solid fraction of rough discs at the same inertial number", minimum(loss), 0.005, 0.1,
                           "the next faster smooth flow is looser than smooth discs at the same I, and still denser "
                           "than the rough flow; solid fractions are chosen in steps of 0.005");
 }

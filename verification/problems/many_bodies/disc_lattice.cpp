@@ -32,8 +32,8 @@ Lattice lattice() {
 }
 
 struct Grown {
-  double rate{};  ///< growth of the amplitude: logarithm per step
-  double most{};  ///< largest amplitude over the initial one
+  double rate{};     ///< growth of the amplitude: logarithm per step
+  double maximum{};  ///< largest amplitude over the initial one
   Series amplitude;
 };
 
@@ -44,8 +44,8 @@ Grown grow(const std::string& integrator, double ratio, int steps, const Setup& 
   Discs discs = start.discs;
   std::mt19937_64 random{5};
   for (std::size_t i = 0; i < discs.size(); ++i) {
-    for (double* place : {&discs.x[i], &discs.y[i]})
-      *place += first * (std::ldexp(static_cast<double>(random() >> 11), -52) - 1.0);
+    for (double* coordinate : {&discs.x[i], &discs.y[i]})
+      *coordinate += first * (std::ldexp(static_cast<double>(random() >> 11), -52) - 1.0);
   }
   const double h = ratio * (setup.has("limit_of_a_pair") ? std::sqrt(2.0) : std::sqrt(2.0 / 3.0));
   Grown grown;
@@ -65,7 +65,7 @@ Grown grow(const std::string& integrator, double ratio, int steps, const Setup& 
           }
           const double amplitude = std::sqrt(squares / static_cast<double>(discs.size()));
           grown.amplitude.add(n, amplitude);
-          grown.most = std::max(grown.most, amplitude / first);
+          grown.maximum = std::max(grown.maximum, amplitude / first);
           if (amplitude > 0.1 * overlap) break;
         }
       },
@@ -90,7 +90,7 @@ void run(Findings& findings, const Setup& setup) {
       const Grown grown = grow(integrator, ratio, ratio < 1.0 ? (setup.coarse ? 400 : 4000) : 400, setup, findings);
       const std::string name = fmt::format("{}, step {} of the limit", integrator, ratio);
       if (ratio < 1.0) {
-        findings.expect_between("largest displacement over the initial one, " + name, grown.most, 0.1, 30.0,
+        findings.expect_between("largest displacement over the initial one, " + name, grown.maximum, 0.1, 30.0,
                                 "oscillations near the limit exceed the initial displacement by the factor 1/sqrt(1 - "
                                 "0.99^2) = 7 at most for each mode, and 128 modes are superposed");
       } else {

@@ -35,18 +35,18 @@ std::vector<Plan> plans() {
 bool is_free(const Packing& packing, std::size_t i) { return packing.shapes.wall[i] == DiscShapes::free; }
 
 /// Minimum distance of two centres over the sum of the radii, by all pairs and images.
-double least_distance(const Packing& packing) {
-  double least = std::numeric_limits<double>::infinity();
+double minimum_distance(const Packing& packing) {
+  double minimum = std::numeric_limits<double>::infinity();
   for (std::size_t i = 0; i < packing.discs.size(); ++i) {
     for (std::size_t j = i + 1; j < packing.discs.size(); ++j) {
       if (!is_free(packing, i) && !is_free(packing, j)) continue;
       const double dx = std::remainder(packing.discs.x[j] - packing.discs.x[i], packing.width);
       double dy = packing.discs.y[j] - packing.discs.y[i];
       if (packing.box.repeats_y()) dy = std::remainder(dy, packing.height);
-      least = std::min(least, std::hypot(dx, dy) / (packing.shapes.radius[i] + packing.shapes.radius[j]));
+      minimum = std::min(minimum, std::hypot(dx, dy) / (packing.shapes.radius[i] + packing.shapes.radius[j]));
     }
   }
-  return least;
+  return minimum;
 }
 
 /// Sums over the free discs of a packing.
@@ -120,10 +120,10 @@ void expect_as_planned(Findings& findings, const Setup& setup, const Plan& each,
   findings.expect_round_off(name("largest relative error of the masses"), sums.wrong_mass, 0.0, 1e-15,
                             "mass proportional to area: five operations");
   findings.expect_exact(name("moving discs"), sums.moving, 0.0, "all discs are at rest");
-  const double least = least_distance(packing);
-  findings.expect_between(name("minimum distance over the sum of radii"), least, 1.0, plan.walls ? 1.02 : 1.05,
+  const double minimum = minimum_distance(packing);
+  findings.expect_between(name("minimum distance over the sum of radii"), minimum, 1.0, plan.walls ? 1.02 : 1.05,
                           "no two discs overlap; of a hundred or more some nearly touch", "1");
-  findings.expect_round_off(name("minimum distance by the neighbour list"), closest(packing), least, 1e-14,
+  findings.expect_round_off(name("minimum distance by the neighbour list"), closest(packing), minimum, 1e-14,
                             "differences of coordinates of up to 30 diameters");
   // The mean of uniformly random positions has a standard deviation of 1/sqrt(12 n) of the width.
   const double spread_of_mean = 4.0 / std::sqrt(12.0 * n);
@@ -149,7 +149,7 @@ void expect_as_planned(Findings& findings, const Setup& setup, const Plan& each,
   }
   if (each.name == "grown between walls" && !setup.coarse) findings.figure(centres(packing));
   table.rows.push_back(cells("{} | {} | {:g} | {:.2f} x {:.2f} | {:.6f}", each.name, plan.discs, plan.solid_fraction,
-                             packing.width / diameter, packing.height / diameter, least));
+                             packing.width / diameter, packing.height / diameter, minimum));
 }
 
 /// Velocities of a given temperature: discs of unequal masses, with walls that remain at rest.

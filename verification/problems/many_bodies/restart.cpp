@@ -86,7 +86,7 @@ Half run_in_halves(const Scene& scene, const Integrator& method, double step, lo
   };
   if (how == Interrupted::never) return ended(run_state, system);
   (void)simulate(system, run_state, plan(steps / 2));
-  if (how == Interrupted::by_checkpoint && !setup.has("method_begins_anew")) {
+  if (how == Interrupted::by_checkpoint && !setup.has("method_restarts")) {
     RunState other = through_file(run_state, scene, method, setup);
     return ended(other, other_system);
   }
@@ -127,7 +127,7 @@ void check_restart(Findings& findings, const Setup& setup, const std::string& sc
   const Half again = run_in_halves(scene, method.method, step, steps, Interrupted::from_state_alone, setup, findings);
   const Difference change = difference(whole.end, again.end);
   table.rows.push_back(cells("{} | {} | {} | {} | {:.1e}", scene_name, method.name, whole.evaluations,
-                             halves.evaluations, change.place));
+                             halves.evaluations, change.position));
 }
 
 /// Two discs on the ground, one above the other, sliding along one line; both contacts are compressed.
@@ -195,7 +195,7 @@ Case definition() {
                       "values that differ after a restart, yard, velocity_verlet"},
                      {"stretch_forgotten", "memory of friction and cables omitted",
                       "values that differ after a restart, yard, velocity_verlet"},
-                     {"method_begins_anew", "memory of the integration method omitted",
+                     {"method_restarts", "memory of the integration method omitted",
                       "values that differ after a restart, yard, velocity_verlet"}},
           .run = run};
 }

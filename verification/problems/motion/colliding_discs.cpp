@@ -153,14 +153,14 @@ void check_twenty(Findings& findings, const Setup& setup, double xi, double mu, 
     moment += scene.model.bodies[i].mass * speed * 2.6;
   }
   const double rounding = 4.0 * std::sqrt(end / step) * 0x1p-53;
-  const std::string words =
+  const std::string reason =
       "each step rounds each momentum at random by u of its size: sqrt(n) u, times four for the worst of all steps, "
       "the sums and the moments";
   findings.expect_round_off({"momentum/" + what, "largest change of momentum, twenty discs, " + what}, last.momentum,
                             0.0, rounding * momentum / std::sqrt(20.0),
-                            words + "; the twenty discs are rounded independently", "kg m/s");
+                            reason + "; the twenty discs are rounded independently", "kg m/s");
   findings.expect_round_off({"moment_of_momentum/" + what, "largest change of angular momentum, twenty discs, " + what},
-                            last.moment, 0.0, rounding * moment, words, "kg m^2/s");
+                            last.moment, 0.0, rounding * moment, reason, "kg m^2/s");
   if (setup.coarse) return;
   Series points{what + ", twenty discs", {}, {}, Style::linespoints};
   for (std::size_t i = 0; i < errors.size(); ++i)

@@ -176,9 +176,9 @@ void check_half(Mobility mobility, Findings& findings, const Setup& setup) {
   };
   Accounts of_half, of_both;
   const State half = end_of(Bodies::half, of_half), both = end_of(Bodies::both, of_both);
-  double places = 0.0, energies = 0.0, impulses = 0.0;
+  double motion = 0.0, energies = 0.0, impulses = 0.0;
   for (std::size_t i = 0; i < half.q.size(); ++i)
-    keep_worst(places, half.q[i] - both.q[i]), keep_worst(places, half.v[i] - both.v[i]);
+    keep_worst(motion, half.q[i] - both.q[i]), keep_worst(motion, half.v[i] - both.v[i]);
   const auto energy = [&](double Energies::*part) {
     keep_worst(energies, of_half.energies.*part - of_both.energies.*part);
   };
@@ -197,7 +197,7 @@ void check_half(Mobility mobility, Findings& findings, const Setup& setup) {
                                 "F + F instead of 2 F: a rounding of 1e-16 in each of 1500 steps, of forces up to 40, "
                                 "which an impact amplifies by less than 10");
   };
-  findings.expect({"half_motion", "difference of positions and velocities, half and full model, " + name}, places, 0.0,
+  findings.expect({"half_motion", "difference of positions and velocities, half and full model, " + name}, motion, 0.0,
                   same(1e-12));
   findings.expect({"half_energies", "difference of energies and losses, half and full model, " + name}, energies, 0.0,
                   same(1e-12));

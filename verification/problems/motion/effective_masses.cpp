@@ -19,7 +19,7 @@ constexpr std::array lines{Line{{-0.5, 0.2}, {-1.4, 2.1}}, Line{{0.4, 0.3}, {1.9
 
 /// Position of the centre of mass and angle of the body, for coordinates that start from zero. They are written here
 /// for each mobility, from what the pin and the guide allow.
-struct Place {
+struct BodyPose {
   Vec2 centre;
   double angle{};
 };
@@ -32,17 +32,17 @@ Vec2 turned(Vec2 p, double angle) {
   return {std::cos(angle) * p.x - std::sin(angle) * p.y, std::sin(angle) * p.x + std::cos(angle) * p.y};
 }
 
-Place place_of(Mobility mobility, const std::vector<double>& q) {
-  Place place{at, tilt};
+BodyPose pose_of(Mobility mobility, const std::vector<double>& q) {
+  BodyPose pose{at, tilt};
   std::size_t next = 0;
-  if (has_x(mobility)) place.centre.x += q[next++];
-  if (has_y(mobility)) place.centre.y += q[next++];
-  if (turns(mobility)) place.angle += q[next];
-  const Vec2 pin = at + turned(pin_of_body, tilt), arm = turned(pin_of_body, place.angle);
-  if (mobility == Mobility::pinned) place.centre = pin - arm;
-  if (mobility == Mobility::guided_x) place.centre.y = pin.y - arm.y;
-  if (mobility == Mobility::guided_y) place.centre.x = pin.x - arm.x;
-  return place;
+  if (has_x(mobility)) pose.centre.x += q[next++];
+  if (has_y(mobility)) pose.centre.y += q[next++];
+  if (turns(mobility)) pose.angle += q[next];
+  const Vec2 pin = at + turned(pin_of_body, tilt), arm = turned(pin_of_body, pose.angle);
+  if (mobility == Mobility::pinned) pose.centre = pin - arm;
+  if (mobility == Mobility::guided_x) pose.centre.y = pin.y - arm.y;
+  if (mobility == Mobility::guided_y) pose.centre.x = pin.x - arm.x;
+  return pose;
 }
 
 Vec2 direction(const Line& line) {
@@ -60,9 +60,9 @@ double mobility_between(Mobility mobility, const Line& one, const Line& two) {
   for (std::size_t i = 0; i < count; ++i) {
     std::vector<double> q(count, 0.0);
     q[i] = step;
-    const Place after = place_of(mobility, q);
+    const BodyPose after = pose_of(mobility, q);
     q[i] = -step;
-    const Place before = place_of(mobility, q);
+    const BodyPose before = pose_of(mobility, q);
     const auto change = [&](const Line& line) {
       const Vec2 moved =
           after.centre + turned(line.point, after.angle) - before.centre - turned(line.point, before.angle);
@@ -244,7 +244,7 @@ void check_bound(Mobility mobility, Findings& findings, const Setup& setup) {
   const BodyId disc = builder.add_particle("disc", disc_mass, {3.0, 3.0}, Circle{0.1});
   builder.add_contact("touch", hit, disc, LinearSpringDashpot{stiffness, damping});
   const Model model = builder.build();
-  const double found = contact_ranges(Dynamics{model}).front().least_mass;
+  const double found = contact_ranges(Dynamics{model}).front().smallest_mass;
   const double exact = 1.0 / (1.0 / disc_mass + largest_mobility(mobility));
   const std::string name = fmt::format("smallest effective mass of a contact, {}", name_of(mobility));
   const bool is_guided = mobility == Mobility::guided_x || mobility == Mobility::guided_y;

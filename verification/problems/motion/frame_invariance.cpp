@@ -77,7 +77,7 @@ double growth(const Scene& scene, double end, Findings& findings) {
   std::mt19937_64 random{7};
   std::uniform_real_distribution<double> any{-change, change};
   const State first = run_to(scene, VelocityVerlet{}, end, findings);
-  double most = 0.0;
+  double maximum = 0.0;
   for (int i = 0; i < 4; ++i) {
     Scene other = scene;
     for (double& q : other.initial.q)
@@ -85,9 +85,9 @@ double growth(const Scene& scene, double end, Findings& findings) {
     for (double& v : other.initial.v)
       v += any(random);
     const Difference end_change = difference(first, run_to(other, VelocityVerlet{}, end, findings));
-    most = std::max({most, end_change.place / change, end_change.velocity / change});
+    maximum = std::max({maximum, end_change.position / change, end_change.velocity / change});
   }
-  return most;
+  return maximum;
 }
 
 /// Checks of transformations that change rounding: final states may differ by n u G.
@@ -118,14 +118,14 @@ class RoundedViews {
     }
     const double rounding = end_ / step * 0x1p-53 * largest * growth_;
     const Difference found_difference = difference(expected, found);
-    const double most = std::max(found_difference.place, found_difference.velocity);
+    const double maximum = std::max(found_difference.position, found_difference.velocity);
     const auto claim = findings_->in("integrator.velocity_verlet"), members = findings_->in(name_);
     findings_->in("differences")
-        ->expect_round_off(fmt::format("difference of final states, {}, {}", name_, how), most, 0.0, rounding,
+        ->expect_round_off(fmt::format("difference of final states, {}, {}", name_, how), maximum, 0.0, rounding,
                            "n u G: each step rounds each coordinate once, by at most u of the largest one, and "
                            "rounding errors grow by at most G, as do all differences of the motion");
     table_.rows.push_back(
-        {name_, how, fmt::format("{:.1f}", growth_), fmt::format("{:.1e}", most), fmt::format("{:.1e}", rounding)});
+        {name_, how, fmt::format("{:.1f}", growth_), fmt::format("{:.1e}", maximum), fmt::format("{:.1e}", rounding)});
   }
 
   Findings* findings_;

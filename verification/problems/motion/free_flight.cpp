@@ -20,8 +20,8 @@ Scene flight_scene(const Setup& setup) {
   const BodyId body = builder.add(Body{.name = "body",
                                        .mass = mass,
                                        .inertia = inertia,
-                                       .p_WB = {flights[0].place, flights[1].place},
-                                       .angle = flights[2].place,
+                                       .p_WB = {flights[0].position, flights[1].position},
+                                       .angle = flights[2].position,
                                        .force = force,
                                        .moment = setup.has("moment_left_out") ? 0.0 : moment});
   Scene scene = builder.at_rest("Free flight");
@@ -31,10 +31,12 @@ Scene flight_scene(const Setup& setup) {
 
 /// Final errors of the three coordinates and of their rates.
 struct FlightErrors {
-  std::array<double, 3> place{}, speed{};
+  std::array<double, 3> position{}, speed{};
   double largest{};  ///< largest coordinate or rate, including the angle
 
-  double worst_place() const { return std::max({std::abs(place[0]), std::abs(place[1]), std::abs(place[2])}); }
+  double worst_position() const {
+    return std::max({std::abs(position[0]), std::abs(position[1]), std::abs(position[2])});
+  }
   double worst_speed() const { return std::max({std::abs(speed[0]), std::abs(speed[1]), std::abs(speed[2])}); }
 };
 
@@ -44,10 +46,10 @@ FlightErrors fly(const Integrator& method, double step, long count, const Setup&
   const double t = step * static_cast<double>(count);
   FlightErrors errors;
   for (std::size_t i = 0; i < flights.size(); ++i) {
-    const double place = place_at(flights[i], t), speed = speed_at(flights[i], t);
-    errors.place[i] = run.state.q[i] - place;
+    const double position = position_at(flights[i], t), speed = speed_at(flights[i], t);
+    errors.position[i] = run.state.q[i] - position;
     errors.speed[i] = run.state.v[i] - speed;
-    errors.largest = std::max({errors.largest, std::abs(place), std::abs(speed), std::abs(flights[i].speed)});
+    errors.largest = std::max({errors.largest, std::abs(position), std::abs(speed), std::abs(flights[i].speed)});
   }
   return errors;
 }
@@ -58,12 +60,12 @@ void check_method(Findings& findings, const Setup& setup, const std::string& met
   const IntegratorTraits& traits = integrator_traits(method);
   const double rounding = static_cast<double>(traits.additions) * steps * 0x1p-53 * errors.largest;
   const auto claim = findings.in("integrator." + method), group = findings.in("errors");
-  const std::string words = "one rounding by u of the largest number for each addition to a coordinate in a step";
+  const std::string reason = "one rounding by u of the largest number for each addition to a coordinate in a step";
   table.rows.push_back(
-      cells("{} | {:.1e} | {:.1e} | {:.1e}", method, errors.worst_place(), errors.worst_speed(), rounding));
-  findings.expect_round_off(method + ", error of the velocities", errors.worst_speed(), 0.0, rounding, words);
+      cells("{} | {:.1e} | {:.1e} | {:.1e}", method, errors.worst_position(), errors.worst_speed(), rounding));
+  findings.expect_round_off(method + ", error of the velocities", errors.worst_speed(), 0.0, rounding, reason);
   if (traits.free_fall_error == 0.0) {
-    findings.expect_round_off(method + ", error of the coordinates", errors.worst_place(), 0.0, rounding, words);
+    findings.expect_round_off(method + ", error of the coordinates", errors.worst_position(), 0.0, rounding, reason);
     return;
   }
   for (std::size_t i = 0; i < flights.size(); ++i) {
@@ -71,7 +73,7 @@ void check_method(Findings& findings, const Setup& setup, const std::string& met
     const bool early = traits.free_fall_error < 0.0;
     findings.expect_round_off(
         fmt::format("{}, error of {} over {}a h t/2", method, std::array{"x", "y", "the angle"}[i], early ? "-" : ""),
-        errors.place[i] / (early ? -late : late), 1.0, rounding / std::abs(late), words);
+        errors.position[i] / (early ? -late : late), 1.0, rounding / std::abs(late), reason);
   }
 }
 
@@ -114,7 +116,7 @@ void draw_steps(Findings& findings, const Setup& setup) {
     for (long count = 10; count <= 10000; count *= 10) {
       const double step = 1.0 / (static_cast<double>(count) + 0.381966);
       const FlightErrors errors = fly(make_integrator(method), step, count, setup, findings);
-      series.add(step, std::max(std::abs(errors.place[1]), 1e-17));
+      series.add(step, std::max(std::abs(errors.position[1]), 1e-17));
     }
     figure.series.push_back(series);
   }

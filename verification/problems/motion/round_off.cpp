@@ -50,7 +50,7 @@ static_assert(Splittable<SwingingBody<float>, StateOf<float>> && Differentiable<
 enum class Forces { exact, in_double, in_float };
 
 struct SwingRun {
-  reference::Parts place{};     ///< final x, synchronised
+  reference::Parts position{};  ///< final x, synchronised
   std::uint64_t evaluations{};  ///< number of force evaluations
 };
 
@@ -147,12 +147,12 @@ double step_of(int run, int runs, long steps) {
 /// Contribution of one step to the mean square of the rounding error: each of the step's additions has the mean square
 /// w^2/12, w the last place of cos t (u where |cos t| > 1/2, u/2 above 1/4, ...); half of it enters the final x.
 double rounding_of_a_step(const Method& method, int bits) {
-  double places = 0.0;
+  double sum = 0.0;
   for (int k = 0; k < 40; ++k) {
-    const double most = std::ldexp(1.0, -k);
-    places += most * most * (std::acos(0.5 * most) - std::acos(most)) * 2.0 / std::numbers::pi;
+    const double top = std::ldexp(1.0, -k);
+    sum += top * top * (std::acos(0.5 * top) - std::acos(top)) * 2.0 / std::numbers::pi;
   }
-  return method.additions * places / 24.0 * std::ldexp(1.0, -2 * bits);
+  return method.additions * sum / 24.0 * std::ldexp(1.0, -2 * bits);
 }
 
 /// Leading term of the method's truncation error at t.
@@ -171,13 +171,13 @@ std::array<double, 4> rounding(Findings& findings, const Method& method, long st
   std::array<double, 4> squares{};
   for (int i = 0; i < runs; ++i) {
     const SteppedSwing swing{method.method, 0.0, step_of(i, runs, steps), steps};
-    std::vector<reference::Parts> places;
+    std::vector<reference::Parts> positions;
     for (const int bits : all_bits) {
       const SwingRun run = swing_in_numbers(swing, bits, forces);
       findings.count(run.evaluations);
-      places.push_back(run.place);
+      positions.push_back(run.position);
     }
-    const std::vector<double> errors = reference::rounding_errors(swing, places);
+    const std::vector<double> errors = reference::rounding_errors(swing, positions);
     for (std::size_t k = 0; k < errors.size(); ++k)
       squares[k] += errors[k] * errors[k] / runs;
   }
@@ -195,7 +195,7 @@ void check_map(Findings& findings, const Method& method, Forces forces) {
   findings.count(run.evaluations);
   findings.expect_round_off(
       {"distance_from_map", fmt::format("distance from the method's map in 113 bits, dashpot, {}", method.name)},
-      reference::rounding_errors(swing, {run.place})[0], 0.0,
+      reference::rounding_errors(swing, {run.position})[0], 0.0,
       std::sqrt(static_cast<double>(method.additions * steps)) * 0x1p-113,
       "each addition rounds by at most half a unit in the last place of numbers up to 1, at random: sqrt(n) of these");
 }
@@ -217,7 +217,7 @@ ErrorAt error_at(Findings& findings, const Method& method, int bits, long steps,
     findings.count(run.evaluations);
     const double n = static_cast<double>(steps);
     sum.step += swing.step / runs;
-    sum.whole += std::pow(reference::whole_error(swing, run.place), 2) / runs;
+    sum.whole += std::pow(reference::whole_error(swing, run.position), 2) / runs;
     sum.predicted +=
         (std::pow(truncation(method, swing.step * n, swing.step), 2) + n * rounding_of_a_step(method, bits)) / runs;
   }
@@ -271,14 +271,14 @@ void check_fall(Findings& findings, const Method& method, int bits, const Fall& 
                         "the order of the method; the next term of its error adds to it");
   if (fall.rounding.size() == 0) return;
   keep_worst(furthest.slope, fall.rounding.fit().order + 0.5);
-  const auto least = std::min_element(fall.all.begin(), fall.all.end(),
-                                      [](const ErrorAt& a, const ErrorAt& b) { return a.whole < b.whole; });
-  keep_worst(furthest.step, std::log2(least->step / best_step(method, bits)));
-  findings.expect_between({"least_error", fmt::format("minimum error over its prediction, {}", of)},
-                          least->whole / least->predicted, 0.65, 1.5,
+  const auto minimum = std::min_element(fall.all.begin(), fall.all.end(),
+                                        [](const ErrorAt& a, const ErrorAt& b) { return a.whole < b.whole; });
+  keep_worst(furthest.step, std::log2(minimum->step / best_step(method, bits)));
+  findings.expect_between({"minimum_error", fmt::format("minimum error over its prediction, {}", of)},
+                          minimum->whole / minimum->predicted, 0.65, 1.5,
                           "rounding errors of similar runs are not independent, nor are those of successive steps");
   table.rows.push_back(cells("{} | {} | {:.1e} | {:.1e} | {:.1e}", method.name, bits, best_step(method, bits),
-                             least->step, least->whole));
+                             minimum->step, minimum->whole));
   // Without damping, the lagged central difference equals the central difference.
   if (method.method == SwingMethod::lagged_central_difference) return;
   Series points{of, {}, {}, Style::points}, line{of + ", predicted", {}, {}, Style::lines};
@@ -389,7 +389,7 @@ Integrator integrator_of(SwingMethod method) {
 }
 
 /// Final position in the solver, relative to the centre of the oscillation, over its amplitude.
-double solver_place(SwingMethod method, double step, long steps, const Setup& setup, Findings& findings) {
+double solver_position(SwingMethod method, double step, long steps, const Setup& setup, Findings& findings) {
   const Scene scene = swing_scene(setup);
   const RunEnd run = run_steps(scene, integrator_of(method), step, steps, findings);
   return (run.state.q[0] - (scene.initial.q[0] - swing)) / swing;
@@ -400,8 +400,8 @@ double solver_rounding(SwingMethod method, long steps, const Setup& setup, Findi
   double sum = 0.0;
   for (int i = 0; i < runs; ++i) {
     const double step = (10.0 + std::numbers::pi * (i + 0.5) / runs) / static_cast<double>(steps);
-    const double error =
-        solver_place(method, step, steps, setup, findings) - reference::unrounded_place({method, 0.0, step, steps});
+    const double error = solver_position(method, step, steps, setup, findings) -
+                         reference::unrounded_position({method, 0.0, step, steps});
     sum += error * error;
   }
   return std::sqrt(sum / runs);
@@ -436,7 +436,7 @@ Case definition() {
       .title = "Round-off: growth over long runs",
       .requirements = {{"A8",
                         {"rounding_of_scene", "distance_from_map", "rounding_error", "error_against_step",
-                         "least_error", "slope_of_rounding", "best_step"}},
+                         "minimum_error", "slope_of_rounding", "best_step"}},
                        {"law.tension_only", {"rounding_of_scene"}}},
       .main_checks = {"rounding error of a scene over its prediction, velocity_verlet", "rounding_error", "best_step"},
       .source = "Henrici 1962, chapter 1; Hairer, Lubich & Wanner 2006, section VIII.5",

@@ -19,7 +19,9 @@ struct Reversible {
 Scene bobs_on_cables() {
   SceneBuilder builder{si};
   builder.gravity({0.0, -9.81});
-  const auto bob = [&](const char* name, double mass, Vec2 place) { return builder.add_particle(name, mass, place); };
+  const auto bob = [&](const char* name, double mass, Vec2 position) {
+    return builder.add_particle(name, mass, position);
+  };
   const BodyId one = bob("one", 1.1, {1.0, -0.1}), two = bob("two", 0.8, {2.1, 0.05});
   const auto cable = [&](const char* name, CableEnd a, CableEnd b) {
     builder.add_cable(name, a, b, 0.7, TensionOnly{300.0, 0.0});
@@ -76,7 +78,7 @@ Return there_and_back(const Reversible& one, const Integrator& method, double st
   const State there = proceed(one.scene, start, method, step, steps, findings);
   const State back = turned(proceed(one.scene, turned(there), method, step, steps, findings));
   const Difference missed = difference(start, back);
-  Return found{std::max(missed.place, missed.velocity), 0.0, 1.0};
+  Return found{std::max(missed.position, missed.velocity), 0.0, 1.0};
   if (!explain) return found;
   double largest = 0.0;
   for (const State* state : {&start, &there}) {
@@ -91,7 +93,7 @@ Return there_and_back(const Reversible& one, const Integrator& method, double st
     for (std::size_t k = 0; k < other.q.size(); ++k)
       other.q[k] += any(random), other.v[k] += any(random);
     const Difference grown = difference(back, turned(proceed(one.scene, other, method, step, steps, findings)));
-    found.growth = std::max({found.growth, grown.place / change, grown.velocity / change});
+    found.growth = std::max({found.growth, grown.position / change, grown.velocity / change});
   }
   found.rounding = std::sqrt(2.0 * static_cast<double>(steps)) * 0x1p-53 * largest * found.growth;
   return found;

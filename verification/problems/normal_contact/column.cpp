@@ -15,8 +15,8 @@ Scene column_scene(double spacing, const Setup& setup) {
     const double lighter = setup.has("top_disc_lighter") && i == discs ? 1.0 - 1e-9 : 1.0;
     const double softer = setup.has("one_contact_softer") && i == 5 ? 1.0 - 1e-9 : 1.0;
     const LinearSpringDashpot law{softer * stiffness, std::sqrt(stiffness * mass), EndRule::clamped};
-    const Vec2 place{0.0, 1.0 + spacing * (i - 1)};
-    const BodyId disc = builder.add_particle(fmt::format("disc{}", i), lighter * mass, place, Circle{1.0});
+    const Vec2 position{0.0, 1.0 + spacing * (i - 1)};
+    const BodyId disc = builder.add_particle(fmt::format("disc{}", i), lighter * mass, position, Circle{1.0});
     builder.add_contact(fmt::format("contact{}", i), below, disc, law);
     below = disc;
   }

@@ -182,15 +182,15 @@ void check_pull(Findings& findings, const Setup& setup) {
                        "mean force of the last full step: the slope of F times the distance of that step's middle from "
                        "the end; the next power of the step is 4 % of it, the 64 uneven phases of the end add 6 %")
           .relative());
-  double least = 0.0;
+  double minimum = 0.0;
   for (const double e : {0.9, 0.5, 0.1}) {
     Bounce clamped = bounce(e, EndRule::clamped, setup);
     if (setup.has("pulls")) clamped.law.end_rule = EndRule::attractive;
     const ImpactErrors forces = impact_errors([&clamped](double gap) { return disc_at(clamped, gap); }, clamped.exact,
                                               production_steps, VelocityVerlet{}, findings);
-    least = std::min(least, forces.least_deceleration);
+    minimum = std::min(minimum, forces.minimum_deceleration);
   }
-  findings.expect_exact({"no_pull", "largest pull of a clamped contact"}, least, 0.0,
+  findings.expect_exact({"no_pull", "largest pull of a clamped contact"}, minimum, 0.0,
                         "each kick adds a force >= 0 or none: the speed away from the plane never decreases");
 }
 

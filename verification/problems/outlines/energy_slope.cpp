@@ -49,7 +49,7 @@ Model cable_model() {
 
 /// Differences between force and slope of the energy, relative to the largest force, at positions with contact.
 struct Mismatch {
-  int places{}, mismatched{};  ///< number of positions; those that differ by more than 1e-6
+  int positions{}, mismatched{};  ///< number of positions; those that differ by more than 1e-6
   double largest{};
 };
 
@@ -58,12 +58,12 @@ Mismatch mismatch(const Model& model, double reach, const Setup& setup) {
   record_use(model);
   Potential potential{model};
   std::mt19937_64 random{11};
-  std::uniform_real_distribution<double> place{-reach, reach}, any{-3.0, 3.0};
+  std::uniform_real_distribution<double> coordinate{-reach, reach}, any{-3.0, 3.0};
   std::vector<double> found;
   for (int i = 0; i < (setup.coarse ? 12 : 30); ++i) {
     State state = rest_state(model);
     for (std::size_t k = 0; k < state.q.size(); ++k)
-      state.q[k] = k % 3 == 2 ? any(random) : place(random);
+      state.q[k] = k % 3 == 2 ? any(random) : coordinate(random);
     potential.evaluate(state);
     const std::vector<double> forces = potential.forces(state);
     double largest = 0.0;
@@ -160,16 +160,16 @@ void check_slopes(Findings& findings, const Setup& setup) {
     if (setup.coarse && std::holds_alternative<Superquadric>(pair.b)) continue;
     const Mismatch m = mismatch(pair_model(pair, stiffness), 0.6, setup);
     table.rows.push_back(
-        {pair.name, fmt::format("{}", m.places), fmt::format("{}", m.mismatched), fmt::format("{:.1e}", m.largest)});
+        {pair.name, fmt::format("{}", m.positions), fmt::format("{}", m.mismatched), fmt::format("{:.1e}", m.largest)});
     double& worst = pair.method == ContactMethod::nodes ? of_nodes : of_resultants;
-    const double fraction = static_cast<double>(m.mismatched) / m.places;
+    const double fraction = static_cast<double>(m.mismatched) / m.positions;
     if (pair.rule == NodeDepth::smoother) smoother = fraction;
     if (pair.rule == NodeDepth::centroid_ray) rays = fraction;
     if (pair.rule == NodeDepth::nearest || pair.rule == NodeDepth::side_face) worst = std::max(worst, m.largest);
   }
   const Mismatch cable = mismatch(cable_model(), 0.6, setup);
   table.rows.push_back(
-      cells("cable between two bodies | {} | {} | {:.1e}", cable.places, cable.mismatched, cable.largest));
+      cells("cable between two bodies | {} | {} | {:.1e}", cable.positions, cable.mismatched, cable.largest));
   const auto bound = [](double measured) {
     return Tolerance::truncation(measured, 3.0,
                                  "measured: delta^2/6 times the third derivative at the sharpest corners of the "

@@ -75,13 +75,13 @@ Tried try_points(double n, double height, std::size_t kind, const Setup& setup) 
 
 /// Distance of a point from a line of segments: minimum over all segments.
 double distance_from_line(const std::vector<Vec2>& points, Vec2 p) {
-  double least = std::numeric_limits<double>::infinity();
+  double minimum = std::numeric_limits<double>::infinity();
   for (std::size_t i = 0; i + 1 < points.size(); ++i) {
     const Vec2 along = points[i + 1] - points[i];
     const double part = std::clamp(dot(p - points[i], along) / dot(along, along), 0.0, 1.0);
-    least = std::min(least, norm(p - points[i] - part * along));
+    minimum = std::min(minimum, norm(p - points[i] - part * along));
   }
-  return least;
+  return minimum;
 }
 
 /// Points about a rectangle and uneven ground, inside and outside: compares their depths with the distance from all
@@ -111,11 +111,11 @@ void check_straight_outlines(Findings& findings, const Setup& setup) {
             std::abs(p.x) < a && std::abs(p.y) < b);
     compare(depth_below(Terrain{line}, p), line, p, p.y < height(p.x));
   }
-  const char* const words = "a dozen roundings of lengths up to 20, the distance of the ends of the ground";
+  const char* const reason = "a dozen roundings of lengths up to 20, the distance of the ends of the ground";
   findings.expect_round_off("overlap of points with a rectangle and with uneven ground: largest error", depths, 0.0,
-                            2e-14, words);
+                            2e-14, reason);
   findings.expect_round_off("points moved by overlap and normal: largest distance from these outlines", feet, 0.0,
-                            2e-14, words);
+                            2e-14, reason);
 }
 
 /// By the rule `centroid_ray` the overlap of a node inside is its distance from the outline along the ray from the
@@ -157,7 +157,7 @@ void run(Findings& findings, const Setup& setup) {
   Series solver{"solver", {}, {}, Style::points};
   std::array<double, 3> farthest{};
   std::array<int, 3> wrong{};
-  double fewest_at_large = 1.0, most_at_small = 0.0;  // fractions of points for which Newton's method fails
+  double fewest_at_large = 1.0, maximum_at_small = 0.0;  // fractions of points for which Newton's method fails
   for (const double n : exponents) {
     if (setup.coarse && n != 50.0) continue;
     Tried sum;
@@ -178,7 +178,7 @@ void run(Findings& findings, const Setup& setup) {
       row.push_back(fmt::format("{:.0f} %", 100.0 * fraction));
       lines[s].add(n, fraction);
       if (n >= 200.0) fewest_at_large = std::min(fewest_at_large, fraction);
-      if (n >= 2.0 && n <= 12.0) most_at_small = std::max(most_at_small, fraction);
+      if (n >= 2.0 && n <= 12.0) maximum_at_small = std::max(maximum_at_small, fraction);
     }
     solver.add(n, static_cast<double>(sum.wrong) / sum.points);
     table.rows.push_back(row);
@@ -201,7 +201,7 @@ void run(Findings& findings, const Setup& setup) {
                         "the corner, where the parametric angle hardly moves the point, is most of the quadrant: more "
                         "than half of the 240 points, with a standard error of 0.03");
   group->expect_between("failures of Newton's method at exponents of 2 to 12, largest fraction of three starts",
-                        most_at_small, 0.05, 0.3,
+                        maximum_at_small, 0.05, 0.3,
                         "it fails where the distance is nearly constant or the start is at a maximum of it: for some "
                         "points, not for most; 240 points with a standard error of 0.03");
   findings.table(table);

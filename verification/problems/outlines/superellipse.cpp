@@ -120,15 +120,15 @@ constexpr double a = superellipse_half_axes[0], b = superellipse_half_axes[1];
 /// Overlap with a plane at every angle, with body and plane at random positions.
 void check_support(Findings& findings, const Setup& setup) {
   std::mt19937_64 random{1};
-  std::uniform_real_distribution<double> place{-3.0, 3.0}, any{-std::numbers::pi, std::numbers::pi};
+  std::uniform_real_distribution<double> coordinate{-3.0, 3.0}, any{-std::numbers::pi, std::numbers::pi};
   const int angles = setup.coarse ? 12 : 180;
   record_pair(Superquadric{}, HalfPlane{});
   double depth_error = 0.0, outline_error = 0.0, reach_error = 0.0;
   for (const double n : {2.0, 2.5, 3.0, 4.0, 6.0, 8.0, 12.0, 20.0, 35.0, 50.0}) {
     for (int i = 0; i < angles; ++i) {
-      const Pose plane{{place(random), place(random)}, rotation(any(random)), {}, 0.0};
+      const Pose plane{{coordinate(random), coordinate(random)}, rotation(any(random)), {}, 0.0};
       const double turned = 2.0 * std::numbers::pi * i / angles;
-      const Pose body{{place(random), place(random)}, rotation(turned), {}, 0.0};
+      const Pose body{{coordinate(random), coordinate(random)}, rotation(turned), {}, 0.0};
       const Gap found = gap(superellipse_of(n, setup), body, HalfPlane{}, plane);
       const Vec2 up = plane.R_WB * Vec2{0.0, 1.0};
       const Vec2 down = unrotate(body.R_WB, -up);

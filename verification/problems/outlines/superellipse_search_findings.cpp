@@ -28,19 +28,19 @@ const std::array kinds{
          {OutlineKind::superellipse, {0.5, 1.1, 20.0}, 0.0, 0.0, 0.0}},
     Kind{"half_plane", HalfPlane{}, {OutlineKind::half_plane, {}, 0.0, 0.0, 0.0}}};
 
-/// Places bodies at random; solver and reference get the same positions.
-class RandomPlaces {
+/// Sets bodies to random positions; solver and reference get the same positions.
+class RandomPositions {
  public:
-  explicit RandomPlaces(double reach) : place_{-reach, reach} {}
+  explicit RandomPositions(double reach) : coordinate_{-reach, reach} {}
   void put(Outline& outline) {
-    outline.x = place_(random_);
-    outline.y = place_(random_);
+    outline.x = coordinate_(random_);
+    outline.y = coordinate_(random_);
     outline.angle = angle_(random_);
   }
 
  private:
   std::mt19937_64 random_{20};
-  std::uniform_real_distribution<double> place_, angle_{-std::numbers::pi, std::numbers::pi};
+  std::uniform_real_distribution<double> coordinate_, angle_{-std::numbers::pi, std::numbers::pi};
 };
 
 Pose pose_of(const Outline& outline) { return {{outline.x, outline.y}, rotation(outline.angle), {}, 0.0}; }
@@ -54,12 +54,12 @@ struct Searched {
 Searched search_pairs(const Kind& a, const Kind& b, const Setup& setup) {
   Candidate pair{BodyId{0}, BodyId{1}, bounds(a.shape), bounds(b.shape), 0, 0};
   if (setup.has("boxes_too_small")) pair.bounds_a.half_width *= 0.9;
-  RandomPlaces places{3.0};
+  RandomPositions positions{3.0};
   Outline A = a.outline, B = b.outline;
   Searched found;
   for (int i = 0; i < (setup.coarse ? 300 : 2000); ++i) {
-    places.put(A);
-    places.put(B);
+    positions.put(A);
+    positions.put(B);
     const bool touches = reference::overlap_by_points(A, B, 64);
     const bool left_out = out_of_reach(pair, pose_of(A), pose_of(B));
     ++(touches ? found.touching : found.apart);
@@ -69,14 +69,14 @@ Searched search_pairs(const Kind& a, const Kind& b, const Setup& setup) {
 }
 
 /// A scene of six randomly placed bodies, any of which may touch each other and the ground.
-Model random_scene(RandomPlaces& places) {
+Model random_scene(RandomPositions& positions) {
   SceneBuilder builder;
   std::vector<BodyId> ids;
   std::vector<const Kind*> of;
   for (std::size_t i = 0; i < 7; ++i) {
     const Kind& kind = i == 6 ? kinds.back() : kinds[i % 4];
     Outline outline = kind.outline;
-    places.put(outline);
+    positions.put(outline);
     Body body{.name = fmt::format("body{}", i), .mass = 1.0, .inertia = 1.0, .shape = kind.shape};
     body.mobility = i == 6 ? Mobility::fixed : Mobility::free;
     body.p_WB = {outline.x, i == 6 ? -2.0 : outline.y};
@@ -121,19 +121,19 @@ double pair_depth(const Kind& a, const Outline& A, const Kind& b, const Outline&
 }  // namespace
 
 void check_pairs(Findings& findings, const Setup& setup) {
-  double worst_inside = 0.0, worst_apart = 0.0, least = 0.0;
+  double worst_inside = 0.0, worst_apart = 0.0, minimum = 0.0;
   constexpr int count = 900;
   for (std::size_t i = 1; i < 4; ++i) {
     for (std::size_t j = std::max<std::size_t>(i, 2); j < 4; ++j) {
-      RandomPlaces places{1.2};
+      RandomPositions positions{1.2};
       for (int n = 0; n < (setup.coarse ? 1 : 3); ++n) {
         Outline A = kinds[i].outline, B = kinds[j].outline;
-        places.put(A), places.put(B);
-        const double brute = reference::least_displacement(A, B, count);
+        positions.put(A), positions.put(B);
+        const double brute = reference::minimum_displacement(A, B, count);
         const double found = pair_depth(kinds[i], A, kinds[j], B, setup);
         double& worst = brute > 0.0 ? worst_inside : worst_apart;
         keep_largest(worst, found - brute);
-        least = std::min(least, brute);
+        minimum = std::min(minimum, brute);
       }
     }
   }
@@ -176,12 +176,12 @@ void check_search(Findings& findings, const Setup& setup) {
 }
 
 void check_scenes(Findings& findings, const Setup& setup) {
-  RandomPlaces places{2.5};
+  RandomPositions positions{2.5};
   int differing = 0;
   double touching = 0.0;
   const int count = setup.coarse ? 20 : 200;
   for (int i = 0; i < count; ++i) {
-    const Model model = random_scene(places);
+    const Model model = random_scene(positions);
     record_use(model);
     const Dynamics dynamics{model};
     Workspace searched = dynamics.workspace(), whole = dynamics.workspace();

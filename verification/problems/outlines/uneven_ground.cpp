@@ -7,7 +7,7 @@ constexpr double radius = 0.5, mass = 2.0, gravity = 10.0;
 constexpr double sine = 0.6, cosine = 0.8, tangent = 0.75;
 
 /// A disc on fixed ground; contact 0 is between the disc and the first ground body.
-Scene disc_on(const std::vector<Body>& ground, Vec2 place, const LinearSpringDashpot& law,
+Scene disc_on(const std::vector<Body>& ground, Vec2 position, const LinearSpringDashpot& law,
               const CoulombFriction& friction, Mobility mobility, double inertia) {
   SceneBuilder builder;
   builder.gravity({0.0, -gravity});
@@ -16,7 +16,7 @@ Scene disc_on(const std::vector<Body>& ground, Vec2 place, const LinearSpringDas
                                        .mass = mass,
                                        .inertia = mobility == Mobility::free ? inertia : 0.0,
                                        .shape = Circle{radius},
-                                       .p_WB = place});
+                                       .p_WB = position});
   for (const Body& body : ground) {
     const BodyId below = builder.add(body);
     builder.add_contact("on_" + body.name, disc, below, law, friction);

@@ -108,7 +108,7 @@ Question fence_impact(double accuracy, Findings& findings) {
 Question gas(double end, double accuracy) {
   SceneBuilder builder;
   const LinearSpringDashpot bump{1e4, 0.0, EndRule::clamped};
-  const std::array<Vec2, 5> places{{{-1.3, -1.2}, {1.1, -1.0}, {0.1, 0.2}, {-1.2, 1.3}, {1.3, 1.1}}};
+  const std::array<Vec2, 5> positions{{{-1.3, -1.2}, {1.1, -1.0}, {0.1, 0.2}, {-1.2, 1.3}, {1.3, 1.1}}};
   const std::array<Vec2, 5> speeds{{{0.9, 0.3}, {-0.4, 0.8}, {0.7, -0.6}, {0.2, -0.9}, {-0.8, -0.1}}};
   std::vector<BodyId> bodies;
   for (int i = 0; i < 4; ++i) {
@@ -116,14 +116,14 @@ Question gas(double end, double accuracy) {
     bodies.push_back(builder.add_fixed(fmt::format("wall{}", i + 1), HalfPlane{},
                                        {2.0 * std::sin(turn), -2.0 * std::cos(turn)}, turn));
   }
-  for (std::size_t i = 0; i < places.size(); ++i) {
-    const BodyId disc = builder.add_particle(fmt::format("disc{}", i + 1), 1.0, places[i], Circle{0.4});
+  for (std::size_t i = 0; i < positions.size(); ++i) {
+    const BodyId disc = builder.add_particle(fmt::format("disc{}", i + 1), 1.0, positions[i], Circle{0.4});
     for (std::size_t k = 0; k < bodies.size(); ++k)
       builder.add_contact(fmt::format("pair{}_{}", i + 1, k + 1), bodies[k], disc, bump);
     bodies.push_back(disc);
   }
   Scene scene = builder.at_rest("gas");
-  for (std::size_t i = 0; i < places.size(); ++i)
+  for (std::size_t i = 0; i < positions.size(); ++i)
     set_velocity(scene.model, scene.initial, bodies[4 + i], speeds[i], 0.0);
   scene.plan = until(end);
   return {"gas", std::move(scene), "disc1.x.end", accuracy, {}};
@@ -170,14 +170,14 @@ double error_beside(const Question& question, const RunMethod& advised, Findings
 /// of the advice, error relative to the required accuracy.
 double cheapest(const Question& question, const Advice& advice, Findings& findings, Series& own) {
   double best = std::numeric_limits<double>::infinity();
-  const double most = 4.0 * static_cast<double>(advice.best->evaluations);
+  const double maximum = 4.0 * static_cast<double>(advice.best->evaluations);
   const auto climb = [&](const std::function<RunMethod(int)>& rung, int rungs) {
     double candidate = std::numeric_limits<double>::infinity();
     for (int i = 0; i < rungs; ++i) {
       const RunMethod method = rung(i);
-      if (method.tolerance == 0.0 && static_cast<double>(method.steps) > 8.0 * most) break;
+      if (method.tolerance == 0.0 && static_cast<double>(method.steps) > 8.0 * maximum) break;
       const Run run = run_with(question, method, findings);
-      if (run.evaluations > most) break;
+      if (run.evaluations > maximum) break;
       const RunMethod& best_method = advice.best->method;
       if (method.integrator == best_method.integrator && (method.tolerance != 0.0) == (best_method.tolerance != 0.0)) {
         own.add(run.evaluations / static_cast<double>(advice.best->evaluations), run.error / question.accuracy);
@@ -205,7 +205,7 @@ double cheapest(const Question& question, const Advice& advice, Findings& findin
   return best;
 }
 
-std::string words(const RunMethod& method, double duration) {
+std::string text_of(const RunMethod& method, double duration) {
   return method.tolerance == 0.0
              ? fmt::format("{}, step {:.2e}", method.integrator, duration / static_cast<double>(method.steps))
              : fmt::format("{}, {:.1e}", method.integrator, method.tolerance);
@@ -242,7 +242,7 @@ void check_question(const Question& question, Findings& findings, const Setup& s
       "half the accuracy costs order 1 a factor of 2, the spacing of the rungs 1.12 and that of the brute-force runs "
       "1.07; brute force requires all finer runs up to four times the cost to be accurate, and may cost twice as much");
   table.rows.push_back(cells("{} | {:.0e} | {} | {:.1e} | {:.1e} | {:.1e} | {} | {:.0f}", question.name,
-                             question.accuracy, words(best.method, question.scene.plan.end), best.error, run.error,
+                             question.accuracy, text_of(best.method, question.scene.plan.end), best.error, run.error,
                              beside, best.evaluations, brute));
 }
 

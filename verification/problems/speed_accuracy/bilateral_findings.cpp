@@ -95,8 +95,8 @@ double mode_growth(const Dynamics& dynamics, const State& rest, const HighestMod
 
 constexpr double stiffness = 1e4, depth = 0x1p-10;  // of contacts between discs of mass and radius 1
 
-Body disc(const std::string& name, Mobility mobility, Vec2 place) {
-  return {.name = name, .mobility = mobility, .mass = 1.0, .inertia = 0.5, .shape = Circle{1.0}, .p_WB = place};
+Body disc(const std::string& name, Mobility mobility, Vec2 position) {
+  return {.name = name, .mobility = mobility, .mass = 1.0, .inertia = 0.5, .shape = Circle{1.0}, .p_WB = position};
 }
 
 Contact closed(const std::string& name, BodyId a, BodyId b) {

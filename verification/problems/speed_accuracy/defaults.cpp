@@ -116,15 +116,15 @@ FenceFound run_fence(const SceneFile& file, Findings& findings) {
   std::optional<RunLedger> ledger;
   if (scene.plan.ledger) ledger.emplace(scene.model, first_state(scene));
   const BodyId rock = *file.fence->made.members[1].body;
-  double least = std::numeric_limits<double>::infinity(), largest = -least;
+  double smallest = std::numeric_limits<double>::infinity(), largest = -smallest;
   const Watcher watch = [&](const Snapshot& seen, const StepInfo& info) {
     fence_watch(seen, info);
     const double x = pose(scene.model, layout, seen.state(), rock).p_WB.x;
-    least = std::min(least, x), largest = std::max(largest, x);
+    smallest = std::min(smallest, x), largest = std::max(largest, x);
     if (ledger) static_cast<void>((*ledger)(seen));
   };
   const RunEnd end = run_scene(scene, findings, watch);
-  FenceFound found{fence_watch.summary(), pose(scene.model, layout, end.state, rock).p_WB, largest - least, 0.0,
+  FenceFound found{fence_watch.summary(), pose(scene.model, layout, end.state, rock).p_WB, largest - smallest, 0.0,
                    end.evaluations};
   if (ledger) found.balance = ledger->energy().largest_energy_balance_error() / ledger->energy().energy_scale();
   return found;
@@ -148,9 +148,9 @@ class FenceDifferences {
 
   /// `bound`: of position and energy; the largest tension occurs before the paths diverge.
   void check(Findings& findings, double bound, double tension_bound, const std::string& why) const {
-    const auto within = [&](const Worst& worst, const char* of, double most) {
+    const auto within = [&](const Worst& worst, const char* of, double maximum) {
       findings.expect_model({"fences", fmt::format("fences: largest difference of {} from {}", of, reference_)},
-                            worst.error, 0.0, most, why + "; worst: " + worst.where);
+                            worst.error, 0.0, maximum, why + "; worst: " + worst.where);
     };
     within(position_, "the rock's final position", bound);
     within(energy_, "the rock's final energy", bound);

@@ -41,19 +41,19 @@ Scene gas(std::uint64_t seed) {
   std::vector<BodyId> discs, walls;
   for (int i = 0; i < gas_discs; ++i) {
     const double column = i % 5, row = i / 5;
-    const Vec2 place{4.2 * (column - 2.0) + draw() - 0.5, 4.2 * (row - 2.0) + draw() - 0.5};
+    const Vec2 position{4.2 * (column - 2.0) + draw() - 0.5, 4.2 * (row - 2.0) + draw() - 0.5};
     discs.push_back(builder.add({.name = fmt::format("disc{}", i),
                                  .mobility = Mobility::particle,
                                  .mass = 1.0,
                                  .shape = Circle{1.0},
-                                 .p_WB = place}));
+                                 .p_WB = position}));
   }
-  const Vec2 places[] = {{0.0, -half_box}, {half_box, 0.0}, {0.0, half_box}, {-half_box, 0.0}};
+  const Vec2 positions[] = {{0.0, -half_box}, {half_box, 0.0}, {0.0, half_box}, {-half_box, 0.0}};
   for (int i = 0; i < 4; ++i) {
     walls.push_back(builder.add({.name = fmt::format("wall{}", i),
                                  .mobility = Mobility::fixed,
                                  .shape = HalfPlane{},
-                                 .p_WB = places[i],
+                                 .p_WB = positions[i],
                                  .angle = 0.5 * std::numbers::pi * i}));
   }
   const LinearSpringDashpot soft{0.5, 0.0, EndRule::clamped}, hard{1.0, 0.0, EndRule::clamped};
@@ -138,9 +138,9 @@ double theta(int i, int phases, const Setup& setup) {
 
 /// Minimum, mean and maximum of e over 64 phases against the step; each e is compared with the closed form.
 void check_bounces(const Striking& striking, Findings& findings, const Setup& setup) {
-  Series least{"minimum", {}, {}, Style::points}, mean{"mean", {}, {}, Style::points},
-      most{"maximum", {}, {}, Style::points};
-  Series exact_least{"exact", {}, {}, Style::lines}, exact_most{"exact", {}, {}, Style::lines};
+  Series minimum{"minimum", {}, {}, Style::points}, mean{"mean", {}, {}, Style::points},
+      maximum{"maximum", {}, {}, Style::points};
+  Series exact_minimum{"exact", {}, {}, Style::lines}, exact_maximum{"exact", {}, {}, Style::lines};
   Series bound{"bound", {}, {}, Style::lines};
   for (const char* method : {"velocity_verlet", "central_difference", "euler_cromer"}) {
     const bool drawn = std::string_view{method} == "velocity_verlet";
@@ -167,11 +167,11 @@ void check_bounces(const Striking& striking, Findings& findings, const Setup& se
       }
       if (!drawn) continue;
       const reference::LeapfrogGain gain = reference::leapfrog_gain(eta, 500);
-      for (const auto& [series, value] : {std::pair{&least, low},
+      for (const auto& [series, value] : {std::pair{&minimum, low},
                                           {&mean, sum},
-                                          {&most, high},
-                                          {&exact_least, gain.least},
-                                          {&exact_most, gain.most},
+                                          {&maximum, high},
+                                          {&exact_minimum, gain.minimum},
+                                          {&exact_maximum, gain.maximum},
                                           {&bound, limit}}) {
         series->add(eta, value);
       }
@@ -188,8 +188,8 @@ void check_bounces(const Striking& striking, Findings& findings, const Setup& se
                          above <= 1e-11, "1/sqrt(1 - eta^2/4), derived on the page");
   }
   if (setup.coarse) return;
-  exact_most.label = "exact maximum";
-  exact_least.label = "exact minimum";
+  exact_maximum.label = "exact maximum";
+  exact_minimum.label = "exact minimum";
   findings.figure({.name = "gain",
                    .title = "Exit over entry speed of one bounce",
                    .caption = "Velocity Verlet, 64 phases of the touch, against $\\omega h$; the whole range is "
@@ -197,7 +197,7 @@ void check_bounces(const Striking& striking, Findings& findings, const Setup& se
                               "speed equals the entry speed at all phases. Lines: closed form; above them the bound.",
                    .x = {.label = "w h", .min = 0.0, .max = 2.0},
                    .y = {.label = "exit over entry speed", .min = 0.0, .max = 3.0},
-                   .series = {least, mean, most, exact_least, exact_most, bound}});
+                   .series = {minimum, mean, maximum, exact_minimum, exact_maximum, bound}});
 }
 
 /// Checks means over many phases: that of e^-2, and that of ln e against its value to second order in the step.

@@ -86,19 +86,20 @@ std::vector<ExactMotion> exact_motions() {
 }
 
 WorkPoint run_motion(const ExactMotion& motion, Integrator integrator, long steps, Findings& findings) {
-  double place = 0.0, velocity = 0.0, largest_place = 0.0, largest_velocity = 0.0;
+  double position = 0.0, velocity = 0.0, largest_position = 0.0, largest_velocity = 0.0;
   const Watcher compare = [&](const State& seen, const StepInfo& info) {
     if (info.step == 0 || info.step % steps != 0) return;
-    const PlaceAndVelocity& exact = motion.exact[static_cast<std::size_t>(info.step / steps)];
-    keep_largest(place, seen.q[motion.coordinate] - exact.place);
+    const PositionAndVelocity& exact = motion.exact[static_cast<std::size_t>(info.step / steps)];
+    keep_largest(position, seen.q[motion.coordinate] - exact.position);
     keep_largest(velocity, seen.v[motion.coordinate] - exact.velocity);
-    keep_largest(largest_place, exact.place);
+    keep_largest(largest_position, exact.position);
     keep_largest(largest_velocity, exact.velocity);
   };
   const double interval = motion.duration / compared_times;
   const RunPlan plan{interval / static_cast<double>(steps), motion.duration, interval, false};
   const RunEnd end = run_scene(motion.scene, std::move(integrator), plan, findings, compare);
-  WorkPoint point{std::max(place / largest_place, velocity / largest_velocity), static_cast<double>(end.evaluations)};
+  WorkPoint point{std::max(position / largest_position, velocity / largest_velocity),
+                  static_cast<double>(end.evaluations)};
   if (!end.finished) point.error = std::nan("");
   if (const auto* located = std::get_if<StormerCowell>(&end.method)) point.events = located->events();
   return point;

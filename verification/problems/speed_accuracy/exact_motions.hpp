@@ -7,8 +7,8 @@
 namespace talus::verification::problems {
 
 /// A coordinate and its velocity.
-struct PlaceAndVelocity {
-  double place{};
+struct PositionAndVelocity {
+  double position{};
   double velocity{};
 };
 
@@ -18,7 +18,7 @@ struct ExactMotion {
   Scene scene;
   double duration{};
   std::size_t coordinate{};
-  std::vector<PlaceAndVelocity> exact;
+  std::vector<PositionAndVelocity> exact;
 };
 
 /// Number of times after the start at which a motion is compared.

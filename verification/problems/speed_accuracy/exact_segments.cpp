@@ -52,25 +52,25 @@ void check_bounce(Findings& findings, const Setup& setup, Table& table) {
   for (int i = 1; i <= outputs; ++i)
     times.push_back(end * i / outputs);
   const auto truth = reference::bounce_states(drop, times);
-  double place = 0.0, speed = 0.0;
+  double position = 0.0, speed = 0.0;
   Series gap{.label = "gap", .style = Style::lines};
   const Watcher compare = [&](const State& seen, const StepInfo& info) {
     gap.add(seen.t, seen.q[1] - 1.0);
     if (info.step == 0) return;
     const auto& exact_state = truth[static_cast<std::size_t>(info.step - 1)];
-    keep_largest(place, seen.q[1] - 1.0 - exact_state.gap);
+    keep_largest(position, seen.q[1] - 1.0 - exact_state.gap);
     keep_largest(speed, seen.v[1] + exact_state.velocity);
   };
   const Ran found = ran(scene, exact(setup), end, outputs, findings, compare);
   const auto contacts = reference::bounces(drop, 100);
   // One flight; then for each contact that ends: the push, the exit without force, and the next flight.
   const double pieces = 2.0 + 3.0 * static_cast<double>(contacts.size() - 1);
-  const std::string words = fmt::format(
+  const std::string reason = fmt::format(
       "segments of the reference: {} contacts, the last of which does not end; one flight, and for each other contact "
       "its loading and unloading, the exit during which the clamped law exerts no force, and a flight",
       contacts.size());
   findings.expect_exact({"rest_evaluations", "damped bounce to rest: force evaluations"},
-                        static_cast<double>(found.evaluations), pieces, words);
+                        static_cast<double>(found.evaluations), pieces, reason);
   findings.expect_between(
       {"rest/permitted", "damped bounce to rest: force evaluations over the permitted 60"},
       static_cast<double>(found.evaluations) / 60.0, 0.02, 1.0,
@@ -78,7 +78,7 @@ void check_bounce(Findings& findings, const Setup& setup, Table& table) {
   // Overlap at rest g/w^2 = 1e-3, largest overlap 0.036; positions are stored at about 1 from the origin.
   const double rounding = epsilon / (contacts.front().largest_depth);
   findings.expect_round_off({"rest_position", "damped bounce to rest: position, largest error over the drop height"},
-                            place / drop.gap, 0.0, 4.0 * rounding,
+                            position / drop.gap, 0.0, 4.0 * rounding,
                             "eight positions at events, each rounded by half an epsilon of 1, relative to the overlap "
                             "of 0.036 that determines the impact");
   findings.expect_round_off(
@@ -88,7 +88,7 @@ void check_bounce(Findings& findings, const Setup& setup, Table& table) {
       "as much");
   table.rows.push_back(
       {"damped bounce", fmt::format("{:.0f}", pieces), fmt::format("{}", found.evaluations),
-       fmt::format("{:.1e}", place / drop.gap),
+       fmt::format("{:.1e}", position / drop.gap),
        fmt::format("{}", ran(scene, make_integrator("stormer_cowell", 1e-9), end, 1, findings).evaluations)});
   const Ran at_once = ran(scene, exact(setup), end, 1, findings);
   findings.expect_exact({"rest/one_output", "damped bounce to rest: force evaluations with one output"},
@@ -165,13 +165,13 @@ void check_latching(Findings& findings, const Setup& setup, Table& table) {
     evaluations += found.evaluations, ++runs;
     stormer += ran(scene, make_integrator("stormer_cowell", 1e-9), end, 1, findings).evaluations;
   }
-  const std::string words =
+  const std::string reason =
       "positions up to 4 from the origin are rounded by up to 4 epsilon, three times until the end";
   findings.expect_round_off({"latching_exit", "latching springs: exit speed, largest error"}, worst, 0.0,
-                            12.0 * epsilon, words);
+                            12.0 * epsilon, reason);
   findings.expect_round_off(
       {"latching_position", "latching springs: position a time of 1 after the end, largest error"}, worst_time, 0.0,
-      12.0 * epsilon, words);
+      12.0 * epsilon, reason);
   table.rows.push_back(cells("{} latching springs | - | {} | {:.1e} | {}", runs, evaluations, worst, stormer));
 }
 
@@ -254,29 +254,30 @@ void check_linear_overlaps(Findings& findings) {
   const Mobility mobilities[] = {Mobility::free, Mobility::particle, Mobility::fixed, Mobility::sliding_x,
                                  Mobility::sliding_y};
   // Beside each other, above each other, and oblique, on a plane and on a square.
-  struct Place {
+  struct PairPosition {
     Shape a, b;
     Vec2 at;
   };
   const Circle disc{1.0};
   const Rectangle square{1.0, 1.0};
-  const Place places[] = {{disc, disc, {1.9, 0.0}},           {disc, disc, {0.0, -1.9}},
-                          {disc, disc, {1.2, 1.45}},          {disc, HalfPlane{}, {0.2, 0.95}},
-                          {square, HalfPlane{}, {0.2, 0.95}}, {disc, square, {0.1, 1.95}},
-                          {disc, square, {0.0, 1.95}}};
+  const PairPosition pairs[] = {{disc, disc, {1.9, 0.0}},           {disc, disc, {0.0, -1.9}},
+                                {disc, disc, {1.2, 1.45}},          {disc, HalfPlane{}, {0.2, 0.95}},
+                                {square, HalfPlane{}, {0.2, 0.95}}, {disc, square, {0.1, 1.95}},
+                                {disc, square, {0.0, 1.95}}};
   double wrong = 0.0, left_out = 0.0, accepted = 0.0;
-  for (const Place& place : places) {
+  for (const PairPosition& position : pairs) {
     for (const Mobility of_a : mobilities) {
       for (const Mobility of_b : mobilities) {
         if (of_a == Mobility::fixed && of_b == Mobility::fixed) continue;
-        if (std::holds_alternative<HalfPlane>(place.b) && of_b != Mobility::fixed) continue;
-        const Body a{.mobility = of_a, .shape = place.a, .p_WB = place.at}, b{.mobility = of_b, .shape = place.b};
+        if (std::holds_alternative<HalfPlane>(position.b) && of_b != Mobility::fixed) continue;
+        const Body a{.mobility = of_a, .shape = position.a, .p_WB = position.at},
+            b{.mobility = of_b, .shape = position.b};
         for (const Pair& pair : {touching(a, b), touching(b, a)}) {
           const bool has_form = !obstacle_to_closed_form(pair.model), linear = std::abs(pair.bend) < 1e-12;
           accepted += has_form ? 1.0 : 0.0;
           wrong += has_form && !linear ? 1.0 : 0.0;
           // A disc on a side of a square has a closed form, but the solver does not detect it.
-          left_out += !has_form && linear && !std::holds_alternative<Rectangle>(place.b) ? 1.0 : 0.0;
+          left_out += !has_form && linear && !std::holds_alternative<Rectangle>(position.b) ? 1.0 : 0.0;
         }
       }
     }

@@ -151,18 +151,18 @@ FailureFound check_latch_reload(Findings& findings, const Setup& setup) {
     disc.press(back);
     return disc.work() - before;
   };
-  constexpr double soft = 64.0, stiff = 256.0, most = 0.5, slack = 0.25;
-  const double had_back = 0.5 * soft * most * soft * most / stiff;
+  constexpr double soft = 64.0, stiff = 256.0, maximum = 0.5, slack = 0.25;
+  const double had_back = 0.5 * soft * maximum * soft * maximum / stiff;
   const char* why = "all overlaps, forces and their products are short sums of powers of two";
   const double forgotten = reload(slack, !setup.has("retained")), kept = reload(slack, false),
                parted = reload(-0.0625, false);
   findings.expect_exact(
       {"latch_reload/lost", "latch reload: work of a reload before the surfaces separate, history lost at its start"},
-      forgotten, 0.5 * soft * (most * most - slack * slack) - had_back, why, "J");
+      forgotten, 0.5 * soft * (maximum * maximum - slack * slack) - had_back, why, "J");
   findings.expect_exact({"latch_reload/before", "latch reload: work of a reload before the surfaces separate"}, kept,
                         0.0, why, "J");
   findings.expect_exact({"latch_reload/after", "latch reload: work of a reload after the surfaces have separated"},
-                        parted, 0.5 * soft * most * most - had_back, why, "J");
+                        parted, 0.5 * soft * maximum * maximum - had_back, why, "J");
   return {fmt::format("history lost while force-free: a reload costs {:g} J", forgotten),
           fmt::format("before separation {:g} J, after it {:g} J", kept, parted)};
 }

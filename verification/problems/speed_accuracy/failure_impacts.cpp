@@ -31,12 +31,12 @@ struct Gain {
 };
 
 Gain largest_gain(double eta, Findings& findings) {
-  Gain most;
+  Gain maximum;
   for (const double theta : even_phases(fewest_phases)) {
-    most.found = std::max(most.found, exit_ratio(eta, theta, 0.0, findings) - 1.0);
-    most.exact = std::max(most.exact, reference::leapfrog_bounce(eta, theta).ratio - 1.0);
+    maximum.found = std::max(maximum.found, exit_ratio(eta, theta, 0.0, findings) - 1.0);
+    maximum.exact = std::max(maximum.exact, reference::leapfrog_bounce(eta, theta).ratio - 1.0);
   }
-  return most;
+  return maximum;
 }
 
 constexpr int many_phases = 128;
@@ -98,13 +98,13 @@ FailureFound check_pull_at_end(Findings& findings, const Setup& setup) {
   double pull = 0.0, kept = 0.0, exact = 0.0;
   for (const EndRule rule : {EndRule::attractive, EndRule::clamped}) {
     const Bounce b = bounce(0.5, rule, setup);
-    double& least = rule == EndRule::attractive ? pull : kept;
+    double& minimum = rule == EndRule::attractive ? pull : kept;
     if (rule == EndRule::attractive) exact = b.exact.force_at_end;
     for (const double phase : even_phases(fewest_phases)) {
       const double step = incommensurate_step(b.exact.contact_time, production_steps);
       const PlaneRebound seen = plane_rebound(b.law, {1.0, 8.0, step, phase, 10.0}, findings);
       for (const double force : seen.force)
-        least = std::min(least, force);
+        minimum = std::min(minimum, force);
     }
   }
   findings.expect_model(

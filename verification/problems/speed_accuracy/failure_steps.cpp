@@ -54,7 +54,7 @@ Drift ln_speed(const char* method, double eta, long bounces, double xi, Findings
 }
 
 /// Minimum of a cable's tension, and minimum of k x + c v while the cable is stretched without tension, k = 1.
-struct Least {
+struct Minima {
   double tension{}, let_go{};
 
   void inspect(const CableRunResult& run, double damping) {
@@ -118,14 +118,14 @@ FailureFound check_snatch(Findings& findings, const Setup& setup) {
   const reference::ImpactEvents exact =
       reference::impact_events({1.0, 2.0 * xi, 1.0, 1.0}, reference::EndRule::clamped);
   const Scene scene = thrown_mass(TensionOnly{1.0, 2.0 * used}, 1.0, 1.0);
-  Least least;
+  Minima minima;
   const auto error = [&](const Integrator& method, double steps, std::size_t phase) {
     const double step = offset_step(exact.contact_time, steps, phase);
     State state = scene.initial;
     state.q[0] -= even_phases(fewest_phases)[phase] * step;
     const CableRunResult run =
         run_cables(scene, state, method, {step, exact.contact_time + 2.0, false, true}, findings);
-    least.inspect(run, 2.0 * used);
+    minima.inspect(run, 2.0 * used);
     return std::abs(run.end.v[0]) / exact.restitution - 1.0;
   };
   PhaseError coarse, fine, located;
@@ -141,14 +141,14 @@ FailureFound check_snatch(Findings& findings, const Setup& setup) {
   findings.expect_truncation("snatched cable: largest error of the return speed, steps cut", located.max(), 0.0,
                              tolerance, 3.0, "the method's tolerance");
   findings.expect_model("snatched cable: minimum of k x + c v while stretched without tension, over c e v0",
-                        least.let_go / (2.0 * xi * exact.restitution), -1.0, 0.04,
+                        minima.let_go / (2.0 * xi * exact.restitution), -1.0, 0.04,
                         "the compression that an unclamped cable would exert at x = 0: one phase comes within a 64th "
                         "of a step of it, and e itself is off by up to 0.45/N");
-  findings.expect_exact("snatched cable: minimum tension of all runs", least.tension, 0.0,
+  findings.expect_exact("snatched cable: minimum tension of all runs", minima.tension, 0.0,
                         "zero where the law is clamped");
   return {fmt::format("not cut: order {:.2f}; k x + c v falls to {:.2f} c e v0", order,
-                      least.let_go / (2.0 * xi * exact.restitution)),
-          fmt::format("cut: {:.1g}; minimum T = {:g}", located.max(), least.tension)};
+                      minima.let_go / (2.0 * xi * exact.restitution)),
+          fmt::format("cut: {:.1g}; minimum T = {:g}", located.max(), minima.tension)};
 }
 
 FailureFound check_changed_step(Findings& findings, const Setup& setup) {
@@ -208,10 +208,10 @@ FailureFound check_overflow(Findings& findings, const Setup& setup) {
   const Outcome fixed = outcome("velocity_verlet", 0.0, huge), located = outcome("stormer_cowell", 1e-10, huge),
                 embedded = outcome("odeint_dopri5", 1e-10, huge);
   const auto gives_up = [](const Outcome& end) {
-    return end.kind == Outcome::Kind::diverged && end.words.starts_with("no step is short enough") && end.time < 1.0;
+    return end.kind == Outcome::Kind::diverged && end.message.starts_with("no step is short enough") && end.time < 1.0;
   };
   findings.expect_true("overflow: error with the body's name, velocity Verlet",
-                       fixed.kind == Outcome::Kind::diverged && fixed.words.find("disc") != std::string::npos,
+                       fixed.kind == Outcome::Kind::diverged && fixed.message.find("disc") != std::string::npos,
                        "the force at 0.3 of the distance into the contact is 1e600");
   findings.expect_true("overflow: end of the run because no step is short enough, stormer_cowell", gives_up(located),
                        "a failed step is repeated with a shorter one, but not indefinitely");

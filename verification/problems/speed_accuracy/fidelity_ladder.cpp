@@ -239,10 +239,10 @@ void check_fences(Findings& findings, const Setup& setup) {
   const Passage half = passage(half_scene, tight, findings), full = passage(full_scene, tight, findings);
   double apart = 0.0;
   for (const Body& body : half_scene.model.bodies) {
-    const auto place = [&](const Scene& scene, const State& state) {
+    const auto position = [&](const Scene& scene, const State& state) {
       return pose(scene.model, state, *find_body(scene.model, body.name)).p_WB;
     };
-    apart = std::max(apart, norm(place(half_scene, half.end) - place(full_scene, full.end)));
+    apart = std::max(apart, norm(position(half_scene, half.end) - position(full_scene, full.end)));
   }
   findings.expect_exact({"half_against_full", "half fence against the full one at 0.2 s, largest distance"}, apart, 0.0,
                         "T + T is 2 T, and the steps are chosen by the largest errors, which are equal", "ft");

@@ -54,10 +54,10 @@ constexpr std::array<const char*, 4> questions{"speed after the first contact", 
                                                "largest tension of a top cable", "speed at 0.2 s"};
 double answer(const Passage& p, std::size_t question) { return std::array{p.first, p.push, p.pull, p.exit}[question]; }
 
-/// Name of the first level of one layer whose relative error is at most `most` at the first `count` heights. The
+/// Name of the first level of one layer whose relative error is at most `maximum` at the first `count` heights. The
 /// formula comes before all others for the questions that it answers.
 std::string sufficient(const std::vector<Level>& levels, const std::vector<Rung>& rungs, std::size_t question,
-                       double most, std::size_t count) {
+                       double maximum, std::size_t count) {
   const auto worst = [&](const std::function<double(std::size_t)>& of) {
     double largest = 0.0;
     for (std::size_t i = 0; i < count; ++i) {
@@ -70,9 +70,9 @@ std::string sufficient(const std::vector<Level>& levels, const std::vector<Rung>
     const FenceNumbers n = fence_numbers(ladder_fence(heights[i]));
     return speed_by_formula(n, free_column_mass(n, heights[i]));
   };
-  if ((question == 0 || question == 3) && worst(by_formula) <= most) return "formula";
+  if ((question == 0 || question == 3) && worst(by_formula) <= maximum) return "formula";
   for (std::size_t l = 0; l < full_fence; ++l) {
-    if (worst([&](std::size_t i) { return answer(rungs[l].at[i], question); }) <= most) return levels[l].name;
+    if (worst([&](std::size_t i) { return answer(rungs[l].at[i], question); }) <= maximum) return levels[l].name;
   }
   return levels[full_fence].name;
 }
@@ -86,8 +86,8 @@ Table answers(const std::vector<Level>& levels, const std::vector<Rung>& rungs) 
   for (std::size_t question = 0; question < questions.size(); ++question) {
     table.rows.push_back({questions[question]});
     for (const std::size_t count : {std::size_t{1}, heights.size()}) {
-      for (const double most : {0.1, 0.01, 0.001})
-        table.rows.back().push_back(sufficient(levels, rungs, question, most, count));
+      for (const double maximum : {0.1, 0.01, 0.001})
+        table.rows.back().push_back(sufficient(levels, rungs, question, maximum, count));
     }
   }
   return table;

@@ -10,7 +10,7 @@ namespace {
 /// written.
 struct Bound {
   double admitted[2];
-  const char* words;
+  const char* reason;
 };
 constexpr Bound bounds[] = {
     {{1200.0, 3000.0}, "set in advance, below what any of odeint's steppers was known to take"},
@@ -54,16 +54,16 @@ void check_motion(const ExactMotion& motion, const Bound& bound, double known, F
   }
   figure.series.push_back(series);
   const double reached[] = {evaluations_to_reach(points, 1e-6), evaluations_to_reach(points, 1e-9)};
-  const std::string words = fmt::format(
+  const std::string reason = fmt::format(
       "{:.0f} and {:.0f} evaluations are permitted for 1e-6 and 1e-9: {}; fewer than a fiftieth would mean that "
       "evaluations are missing from the count",
-      bound.admitted[0], bound.admitted[1], bound.words);
+      bound.admitted[0], bound.admitted[1], bound.reason);
   findings.expect_between(
       {"evaluations_to_1e_6", fmt::format("evaluations to reach 1e-6 over the permitted number, {}", motion.name)},
-      reached[0] / bound.admitted[0], 0.02, 1.0, words);
+      reached[0] / bound.admitted[0], 0.02, 1.0, reason);
   findings.expect_between(
       {"evaluations_to_1e_9", fmt::format("evaluations to reach 1e-9 over the permitted number, {}", motion.name)},
-      reached[1] / bound.admitted[1], 0.02, 1.0, words);
+      reached[1] / bound.admitted[1], 0.02, 1.0, reason);
   expect_counted(findings, motion.name, evaluations, known);
   const std::size_t last = points.size() - 1;
   const double digit = std::sqrt(points[last].evaluations / points[last - 4].evaluations);
@@ -147,12 +147,12 @@ void check_fence(Findings& findings, const Setup& setup, Figure& figure) {
       evaluations += static_cast<double>(point.evaluations);
     }
     figure.series.push_back(series);
-    const auto demand = [&](const char* what, double tension, double speed, double most) {
+    const auto demand = [&](const char* what, double tension, double speed, double maximum) {
       const double found =
           std::max(evaluations_to_reach(errors.tensions, tension), evaluations_to_reach(errors.speeds, speed));
       findings.expect_between(
-          {"fence_evaluations", fmt::format("fence, evaluations to reach {} over {:.0f}", what, most)}, found / most,
-          0.1, 1.0,
+          {"fence_evaluations", fmt::format("fence, evaluations to reach {} over {:.0f}", what, maximum)},
+          found / maximum, 0.1, 1.0,
           fmt::format("set in advance, for a method that locates events; the 1993 scheme takes {:.0f} steps of 2e-6 s; "
                       "fewer than a tenth would mean that evaluations are missing from the count",
                       end / 2e-6));

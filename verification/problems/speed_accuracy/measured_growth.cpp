@@ -67,7 +67,7 @@ double in_roundings(const FixedStepMethod& method, double error, double exact) {
 double long_growth(const SqueezedRuns& disc, const FixedStepMethod& method, double eta, double start,
                    const Setup& setup) {
   const reference::Motion all = disc.run(made(method, setup), run_as(eta, setup), longest_run, {start, 0.0});
-  const auto last = std::find_if(all.begin(), all.end(), [](const Deviation& d) { return size(d) > most_mark; });
+  const auto last = std::find_if(all.begin(), all.end(), [](const Deviation& d) { return size(d) > maximum_mark; });
   if (last == all.end()) return std::numeric_limits<double>::quiet_NaN();
   auto first = last;
   while (first - all.begin() > method.start && last - first < 60 && size(*(first - 1)) > 1e-7)

@@ -54,11 +54,11 @@ inline constexpr std::array methods_without_limit{"odeint_bulirsch_stoer", "stor
 /// decay) over a run of the fit, because the run starts closer to rest, or ends closer to it, by this factor.
 [[nodiscard]] double in_roundings(const FixedStepMethod& method, double error, double exact);
 
-constexpr double most_mark = 9e-3;   // [m]
-constexpr long longest_run = 50000;  // steps
+constexpr double maximum_mark = 9e-3;  // [m]
+constexpr long longest_run = 50000;    // steps
 
-/// ln growth per step of a run, fitted to its last sixty states or fewer, between 1e-7 and `most_mark`. NaN if the run
-/// does not reach that mark.
+/// ln growth per step of a run, fitted to its last sixty states or fewer, between 1e-7 and `maximum_mark`. NaN if the
+/// run does not reach that mark.
 [[nodiscard]] double long_growth(const SqueezedRuns& disc, const FixedStepMethod& method, double eta, double start,
                                  const Setup& setup);
 

@@ -94,9 +94,9 @@ State stepped(const Scene& scene, const Dynamics& dynamics, Method method, Syste
 /// Zero for two states with equal coordinates, velocities, memories and losses; otherwise the largest difference of any
 /// coordinate or velocity, or NaN if only memories or losses differ.
 double change(const State& a, const State& b) {
-  const auto [place, velocity] = difference(a, b);
-  if (place > 0.0 || velocity > 0.0) return std::max(place, velocity);
-  return a.z == b.z && a.work == b.work ? place + velocity : std::nan("");
+  const auto [position, velocity] = difference(a, b);
+  if (position > 0.0 || velocity > 0.0) return std::max(position, velocity);
+  return a.z == b.z && a.work == b.work ? position + velocity : std::nan("");
 }
 
 void check_pairs(Findings& findings, const Setup& setup, Table& table, const char* name, const Scene& scene,
@@ -142,9 +142,9 @@ Scene thrown_discs() {
   SceneBuilder builder;
   std::vector<BodyId> discs;
   for (int i = 0; i < side * side; ++i) {
-    const Vec2 place{2.6 * (i % side) + nudge(random), 2.6 * (i / side) + nudge(random)};
+    const Vec2 position{2.6 * (i % side) + nudge(random), 2.6 * (i / side) + nudge(random)};
     discs.push_back(builder.add(
-        Body{.name = fmt::format("disc{}", i), .mass = 1.0, .inertia = 0.4, .shape = Circle{1.0}, .p_WB = place}));
+        Body{.name = fmt::format("disc{}", i), .mass = 1.0, .inertia = 0.4, .shape = Circle{1.0}, .p_WB = position}));
     for (int other = 0; other < i; ++other) {
       builder.add_contact(fmt::format("{}-{}", other, i), discs[static_cast<std::size_t>(other)], discs.back(),
                           LinearSpringDashpot{4e3, 3.0, EndRule::clamped});
@@ -152,8 +152,8 @@ Scene thrown_discs() {
   }
   Scene scene = builder.at_rest("Thrown discs");
   for (const BodyId disc : discs) {
-    const Vec2 place = scene.model.bodies[index(disc)].p_WB;
-    set_velocity(scene.model, scene.initial, disc, {1.5 * (4.0 - place.x), 1.5 * (4.0 - place.y)}, 0.0);
+    const Vec2 position = scene.model.bodies[index(disc)].p_WB;
+    set_velocity(scene.model, scene.initial, disc, {1.5 * (4.0 - position.x), 1.5 * (4.0 - position.y)}, 0.0);
   }
   return scene;
 }
@@ -205,11 +205,11 @@ void check_rows(Findings& findings, const Setup& setup, Table& table) {
     }
   };
   const State bare = stepped(scene, dynamics, VelocityVerlet{}, RigidBodySystem{dynamics, false}, 1e-5, count, watch);
-  const auto [place, velocity] = difference(bare, full_state);
+  const auto [position, velocity] = difference(bare, full_state);
   findings.count(2 * count);
   findings.expect_exact(
       {"without_ledger", "without ledger: state at the end against the run with ledger, largest difference"},
-      std::max(place, velocity), 0.0, "the force on a body is the same sum, whether the paths are computed or not");
+      std::max(position, velocity), 0.0, "the force on a body is the same sum, whether the paths are computed or not");
   findings.expect_exact(
       {"row_tensions",
        "tensions of rows of cables against those of the individual laws, largest difference over a run"},

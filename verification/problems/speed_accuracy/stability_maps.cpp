@@ -30,7 +30,7 @@ void run_both_sides(const FixedStepMethod& method, double limit, double xi, cons
       seen.wrong += stays(disc, method, eta, setup) ? 0 : 1;
       continue;
     }
-    if (std::log(most_mark / 1e-12) > 0.9 * exact * longest_run) {  // too slow for a run
+    if (std::log(maximum_mark / 1e-12) > 0.9 * exact * longest_run) {  // too slow for a run
       seen.wrong += fitted > 0.0 ? 0 : 1;
       continue;
     }
@@ -323,13 +323,13 @@ Figure time_levels() {
                 .y = {.label = "largest stable w h", .min = 0.0}};
   struct Level {
     Scheme scheme;
-    const char* words;
+    const char* label;
   };
   for (const Level level :
        {Level{Scheme::half_step, "half a step old"}, Level{Scheme::late, "one and a half steps old"},
         Level{Scheme::average, "mean of old and new"}, Level{Scheme::implicit, "new"},
         Level{Scheme::verlet_old, "Verlet, v(n)"}, Level{Scheme::verlet_predicted, "Verlet, v(n) + h a(n)"}}) {
-    Series series{.label = level.words, .style = Style::lines};
+    Series series{.label = level.label, .style = Style::lines};
     for (double xi = 0.005; xi < 1.5; xi += 0.02)
       series.add(xi, reference::limits(level.scheme, xi, 8.0).front());
     figure.series.push_back(series);

@@ -20,15 +20,15 @@ enum Column : std::size_t { scene, quantity, method, setting, runs, rms, max, ev
 const std::vector<std::string> columns{"scene",     "quantity",    "method", "setting",           "runs", "error_rms",
                                        "error_max", "evaluations", "failed", "limit_evaluations", "floor"};
 
-std::string plain(std::string words) {
-  words.erase(std::remove(words.begin(), words.end(), ','), words.end());
-  return words;
+std::string plain(std::string text) {
+  text.erase(std::remove(text.begin(), text.end(), ','), text.end());
+  return text;
 }
 
 /// Name of a figure: letters and digits of its title, all other characters as '_'.
-std::string stem_of(const std::string& words) {
+std::string stem_of(const std::string& text) {
   std::string stem = "work";
-  for (const char letter : " " + words) {
+  for (const char letter : " " + text) {
     const bool kept = std::isalnum(static_cast<unsigned char>(letter)) != 0;
     if (kept) {
       stem += letter;
@@ -76,18 +76,18 @@ double between(double low, double high, double fraction) { return low * std::pow
 
 /// Reference lines of orders 1, 2 and 4, in the empty corner of small cost and small error.
 std::vector<records::Slope> slopes_in(const Chart& chart) {
-  double first = std::numeric_limits<double>::infinity(), last = 0.0, least = top;
+  double first = std::numeric_limits<double>::infinity(), last = 0.0, minimum = top;
   for (const Series& series : chart.series) {
     for (std::size_t i = 0; i < series.x.size(); ++i) {
       first = std::min(first, series.x[i]);
       last = std::max(last, series.x[i]);
-      least = std::min(least, series.y[i]);
+      minimum = std::min(minimum, series.y[i]);
     }
   }
   std::vector<records::Slope> slopes;
   for (const auto& [order, fraction] : {std::pair{1.0, 0.55}, {2.0, 0.4}, {4.0, 0.25}})
     slopes.push_back(
-        {-order, between(first, last, 0.05), between(least, top, fraction), fmt::format("order {:g}", order)});
+        {-order, between(first, last, 0.05), between(minimum, top, fraction), fmt::format("order {:g}", order)});
   return slopes;
 }
 
@@ -103,18 +103,18 @@ Figure figure_of(const std::string& title, const Chart& chart) {
                 .series = {},
                 .slopes = slopes_in(chart),
                 .lines = {{'x', chart.limit, "limit"}}};
-  double least = top;
+  double minimum = top;
   for (std::size_t i = 0; i < chart.series.size(); ++i) {
     Series series = chart.series[i];
     if (chart.failed[i] > 0) series.label += fmt::format(" ({})", chart.failed[i]);
     if (series.x.empty()) {  // keeps the method in the legend, with its colour in all charts
       series.add(chart.crosses.x.front(), top);
     }
-    least = std::min(least, *std::min_element(series.y.begin(), series.y.end()));
+    minimum = std::min(minimum, *std::min_element(series.y.begin(), series.y.end()));
     figure.series.push_back(series);
   }
   if (!chart.crosses.x.empty()) figure.series.push_back(chart.crosses);
-  if (least < 1e3 * chart.floor) figure.lines.push_back({'y', chart.floor, "resolution of the reference"});
+  if (minimum < 1e3 * chart.floor) figure.lines.push_back({'y', chart.floor, "resolution of the reference"});
   return figure;
 }
 
@@ -162,7 +162,7 @@ std::vector<Figure> work_figures(const DataFile& data) {
   return figures;
 }
 
-std::string in_words(double evaluations) {
+std::string evaluations_text(double evaluations) {
   return std::isfinite(evaluations) ? fmt::format("{:.0f}", evaluations) : "-";
 }
 
@@ -178,7 +178,7 @@ std::vector<Table> cost_tables(const std::vector<SceneCurves>& all) {
       for (std::size_t q = 0; q < each.scene->quantities.size(); ++q) {
         table.columns.push_back(scene_and_quantity(each, q));
         for (std::size_t m = 0; m < each.curves.size(); ++m)
-          table.rows[m].push_back(in_words(cost_of(each.curves[m], q, error)));
+          table.rows[m].push_back(evaluations_text(cost_of(each.curves[m], q, error)));
       }
     }
     tables.push_back(table);

@@ -36,6 +36,6 @@ struct Cheapest {
 [[nodiscard]] Table cheapest_table(const std::vector<SceneCurves>& all);
 
 /// A number of evaluations as text for tables; "-" if infinite.
-[[nodiscard]] std::string in_words(double evaluations);
+[[nodiscard]] std::string evaluations_text(double evaluations);
 
 }  // namespace talus::verification::problems

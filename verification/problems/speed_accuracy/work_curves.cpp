@@ -107,11 +107,11 @@ double cost_of(const WorkCurve& curve, std::size_t quantity, double error) {
   return before.evaluations * std::pow(reached.evaluations / before.evaluations, fraction);
 }
 
-Convergence between_errors(const WorkCurve& curve, std::size_t quantity, double least, double most) {
+Convergence between_errors(const WorkCurve& curve, std::size_t quantity, double minimum, double maximum) {
   Convergence found;
   for (const CurvePoint& point : curve.points) {
     const double error = point.rms[quantity];
-    if (point.failed == 0 && error >= least && error <= most) found.add(1.0 / point.evaluations, error);
+    if (point.failed == 0 && error >= minimum && error <= maximum) found.add(1.0 / point.evaluations, error);
   }
   return found;
 }

@@ -45,7 +45,8 @@ struct WorkCurve {
 /// last point above it and the next; those of the first point if all are below; infinite if the last is above.
 [[nodiscard]] double cost_of(const WorkCurve& curve, std::size_t quantity, double error);
 
-/// Points of a curve with errors between `least` and `most`, against 1/evaluations, which give its order in the step.
-[[nodiscard]] Convergence between_errors(const WorkCurve& curve, std::size_t quantity, double least, double most);
+/// Points of a curve with errors between `minimum` and `maximum`, against 1/evaluations, which give its order in the
+/// step.
+[[nodiscard]] Convergence between_errors(const WorkCurve& curve, std::size_t quantity, double minimum, double maximum);
 
 }  // namespace talus::verification::problems

@@ -16,10 +16,10 @@ struct WorkPoint {
 
 /// Evaluations of the cheapest run that reaches the error together with all finer runs; infinite if there is none.
 inline double evaluations_to_reach(const std::vector<WorkPoint>& points, double error) {
-  double least = std::numeric_limits<double>::infinity();
+  double minimum = std::numeric_limits<double>::infinity();
   for (std::size_t i = points.size(); i-- > 0 && points[i].error <= error;)
-    least = points[i].evaluations;
-  return least;
+    minimum = points[i].evaluations;
+  return minimum;
 }
 
 }  // namespace talus::verification::problems

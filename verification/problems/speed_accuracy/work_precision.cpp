@@ -22,8 +22,8 @@ struct TimedPoint {
 constexpr int repetitions = 15;
 /// Minimum duration of a measurement [s], from which the number of its runs follows: the cost of the clock is then
 /// below 0.1 %.
-constexpr double least_seconds = 1e-4;
-constexpr double most_evaluations = 1e5;
+constexpr double minimum_seconds = 1e-4;
+constexpr double maximum_evaluations = 1e5;
 
 /// One point of a curve, and its measured times.
 struct Timed {
@@ -56,7 +56,7 @@ std::vector<Timed> to_be_timed(const SceneCurves& curves) {
   std::vector<Timed> found;
   for (const WorkCurve& curve : curves.curves) {
     for (const CurvePoint& point : curve.points) {
-      if (point.failed == 0 && point.evaluations <= most_evaluations) found.push_back({&curve, &point});
+      if (point.failed == 0 && point.evaluations <= maximum_evaluations) found.push_back({&curve, &point});
     }
   }
   return found;
@@ -71,7 +71,7 @@ std::vector<TimedPoint> timed_points(const SceneCurves& curves) {
   std::vector<Timed> timed = to_be_timed(curves);
   double sum = 0.0;
   for (Timed& each : timed)
-    each.runs = 1 + static_cast<int>(least_seconds / std::max(measured_seconds(scene, dynamics, each, sum), 1e-7));
+    each.runs = 1 + static_cast<int>(minimum_seconds / std::max(measured_seconds(scene, dynamics, each, sum), 1e-7));
   std::vector<std::size_t> order(timed.size());
   std::iota(order.begin(), order.end(), std::size_t{0});
   std::mt19937 random{1993};
@@ -96,9 +96,9 @@ std::vector<TimedPoint> timed_points(const SceneCurves& curves) {
 DataFile timing_data(const std::vector<TimedPoint>& points, const std::string& machine) {
   DataFile data{
       "work_and_time", {"scene", "quantity", "method", "error_rms", "ns_median", "ns_min", "ns_max", "machine"}, {}};
-  const auto plain = [](std::string words) {
-    std::replace(words.begin(), words.end(), ',', ';');
-    return words;
+  const auto plain = [](std::string text) {
+    std::replace(text.begin(), text.end(), ',', ';');
+    return text;
   };
   for (const TimedPoint& point : points) {
     data.rows.push_back({plain(point.scene), plain(point.quantity), point.method, text(point.error), text(point.median),
@@ -169,7 +169,7 @@ struct ExpectedOrder {
   const char* method;
   const char* scene;
   double order;
-  double least, most;
+  double minimum, maximum;
   double admitted;  ///< deviation allowed in both directions
   const char* why;
 };
@@ -211,7 +211,7 @@ void check_orders(const SceneCurves& all, Findings& findings, const Setup& setup
     if (expected.scene != all.scene->name || (setup.coarse && !decides_faults(expected.method))) continue;
     const auto claim = findings.in(fmt::format("integrator.{}", expected.method));
     findings.expect_order(fmt::format("order of {}, {}", expected.method, expected.scene),
-                          between_errors(curve(all, expected.method), 0, expected.least, expected.most),
+                          between_errors(curve(all, expected.method), 0, expected.minimum, expected.maximum),
                           expected.order - expected.admitted, expected.order + expected.admitted, expected.why);
   }
 }
@@ -243,7 +243,7 @@ void check_constants(const SceneCurves& all, Findings& findings) {
 /// Expected cheapest method, and the range of the ratio of the next method's evaluations to its own.
 struct Advantage {
   const char* method;
-  double least, most;
+  double minimum, maximum;
   const char* why;
 };
 
@@ -278,7 +278,7 @@ void check_cheapest(const SceneCurves& all, Findings& findings) {
     }
     findings.expect_between(fmt::format("cheapest to 1e-6, {}: evaluations of the next over its, {}{}", expected.method,
                                         scene.name, scene.quantities.size() > 1 ? ", " + scene.quantities[q] : ""),
-                            others / cost_of(curve(all, expected.method), q, 1e-6), expected.least, expected.most,
+                            others / cost_of(curve(all, expected.method), q, 1e-6), expected.minimum, expected.maximum,
                             expected.why);
   }
 }
@@ -323,7 +323,7 @@ void compare_with_known(const SceneCurves& all, Findings& findings, Table& table
           "50 % more in either direction");
     }
     for (const double error : errors)
-      row.push_back(in_words(cost_of(curve(all, "stormer_cowell"), 0, error)));
+      row.push_back(evaluations_text(cost_of(curve(all, "stormer_cowell"), 0, error)));
     table.rows.push_back(row);
   }
 }

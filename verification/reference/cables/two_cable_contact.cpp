@@ -13,7 +13,7 @@ namespace talus::verification::reference {
 namespace {
 
 // Indices in Coordinates.
-enum Place : std::size_t { x, v, depth, striker_v };
+enum Coordinate : std::size_t { x, v, depth, striker_v };
 
 struct Laws {
   long double k, l, m, striker, kn, c;

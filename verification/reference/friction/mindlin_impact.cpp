@@ -34,7 +34,7 @@ class Path {
     while (!advance()) {
       if (found.phases.back().slips == slips_) continue;
       found.phases.push_back({static_cast<double>(at_[time]), slips_});
-      if (found.phases.size() > most_phases) throw std::runtime_error("mindlin_impact: stick and slip without end");
+      if (found.phases.size() > maximum_phases) throw std::runtime_error("mindlin_impact: stick and slip without end");
     }
     found.slip_rate = static_cast<double>(at_[slip]);
     found.separation = static_cast<double>(-at_[speed]);
@@ -44,7 +44,7 @@ class Path {
 
  private:
   static constexpr Real step = 0.01L;
-  static constexpr std::size_t most_phases = 50;
+  static constexpr std::size_t maximum_phases = 50;
   /// Stick begins with equal rates of force and limit: less than this is rounding, not another event.
   static constexpr Real noise = 1e-14L;
 

@@ -29,7 +29,7 @@ double reduced_mass(const PivotedCylinder& p) {
 
 // Indices in Coordinates. `depth` is also integrated (it is a function of the others) to avoid the loss of digits in
 // p - p_G.
-enum Place : std::size_t { theta, omega, px, py, vx, vy, depth };
+enum Coordinate : std::size_t { theta, omega, px, py, vx, vy, depth };
 
 /// Origin at the initial position of G, pin at (0, h); u = (cos, sin) is the column's cross axis, a = (-sin, cos) its
 /// long axis. G = (h sin, h - h cos), n = -u. The projection of the rock's centre onto the face lies at height
@@ -89,7 +89,7 @@ struct Laws {
 
 PivotedState state_of(const Laws& laws, const Trajectory& path, bool touching) {
   const Coordinates& y = path.coordinates();
-  const auto at = [&y](Place place) { return static_cast<double>(y[place]); };
+  const auto at = [&y](Coordinate coordinate) { return static_cast<double>(y[coordinate]); };
   return {static_cast<double>(path.time()),
           at(theta),
           at(omega),

@@ -211,13 +211,13 @@ double ln_growth(Scheme scheme, double eta, double xi) {
   return largest;
 }
 
-std::vector<double> limits(Scheme scheme, double xi, double most, int parts) {
+std::vector<double> limits(Scheme scheme, double xi, double maximum, int parts) {
   const auto grows = [&](double eta) { return ln_growth(scheme, eta, xi) > 1e-10; };
   std::vector<double> found;
-  double low = most / parts;
+  double low = maximum / parts;
   bool before = grows(low);
   for (int i = 2; i < parts; ++i) {
-    double high = most * i / parts;
+    double high = maximum * i / parts;
     const double next = high;
     const bool after = grows(high);
     if (after != before) {
@@ -240,7 +240,7 @@ double ln_multiplier(std::span<const Motion> runs, int dimension, double noise) 
     columns += std::max<Eigen::Index>(0, static_cast<Eigen::Index>(states.size()) - lags);
   if (columns < dimension) return std::numeric_limits<double>::quiet_NaN();
   Eigen::MatrixXd now(2 * lags, columns), next(2 * lags, columns);
-  double least = std::numeric_limits<double>::infinity();
+  double minimum = std::numeric_limits<double>::infinity();
   Eigen::Index c = 0;
   for (const Motion& states : runs) {
     for (auto first = states.begin(); states.end() - first > lags; ++first, ++c) {
@@ -250,7 +250,7 @@ double ln_multiplier(std::span<const Motion> runs, int dimension, double noise) 
       }
       const double size = now.col(c).norm();
       if (!(size > 0.0)) return std::numeric_limits<double>::quiet_NaN();
-      least = std::min(least, size);
+      minimum = std::min(minimum, size);
       now.col(c) /= size;
       next.col(c) /= size;
     }
@@ -259,7 +259,7 @@ double ln_multiplier(std::span<const Motion> runs, int dimension, double noise) 
   const Eigen::JacobiSVD<Eigen::MatrixXd> split{now, Eigen::ComputeThinU | Eigen::ComputeThinV};
   const Eigen::VectorXd sizes = split.singularValues();
   Eigen::Index rank = 0;
-  while (rank < std::min<Eigen::Index>(dimension, sizes.size()) && sizes[rank] > noise / least * sizes[0])
+  while (rank < std::min<Eigen::Index>(dimension, sizes.size()) && sizes[rank] > noise / minimum * sizes[0])
     ++rank;
   if (rank == 0) return std::numeric_limits<double>::quiet_NaN();
   const Eigen::MatrixXd basis = split.matrixU().leftCols(rank);

@@ -35,7 +35,7 @@ enum class Scheme {
 
 /// All eta in (0, most) at which ln_growth() crosses zero, in either direction, in ascending order. A modulus within
 /// 1e-10 of one counts as not growing. Two crossings within most/parts of each other are not found.
-[[nodiscard]] std::vector<double> limits(Scheme scheme, double xi, double most, int parts = 200);
+[[nodiscard]] std::vector<double> limits(Scheme scheme, double xi, double maximum, int parts = 200);
 
 /// The coefficients of 1, z, z^2, ... in the factor of one step on y' = lambda y, z = h lambda, of a Runge-Kutta
 /// scheme. Errors: std::invalid_argument for any other.

@@ -29,12 +29,12 @@ LeapfrogBounce leapfrog_bounce(double eta, double theta) {
 }
 
 LeapfrogGain leapfrog_gain(double eta, int phases) {
-  LeapfrogGain gain{.least = std::numeric_limits<double>::infinity()};
+  LeapfrogGain gain{.minimum = std::numeric_limits<double>::infinity()};
   const double weight = 1.0 / phases;
   for (int i = 0; i < phases; ++i) {
     const double e = leapfrog_bounce(eta, (i + 0.5) * weight).ratio;
-    gain.least = std::min(gain.least, e);
-    gain.most = std::max(gain.most, e);
+    gain.minimum = std::min(gain.minimum, e);
+    gain.maximum = std::max(gain.maximum, e);
     gain.mean += weight * e;
     gain.mean_ln += weight * std::log(e);
     gain.mean_square += weight * (e * e - 1.0);

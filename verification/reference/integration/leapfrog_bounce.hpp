@@ -24,8 +24,8 @@ struct LeapfrogBounce {
 
 /// Means over `phases` equally spaced entry phases.
 struct LeapfrogGain {
-  double least{};           ///< minimum e
-  double most{};            ///< maximum e
+  double minimum{};         ///< minimum e
+  double maximum{};         ///< maximum e
   double mean{};            ///< mean of e
   double mean_ln{};         ///< mean of ln e
   double mean_square{};     ///< mean of e^2 - 1

@@ -36,9 +36,9 @@ Vector stepped(SwingMethod method, const Real50& c, const Real50& h, const Vecto
     }
     case SwingMethod::velocity_verlet: {
       const Real50 half = v + h / 2 * carried;
-      const Real50 place = x + h * half;
-      const Real50 acceleration = -place - c * half;
-      return {place, half + h / 2 * acceleration, acceleration};
+      const Real50 position = x + h * half;
+      const Real50 acceleration = -position - c * half;
+      return {position, half + h / 2 * acceleration, acceleration};
     }
     case SwingMethod::runge_kutta:
       break;
@@ -72,23 +72,23 @@ Real50 unrounded(const SteppedSwing& swing) {
   return staggered ? end[0] - h / 2 * end[1] : end[0];
 }
 
-Real50 whole(const Parts& place) { return Real50{place[0]} + place[1] + place[2]; }
+Real50 whole(const Parts& position) { return Real50{position[0]} + position[1] + position[2]; }
 
 }  // namespace
 
-double unrounded_place(const SteppedSwing& swing) { return nearest(unrounded(swing)); }
+double unrounded_position(const SteppedSwing& swing) { return nearest(unrounded(swing)); }
 
-std::vector<double> rounding_errors(const SteppedSwing& swing, const std::vector<Parts>& places) {
+std::vector<double> rounding_errors(const SteppedSwing& swing, const std::vector<Parts>& positions) {
   const Real50 exact = unrounded(swing);
   std::vector<double> errors;
-  for (const Parts& place : places)
-    errors.push_back(nearest(whole(place) - exact));
+  for (const Parts& position : positions)
+    errors.push_back(nearest(whole(position) - exact));
   return errors;
 }
 
-double whole_error(const SteppedSwing& swing, const Parts& place) {
+double whole_error(const SteppedSwing& swing, const Parts& position) {
   if (swing.damping != 0.0) throw std::invalid_argument("whole_error: x = cos t only where nothing damps");
-  return nearest(whole(place) - cos(Real50{swing.step} * swing.steps));
+  return nearest(whole(position) - cos(Real50{swing.step} * swing.steps));
 }
 
 }  // namespace talus::verification::reference

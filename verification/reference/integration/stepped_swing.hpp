@@ -23,13 +23,13 @@ using Parts = std::array<double, 3>;
 
 /// x after the steps, at the time of the last (positions of staggered methods moved back by half a step), to the
 /// nearest double.
-[[nodiscard]] double unrounded_place(const SteppedSwing& swing);
+[[nodiscard]] double unrounded_position(const SteppedSwing& swing);
 
-/// Difference of each of `places`, results of the same steps in some number type, from the unrounded result.
-[[nodiscard]] std::vector<double> rounding_errors(const SteppedSwing& swing, const std::vector<Parts>& places);
+/// Difference of each of `positions`, results of the same steps in some number type, from the unrounded result.
+[[nodiscard]] std::vector<double> rounding_errors(const SteppedSwing& swing, const std::vector<Parts>& positions);
 
-/// Difference of `place` from the exact undamped x = cos(n h): truncation and rounding error of the method. Throws
+/// Difference of `position` from the exact undamped x = cos(n h): truncation and rounding error of the method. Throws
 /// std::invalid_argument with damping.
-[[nodiscard]] double whole_error(const SteppedSwing& swing, const Parts& place);
+[[nodiscard]] double whole_error(const SteppedSwing& swing, const Parts& position);
 
 }  // namespace talus::verification::reference

@@ -50,8 +50,8 @@ PowerFit chord(const std::vector<FitPoint>& points) {
   return fit;
 }
 
-void demand(const std::vector<FitPoint>& points, std::size_t least) {
-  if (points.size() < least) throw std::invalid_argument{"a fit needs more points than coefficients"};
+void demand(const std::vector<FitPoint>& points, std::size_t minimum) {
+  if (points.size() < minimum) throw std::invalid_argument{"a fit needs more points than coefficients"};
 }
 
 PowerFit fit_of(const std::vector<FitPoint>& points, double power, bool corrected) {

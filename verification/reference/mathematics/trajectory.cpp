@@ -31,10 +31,10 @@ Trajectory::Trajectory(Rates rates, Coordinates start, long double start_time, l
   if (!(longest_step > 0.0L)) throw std::invalid_argument("Trajectory: the longest step must be > 0");
 }
 
-Trajectory::Step Trajectory::next_step(long double most) {
+Trajectory::Step Trajectory::next_step(long double maximum) {
   auto stepper = boost::numeric::odeint::make_controlled(absolute_tolerance, relative_tolerance, Stepper());
   const auto system = [this](const Coordinates& y, Coordinates& dydt, long double) { rates_(y, dydt); };
-  const long double whole = std::min(most, longest_step_);
+  const long double whole = std::min(maximum, longest_step_);
   long double length = std::min(whole, proposed_step_);
   for (int attempt = 0; attempt < 100; ++attempt) {
     const long double tried = length;

@@ -43,7 +43,7 @@ class Trajectory {
     long double length;
     Coordinates end;
   };
-  [[nodiscard]] Step next_step(long double most);
+  [[nodiscard]] Step next_step(long double maximum);
   [[nodiscard]] Coordinates moved_by(long double length) const;
   void pass(long double length);
   void land(long double t);

@@ -4,9 +4,9 @@
 
 namespace talus::verification::reference {
 
-double place_at(const ConstantForce& flight, double t) {
+double position_at(const ConstantForce& flight, double t) {
   const Real50 time{t};
-  return nearest(flight.place + time * flight.speed + time * time * flight.acceleration / 2);
+  return nearest(flight.position + time * flight.speed + time * time * flight.acceleration / 2);
 }
 
 double speed_at(const ConstantForce& flight, double t) {

@@ -4,13 +4,13 @@
 namespace talus::verification::reference {
 
 struct ConstantForce {
-  double place{};         ///< x0 at t = 0 [L]
+  double position{};      ///< x0 at t = 0 [L]
   double speed{};         ///< v0 at t = 0 [L/T]
   double acceleration{};  ///< a [L/T^2]
 };
 
 /// x0 + v0 t + a t^2/2 [L] and v0 + a t [L/T], at 50 digits.
-[[nodiscard]] double place_at(const ConstantForce& flight, double t);
+[[nodiscard]] double position_at(const ConstantForce& flight, double t);
 [[nodiscard]] double speed_at(const ConstantForce& flight, double t);
 
 /// Error of the position after `steps` steps of v += h a, x += h v: the speed in step i is v0 + i h a, so that

@@ -17,7 +17,7 @@ namespace {
 // Coordinates: angle, its rate, elongation d, its rate. Polar, so that the elongation of a stiff spring keeps its
 // digits:
 //   d'' = r th'^2 + g cos th - (k/m) d,   r th'' = -g sin th - 2 d' th'.
-enum Place : std::size_t { angle, angle_rate, stretch, stretch_rate };
+enum Coordinate : std::size_t { angle, angle_rate, stretch, stretch_rate };
 
 Trajectory release(const ElasticPendulum& p) {
   if (!(p.mass > 0.0 && p.length > 0.0 && p.gravity > 0.0 && p.stiffness > 0.0 && p.amplitude > 0.0 &&

@@ -93,16 +93,16 @@ double displacement(const Outline& a, Outline b, double angle, int count) {
 
 /// Smallest distance of a corner of one polygon from the sides of the other.
 double distance_from_sides(const std::vector<Point>& corners, const std::vector<Point>& polygon) {
-  double least = std::numeric_limits<double>::infinity();
+  double minimum = std::numeric_limits<double>::infinity();
   for (std::size_t i = 0; i < polygon.size(); ++i) {
     const Point from = polygon[i], to = polygon[(i + 1) % polygon.size()];
     const double dx = to.x - from.x, dy = to.y - from.y, square = dx * dx + dy * dy;
     for (const Point p : corners) {
       const double share = std::clamp(((p.x - from.x) * dx + (p.y - from.y) * dy) / square, 0.0, 1.0);
-      least = std::min(least, std::hypot(from.x + share * dx - p.x, from.y + share * dy - p.y));
+      minimum = std::min(minimum, std::hypot(from.x + share * dx - p.x, from.y + share * dy - p.y));
     }
   }
-  return least;
+  return minimum;
 }
 
 double distance_of_polygons(const Outline& a, const Outline& b, int count) {
@@ -112,14 +112,14 @@ double distance_of_polygons(const Outline& a, const Outline& b, int count) {
 
 }  // namespace
 
-double least_displacement(const Outline& a, const Outline& b, int count) {
+double minimum_displacement(const Outline& a, const Outline& b, int count) {
   if (!overlap_by_points(a, b, count)) return -distance_of_polygons(a, b, count);
   constexpr int directions = 90;
   constexpr double part = 2.0 * std::numbers::pi / directions;
-  double best = 0.0, least = std::numeric_limits<double>::infinity();
+  double best = 0.0, minimum = std::numeric_limits<double>::infinity();
   for (int i = 0; i < directions; ++i) {
     const double found = displacement(a, b, i * part, count / 8);
-    if (found < least) best = i * part, least = found;
+    if (found < minimum) best = i * part, minimum = found;
   }
   constexpr double golden = 0.6180339887498949;
   double low = best - part, high = best + part;

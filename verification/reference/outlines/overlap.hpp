@@ -31,6 +31,6 @@ struct Outline {
 /// distance), by brute force: the displacement along each of many directions by bisection of overlap_by_points(), the
 /// shortest refined by golden sections; the distance of the polygons of boundary points. With a multiple of 4 for
 /// `count`, rectangles are exact; a polygon lies within up to (2 pi/count)^2/8 of the longer half axis of its ellipse.
-[[nodiscard]] double least_displacement(const Outline& a, const Outline& b, int count);
+[[nodiscard]] double minimum_displacement(const Outline& a, const Outline& b, int count);
 
 }  // namespace talus::verification::reference

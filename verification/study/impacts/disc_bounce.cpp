@@ -46,9 +46,9 @@ ImpactErrors impact_errors(const SceneAtGap& scene_at, const reference::ImpactEv
     found.largest_depth.add(impact.largest_depth / exact.largest_depth - 1.0);
     found.identity.add(
         impact.restitution() / exact.restitution / std::pow(impact.largest_depth / exact.largest_depth, 2) - 1.0);
-    found.pull.add(impact.least_deceleration - exact.force_at_end);
+    found.pull.add(impact.minimum_deceleration - exact.force_at_end);
     found.mean_restitution += impact.restitution() / static_cast<double>(fewest_phases);
-    found.least_deceleration = std::min(found.least_deceleration, impact.least_deceleration);
+    found.minimum_deceleration = std::min(found.minimum_deceleration, impact.minimum_deceleration);
   }
   return found;
 }

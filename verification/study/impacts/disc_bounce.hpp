@@ -53,10 +53,10 @@ using SceneAtGap = std::function<Scene(double gap)>;
 /// Errors over 64 phases, each with a different step; relative except for `pull`.
 struct ImpactErrors {
   PhaseError restitution, contact_time, largest_depth;
-  PhaseError identity;          ///< ratio of e and the square of the largest overlap, both over the exact ones
-  PhaseError pull;              ///< minimum deceleration minus the exact force at the end
-  double mean_restitution{};    ///< mean of e itself
-  double least_deceleration{};  ///< minimum over all phases; < 0: attractive force
+  PhaseError identity;            ///< ratio of e and the square of the largest overlap, both over the exact ones
+  PhaseError pull;                ///< minimum deceleration minus the exact force at the end
+  double mean_restitution{};      ///< mean of e itself
+  double minimum_deceleration{};  ///< minimum over all phases; < 0: attractive force
 };
 
 /// `commensurate`: a fault, all phases use the step that divides the contact time.

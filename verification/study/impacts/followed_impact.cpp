@@ -32,14 +32,14 @@ class Follower {
     if (!touched_) {
       // At the first sample inside, the force may already have acted; a scene that starts at touch has no sample before
       // it.
-      if (now.depth <= 0.0 || !begun_) found_.approach_speed = now.rate;
-      begun_ = true;
+      if (now.depth <= 0.0 || !started_) found_.approach_speed = now.rate;
+      started_ = true;
       touched_ = now.depth > 0.0;
     } else {
       // Along a fixed normal only the contact force changes the rate, so this change measures the force independently
       // of the law.
       const double deceleration = (before_.rate - now.rate) / (now.t - before_.t);
-      found_.least_deceleration = std::min(found_.least_deceleration, deceleration);
+      found_.minimum_deceleration = std::min(found_.minimum_deceleration, deceleration);
       if (!crossed_ && ending(now) <= 0.0) {
         crossed_ = true;
         found_.end_time = before_.t + (now.t - before_.t) * ending(before_) / (ending(before_) - ending(now));
@@ -80,7 +80,7 @@ class Follower {
   std::size_t instances_;
   Sample before_;
   FollowedImpact found_;
-  bool begun_{false};
+  bool started_{false};
   bool touched_{false};
   bool crossed_{false};
   bool ended_{false};

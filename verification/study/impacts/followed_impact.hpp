@@ -9,13 +9,13 @@ namespace talus::verification::problems {
 
 /// First impact of the first contact of a scene; all NaN if the run diverged or the contact did not end.
 struct FollowedImpact {
-  double approach_speed{};      ///< rate of the overlap at the last step before touch [L/T]
-  double separation_speed{};    ///< minus that rate at the first step after the end [L/T]
-  double end_time{};            ///< time at which overlap (attractive) or force (clamped) vanishes, interpolated
-                                ///< linearly between steps [T]
-  double largest_depth{};       ///< largest overlap at the steps [L]
-  double least_deceleration{};  ///< minimum of -change of rate/step; < 0 if the force was attractive [L/T^2]
-  State at_end;                 ///< the first state after the end
+  double approach_speed{};        ///< rate of the overlap at the last step before touch [L/T]
+  double separation_speed{};      ///< minus that rate at the first step after the end [L/T]
+  double end_time{};              ///< time at which overlap (attractive) or force (clamped) vanishes, interpolated
+                                  ///< linearly between steps [T]
+  double largest_depth{};         ///< largest overlap at the steps [L]
+  double minimum_deceleration{};  ///< minimum of -change of rate/step; < 0 if the force was attractive [L/T^2]
+  State at_end;                   ///< the first state after the end
 
   [[nodiscard]] double restitution() const { return separation_speed / approach_speed; }
 };

@@ -25,7 +25,7 @@ class RecordedRun {
   /// Value that a run prints for a quantity.
   [[nodiscard]] double value(const Quantity& quantity) const {
     const Extreme extreme = recorder_.extremes()[quantity.column];
-    return quantity.of(extreme.least, extreme.largest, recorder_.row()[quantity.column]);
+    return quantity.of(extreme.minimum, extreme.maximum, recorder_.row()[quantity.column]);
   }
 
  private:

@@ -67,7 +67,7 @@ RunEnd run_steps(const Scene& scene, Integrator integrator, double step, long st
   return run_scene(scene, std::move(integrator), plan, findings, watch);
 }
 
-double period_of(const Scene& scene, Integrator integrator, double step, double most) {
+double period_of(const Scene& scene, Integrator integrator, double step, double maximum) {
   std::vector<double> passages;  // in steps
   std::array<double, 4> q{};
   long seen = 0;
@@ -78,7 +78,7 @@ double period_of(const Scene& scene, Integrator integrator, double step, double 
       passages.push_back(static_cast<double>(seen - 2) + zero_of_cubic(q));
     return passages.size() == 3;
   };
-  const RunPlan plan{.step = step, .end = most, .interval = step, .ledger = false};
+  const RunPlan plan{.step = step, .end = maximum, .interval = step, .ledger = false};
   const RunEnd end = run_scene(scene, std::move(integrator), plan, nullptr, {}, third);
   return end.finished && passages.size() == 3 ? (passages[2] - passages[0]) * step : not_a_number;
 }

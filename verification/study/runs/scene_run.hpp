@@ -49,8 +49,8 @@ inline RunEnd run_steps(const Scene& scene, Integrator integrator, double step, 
 }
 
 /// Time between the first and the third zero crossing of the scene's first coordinate, with steps of length `step`; NaN
-/// if there are none within `most` [T].
-[[nodiscard]] double period_of(const Scene& scene, Integrator integrator, double step, double most);
+/// if there are none within `maximum` [T].
+[[nodiscard]] double period_of(const Scene& scene, Integrator integrator, double step, double maximum);
 
 /// Forces, overlaps and elongations of a model in any state, evaluated outside a run.
 class Probe {

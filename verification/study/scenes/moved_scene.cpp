@@ -141,12 +141,12 @@ Scene with_contacts_swapped(const Scene& scene) {
 }
 
 Difference difference(const State& one, const State& other) {
-  Difference most;
+  Difference maximum;
   for (std::size_t i = 0; i < one.q.size(); ++i) {
-    most.place = std::max(most.place, std::abs(one.q[i] - other.q[i]));
-    most.velocity = std::max(most.velocity, std::abs(one.v[i] - other.v[i]));
+    maximum.position = std::max(maximum.position, std::abs(one.q[i] - other.q[i]));
+    maximum.velocity = std::max(maximum.velocity, std::abs(one.v[i] - other.v[i]));
   }
-  return most;
+  return maximum;
 }
 
 int differing_motion(const State& one, const State& other) {

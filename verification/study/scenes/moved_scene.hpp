@@ -36,7 +36,7 @@ inline constexpr Rotation quarter_turn{0.0, 1.0};
 
 /// Largest difference of coordinates and velocities of two states.
 struct Difference {
-  double place{};     ///< [L], angles [rad]
+  double position{};  ///< [L], angles [rad]
   double velocity{};  ///< [L/T], [rad/T]
 };
 [[nodiscard]] Difference difference(const State& one, const State& other);

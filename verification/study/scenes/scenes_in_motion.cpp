@@ -12,12 +12,12 @@ namespace {
 constexpr LinearSpringDashpot bump{4.1e4, 90.0, EndRule::clamped};
 constexpr CoulombFriction rough{0.37, 2.3e4};
 
-Body ground(const char* name, Shape shape, Vec2 place, double angle) {
-  return {.name = name, .mobility = Mobility::fixed, .shape = std::move(shape), .p_WB = place, .angle = angle};
+Body ground(const char* name, Shape shape, Vec2 position, double angle) {
+  return {.name = name, .mobility = Mobility::fixed, .shape = std::move(shape), .p_WB = position, .angle = angle};
 }
 
-Body thrown(const char* name, double mass, double inertia, Shape shape, Vec2 place, double angle) {
-  return {.name = name, .mass = mass, .inertia = inertia, .shape = std::move(shape), .p_WB = place, .angle = angle};
+Body thrown(const char* name, double mass, double inertia, Shape shape, Vec2 position, double angle) {
+  return {.name = name, .mass = mass, .inertia = inertia, .shape = std::move(shape), .p_WB = position, .angle = angle};
 }
 
 Contact touch(const char* name, BodyId a, BodyId b, ContactMethod method = ContactMethod::resultant) {

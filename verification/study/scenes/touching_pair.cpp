@@ -44,14 +44,14 @@ CornerLoop round_corner(const Model& model, int steps, double moments) {
   std::array<double, 3> from{};
   for (int i = 0; i <= steps; ++i) {
     const double round = 2.0 * std::numbers::pi * i / steps;
-    const std::array place{CornerLoop::corner.x + CornerLoop::radius * std::cos(round),
-                           CornerLoop::corner.y + CornerLoop::radius * std::sin(round), 0.2 + 0.4 * std::sin(round)};
-    std::copy(place.begin(), place.end(), state.q.begin());
+    const std::array position{CornerLoop::corner.x + CornerLoop::radius * std::cos(round),
+                              CornerLoop::corner.y + CornerLoop::radius * std::sin(round), 0.2 + 0.4 * std::sin(round)};
+    std::copy(position.begin(), position.end(), state.q.begin());
     potential.evaluate(state);
     forces = potential.forces(state);
     forces[2] *= moments;
     for (std::size_t k = 0; k < 3 && i > 0; ++k)
-      loop.work += 0.5 * (before[k] + forces[k]) * (place[k] - from[k]);
+      loop.work += 0.5 * (before[k] + forces[k]) * (position[k] - from[k]);
     const double stored = potential.energy(state);
     loop.energy = std::max(loop.energy, stored);
     if (i % (steps / 200) == 0) {
@@ -59,7 +59,7 @@ CornerLoop round_corner(const Model& model, int steps, double moments) {
       loop.stored.push_back(stored);
     }
     before = forces;
-    from = place;
+    from = position;
   }
   return loop;
 }

@@ -17,7 +17,7 @@ Model model() {
   return builder.build();
 }
 
-void place(State& state, double angle, double turn, bool b_spins) {
+void set_pair(State& state, double angle, double turn, bool b_spins) {
   constexpr Vec2 from_pivot_a{-0.3, 0.7};
   const auto centre = [&](Vec2 p, double at) {
     return Vec2{p.x * std::cos(at) - p.y * std::sin(at), p.x * std::sin(at) + p.y * std::cos(at)};

@@ -16,7 +16,7 @@ inline constexpr double normal_stiffness = 64.0, slip_stiffness = 32.0, first_st
 [[nodiscard]] Model model();
 
 /// Sets the pair to an angle, with velocities that advance it by `turn` in a step of unit time.
-void place(State& state, double angle, double turn, bool b_spins);
+void set_pair(State& state, double angle, double turn, bool b_spins);
 
 /// Result of a full turn: changes of the stretch and energy, and the largest changes of force on the way.
 struct Turn {
@@ -41,7 +41,7 @@ Turn turned(long steps, const Faults& faults) {
   Workspace work = dynamics.workspace();
   State state = rest_state(dynamics.model());
   const double turn = 2.0 * std::numbers::pi / static_cast<double>(steps);
-  place(state, 0.0, turn, !faults.b_stands);
+  set_pair(state, 0.0, turn, !faults.b_stands);
   state.z[0] = first_stretch;
   system.begin(state);
   const auto force_at = [&](double angle) {
@@ -56,7 +56,7 @@ Turn turned(long steps, const Faults& faults) {
   const double energy = dynamics.energies(state, work).contacts;
   Turn found;
   for (long n = 0; n < steps; ++n) {
-    place(state, turn * static_cast<double>(n), turn, !faults.b_stands);
+    set_pair(state, turn * static_cast<double>(n), turn, !faults.b_stands);
     system.drift(state, 1.0);
     const Vec2 change = force_at(turn * static_cast<double>(n + 1)) - first;
     found.force = std::max(found.force, std::abs(change.x));
@@ -66,7 +66,7 @@ Turn turned(long steps, const Faults& faults) {
   dynamics.update(state, work);
   found.energy = dynamics.energies(state, work).contacts - energy;
   for (long n = steps; n > 0; --n) {
-    place(state, turn * static_cast<double>(n), -turn, !faults.b_stands);
+    set_pair(state, turn * static_cast<double>(n), -turn, !faults.b_stands);
     system.drift(state, 1.0);
   }
   found.stretch_back = state.z[0] - first_stretch;

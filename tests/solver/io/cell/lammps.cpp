@@ -68,8 +68,8 @@ Answer lammps(const LammpsScene& given, LammpsRun::Style style, bool newton, dou
   while (std::getline(forces, line) && line.rfind("ITEM: ATOMS", 0) != 0) {
   }
   std::size_t id{};
-  Vec2 place, force;
-  while (answer.forces.size() < given.discs.size() && forces >> id >> place.x >> place.y >> force.x >> force.y)
+  Vec2 position, force;
+  while (answer.forces.size() < given.discs.size() && forces >> id >> position.x >> position.y >> force.x >> force.y)
     answer.forces.push_back(force);
   std::ifstream log{folder / "log.lammps"};
   for (bool within = false; std::getline(log, line);) {
@@ -218,10 +218,10 @@ BOOST_AUTO_TEST_CASE(what_lammps_does_not_have_is_refused) {
   const LammpsScene sliding = scene(dashpot, {.width = 21.0, .height = 22.0, .shear_rate = 0.1}, false);
   BOOST_CHECK_THROW(static_cast<void>(lammps_data(sliding)), InputError);
   BOOST_CHECK_THROW(static_cast<void>(lammps_input(sliding, {.style = LammpsRun::Style::gran_hooke}, "x")), InputError);
-  const auto refused = [](const Hertz& law, double spread, LammpsRun::Style style, const std::string& words) {
+  const auto refused = [](const Hertz& law, double spread, LammpsRun::Style style, const std::string& expected) {
     const LammpsScene given = scene(law, {.width = 21.0, .height = 22.0}, false, spread);
     BOOST_CHECK_EXCEPTION(static_cast<void>(lammps_input(given, {.style = style}, "x")), InputError,
-                          [&](const InputError& error) { return error.what() == words; });
+                          [&](const InputError& error) { return error.what() == expected; });
   };
   const Hertz constant{1e4, 0.8, 20.0, EndRule::clamped, HertzDashpot::constant};
   refused({1e4, 0.8, 20.0}, 0.0, LammpsRun::Style::granular,
@@ -230,10 +230,10 @@ BOOST_AUTO_TEST_CASE(what_lammps_does_not_have_is_refused) {
           "law: found hertz with discs of different size; for LAMMPS they must be equal");
   refused(constant, 0.0, LammpsRun::Style::gran_hooke,
           "law: found hertz; for the style gran/hooke it must be linear_spring_dashpot");
-  const auto refused_friction = [](LammpsRun::Style style, const std::string& words) {
+  const auto refused_friction = [](LammpsRun::Style style, const std::string& expected) {
     const LammpsScene given = grazing(LinearSpringDashpot{4e3, 0.0}, Mindlin{0.3, 1e4, 0.5});
     BOOST_CHECK_EXCEPTION(static_cast<void>(lammps_input(given, {.style = style}, "x")), InputError,
-                          [&](const InputError& error) { return error.what() == words; });
+                          [&](const InputError& error) { return error.what() == expected; });
   };
   refused_friction(LammpsRun::Style::gran_hooke,
                    "shear_law: found mindlin; for the style gran/hooke it must be linear");

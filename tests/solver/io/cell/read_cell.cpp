@@ -29,9 +29,9 @@ std::string message(const std::string& text, const std::string& name = "CNTRL.DA
 
 /// The valid file with one part replaced.
 std::string with(std::string text, std::string_view what, std::string_view by) {
-  const std::size_t place = text.find(what);
-  BOOST_REQUIRE(place != std::string::npos);
-  return text.replace(place, what.size(), by);
+  const std::size_t offset = text.find(what);
+  BOOST_REQUIRE(offset != std::string::npos);
+  return text.replace(offset, what.size(), by);
 }
 
 const std::string toml = R"(title = "Cell"

@@ -21,14 +21,14 @@ namespace {
 const std::filesystem::path cases{TALUS_CASES};
 
 /// Lines with words separated by single blanks, without comments and empty lines.
-std::vector<std::string> lines_of_words(const std::string& text) {
+std::vector<std::string> token_lines(const std::string& text) {
   std::vector<std::string> lines;
   std::istringstream in{text};
   for (std::string line; std::getline(in, line);) {
     if (line.rfind("# ", 0) == 0) continue;
-    std::istringstream words{line};
+    std::istringstream tokens{line};
     std::string joined;
-    for (std::string word; words >> word;)
+    for (std::string word; tokens >> word;)
       joined += joined.empty() ? word : " " + word;
     if (!joined.empty()) lines.push_back(joined);
   }
@@ -51,8 +51,8 @@ std::string listing(const FenceInput& input, long steps) {
 
 BOOST_AUTO_TEST_CASE(the_head_is_the_manuals_word_for_word) {
   const FenceInput input = input_of(read_deck(cases / "fence/sample2.DAT"));
-  const auto ours = lines_of_words(OutListing{input.fence, input.made, input.made.scene.plan}.text());
-  const auto printed = lines_of_words(read_text(cases / "published/sample2_head.txt"));
+  const auto ours = token_lines(OutListing{input.fence, input.made, input.made.scene.plan}.text());
+  const auto printed = token_lines(read_text(cases / "published/sample2_head.txt"));
   BOOST_TEST_REQUIRE(printed.size() > 150U);
   BOOST_TEST(ours == printed, boost::test_tools::per_element());
 }
@@ -64,7 +64,7 @@ BOOST_AUTO_TEST_CASE(numbers_of_the_two_cables_and_of_the_two_overlaps_are_in_th
   fence.limit_top = 3e5, fence.limit_bottom = 4e5;
   fence.rock_overlap = 0.5, fence.layer_overlap = 0.25;
   const FenceInput input = input_of(fence);
-  const auto lines = lines_of_words(OutListing{input.fence, input.made, input.made.scene.plan}.text());
+  const auto lines = token_lines(OutListing{input.fence, input.made, input.made.scene.plan}.text());
   for (const auto& [name, number] : {std::pair{"x-section area of top cable", fortran_g(1.0, 3)},
                                      {"x-section area of bottom cable", fortran_g(2.0, 3)},
                                      {"top cable breaking strength", fortran_g(3e5, 3)},
@@ -82,7 +82,7 @@ BOOST_AUTO_TEST_CASE(states_come_every_nprint_steps_and_not_at_the_start) {
   fence.print_every = 4;
   const std::string text = listing(input_of(fence), 9);
   std::vector<std::string> times;
-  for (const std::string& line : lines_of_words(text)) {
+  for (const std::string& line : token_lines(text)) {
     if (line.rfind("time = ", 0) == 0) times.push_back(line);
   }
   // 4 and 8 steps of 0.82737e-4 s.
@@ -97,7 +97,7 @@ BOOST_AUTO_TEST_CASE(states_are_as_the_integrator_holds_them) {
   fence.print_every = 1;
   fence.rocks[0].position = {9.0, 0.0};  // does not touch the fence
   fence.rocks[0].spin = 0.0;
-  const auto lines = lines_of_words(listing(input_of(fence), 1));
+  const auto lines = token_lines(listing(input_of(fence), 1));
   const auto at = std::find_if(lines.begin(), lines.end(), [](const auto& l) { return l.rfind("time = ", 0) == 0; });
   BOOST_REQUIRE(lines.end() - at == 20);
   BOOST_TEST(at[1] == "el. x y theta vx vy ang-v");
@@ -128,8 +128,8 @@ BOOST_AUTO_TEST_CASE(fences_in_other_units_are_listed_in_those_of_the_deck) {
   convert_element(metric.ground);
   convert_element(metric.rocks[0]);
   convert_element(metric.column);
-  auto ours = lines_of_words(listing(input_of(metric), 60));
-  auto theirs = lines_of_words(listing(input_of(fence), 60));
+  auto ours = token_lines(listing(input_of(metric), 60));
+  auto theirs = token_lines(listing(input_of(fence), 60));
   // Head, time, and elements 1 to 5: values of elements that the wave has hardly reached are round-off, which depends
   // on the units.
   BOOST_TEST_REQUIRE(ours.size() == theirs.size());

@@ -100,22 +100,22 @@ BOOST_AUTO_TEST_CASE(histories) {
 }
 
 BOOST_AUTO_TEST_CASE(wrong_numbers) {
-  const std::string place = "s.DAT:20: " + std::string{layers};
-  BOOST_TEST(message("2.0e7", "abc") == place + "young: found \"abc\"; it must be a number > 0");
-  BOOST_TEST(message("2.0e7", "-2.0e7") == place + "young: found \"-2.0e7\"; it must be a number > 0");
+  const std::string prefix = "s.DAT:20: " + std::string{layers};
+  BOOST_TEST(message("2.0e7", "abc") == prefix + "young: found \"abc\"; it must be a number > 0");
+  BOOST_TEST(message("2.0e7", "-2.0e7") == prefix + "young: found \"-2.0e7\"; it must be a number > 0");
   BOOST_TEST(message("2.0e7", "1e999") ==
-             place + "young: found \"1e999\"; the number is too large or too small for a double");
-  BOOST_TEST(message("2.0e7", "1e308") == place + "young: found \"1e308\"; the number is too large");
-  BOOST_TEST(message("2.0e7", "nan") == place + "young: found \"nan\"; it must be a number > 0");
-  BOOST_TEST(message("6.67", "inf") == place + "y_top: found \"inf\"; it must be a number");
-  BOOST_TEST(message("6.67", "6.67ft") == place + "y_top: found \"6.67ft\"; it must be a number");
-  BOOST_TEST(message("0.4 1.076", "1.5 1.076") == place + "ecoeff: found \"1.5\"; it must be a number in (0, 1]");
-  BOOST_TEST(message("0.4 1.076", "0 1.076") == place + "ecoeff: found \"0\"; it must be a number in (0, 1]");
-  BOOST_TEST(message("0.25 0.0", "-0.25 0.0") == place + "area_bot: found \"-0.25\"; it must be a number > 0");
-  BOOST_TEST(message("0.5 1e8", "-0.5 1e8") == place + "slack: found \"-0.5\"; it must be a number >= 0");
-  BOOST_TEST(message("1e8 1e8", "0 1e8") == place + "brek_top: found \"0\"; it must be a number > 0");
-  BOOST_TEST(message("2 13", "3 13") == place + "nocab: found \"3\"; it must be 1 or 2");
-  BOOST_TEST(message("2 13", "2 0") == place + "ncol: found \"0\"; it must be a whole number between 1 and 1000");
+             prefix + "young: found \"1e999\"; the number is too large or too small for a double");
+  BOOST_TEST(message("2.0e7", "1e308") == prefix + "young: found \"1e308\"; the number is too large");
+  BOOST_TEST(message("2.0e7", "nan") == prefix + "young: found \"nan\"; it must be a number > 0");
+  BOOST_TEST(message("6.67", "inf") == prefix + "y_top: found \"inf\"; it must be a number");
+  BOOST_TEST(message("6.67", "6.67ft") == prefix + "y_top: found \"6.67ft\"; it must be a number");
+  BOOST_TEST(message("0.4 1.076", "1.5 1.076") == prefix + "ecoeff: found \"1.5\"; it must be a number in (0, 1]");
+  BOOST_TEST(message("0.4 1.076", "0 1.076") == prefix + "ecoeff: found \"0\"; it must be a number in (0, 1]");
+  BOOST_TEST(message("0.25 0.0", "-0.25 0.0") == prefix + "area_bot: found \"-0.25\"; it must be a number > 0");
+  BOOST_TEST(message("0.5 1e8", "-0.5 1e8") == prefix + "slack: found \"-0.5\"; it must be a number >= 0");
+  BOOST_TEST(message("1e8 1e8", "0 1e8") == prefix + "brek_top: found \"0\"; it must be a number > 0");
+  BOOST_TEST(message("2 13", "3 13") == prefix + "nocab: found \"3\"; it must be 1 or 2");
+  BOOST_TEST(message("2 13", "2 0") == prefix + "ncol: found \"0\"; it must be a whole number between 1 and 1000");
   BOOST_TEST(message("0.0 3000", "-1 3000") ==
              "s.DAT:2: fact_dt, niter, nprint, nhisto, f_penet: fact_dt: found \"-1\"; it must be a number >= 0");
   BOOST_TEST(
@@ -252,8 +252,8 @@ BOOST_AUTO_TEST_CASE(options_that_no_record_carries) {
     static_cast<void>(write_deck(fence));
     BOOST_TEST(false);
   } catch (const InputError& error) {
-    const std::string words = error.what();
-    BOOST_TEST(words.find("found symmetry = \"full\", integrator = \"rk4\"; it must be symmetry = \"half\", ") !=
+    const std::string expected = error.what();
+    BOOST_TEST(expected.find("found symmetry = \"full\", integrator = \"rk4\"; it must be symmetry = \"half\", ") !=
                std::string::npos);
   }
 }

@@ -153,14 +153,14 @@ BOOST_AUTO_TEST_CASE(cables_yield_by_a_table) {
   fence.options.table = {{0.01, 1.25}, {0.1, 1.5}};
   BOOST_TEST((read(options + "table = [[0.01, 1.25], [0.1, 1.5]]\n") == fence));
   BOOST_TEST((read(write_fence(fence)) == fence));
-  const auto says = [&](std::string_view lines, std::string_view words) {
+  const auto says = [&](std::string_view lines, std::string_view expected) {
     std::string found = "no error";
     try {
       static_cast<void>(read(options + std::string{lines}));
     } catch (const InputError& error) {
       found = error.what();
     }
-    BOOST_TEST(found.find(words) != std::string::npos, found);
+    BOOST_TEST(found.find(expected) != std::string::npos, found);
   };
   says("hardening = 0.02\ntable = [[0.01, 1.25]]\n", "found hardening = 0.02 and table");
   says("table = [[0.01, 1.25], [0.005, 1.5]]\n", "table: found (0.005, 1.5) after (0.01, 1.25)");
@@ -187,9 +187,9 @@ BOOST_AUTO_TEST_CASE(wrong_parts_beyond_the_deck) {
     }
     return "no error";
   };
-  const auto says = [&](std::string_view part, std::string_view replacement, std::string_view words) {
+  const auto says = [&](std::string_view part, std::string_view replacement, std::string_view expected) {
     const std::string found = message_of(part, replacement);
-    BOOST_TEST(found.find(words) != std::string::npos, found);
+    BOOST_TEST(found.find(expected) != std::string::npos, found);
   };
   says("symmetry = \"full\"", "symmetry = \"half\"", "along: found -3.75 ft; it must be 0 in the half model");
   says("along = \"-3.75 ft\"", "along = \"-37 ft\"", "within 16.25 ft of mid-span");

@@ -37,10 +37,10 @@ BOOST_AUTO_TEST_CASE(held_pair_obeys_its_equations) {
 
 BOOST_AUTO_TEST_CASE(load_rises_to_its_first_peak) {
   const ref::LoadPeak peak = ref::first_load_peak(pair);
-  double most = 0.0;
+  double maximum = 0.0;
   for (double t = 0.0; t <= 1.2 * peak.time; t += 1e-5)
-    most = std::max(most, ref::hanger_load(pair, ref::held_pair(pair, t)));
-  BOOST_TEST(most == peak.load, boost::test_tools::tolerance(1e-9));
+    maximum = std::max(maximum, ref::hanger_load(pair, ref::held_pair(pair, t)));
+  BOOST_TEST(maximum == peak.load, boost::test_tools::tolerance(1e-9));
 }
 
 BOOST_AUTO_TEST_CASE(what_is_lost_is_what_the_cables_held_less_what_the_one_holds) {

@@ -38,12 +38,12 @@ BOOST_AUTO_TEST_CASE(restitution_does_not_depend_on_the_exponent) {
 // To first order in g the energy lost is g int X' dX along the undamped path: 1 - e^2 = 2 (2 g) int_0^{X_m} w dX, with
 // w^2 = 1 - (4/5) X^(5/2), and the attractive rule.
 BOOST_AUTO_TEST_CASE(a_weak_dashpot_takes_its_work_along_the_undamped_path) {
-  const double g = 1e-5, most = std::pow(1.25, 0.4);
+  const double g = 1e-5, maximum = std::pow(1.25, 0.4);
   double path = 0.0;
   const int count = 20000;
   for (int i = 0; i < count; ++i) {
-    const double s = (i + 0.5) / count, x = most * (1.0 - s * s);
-    path += std::sqrt(1.0 - 0.8 * std::pow(x, 2.5)) * 2.0 * most * s / count;
+    const double s = (i + 0.5) / count, x = maximum * (1.0 - s * s);
+    path += std::sqrt(1.0 - 0.8 * std::pow(x, 2.5)) * 2.0 * maximum * s / count;
   }
   const double e = ref::constant_dashpot_events(g, ref::EndRule::attractive).restitution;
   BOOST_TEST((1.0 - e * e) / (4.0 * g * path) == 1.0, tolerance(5e-5));

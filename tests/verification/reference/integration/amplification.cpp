@@ -15,8 +15,8 @@ using ref::Scheme;
 
 namespace {
 
-double first_limit(Scheme scheme, double xi, double most) {
-  const auto all = ref::limits(scheme, xi, most);
+double first_limit(Scheme scheme, double xi, double maximum) {
+  const auto all = ref::limits(scheme, xi, maximum);
   return all.empty() ? std::numeric_limits<double>::quiet_NaN() : all.front();
 }
 

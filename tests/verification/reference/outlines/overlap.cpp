@@ -52,15 +52,15 @@ BOOST_AUTO_TEST_CASE(half_planes) {
 }
 
 // Closed forms: circles, boxes with parallel sides, a corner over a side.
-BOOST_AUTO_TEST_CASE(least_displacements_of_outlines_with_a_closed_form) {
-  const double of_discs = ref::least_displacement(disc(1.0, 0.0, 0.0), disc(0.5, 0.9, 0.9), 1600);
+BOOST_AUTO_TEST_CASE(minimum_displacements_of_outlines_with_a_closed_form) {
+  const double of_discs = ref::minimum_displacement(disc(1.0, 0.0, 0.0), disc(0.5, 0.9, 0.9), 1600);
   BOOST_TEST(of_discs == 1.5 - 0.9 * std::numbers::sqrt2, boost::test_tools::tolerance(2e-5));
-  const double of_boxes = ref::least_displacement(box(1.0, 0.5, 0.0, 0.0, 0.3),
-                                                  box(0.4, 0.3, -0.2 * std::sin(0.3), 0.2 * std::cos(0.3), 0.3), 1600);
+  const double of_boxes = ref::minimum_displacement(
+      box(1.0, 0.5, 0.0, 0.0, 0.3), box(0.4, 0.3, -0.2 * std::sin(0.3), 0.2 * std::cos(0.3), 0.3), 1600);
   BOOST_TEST(of_boxes == 0.6, boost::test_tools::tolerance(1e-6));
   const double corner =
-      ref::least_displacement(box(2.0, 1.0, 0.0, 0.0, 0.0), box(1.0, 1.0, 0.0, 2.3, std::numbers::pi / 4.0), 1600);
+      ref::minimum_displacement(box(2.0, 1.0, 0.0, 0.0, 0.0), box(1.0, 1.0, 0.0, 2.3, std::numbers::pi / 4.0), 1600);
   BOOST_TEST(corner == 1.0 + std::numbers::sqrt2 - 2.3, boost::test_tools::tolerance(1e-6));
-  const double apart = ref::least_displacement(disc(1.0, 0.0, 0.0), disc(0.5, 0.0, 2.0), 1600);
+  const double apart = ref::minimum_displacement(disc(1.0, 0.0, 0.0), disc(0.5, 0.0, 2.0), 1600);
   BOOST_TEST(apart == -0.5, boost::test_tools::tolerance(1e-5));
 }

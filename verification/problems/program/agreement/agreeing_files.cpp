@@ -58,13 +58,13 @@ void check_states(const Run& run, States& states, const Setup& setup) {
     for (std::size_t i = 0; i < facts.bodies.size(); ++i) {
       const auto outline = outline_of(facts.bodies[i], 2.0 * reach);
       for (const auto& [u, v] : outline)
-        add(run.place(facts.bodies[i], u, v, row), static_cast<double>(i));
+        add(run.position(facts.bodies[i], u, v, row), static_cast<double>(i));
       if (!outline.empty()) end_line(static_cast<double>(i), -1.0, 0.0, 0.0);
     }
     for (std::size_t c = 0; c < facts.cables.size(); ++c) {
       const Cable& cable = facts.cables[c];
       for (const End& end : {cable.from, cable.to})
-        add(run.place(end, row), end.body);
+        add(run.position(end, row), end.body);
       const double pull = run.history.at(cable.name + ".tension")[row];
       end_line(-1.0, static_cast<double>(c), pull, pull == 0.0 ? 1.0 : 0.0);
     }

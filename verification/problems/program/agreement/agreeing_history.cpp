@@ -114,7 +114,7 @@ void check_cables(const Run& run, Checks& checks) {
     double longest = 0.0;
     bool broken = false;
     for (std::size_t row = 0; row < run.rows(); ++row) {
-      const Vector a = run.place(cable.from, row), b = run.place(cable.to, row);
+      const Vector a = run.position(cable.from, row), b = run.position(cable.to, row);
       const double length = size(between(a, b)), now = elongation[row];
       checks.elongations.compare(cable.name + ".elongation", now, length - cable.rest, length);
       if (row > 0 && row + 1 < run.rows() && now * cable.stiffness > cable.yield && now >= longest) {
@@ -143,7 +143,7 @@ void check_cables(const Run& run, Checks& checks) {
 
 /// Overlap of two bodies by geometry; a NaN where both are boxes, or the centre of a disc is in a box.
 double overlap(const Run& run, const Part& a, const Part& b, std::size_t row) {
-  const Vector at = run.place(a, 0.0, 0.0, row), other = run.place(b, 0.0, 0.0, row);
+  const Vector at = run.position(a, 0.0, 0.0, row), other = run.position(b, 0.0, 0.0, row);
   if (a.shape != Shape::circle) return std::numeric_limits<double>::quiet_NaN();
   if (b.shape == Shape::circle) return a.a + b.a - std::hypot(at[0] - other[0], at[1] - other[1]);
   if (b.shape == Shape::plane) return a.a - (at[1] - other[1]);

@@ -18,9 +18,9 @@ void WorstDifference::compare(const std::string& item, double found, double exac
 }
 
 void WorstDifference::expect(Findings& findings, std::string name, double bound, const std::string& why) const {
-  const std::string words = fmt::format("{}. The largest is of {}", why, item_);
+  const std::string reason = fmt::format("{}. The largest is of {}", why, item_);
   findings.expect(std::move(name), worst_, 0.0,
-                  bound > 0.0 ? Tolerance::round_off(bound, words) : Tolerance::exact(words));
+                  bound > 0.0 ? Tolerance::round_off(bound, reason) : Tolerance::exact(reason));
 }
 
 void Disagreements::check(const std::string& item, bool agrees) {

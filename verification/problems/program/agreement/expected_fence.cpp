@@ -47,7 +47,7 @@ Force pull_at(const Run& run, const Vector& start, int body) {
       const bool is_anchor = body < 0 && here.body < 0 && here.x == start[0];
       if (!cable.top || (!is_anchor && (body < 0 || here.body != body))) continue;
       for (std::size_t row = 0; row < run.rows(); ++row) {
-        const Vector along = between(run.place(here, row), run.place(there, row));
+        const Vector along = between(run.position(here, row), run.position(there, row));
         const double pull = run.history.at(cable.name + ".tension")[row] / size(along);
         for (std::size_t i = 0; i < 3; ++i)
           force.values[row][i] += pull * along[i];
@@ -95,12 +95,12 @@ Passage passage_of(const Run& run, std::size_t r) {
   Passage found{.name = rock.name, .mass = rock.mass};
   found.touch = last + 1;
   for (std::size_t row = 0; row <= last; ++row) {
-    double most = 0.0;
+    double maximum = 0.0;
     for (const char* with : {"-column1", "-back_column1"})
       for (const char* quantity : {".overlap", ".force"})
-        most = std::max(most, run.history.at(rock.name + with + quantity)[row]);
-    if (most > 0.0) found.touch = std::min(found.touch, row), found.exit = std::min(row + 1, last);
-    found.separated = !(most > 0.0);
+        maximum = std::max(maximum, run.history.at(rock.name + with + quantity)[row]);
+    if (maximum > 0.0) found.touch = std::min(found.touch, row), found.exit = std::min(row + 1, last);
+    found.separated = !(maximum > 0.0);
   }
   if (found.touch > last) throw std::runtime_error(rock.name + " does not touch the fence");
   found.vx = rocks[r].speed, found.spin = rocks[r].spin;
@@ -149,7 +149,7 @@ Json drawn(const Run& run, const char* name, std::size_t row) {
     if (body.shape == Shape::plane) continue;
     Json points = Json::array();
     for (const auto& [u, v] : outline_of(body, 0.0)) {
-      const Vector at = run.place(body, u, v, row);
+      const Vector at = run.position(body, u, v, row);
       points.push_back({scaled(metre * at[0], 1.0), scaled(metre * at[1], 1.0)});
     }
     bodies.push_back({{"name", body.name}, {"layer", body.layer}, {"outline", points}});
@@ -157,7 +157,7 @@ Json drawn(const Run& run, const char* name, std::size_t row) {
   for (const Cable& cable : run.facts.cables) {
     Json ends = Json::array();
     for (const End& end : {cable.from, cable.to}) {
-      const Vector at = run.place(end, row);
+      const Vector at = run.position(end, row);
       ends.push_back({scaled(metre * at[0], 1.0), scaled(metre * at[1], 1.0), scaled(metre * at[2], 1.0)});
     }
     cables.push_back({{"layer", cable.layer}, {"cable", cable.top ? "top" : "bottom"}, {"ends", ends}});
@@ -172,7 +172,7 @@ Json height_of(const Run& run, int layer, bool top, const Json& found) {
     double extreme = top ? infinite : -infinite;
     for (const Part& body : run.facts.bodies) {
       if (body.layer != layer) continue;
-      const double height = run.place(body, 0.0, top ? y_top : y_bottom, row)[1] - ground_top;
+      const double height = run.position(body, 0.0, top ? y_top : y_bottom, row)[1] - ground_top;
       extreme = top ? std::min(extreme, height) : std::max(extreme, height);
     }
     heights.push_back(run.facts.units->metre * extreme);
@@ -337,8 +337,8 @@ Json expected_sheet(const Run& run, const Json& found, double metre) {
     for (const Force& force : hangers)
       hanger = std::max(hanger, size(force.values[row]));
     for (const Cable& cable : facts.cables) {
-      double& most = cable.top ? top : bottom;
-      most = std::max(most, run.history.at(cable.name + ".tension")[row]);
+      double& maximum = cable.top ? top : bottom;
+      maximum = std::max(maximum, run.history.at(cable.name + ".tension")[row]);
     }
     for (const double force : {hanger, top, bottom})
       numbers.push_back(newton * force);

@@ -200,7 +200,7 @@ Run run_of(const TemporaryFolder& folder, Facts facts, const std::vector<std::st
           .states = geometry_states(folder, facts.file, facts.file)};
   for (Cable& cable : run.facts.cables) {
     if (cable.stiffness > 0.0) continue;
-    const double length = size(between(run.place(cable.from, 0), run.place(cable.to, 0)));
+    const double length = size(between(run.position(cable.from, 0), run.position(cable.to, 0)));
     cable.stiffness = young * (cable.top ? area_top : 2.0 * area_bottom) / length;
     cable.rest = cable.top ? length - run.history.at(cable.name + ".tension")[0] / cable.stiffness : length + slack;
   }

@@ -31,13 +31,13 @@ struct Run {
     return history.has(name) ? history.at(name)[row] : otherwise;
   }
   /// Position in the world of a point in a body's axes.
-  [[nodiscard]] Vector place(const Part& body, double u, double v, std::size_t row) const {
+  [[nodiscard]] Vector position(const Part& body, double u, double v, std::size_t row) const {
     const double turned = of(body, ".angle", row, body.angle), c = std::cos(turned), s = std::sin(turned);
     return {of(body, ".x", row, body.x) + c * u - s * v, of(body, ".y", row, body.y) + s * u + c * v, body.along};
   }
-  [[nodiscard]] Vector place(const End& end, std::size_t row) const {
+  [[nodiscard]] Vector position(const End& end, std::size_t row) const {
     if (end.body < 0) return {end.x, end.y, end.along};
-    return place(facts.bodies[static_cast<std::size_t>(end.body)], end.x, end.y, row);
+    return position(facts.bodies[static_cast<std::size_t>(end.body)], end.x, end.y, row);
   }
   [[nodiscard]] const Part& body(const std::string& name) const {
     return *std::ranges::find_if(facts.bodies, [&](const Part& part) { return part.name == name; });

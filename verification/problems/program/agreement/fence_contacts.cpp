@@ -24,7 +24,7 @@ Vector direction(const Run& run, const Part& body, double u, double v, std::size
 double dot(const Vector& a, const Vector& b) { return a[0] * b[0] + a[1] * b[1]; }
 
 Touch of_rocks(const Run& run, const Part& a, const Part& b, std::size_t row) {
-  const Vector from = run.place(a, 0.0, 0.0, row), along = between(from, run.place(b, 0.0, 0.0, row));
+  const Vector from = run.position(a, 0.0, 0.0, row), along = between(from, run.position(b, 0.0, 0.0, row));
   const double distance = size(along), overlap = a.a + b.a - distance, reach = a.a - 0.5 * overlap;
   const Vector normal{along[0] / distance, along[1] / distance, 0.0};
   return {overlap, {from[0] + reach * normal[0], from[1] + reach * normal[1], 0.0}, normal};
@@ -32,16 +32,16 @@ Touch of_rocks(const Run& run, const Part& a, const Part& b, std::size_t row) {
 
 /// The rocks are in front of the columns, whose x-axes point towards them.
 Touch of_face(const Run& run, const Part& rock, const Part& column, std::size_t row) {
-  const Vector at = run.place(rock, 0.0, 0.0, row), x = direction(run, column, 1.0, 0.0, row);
-  const double overlap = rock.a - (dot(between(run.place(column, 0.0, 0.0, row), at), x) - column.a),
+  const Vector at = run.position(rock, 0.0, 0.0, row), x = direction(run, column, 1.0, 0.0, row);
+  const double overlap = rock.a - (dot(between(run.position(column, 0.0, 0.0, row), at), x) - column.a),
                reach = rock.a - 0.5 * overlap;
   return {overlap, {at[0] - reach * x[0], at[1] - reach * x[1], 0.0}, {-x[0], -x[1], 0.0}};
 }
 
 /// The upper (1) or lower (-1) ends of the faces of two columns, of which `back` is behind `front`.
 Touch of_ends(const Run& run, const Part& front, const Part& back, double end, std::size_t row) {
-  const Vector corner = run.place(front, -front.a, end * front.b, row),
-               other = run.place(back, back.a, end * back.b, row), of_front = direction(run, front, 0.0, end, row),
+  const Vector corner = run.position(front, -front.a, end * front.b, row),
+               other = run.position(back, back.a, end * back.b, row), of_front = direction(run, front, 0.0, end, row),
                of_back = direction(run, back, 0.0, end, row), apart = between(corner, other);
   // The corner nearer to the middle is below the face of the other column.
   const bool other_is_nearer = dot(apart, of_front) + dot(apart, of_back) <= 0.0;
@@ -52,7 +52,7 @@ Touch of_ends(const Run& run, const Part& front, const Part& back, double end, s
 /// Velocity of the first body relative to the second at a point.
 Vector relative_velocity(const Run& run, const Part& a, const Part& b, const Vector& point, std::size_t row) {
   const auto at = [&](const Part& body) {
-    const Vector arm = between(run.place(body, 0.0, 0.0, row), point);
+    const Vector arm = between(run.position(body, 0.0, 0.0, row), point);
     const double spin = run.of(body, ".spin", row, 0.0);
     return Vector{run.of(body, ".vx", row, 0.0) - spin * arm[1], run.of(body, ".vy", row, 0.0) + spin * arm[0], 0.0};
   };
@@ -62,7 +62,7 @@ Vector relative_velocity(const Run& run, const Part& a, const Part& b, const Vec
 double effective_mass(const Run& run, const Part& a, const Part& b, const Touch& touch, std::size_t row) {
   double inverse = 0.0;
   for (const Part* body : {&a, &b}) {
-    const Vector arm = between(run.place(*body, 0.0, 0.0, row), touch.point);
+    const Vector arm = between(run.position(*body, 0.0, 0.0, row), touch.point);
     const double turning = arm[0] * touch.normal[1] - arm[1] * touch.normal[0];
     inverse += 1.0 / body->mass + turning * turning / body->inertia;
   }

@@ -153,14 +153,14 @@ YardEnergies yard_energies(const Run& run) {
     rubbing.end_row(now, h * slip_rate(of_low, 0.5 * (depth + before)),
                     approach > 0.0 ? now.slip_rate * depth / approach : 0.0, seen);
     // The latching spring dissipates (1 - K1/K2) K1 d while it is pressed further than before.
-    const Vector apart = between(run.place(high, 0.0, 0.0, row), run.place(low, 0.0, 0.0, row));
+    const Vector apart = between(run.position(high, 0.0, 0.0, row), run.position(low, 0.0, 0.0, row));
     const double distance = size(apart), latched = high_radius + low_radius - distance;
     const double closing = -((of_low.x - of_high.x) * apart[0] + (of_low.y - of_high.y) * apart[1]) / distance;
     const bool further = latched > largest;
     largest = latched > 0.0 ? std::max(largest, latched) : 0.0;
     latching.end_row(further ? loading * latched * (1.0 - loading / unloading) * closing : 0.0, 0.0);
     // The cables; the tie is vertical.
-    const Vector along = between(run.place(rope.from, row), run.place(rope.to, row));
+    const Vector along = between(run.position(rope.from, row), run.position(rope.to, row));
     const double length = size(along), longer = length - rope.rest;
     pull.end_row(longer, -(of_high.x * along[0] + of_high.y * along[1]) / length);
     const double drawn = tie.to.y - at(beam, ".y", row) - tie.rest, rate = -evaluated(run, beam, row).y;
@@ -169,7 +169,7 @@ YardEnergies yard_energies(const Run& run) {
     yielding.end_row(yields ? tie.yield * rate : 0.0, 0.0);
 
     const double hertz_depth =
-        low_radius + side_radius - size(between(run.place(side, 0.0, 0.0, row), run.place(low, 0.0, 0.0, row)));
+        low_radius + side_radius - size(between(run.position(side, 0.0, 0.0, row), run.position(low, 0.0, 0.0, row)));
     const double hertz = 8.0 / 15.0 * modulus * std::sqrt(hertz_radius) * std::pow(std::max(0.0, hertz_depth), 2.5);
     const double back = std::max(0.0, loading * largest - unloading * (largest - latched));
     found.contacts.push_back((seen.presses() ? 0.5 * low_stiffness * depth * depth : 0.0) + rubbing.stored().back() +

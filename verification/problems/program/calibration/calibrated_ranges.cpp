@@ -177,12 +177,12 @@ struct Worst {
   double mass{}, damping{}, restitution{}, deviation{}, minimax{}, search{}, given{}, printed{}, csv{}, drawn{};
 };
 
-std::vector<std::string> words_of(const std::string& line) {
+std::vector<std::string> tokens_of(const std::string& line) {
   std::istringstream stream{line};
-  std::vector<std::string> words;
+  std::vector<std::string> tokens;
   for (std::string word; stream >> word;)
-    words.push_back(word);
-  return words;
+    tokens.push_back(word);
+  return tokens;
 }
 
 /// All columns of the table.
@@ -262,7 +262,7 @@ void compare_text(const Range& range, const std::string& printed, const Json& js
   std::vector<std::string> names, units;
   for (const TableColumn& column : columns) {
     names.push_back(column.name);
-    for (const std::string& word : words_of(column.unit))
+    for (const std::string& word : tokens_of(column.unit))
       units.push_back(word);
   }
   std::istringstream lines{printed};
@@ -274,12 +274,12 @@ void compare_text(const Range& range, const std::string& printed, const Json& js
                                               range.common.restitution, range.pairs.size(), range.common.law)),
                  true);
   std::getline(lines, line);
-  differ.compare("printed names of columns", words_of(line), names);
+  differ.compare("printed names of columns", tokens_of(line), names);
   std::getline(lines, line);
-  differ.compare("printed units of columns", words_of(line), units);
+  differ.compare("printed units of columns", tokens_of(line), units);
   for (const Json& pair : json.at("pairs")) {
     std::getline(lines, line);
-    const std::vector<std::string> cells = words_of(line);
+    const std::vector<std::string> cells = tokens_of(line);
     differ.compare("printed cells", cells.size(), columns.size());
     for (std::size_t i = 0; i < std::min(cells.size(), columns.size()); ++i) {
       const double value = pair.at(columns[i].name).get<double>() / columns[i].size;

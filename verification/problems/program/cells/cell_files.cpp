@@ -96,7 +96,7 @@ void check_profile(const TemporaryFolder& folder, const Expected& expected, Find
   findings.expect_true("profile.csv: names, units and order of its columns", profile.header() == header,
                        "SI, as given by the option");
   const double thickness = 0.5 * diameter, shift = setup.has("layers_shifted") ? 0.01 * thickness : 0.0;
-  double places = 0.0, means = 0.0, errors = 0.0, discs = 0.0;
+  double positions = 0.0, means = 0.0, errors = 0.0, discs = 0.0;
   const std::array scale{block_speed, 0.5 * mass, 1.0};
   std::vector<double> lows;  // lower bounds of the layers that contained discs
   for (int layer = 0; layer < 4 * rows; ++layer)
@@ -105,7 +105,7 @@ void check_profile(const TemporaryFolder& folder, const Expected& expected, Find
                   Tolerance::exact("layers that contained discs"));
   for (std::size_t row = 0; row < std::min(profile.rows(), lows.size()); ++row) {
     const double low = lows[row] + shift;
-    keep_worst(places, profile.number(row, 0) - (low + 0.5 * thickness - shift));
+    keep_worst(positions, profile.number(row, 0) - (low + 0.5 * thickness - shift));
     const std::array all = layer_of(expected, low, low + thickness, 10);
     discs += profile.number(row, 5) * width * thickness;
     std::vector<std::array<double, 3>> parts;
@@ -125,7 +125,7 @@ void check_profile(const TemporaryFolder& folder, const Expected& expected, Find
     }
   }
   findings.expect(
-      "profile.csv: heights of its layers, largest error", places, 0.0,
+      "profile.csv: heights of its layers, largest error", positions, 0.0,
       Tolerance::round_off(1e-17, "centres of layers of half a diameter, from the base's centre line upwards"), "m");
   findings.expect("profile.csv: velocity, temperature and solid fraction, largest error", means, 0.0, of_paths());
   findings.expect("profile.csv: jackknife errors, largest error", errors, 0.0, of_paths());
@@ -231,15 +231,15 @@ void check_player(const TemporaryFolder& folder, const Expected& expected, Findi
       largest_force = std::max(largest_force, contact.force);
   }
   const std::vector<Node> frames = player.at("frames").list();
-  double places = 0.0, thousandths = 0.0;
+  double positions = 0.0, thousandths = 0.0;
   for (std::size_t f = 0; f < std::min(frames.size(), expected.states.size()); ++f) {
     const VirtualDiscs& discs = expected.states[f].discs;
-    const std::vector<Node> at = frames[f].at("places").list(), speeds = frames[f].at("speeds").list(),
+    const std::vector<Node> at = frames[f].at("positions").list(), speeds = frames[f].at("speeds").list(),
                             contacts_of = frames[f].at("contacts").list();
     for (std::size_t i = 0; i < free_discs; ++i) {
-      keep_worst(places, wrapped(quantum * at.at(2 * i).number() - discs.x[i]) / quantum);
-      keep_worst(places, std::max(0.0, std::abs(at[2 * i].number()) - half / quantum));  // outside the field
-      keep_worst(places, at.at(2 * i + 1).number() - discs.y[i] / quantum);
+      keep_worst(positions, wrapped(quantum * at.at(2 * i).number() - discs.x[i]) / quantum);
+      keep_worst(positions, std::max(0.0, std::abs(at[2 * i].number()) - half / quantum));  // outside the field
+      keep_worst(positions, at.at(2 * i + 1).number() - discs.y[i] / quantum);
       keep_worst(thousandths, speeds.at(i).number() - 1e3 * std::hypot(discs.vx[i], discs.vy[i]) / largest_speed);
     }
     double forces = 0.0, exact = 0.0;
@@ -253,7 +253,7 @@ void check_player(const TemporaryFolder& folder, const Expected& expected, Findi
   findings.expect("animation: frames", static_cast<double>(frames.size()), static_cast<double>(expected.states.size()),
                   Tolerance::exact("one for each state"));
   const Tolerance rounded = Tolerance::model(0.5 + 1e-6, "rounded to whole numbers");
-  findings.expect("animation: positions of the discs, largest error in quanta", places, 0.0, rounded);
+  findings.expect("animation: positions of the discs, largest error in quanta", positions, 0.0, rounded);
   findings.expect("animation: speeds and mean forces, largest error in thousandths", thousandths, 0.0, rounded);
 }
 

@@ -43,10 +43,10 @@ VirtualDiscs start() {
   for (int row = 0; row < rows; ++row) {
     for (int column = 0; column < columns; ++column) {
       // Each row is above the gaps of the row below, with hardly any distance between them.
-      const double place = (column + (row % 2 == 0 ? 0.25 : 0.75)) / columns - 0.5;
+      const double fraction = (column + (row % 2 == 0 ? 0.25 : 0.75)) / columns - 0.5;
       // The last disc is the highest, so that the block lies on it across the border.
       const bool highest = row == rows - 1 && column == columns - 1;
-      const double x = around(width * place, 1e-5);
+      const double x = around(width * fraction, 1e-5);
       const double y = around(1.02e-3 + 8.4e-4 * row, 1e-5) + (highest ? 1e-4 : 0.0);
       const double vx = around(block_speed * y / 4.5e-3, 0.5);
       add(x, y, vx, around(0.0, 0.5));

@@ -181,11 +181,11 @@ double wrong_plot(const TemporaryFolder& folder, const std::string& out, const N
       const std::string unit = of.at("unit").text() == "1" ? "" : " [" + of.at("unit").text() + "]";
       for (const Node& series : figure.at("series").list()) {
         const std::string column = series.at(axis).text(), label = series.at("label").text();
-        std::string words = column;
-        std::ranges::replace(words, '_', ' ');
+        std::string text = column;
+        std::ranges::replace(text, '_', ' ');
         expect(std::ranges::count(header, column) == 1 && series.at("style").text() == "linespoints");
         expect(unit.empty() ? column.find('[') == std::string::npos : column.ends_with(unit));
-        expect(label.empty() || label == words || meanings.contains(label) || axis == std::string{"x"});
+        expect(label.empty() || label == text || meanings.contains(label) || axis == std::string{"x"});
       }
     }
   }

@@ -52,11 +52,11 @@ double missing(const std::vector<double>& values, const std::string& text) {
       std::ranges::count_if(values, [&](double value) { return std::ranges::count(there, value) == 0; }));
 }
 
-/// The numbers that follow the first occurrence of `words` in a text, on the same line.
-std::vector<double> numbers_after(const std::string& text, const std::string& words) {
-  const std::size_t at = text.find(words);
-  if (at == std::string::npos) throw std::runtime_error("'" + words + "' is expected in a file");
-  const std::size_t from = at + words.size();
+/// The numbers that follow the first occurrence of `before` in a text, on the same line.
+std::vector<double> numbers_after(const std::string& text, const std::string& before) {
+  const std::size_t at = text.find(before);
+  if (at == std::string::npos) throw std::runtime_error("'" + before + "' is expected in a file");
+  const std::size_t from = at + before.size();
   return numbers_in(std::string_view{text}.substr(from, text.find('\n', from) - from));
 }
 
@@ -357,10 +357,10 @@ void check_after(const TemporaryFolder& folder, Findings& findings, const Setup&
     const double stretch = cable.at("plastic_stretch").number();
     if (!(stretch > 0.0)) continue;
     ++count;
-    const std::string words = fmt::format("cable = \"{}\"\nstretch = \"", cable.at("name").text());
-    keep_worst(once, numbers_after(second, words).at(0) / stretch - 1.0);
+    const std::string before = fmt::format("cable = \"{}\"\nstretch = \"", cable.at("name").text());
+    keep_worst(once, numbers_after(second, before).at(0) / stretch - 1.0);
     keep_worst(twice,
-               numbers_after(third, words).at(0) / ((setup.has("first_rock_alone") ? 1.0 : 2.0) * stretch) - 1.0);
+               numbers_after(third, before).at(0) / ((setup.has("first_rock_alone") ? 1.0 : 2.0) * stretch) - 1.0);
   }
   findings.expect_between("plastically elongated cables after the first rock", count, 3.0, 14.0,
                           "the weak top cable has seven segments in each of two layers");
@@ -400,8 +400,8 @@ void check_lammps(const TemporaryFolder& folder, Findings& findings, const Setup
   const Tolerance round_off =
       Tolerance::round_off(5e-15, "about ten roundings on either side, 1.1e-16 each, in 17 digits; twice that");
   double law = 0.0, run = 0.0;
-  const auto compare = [&](double& worst, const std::string& words, const std::vector<double>& exact) {
-    const std::vector<double> found = numbers_after(input, words);
+  const auto compare = [&](double& worst, const std::string& before, const std::vector<double>& exact) {
+    const std::vector<double> found = numbers_after(input, before);
     keep_worst(worst, static_cast<double>(found.size()) - static_cast<double>(exact.size()));
     for (std::size_t k = 0; k < std::min(found.size(), exact.size()); ++k)
       keep_worst(worst, exact[k] != 0.0 ? found[k] / exact[k] - 1.0 : found[k]);
@@ -420,25 +420,25 @@ void check_lammps(const TemporaryFolder& folder, Findings& findings, const Setup
 
   // Atoms: number, type, diameter, density, x, y, z. The mass of a sphere is density pi d^3/6.
   std::istringstream atoms{data.substr(data.find("Atoms # sphere") + 14)};
-  double masses = 0.0, places = 0.0, block = 0.0;
+  double masses = 0.0, positions = 0.0, block = 0.0;
   const double row = std::max(width / columns, 1.05 * diameter), top = row * (rows + 1);
   for (int i = 0; i < free + 2 * wall; ++i) {
     double number = 0.0, type = 0.0, across = 0.0, density = 0.0, x = 0.0, y = 0.0, z = 0.0;
     atoms >> number >> type >> across >> density >> x >> y >> z;
     const int of_wall = i < free ? 0 : 1 + (i - free) / wall;
     const double of_sphere = density * std::numbers::pi / 6.0 * across * across * across;
-    keep_worst(places, number - (i + 1)), keep_worst(places, type - (of_wall + 1));
-    keep_worst(places, across / diameter - 1.0);
+    keep_worst(positions, number - (i + 1)), keep_worst(positions, type - (of_wall + 1));
+    keep_worst(positions, across / diameter - 1.0);
     if (of_wall == 0) keep_worst(masses, of_sphere / mass - 1.0);
     if (of_wall == 2) block += of_sphere;
     const double column = of_wall == 0 ? (i % columns + 0.5) / columns : ((i - free) % wall + 0.5) / wall;
-    keep_worst(places, (x - width * (column - 0.5)) / diameter);
-    keep_worst(places, (y - (of_wall == 0 ? row * (i / columns + 1) : of_wall == 1 ? 0.0 : top)) / diameter);
+    keep_worst(positions, (x - width * (column - 0.5)) / diameter);
+    keep_worst(positions, (y - (of_wall == 0 ? row * (i / columns + 1) : of_wall == 1 ? 0.0 : top)) / diameter);
   }
   findings.expect("discs.data: masses of the free discs, largest relative error", masses, 0.0, round_off);
   findings.expect("discs.data: total mass of the block's discs over that of the block", block / block_mass, 1.0,
                   round_off);
-  findings.expect("discs.data: numbers, types, diameters and positions, largest error", places, 0.0, round_off);
+  findings.expect("discs.data: numbers, types, diameters and positions, largest error", positions, 0.0, round_off);
   // Velocities: number, three components along the axes, three of the spin.
   std::istringstream velocities{data.substr(data.find("Velocities") + 10)};
   double along = 0.0;

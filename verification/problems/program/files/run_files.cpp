@@ -59,8 +59,8 @@ spin = "{} rad/s"
 force = ["{} N", "{} N"]
 moment = "{} N m"
 )",
-                      thrown_mass, thrown_inertia, thrown_x.place, thrown_y.place, thrown_x.speed, thrown_y.speed,
-                      thrown_angle.place, thrown_angle.speed, thrown_force_x, thrown_force_y, moment);
+                      thrown_mass, thrown_inertia, thrown_x.position, thrown_y.position, thrown_x.speed, thrown_y.speed,
+                      thrown_angle.position, thrown_angle.speed, thrown_force_x, thrown_force_y, moment);
   // The guides carry the force along x, with its moment about the origin, and the rope's moment about the hung body.
   text += fmt::format(R"(
 [[body]]
@@ -163,9 +163,9 @@ const std::vector<Quantity>& quantities() {
 
 /// The closed forms of all columns at time t.
 std::vector<double> exact_row(double t) {
-  using reference::place_at, reference::speed_at;
-  const double x = place_at(thrown_x, t), y = place_at(thrown_y, t), vx = speed_at(thrown_x, t),
-               vy = speed_at(thrown_y, t), angle = place_at(thrown_angle, t), spin = speed_at(thrown_angle, t);
+  using reference::position_at, reference::speed_at;
+  const double x = position_at(thrown_x, t), y = position_at(thrown_y, t), vx = speed_at(thrown_x, t),
+               vy = speed_at(thrown_y, t), angle = position_at(thrown_angle, t), spin = speed_at(thrown_angle, t);
   const auto oscillator = [](double stiffness, double damping, double mass, double from_rest, double speed) {
     const double frequency = std::sqrt(stiffness / mass);
     return reference::DampedOscillator{frequency, damping / (2.0 * mass * frequency), from_rest, speed};
@@ -182,8 +182,8 @@ std::vector<double> exact_row(double t) {
              pressed_mass * pressed.velocity * pressed.velocity + hung_mass * hung.velocity * hung.velocity);
   const double weight = gravity * (thrown_mass * y + pressed_mass * (bed_rest + pressed.displacement) +
                                    hung_mass * (rope_rest + hung.displacement));
-  const double applied = -(thrown_force_x * (x - thrown_x.place) + thrown_force_y * (y - thrown_y.place) +
-                           moment * (angle - thrown_angle.place));
+  const double applied = -(thrown_force_x * (x - thrown_x.position) + thrown_force_y * (y - thrown_y.position) +
+                           moment * (angle - thrown_angle.position));
   return {t,
           x,
           y,
@@ -231,12 +231,12 @@ std::vector<int> rows() {
   return found;
 }
 
-const std::string tolerance_words =
+const std::string tolerance_reason =
     "the method's tolerance, 1e-13, is relative to the largest speed of the run, 8 m/s; for the slowest column, "
     "pressed.vy of 0.13 m/s, that is 6e-12, not all of which accumulates. With ten printed digits the error was 57 "
     "times the bound";
 
-Tolerance of_files() { return Tolerance::round_off(5e-12, tolerance_words); }
+Tolerance of_files() { return Tolerance::round_off(5e-12, tolerance_reason); }
 
 void check_history(const Csv& history, Findings& findings) {
   std::vector<std::string> header;
@@ -273,12 +273,12 @@ void check_extremes(const Node& summary, Findings& findings) {
     if (found == extremes.end() || found->at("unit").text() != quantity.unit) continue;
     ++named;
     const auto column = [i](const std::vector<double>& row) { return row[i]; };
-    const auto [least, largest] = std::ranges::minmax_element(exact, {}, column);
-    keep_worst(value, (found->at("minimum").number() - (*least)[i]) / quantity.scale);
+    const auto [smallest, largest] = std::ranges::minmax_element(exact, {}, column);
+    keep_worst(value, (found->at("minimum").number() - (*smallest)[i]) / quantity.scale);
     keep_worst(value, (found->at("maximum").number() - (*largest)[i]) / quantity.scale);
     // The extremes of a constant quantity, or of rounding errors, may occur at any time.
-    if ((*largest)[i] - (*least)[i] < 1e-6 * quantity.scale) continue;
-    keep_worst(time, found->at("minimum_time").number() - (*least)[0]);
+    if ((*largest)[i] - (*smallest)[i] < 1e-6 * quantity.scale) continue;
+    keep_worst(time, found->at("minimum_time").number() - (*smallest)[0]);
     keep_worst(time, found->at("maximum_time").number() - (*largest)[0]);
   }
   findings.expect("summary.json: quantities with extremes", static_cast<double>(named),

@@ -199,11 +199,11 @@ void check_parts(const Node& sheet, const Csv& history, const Csv& codes, Findin
 void check_verdict(const Node& sheet, const Node& summary, Findings& findings) {
   Worst worst;
   const Node verdict = summary.at("verdict");
-  double words = verdict.at("fence").text() == sheet.at("verdict").text() ? 0.0 : 1.0;
+  double differing = verdict.at("fence").text() == sheet.at("verdict").text() ? 0.0 : 1.0;
   for (const std::size_t r : {0U, 1U}) {
     const Node rock = verdict.at("rocks").list().at(r), known = sheet.at("rocks").list().at(r);
-    words += rock.at("verdict").text() == known.at("verdict").text() ? 0.0 : 1.0;
-    words += rock.at("still_touching").flag() == !known.at("separated").flag() ? 0.0 : 1.0;
+    differing += rock.at("verdict").text() == known.at("verdict").text() ? 0.0 : 1.0;
+    differing += rock.at("still_touching").flag() == !known.at("separated").flag() ? 0.0 : 1.0;
     worst.compare(rock.at("approach_energy").number(), known.at("approach_energy").number() / joule, 1e4);
     worst.compare(rock.at("energy_at_end").number(), known.at("end_energy").number() / joule, 1e4);
     worst.compare(rock.at("velocity_at_end").list().at(0).number(),
@@ -218,7 +218,7 @@ void check_verdict(const Node& sheet, const Node& summary, Findings& findings) {
   for (const Node& part : sheet.at("segments").list())
     largest = std::max(largest, part.at("peak").number());
   worst.compare(verdict.at("largest_cable_force").at("peak").number(), largest / newton, 1e5);
-  findings.expect("summary.json: verdicts that differ from those of the sheet", words, 0.0,
+  findings.expect("summary.json: verdicts that differ from those of the sheet", differing, 0.0,
                   Tolerance::exact("for the fence and each rock"));
   findings.expect("summary.json: numbers of the verdict against those of the sheet, largest error", worst.error(), 0.0,
                   of_units());
@@ -241,14 +241,14 @@ void check_player(const TemporaryFolder& folder, Findings& findings, const Setup
     const std::vector<double> points = data_array(text, "Points"), offsets = data_array(text, "offsets"),
                               tensions = data_array(text, "tension");
     outlines.compare(frames[f].at("t").number(), states[f].time, states.back().time);
-    const std::vector<Node> places = frames[f].at("bodies").list(), lines = frames[f].at("cables").list();
+    const std::vector<Node> poses = frames[f].at("bodies").list(), lines = frames[f].at("cables").list();
     std::size_t point = 0;
     for (std::size_t line = 0; line < offsets.size(); ++line) {
       const auto past = static_cast<std::size_t>(offsets[line]);
       if (line < bodies.size()) {
-        const std::vector<Node> outline = bodies[line].at("outline").list(), place = places.at(line).list();
-        const double x = place.at(0).number(), y = place.at(1).number(), c = std::cos(place.at(2).number()),
-                     s = std::sin(place.at(2).number());
+        const std::vector<Node> outline = bodies[line].at("outline").list(), pose = poses.at(line).list();
+        const double x = pose.at(0).number(), y = pose.at(1).number(), c = std::cos(pose.at(2).number()),
+                     s = std::sin(pose.at(2).number());
         // The animation draws the ground longer than the VTK file does.
         const bool ground = bodies[line].at("kind").text() == "ground";
         for (std::size_t i = 0; point < past; ++point, ++i) {

@@ -181,16 +181,16 @@ void check_listed_integrators(const Program& program, Findings& findings) {
   std::istringstream lines{program.run({"list", "integrators"}, {})};
   for (std::string line; std::getline(lines, line);) {
     if (!line.starts_with("  ")) continue;
-    std::istringstream words{line};
+    std::istringstream tokens{line};
     std::string name;
-    words >> name;
+    tokens >> name;
     ++listed;
     const Json summary = program.json({"run", "drop.toml", "--integrator", name, "--step", fmt::format("{} s", step),
                                        "--end", fmt::format("{} s", end)},
                                       {{"--json", {}}});
     const double late = reference::semi_implicit_euler_error(drop, step, std::lround(end / step));
     const double error = name == "euler" ? -late : name == "euler_cromer" ? late : 0.0;
-    keep_worst(worst, summary.at("bodies").at(0).at("position").at(1).get<double>() - place_at(drop, end) - error);
+    keep_worst(worst, summary.at("bodies").at(0).at("position").at(1).get<double>() - position_at(drop, end) - error);
   }
   findings.expect("talus list integrators: methods", listed, 16.0, Tolerance::exact("the methods of the reference"));
   findings.expect(
@@ -268,8 +268,8 @@ void check_advice(const Program& program, Findings& findings, Differences& diffe
   for (const Json& method : advice.at("tried"))
     tried.insert(method.at("integrator").get<std::string>());
   differ.compare("advise: methods of --among", tried, among);
-  const std::string words = fmt::format("with {} force evaluations", best.at("evaluations").get<long>());
-  differ.compare("advise: evaluations printed and in JSON", printed.find(words) != std::string::npos, true);
+  const std::string expected = fmt::format("with {} force evaluations", best.at("evaluations").get<long>());
+  differ.compare("advise: evaluations printed and in JSON", printed.find(expected) != std::string::npos, true);
   differ.compare("advise: request", advice.at("quantity") == "hung.vy.end" && advice.at("accuracy") == accuracy, true);
   differ.compare("advise: value printed", number_after(printed, "value "),
                  rounded(advice.at("value").get<double>(), 10));

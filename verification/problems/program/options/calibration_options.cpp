@@ -27,7 +27,7 @@ struct DroppedImpact {
 /// oscillator about the overlap m g/k at rest.
 DroppedImpact dropped_impact(double damping, bool clamped) {
   const double frequency = std::sqrt(drop_stiffness / drop_mass), rest = drop_mass * gravity / drop_stiffness;
-  const double speed = std::sqrt(2.0 * gravity * (drop.place - drop_radius));
+  const double speed = std::sqrt(2.0 * gravity * (drop.position - drop_radius));
   const auto at = [&](double t) {
     const double xi = damping / (2.0 * std::sqrt(drop_stiffness * drop_mass));
     return reference::state_at({frequency, xi, -rest, speed}, t);
@@ -84,7 +84,7 @@ integrator = "velocity_verlet"
 step = "0.1 ms"
 end = "0.2 s"
 )",
-                     -gravity, drop_mass, drop_radius, drop.place, drop_stiffness);
+                     -gravity, drop_mass, drop_radius, drop.position, drop_stiffness);
 }
 
 void check_calibration(const Program& program, Findings& findings, Differences& differ) {

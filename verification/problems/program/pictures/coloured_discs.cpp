@@ -10,13 +10,13 @@ namespace {
 
 /// Value of a colour on the bar: in the middle of its parts, each of which is covered by the next. NaN if it has none.
 double value_of(const ColourBar& bar, long colour) {
-  double places = 0.0, count = 0.0;
+  double positions = 0.0, count = 0.0;
   for (std::size_t i = 0; i < bar.parts.size(); ++i) {
     if (bar.parts[i].colour != colour) continue;
     const double end = i + 1 < bar.parts.size() ? bar.parts[i + 1].left : bar.parts[i].right;
-    places += 0.5 * (bar.parts[i].left + end), count += 1.0;
+    positions += 0.5 * (bar.parts[i].left + end), count += 1.0;
   }
-  return bar.value_at(places / count);
+  return bar.value_at(positions / count);
 }
 
 /// The state that a panel shows, by the time in its title.

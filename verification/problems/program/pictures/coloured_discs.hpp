@@ -36,7 +36,7 @@ struct ColourErrors {
 };
 /// Reads the colour of each disc at the bar of the picture, as a user does. `states`: those for whose largest value the
 /// scale is made, of one picture or of all frames of a film. `period`: of the cell along x [L]. A disc that is drawn
-/// where there is none, or in a colour without a place on the bar, gives NaN.
+/// where there is none, or in a colour that is not on the bar, gives NaN.
 [[nodiscard]] ColourErrors colour_errors(const Picture& picture, const std::vector<DiscState>& states, double period);
 
 }  // namespace talus::verification::problems::picture_options

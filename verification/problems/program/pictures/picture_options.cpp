@@ -40,7 +40,7 @@ reference::ConstantForce up(int disc) { return {0.0, disc + 0.25, -gravity}; }
 /// A quantity of a disc at time t.
 double exact(const std::string& quantity, int disc, double t) {
   const reference::ConstantForce flight = quantity.ends_with('x') ? along(disc) : up(disc);
-  return quantity.starts_with('v') ? speed_at(flight, t) : place_at(flight, t);
+  return quantity.starts_with('v') ? speed_at(flight, t) : position_at(flight, t);
 }
 
 std::string scene_text() {
@@ -57,7 +57,7 @@ shape = {{ kind = "circle", radius = "{} m" }}
 position = ["{} m", "0 m"]
 velocity = ["{} m/s", "{} m/s"]
 )",
-                        name_of(i), radius, along(i).place, along(i).speed, up(i).speed);
+                        name_of(i), radius, along(i).position, along(i).speed, up(i).speed);
   }
   return text + fmt::format(R"(
 [[cable]]
@@ -513,7 +513,7 @@ void run(Findings& findings, const Setup& setup) {
   findings.expect(
       "talus snapshot and animate: values of discs as read from their colours, over the largest, largest error",
       colours, 0.0,
-      Tolerance::model(1.0 / 96.0 + 1e-5, "half a step of a scale of 48 steps; places on the screen have six digits"));
+      Tolerance::model(1.0 / 96.0 + 1e-5, "half a step of a scale of 48 steps; screen coordinates have six digits"));
   states.expect_none(
       findings, "talus snapshot: files, times, windows and texts that differ from the options",
       "two pages of two states in two views, three pages of one state in three formats, labels and ends of "

@@ -11,8 +11,8 @@ namespace {
 std::vector<double> numbers(std::string text) {
   for (char& letter : text)
     if (letter == ',' || letter == ':' || letter == '[' || letter == ']') letter = ' ';
-  std::istringstream words{text};
-  return {std::istream_iterator<double>{words}, {}};
+  std::istringstream tokens{text};
+  return {std::istream_iterator<double>{tokens}, {}};
 }
 
 Curve read_curve(std::istream& lines) {
@@ -45,10 +45,10 @@ void label(std::vector<Curve>& curves, const std::string& command) {
 
 }  // namespace
 
-double ColourBar::value_at(double place) const {
+double ColourBar::value_at(double position) const {
   if (numbers.size() < 2) return std::nan("");
   const Point &first = numbers.front(), &last = numbers.back();
-  return first[1] + (place - first[0]) * (last[1] - first[1]) / (last[0] - first[0]);
+  return first[1] + (position - first[0]) * (last[1] - first[1]) / (last[0] - first[0]);
 }
 
 std::string between(const std::string& text, const std::string& before, const std::string& after) {
@@ -87,8 +87,8 @@ Picture read_picture(const std::string& script) {
     if (line == "unset grid") panel.grid = false;
     if (setting("lmargin")) panel.left = std::stod(line.substr(line.rfind(' ')));
     if (setting("label")) {
-      const std::vector<double> place = numbers(between(line, " at ", " center"));
-      if (place.size() == 2) panel.marks[quoted] = {place[0], place[1]};
+      const std::vector<double> position = numbers(between(line, " at ", " center"));
+      if (position.size() == 2) panel.marks[quoted] = {position[0], position[1]};
       const std::vector<double> screen = numbers(between(line, " at screen ", ",")), number = numbers(quoted);
       if (screen.size() == 1 && number.size() == 1 && !picture.bar.parts.empty()) {
         picture.bar.numbers.push_back({screen[0], number[0]});

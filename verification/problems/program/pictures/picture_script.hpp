@@ -34,10 +34,10 @@ struct ColourBar {
     long colour{};
   };
   std::vector<Part> parts{};
-  std::vector<Point> numbers{};  ///< numbers below the bar: place, as above, and value
+  std::vector<Point> numbers{};  ///< numbers below the bar: position, as above, and value
 
-  /// Value at a place, by the line through the first and the last number; NaN without two numbers.
-  [[nodiscard]] double value_at(double place) const;
+  /// Value at a position, by the line through the first and the last number; NaN without two numbers.
+  [[nodiscard]] double value_at(double position) const;
 };
 
 struct Picture {

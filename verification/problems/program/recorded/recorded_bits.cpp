@@ -59,11 +59,11 @@ void run(Findings& findings, const Setup& setup) {
     };
     for (const auto& [key, fingerprint] : parts) {
       data.rows.push_back({group, key.first, key.second, fingerprint});
-      const auto place = known.find(key);
-      if (place == known.end()) {
+      const auto match = known.find(key);
+      if (match == known.end()) {
         differ(key, "none", fingerprint);
-      } else if (place->second != fingerprint) {
-        differ(key, place->second, fingerprint);
+      } else if (match->second != fingerprint) {
+        differ(key, match->second, fingerprint);
       }
     }
     for (const auto& [key, fingerprint] : known) {

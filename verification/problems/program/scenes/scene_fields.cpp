@@ -376,11 +376,11 @@ struct Watched {
 };
 
 std::vector<Watched> watched_runs() {
-  const auto disc = [](const char* name, const char* place, const char* velocity) {
+  const auto disc = [](const char* name, const char* position, const char* velocity) {
     return fmt::format(
         "[[body]]\nname = \"{}\"\nmobility = \"particle\"\nmass = \"1 kg\"\nposition = [{}]\nvelocity = [{}]\n"
         "shape = {{ kind = \"circle\", radius = \"0.5 m\" }}\n",
-        name, place, velocity);
+        name, position, velocity);
   };
   const std::string ground =
       "[[body]]\nname = \"ground\"\nmobility = \"fixed\"\nposition = [\"0 m\", \"0 m\"]\nshape = { kind = "

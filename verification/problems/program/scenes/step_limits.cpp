@@ -164,15 +164,15 @@ struct Method {
 
 /// Longest stable step of a method: minimum over the modes of eta/w, where eta is the first at which the motion grows.
 double limit(const Method& method, const std::vector<Mode>& modes) {
-  double least = std::numeric_limits<double>::infinity();
+  double minimum = std::numeric_limits<double>::infinity();
   // The search is fine: Euler's limits are near zero, and the first unstable band of blanes_moan4 is narrow.
   for (const Mode& mode : modes) {
     const std::vector<double> found = reference::limits(method.scheme, mode.damping_ratio, 8.0, 2000);
     if (found.empty())
       throw std::logic_error(fmt::format("{} has no limit at xi = {}", method.name, mode.damping_ratio));
-    least = std::min(least, found.front() / mode.frequency);
+    minimum = std::min(minimum, found.front() / mode.frequency);
   }
-  return least;
+  return minimum;
 }
 
 std::string scene_text(const Vibrating& scene, const Method& method, double step, bool watched) {
@@ -185,10 +185,10 @@ std::string scene_text(const Vibrating& scene, const Method& method, double step
 
 /// Largest speed of any body in the last twenty steps over that of the disturbance, at most 1e9; 1e9 after divergence.
 double growth(const TemporaryFolder& folder, const std::string& text) {
-  constexpr double most = 1e9;
+  constexpr double maximum = 1e9;
   folder.write("free.toml", text);
   const ProgramEnd end = run_talus(folder, {"run", "free.toml", "--out", "free", "--frames", "1"});
-  if (end.exit_code == diverged) return most;
+  if (end.exit_code == diverged) return maximum;
   if (end.exit_code != 0)
     throw std::runtime_error(fmt::format("talus run ended with {}: {}", end.exit_code, end.messages));
   const records::Csv history = records::read_csv(folder.path() / "free/history.csv");
@@ -199,7 +199,7 @@ double growth(const TemporaryFolder& folder, const std::string& text) {
     for (std::size_t row = history.rows() - 20; row < history.rows(); ++row)
       largest = std::max(largest, std::abs(history.number(row, i)));
   }
-  return std::min(most, largest / speed);
+  return std::min(maximum, largest / speed);
 }
 
 /// Output of `check`: the longest step, its verdict on the scene's step, and whether it warns of this step.
@@ -212,10 +212,10 @@ Verdict verdict(const TemporaryFolder& folder, const std::string& text) {
   folder.write("scene.toml", text);
   const ProgramEnd ended = run_talus(folder, {"check", "scene.toml"});
   const std::string& printed = ended.output;
-  const std::string words = "a step of ";
-  const std::size_t at = printed.find(words);
+  const std::string expected = "a step of ";
+  const std::size_t at = printed.find(expected);
   if (at == std::string::npos) return {std::numeric_limits<double>::quiet_NaN(), false, false};
-  return {std::stod(printed.substr(at + words.size())), printed.find("TOO LONG") != std::string::npos,
+  return {std::stod(printed.substr(at + expected.size())), printed.find("TOO LONG") != std::string::npos,
           ended.messages.find("may grow without bound") != std::string::npos};
 }
 
@@ -224,9 +224,9 @@ std::vector<std::string> fixed_step_methods(const TemporaryFolder& folder) {
   std::vector<std::string> names;
   std::istringstream lines(talus_output(folder, {"list", "integrators"}));
   for (std::string line; std::getline(lines, line);) {
-    std::istringstream words(line);
+    std::istringstream tokens(line);
     std::string name;
-    if (words >> name && line.find("fixed step") != std::string::npos) names.push_back(name);
+    if (tokens >> name && line.find("fixed step") != std::string::npos) names.push_back(name);
   }
   return names;
 }
@@ -277,9 +277,9 @@ double first_bound(const TemporaryFolder& folder) {
   for (int i = 0; i < 3; ++i)
     std::getline(lines, line);
   std::istringstream row{line};
-  std::string name, least, most;
+  std::string name, minimum, maximum;
   double frequency = std::numeric_limits<double>::quiet_NaN();
-  row >> name >> least >> most >> frequency;
+  row >> name >> minimum >> maximum >> frequency;
   return name == fmt::format("ball{0}-beam{0}", beams) ? frequency : std::numeric_limits<double>::quiet_NaN();
 }
 
