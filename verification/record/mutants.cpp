@@ -24,7 +24,7 @@ void fields(auto& f, Like<MutantRecord> auto& mutant) {
   f.value("number", mutant.number);
   f.nonempty_text("id", mutant.id);
   f.nonempty_text("operation", mutant.operation);
-  f.value("words", mutant.description);
+  f.value("description", mutant.description);
   f.nonempty_text("file", mutant.file);
   f.value("range", mutant.range);
   f.nonempty_text("original", mutant.original);
@@ -44,7 +44,7 @@ void fields(auto& f, Like<UnchangedCase> auto& unchanged) {
 }
 
 void fields(auto& f, Like<Mutants> auto& mutants) {
-  f.derived("schema", std::string("talus mutants 3"));
+  f.derived("schema", std::string("talus mutants 4"));
   f.value("candidates", mutants.candidates);
   f.value("uncompiled", mutants.uncompiled);
   f.value("seed", mutants.seed);
