@@ -282,7 +282,7 @@ void check_linear_overlaps(Findings& findings) {
       }
     }
   }
-  const auto pairs = findings.in("linear_overlaps");
+  const auto group = findings.in("linear_overlaps");
   findings.expect_exact("pairs classified as linear whose overlap is nonlinear", wrong, 0.0,
                         "second differences over 1e-3 are 5e-7 for nonlinear overlaps and 1e-15 for linear ones");
   findings.expect_exact("pairs of discs and planes with linear overlap, not classified as linear", left_out, 0.0,
