@@ -16,6 +16,7 @@
 #include "solver/app/calibration/impact_calibration.hpp"
 #include "solver/app/calibration/latching_calibration.hpp"
 #include "solver/app/calibration/law_options.hpp"
+#include "solver/app/calibration/oblique_calibration.hpp"
 #include "solver/app/calibration/range_calibration.hpp"
 #include "solver/app/command.hpp"
 #include "solver/base/error.hpp"
@@ -133,10 +134,23 @@ int calibrate_scene(const CalibrateOptions& options) {
 /// Calibration without a scene, by the law of --law.
 int calibrate_law(const CalibrateOptions& options, const DrawingSink& sink) {
   if (options.law == LatchingSpring::name) return calibrate_latching(options);
+  if (gives_oblique(options)) {
+    for (const std::string& given : options.own_to_range)
+      if (given != "--out" && given != "--format")
+        throw InputError{fmt::format(
+            "{}: it gives a range of pairs, and an oblique impact has one pair; remove one of both", given)};
+    return calibrate_oblique(options, sink);
+  }
+  if (!options.own_to_oblique.empty()) {
+    throw InputError{
+        fmt::format("{}: only oblique impacts use it; give --angle or --angles", options.own_to_oblique.front())};
+  }
   if (gives_range(options)) return calibrate_range(options, sink);
   if (!options.own_to_range.empty()) {
-    throw InputError{fmt::format("{}: only a range of pairs is written to files; give --speeds, --radii or --pairs",
-                                 options.own_to_range.front())};
+    throw InputError{
+        fmt::format("{}: only a table is written to files; give --speeds, --radii, --pairs, --angles or "
+                    "an axis of --masses",
+                    options.own_to_range.front())};
   }
   return calibrate_impact(options);
 }
@@ -180,8 +194,9 @@ Command add_calibrate(CLI::App& talus, const DrawingSink& sink) {
       "linear_spring_dashpot (default), hertz or hunt_crossley; or latching_spring: K1/K2 of two discs that "
       "are stepped by --step");
   app->add_option("--masses", options->masses,
-                  "masses of body 1 and body 2; a single mass is that of body 2, and body 1 is fixed")
-      ->expected(1, 2);
+                  "masses of body 1 and body 2; a single mass is that of body 2, and body 1 is fixed; an axis of such "
+                  "masses: the first one, the last one and their number")
+      ->expected(1, 3);
   const auto parameter = [&](const char* field, const char* meaning) {
     app->add_option(option_name(field), options->parameters[field], meaning);
   };
@@ -210,7 +225,34 @@ Command add_calibrate(CLI::App& talus, const DrawingSink& sink) {
   app->add_option("--speed", options->speed,
                   "speed of approach; default \"1 m/s\". The overlap depends on it; by hunt_crossley, and hertz with a "
                   "constant dashpot, also the restitution");
-  app->add_option("--bound", options->bound, "error of the restitution that the step may cause; default 0.001");
+  app->add_option(
+      "--angle", options->angle,
+      "oblique impact of round bodies with friction: angle of the velocity from the normal, e.g. \"30 deg\"; the speed "
+      "of approach is then --speed times its cosine");
+  app->add_option("--angles", options->angles,
+                  "a table of such impacts with the same parameters: the first angle, the last "
+                  "one and their number, spaced evenly")
+      ->expected(3);
+  CLI::Option* spheres = app->add_option("--spheres", options->spheres,
+                                         "of oblique impacts: radius of each body of --masses, spheres; with them the "
+                                         "radius of hertz")
+                             ->expected(1, 2);
+  CLI::Option* discs = app->add_option("--discs", options->discs, "the same for discs")->expected(1, 2);
+  discs->excludes(spheres);
+  app->add_option("--tangential-restitution", options->tangential_restitution,
+                  "wanted at --angle: relative speed of the centres along the plane, after over before. The first of "
+                  "--friction, --shear-stiffness (--shear-modulus) and --shear-damping that is not given is found");
+  app->add_option("--shear-law", options->shear_law, "linear (default, as in scenes) or, for hertz, mindlin");
+  const auto of_friction = [&](const char* field, const char* meaning) {
+    app->add_option(option_name(field), options->friction[field], meaning);
+  };
+  of_friction("friction", "of oblique impacts: coefficient of friction");
+  of_friction("shear_stiffness", "of linear: tangential stiffness; default, as in scenes: the normal one");
+  of_friction("shear_modulus", "of mindlin: effective shear modulus, e.g. \"13.5 GPa\"");
+  of_friction("shear_damping",
+              "tangential dashpot; default, as in scenes: c/k of a linear normal law for linear, 0 for mindlin");
+  app->add_option("--bound", options->bound,
+                  "error of the restitution that the step may cause, in a range that of each pair; default 0.001");
   app->add_option("--integrator", options->integrator, "method for the step; default velocity_verlet");
   app->add_option("--step", options->step, "of a latching_spring: its step, e.g. \"1e-7 s\"; a bare number is in s");
   CLI::Option* speeds =
@@ -230,8 +272,8 @@ Command add_calibrate(CLI::App& talus, const DrawingSink& sink) {
          "law, e.g. \"speed [m/s]\"; columns that are absent are given by their options")
       ->excludes(speeds)
       ->excludes(radii);
-  CLI::Option* out =
-      app->add_option("--out", options->picture.folder, "folder for the table of the pairs and its drawing");
+  CLI::Option* out = app->add_option("--out", options->picture.folder,
+                                     "folder for the table of the pairs, or of the angles, and its drawing");
   add_format_option(*app, options->picture);
   app->get_option("--format")->needs(out);
   app->add_option("--units", options->units, "SI or US, for the text; JSON is always SI");
@@ -246,6 +288,9 @@ Command add_calibrate(CLI::App& talus, const DrawingSink& sink) {
       "  talus calibrate --law hertz --dashpot constant --restitution 0.7 --modulus \"35 GPa\" --speeds \"0.1 m/s\" "
       "\"10 m/s\" 9 \\\n"
       "        --radii \"1 mm\" \"1 cm\" 3 --density \"2500 kg/m^3\" --out range\n"
+      "  talus calibrate --law hertz --modulus \"63 GPa\" --masses \"0.26 g\" --spheres \"2.5 mm\" --restitution 0.98 "
+      "--speed \"3.9 m/s\" \\\n"
+      "        --shear-law mindlin --friction 0.092 --angle \"10 deg\" --tangential-restitution 0.7\n"
       "  talus calibrate cases/pivoted_cylinder.toml --contact impact --restitution 0.5\n"
       "  talus calibrate --law latching_spring --restitution 0.7 --step 1e-7 --integrator euler");
   return {app, [app, options, sink] {
@@ -255,6 +300,13 @@ Command add_calibrate(CLI::App& talus, const DrawingSink& sink) {
             }
             for (const char* name : {"--speeds", "--radii", "--density", "--pairs", "--out", "--format"})
               if (app->get_option(name)->count() > 0) options->own_to_range.emplace_back(name);
+            for (const char* name :
+                 {"--angle", "--angles", "--spheres", "--discs", "--tangential-restitution", "--shear-law",
+                  "--friction", "--shear-stiffness", "--shear-modulus", "--shear-damping"}) {
+              if (app->get_option(name)->count() == 0) continue;
+              options->own_to_impact.emplace_back(name), options->own_to_oblique.emplace_back(name);
+            }
+            if (gives_mass_axis(*options)) options->own_to_range.emplace_back("--masses");
             for (const auto& [name, value] : options->parameters)
               if (!value.empty()) options->own_to_impact.push_back(option_name(name));
             return run_calibration(*options, sink);

@@ -1,7 +1,6 @@
 #pragma once
 
-#include <functional>
-
+#include "solver/calibrate/impact_step.hpp"
 #include "solver/scenes/scene.hpp"
 
 namespace talus {
@@ -37,6 +36,10 @@ struct Impact {
 /// not end, or for a law without closed-form impacts (laws/law.hpp).
 [[nodiscard]] Impact simulate_impact(const ContactLaw& law, double effective_mass, double speed, double step,
                                      double phase, const Integrator& integrator);
+
+/// Error of the restitution of such impacts, against the closed form. Errors of this call: InputError for a law as above.
+[[nodiscard]] ImpactError restitution_error(const ContactLaw& law, double effective_mass, double speed,
+                                            const Integrator& integrator);
 
 /// A step at which the simulated restitution is as accurate as required.
 struct ImpactStep {

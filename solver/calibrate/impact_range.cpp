@@ -7,12 +7,26 @@
 #include <cmath>
 #include <cstdint>
 #include <numbers>
+#include <numeric>
 #include <variant>
 
 #include "solver/base/error.hpp"
 #include "solver/calibrate/impact.hpp"
 
 namespace talus {
+namespace {
+
+/// Largest difference of the restitutions of two pairs of which one is judged by the other.
+constexpr double nearly = 0.02;
+
+/// An impact that was simulated, and accurate.
+struct JudgedImpact {
+  double restitution{};
+  double steps{};  ///< in its contact
+};
+
+}  // namespace
+
 double exact_dissipation(const ImpactingPair& pair, double e) {
   return std::visit(
       [&]<class L>(L law) -> double {
@@ -57,6 +71,34 @@ double minimax_dissipation(std::span<const ImpactingPair> pairs, std::span<const
   const auto [below, above] = boost::math::tools::toms748_solve(excess, *smallest, *largest, at_smallest, at_largest,
                                                                 boost::math::tools::eps_tolerance<double>(50), maximum);
   return 0.5 * (below + above);
+}
+
+std::optional<RangeStep> advise_range_step(std::span<const ImpactingPair> pairs, double dissipation, double bound,
+                                           const Integrator& integrator) {
+  std::vector<KnownImpact> known;
+  for (const ImpactingPair& pair : pairs)
+    known.push_back(known_impact(with_dissipation(pair.law, dissipation), pair.effective_mass, pair.speed));
+  std::vector<std::size_t> order(pairs.size());
+  std::iota(order.begin(), order.end(), 0UL);
+  std::ranges::stable_sort(order, {}, [&](std::size_t i) { return known[i].contact_time; });
+  CommonStep common{bound};
+  std::optional<RangeStep> found;
+  std::vector<JudgedImpact> judged;
+  for (const std::size_t i : order) {
+    const double time = known[i].contact_time, e = known[i].restitution;
+    if (!std::isfinite(time)) continue;
+    const auto is_more_demanding = [&](const JudgedImpact& other) {
+      const double more = (time / common.step()) / other.steps;
+      return (other.restitution <= e && more >= 2.0) || (std::abs(other.restitution - e) <= nearly && more >= 1.0);
+    };
+    if (std::ranges::any_of(judged, is_more_demanding)) continue;
+    const ImpactError error = restitution_error(with_dissipation(pairs[i].law, dissipation), pairs[i].effective_mass,
+                                                pairs[i].speed, integrator);
+    const std::size_t pair = common.require(error, time) ? i : found->pair;
+    found = RangeStep{common.step(), common.found().largest_error, pair};
+    judged.push_back({e, time / common.step()});
+  }
+  return found;
 }
 
 double EqualSpheres::effective_mass() const {

@@ -1,8 +1,11 @@
 #pragma once
 
+#include <cstddef>
+#include <optional>
 #include <span>
 #include <vector>
 
+#include "solver/integrate/integrator_list.hpp"
 #include "solver/laws/law_list.hpp"
 
 namespace talus {
@@ -36,6 +39,23 @@ struct ImpactingPair {
 /// the same D = e. `exact`: exact_dissipation() of each pair. The pairs, at least one, have the same law, end rule and
 /// dashpot, for which e_i depends on c/c_i alone: U is that of the pair with the largest c_i, L that with the smallest.
 [[nodiscard]] double minimax_dissipation(std::span<const ImpactingPair> pairs, std::span<const double> exact, double e);
+
+/// A step for all impacts of a range.
+struct RangeStep {
+  double step{};           ///< [T]
+  double largest_error{};  ///< of the restitution, against the closed form
+  std::size_t pair{};      ///< index of the pair that requires it
+};
+
+/// Finds a step at which the error of e of all impacts that end is below `bound` when all pairs have the same
+/// parameter, for all phases at which surfaces meet and part; none if no contact ends. Pairs are judged in the order of
+/// their contact times, from the shortest one on, by CommonStep. A pair is not simulated if
+/// one has been accurate that has nearly the same restitution and no more steps in its contact, or a lower restitution
+/// and half as many steps: the impacts of a law, in units of their contact time, depend on the restitution alone, and
+/// errors of e fall with the damping, or vary by less than 2 where e is below 0.6. The pairs
+/// have the same law, end rule and dashpot. Errors: as accurate_step().
+[[nodiscard]] std::optional<RangeStep> advise_range_step(std::span<const ImpactingPair> pairs, double dissipation,
+                                                         double bound, const Integrator& integrator);
 
 /// Two equal spheres that meet centrally.
 struct EqualSpheres {

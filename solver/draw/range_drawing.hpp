@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <span>
 #include <string>
 
@@ -20,5 +21,11 @@ struct DrawnRange {
 /// largest deviations. Numbers are in `units`.
 [[nodiscard]] DrawingRequest range_drawing(const DrawnRange& range, const std::string& title, const UnitSystem& units,
                                            const PictureOptions& picture);
+
+/// A page with one panel for each of the results, drawn against the abscissa as points. `wanted`: the value
+/// of the first result that a line marks, if there is one.
+[[nodiscard]] DrawingRequest results_drawing(const QuantityColumn& abscissa, std::span<const QuantityColumn> results,
+                                             std::optional<double> wanted, const std::string& title,
+                                             const UnitSystem& units, const PictureOptions& picture);
 
 }  // namespace talus::app

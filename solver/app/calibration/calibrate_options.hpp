@@ -26,15 +26,22 @@ struct CalibrateOptions {
   std::string step;
   double bound{1e-3};
   std::string integrator{"velocity_verlet"};
-  std::vector<std::string> speeds;  ///< of a range of pairs: first, last, count
-  std::vector<std::string> radii;   ///< of equal spheres: first, last, count
-  std::string density;              ///< of these spheres
-  std::string pairs;                ///< CSV file
-  PictureOptions picture;           ///< its folder receives the table and its drawing
+  std::string angle;                        ///< of an oblique impact, from the normal
+  std::vector<std::string> angles;          ///< of several: first, last, count
+  std::vector<std::string> spheres, discs;  ///< radii of body 1 and body 2, or of body 2
+  std::optional<double> tangential_restitution;
+  std::string shear_law{"linear"};              ///< default as in scenes
+  std::map<std::string, std::string> friction;  ///< parameters of the friction law, by their names in scenes
+  std::vector<std::string> speeds;              ///< of a range of pairs: first, last, count
+  std::vector<std::string> radii;               ///< of equal spheres: first, last, count
+  std::string density;                          ///< of these spheres
+  std::string pairs;                            ///< CSV file
+  PictureOptions picture;                       ///< its folder receives the table and its drawing
   std::string units{"SI"};
   bool json{false};
-  std::vector<std::string> own_to_impact;  ///< given options that a scene replaces
-  std::vector<std::string> own_to_range;   ///< given options of a range of pairs
+  std::vector<std::string> own_to_impact;   ///< given options that a scene replaces
+  std::vector<std::string> own_to_range;    ///< given options of a range of pairs
+  std::vector<std::string> own_to_oblique;  ///< given options of oblique impacts
 };
 
 /// The option of a law's parameter: "--reference-overlap" for reference_overlap.

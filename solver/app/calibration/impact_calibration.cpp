@@ -30,18 +30,6 @@ struct ImpactCalibration {
   ImpactStep step;
 };
 
-/// Sets the dashpot that the restitution requires, unless the options give the dashpot. Errors: InputError if both or
-/// none are given.
-ContactLaw damped_law(const CalibrateOptions& options, ContactLaw law, double effective_mass, double speed) {
-  const bool is_given = gives_dissipation(options, law);
-  if (is_given == options.restitution.has_value()) {
-    throw InputError{fmt::format("--restitution: found {} of --restitution and {}; give one of the two",
-                                 is_given ? "both" : "none", option_name(dissipation_of(law).name))};
-  }
-  if (is_given) return law;
-  return with_dissipation(law, exact_dissipation({law, effective_mass, speed}, *options.restitution));
-}
-
 ImpactCalibration calibrated(const CalibrateOptions& options) {
   const ElapsedTime elapsed{"calibrating"};
   ImpactCalibration found;
@@ -142,6 +130,16 @@ void print_text(const ImpactCalibration& found, const CalibrateOptions& options)
 }
 
 }  // namespace
+
+ContactLaw damped_law(const CalibrateOptions& options, ContactLaw law, double effective_mass, double speed) {
+  const bool is_given = gives_dissipation(options, law);
+  if (is_given == options.restitution.has_value()) {
+    throw InputError{fmt::format("--restitution: found {} of --restitution and {}; give one of the two",
+                                 is_given ? "both" : "none", option_name(dissipation_of(law).name))};
+  }
+  if (is_given) return law;
+  return with_dissipation(law, exact_dissipation({law, effective_mass, speed}, *options.restitution));
+}
 
 int calibrate_impact(const CalibrateOptions& options) {
   static_cast<void>(unit_system(options.units));

@@ -1,8 +1,14 @@
 #pragma once
 
 #include "solver/app/calibration/calibrate_options.hpp"
+#include "solver/laws/law_list.hpp"
 
 namespace talus::app {
+
+/// Returns the law with the dashpot that --restitution requires of an impact of this effective mass [kg] and speed of
+/// approach [m/s], unless the options give the dashpot. Errors: InputError if both or none are given.
+[[nodiscard]] ContactLaw damped_law(const CalibrateOptions& options, ContactLaw law, double effective_mass,
+                                    double speed);
 
 /// `talus calibrate` for a law with a dashpot, without a scene: the dashpot for a restitution, or the restitution of a
 /// dashpot; prints it and the lines for a scene. Errors: InputError naming the option.

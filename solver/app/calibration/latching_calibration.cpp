@@ -45,6 +45,10 @@ double step_of(const std::string& text) {
 constexpr double maximum_steps = 2e5;  ///< maximum number of steps in a simulated contact
 
 void refuse_what_means_nothing(const CalibrateOptions& options) {
+  if (options.masses.size() > 2) {
+    throw InputError{
+        "--masses: found three values, an axis of masses; of the law 'latching_spring' it must be one or two masses"};
+  }
   constexpr std::array<std::string_view, 6> used{"--law",        "--speed", "--step",
                                                  "--integrator", "--units", "--stiffness"};
   for (const auto* options_given : {&options.own_to_impact, &options.own_to_range}) {

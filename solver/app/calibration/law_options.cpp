@@ -21,17 +21,6 @@ Enum value_named(const std::string& option, const std::string& name) {
   throw unknown_name(option, name, {list.begin(), list.end()});
 }
 
-/// The value of an option, in SI units, or as a number without a unit. Errors: InputError.
-double parameter_value(const std::string& option, const std::string& text, const LawParameter& parameter) {
-  if (!(parameter.dimension == dimension::number))
-    return option_quantity(option, text, parameter.dimension, si, parameter.range == Range::positive);
-  double value = 0.0;
-  const auto read = std::from_chars(text.data(), text.data() + text.size(), value);
-  if (read.ec != std::errc{} || read.ptr != text.data() + text.size() || !contains(parameter.range, value))
-    throw InputError{fmt::format("{}: found \"{}\"; it must be a number {}", option, text, text_of(parameter.range))};
-  return value;
-}
-
 /// Errors: InputError for an option that was given and that the law does not have.
 template <class L>
 void refuse_other_options(const CalibrateOptions& options) {
@@ -57,6 +46,23 @@ void set_choices(L& law, const CalibrateOptions& options) {
 }
 
 }  // namespace
+
+double parameter_value(const std::string& option, const std::string& text, Dimension dimension, Range range) {
+  const bool is_number = dimension == dimension::number;
+  double value = 0.0;
+  if (is_number) {
+    const auto read = std::from_chars(text.data(), text.data() + text.size(), value);
+    if (read.ec != std::errc{} || read.ptr != text.data() + text.size())
+      throw InputError{fmt::format("{}: found \"{}\"; it must be a number {}", option, text, text_of(range))};
+  } else {
+    value = option_quantity(option, text, dimension, si, false);
+  }
+  if (!contains(range, value)) {
+    throw InputError{
+        fmt::format("{}: found \"{}\"; it must be {}{}", option, text, is_number ? "a number " : "", text_of(range))};
+  }
+  return value;
+}
 
 std::vector<LawParameter> parameters_of(const ContactLaw& contact_law) {
   std::vector<LawParameter> found;
@@ -140,7 +146,7 @@ ContactLaw law_of_options(const CalibrateOptions& options, const std::vector<std
       throw InputError{fmt::format("{}: it is missing; give e.g. {} \"{}\"", option, option,
                                    fmt::format("1 {}", symbol(si, parameter.dimension)))};
     }
-    set_parameter(found, parameter.name, parameter_value(option, text, parameter));
+    set_parameter(found, parameter.name, parameter_value(option, text, parameter.dimension, parameter.range));
   }
   return found;
 }

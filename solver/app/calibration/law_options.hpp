@@ -20,6 +20,11 @@ struct LawParameter {
   bool is_dissipation{};  ///< whether it sets the restitution
 };
 
+/// The value of an option for a parameter of a law, in SI units, or as a number without a unit. Errors: InputError
+/// naming the option: no such value, or one outside the range.
+[[nodiscard]] double parameter_value(const std::string& option, const std::string& text, Dimension dimension,
+                                     Range range);
+
 /// The parameters of a law, in the order of its fields.
 [[nodiscard]] std::vector<LawParameter> parameters_of(const ContactLaw& law);
 

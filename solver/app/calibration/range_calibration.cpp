@@ -3,8 +3,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <charconv>
-#include <filesystem>
 #include <nlohmann/json.hpp>
 #include <optional>
 #include <span>
@@ -13,24 +11,19 @@
 
 #include "solver/app/calibration/impact_bodies.hpp"
 #include "solver/app/calibration/law_options.hpp"
+#include "solver/app/calibration/range_table.hpp"
 #include "solver/base/error.hpp"
 #include "solver/base/exit_code.hpp"
 #include "solver/base/progress.hpp"
 #include "solver/calibrate/impact.hpp"
 #include "solver/calibrate/impact_range.hpp"
 #include "solver/draw/range_drawing.hpp"
-#include "solver/io/file/atomic_file.hpp"
-#include "solver/io/file/folder_lock.hpp"
 #include "solver/io/file/quantity_table.hpp"
 #include "solver/io/file/quantity_text.hpp"
 #include "solver/laws/restitution.hpp"
 
 namespace talus::app {
 namespace {
-
-namespace fs = std::filesystem;
-
-constexpr int maximum_on_axis = 100;
 
 /// A range as the options give it, in SI units: one row for each pair.
 struct GivenPairs {
@@ -59,44 +52,32 @@ struct RangeCalibration {
   double wanted{};
   CommonDissipation minimax;
   std::optional<CommonDissipation> given;
+  double undamped_time{};         ///< shortest contact time of the pairs without dashpot
+  std::optional<RangeStep> step;  ///< none if no contact ends
 
   const CommonDissipation& used() const { return given ? *given : minimax; }
   LawParameter dissipation() const { return dissipation_of(law); }
 };
 
-/// The numbers of an axis: FIRST LAST COUNT.
-std::vector<double> axis_of(const std::string& option, const std::vector<std::string>& texts, Dimension dimension) {
-  const double first = option_quantity(option, texts[0], dimension, si);
-  const double last = option_quantity(option, texts[1], dimension, si);
-  if (!(first < last)) {
-    throw InputError{
-        fmt::format("{}: found \"{}\" and \"{}\"; the first must be less than the second", option, texts[0], texts[1])};
-  }
-  int count = 0;
-  const std::string& text = texts[2];
-  const auto read = std::from_chars(text.data(), text.data() + text.size(), count);
-  if (read.ec != std::errc{} || read.ptr != text.data() + text.size() || count < 2 || count > maximum_on_axis) {
-    throw InputError{
-        fmt::format("{}: found \"{}\"; the count must be a whole number from 2 to {}", option, text, maximum_on_axis)};
-  }
-  return log_spaced(first, last, count);
-}
-
-/// All pairs of a radius and a speed; without one of the axes, those of the other.
+/// All pairs of a radius or a mass, and a speed; without one of the axes, those of the other.
 GivenPairs pairs_of_axes(const CalibrateOptions& options) {
-  std::vector<double> radii, speeds;
-  if (!options.radii.empty()) radii = axis_of("--radii", options.radii, dimension::length);
-  if (!options.speeds.empty()) speeds = axis_of("--speeds", options.speeds, dimension::velocity);
-  QuantityColumn radius{"sphere_radius", dimension::length}, speed{"speed", dimension::velocity};
-  for (std::size_t i = 0; i < std::max<std::size_t>(radii.size(), 1); ++i) {
+  const bool has_masses = gives_mass_axis(options);
+  std::vector<double> bodies, speeds;
+  if (has_masses) bodies = axis_of("--masses", options.masses, dimension::mass, Spacing::logarithmic);
+  if (!options.radii.empty()) bodies = axis_of("--radii", options.radii, dimension::length, Spacing::logarithmic);
+  if (!options.speeds.empty()) speeds = axis_of("--speeds", options.speeds, dimension::velocity, Spacing::logarithmic);
+  QuantityColumn body = has_masses ? QuantityColumn{"mass_2", dimension::mass}
+                                   : QuantityColumn{"sphere_radius", dimension::length},
+                 speed{"speed", dimension::velocity};
+  for (std::size_t i = 0; i < std::max<std::size_t>(bodies.size(), 1); ++i) {
     for (std::size_t j = 0; j < std::max<std::size_t>(speeds.size(), 1); ++j) {
-      if (!radii.empty()) radius.values.push_back(radii[i]);
+      if (!bodies.empty()) body.values.push_back(bodies[i]);
       if (!speeds.empty()) speed.values.push_back(speeds[j]);
     }
   }
   GivenPairs pairs;
-  pairs.rows = std::max(radius.values.size(), speed.values.size());
-  for (QuantityColumn* column : {&radius, &speed})
+  pairs.rows = std::max(body.values.size(), speed.values.size());
+  for (QuantityColumn* column : {&body, &speed})
     if (!column->values.empty()) pairs.columns.push_back(std::move(*column));
   return pairs;
 }
@@ -120,10 +101,17 @@ GivenPairs pairs_of_file(const CalibrateOptions& options) {
 /// Errors: InputError for options that the range replaces, or that belong to a single pair.
 void refuse_replaced(const CalibrateOptions& options, const GivenPairs& pairs) {
   for (const std::string& given : options.own_to_impact) {
-    if (given == "--bound" || given == "--integrator")
-      throw InputError{fmt::format("{}: no step is found for several pairs; remove it", given)};
     if (given == "--speed" && pairs.has("speed"))
       throw InputError{fmt::format("{}: each pair gives its own; remove it", given)};
+  }
+  if (gives_mass_axis(options)) {
+    if (!options.radii.empty() || !options.pairs.empty()) {
+      throw InputError{fmt::format("--masses: found three values, an axis of masses, and {}; give one of the two",
+                                   options.radii.empty() ? "--pairs" : "--radii")};
+    }
+    if (!options.pivot.empty() || !options.offset.empty())
+      throw InputError{"--pivot and --offset: bodies of an axis of masses are hit centrally; remove them"};
+    return;
   }
   if (!pairs.has("sphere_radius") && !pairs.has("mass_2")) return;
   if (!options.masses.empty() || !options.pivot.empty() || !options.offset.empty())
@@ -194,6 +182,7 @@ RangeCalibration calibrated_range(const CalibrateOptions& options) {
     exact.values.push_back(exact_dissipation(pair, found.wanted));
   found.minimax = common(minimax_dissipation(pairs, exact.values, found.wanted));
   if (gives_dissipation(options, found.law)) found.given = common(dissipation.value);
+  found.step = advise_range_step(pairs, found.used().value, options.bound, make_integrator(options.integrator));
 
   found.table = given.columns;
   found.table.push_back(masses);
@@ -203,7 +192,12 @@ RangeCalibration calibrated_range(const CalibrateOptions& options) {
     restitution.values.push_back(restitution_with(pair, found.used().value));
     deviation.values.push_back(restitution.values.back() - found.wanted);
   }
-  for (QuantityColumn* column : {&exact, &restitution, &deviation})
+  QuantityColumn undamped{"undamped_contact_time", dimension::time};
+  for (const ImpactingPair& pair : pairs)
+    undamped.values.push_back(
+        known_impact(with_dissipation(pair.law, 0.0), pair.effective_mass, pair.speed).contact_time);
+  found.undamped_time = std::ranges::min(undamped.values);
+  for (QuantityColumn* column : {&exact, &restitution, &deviation, &undamped})
     found.table.push_back(std::move(*column));
   return found;
 }
@@ -225,36 +219,35 @@ void print_json(const RangeCalibration& found, const CalibrateOptions& options) 
   json["largest_deviation"] = found.used().largest_deviation;
   json["minimax_" + name] = found.minimax.value;
   json["minimax_deviation"] = found.minimax.largest_deviation;
-  json["pairs"] = nlohmann::ordered_json::array();
-  for (std::size_t row = 0; row < found.table.front().values.size(); ++row) {
-    nlohmann::ordered_json pair;
-    for (const QuantityColumn& column : found.table)
-      pair[column.name] = column.values[row];
-    json["pairs"].push_back(std::move(pair));
+  json["shortest_undamped_contact_time"] = found.undamped_time;
+  if (found.step) {
+    json["step"] = found.step->step;
+    json["restitution_error"] = found.step->largest_error;
+  } else {
+    json["step"] = nullptr;
+    json["restitution_error"] = nullptr;
   }
+  json["pairs"] = rows_of(found.table);
   json["units"] = "SI";
   fmt::print("{}\n", json.dump(2));
 }
 
-void print_table(const std::vector<QuantityColumn>& table, const UnitSystem& units) {
-  std::vector<std::size_t> widths;
-  const auto print_row = [&](const auto& text) {
-    for (std::size_t i = 0; i < table.size(); ++i)
-      fmt::print("{:>{}}", text(table[i]), widths[i]);
-    fmt::print("\n");
+/// The step for all pairs, as a text.
+void print_step(const RangeCalibration& found, const CalibrateOptions& options) {
+  const auto line = [](const std::string& what, double value, std::string_view unit) {
+    fmt::print("  {:<39}{:>16.9g} {}\n", what, value, unit);
   };
-  for (const QuantityColumn& column : table)
-    widths.push_back(std::max<std::size_t>(column.name.size(), 12) + 2);
-  print_row([](const QuantityColumn& column) { return column.name; });
-  print_row([&](const QuantityColumn& column) { return symbol(units, column.dimension); });
-  for (std::size_t row = 0; row < table.front().values.size(); ++row) {
-    print_row([&](const QuantityColumn& column) {
-      return fmt::format("{:.6g}", column.values[row] / si_size(units, column.dimension));
-    });
-  }
+  line("shortest undamped contact time", found.undamped_time, "s");
+  if (!found.step) return;
+  line("step for all pairs", found.step->step, "s");
+  line("step over shortest undamped contact time", found.step->step / found.undamped_time, "1");
+  fmt::print(
+      "  with {}; row {} requires it; the error of the restitutions over all phases of the step is at most {:.3g}, "
+      "required {:.3g}\n",
+      options.integrator, found.step->pair + 1, found.step->largest_error, options.bound);
 }
 
-void print_text(const RangeCalibration& found, const UnitSystem& units) {
+void print_text(const RangeCalibration& found, const CalibrateOptions& options, const UnitSystem& units) {
   const LawParameter dissipation = found.dissipation();
   const std::string unit = symbol(units, dissipation.dimension);
   const double size = si_size(units, dissipation.dimension);
@@ -270,6 +263,7 @@ void print_text(const RangeCalibration& found, const UnitSystem& units) {
   line(dissipation.name + ", minimax", found.minimax);
   if (std::ranges::find(found.table[found.abscissae + 1].values, 0.0) != found.table[found.abscissae + 1].values.end())
     fmt::print("  a restitution of 0: the contact does not end\n");
+  print_step(found, options);
   fmt::print("in a scene, for all these pairs:\n  {} = \"{:.17g} {}\"\n", dissipation.name, found.used().value / size,
              unit);
   if (restitution_varies(found.law)) {
@@ -284,26 +278,21 @@ void print_text(const RangeCalibration& found, const UnitSystem& units) {
 /// Writes the table, and requests its drawing.
 void write_files(const RangeCalibration& found, const CalibrateOptions& options, const UnitSystem& units,
                  const DrawingSink& sink) {
-  const fs::path folder{options.picture.folder};
-  make_folder(folder);
-  const FolderLock lock{folder};
-  write_whole(folder / "calibration.csv", quantity_csv(found.table, units));
-  if (!options.json) fmt::print("{}\n", (folder / "calibration.csv").string());
   const LawParameter dissipation = found.dissipation();
   const std::string title =
       fmt::format("{}, {} = {:.4g} {}", law_text(found.law), dissipation.name,
                   found.used().value / si_size(units, dissipation.dimension), symbol(units, dissipation.dimension));
   const DrawnRange range{std::span{found.table}.first(found.abscissae), found.table[found.abscissae + 1].values,
                          found.wanted, found.used().largest_deviation};
-  DrawingRequest request = range_drawing(range, title, units, options.picture);
-  request.lists_files = !options.json;
-  sink(std::move(request));
+  write_table(found.table, options, units, range_drawing(range, title, units, options.picture), sink);
 }
 
 }  // namespace
 
+bool gives_mass_axis(const CalibrateOptions& options) { return options.masses.size() == 3; }
+
 bool gives_range(const CalibrateOptions& options) {
-  return !options.speeds.empty() || !options.radii.empty() || !options.pairs.empty();
+  return gives_mass_axis(options) || !options.speeds.empty() || !options.radii.empty() || !options.pairs.empty();
 }
 
 int calibrate_range(const CalibrateOptions& options, const DrawingSink& sink) {
@@ -312,7 +301,7 @@ int calibrate_range(const CalibrateOptions& options, const DrawingSink& sink) {
   if (options.json) {
     print_json(found, options);
   } else {
-    print_text(found, units);
+    print_text(found, options, units);
   }
   if (!options.picture.folder.empty()) write_files(found, options, units, sink);
   return ok;

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <numbers>
 
 #include "solver/base/error.hpp"
 #include "verification/record/csv.hpp"
@@ -100,14 +101,19 @@ std::vector<QuantityColumn> read_quantity_table(const std::filesystem::path& fil
   return columns;
 }
 
+ColumnUnit column_unit(Dimension dimension, const UnitSystem& units) {
+  if (dimension == dimension::angle) return {"deg", std::numbers::pi / 180.0};
+  return {symbol(units, dimension), si_size(units, dimension)};
+}
+
 std::string quantity_csv(const std::vector<QuantityColumn>& columns, const UnitSystem& units) {
   std::vector<std::string> heads;
   for (const QuantityColumn& column : columns)
-    heads.push_back(fmt::format("{} [{}]", column.name, symbol(units, column.dimension)));
+    heads.push_back(fmt::format("{} [{}]", column.name, column_unit(column.dimension, units).symbol));
   records::CsvText text{heads};
   for (std::size_t row = 0; row < columns.front().values.size(); ++row) {
     for (const QuantityColumn& column : columns)
-      text.number(column.values[row] / si_size(units, column.dimension));
+      text.number(column.values[row] / column_unit(column.dimension, units).size);
     text.end_row();
   }
   return std::move(text).text();

@@ -21,6 +21,14 @@ struct QuantityColumn {
   std::vector<double> values{};  ///< in consistent units, one for each row
 };
 
+/// The unit in which a table has quantities of a dimension.
+struct ColumnUnit {
+  std::string symbol;
+  double size{};  ///< in SI
+};
+/// Degrees for angles, else the consistent unit of the system.
+[[nodiscard]] ColumnUnit column_unit(Dimension dimension, const UnitSystem& units);
+
 /// A column that a table may have, with the values allowed in it.
 struct AllowedColumn {
   std::string name;
@@ -36,7 +44,7 @@ struct AllowedColumn {
                                                               const std::vector<AllowedColumn>& allowed,
                                                               const UnitSystem& units);
 
-/// Text of the CSV file of columns in SI units, written in `units` with the unit in each head. All columns have the
+/// Text of the CSV file of columns in SI units, written with the unit of column_unit() in each head. All columns have the
 /// same number of rows.
 [[nodiscard]] std::string quantity_csv(const std::vector<QuantityColumn>& columns, const UnitSystem& units);
 

@@ -167,3 +167,32 @@ BOOST_AUTO_TEST_CASE(a_range_of_calibrated_pairs_is_drawn) {
   BOOST_TEST(equal.panel(0).x.label == "effective mass");
   BOOST_TEST(!equal.request.lists_files);
 }
+
+// A panel for each result, against the angle in degrees.
+BOOST_AUTO_TEST_CASE(rebounds_at_several_angles_are_drawn) {
+  const Folder folder;
+  const Requested requested{{"calibrate", "--restitution", "0.8", "--masses", "1 g", "--stiffness", "1e9 N/m",
+                             "--spheres", "1 cm", "--friction", "0.1", "--angles", "70 deg", "80 deg", "3", "--out",
+                             folder.path.string(), "--format", "svg"}};
+  BOOST_TEST(requested.page().name == "calibration");
+  BOOST_TEST(holds(requested.page().title, "linear_spring_dashpot, clamped end rule; linear friction 0.1"));
+  BOOST_REQUIRE(requested.page().panels.size() == 4U);
+  const std::vector<std::string> labels{"tangential restitution", "rotational restitution", "rebound angle", "spin"},
+      units{"", "", "deg", "rad/s"};
+  for (std::size_t i = 0; i < 4; ++i) {
+    const talus::records::Figure& panel = requested.panel(i);
+    BOOST_TEST(panel.x.label == "angle");
+    BOOST_TEST(panel.x.unit == "deg");
+    BOOST_TEST(panel.y.label == labels[i]);
+    BOOST_TEST(panel.y.unit == units[i]);
+    BOOST_TEST(panel.lines.empty());
+    BOOST_REQUIRE(panel.series.size() == 1U);
+    BOOST_REQUIRE(panel.series[0].x.size() == 3U);
+    for (std::size_t point = 0; point < 3; ++point)
+      BOOST_TEST(panel.series[0].x[point] == 70.0 + 5.0 * static_cast<double>(point),
+                 boost::test_tools::tolerance(1e-12));
+  }
+  // The contact slides throughout: e_t = 1 - mu (1 + e)/tan(angle).
+  BOOST_TEST(requested.panel(0).series[0].y[2] == 1.0 - 0.18 / std::tan(80.0 * std::acos(-1.0) / 180.0),
+             boost::test_tools::tolerance(1e-4));
+}

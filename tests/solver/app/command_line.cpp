@@ -2,6 +2,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <algorithm>
 #include <boost/test/unit_test.hpp>
 #include <cmath>
 #include <filesystem>
@@ -98,9 +99,18 @@ BOOST_AUTO_TEST_CASE(wrong_command_lines) {
       {{"calibrate", "--restitution", "0.5", "--stiffness", "1 N/m", "--masses", "1 kg", "--speeds", "1 m/s", "2 m/s",
         "2", "--speed", "1 m/s"},
        "talus: --speed: each pair gives its own; remove it\n"},
-      {{"calibrate", "--restitution", "0.5", "--stiffness", "1 N/m", "--masses", "1 kg", "--speeds", "1 m/s", "2 m/s",
-        "2", "--integrator", "rk4"},
-       "talus: --integrator: no step is found for several pairs; remove it\n"},
+      {{"calibrate", "--restitution", "0.5", "--stiffness", "1 N/m", "--masses", "1 kg", "2 kg", "2", "--bound", "-1"},
+       "talus: error bound is -1; it must be > 0\n"},
+      {{"calibrate", "--restitution", "0.5", "--stiffness", "1 N/m", "--masses", "1 kg", "2 kg", "2", "--radii", "1 m",
+        "2 m", "2", "--density", "1 kg/m^3"},
+       "talus: --masses: found three values, an axis of masses, and --radii; give one of the two\n"},
+      {{"calibrate", "--restitution", "0.5", "--stiffness", "1 N/m", "--masses", "1 kg", "2 kg", "2", "--offset",
+        "1 kg m^2", "1 m"},
+       "talus: --pivot and --offset: bodies of an axis of masses are hit centrally; remove them\n"},
+      {{"calibrate", "--law", "latching_spring", "--restitution", "0.5", "--step", "1e-7", "--stiffness", "1 N/m",
+        "--masses", "1 kg", "2 kg", "2"},
+       "talus: --masses: found three values, an axis of masses; of the law 'latching_spring' it must be one or two "
+       "masses\n"},
       {{"calibrate", "--restitution", "0.5", "--stiffness", "1 N/m", "--masses", "1 kg", "--radii", "1 m", "2 m", "2",
         "--density", "1 kg/m^3"},
        "talus: --masses, --pivot and --offset: each pair gives its own; remove them\n"},
@@ -108,7 +118,8 @@ BOOST_AUTO_TEST_CASE(wrong_command_lines) {
         "2 m", "2", "--density", "1 kg/m^3"},
        "talus: --radius: each pair gives its own; remove it\n"},
       {{"calibrate", "--restitution", "0.5", "--stiffness", "1 N/m", "--masses", "1 kg", "--out", "never"},
-       "talus: --out: only a range of pairs is written to files; give --speeds, --radii or --pairs\n"},
+       "talus: --out: only a table is written to files; give --speeds, --radii, --pairs, --angles or an axis of "
+       "--masses\n"},
       {{"calibrate", "--law", "latching_spring", "--restitution", "0.5", "--step", "1e-7", "--speeds", "1 m/s", "2 m/s",
         "2"},
        "talus: --speeds: the law 'latching_spring' does not use this option; remove it\n"},
@@ -125,6 +136,54 @@ BOOST_AUTO_TEST_CASE(wrong_command_lines) {
     BOOST_TEST(ended.err == message);
     BOOST_TEST(ended.out.empty());
   }
+}
+
+BOOST_AUTO_TEST_CASE(wrong_oblique_calibrations) {
+  const std::vector<std::string> base{"calibrate", "--restitution", "0.8", "--masses", "1 g", "--stiffness", "1e6 N/m"},
+      body{"--spheres", "1 cm", "--angle", "10 deg"};
+  const std::vector<std::pair<std::vector<std::string>, std::string>> wrong{
+      {{"--friction", "0.1"}, "--friction: only oblique impacts use it; give --angle or --angles"},
+      {{"--angle", "10 deg"},
+       "--spheres: it is missing; give the radius of each body, e.g. --spheres \"1 cm\", or --discs"},
+      {{"--angle", "10 deg", "--spheres", "1 cm", "2 cm"}, "--spheres: found 2 radii for 1 mass; give one for each"},
+      {{"--angle", "90 deg", "--spheres", "1 cm"}, "--angle: found 90 deg; it must be in (0, 90) deg"},
+      {{"--angle", "10 deg", "--spheres", "1 cm", "--pivot", "1 kg m^2", "1 m"},
+       "--pivot and --offset: the bodies of an oblique impact are free and hit centrally; remove them"},
+      {{"--angle", "10 deg", "--spheres", "1 cm", "--speeds", "1 m/s", "2 m/s", "2"},
+       "--speeds: it gives a range of pairs, and an oblique impact has one pair; remove one of both"},
+      {{"--angles", "10 deg", "20 deg", "2", "--spheres", "1 cm", "--tangential-restitution", "0.5"},
+       "--angle: it is missing; --tangential-restitution holds at one angle, e.g. --angle \"10 deg\""},
+      {{"--out", "never"}, "--out: only the table of several angles is written to files; give --angles"},
+      {{"--tangential-restitution", "1"}, "--tangential-restitution: found 1; it must be in (-1, 1)"},
+      {{}, "--friction: it is missing; give e.g. --friction 0.3"},
+      {{"--friction", "x"}, "--friction: found \"x\"; it must be a number >= 0"},
+      {{"--friction", "0.1", "--shear-stiffness", "0 N/m"}, "--shear-stiffness: found \"0 N/m\"; it must be > 0"},
+      {{"--friction", "0.1", "--shear-modulus", "1 Pa"},
+       "--shear-modulus: the friction law 'linear' does not use this option; remove it"},
+      {{"--friction", "0.1", "--shear-law", "mindlin"},
+       "--shear-law: friction of linear_spring_dashpot 'mindlin' is not known; nearest: linear; known: linear"},
+      {{"--friction", "0.1", "--shear-stiffness", "1 N/m", "--shear-damping", "1 N s/m", "--tangential-restitution",
+        "0.5"},
+       "--shear-damping: found with --tangential-restitution and all other parameters of the friction; leave out the "
+       "one to be found"},
+      {{"--friction", "0.1", "--tangential-restitution", "-0.5"},
+       "--tangential-restitution: a tangential restitution of -0.5 is not reachable by shear_stiffness; at this angle "
+       "it must be "}};
+  for (const auto& [more, message] : wrong) {
+    std::vector<std::string> arguments = base;
+    const bool has_angle = std::ranges::any_of(more, [](const auto& text) { return text.starts_with("--angle"); });
+    if (!has_angle && message.find("only oblique") == std::string::npos)
+      arguments.insert(arguments.end(), body.begin(), body.end());
+    arguments.insert(arguments.end(), more.begin(), more.end());
+    const Ended ended = talus_ran(arguments);
+    BOOST_TEST(ended.code == 2);
+    BOOST_TEST(ended.err.starts_with("talus: " + message), ended.err);
+    BOOST_TEST(ended.out.empty());
+  }
+  const Ended modulus =
+      talus_ran({"calibrate", "--law", "hertz", "--restitution", "0.8", "--masses", "1 g", "--modulus", "1 GPa",
+                 "--spheres", "1 cm", "--angle", "10 deg", "--friction", "0.1", "--shear-law", "mindlin"});
+  BOOST_TEST(modulus.err == "talus: --shear-modulus: it is missing; give e.g. --shear-modulus \"1 N/m^2\"\n");
 }
 
 BOOST_AUTO_TEST_CASE(convert_between_decks_and_scenes) {

@@ -115,6 +115,54 @@ BOOST_AUTO_TEST_CASE(a_contact_that_does_not_end_has_no_restitution) {
   BOOST_TEST(largest_deviation(both, minimax_of(both, 0.2), 0.2) < 0.2 + 1e-12);
 }
 
+/// Largest error of the restitution of a pair over 16 phases at a step.
+double largest_error(const ImpactingPair& pair, double dissipation, double step) {
+  const ImpactError error = restitution_error(with_dissipation(pair.law, dissipation), pair.effective_mass, pair.speed,
+                                              make_integrator("velocity_verlet"));
+  double largest = 0.0;
+  for (int i = 0; i < 16; ++i)
+    largest = std::max(largest, error(step, (i + 0.5) / 16.0));
+  return largest;
+}
+
+// All pairs are as accurate as required; with twice the step, some pair is not.
+BOOST_AUTO_TEST_CASE(a_step_for_a_range_is_accurate_for_each_pair) {
+  const Integrator integrator = make_integrator("velocity_verlet");
+  constexpr double bound = 0.01;
+  for_each_range([&](const std::vector<ImpactingPair>& pairs) {
+    const double used = minimax_of(pairs, 0.6);
+    const std::optional<RangeStep> found = advise_range_step(pairs, used, bound, integrator);
+    BOOST_REQUIRE(found.has_value());
+    double shortest = 1e300;
+    for (const ImpactingPair& pair : pairs) {
+      const ContactLaw law = with_dissipation(pair.law, used);
+      if (restitution_with(pair, used) == 0.0) continue;
+      BOOST_TEST(largest_error(pair, used, found->step) <= bound);
+      shortest = std::min(shortest, advise_impact_step(law, pair.effective_mass, pair.speed, bound, integrator).step);
+    }
+    BOOST_TEST(found->largest_error <= bound);
+    BOOST_TEST(found->step >= shortest * (1.0 - 1e-12));
+    BOOST_TEST(found->step <= 2.1 * shortest);
+    const std::vector<ImpactingPair> one{pairs.front()};
+    const ContactLaw law = with_dissipation(one[0].law, used);
+    BOOST_TEST(advise_range_step(one, used, bound, integrator)->step ==
+               advise_impact_step(law, one[0].effective_mass, one[0].speed, bound, integrator).step);
+  });
+}
+
+// The pair that needs the shortest step is named; contacts that do not end need none.
+BOOST_AUTO_TEST_CASE(a_step_for_a_range_leaves_out_contacts_that_do_not_end) {
+  const Integrator integrator = make_integrator("velocity_verlet");
+  const LinearSpringDashpot law{1e4, 0.0, EndRule::attractive};
+  const ImpactingPair light{law, 1.0, 1.0}, heavy{law, 1000.0, 1.0};
+  const std::vector<ImpactingPair> both{heavy, light};
+  BOOST_TEST(advise_range_step(both, 10.0, 0.01, integrator)->pair == 1U);
+  const double of_heavy = exact_dissipation(heavy, 0.2);
+  BOOST_TEST(advise_range_step(both, of_heavy, 0.01, integrator)->pair == 0U);
+  const std::vector<ImpactingPair> none{light};
+  BOOST_TEST(!advise_range_step(none, of_heavy, 0.01, integrator).has_value());
+}
+
 BOOST_AUTO_TEST_CASE(laws_without_a_dashpot_are_refused) {
   const ImpactingPair pair{LatchingSpring{100.0, 400.0, 0.0}, 1.0, 1.0};
   const auto refused = [](const InputError& error) {
