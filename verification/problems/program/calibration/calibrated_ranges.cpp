@@ -6,6 +6,7 @@
 #include <array>
 #include <cmath>
 #include <cstdlib>
+#include <limits>
 #include <numbers>
 #include <numeric>
 #include <set>
@@ -25,6 +26,7 @@ namespace {
 
 using records::Json;
 
+constexpr double step_bound = 0.02;  ///< error of the restitution that a step may cause
 constexpr double foot = 0.3048, pound = 4.4482216152605, slug = pound / foot, inch = foot / 12.0;
 
 /// A column of the table with its unit in US units and the size of that unit in SI.
@@ -53,6 +55,7 @@ Options options_without(const ImpactRequest& common, const std::set<std::string>
   Options options = law_options(common);
   std::erase_if(options, [&](const Option& option) { return replaced.contains(option.first); });
   options.push_back({"--restitution", {fmt::format("{}", common.restitution)}});
+  options.push_back({"--bound", {fmt::format("{}", step_bound)}});
   return options;
 }
 
@@ -90,6 +93,30 @@ Range range_of_speeds(const ImpactRequest& common, ImpactDraw& draw) {
   for (const double speed : spaced(slow, fast, 4)) {
     range.pairs.push_back(common);
     range.pairs.back().speed = speed;
+  }
+  return range;
+}
+
+/// Pairs of a body of four masses and a wall, with or without three speeds.
+Range range_of_masses(const ImpactRequest& common, ImpactDraw& draw, const Setup& setup) {
+  const double light = draw.decades(1e-3, 1.0), heavy = light * draw.between(3.0, 30.0), slow = draw.decades(0.05, 1.0),
+               fast = slow * draw.between(3.0, 30.0);
+  const bool has_speeds = draw.between(0.0, 1.0) < 0.5;
+  Range range{common, options_without(common, {}), {}, {{"mass_2", "slug", slug}}};
+  range.options.push_back({"--masses", {fmt::format("{} kg", light), fmt::format("{} kg", heavy), "4"}});
+  if (has_speeds) {
+    range.options.push_back({"--speeds", {fmt::format("{} m/s", slow), fmt::format("{} m/s", fast), "3"}});
+    range.given.push_back({"speed", "ft/s", foot});
+  } else {
+    range.options.push_back({"--speed", {fmt::format("{} m/s", common.speed)}});
+  }
+  std::vector<double> masses = spaced(light, heavy, 4);
+  if (setup.has("heavy_first")) std::ranges::reverse(masses);
+  for (const double mass : masses) {
+    for (const double speed : has_speeds ? spaced(slow, fast, 3) : std::vector{common.speed}) {
+      range.pairs.push_back(common);
+      range.pairs.back().masses = {mass}, range.pairs.back().speed = speed;
+    }
   }
   return range;
 }
@@ -174,7 +201,8 @@ double relative_error(double found, double exact) { return found == exact ? 0.0 
 
 /// Worst errors over all ranges.
 struct Worst {
-  double mass{}, damping{}, restitution{}, deviation{}, minimax{}, search{}, given{}, printed{}, csv{}, drawn{};
+  double mass{}, damping{}, restitution{}, deviation{}, undamped{}, minimax{}, search{}, given{}, printed{}, csv{},
+      drawn{}, run{}, finer{}, coarser{1.0};
 };
 
 std::vector<std::string> tokens_of(const std::string& line) {
@@ -193,7 +221,8 @@ std::vector<TableColumn> columns_of(const Range& range) {
                                  {"exact_" + range.common.parameter(), is_hysteresis ? "ft^-1 s" : "lbf s/ft",
                                   is_hysteresis ? 1.0 / foot : pound / foot},
                                  {"restitution", "1", 1.0},
-                                 {"deviation", "1", 1.0}});
+                                 {"deviation", "1", 1.0},
+                                 {"undamped_contact_time", "s", 1.0}});
   return columns;
 }
 
@@ -205,7 +234,8 @@ void compare_json(const Range& range, const Json& json, const Setup& setup, Wors
   differ.compare("number of pairs", pairs, range.pairs.size());
   if (pairs != range.pairs.size()) return;
   const std::vector<double> exact = member(json, "exact_" + parameter), restitution = member(json, "restitution"),
-                            deviation = member(json, "deviation"), masses = member(json, "effective_mass");
+                            deviation = member(json, "deviation"), masses = member(json, "effective_mass"),
+                            undamped = member(json, "undamped_contact_time");
   const double used = json.at(parameter).get<double>(), wanted = common.restitution;
   std::vector<double> expected;
   double largest = 0.0;
@@ -217,8 +247,15 @@ void compare_json(const Range& range, const Json& json, const Setup& setup, Wors
     keep_worst(worst.restitution, restitution[i] - restitution_with(pair, used));
     keep_worst(worst.deviation, deviation[i] - (restitution[i] - wanted));
     largest = std::max(largest, std::abs(restitution[i] - wanted));
-    differ.compare("members of a pair", json.at("pairs").at(i).size(), range.given.size() + 4);
+    differ.compare("members of a pair", json.at("pairs").at(i).size(), range.given.size() + 5);
+    keep_worst(worst.undamped, undamped[i] / undamped_time(pair) - 1.0);
   }
+  keep_worst(worst.undamped,
+             json.at("shortest_undamped_contact_time").get<double>() / std::ranges::min(undamped) - 1.0);
+  differ.compare(
+      "error of the advised step",
+      json.at("restitution_error").get<double>() > 0.0 && json.at("restitution_error").get<double>() <= step_bound,
+      true);
   keep_worst(worst.deviation, json.at("largest_deviation").get<double>() - largest);
   const auto [low, high] = std::ranges::minmax(expected);
   const double mean = std::accumulate(expected.begin(), expected.end(), 0.0) / static_cast<double>(pairs);
@@ -232,7 +269,7 @@ void compare_json(const Range& range, const Json& json, const Setup& setup, Wors
   differ.compare("units", json.at("units").get<std::string>(), std::string{"SI"});
   const bool has_radius =
       std::ranges::any_of(range.options, [](const Option& each) { return each.first == "--radius"; });
-  std::size_t members = 8;
+  std::size_t members = 11;
   if (common.is_hertz()) {
     differ.compare("modulus", json.at("modulus").get<double>(), common.stiffness);
     differ.compare("dashpot", json.at("dashpot").get<std::string>(),
@@ -290,6 +327,15 @@ void compare_text(const Range& range, const std::string& printed, const Json& js
   keep_worst(worst.printed, relative_error(number_after(printed, parameter + ", minimax ") * size, used));
   keep_worst(worst.printed,
              relative_error(number_after(printed, "deviate by at most "), json.at("largest_deviation").get<double>()));
+  const double step = json.at("step").get<double>();
+  keep_worst(worst.printed, relative_error(number_after(printed, "step for all pairs "), step));
+  keep_worst(worst.printed, relative_error(number_after(printed, "step over shortest undamped contact time ") *
+                                               json.at("shortest_undamped_contact_time").get<double>(),
+                                           step));
+  differ.compare("printed method and bound",
+                 printed.find("with velocity_verlet; row ") != std::string::npos &&
+                     printed.find(fmt::format("required {}\n", step_bound)) != std::string::npos,
+                 true);
   keep_worst(worst.printed, relative_error(number_after(printed, "pairs:\n  " + parameter + " = \"") * size, used));
   const std::string every =
       range.common.varies() ? "at the speed restitution_speed" : ", whatever the bodies and the speed";
@@ -369,11 +415,37 @@ void compare_given(const Range& range, const Program& program, const Environment
   keep_worst(worst.printed, number_after(printed, parameter + ", as given ") / given - 1.0);
 }
 
+/// The step for all pairs: with it, runs of the pairs give the restitutions of the table; it is as long as that of the
+/// pair that needs the shortest one when it is calibrated alone.
+void compare_step(const Range& range, const Program& program, const Json& json, Worst& worst) {
+  const std::string parameter = range.common.parameter();
+  const double used = json.at(parameter).get<double>(), step = json.at("step").get<double>();
+  const std::vector<double> restitution = member(json, "restitution");
+  const std::string value = fmt::format("{} {}", used, range.common.is_hunt_crossley() ? "s/m" : "N s/m");
+  double shortest = std::numeric_limits<double>::infinity();
+  for (std::size_t i = 0; i < range.pairs.size(); ++i) {
+    if (restitution[i] == 0.0) continue;  // no end
+    const ImpactRequest& pair = range.pairs[i];
+    Options alone = options_of(pair, step_bound);
+    alone.push_back({"--" + parameter, {value}});
+    const std::string printed = program.run({"calibrate"}, alone);
+    const std::size_t from = printed.find('\n', printed.find("in a scene")) + 1;
+    shortest = std::min(shortest, number_after(printed, "\n  step "));
+    const ExactImpact exact{used, number_after(printed, "\n  contact time "),
+                            number_after(printed, "largest overlap at that speed ")};
+    keep_worst(worst.run, restitution_of_run(program, pair, printed.substr(from), step, exact) - restitution[i]);
+  }
+  if (!std::isfinite(shortest)) return;
+  keep_worst(worst.finer, std::max(0.0, shortest / step - 1.0));
+  worst.coarser = std::max(worst.coarser, step / shortest);
+}
+
 /// Wrong ranges, each with the end of its message.
 void compare_refusals(const Program& program, Differences& differ) {
   const Options hertz{{"--law", {"hertz"}}, {"--restitution", {"0.7"}}, {"--modulus", {"1 GPa"}}};
   const Option masses{"--masses", {"1 kg"}}, speeds{"--speeds", {"1 m/s", "2 m/s", "3"}},
-      radii{"--radii", {"1 mm", "2 mm", "3"}}, density{"--density", {"2500 kg/m^3"}}, pairs{"--pairs", {"wrong.csv"}};
+      axis{"--masses", {"1 kg", "2 kg", "3"}}, radii{"--radii", {"1 mm", "2 mm", "3"}},
+      density{"--density", {"2500 kg/m^3"}}, pairs{"--pairs", {"wrong.csv"}};
   struct Wrong {
     Options options;
     std::string csv, message;
@@ -388,7 +460,20 @@ void compare_refusals(const Program& program, Differences& differ) {
       {{speeds, masses}, "", "--radius: it is missing"},
       {{radii, density, masses}, "", "each pair gives its own; remove them"},
       {{radii, density, {"--radius", {"1 mm"}}}, "", "--radius: each pair gives its own; remove it"},
-      {{radii, density, {"--bound", {"0.1"}}}, "", "--bound: no step is found for several pairs; remove it"},
+      {{radii, density, axis}, "", "--masses: found three values, an axis of masses, and --radii; give one of the two"},
+      {{pairs, axis},
+       "mass_2 [kg],radius [m]\n1,1\n",
+       "--masses: found three values, an axis of masses, and --pairs; give one of the two"},
+      {{axis, {"--radius", {"1 mm"}}, {"--pivot", {"1 kg m^2", "1 m"}}},
+       "",
+       "--pivot and --offset: bodies of an axis of masses are hit centrally; remove them"},
+      {{{"--masses", {"2 kg", "1 kg", "3"}}, {"--radius", {"1 mm"}}},
+       "",
+       "--masses: found \"2 kg\" and \"1 kg\"; the first must be less"},
+      {{{"--masses", {"1 kg", "2 kg", "3 kg"}}, {"--radius", {"1 mm"}}},
+       "",
+       "--masses: found \"3 kg\"; the count must be a whole number from 2"},
+      {{axis, {"--radius", {"1 mm"}}, {"--bound", {"0"}}}, "", "error bound is 0; it must be > 0"},
       {{speeds, {"--radius", {"1 mm"}}}, "", "--masses: it is missing"},
       {{pairs}, "mass_2 [kg],sped [m/s]\n1,1\n", "wrong.csv: column 'sped [m/s]': column 'sped' is not known"},
       {{pairs}, "mass_1 [kg],radius [m]\n1,1\n", "wrong.csv: column 'mass_2': it is missing"},
@@ -398,7 +483,7 @@ void compare_refusals(const Program& program, Differences& differ) {
       {{pairs}, "mass_2 [kg],mass_2 [g]\n1,1\n", "wrong.csv: column 'mass_2 [g]': it is the second one named mass_2"},
       {{pairs}, "mass_2 [kg],radius [m]\n", "wrong.csv: found no line below the header"},
       {{pairs}, "mass_2 [kg],radius [m]\n1,one\n", "wrong.csv:2: column 'radius [m]': found 'one'"},
-      {{masses, {"--radius", {"1 mm"}}, {"--out", {"never"}}}, "", "--out: only a range of pairs is written to files"}};
+      {{masses, {"--radius", {"1 mm"}}, {"--out", {"never"}}}, "", "--out: only a table is written to files"}};
   for (const Wrong& wrong : all) {
     if (!wrong.csv.empty()) program.write("wrong.csv", wrong.csv);
     Options options = hertz;
@@ -418,13 +503,14 @@ void check_ranges(const Program& program, Findings& findings) {
   ImpactDraw draw;
   const char* const path = std::getenv("PATH");
   const Environment recorded{{"PATH", fmt::format("{}:{}", TALUS_RECORDER, path != nullptr ? path : "")}};
-  const std::size_t count = setup.tier == Tier::full ? 48 : setup.coarse ? 4 : 16;
+  const std::size_t count = setup.tier == Tier::full ? 60 : setup.coarse ? 12 : 20;
   for (std::size_t number = 0; number < count; ++number) {
     const ImpactRequest common = draw.request(number);
-    const std::size_t kind = number / 4 % 4;
+    const std::size_t kind = number / 4 % 5;
     const Range range = kind == 0   ? range_of_spheres(common, draw, setup)
                         : kind == 1 ? range_of_speeds(common, draw)
-                                    : range_of_file(common, draw, program, kind == 3);
+                        : kind == 2 ? range_of_masses(common, draw, setup)
+                                    : range_of_file(common, draw, program, kind == 4);
     Options in_json = range.options, in_feet = range.options;
     in_json.push_back({"--json", {}});
     const Json json = program.json({"calibrate"}, in_json);
@@ -438,6 +524,9 @@ void check_ranges(const Program& program, Findings& findings) {
                    true);
     compare_csv(range, program.csv(out + "/calibration.csv"), json, worst, differ);
     compare_drawing(range, program.read(out + "/calibration.svg"), json, worst, differ);
+    if (setup.needs("ranges: step") || setup.needs("runs at the advised step")) {
+      if (kind == 0 || kind == 2) compare_step(range, program, json, worst);
+    }
     if (kind == 0) compare_given(range, program, recorded, json, worst, differ);
   }
   compare_refusals(program, differ);
@@ -451,6 +540,15 @@ void check_ranges(const Program& program, Findings& findings) {
                   Tolerance::model(1e-13, "both sides integrate to 1e-14"));
   findings.expect("ranges: deviations from the restitutions, largest error", worst.deviation, 0.0,
                   Tolerance::round_off(2.3e-16, "one subtraction of numbers below 1"));
+  findings.expect("ranges: undamped contact times over the exact ones, largest deviation from 1", worst.undamped, 0.0,
+                  Tolerance::model(1e-13, "both sides integrate to 1e-14"));
+  findings.expect("ranges: restitutions of runs at the advised step, largest difference from the table", worst.run, 0.0,
+                  Tolerance::truncation(step_bound, 1.0, "the error that the step may cause"));
+  findings.expect("ranges: step below that of the pair that needs the shortest one alone, largest ratio less 1",
+                  worst.finer, 0.0, Tolerance::model(5.1e-9, "nine digits are printed"));
+  findings.expect_between("ranges: step over that of the pair that needs the shortest one alone, largest ratio",
+                          worst.coarser, 1.0 - 1e-8, 2.1,
+                          "alone, steps are tried in powers of two; in a range a pair has any number of steps");
   findings.expect("ranges: smallest largest deviation, largest error", worst.minimax, 0.0,
                   Tolerance::model(1e-13, "as the restitutions"));
   findings.expect_between("ranges: largest deviation with the minimax dashpot less that by a search", worst.search,

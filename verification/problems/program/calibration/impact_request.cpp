@@ -5,7 +5,9 @@
 #include <array>
 #include <cmath>
 #include <stdexcept>
+#include <string>
 
+#include "verification/record/json_node.hpp"
 #include "verification/reference/impacts/hertz_impact.hpp"
 #include "verification/reference/impacts/power_law_impact.hpp"
 #include "verification/reference/impacts/restitution.hpp"
@@ -144,6 +146,34 @@ double restitution_with(const ImpactRequest& request, double damping) {
   const double critical = request.is_hertz() ? std::sqrt(20.0 / 3.0 * request.stiffness * request.radius * m)
                                              : 2.0 * std::sqrt(request.stiffness * m);
   return reference::restitution(c / critical, request.rule);
+}
+
+double restitution_of_run(const Program& program, const ImpactRequest& request, const std::string& lines, double step,
+                          const ExactImpact& exact) {
+  const double radius = 300.0 * exact.overlap, gap = 3.3 * step * request.speed;
+  const auto body = [&](const char* which, double mass, double x, double speed) {
+    return fmt::format(
+        "[[body]]\nname = \"{}\"\nmobility = \"particle\"\nmass = \"{} kg\"\nshape = {{ kind = \"circle\", radius = "
+        "\"{} m\" }}\nposition = [\"{} m\", \"0 m\"]\nvelocity = [\"{} m/s\", \"0 m/s\"]\n",
+        which, mass, radius, x, speed);
+  };
+  std::string scene = "units = \"SI\"\n" + body("a", request.masses[0], -radius - gap, request.speed);
+  scene += request.masses.size() > 1
+               ? body("b", request.masses[1], radius, 0.0)
+               : "[[body]]\nname = \"b\"\nmobility = \"fixed\"\nposition = [\"0 m\", \"0 m\"]\nangle "
+                 "= \"90 deg\"\nshape = { kind = \"half_plane\" }\n";
+  scene += "[[contact]]\nname = \"hit\"\nbetween = [\"a\", \"b\"]\n";
+  if (lines.find("law = ") == std::string::npos) scene += "law = \"linear_spring_dashpot\"\n";
+  scene += lines + fmt::format(
+                       "[run]\nintegrator = \"velocity_verlet\"\nstep = \"{0} s\"\nend = \"{1} s\"\ninterval = "
+                       "\"{1} s\"\nwatch = \"off\"\n",
+                       step, 1.3 * exact.time + 8.0 * step);
+  program.write("pasted.toml", scene);
+  const records::Json state = program.json({"run", "pasted.toml"}, {{"--json", {}}});
+  const auto velocity = [&](std::size_t which) {
+    return state.at("bodies").at(which).at("velocity").at(0).get<double>();
+  };
+  return ((request.masses.size() > 1 ? velocity(1) : 0.0) - velocity(0)) / request.speed;
 }
 
 }  // namespace talus::verification::problems::calibrated_laws

@@ -66,4 +66,8 @@ struct ExactImpact {
 /// Restitution of the pair with another dashpot, by the references; 0 if the contact does not end.
 [[nodiscard]] double restitution_with(const ImpactRequest& request, double damping);
 
+/// Restitution of a run of `talus` of two bodies, or of one and a wall, with these lines of the contact.
+[[nodiscard]] double restitution_of_run(const Program& program, const ImpactRequest& request, const std::string& lines,
+                                        double step, const ExactImpact& exact);
+
 }  // namespace talus::verification::problems::calibrated_laws
