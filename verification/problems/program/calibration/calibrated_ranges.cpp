@@ -503,10 +503,10 @@ void check_ranges(const Program& program, Findings& findings) {
   ImpactDraw draw;
   const char* const path = std::getenv("PATH");
   const Environment recorded{{"PATH", fmt::format("{}:{}", TALUS_RECORDER, path != nullptr ? path : "")}};
-  const std::size_t count = setup.tier == Tier::full ? 60 : setup.coarse ? 12 : 20;
+  const std::size_t count = setup.tier == Tier::full ? 60 : setup.coarse ? 5 : 20;
   for (std::size_t number = 0; number < count; ++number) {
     const ImpactRequest common = draw.request(number);
-    const std::size_t kind = number / 4 % 5;
+    const std::size_t kind = setup.coarse ? number : number / 4 % 5;
     const Range range = kind == 0   ? range_of_spheres(common, draw, setup)
                         : kind == 1 ? range_of_speeds(common, draw)
                         : kind == 2 ? range_of_masses(common, draw, setup)
