@@ -26,9 +26,9 @@ class CommonStep {
  public:
   explicit CommonStep(double bound) : bound_{bound} {}
 
-  /// Shortens the step to accurate_step() of an impact that is not as accurate at the present one; the first impact sets
-  /// it. Returns whether the step has changed. Impacts with shorter contacts should come first: fewer are simulated
-  /// twice. Errors: as accurate_step().
+  /// Shortens the step to accurate_step() of an impact that is not as accurate at the present one; the first impact
+  /// sets it. Returns whether the step has changed. Impacts with shorter contacts should come first: fewer are
+  /// simulated twice. Errors: as accurate_step().
   bool require(const ImpactError& error, double contact_time);
 
   /// Infinite before the first impact [T].

@@ -68,10 +68,10 @@ struct TangentialCalibration {
 
 /// Finds the smallest value of the parameter `name` of the impact's friction law that gives the tangential restitution
 /// e_t: `friction` up to ten times the coefficient with which a rigid contact stops to slide throughout; stiffness or
-/// modulus for tangential stiffnesses, at the largest overlap, of 1e-3 to 10 times m (pi/T)^2, with the effective mass m
-/// and the contact time T; `shear_damping` up to ten times the critical one. The range is searched at 12 values a decade
-/// and at the extremes between them. Errors: InputError with the tangential restitutions that are reachable, or between
-/// which they jump by more than 1e-4.
+/// modulus for tangential stiffnesses, at the largest overlap, of 1e-3 to 10 times m (pi/T)^2, with the effective mass
+/// m and the contact time T; `shear_damping` up to ten times the critical one. The range is searched at 12 values a
+/// decade and at the extremes between them. Errors: InputError with the tangential restitutions that are reachable, or
+/// between which they jump by more than 1e-4.
 [[nodiscard]] TangentialCalibration calibrate_tangential(const ObliqueImpact& impact, std::string_view name,
                                                          double e_t);
 

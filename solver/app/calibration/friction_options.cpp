@@ -40,7 +40,7 @@ std::string first_absent(const CalibrateOptions& options, const std::vector<LawP
                   option_name(parameters.back().name))};
 }
 
-/// The law of --shear-law with the defaults of scenes. `has_dashpot`: its dashpot does not follow the contact's damping.
+/// The law of --shear-law with the defaults of scenes. `has_dashpot`: its dashpot does not follow that of the contact.
 FrictionLaw default_friction(const std::string& name, const ContactLaw& contact_law, bool has_dashpot) {
   FrictionLaw made;
   std::visit(

@@ -40,7 +40,7 @@ void refuse_others(const CalibrateOptions& options) {
   if (!options.pivot.empty() || !options.offset.empty())
     throw InputError{"--pivot and --offset: the bodies of an oblique impact are free and hit centrally; remove them"};
   if (options.angle.empty() && options.tangential_restitution)
-    throw InputError{"--angle: it is missing; --tangential-restitution holds at one angle, e.g. --angle \"10 deg\""};
+    throw InputError{"--angle: it is missing; give the angle of --tangential-restitution, e.g. --angle \"10 deg\""};
   if (options.angles.empty() && !options.picture.folder.empty())
     throw InputError{"--out: only the table of several angles is written to files; give --angles"};
   if (const auto& e = options.tangential_restitution; e && !(*e > -1.0 && *e < 1.0))

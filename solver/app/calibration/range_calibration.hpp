@@ -12,9 +12,9 @@ namespace talus::app {
 [[nodiscard]] bool gives_range(const CalibrateOptions& options);
 
 /// `talus calibrate` for many pairs that share one dashpot: prints for each pair the dashpot that is exact for it, the
-/// restitution that it gets with the common one, the common one with the smallest largest deviation, and a step for all pairs; --out
-/// writes the table and sends its drawing to the sink. Errors: InputError naming the option, or file, line and column;
-/// IoError.
+/// restitution that it gets with the common one, the common one with the smallest largest deviation, and a step for all
+/// pairs; --out writes the table and sends its drawing to the sink. Errors: InputError naming the option, or file, line
+/// and column; IoError.
 [[nodiscard]] int calibrate_range(const CalibrateOptions& options, const DrawingSink& sink);
 
 }  // namespace talus::app

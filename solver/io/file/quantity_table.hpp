@@ -44,8 +44,8 @@ struct AllowedColumn {
                                                               const std::vector<AllowedColumn>& allowed,
                                                               const UnitSystem& units);
 
-/// Text of the CSV file of columns in SI units, written with the unit of column_unit() in each head. All columns have the
-/// same number of rows.
+/// Text of the CSV file of columns in SI units, written with the unit of column_unit() in each head. All columns have
+/// the same number of rows.
 [[nodiscard]] std::string quantity_csv(const std::vector<QuantityColumn>& columns, const UnitSystem& units);
 
 }  // namespace talus

@@ -152,7 +152,7 @@ BOOST_AUTO_TEST_CASE(wrong_oblique_calibrations) {
       {{"--angle", "10 deg", "--spheres", "1 cm", "--speeds", "1 m/s", "2 m/s", "2"},
        "--speeds: it gives a range of pairs, and an oblique impact has one pair; remove one of both"},
       {{"--angles", "10 deg", "20 deg", "2", "--spheres", "1 cm", "--tangential-restitution", "0.5"},
-       "--angle: it is missing; --tangential-restitution holds at one angle, e.g. --angle \"10 deg\""},
+       "--angle: it is missing; give the angle of --tangential-restitution, e.g. --angle \"10 deg\""},
       {{"--out", "never"}, "--out: only the table of several angles is written to files; give --angles"},
       {{"--tangential-restitution", "1"}, "--tangential-restitution: found 1; it must be in (-1, 1)"},
       {{}, "--friction: it is missing; give e.g. --friction 0.3"},
