@@ -32,6 +32,7 @@ struct Worst {
       overlap{}, undamped{}, ratio{}, mobility{}, mass{};
   double run_tangential{}, run_normal{}, run_spin{};
   double table{}, sliding{}, printed{}, csv{}, drawn{};
+  int sliding_rows{};  ///< number of rows that are compared with sliding throughout
 };
 
 Options joined(Options options, const Options& more) {
@@ -156,11 +157,13 @@ void compare_table(const Program& program, const ObliqueRequest& request, Worst&
     keep_worst(worst.table, rows.at(i).at("angle").get<double>() - at.angle);
     keep_worst(worst.table, rows.at(i).at("approach_speed").get<double>() / at.approach_speed() - 1.0);
     compare_rebound(rows.at(i), exact, at, setup, worst);
-    if (exact.slides_throughout)
+    if (exact.sticking < 0.01) {
+      ++worst.sliding_rows;
       keep_worst(worst.sliding,
                  rows.at(i).at("tangential_restitution").get<double>() -
                      (1.0 - reference::speed_lost_by_gross_sliding(at.friction, at.restitution, at.approach_speed()) /
                                 at.slip_speed()));
+    }
   }
   const std::string printed = talus_output(program.folder(), with_options({"calibrate"}, options, setup), recorded);
   differ.compare("names of files",
@@ -330,8 +333,13 @@ void expect_all(Findings& findings, const Worst& worst) {
                   Tolerance::truncation(2.5e-3, 1.0, "the requested error, times m r^2/I"));
   findings.expect("table: angles and speeds, largest deviation", worst.table, 0.0,
                   Tolerance::round_off(1e-14, "a few operations"));
-  findings.expect("tangential restitution where the contact slides throughout, less 1 - mu (1 + e)/tan(angle), largest",
-                  worst.sliding, 0.0, Tolerance::model(2e-5, "local errors of 1e-10, and the overlap over the radius"));
+  findings.expect(
+      "tangential restitution where the contact sticks for less than a hundredth of the contact time, less "
+      "1 - mu (1 + e)/tan(angle), largest",
+      worst.sliding, 0.0,
+      Tolerance::model(3.4e-3,
+                       "while it sticks, at the start, the force is between 0 and mu N: the impulse lacks "
+                       "at most a hundredth, and without stick it changes e_t by less than 1/n <= 1/3"));
   findings.expect("printed numbers over those of JSON, largest deviation from 1", worst.printed, 0.0,
                   Tolerance::model(5.1e-9, "nine digits are printed, six in tables (a thousandth of their deviation)"));
   findings.expect("numbers of calibration.csv over those of JSON, largest deviation from 1", worst.csv, 0.0,
@@ -362,6 +370,8 @@ void run(Findings& findings, const Setup& setup) {
   }
   if (setup.needs("reachable")) compare_reachable(program, findings, differ);
   if (setup.needs("outputs that differ")) compare_refusals(program, differ);
+  if (!setup.coarse)
+    differ.compare("table rows of contacts that slide nearly throughout", worst.sliding_rows > 0, true);
   expect_all(findings, worst);
   differ.expect_none(findings, "outputs that differ from the request", "numbers, texts, files and refusals");
   if (!setup.coarse) findings.table(table);
@@ -375,8 +385,8 @@ Case definition() {
       pasted = "tangential restitution of runs with the printed lines, less the wanted one, largest",
       spin = "rim speed of the spin over the slip speed, largest error",
       sliding =
-          "tangential restitution where the contact slides throughout, less 1 - mu (1 + e)/tan(angle), "
-          "largest";
+          "tangential restitution where the contact sticks for less than a hundredth of the contact time, less "
+          "1 - mu (1 + e)/tan(angle), largest";
   return {.id = "oblique_calibrations",
           .title = "Friction for a tangential restitution, by the program",
           .requirements = {{"G14", {"calibration"}}},

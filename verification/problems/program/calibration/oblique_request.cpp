@@ -49,7 +49,6 @@ ExactRebound exact_of_springs(const ObliqueRequest& request) {
   exact.contact_time = events.contact_time, exact.overlap = events.largest_depth;
   exact.undamped_time = std::numbers::pi * std::sqrt(m / k);
   exact.sticking = sticking_time(found.phases, pushes) / exact.contact_time;
-  exact.slides_throughout = found.phases.size() == 1 && found.phases.front().slips != 0;
   set_tangential(exact, request, found.slip_rate, found.speed_lost);
   return exact;
 }
@@ -69,7 +68,6 @@ ExactRebound exact_of_mindlin(const ObliqueRequest& request) {
   exact.contact_time = events.contact_time, exact.overlap = events.largest_depth;
   exact.undamped_time = reference::hertz_events({factor, 0.0, m, v}, request.rule).contact_time;
   exact.sticking = sticking_time(found.phases, found.contact_time) / found.contact_time;
-  exact.slides_throughout = found.phases.size() == 1 && found.phases.front().slips != 0;
   set_tangential(exact, request, found.slip_rate * v, found.speed_lost * v);
   return exact;
 }

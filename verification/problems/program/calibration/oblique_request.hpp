@@ -48,7 +48,6 @@ struct ExactRebound {
   double overlap{};        ///< the largest one [m]
   double undamped_time{};  ///< [s]
   double damping{};        ///< dashpot of the normal law
-  bool slides_throughout{};
 };
 [[nodiscard]] ExactRebound exact_of(const ObliqueRequest& request);
 
