@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <numbers>
+#include <tuple>
 
 #include "solver/base/error.hpp"
 #include "verification/record/csv.hpp"
@@ -47,7 +48,8 @@ std::string unit_of(const std::string& unit, const AllowedColumn& column, const 
 QuantityColumn read_column(const records::Csv& csv, std::size_t column_index, const std::vector<AllowedColumn>& allowed,
                            const UnitSystem& units) {
   const std::string file = csv.file().string(), head = csv.header()[column_index];
-  const auto [name, unit] = name_and_unit(head);
+  std::string name, unit;
+  std::tie(name, unit) = name_and_unit(head);
   const auto named = [&](const auto& read) {
     try {
       return read();
