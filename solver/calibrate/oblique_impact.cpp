@@ -9,11 +9,14 @@
 #include <cstdint>
 #include <limits>
 #include <numbers>
+#include <ranges>
 #include <utility>
+#include <variant>
 
 #include "solver/base/error.hpp"
 #include "solver/calibrate/impact.hpp"
 #include "solver/dynamics/rigid_body_system.hpp"
+#include "solver/laws/parameter.hpp"
 #include "solver/model/model_builder.hpp"
 #include "solver/run/simulate.hpp"
 #include "solver/run/snapshot.hpp"
@@ -96,8 +99,11 @@ class ContactMonitor {
   double time_{}, sticking_{};
 };
 
-/// The rebound with this step; none if the contact does not end.
-std::optional<ObliqueRebound> simulated(const ObliqueImpact& impact, double contact_time, double step, double lead,
+/// A rebound, or why there is none.
+using Simulated = std::variant<ObliqueRebound, std::string>;
+
+/// The rebound with this step.
+Simulated simulated(const ObliqueImpact& impact, double contact_time, double step, double lead,
                                         Integrator integrator) {
   const ObliqueScene made = scene_of(impact, contact_time, step, lead, integrator);
   const Dynamics dynamics{made.scene.model};
@@ -108,7 +114,9 @@ std::optional<ObliqueRebound> simulated(const ObliqueImpact& impact, double cont
   const Observer observer = std::ref(monitor);
   const Outcome outcome = simulate(system, integrator, state, made.scene.plan, {&observer, 1},
                                    [&monitor](const State&) { return monitor.is_over(); });
-  if (!outcome || !monitor.is_over()) return {};
+  if (!outcome) return outcome.message;
+  if (!monitor.is_over())
+    return std::string{"the contact does not end within three times the contact time of its normal impact"};
   const std::size_t at = dynamics.layout().first[index(made.second)];
   Vec2 velocity{state.v[at], state.v[at + 1]};
   const double spin = -state.v[at + 2];
@@ -142,7 +150,7 @@ double contact_time_of(const ObliqueImpact& impact) {
   return known.contact_time;
 }
 
-ObliqueRebound rebound(const ObliqueImpact& impact, double contact_time) {
+Simulated located(const ObliqueImpact& impact, double contact_time) {
   // The method's local errors are relative to the largest displacement so far. Positions are rounded to 1e-16 of the
   // radius: the bodies first approach each other by enough that this is less than the errors, if four contact times
   // suffice for it, or else the errors are larger.
@@ -150,10 +158,15 @@ ObliqueRebound rebound(const ObliqueImpact& impact, double contact_time) {
   const double radius = std::max(impact.second.radius, impact.first ? impact.first->radius : 0.0);
   const double lead = std::min(resolved / tolerance * radius / impact.speed, 4.0 * contact_time);
   const double allowed = std::max(tolerance, resolved * radius / (impact.speed * lead));
-  const auto found = simulated(impact, contact_time, contact_time / steps_in_contact, lead,
-                               make_integrator("stormer_cowell", allowed));
-  if (!found) throw InputError{"the contact does not end within three times the contact time of its normal impact"};
-  return *found;
+  return simulated(impact, contact_time, contact_time / steps_in_contact, lead,
+                   make_integrator("stormer_cowell", allowed));
+}
+
+ObliqueRebound rebound(const ObliqueImpact& impact, double contact_time) {
+  const Simulated found = located(impact, contact_time);
+  if (const auto* reason = std::get_if<std::string>(&found))
+    throw InputError{fmt::format("the impact cannot be simulated; choose a smaller friction or dashpot: {}", *reason)};
+  return std::get<ObliqueRebound>(found);
 }
 
 /// Values of a parameter: 0 or nothing, then a logarithmic range.
@@ -165,7 +178,11 @@ struct Span {
 Span span_of(const ObliqueImpact& impact, std::string_view name, double contact_time) {
   const double m = impact.effective_mass(), n = impact.mobility();
   const KnownImpact known = known_impact(impact.law, m, impact.approach_speed());
-  const auto at_unit = [&] { return at(with_parameter(impact.friction, name, 1.0), known.largest_overlap); };
+  const auto at_unit = [&] {
+    FrictionLaw unit = impact.friction;
+    set_parameter(unit, name, 1.0);
+    return at(unit, known.largest_overlap);
+  };
   if (name == "friction") {
     const double stops = std::tan(impact.angle) / (n * (1.0 + known.restitution));
     return {true, 1e-3 * stops, 10.0 * stops};
@@ -182,41 +199,116 @@ Span span_of(const ObliqueImpact& impact, std::string_view name, double contact_
 /// A value of the parameter, and the tangential restitution that it gives.
 using Sample = std::pair<double, double>;
 
-/// Samples of the span, in increasing order. They end at a value that the method cannot simulate: a spring that is soft
-/// beside its dashpot relaxes without end; friction by Mindlin's law that is too strong to slip at touch has a stretch
-/// whose rate is infinite there. Stiffnesses are sampled from the largest one on, other parameters from the smallest.
-template <class Function>
-std::vector<Sample> samples_of(const Span& span, const Function& restitution) {
-  constexpr double values_a_decade = 12.0;
-  const int count = static_cast<int>(std::ceil(values_a_decade * std::log10(span.largest / span.smallest)));
-  std::vector<double> values;
-  if (span.has_zero) values.push_back(0.0);
-  for (int i = 0; i <= count; ++i)
-    values.push_back(span.smallest * std::pow(span.largest / span.smallest, static_cast<double>(i) / count));
-  if (!span.has_zero) std::ranges::reverse(values);
-  std::vector<Sample> samples;
-  try {
-    for (const double value : values)
-      samples.emplace_back(value, restitution(value));
-  } catch (const InputError&) {
-    if (samples.empty()) throw;
-  }
-  if (!span.has_zero) std::ranges::reverse(samples);
-  return samples;
-}
+/// Finds a parameter of the friction by its tangential restitution.
+class TangentialSearch {
+ public:
+  TangentialSearch(const ObliqueImpact& impact, std::string_view name, double wanted)
+      : impact_{impact}, name_{name}, wanted_{wanted}, contact_time_{contact_time_of(impact)} {}
 
-/// Inserts the extremes between the samples.
-template <class Function>
-void add_extremes(std::vector<Sample>& samples, const Function& restitution) {
-  constexpr int bits = 26;
-  for (const double sign : {1.0, -1.0}) {
-    const auto best = std::ranges::min_element(samples, {}, [sign](const Sample& of) { return sign * of.second; });
-    if (best == samples.begin() || best + 1 == samples.end()) continue;
-    const auto [value, smallest] = boost::math::tools::brent_find_minima(
-        [&](double x) { return sign * restitution(x); }, (best - 1)->first, (best + 1)->first, bits);
-    samples.insert(value < best->first ? best : best + 1, {value, sign * smallest});
+  /// Errors: InputError with the reason, if no value gives the restitution.
+  TangentialCalibration result() {
+    if (const auto found = root_of_samples()) return *found;
+    add_extremes();
+    if (const auto found = first_root()) return *found;
+    throw InputError{refusal()};
   }
-}
+
+ private:
+  /// Samples the span, and returns the smallest root between its samples. These end at a value that the method cannot
+  /// simulate: a spring that is soft beside its dashpot relaxes without end; friction by Mindlin's law that is too
+  /// strong to slip at touch has a stretch whose rate is infinite there. Stiffnesses are sampled from the largest one
+  /// on, other parameters from the smallest up to the first root: impacts with a strong dashpot take long. Errors:
+  /// InputError if not even the first value can be simulated.
+  std::optional<TangentialCalibration> root_of_samples() {
+    constexpr double values_a_decade = 12.0;
+    const Span span = span_of(impact_, name_, contact_time_);
+    const int count = static_cast<int>(std::ceil(values_a_decade * std::log10(span.largest / span.smallest)));
+    std::vector<double> values;
+    if (span.has_zero) values.push_back(0.0);
+    for (int i = 0; i <= count; ++i)
+      values.push_back(span.smallest * std::pow(span.largest / span.smallest, static_cast<double>(i) / count));
+    if (!span.has_zero) std::ranges::reverse(values);
+    samples_ = {{values.front(), restitution(values.front())}};
+    for (const double value : values | std::views::drop(1)) {
+      const Simulated found = located(with(value), contact_time_);
+      if (!std::holds_alternative<ObliqueRebound>(found)) break;
+      samples_.emplace_back(value, std::get<ObliqueRebound>(found).tangential_restitution);
+      if (!span.has_zero) continue;
+      if (const auto root = root_between(*(samples_.end() - 2), samples_.back())) return root;
+    }
+    if (span.has_zero) return {};
+    std::ranges::reverse(samples_);
+    return first_root();
+  }
+
+  /// Inserts the extremes between the samples.
+  void add_extremes() {
+    // The restitution at an extreme differs by the square of the error of its value.
+    constexpr int bits = 14;
+    for (const double sign : {1.0, -1.0}) {
+      const auto best = std::ranges::min_element(samples_, {}, [sign](const Sample& of) { return sign * of.second; });
+      if (best == samples_.begin() || best + 1 == samples_.end()) continue;
+      const auto [value, smallest] = boost::math::tools::brent_find_minima(
+          [&](double x) { return sign * restitution(x); }, (best - 1)->first, (best + 1)->first, bits);
+      samples_.insert(value < best->first ? best : best + 1, {value, sign * smallest});
+    }
+  }
+
+  /// The smallest value between samples that gives the restitution; none if there is none, or only jumps past it.
+  std::optional<TangentialCalibration> first_root() const {
+    for (std::size_t i = 0; i + 1 < samples_.size(); ++i)
+      if (const auto root = root_between(samples_[i], samples_[i + 1])) return root;
+    return {};
+  }
+
+  std::optional<TangentialCalibration> root_between(const Sample& low, const Sample& high) const {
+    if (!is_between(low, high)) return {};
+    const auto [below, above] = bracket(low, high);
+    const double value = 0.5 * (below + above);
+    const TangentialCalibration found{value, rebound(with(value), contact_time_)};
+    if (std::abs(found.rebound.tangential_restitution - wanted_) <= largest_jump) return found;
+    return {};
+  }
+
+  /// Why no value gives the restitution: the first jump past it, or the reachable ones.
+  std::string refusal() const {
+    const std::string what = fmt::format("a tangential restitution of {} is not reachable by {}", wanted_, name_);
+    for (std::size_t i = 0; i + 1 < samples_.size(); ++i) {
+      if (!is_between(samples_[i], samples_[i + 1])) continue;
+      const auto [below, above] = bracket(samples_[i], samples_[i + 1]);
+      return fmt::format(
+          "{}: at {:.6g} (SI) it jumps from {:.6g} to {:.6g}, as friction with a dashpot begins to slip; choose "
+          "another restitution or a smaller dashpot",
+          what, 0.5 * (below + above), restitution(below), restitution(above));
+    }
+    const auto [smallest, largest] = std::ranges::minmax_element(samples_, {}, &Sample::second);
+    return fmt::format("{}; at this angle it must be {:.6g} to {:.6g}", what, smallest->second, largest->second);
+  }
+
+  ObliqueImpact with(double value) const {
+    ObliqueImpact changed = impact_;
+    set_parameter(changed.friction, name_, value);
+    return changed;
+  }
+  double restitution(double value) const { return rebound(with(value), contact_time_).tangential_restitution; }
+  bool is_between(const Sample& low, const Sample& high) const {
+    return (low.second - wanted_) * (high.second - wanted_) <= 0.0;
+  }
+  /// Neighbouring values whose restitutions lie on both sides of the wanted one.
+  std::pair<double, double> bracket(const Sample& low, const Sample& high) const {
+    if (low.second == wanted_) return {low.first, low.first};
+    std::uintmax_t passes = 60;
+    return boost::math::tools::toms748_solve([&](double value) { return restitution(value) - wanted_; }, low.first,
+                                             high.first, low.second - wanted_, high.second - wanted_,
+                                             boost::math::tools::eps_tolerance<double>(40), passes);
+  }
+
+  const ObliqueImpact& impact_;
+  std::string_view name_;
+  double wanted_;
+  double contact_time_;
+  std::vector<Sample> samples_;  ///< in increasing order of the values
+};
 
 }  // namespace
 
@@ -239,58 +331,16 @@ ImpactError rebound_error(const ObliqueImpact& impact, const Integrator& integra
   const double time = contact_time_of(impact);
   const ObliqueRebound exact = rebound(impact, time);
   return [=](double step, double phase) {
-    const auto found = simulated(impact, time, step, phase * step, integrator);
-    if (!found) return std::numeric_limits<double>::infinity();
+    const Simulated simulation = simulated(impact, time, step, phase * step, integrator);
+    const auto* found = std::get_if<ObliqueRebound>(&simulation);
+    if (found == nullptr) return std::numeric_limits<double>::infinity();
     return std::max(std::abs(found->restitution - exact.restitution),
                     std::abs(found->tangential_restitution - exact.tangential_restitution));
   };
 }
 
-FrictionLaw with_parameter(FrictionLaw friction, std::string_view name, double value) {
-  std::visit(
-      [&]<class F>(F& law) {
-        const auto fields = F::fields();
-        const auto field = std::ranges::find(fields, name, &Field<F>::name);
-        TALUS_DEMAND(field != fields.end());
-        law.*field->member = value;
-      },
-      friction);
-  return friction;
-}
-
 TangentialCalibration calibrate_tangential(const ObliqueImpact& impact, std::string_view name, double e_t) {
-  const double time = contact_time_of(impact);
-  const auto with = [&](double value) {
-    ObliqueImpact changed = impact;
-    changed.friction = with_parameter(impact.friction, name, value);
-    return changed;
-  };
-  const auto restitution = [&](double value) { return rebound(with(value), time).tangential_restitution; };
-  std::vector<Sample> samples = samples_of(span_of(impact, name, time), restitution);
-  add_extremes(samples, restitution);
-  std::string jump;
-  for (std::size_t i = 0; i + 1 < samples.size(); ++i) {
-    const auto [low, at_low] = samples[i];
-    const auto [high, at_high] = samples[i + 1];
-    if ((at_low - e_t) * (at_high - e_t) > 0.0) continue;
-    std::uintmax_t passes = 60;
-    const auto excess = [&](double value) { return restitution(value) - e_t; };
-    const auto [below, above] =
-        at_low == e_t ? Sample{low, low}
-                      : boost::math::tools::toms748_solve(excess, low, high, at_low - e_t, at_high - e_t,
-                                                          boost::math::tools::eps_tolerance<double>(40), passes);
-    const TangentialCalibration found{0.5 * (below + above), rebound(with(0.5 * (below + above)), time)};
-    if (std::abs(found.rebound.tangential_restitution - e_t) <= largest_jump) return found;
-    if (jump.empty())
-      jump = fmt::format(
-          ": at {:.6g} (SI) it jumps from {:.6g} to {:.6g}, as friction with a dashpot begins to slip; "
-          "choose another restitution or a smaller dashpot",
-          found.value, restitution(below), restitution(above));
-  }
-  const auto [smallest, largest] = std::ranges::minmax_element(samples, {}, &Sample::second);
-  if (jump.empty())
-    jump = fmt::format("; at this angle it must be {:.6g} to {:.6g}", smallest->second, largest->second);
-  throw InputError{fmt::format("a tangential restitution of {} is not reachable by {}{}", e_t, name, jump)};
+  return TangentialSearch{impact, name, e_t}.result();
 }
 
 }  // namespace talus

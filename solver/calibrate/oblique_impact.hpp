@@ -51,14 +51,11 @@ struct ObliqueRebound {
 /// Simulates the impact with the solver: a method that locates events, with local errors of 1e-10. Friction that
 /// sticks again after slip is found at the end of a step of the method, not located: restitutions jump by some 1e-5 as
 /// a parameter changes. Errors: InputError for a law without closed-form impacts, an angle or speed outside the ranges
-/// above, an overlap of more than half the radius, or if the contact does not end.
+/// above, an overlap of more than half the radius, or if the method cannot simulate it, with the reason.
 [[nodiscard]] ObliqueRebound rebound(const ObliqueImpact& impact);
 
 /// Error of the simulated restitutions, normal or tangential, whichever is larger, against rebound(). Errors as above.
 [[nodiscard]] ImpactError rebound_error(const ObliqueImpact& impact, const Integrator& integrator);
-
-/// Returns the friction law with another value of the parameter of that name, which it must have.
-[[nodiscard]] FrictionLaw with_parameter(FrictionLaw law, std::string_view name, double value);
 
 /// A parameter of the friction law that gives a tangential restitution.
 struct TangentialCalibration {

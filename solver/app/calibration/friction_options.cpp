@@ -7,6 +7,7 @@
 
 #include "solver/base/error.hpp"
 #include "solver/calibrate/oblique_impact.hpp"
+#include "solver/laws/parameter.hpp"
 
 namespace talus::app {
 namespace {
@@ -74,8 +75,7 @@ GivenFriction friction_of_options(const CalibrateOptions& options, const Contact
     const std::string option = option_name(parameter.name), text = options.friction.at(parameter.name);
     const bool has_default = parameter.name != "friction" && contains(parameter.range, parameter.value);
     if (!text.empty()) {
-      given.law = with_parameter(given.law, parameter.name,
-                                 parameter_value(option, text, parameter.dimension, parameter.range));
+      set_parameter(given.law, parameter.name, parameter_value(option, text, parameter.dimension, parameter.range));
     } else if (parameter.name != given.sought && !has_default) {
       throw InputError{fmt::format("{}: it is missing; give e.g. {} {}", option, option, example_of(parameter))};
     }

@@ -8,6 +8,7 @@
 
 #include "solver/base/error.hpp"
 #include "solver/io/file/quantity_text.hpp"
+#include "solver/laws/parameter.hpp"
 
 namespace talus::app {
 namespace {
@@ -82,17 +83,6 @@ LawParameter dissipation_of(const ContactLaw& law) {
   const std::vector<LawParameter> parameters = parameters_of(law);
   const auto found = std::ranges::find(parameters, true, &LawParameter::is_dissipation);
   return found == parameters.end() ? LawParameter{} : *found;
-}
-
-void set_parameter(ContactLaw& contact_law, std::string_view name, double value) {
-  std::visit(
-      [&]<class L>(L& law) {
-        const auto fields = L::fields();
-        const auto field = std::ranges::find(fields, name, &Field<L>::name);
-        TALUS_DEMAND(field != fields.end());
-        law.*field->member = value;
-      },
-      contact_law);
 }
 
 std::vector<std::pair<std::string, std::string>> choices_of(const ContactLaw& contact_law) {

@@ -31,9 +31,6 @@ struct LawParameter {
 /// The parameter by which a law dissipates: damping or hysteresis; empty for laws without one.
 [[nodiscard]] LawParameter dissipation_of(const ContactLaw& law);
 
-/// Sets the parameter of that name, which the law must have.
-void set_parameter(ContactLaw& law, std::string_view name, double value);
-
 /// The choices of a law, dashpot and end rule, by their names in scenes.
 [[nodiscard]] std::vector<std::pair<std::string, std::string>> choices_of(const ContactLaw& law);
 

@@ -15,12 +15,12 @@
 #include "solver/app/calibration/law_options.hpp"
 #include "solver/app/calibration/range_table.hpp"
 #include "solver/base/error.hpp"
-#include "solver/base/exit_code.hpp"
 #include "solver/base/progress.hpp"
 #include "solver/calibrate/impact.hpp"
 #include "solver/calibrate/oblique_impact.hpp"
 #include "solver/draw/range_drawing.hpp"
 #include "solver/io/file/quantity_text.hpp"
+#include "solver/laws/parameter.hpp"
 
 namespace talus::app {
 namespace {
@@ -140,7 +140,7 @@ ObliqueCalibration calibrated_oblique(const CalibrateOptions& options) {
     try {
       const TangentialCalibration calibration =
           calibrate_tangential(impact, found.sought, *options.tangential_restitution);
-      impact.friction = with_parameter(impact.friction, found.sought, calibration.value);
+      set_parameter(impact.friction, found.sought, calibration.value);
     } catch (const InputError& error) {
       throw InputError{fmt::format("--tangential-restitution: {}", error.what())};
     }
@@ -293,15 +293,7 @@ void write_files(const ObliqueCalibration& found, const CalibrateOptions& option
 bool gives_oblique(const CalibrateOptions& options) { return !options.angle.empty() || !options.angles.empty(); }
 
 int calibrate_oblique(const CalibrateOptions& options, const DrawingSink& sink) {
-  const UnitSystem units = unit_system(options.units);
-  const ObliqueCalibration found = calibrated_oblique(options);
-  if (options.json) {
-    print_json(found, options);
-  } else {
-    print_text(found, options, units);
-  }
-  if (!options.picture.folder.empty()) write_files(found, options, units, sink);
-  return ok;
+  return report(calibrated_oblique(options), options, sink);
 }
 
 }  // namespace talus::app

@@ -13,13 +13,13 @@
 #include "solver/app/calibration/law_options.hpp"
 #include "solver/app/calibration/range_table.hpp"
 #include "solver/base/error.hpp"
-#include "solver/base/exit_code.hpp"
 #include "solver/base/progress.hpp"
 #include "solver/calibrate/impact.hpp"
 #include "solver/calibrate/impact_range.hpp"
 #include "solver/draw/range_drawing.hpp"
 #include "solver/io/file/quantity_table.hpp"
 #include "solver/io/file/quantity_text.hpp"
+#include "solver/laws/parameter.hpp"
 #include "solver/laws/restitution.hpp"
 
 namespace talus::app {
@@ -296,15 +296,7 @@ bool gives_range(const CalibrateOptions& options) {
 }
 
 int calibrate_range(const CalibrateOptions& options, const DrawingSink& sink) {
-  const UnitSystem units = unit_system(options.units);
-  const RangeCalibration found = calibrated_range(options);
-  if (options.json) {
-    print_json(found, options);
-  } else {
-    print_text(found, options, units);
-  }
-  if (!options.picture.folder.empty()) write_files(found, options, units, sink);
-  return ok;
+  return report(calibrated_range(options), options, sink);
 }
 
 }  // namespace talus::app

@@ -5,6 +5,9 @@
 #include <vector>
 
 #include "solver/app/calibration/calibrate_options.hpp"
+#include "solver/base/exit_code.hpp"
+#include "solver/base/units.hpp"
+#include "solver/draw/drawing.hpp"
 #include "solver/io/file/quantity_table.hpp"
 
 namespace talus::app {
@@ -26,5 +29,20 @@ void print_table(const std::vector<QuantityColumn>& table, const UnitSystem& uni
 /// printed, unless the output is JSON. Errors: IoError.
 void write_table(const std::vector<QuantityColumn>& table, const CalibrateOptions& options, const UnitSystem& units,
                  DrawingRequest drawing, const DrawingSink& sink);
+
+/// Prints a calibration, as JSON or as a text in the units of the options, by its own print_json and print_text. With
+/// a folder in the options, its write_files writes its table. Returns the exit code. Errors: InputError for unknown
+/// units; IoError.
+template <class Calibration>
+[[nodiscard]] int report(const Calibration& found, const CalibrateOptions& options, const DrawingSink& sink) {
+  const UnitSystem units = unit_system(options.units);
+  if (options.json) {
+    print_json(found, options);
+  } else {
+    print_text(found, options, units);
+  }
+  if (!options.picture.folder.empty()) write_files(found, options, units, sink);
+  return ok;
+}
 
 }  // namespace talus::app

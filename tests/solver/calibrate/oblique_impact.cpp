@@ -3,6 +3,7 @@
 
 #include <boost/test/unit_test.hpp>
 #include <cmath>
+#include <cstdlib>
 #include <numbers>
 #include <string>
 #include <utility>
@@ -10,6 +11,7 @@
 
 #include "solver/base/error.hpp"
 #include "solver/calibrate/impact.hpp"
+#include "solver/laws/parameter.hpp"
 
 using namespace talus;
 
@@ -85,7 +87,7 @@ BOOST_AUTO_TEST_CASE(each_parameter_is_found_again) {
     const TangentialCalibration found = calibrate_tangential(impact, name, wanted);
     BOOST_TEST(std::abs(found.rebound.tangential_restitution - wanted) < 1e-4);
     ObliqueImpact again = impact;
-    again.friction = with_parameter(impact.friction, name, found.value);
+    set_parameter(again.friction, name, found.value);
     BOOST_TEST(rebound(again).tangential_restitution == found.rebound.tangential_restitution);
   }
 }
@@ -118,4 +120,42 @@ BOOST_AUTO_TEST_CASE(impossible_oblique_impacts_are_refused) {
   BOOST_CHECK_EXCEPTION(
       (void)rebound(stuck), InputError,
       says("so strong a damping never lets the contact end; choose a smaller one, or the clamped end rule"));
+}
+
+// With so strong a dashpot the stretch of Mindlin's friction, which does not slip at touch, changes at a rate without
+// limit there.
+BOOST_AUTO_TEST_CASE(an_impact_that_cannot_be_simulated_is_refused_with_the_reason) {
+  ObliqueImpact impact = impact_of(50.0, 1.0, 0.35);
+  Hertz hertz;
+  hertz.modulus = 1e9, hertz.radius = 0.01, hertz.damping = 19.2;
+  impact.law = hertz, impact.friction = Mindlin{50.0, 1e9, 0.01, 1e5};
+  impact.second = sphere(1e-3, 0.01);
+  BOOST_CHECK_EXCEPTION((void)rebound(impact), InputError, [](const InputError& error) {
+    return std::string{error.what()}.starts_with(
+        "the impact cannot be simulated; choose a smaller friction or dashpot: more than ");
+  });
+}
+
+// Friction with a dashpot begins to slip: the restitutions on both sides of that value differ.
+BOOST_AUTO_TEST_CASE(a_jump_past_the_wanted_restitution_is_an_error_with_both_sides) {
+  ObliqueImpact impact = impact_of(0.2, 0.3, 20.0 * std::numbers::pi / 180.0);
+  impact.law = LinearSpringDashpot{2e14, 2.9e6, EndRule::clamped};
+  std::get<CoulombFriction>(impact.friction).damping = 6.3e5;
+  std::string message;
+  try {
+    (void)calibrate_tangential(impact, "friction", 0.5);
+  } catch (const InputError& error) {
+    message = error.what();
+  }
+  BOOST_TEST_REQUIRE(message.starts_with("a tangential restitution of 0.5 is not reachable by friction: at "));
+  const auto number_after = [&](const std::string& text) {
+    return std::strtod(message.c_str() + message.find(text) + text.size(), nullptr);
+  };
+  const double value = number_after("friction: at "), above = number_after("from "), below = number_after(" to ");
+  BOOST_TEST(above > 0.5 + 1e-4);
+  BOOST_TEST(below < 0.5 - 1e-4);
+  for (const auto& [factor, expected] : {std::pair{1.0 - 1e-5, above}, {1.0 + 1e-5, below}}) {
+    set_parameter(impact.friction, "friction", factor * value);
+    BOOST_TEST(std::abs(rebound(impact).tangential_restitution - expected) < 3e-3);
+  }
 }
