@@ -103,8 +103,7 @@ class ContactMonitor {
 using Simulated = std::variant<ObliqueRebound, std::string>;
 
 /// The rebound with this step.
-Simulated simulated(const ObliqueImpact& impact, double contact_time, double step, double lead,
-                                        Integrator integrator) {
+Simulated simulated(const ObliqueImpact& impact, double contact_time, double step, double lead, Integrator integrator) {
   const ObliqueScene made = scene_of(impact, contact_time, step, lead, integrator);
   const Dynamics dynamics{made.scene.model};
   RigidBodySystem system{dynamics, false};

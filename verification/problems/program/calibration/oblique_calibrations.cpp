@@ -337,8 +337,9 @@ void expect_all(Findings& findings, const Worst& worst) {
       "tangential restitution where the contact sticks for a fraction s < 0.01 of the contact time, less "
       "1 - mu (1 + e)/tan(angle), over the share of s, largest",
       worst.sliding, 0.0,
-      Tolerance::model(1.0, "while it sticks, at the start, the force is between 0 and mu N, and N less than its mean: "
-                            "the impulse lacks at most s of itself; and 3e-5 for the overlap"));
+      Tolerance::model(1.0,
+                       "while it sticks, at the start, the force is between 0 and mu N, and N less than its mean: "
+                       "the impulse lacks at most s of itself; and 3e-5 for the overlap"));
   findings.expect("printed numbers over those of JSON, largest deviation from 1", worst.printed, 0.0,
                   Tolerance::model(5.1e-9, "nine digits are printed, six in tables (a thousandth of their deviation)"));
   findings.expect("numbers of calibration.csv over those of JSON, largest deviation from 1", worst.csv, 0.0,
