@@ -97,7 +97,7 @@ struct ChangedColumn {
              {"y_bottom", dimension::length, &F::y_bottom, Range::any, "bottom joint, < 0 below the centroid"}}};
   }
   static constexpr std::array<CountField<ChangedColumn>, 1> counts() {
-    return {{{"place", &ChangedColumn::number, 1, 1000, "place from the centre outwards"}}};
+    return {{{"number", &ChangedColumn::number, 1, 1000, "number of the column, from the centre outwards"}}};
   }
 
   friend bool operator==(const ChangedColumn&, const ChangedColumn&) = default;

@@ -91,11 +91,11 @@ void MissingContacts::serialize(Archive& archive) {
       if (returned_[p]) returned.push_back(static_cast<double>(p));
     }
   }
-  archive.list("places", positions);
+  archive.list("positions", positions);
   archive.list("returned", returned);
   if (!archive.is_loading()) return;
   if (!positions.empty() && (!is_checked() || positions.size() != rows.size() * bodies))
-    throw InputError{fmt::format("places: found {} numbers; there are {} bodies", positions.size(), bodies)};
+    throw InputError{fmt::format("positions: found {} numbers; there are {} bodies", positions.size(), bodies)};
   for (const double p : returned) {
     if (!(p >= 0.0 && p < static_cast<double>(returned_.size()) && p == std::floor(p)))
       throw InputError{fmt::format("returned: found {}; there are {} pairs", p, returned_.size())};

@@ -48,7 +48,7 @@ void fields(auto& f, Like<Line> auto& line) {
 void fields(auto& f, Like<Mark> auto& mark) {
   f.value("x", mark.x);
   f.value("y", mark.y);
-  f.nonempty_text("words", mark.text);
+  f.nonempty_text("text", mark.text, "words");
 }
 
 void fields(auto& f, Like<Scale> auto& scale) {

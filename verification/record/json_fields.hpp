@@ -73,7 +73,7 @@ class Writer {
       json.push_back(std::move(writer.json_));
     }
   }
-  void nonempty_text(const char* key, const std::string& value) { json_[key] = value; }
+  void nonempty_text(const char* key, const std::string& value, const char* = nullptr) { json_[key] = value; }
   void file_name(const char* key, const std::string& value) { json_[key] = value; }
   void number(const char* key, double value) { json_[key] = json_number(value); }
   void number_or_null(bool known, const char* key, double value) {
@@ -155,7 +155,11 @@ class Reader {
       list_of_fields(reader, values.emplace_back());
     }
   }
-  void nonempty_text(const char* key, std::string& value) const { value = node_.at(key).nonempty_text(); }
+  /// `former`: the key in earlier files.
+  void nonempty_text(const char* key, std::string& value, const char* former = nullptr) const {
+    const bool is_former = former != nullptr && !node_.has(key) && node_.has(former);
+    value = node_.at(is_former ? former : key).nonempty_text();
+  }
   void file_name(const char* key, std::string& value) const { value = node_.at(key).file_name(); }
   /// A number that may be non-finite.
   void number(const char* key, double& value) const { value = node_.at(key).number(); }

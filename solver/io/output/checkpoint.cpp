@@ -14,7 +14,7 @@
 namespace talus {
 namespace {
 
-constexpr int schema = 3;
+constexpr int schema = 4;
 constexpr std::string_view hash_line = "\"fnv1a\": ";
 
 nlohmann::json item(const std::vector<double>& numbers) {

@@ -204,12 +204,12 @@ void check_changed(const std::vector<SceneTable>& tables, const Fence& fence) {
   for (std::size_t i = 0; i < columns.size(); ++i) {
     const int number = columns[i].number;
     if (const int maximum = columns_of_half(fence); number > maximum) {
-      tables[i].report("place", fmt::format("found {}; it must be in 1 .. {}", number, maximum));
+      tables[i].report("number", fmt::format("found {}; it must be in 1 .. {}", number, maximum));
     }
     if (!(columns[i].y_top > columns[i].y_bottom)) tables[i].report("y_top", "it must be above the bottom joint");
     const auto before = columns.begin() + static_cast<std::ptrdiff_t>(i);
     if (std::ranges::find(columns.begin(), before, number, &scenes::ChangedColumn::number) != before)
-      tables[i].report("place", fmt::format("found {} again; each place can be changed once", number));
+      tables[i].report("number", fmt::format("found {} again; each column can be changed once", number));
   }
 }
 

@@ -197,10 +197,10 @@ BOOST_AUTO_TEST_CASE(checkpoints_that_are_refused) {
   const std::string prefix = "talus: " + file.string() + ": ";
   const std::string hash = good.substr(good.rfind(": \"") + 3, 16);
   const std::string remedy =
-      "it must be 3: resume the run with the version of talus that wrote it, or run the scene again\n";
+      "it must be 4: resume the run with the version of talus that wrote it, or run the scene again\n";
   const std::vector<std::pair<std::string, std::string>> wrong{
-      {replaced(good, "\"schema\": 3", "\"schema\": 2"), "schema: found 2; " + remedy},
-      {replaced(good, "\"schema\": 3,\n", ""), "schema: found nothing; " + remedy},
+      {replaced(good, "\"schema\": 4", "\"schema\": 3"), "schema: found 3; " + remedy},
+      {replaced(good, "\"schema\": 4,\n", ""), "schema: found nothing; " + remedy},
       {replaced(good, "\"talus\": \"", "\"talus\": \"9"), "talus: found \"9"},
       {replaced(good, "\"steps\": 500", "\"steps\": 501"), "fnv1a: found \"" + hash + "\"; it must be \""},
       {good.substr(0, good.size() / 2),

@@ -309,7 +309,7 @@ fixed_point = ["0 m", "0 m"]
 bar_length = "0 m"
 held = ["x", "y", "rotation"]
 [[fence.changed_column]] # fence changed_column
-place = 3
+number = 3
 a = "0.3 m"
 b = "1.1 m"
 density = "150 kg/m^3"

@@ -85,7 +85,7 @@ BOOST_AUTO_TEST_CASE(fence) {
              {"shape = \"ellipse\"", "shape = \"elipse\"", ": fence: rock 2: shape: found \"elipse\""},
              {"solid = \"cylinder\"", "solid = \"cylindre\"", ": fence: column: solid: found \"cylindre\""},
              {"held = [\"x\", \"y\", \"rotation\"]", "held = [\"z\"]", ": fence: ground: held: found \"z\""},
-             {"place = 3", "place = 0", ": fence: changed_column 1: place: found 0"},
+             {"number = 3", "number = 0", ": fence: changed_column 1: number: found 0"},
              {"cable = \"top1\"", "cable = 1", ": fence: stretched_cable 1: cable: found 1"},
              {"contact = \"resultant\"", "contact = \"resultants\"", ": fence: options: contact: found \"resultants\""},
              {"integrator = \"stormer_cowell\"", "integrator = \"stormer\"",
@@ -108,7 +108,7 @@ BOOST_AUTO_TEST_CASE(fence_whose_numbers_do_not_go_together) {
              {"along = \"0 m\"", "along = \"30 m\"", ": fence: rock 1: along: found 30 m"},
              {"solid = \"cylinder\"", "solid = \"block\"", ": fence: column: solid: found 1 (block)"},
              {"history_elements = [2, 3]", "history_elements = [2, 99]", ": fence: history_elements: found 99"},
-             {"place = 3", "place = 99", ": fence: changed_column 1: place: found 99"},
+             {"number = 3", "number = 99", ": fence: changed_column 1: number: found 99"},
              {"exit_x = \"-3 m\"", "exit_x = \"1 m\"", ": fence: rock 1: position: found x = 0.9 m"}});
 }
 

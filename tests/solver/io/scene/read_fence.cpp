@@ -193,7 +193,7 @@ BOOST_AUTO_TEST_CASE(wrong_parts_beyond_the_deck) {
   };
   says("symmetry = \"full\"", "symmetry = \"half\"", "along: found -3.75 ft; it must be 0 in the half model");
   says("along = \"-3.75 ft\"", "along = \"-37 ft\"", "within 16.25 ft of mid-span");
-  says("place = 2", "place = 8", "place: found 8; it must be in 1 .. 7");
+  says("number = 2", "number = 8", "number: found 8; it must be in 1 .. 7");
   says("hanger_strength = \"20000 lbf\"", "hanger_strength = \"20000 lb\"", "it must be a force");
   says("hardening = 0.02", "hardening = 1.0", "hardening");
   says("\"top1\"", "\"tap1\"", "nearest: top1");

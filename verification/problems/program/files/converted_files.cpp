@@ -202,7 +202,7 @@ std::string scene_with_options(const std::string& last) {
                                        "shape = \"superquadric\"\nexponent = 5.5\nposition = [\"0 ft\", \"0 ft\"]\n") +
          R"(
 [[fence.changed_column]]
-place = 3
+number = 3
 a = "0.75 ft"
 b = "4.15 ft"
 density = "0.45 slug/ft^3"
