@@ -206,19 +206,26 @@ class TangentialSearch {
 
   /// Errors: InputError with the reason, if no value gives the restitution.
   TangentialCalibration result() {
-    if (const auto found = root_of_samples()) return *found;
-    add_extremes();
+    sample();
+    add_near_extremes();
+    if (const auto found = first_root()) return *found;
+    for (const double sign : {1.0, -1.0}) {
+      const auto best = std::ranges::min_element(samples_, {}, [sign](const Sample& of) { return sign * of.second; });
+      if (best != samples_.begin() && best + 1 != samples_.end()) add_extreme(best, sign);
+    }
     if (const auto found = first_root()) return *found;
     throw InputError{refusal()};
   }
 
  private:
-  /// Samples the span, and returns the smallest root between its samples. These end at a value that the method cannot
-  /// simulate: a spring that is soft beside its dashpot relaxes without end; friction by Mindlin's law that is too
-  /// strong to slip at touch has a stretch whose rate is infinite there. Stiffnesses are sampled from the largest one
-  /// on, other parameters from the smallest up to the first root: impacts with a strong dashpot take long. Errors:
-  /// InputError if not even the first value can be simulated.
-  std::optional<TangentialCalibration> root_of_samples() {
+  using Samples = std::vector<Sample>;
+
+  /// Samples the span. The samples end at a value that the method cannot simulate: a spring that is soft beside its
+  /// dashpot relaxes without end; friction by Mindlin's law that is too strong to slip at touch has a stretch whose
+  /// rate is infinite there. Stiffnesses are sampled from the largest one on, other parameters from the smallest up to
+  /// the first root: impacts with a strong dashpot take long. Errors: InputError if not even the first value can be
+  /// simulated.
+  void sample() {
     constexpr double values_a_decade = 12.0;
     const Span span = span_of(impact_, name_, contact_time_);
     const int count = static_cast<int>(std::ceil(values_a_decade * std::log10(span.largest / span.smallest)));
@@ -232,25 +239,30 @@ class TangentialSearch {
       const Simulated found = located(with(value), contact_time_);
       if (!std::holds_alternative<ObliqueRebound>(found)) break;
       samples_.emplace_back(value, std::get<ObliqueRebound>(found).tangential_restitution);
-      if (!span.has_zero) continue;
-      if (const auto root = root_between(*(samples_.end() - 2), samples_.back())) return root;
+      if (span.has_zero && root_between(*(samples_.end() - 2), samples_.back())) break;
     }
-    if (span.has_zero) return {};
-    std::ranges::reverse(samples_);
-    return first_root();
+    if (!span.has_zero) std::ranges::reverse(samples_);
   }
 
-  /// Inserts the extremes between the samples.
-  void add_extremes() {
+  /// Inserts the extremes between samples that may reach the restitution where the samples do not. An extreme exceeds
+  /// the sample next to it by less than this one exceeds its neighbours.
+  void add_near_extremes() {
+    for (std::size_t i = 1; i + 1 < samples_.size(); ++i) {
+      const double value = samples_[i].second, sign = value > wanted_ ? 1.0 : -1.0;
+      const double before = sign * (samples_[i - 1].second - value), after = sign * (samples_[i + 1].second - value);
+      if (std::min(before, after) < 0.0 || std::abs(value - wanted_) > std::max(before, after)) continue;
+      add_extreme(samples_.begin() + static_cast<Samples::difference_type>(i), sign);
+      ++i;
+    }
+  }
+
+  /// Inserts the extreme beside the sample `best`: a minimum for sign 1, a maximum for -1.
+  void add_extreme(Samples::const_iterator best, double sign) {
     // The restitution at an extreme differs by the square of the error of its value.
     constexpr int bits = 14;
-    for (const double sign : {1.0, -1.0}) {
-      const auto best = std::ranges::min_element(samples_, {}, [sign](const Sample& of) { return sign * of.second; });
-      if (best == samples_.begin() || best + 1 == samples_.end()) continue;
-      const auto [value, smallest] = boost::math::tools::brent_find_minima(
-          [&](double x) { return sign * restitution(x); }, (best - 1)->first, (best + 1)->first, bits);
-      samples_.insert(value < best->first ? best : best + 1, {value, sign * smallest});
-    }
+    const auto [value, smallest] = boost::math::tools::brent_find_minima(
+        [&](double x) { return sign * restitution(x); }, (best - 1)->first, (best + 1)->first, bits);
+    samples_.insert(value < best->first ? best : best + 1, {value, sign * smallest});
   }
 
   /// The smallest value between samples that gives the restitution; none if there is none, or only jumps past it.
@@ -306,7 +318,7 @@ class TangentialSearch {
   std::string_view name_;
   double wanted_;
   double contact_time_;
-  std::vector<Sample> samples_;  ///< in increasing order of the values
+  Samples samples_;  ///< in increasing order of the values
 };
 
 }  // namespace

@@ -35,7 +35,7 @@ void refuse_other_options(const CalibrateOptions& options) {
   }
   for (const auto& [name, value] : options.parameters) {
     const auto fields = L::fields();
-    const bool has = std::any_of(fields.begin(), fields.end(), [&](const auto& field) { return field.name == name; });
+    const bool has = std::ranges::find(fields, std::string_view{name}, &Field<L>::name) != fields.end();
     if (!value.empty() && !has) refuse(option_name(name));
   }
 }

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <limits>
 #include <nlohmann/json.hpp>
 #include <numbers>
 #include <optional>
@@ -31,7 +32,8 @@ struct ObliqueCalibration {
   std::string sought;                     ///< parameter of the friction that was found; empty: none
   std::optional<ObliqueRebound> rebound;  ///< at --angle
   std::vector<QuantityColumn> table;      ///< at --angles; may be empty
-  double undamped_time{};                 ///< shortest contact time without dashpot
+  /// Shortest contact time of these impacts without dashpot.
+  double undamped_time{std::numeric_limits<double>::infinity()};
   StepOfImpact step;
 };
 
@@ -147,9 +149,9 @@ ObliqueCalibration calibrated_oblique(const CalibrateOptions& options) {
   }
   impact.friction = with_explicit_dashpot(impact.friction, impact.law);
   CommonStep step{options.bound};
-  const double m = impact.effective_mass(), v = impact.approach_speed();
-  found.undamped_time = known_impact(with_dissipation(impact.law, 0.0), m, v).contact_time;
   if (!options.angle.empty()) {
+    const double m = impact.effective_mass(), v = impact.approach_speed();
+    found.undamped_time = known_impact(with_dissipation(impact.law, 0.0), m, v).contact_time;
     found.rebound = rebound(impact);
     static_cast<void>(step.require(rebound_error(impact, integrator), known_impact(impact.law, m, v).contact_time));
   }

@@ -92,6 +92,15 @@ BOOST_AUTO_TEST_CASE(each_parameter_is_found_again) {
   }
 }
 
+// Without slip the slip rate returns to itself after a whole period of the tangential spring, n k_s = 4 k: e_t is 1,
+// and less at the samples beside it. At n k_s = 16 k it is 1 again, near a sample: the smaller value must be found.
+BOOST_AUTO_TEST_CASE(values_at_an_extreme_between_samples_are_found) {
+  const ObliqueImpact impact = impact_of(20.0, 1.0, 0.1);
+  const TangentialCalibration found = calibrate_tangential(impact, "shear_stiffness", 0.9998);
+  BOOST_TEST(std::abs(found.rebound.tangential_restitution - 0.9998) < 1e-4);
+  BOOST_TEST(std::abs(found.value / 2e14 - 4.0 / 3.5) < 0.05);
+}
+
 BOOST_AUTO_TEST_CASE(steps_are_accurate_for_both_restitutions) {
   const ObliqueImpact impact = impact_of(0.2, 0.5, 0.5);
   const ImpactError error = rebound_error(impact, make_integrator("velocity_verlet"));

@@ -163,8 +163,8 @@ Scene stiffer(const char* file, double factor, const Setup& setup) {
 void check_stiffness(Findings& findings, const Setup& setup) {
   const auto group = findings.in("stiffness");
   for (const auto& [name, file] : {std::pair{"block", "sliding_block.toml"}, {"disc", "rolling_disc.toml"}}) {
-    const auto evaluations = [&](double factor) {
-      return static_cast<double>(ended(stiffer(file, factor, setup), 1e-10, findings).evaluations);
+    const auto evaluations = [&, scene = file](double factor) {
+      return static_cast<double>(ended(stiffer(scene, factor, setup), 1e-10, findings).evaluations);
     };
     const auto [fewest, maximum] = std::minmax({evaluations(0.1), evaluations(1.0), evaluations(100.0)});
     group->expect_between(

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
+#include <limits>
 #include <numbers>
 #include <string>
 #include <vector>
@@ -148,6 +149,7 @@ void compare_table(const Program& program, const ObliqueRequest& request, Worst&
       talus_output(program.folder(), with_options({"calibrate"}, joined(options, {{"--json", {}}}), setup), recorded));
   const Json& rows = json.at("angles");
   differ.compare("number of angles", rows.size(), count);
+  double shortest = std::numeric_limits<double>::infinity();
   for (std::size_t i = 0; i < std::min(rows.size(), count); ++i) {
     // The fault takes the last angle for the one before it.
     const std::size_t index = setup.has("last_angle_lost") ? std::min(i, count - 2) : i;
@@ -157,6 +159,7 @@ void compare_table(const Program& program, const ObliqueRequest& request, Worst&
     keep_worst(worst.table, rows.at(i).at("angle").get<double>() - at.angle);
     keep_worst(worst.table, rows.at(i).at("approach_speed").get<double>() / at.approach_speed() - 1.0);
     compare_rebound(rows.at(i), exact, at, setup, worst);
+    shortest = std::min(shortest, exact.undamped_time);
     if (exact.sticking < 0.01) {
       ++worst.sliding_rows;
       const double lost =
@@ -165,6 +168,7 @@ void compare_table(const Program& program, const ObliqueRequest& request, Worst&
                                     (exact.sticking * lost + 3e-5));
     }
   }
+  keep_worst(worst.undamped, json.at("shortest_undamped_contact_time").get<double>() / shortest - 1.0);
   const std::string printed = talus_output(program.folder(), with_options({"calibrate"}, options, setup), recorded);
   differ.compare("names of files",
                  printed.find("angles/calibration.csv\nangles/calibration.svg\n") != std::string::npos, true);
