@@ -11,7 +11,7 @@ namespace {
 using Json = nlohmann::ordered_json;
 using records::json_number;
 
-Json vector(Vec2 value) { return Json::array({json_number(value.x), json_number(value.y)}); }
+Json components(Vec2 value) { return Json::array({json_number(value.x), json_number(value.y)}); }
 
 Json outcome(const Outcome& outcome) {
   constexpr std::array kinds{"finished", "stopped", "diverged"};
@@ -49,8 +49,8 @@ Json ledger(const RunRecord& record) {
           {"energy_balance_error", json_number(accounts.energy_balance_error)},
           {"largest_energy_balance_error", json_number(record.largest_energy_balance_error)},
           {"energy_scale", json_number(record.energy_scale)},
-          {"momentum", vector(accounts.momenta.linear)},
-          {"momentum_balance_error", vector(accounts.momentum_balance_error)},
+          {"momentum", components(accounts.momenta.linear)},
+          {"momentum_balance_error", components(accounts.momentum_balance_error)},
           {"angular_momentum", json_number(accounts.momenta.angular)},
           {"angular_momentum_balance_error", json_number(accounts.angular_momentum_balance_error)}};
 }
@@ -104,9 +104,9 @@ Json bodies(const RunRecord& record) {
   Json json = Json::array();
   for (const BodyState& body : record.bodies) {
     json.push_back({{"name", body.name},
-                    {"position", vector(body.p)},
+                    {"position", components(body.p)},
                     {"angle", json_number(body.angle)},
-                    {"velocity", vector(body.v)},
+                    {"velocity", components(body.v)},
                     {"spin", json_number(body.spin)}});
   }
   return json;
@@ -131,9 +131,9 @@ Json verdict(const RunRecord& record) {
                      {"last_contact_time", rock.touched ? Json(json_number(rock.exit_time)) : Json(nullptr)},
                      {"still_touching", rock.touched && !rock.left},
                      {"approach_energy", json_number(rock.approach_energy)},
-                     {"velocity_after", rock.left ? vector(rock.exit_velocity) : Json(nullptr)},
+                     {"velocity_after", rock.left ? components(rock.exit_velocity) : Json(nullptr)},
                      {"energy_after", rock.left ? Json(json_number(rock.exit_energy)) : Json(nullptr)},
-                     {"velocity_at_end", vector(rock.end_velocity)},
+                     {"velocity_at_end", components(rock.end_velocity)},
                      {"energy_at_end", json_number(rock.end_energy)}});
   }
   Json json{{"fence", name_of(fence.verdict())}, {"rocks", std::move(rocks)}};
