@@ -47,7 +47,7 @@ mustache::data front(const Results& results, const Drawn& drawn) {
   values.set("verdict", holds(results) ? "PASS" : "FAIL");
   values.set("counts", fmt::format("{} cases: {} passed, {} failed. {} checks: {} failed, {} slack ({} exact or "
                                    "round-off ones are exempt from that rule). {} negative controls: "
-                                   "{} failed.",
+                                   "{} not red or not judged.",
                                    c.cases, c.passed, c.failed, c.checks, c.checks_failed, c.slack, c.exempt,
                                    c.controls, c.controls_failed));
   const std::string left_out = unselected(results);

@@ -8,6 +8,7 @@
 
 #include "reports/pages/page_cells.hpp"
 #include "reports/text/markdown.hpp"
+#include "verification/record/failed_cases.hpp"
 
 namespace talus::reports {
 namespace {
@@ -90,15 +91,15 @@ std::string failures(const Results& results) {
   Rows checks;
   Rows controls;
   std::string others;
+  for (const auto& [record, failed] : records::failed_cases(results.records))
+    for (const Check* check : failed)
+      checks.push_back({case_link(*record), name_with_unit(*check), measured_text(*check), reference_text(*check),
+                        margin_text(*check), reason(*check)});
   for (const Record& record : results.records) {
-    for (const Check& check : record.checks) {
-      if (check.pass) continue;
-      checks.push_back({case_link(record), name_with_unit(check), measured_text(check), reference_text(check),
-                        margin_text(check), reason(check)});
-    }
     for (const Control& control : record.controls) {
       if (control.pass()) continue;
-      controls.push_back({case_link(record), cell(control.name), cell(control.turns_red), name_of(Colour::red),
+      controls.push_back({case_link(record), cell(control.name), cell(control.turns_red),
+                          fmt::format("**{}**", name_of(control.unplanted)),
                           fmt::format("**{}**", name_of(control.observed)), cell(control.what)});
     }
     if (record.status != Status::pass && !record.message.empty()) {
@@ -113,13 +114,18 @@ std::string failures(const Results& results) {
     text +=
         markdown::table(
             {{"case"}, {"check"}, {"measured", true}, {"reference", true}, {"error/bound", true}, {"why the bound"}},
-            checks, "Checks that failed.") +
+            checks,
+            "Checks that failed. First the case with the largest finite error/bound: what fails below may follow from "
+            "it.") +
         "\n";
   }
   if (!controls.empty()) {
-    text += markdown::table({{"case"}, {"control"}, {"turns red"}, {"expected"}, {"observed"}, {"the planted fault"}},
-                            controls, "Controls that did not turn their check red.") +
-            "\n";
+    text +=
+        markdown::table(
+            {{"case"}, {"control"}, {"turns red"}, {"without the fault"}, {"with it"}, {"the planted fault"}}, controls,
+            "Controls that did not turn their check from green to red. If it is red without the fault, "
+            "too, the control is not judged: repair the check first.") +
+        "\n";
   }
   return text;
 }

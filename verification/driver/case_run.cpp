@@ -170,8 +170,10 @@ Record unfinished(const Case& verification_case, Status status, const std::strin
 
 void judge(const Case& verification_case, Record& record) {
   const auto failed = std::count_if(record.checks.begin(), record.checks.end(), [](const Check& c) { return !c.pass; });
-  const auto unshown =
-      std::count_if(record.controls.begin(), record.controls.end(), [](const Control& c) { return !c.pass(); });
+  const auto unshown = std::count_if(record.controls.begin(), record.controls.end(),
+                                     [](const Control& c) { return !c.pass() && c.is_judged(); });
+  const auto unjudged =
+      std::count_if(record.controls.begin(), record.controls.end(), [](const Control& c) { return !c.is_judged(); });
   record.message.clear();
   if (record.checks.empty()) record.message = "no check was made";
   if (record.controls.empty())
@@ -180,6 +182,10 @@ void judge(const Case& verification_case, Record& record) {
   if (unshown > 0) {
     record.message += fmt::format("{}{} of {} controls did not turn red", record.message.empty() ? "" : "; ", unshown,
                                   record.controls.size());
+  }
+  if (unjudged > 0) {
+    record.message += fmt::format("{}{} of {} controls are not judged, as their checks fail without the fault",
+                                  record.message.empty() ? "" : "; ", unjudged, record.controls.size());
   }
   // Without any check all of them are missing, which the message already says.
   const std::string message = missing_checks(record, verification_case.data_set.empty());

@@ -7,12 +7,17 @@
 #include <cmath>
 #include <cstdio>
 #include <cstdlib>
+#include <ranges>
 #include <utility>
+
+#include "verification/record/failed_cases.hpp"
 
 namespace talus::verification {
 
 namespace {
 
+/// Number of failed checks of a case that are printed, the most urgent first.
+constexpr std::size_t maximum_lines = 8;
 constexpr const char* green = "\x1b[32m";
 constexpr const char* red = "\x1b[31m";
 constexpr const char* plain = "\x1b[0m";
@@ -27,8 +32,7 @@ std::string with_unit(double value, const std::string& unit) {
 }
 
 /// Measure of how bad a check is: a failed one is worse than a passed one with the same ratio, where rounding makes
-/// both
-/// 1. NaN counts as the largest.
+/// both 1. NaN counts as the largest.
 std::pair<bool, double> badness(const Check& check) {
   return {!check.pass, std::isnan(check.margin) ? HUGE_VAL : check.margin};
 }
@@ -40,15 +44,12 @@ const Check* worst(const std::vector<Check>& checks) {
   return found == checks.end() ? nullptr : &*found;
 }
 
-/// The failed check with the largest error/bound and its record; null pointers if none failed.
-std::pair<const Record*, const Check*> worst_failed(const std::vector<Record>& records) {
-  std::pair<const Record*, const Check*> farthest{};
-  for (const Record& record : records) {
-    const Check* const check = worst(record.checks);
-    if (check == nullptr || check->pass) continue;
-    if (farthest.second == nullptr || badness(*check) > badness(*farthest.second)) farthest = {&record, check};
-  }
-  return farthest;
+/// Names of the controls of a failed case that are not judged.
+std::string unjudged_controls(const Record& record) {
+  std::string names;
+  for (const Control& control : record.controls)
+    if (!control.is_judged()) names += (names.empty() ? "" : ", ") + control.name;
+  return names;
 }
 
 }  // namespace
@@ -94,12 +95,18 @@ void Terminal::report(const Record& record, const std::vector<std::string>& runn
              painted(fmt::format("{:<7}", name_of(record.status)), pass ? green : red), record.id, record.checks.size(),
              record.controls.size(), reused ? "as before" : fmt::format("{:.2f} s", record.seconds), margin);
   if (!pass) fmt::print("         {}: {}\n", record.id, record.message);
-  for (const auto& check : record.checks) {
-    if (!check.pass) fmt::print("         {}{}\n", sentence(record.id, check), rounding_text());
+  for (const auto& [of, checks] : records::failed_cases({&record, 1})) {
+    for (const Check* check : checks | std::views::take(maximum_lines))
+      fmt::print("         {}{}\n", sentence(of->id, *check), rounding_text());
+    if (checks.size() > maximum_lines)
+      fmt::print("         and {} more, in its record\n", checks.size() - maximum_lines);
   }
   for (const auto& control : record.controls) {
-    if (!control.pass() && record.status == Status::fail) fmt::print("         {}\n", sentence(record.id, control));
+    if (!control.pass() && control.is_judged() && record.status == Status::fail)
+      fmt::print("         {}\n", sentence(record.id, control));
   }
+  if (const std::string names = unjudged_controls(record); !names.empty())
+    fmt::print("         {}: controls whose checks fail without the fault, too: {}\n", record.id, names);
   std::fflush(stdout);
   show_progress(running);
 }
@@ -125,12 +132,18 @@ void Terminal::summarise(const Results& results, const std::string& results_file
   const std::size_t unselected = results.registered.size() - results.selected.size();
   fmt::print(
       "{}: {} of {} cases passed; {} checks, {} failed, {} slack ({} exact or round-off, exempt from it); {} controls, "
-      "{} not red{}{}\n",
+      "{} not red or not judged{}{}\n",
       painted(pass ? "PASS" : "FAIL", pass ? green : red), counts.passed, counts.cases, counts.checks,
       counts.checks_failed, counts.slack, counts.exempt, counts.controls, counts.controls_failed,
       unselected == 0 ? "" : fmt::format("; {} registered but not selected", unselected), pass ? "" : rounding_text());
-  if (const auto [record, check] = worst_failed(results.records); check != nullptr && counts.checks_failed > 1)
-    fmt::print("worst failed check: {}\n", sentence(record->id, *check));
+  if (const auto failed = records::failed_cases(results.records); counts.checks_failed > 1) {
+    fmt::print("read first: {}\n", sentence(failed.front().record->id, *failed.front().checks.front()));
+    for (const auto& [record, checks] : failed | std::views::drop(1)) {
+      const Check& first = *checks.front();
+      fmt::print("then: {}.{}: error/bound {}\n", record->id, first.name,
+                 records::margin_text(first.margin, first.pass, 3));
+    }
+  }
   if (results.selected.empty()) fmt::print("nothing was run: that is a failure\n");
   fmt::print("results: {}\n", results_file);
   std::fflush(stdout);

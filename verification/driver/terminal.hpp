@@ -25,8 +25,8 @@ class Terminal {
   /// Prints the line of a finished case, followed by its failures.
   void report(const Record& record, const std::vector<std::string>& running, bool reused = false);
 
-  /// Prints the last lines: totals, verdict, the failed check with the largest error/bound, and the location of the
-  /// results.
+  /// Prints the last lines: totals, verdict, of each case with failed checks the one with the largest finite
+  /// error/bound, the largest first, and the location of the results.
   void summarise(const Results& results, const std::string& results_file) const;
 
  private:

@@ -86,6 +86,8 @@ struct Control {
   std::string message{};  ///< Why the check did not fail, or what was thrown after it did.
 
   [[nodiscard]] bool pass() const { return observed == Colour::red && unplanted == Colour::green; }
+  /// Whether the check passes without the fault: if it does not, its colour with the fault shows nothing.
+  [[nodiscard]] bool is_judged() const { return unplanted != Colour::red; }
 };
 
 /// A requirement and the checks that verify it.

@@ -37,7 +37,7 @@ struct Counts {
   std::size_t slack = 0;   ///< Checks with a chosen bound that is more than fifty times the error.
   std::size_t exempt = 0;  ///< Exact and round-off checks, whose bound was not chosen; they are never marked as slack.
   std::size_t controls = 0;
-  std::size_t controls_failed = 0;
+  std::size_t controls_failed = 0;  ///< with those that are not judged
 };
 
 /// The checks of one case that verify a requirement.

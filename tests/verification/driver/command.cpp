@@ -10,6 +10,7 @@
 #include <fstream>
 #include <nlohmann/json.hpp>
 #include <string>
+#include <type_traits>
 #include <vector>
 
 #include "tests/verification/driver/driver_run.hpp"
@@ -68,7 +69,25 @@ BOOST_AUTO_TEST_CASE(the_lines_of_a_failure_give_bound_and_rounding) {
       text.find("wrong.near: measured 1.3, reference 1, bound 0.25, error/bound 1.2 (chosen); rounding upward\n") !=
           std::string::npos,
       text);
-  BOOST_TEST(text.find("; rounding upward\nworst failed check: " + far + "\nresults: ") != std::string::npos, text);
+  BOOST_TEST(text.find("; rounding upward\nread first: " + far + "\nresults: ") != std::string::npos, text);
+}
+
+// An exact check, whose error/bound is infinite, comes after those with a bound.
+BOOST_AUTO_TEST_CASE(failed_cases_are_listed_by_their_largest_finite_error) {
+  const auto with_error = []<int quarters>(const std::string& id, std::integral_constant<int, quarters>) {
+    return synthetic(id, [](Findings& f, const Setup&) {
+      f.expect("count", 1.0, 0.0, Tolerance::exact("counted"));
+      if (quarters > 0) f.expect("far", 0.25 * quarters, 0.0, Tolerance::model(0.25, "chosen"));
+    });
+  };
+  const std::vector<Case> cases{with_error("counted", std::integral_constant<int, 0>{}),
+                                with_error("near", std::integral_constant<int, 2>{}),
+                                with_error("far", std::integral_constant<int, 12>{})};
+  const std::string text = printed(STDOUT_FILENO, [&] { BOOST_TEST(Run(cases, {}).status == 1); });
+  BOOST_TEST(
+      text.find("\nread first: far.far: measured 3, reference 0, bound 0.25, error/bound 12 (chosen)\n"
+                "then: near.far: error/bound 2\nthen: counted.count: error/bound inf\nresults: ") != std::string::npos,
+      text);
 }
 
 BOOST_AUTO_TEST_CASE(no_case_at_all_fails) {

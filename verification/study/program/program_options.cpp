@@ -1,7 +1,6 @@
 #include "verification/study/program/program_options.hpp"
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <filesystem>
@@ -47,9 +46,13 @@ double number_after(const std::string& text, const std::string& before) {
 }
 
 void Differences::expect_none(Findings& findings, const std::string& check, const std::string& why) const {
-  const std::string found = differing_.empty() ? "" : fmt::format(". Differing: {}", fmt::join(differing_, ", "));
-  const double count =
-      compared_ > 0 ? static_cast<double>(differing_.size()) : std::numeric_limits<double>::quiet_NaN();
+  std::string found;
+  int differing = 0;
+  for (const auto& [name, count] : differing_) {
+    found += (found.empty() ? ". Differing: " : ", ") + name + (count > 1 ? fmt::format(" ({})", count) : "");
+    differing += count;
+  }
+  const double count = compared_ > 0 ? static_cast<double>(differing) : std::numeric_limits<double>::quiet_NaN();
   findings.expect(check, count, 0.0, Tolerance::exact(fmt::format("{} comparisons: {}{}", compared_, why, found)));
 }
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <map>
 #include <string>
 #include <utility>
 #include <vector>
@@ -58,7 +59,7 @@ class Differences {
   template <class T>
   void compare(const std::string& name, const T& found, const T& expected) {
     ++compared_;
-    if (!(found == expected)) differing_.push_back(name);
+    if (!(found == expected)) ++differing_[name];
   }
 
   /// Checks that there are none; a red check names them. The check fails if nothing was compared: the loop that was to
@@ -67,7 +68,7 @@ class Differences {
 
  private:
   int compared_{};
-  std::vector<std::string> differing_;
+  std::map<std::string, int> differing_;  ///< number of differences by name
 };
 
 }  // namespace talus::verification::problems
