@@ -11,9 +11,10 @@ namespace talus {
 namespace {
 
 constexpr double maximum_outputs = 1e5, maximum_steps = 1e15;
-/// Largest w2 h on unloading, or at the nominal overlap of a law that is not linear. In a triangular array of discs the
-/// stiffest motion is sqrt(3) times as fast as that of a pair (w^2 = 6 K/m), and a leapfrog is stable below 2.
-constexpr double largest_unloading_phase = 1.0;
+/// Largest w h of a pair: w2 on unloading, or at the nominal overlap of a law that is not linear; w_s of a pair that
+/// sticks. In a triangular array of discs the stiffest motion is sqrt(3) times as fast as that of a pair (w^2 = 6 K/m),
+/// and a leapfrog is stable below 2.
+constexpr double largest_phase = 1.0;
 
 /// Whether the steps of a method leave the restitution unchanged.
 bool is_leapfrog(const DiscMethod& method) { return traits(method).amplitude_growth_rate == 0.0; }
@@ -79,13 +80,21 @@ std::vector<CellError> validation_errors(const ShearCell& cell, const CellPlan& 
   }
   if (cell.largest_stiffness() > cell.stiffness() && is_leapfrog(method)) {
     const double unloading_frequency = std::sqrt(2.0 * cell.largest_stiffness() / cell.mass);
-    if (unloading_frequency * plan.step > largest_unloading_phase) {
+    if (unloading_frequency * plan.step > largest_phase) {
       const std::string why =
           cell.is_linear() ? "contacts open so stiffly"
                            : fmt::format("at an overlap of {:.4g} contacts are so stiff", cell.nominal_overlap());
-      found.push_back(
-          {"step", fmt::format("found {}; {} that {} needs a step of at most {:.4g}, 1/w2 = sqrt(M/(2 K2))", plan.step,
-                               why, plan.integrator, largest_unloading_phase / unloading_frequency)});
+      found.push_back({"step", fmt::format("found {}; {} that {} needs a step of at most {:.4g}, 1/w2 = sqrt(M/(2 K2))",
+                                           plan.step, why, plan.integrator, largest_phase / unloading_frequency)});
+    }
+  }
+  if (cell.friction && is_leapfrog(method)) {
+    // Two solid discs of radius r that stick: the slip rate changes by (2/m + 2 r^2/I) T = 6 T/m.
+    const double sticking_frequency = std::sqrt(6.0 * cell.shear_stiffness() / cell.mass);
+    if (sticking_frequency * plan.step > largest_phase) {
+      found.push_back({"step", fmt::format("found {}; contacts that stick are so stiff along their surface that {} "
+                                           "needs a step of at most {:.4g}, 1/w_s = sqrt(M/(6 k_s))",
+                                           plan.step, plan.integrator, largest_phase / sticking_frequency)});
     }
   }
   const double stepped = stepped_restitution(method, cell.restitution(), cell.loading_frequency() * plan.step);

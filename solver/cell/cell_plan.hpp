@@ -46,8 +46,9 @@ struct CellPlan {
   }
 };
 
-/// All errors that prevent a cell from being run with this plan. A leapfrog requires 10 steps in a contact and, with
-/// laws that are stiffer than while they load, a step of at most 1/w2, w2 = sqrt(2 K2/m). Euler and Taylor may change
+/// All errors that prevent a cell from being run with this plan. A leapfrog requires 10 steps in a contact, with laws
+/// that are stiffer than while they load a step of at most 1/w2, w2 = sqrt(2 K2/m), and with friction one of at most
+/// 1/w_s, w_s = sqrt(6 k_s/m). Euler and Taylor may change
 /// the restitution by 0.05, in a historical run by any amount. This change is known only for the law of 1989: other
 /// laws and friction require leapfrogs.
 [[nodiscard]] std::vector<CellError> validation_errors(const ShearCell& cell, const CellPlan& plan);

@@ -207,6 +207,17 @@ BOOST_AUTO_TEST_CASE(a_scene_file_names_its_law_and_its_friction) {
   BOOST_TEST((*read("restitution = 0.5\nfriction = 0.4").friction == DiscFriction{CoulombFriction{0.4, 1.7e4}}));
   BOOST_TEST((*read("restitution = 0.5\nfriction = 0.4\nshear_stiffness = \"1e4 N/m\"").friction ==
               DiscFriction{CoulombFriction{0.4, 1e4}}));
+  // Two discs that stick oscillate along their surface with w_s^2 = 6 k_s/m: a leapfrog needs w_s h <= 1.
+  const auto with_stiffness = [&](double w_s_h) {
+    const double w_s = w_s_h / 2e-7, mass = read("restitution = 0.5\nfriction = 0.4").mass;
+    return fmt::format("restitution = 0.5\nfriction = 0.4\nshear_stiffness = \"{:.17g} N/m\"", w_s * w_s * mass / 6.0);
+  };
+  BOOST_TEST(read(with_stiffness(0.999)).friction.has_value());
+  const std::string stiff = message(with(toml, "restitution = 0.5", with_stiffness(1.001)), "c.toml");
+  BOOST_TEST(
+      stiff.find("run: step: found \"0.2 us\", in SI: 2.0000000000000002e-07; contacts that stick are so stiff "
+                 "along their surface that euler_cromer needs a step of at most 1.998e-07, ") != std::string::npos,
+      stiff);
 }
 
 BOOST_AUTO_TEST_CASE(fields_that_a_law_does_not_have_are_errors_with_their_line) {
