@@ -154,7 +154,7 @@ void RunMonitor::check_frequency(const Snapshot& snapshot) {
   take(Watched::frequency, step / limit->step, 1.0, scene_->plan.watch.instability, seen, {}, [&] {
     return fmt::format(
         "h omega = {:.4g} > {:.4g}, the linear limit of {} for the mode of {:.4g} rad a unit of time, xi "
-        "{:.3g}, of the springs that act: the motion grows without bound; a step below {:.4g} is stable",
+        "{:.3g}, of the springs that act: the motion grows without bound; the limit of the step is {:.4g}",
         step * limit->mode.frequency, limit->product, name(scene_->integrator), limit->mode.frequency,
         limit->mode.damping_ratio, limit->step);
   });

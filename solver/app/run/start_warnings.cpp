@@ -6,6 +6,7 @@
 #include "solver/stability/inertia_bound.hpp"
 #include "solver/stability/missing_contacts.hpp"
 #include "solver/stability/start_overlaps.hpp"
+#include "solver/stability/step_advice.hpp"
 
 namespace talus::app {
 
@@ -16,6 +17,8 @@ std::string step_warning(std::string_view verdict, std::string_view command) {
 std::vector<std::string> start_warnings(const SceneFile& file, const Dynamics& dynamics) {
   std::vector<std::string> warnings{overlap_warning(start_overlaps(dynamics, file.scene.initial), file.scene.model),
                                     inertia_warning(file.scene.model)};
+  if (file.scene.initial.q.size() <= maximum_watched_coordinates)
+    warnings.push_back(output_warning(file.scene, advise_step(dynamics, file.scene.initial)));
   std::erase(warnings, "");
   return warnings;
 }

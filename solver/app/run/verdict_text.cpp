@@ -146,7 +146,10 @@ class Lines {
     }
     add("quality", text);
     std::string steps = quality.step;
-    if (quality.contact_steps) steps += fmt::format("; {:.0f} steps in the shortest contact", *quality.contact_steps);
+    if (const auto in_contact = quality.contact_steps) {
+      steps += *in_contact < 10.0 ? fmt::format("; {:.2g}", *in_contact) : fmt::format("; {:.0f}", *in_contact);
+      steps += " steps in the shortest contact";
+    }
     if (record_.fence && quality.last_contact && quality.last_contact->touching)
       steps += fmt::format("; {} still touches at the end", quality.last_contact->name);
     add("", steps);

@@ -14,6 +14,7 @@
 #include "solver/run/snapshot.hpp"
 #include "solver/scenes/bouncing_disc.hpp"
 #include "solver/stability/run_monitor.hpp"
+#include "solver/stability/step_advice.hpp"
 
 using namespace talus;
 
@@ -187,6 +188,25 @@ BOOST_AUTO_TEST_CASE(contacts_of_few_steps_are_warned_of_where_they_touch) {
   BOOST_TEST(says(few.front(), "lasts 9.9 steps"));
   for (const std::string& other : run(scene, std::acos(-1.0) / 100.0 / 10.1, 0.7).warnings)
     BOOST_TEST(says(other, "energy balance"));
+}
+
+// A contact of pi sqrt(1/1e10) s: methods that choose their steps see its peak at the steps of the scene only.
+BOOST_AUTO_TEST_CASE(outputs_that_miss_the_peaks_of_contacts_are_warned_of) {
+  Scene scene = shot(1.0);
+  const double time = std::acos(-1.0) * 1e-5;
+  const Dynamics dynamics{scene.model};
+  const auto warning = [&](const char* integrator, double steps) {
+    scene.integrator = make_integrator(integrator, 1e-10);
+    scene.plan.step = time / steps;
+    return output_warning(scene, advise_step(dynamics, scene.initial));
+  };
+  BOOST_TEST(warning("stormer_cowell", 2.01) == "");
+  BOOST_TEST(warning("velocity_verlet", 0.5) == "");
+  BOOST_TEST(
+      warning("stormer_cowell", 0.5) ==
+      "contact 'hit' lasts about 3.14e-05, 0.5 steps of the scene: stormer_cowell takes shorter ones itself, but "
+      "largest overlaps and forces are those at the steps of the scene, and too small; a step of 1.57e-06 gives "
+      "it 20");
 }
 
 BOOST_AUTO_TEST_CASE(a_ledger_that_does_not_close_is_warned_of) {
