@@ -39,12 +39,23 @@ ContactId contact_named(const Model& model, const std::string& name) {
   throw unknown_name("--contact: contact", name, known);
 }
 
-/// Damping ratio of a contact's first law instance.
-double damping_ratio_of(const Scene& scene, ContactId contact) {
-  const Dynamics dynamics{scene.model};
-  const std::vector<std::size_t>& instances = dynamics.layout().contact_instances;
-  const auto first = std::accumulate(instances.begin(), instances.begin() + static_cast<long>(index(contact)), 0UL);
-  return advise_step(dynamics, scene.initial).springs[first].damping_ratio;
+/// Damping ratio of a contact's first law instance; none for laws of which an impact has none, or one that depends on
+/// its speed.
+std::optional<double> damping_ratio_of(const Scene& scene, ContactId contact, double restitution) {
+  return std::visit(
+      [&]<class L>(L law) -> std::optional<double> {
+        if (talus::restitution_varies(law)) return {};
+        if constexpr (HasDampingRatio<L>) {
+          law.set_every_restitution(restitution, 1.0);
+          return law.damping_ratio;
+        }
+        const Dynamics dynamics{scene.model};
+        const std::vector<std::size_t>& instances = dynamics.layout().contact_instances;
+        const auto first =
+            std::accumulate(instances.begin(), instances.begin() + static_cast<long>(index(contact)), 0UL);
+        return advise_step(dynamics, scene.initial).springs[first].damping_ratio;
+      },
+      scene.model.contacts[index(contact)].law);
 }
 
 /// The end rule of a law; empty for laws without one.
@@ -61,7 +72,7 @@ std::optional<EndRule> end_rule_of(const ContactLaw& contact_law) {
 struct SceneCalibration {
   Calibration found;
   Impact impact;  ///< the first impact with the calibrated damping
-  double damping_ratio{};
+  std::optional<double> damping_ratio;
   std::optional<EndRule> end_rule;
   std::string parameter;  ///< by which the law dissipates: damping or hysteresis
   Dimension dimension;    ///< of the parameter
@@ -74,7 +85,6 @@ void print_json(const SceneCalibration& result, const Scene& scene, const std::s
   const UnitSystem& units = scene.model.units;
   nlohmann::ordered_json json{{"contact", contact},
                               {result.parameter, result.found.dissipation * si_size(units, result.dimension)},
-                              {"damping_ratio", result.damping_ratio},
                               {"contact_time", result.impact.contact_time},
                               {"contact_steps", result.contact_steps(scene)},
                               {"largest_overlap", result.impact.largest_overlap * si_size(units, dimension::length)},
@@ -82,6 +92,7 @@ void print_json(const SceneCalibration& result, const Scene& scene, const std::s
                               {"restitution", result.found.restitution},
                               {"runs", result.found.runs},
                               {"units", "SI"}};
+  if (result.damping_ratio) json["damping_ratio"] = *result.damping_ratio;
   if (result.end_rule) json["end_rule"] = name_of(*result.end_rule);
   fmt::print("{}\n", json.dump(2));
 }
@@ -94,7 +105,7 @@ void print_text(const SceneCalibration& result, const Scene& scene, const std::s
   fmt::print("{}: contact '{}' calibrated by {} runs of the scene with {}\n", scene.title, contact, result.found.runs,
              name(scene.integrator));
   line(result.parameter == "damping" ? "damping c" : result.parameter, result.found.dissipation, result.dimension);
-  line("damping ratio xi", result.damping_ratio, dimension::number);
+  if (result.damping_ratio) line("damping ratio xi", *result.damping_ratio, dimension::number);
   line("restitution", result.found.restitution, dimension::number);
   const std::string time = symbol(units, dimension::time);
   fmt::print("  {:<18}{:>16.9g} {}: {} steps, from the last one before the contact to the first one after it\n",
@@ -103,7 +114,7 @@ void print_text(const SceneCalibration& result, const Scene& scene, const std::s
   const std::string_view chosen = ": times at which the method gives states; it chooses shorter steps itself";
   fmt::print("  {:<18}{:>16.9g} {}, of the scene{}\n", "step", scene.plan.step, time,
              chooses_steps(scene.integrator) ? chosen : "");
-  fmt::print("in the scene:\n  {} = \"{:.17g} {}\"\n", result.parameter, result.found.dissipation,
+  fmt::print("in the scene:\n  {} = \"{} {}\"\n", result.parameter, result.found.dissipation,
              symbol(units, result.dimension));
   if (result.end_rule) fmt::print("  end_rule = \"{}\"\n", name_of(*result.end_rule));
 }
@@ -118,7 +129,7 @@ int calibrate_scene(const CalibrateOptions& options) {
   const Scene damped = with_dissipation(scene, contact, result.found.dissipation);
   result.impact = simulate_impact(damped, contact);
   elapsed.reset();
-  result.damping_ratio = damping_ratio_of(damped, contact);
+  result.damping_ratio = damping_ratio_of(damped, contact, *options.restitution);
   const ContactLaw& law = scene.model.contacts[index(contact)].law;
   result.end_rule = end_rule_of(law);
   const LawParameter dissipation = dissipation_of(law);

@@ -45,7 +45,7 @@ struct Impact {
 struct ImpactStep {
   double step{};           ///< [T]
   double restitution{};    ///< mean over the phases at which surfaces can meet and part within a step
-  double largest_error{};  ///< largest error of the restitution over those phases, against the closed form
+  double largest_error{};  ///< upper estimate of the error of the restitution over those phases (StepOfImpact)
 };
 
 /// Finds a step, of the form contact time/(2^n + 0.38), at which the error of e of impacts at this speed is below

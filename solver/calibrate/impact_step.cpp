@@ -18,17 +18,18 @@ constexpr int pair_count = 64;
 constexpr double golden = 0.6180339887498949;
 /// Fraction of a step by which a contact of an advised step ends after a whole number of steps.
 constexpr double advised_fraction = 0.381966;
-/// Fraction of the bound allowed at the samples. They miss the corner where both errors are largest by up to an eighth
-/// in each phase; a fifth of the bound is reserved for it.
+/// Fraction of the error at all phases that the samples find. They miss the corner where both errors are largest by up
+/// to an eighth in each phase; a fifth of the bound is reserved for it.
 constexpr double kept = 0.8;
 
-/// Whether impacts with `whole` to `whole` + 1 steps in a contact are accurate. Raises `largest` to the largest error.
+/// Whether impacts with `whole` to `whole` + 1 steps in a contact are accurate. Raises `largest` to an upper
+/// estimate of the largest error at all phases.
 bool is_accurate(const ImpactError& error, double contact_time, double whole, double bound, double& largest) {
   for (int i = 0; i < pair_count; ++i) {
     const double phase = (i + 0.5) / pair_count;
     const double step = contact_time / (whole + golden * (i + 0.5) - std::floor(golden * (i + 0.5)));
     const double found = error(step, phase);
-    largest = std::max(largest, found);
+    largest = std::max(largest, found / kept);
     if (!(found <= kept * bound)) return false;
   }
   return true;

@@ -11,8 +11,9 @@ using ImpactError = std::function<double(double step, double phase)>;
 
 /// A step and the largest error of impacts with about this step.
 struct StepOfImpact {
-  double step{};           ///< [T]
-  double largest_error{};  ///< over 64 pairs of phases at which the surfaces meet and part
+  double step{};  ///< [T]
+  /// At all phases at which the surfaces meet and part: 1.25 times the largest of 64 pairs, an upper estimate.
+  double largest_error{};
 };
 
 /// Finds a step of the form contact time/(2^n + 0.38), n >= 3, at most `longest` [T], at which impacts of this contact

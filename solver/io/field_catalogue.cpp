@@ -75,7 +75,9 @@ void add_shapes(std::vector<Group>& groups) {
         .id = fmt::format("shape {}", T::name), .head = fmt::format("shape, kind = \"{}\"", T::name), .base = "shape"};
     add_fields(group, shape);
     if constexpr (requires { shape.points; }) {
-      group.fields.push_back(required(pairs("points", "two or more of its surface, x growing, in the axes of the body",
+      group.fields.push_back(required(pairs("points",
+                                            "two or more of its surface, x growing, in the axes of the body; the "
+                                            "ground is below, the first and the last segment do not end",
                                             dimension::length, dimension::length)));
     }
     groups.push_back(std::move(group));

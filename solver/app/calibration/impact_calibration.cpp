@@ -111,9 +111,9 @@ void print_text(const ImpactCalibration& found, const CalibrateOptions& options)
   if (options.law != LinearSpringDashpot::name) fmt::print("  law = \"{}\"\n", options.law);
   for (const LawParameter& parameter : parameters_of(found.law)) {
     if (parameter.dimension == dimension::number) {
-      fmt::print("  {} = {:.17g}\n", parameter.name, parameter.value);
+      fmt::print("  {} = {}\n", parameter.name, parameter.value);
     } else {
-      fmt::print("  {} = \"{:.17g} {}\"\n", parameter.name, parameter.value / si_size(units, parameter.dimension),
+      fmt::print("  {} = \"{} {}\"\n", parameter.name, parameter.value / si_size(units, parameter.dimension),
                  symbol(units, parameter.dimension));
     }
   }
@@ -122,7 +122,7 @@ void print_text(const ImpactCalibration& found, const CalibrateOptions& options)
   if (!options.restitution) return;
   const std::string at_speed =
       restitution_varies(found.law)
-          ? fmt::format(", restitution_speed = \"{:.17g} {}\"", found.speed / si_size(units, dimension::velocity),
+          ? fmt::format(", restitution_speed = \"{} {}\"", found.speed / si_size(units, dimension::velocity),
                         symbol(units, dimension::velocity))
           : "";
   fmt::print("for every impact, whatever the bodies: restitution = {}{} in place of {}\n", *options.restitution,

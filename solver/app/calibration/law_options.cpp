@@ -130,7 +130,11 @@ ContactLaw law_of_options(const CalibrateOptions& options, const std::vector<std
   for (const LawParameter& parameter : parameters_of(found)) {
     const std::string option = option_name(parameter.name), text = options.parameters.at(parameter.name);
     const bool is_of_pairs = std::ranges::find(of_pairs, parameter.name) != of_pairs.end();
-    if (is_of_pairs && !text.empty()) throw InputError{fmt::format("{}: each pair gives its own; remove it", option)};
+    if (is_of_pairs && !text.empty()) {
+      const bool are_pairs = options.spheres.empty() && options.discs.empty();
+      throw InputError{fmt::format("{}: {}; remove it", option,
+                                   are_pairs ? "each pair gives its own" : "it follows from --spheres or --discs")};
+    }
     if (text.empty() && (is_of_pairs || parameter.is_dissipation)) continue;
     if (text.empty()) {
       throw InputError{fmt::format("{}: it is missing; give e.g. {} \"{}\"", option, option,

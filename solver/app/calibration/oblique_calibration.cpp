@@ -232,9 +232,9 @@ void print_scene_lines(const ObliqueImpact& impact, const CalibrateOptions& opti
   const auto print = [&units](const LawParameter& parameter) {
     const double value = parameter.value / si_size(units, parameter.dimension);
     if (parameter.dimension == dimension::number) {
-      fmt::print("  {} = {:.17g}\n", parameter.name, value);
+      fmt::print("  {} = {}\n", parameter.name, value);
     } else {
-      fmt::print("  {} = \"{:.17g} {}\"\n", parameter.name, value, symbol(units, parameter.dimension));
+      fmt::print("  {} = \"{} {}\"\n", parameter.name, value, symbol(units, parameter.dimension));
     }
   };
   fmt::print("in a scene, for these bodies:\n");

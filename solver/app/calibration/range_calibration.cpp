@@ -264,8 +264,7 @@ void print_text(const RangeCalibration& found, const CalibrateOptions& options, 
   if (std::ranges::find(found.table[found.abscissae + 1].values, 0.0) != found.table[found.abscissae + 1].values.end())
     fmt::print("  a restitution of 0: the contact does not end\n");
   print_step(found, options);
-  fmt::print("in a scene, for all these pairs:\n  {} = \"{:.17g} {}\"\n", dissipation.name, found.used().value / size,
-             unit);
+  fmt::print("in a scene, for all these pairs:\n  {} = \"{} {}\"\n", dissipation.name, found.used().value / size, unit);
   if (restitution_varies(found.law)) {
     fmt::print("for every impact at the speed restitution_speed: restitution = {} in place of {}\n", found.wanted,
                dissipation.name);

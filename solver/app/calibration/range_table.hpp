@@ -31,7 +31,7 @@ void write_table(const std::vector<QuantityColumn>& table, const CalibrateOption
                  DrawingRequest drawing, const DrawingSink& sink);
 
 /// Prints a calibration, as JSON or as a text in the units of the options, by its own print_json and print_text. With
-/// a folder in the options, its write_files writes its table. Returns the exit code. Errors: InputError for unknown
+/// a folder in the options, its write_files writes its table. Returns the exit status. Errors: InputError for unknown
 /// units; IoError.
 template <class Calibration>
 [[nodiscard]] int report(const Calibration& found, const CalibrateOptions& options, const DrawingSink& sink) {

@@ -7,6 +7,7 @@
 #include <sstream>
 #include <string>
 
+#include "solver/laws/restitution.hpp"
 #include "tests/solver/app/requested.hpp"
 
 // `talus calibrate`: the printed lines give the restitution when pasted into a scene, and an impact is judged as by
@@ -85,6 +86,24 @@ BOOST_AUTO_TEST_CASE(json_of_a_scene_in_other_units_is_in_si) {
   // Counted in whole steps: a contact that begins at the end of a step may have one more.
   const double apart = in_us.at("contact_time").get<double>() - in_si.at("contact_time").get<double>();
   BOOST_TEST(std::abs(apart) < 1.001 * in_si.at("step").get<double>());
+}
+
+// The damping ratio of an impact, not that of the spring at some overlap.
+BOOST_AUTO_TEST_CASE(damping_ratio_of_a_scene_is_that_of_its_impacts) {
+  const std::string law = "law = \"hertz\"\nmodulus = \"1 GPa\"\nradius = \"0.1 m\"\nrestitution = 0.6\n";
+  const Folder folder;
+  const auto calibrated = [&](const std::string& lines) {
+    std::string text = wall_scene(lines);
+    const std::string linear = "law = \"linear_spring_dashpot\"\n";
+    text.erase(text.find(linear), linear.size());
+    return nlohmann::json::parse(talus_ran({"calibrate", folder.file("wall.toml", text).string(), "--contact", "hit",
+                                            "--restitution", "0.6", "--json"})
+                                     .out);
+  };
+  BOOST_TEST(calibrated(law).at("damping_ratio").get<double>() == talus::damping_ratio(0.6, talus::EndRule::clamped),
+             boost::test_tools::tolerance(1e-12));
+  // That of a constant dashpot depends on the speed.
+  BOOST_TEST(!calibrated(law + "dashpot = \"constant\"\nrestitution_speed = \"1 m/s\"\n").contains("damping_ratio"));
 }
 
 // With e = 0.9 the clamped contact takes 2 acos(xi)/sqrt(k/m) = 2.173 ms, 108.7 steps; it is counted in steps of the

@@ -117,6 +117,9 @@ BOOST_AUTO_TEST_CASE(wrong_command_lines) {
       {{"calibrate", "--law", "hertz", "--restitution", "0.5", "--modulus", "1 Pa", "--radius", "1 m", "--radii", "1 m",
         "2 m", "2", "--density", "1 kg/m^3"},
        "talus: --radius: each pair gives its own; remove it\n"},
+      {{"calibrate", "--law", "hertz", "--restitution", "0.5", "--modulus", "1 Pa", "--radius", "1 m", "--spheres",
+        "1 m", "--masses", "1 kg", "--angle", "9 deg", "--friction", "0.1"},
+       "talus: --radius: it follows from --spheres or --discs; remove it\n"},
       {{"calibrate", "--restitution", "0.5", "--stiffness", "1 N/m", "--masses", "1 kg", "--out", "never"},
        "talus: --out: only a table is written to files; give --speeds, --radii, --pairs, --angles or an axis of "
        "--masses\n"},

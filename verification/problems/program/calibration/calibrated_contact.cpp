@@ -158,7 +158,8 @@ void check_numbers(const TemporaryFolder& folder, Findings& findings, const Setu
                                        printed.at("step").get<double>() / (setup.has("half_the_step") ? 2.0 : 1.0));
         keep_worst(powers, own.fraction - 1.0);
         keep_worst(simulated, printed.at("restitution").get<double>() - own.restitution);
-        keep_worst(simulated, printed.at("restitution_error").get<double>() - own.error);
+        // The program states 1.25 times the error of 64 phases.
+        keep_worst(simulated, 0.8 * printed.at("restitution_error").get<double>() - own.error);
         members = printed.size();
       }
     }
@@ -263,16 +264,16 @@ void check_step(const TemporaryFolder& folder, Findings& findings, const Setup& 
     }
     const double said = printed.at("restitution_error").get<double>();
     keep_worst(largest, worst);
-    keep_worst(above_claim, std::max(0.0, std::abs(worst) / said - 1.0));
+    keep_worst(above_claim, std::abs(worst) / said);
     rows.push_back(
         {name(rule), fmt::format("{:.6g}", step), fmt::format("{:.3g}", said), fmt::format("{:.3g}", worst)});
   }
   findings.expect("restitution with the advised step: largest error over phases", largest, 0.0,
                   Tolerance::truncation(bound, 1.0, "the requested error"));
-  findings.expect("restitution error over the error that the program reports: largest excess", above_claim, 0.0,
-                  Tolerance::truncation(0.25, 1.0,
-                                        "the program evaluates 64 pairs of phases and limits the error to 0.8 of the "
-                                        "bound, since other phases may err more"));
+  findings.expect_between("restitution error over the error that the program reports: largest ratio", above_claim, 0.7,
+                          1.0,
+                          "the program reports 1.25 times the error of 64 pairs of phases, since other phases may err "
+                          "more; these phases are near those");
   findings.expect_between("restitution error with the advised step over the bound", std::abs(largest) / bound, 0.1, 1.0,
                           "steps are tried in powers of two, and the error is at least of first order in the step: the "
                           "step is not needlessly short");

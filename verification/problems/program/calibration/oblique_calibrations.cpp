@@ -339,7 +339,7 @@ void expect_all(Findings& findings, const Worst& worst) {
                   Tolerance::round_off(1e-14, "a few operations"));
   findings.expect(
       "tangential restitution where the contact sticks for a fraction s < 0.01 of the contact time, less "
-      "1 - mu (1 + e)/tan(angle), over the share of s, largest",
+      "1 - mu (1 + e)/tan(angle), over that fraction of the loss, largest",
       worst.sliding, 0.0,
       Tolerance::model(1.0,
                        "while it sticks, at the start, the force is between 0 and mu N, and N less than its mean: "
@@ -390,7 +390,7 @@ Case definition() {
       spin = "rim speed of the spin over the slip speed, largest error",
       sliding =
           "tangential restitution where the contact sticks for a fraction s < 0.01 of the contact time, less "
-          "1 - mu (1 + e)/tan(angle), over the share of s, largest";
+          "1 - mu (1 + e)/tan(angle), over that fraction of the loss, largest";
   return {.id = "oblique_calibrations",
           .title = "Friction for a tangential restitution, by the program",
           .requirements = {{"G14", {"calibration"}}},
