@@ -62,7 +62,7 @@ struct SourceRange {
 };
 
 struct MutantRecord {
-  int number{};                      ///< number that activates it
+  int number{};                      ///< number that activates it; 0: equivalent, not compiled
   std::string id{};                  ///< unique
   std::string operation{};           ///< mutation operator, or "bug" for a hand-written one
   std::string description{};         ///< description of the error

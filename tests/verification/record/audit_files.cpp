@@ -30,8 +30,9 @@ int main(int count, char** arguments) {
                     .run_seconds = 0.5,
                     .cases = {{"case", "family", 1.5, true}},
                     .mutants = {}};
-    for (const auto& [status, name] : Names<MutantStatus>::values)
-      mutants.mutants.push_back({.number = static_cast<int>(mutants.mutants.size()) + 1,
+    for (const auto& [status, name] : Names<MutantStatus>::values) {
+      const bool is_compiled = status != MutantStatus::equivalent;
+      mutants.mutants.push_back({.number = is_compiled ? static_cast<int>(mutants.mutants.size()) + 1 : 0,
                                  .id = name,
                                  .operation = "bug",
                                  .description = "The sign is wrong.",
@@ -44,6 +45,7 @@ int main(int count, char** arguments) {
                                  .reason = "none",
                                  .covered_by = {"case"},
                                  .trials = {}});
+    }
     for (const auto& [end, name] : Names<TrialEnd>::values)
       mutants.mutants.front().trials.push_back(
           {"case", end, std::numeric_limits<double>::infinity(), "check", {"check", "another"}});
