@@ -39,21 +39,26 @@ ContactId contact_named(const Model& model, const std::string& name) {
   throw unknown_name("--contact: contact", name, known);
 }
 
-/// Damping ratio of a contact's first law instance; none for laws of which an impact has none, or one that depends on
-/// its speed.
-std::optional<double> damping_ratio_of(const Scene& scene, ContactId contact, double restitution) {
+/// Damping ratio of impacts on a contact's first law instance; none for laws of which an impact has none, or one that
+/// depends on its speed.
+std::optional<double> damping_ratio_of(const Scene& scene, ContactId contact) {
+  const Dynamics dynamics{scene.model};
+  const std::vector<std::size_t>& instances = dynamics.layout().contact_instances;
+  const auto first = std::accumulate(instances.begin(), instances.begin() + static_cast<long>(index(contact)), 0UL);
+  const double mass = advise_step(dynamics, scene.initial).springs[first].spring.effective_mass;
   return std::visit(
-      [&]<class L>(L law) -> std::optional<double> {
-        if (talus::restitution_varies(law)) return {};
+      [mass]<class L>(L law) -> std::optional<double> {
         if constexpr (HasDampingRatio<L>) {
-          law.set_every_restitution(restitution, 1.0);
-          return law.damping_ratio;
+          if (talus::restitution_varies(law)) return {};
+          // The ratio is proportional to the dashpot: both are known for a restitution.
+          constexpr double known = 0.5;
+          const double damping = law.damping;
+          law.set_restitution(known, mass, 1.0);
+          const double known_damping = law.damping;
+          law.set_every_restitution(known, 1.0);
+          return law.damping_ratio * damping / known_damping;
         }
-        const Dynamics dynamics{scene.model};
-        const std::vector<std::size_t>& instances = dynamics.layout().contact_instances;
-        const auto first =
-            std::accumulate(instances.begin(), instances.begin() + static_cast<long>(index(contact)), 0UL);
-        return advise_step(dynamics, scene.initial).springs[first].damping_ratio;
+        return {};
       },
       scene.model.contacts[index(contact)].law);
 }
@@ -129,7 +134,7 @@ int calibrate_scene(const CalibrateOptions& options) {
   const Scene damped = with_dissipation(scene, contact, result.found.dissipation);
   result.impact = simulate_impact(damped, contact);
   elapsed.reset();
-  result.damping_ratio = damping_ratio_of(damped, contact, *options.restitution);
+  result.damping_ratio = damping_ratio_of(damped, contact);
   const ContactLaw& law = scene.model.contacts[index(contact)].law;
   result.end_rule = end_rule_of(law);
   const LawParameter dissipation = dissipation_of(law);

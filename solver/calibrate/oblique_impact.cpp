@@ -206,8 +206,10 @@ class TangentialSearch {
 
   /// Errors: InputError with the reason, if no value gives the restitution.
   TangentialCalibration result() {
-    sample();
+    const std::optional<TangentialCalibration> last = sample();
+    const std::size_t count = samples_.size();
     add_near_extremes();
+    if (last && samples_.size() == count) return *last;
     if (const auto found = first_root()) return *found;
     for (const double sign : {1.0, -1.0}) {
       const auto best = std::ranges::min_element(samples_, {}, [sign](const Sample& of) { return sign * of.second; });
@@ -223,9 +225,9 @@ class TangentialSearch {
   /// Samples the span. The samples end at a value that the method cannot simulate: a spring that is soft beside its
   /// dashpot relaxes without end; friction by Mindlin's law that is too strong to slip at touch has a stretch whose
   /// rate is infinite there. Stiffnesses are sampled from the largest one on, other parameters from the smallest up to
-  /// the first root: impacts with a strong dashpot take long. Errors: InputError if not even the first value can be
-  /// simulated.
-  void sample() {
+  /// the first root, which is returned: impacts with a strong dashpot take long. Errors: InputError if not even the
+  /// first value can be simulated.
+  std::optional<TangentialCalibration> sample() {
     constexpr double values_a_decade = 12.0;
     const Span span = span_of(impact_, name_, contact_time_);
     const int count = static_cast<int>(std::ceil(values_a_decade * std::log10(span.largest / span.smallest)));
@@ -239,9 +241,11 @@ class TangentialSearch {
       const Simulated found = located(with(value), contact_time_);
       if (!std::holds_alternative<ObliqueRebound>(found)) break;
       samples_.emplace_back(value, std::get<ObliqueRebound>(found).tangential_restitution);
-      if (span.has_zero && root_between(*(samples_.end() - 2), samples_.back())) break;
+      if (!span.has_zero) continue;
+      if (const auto root = root_between(*(samples_.end() - 2), samples_.back())) return root;
     }
     if (!span.has_zero) std::ranges::reverse(samples_);
+    return {};
   }
 
   /// Inserts the extremes between samples that may reach the restitution where the samples do not. An extreme exceeds

@@ -127,15 +127,17 @@ std::optional<StepVerdict> step_verdict(const Scene& scene, const StepAdvice& ad
                   limit->mode.damping_ratio)};
 }
 
-std::string output_warning(const Scene& scene, const StepAdvice& advice) {
+std::string output_warning(const Scene& scene, const Dynamics& dynamics) {
   constexpr double fewest_outputs = 2.0;  // of a half sine they miss up to 1 - cos(pi/4) of the maximum
-  if (!chooses_steps(scene.integrator) || !(advice.shortest_contact < fewest_outputs * scene.plan.step)) return "";
+  if (!chooses_steps(scene.integrator) || scene.initial.q.size() > maximum_watched_coordinates) return "";
+  const StepAdvice advice = advise_step(dynamics, scene.initial);
+  if (!(advice.shortest_contact < fewest_outputs * scene.plan.step)) return "";
   const auto shortest = std::ranges::min_element(advice.springs, {}, [](const SpringAdvice& of) {
     return of.contact ? of.contact_time : std::numeric_limits<double>::infinity();
   });
   return fmt::format(
       "contact '{}' lasts about {:.3g}, {:.2g} steps of the scene: {} takes shorter ones itself, but largest overlaps "
-      "and forces are those at the steps of the scene, and too small; a step of {:.3g} gives it 20",
+      "and forces are those at the steps of the scene, and may be too small; a step of {:.3g} gives it 20",
       shortest->name, shortest->contact_time, shortest->contact_time / scene.plan.step, name(scene.integrator),
       shortest->contact_time / 20.0);
 }

@@ -60,8 +60,9 @@ struct StepVerdict {
 
 /// Warning of a scene whose method chooses its steps, and whose outputs may miss the largest forces of a contact by
 /// more than 29 %: fewer than two of them fall into the shortest contact. Empty otherwise: contacts that stay closed
-/// have no such peaks, and it is not known at the start which ones will.
-[[nodiscard]] std::string output_warning(const Scene& scene, const StepAdvice& advice);
+/// have no such peaks, and it is not known at the start which ones will; and for scenes of more than
+/// maximum_watched_coordinates.
+[[nodiscard]] std::string output_warning(const Scene& scene, const Dynamics& dynamics);
 
 /// Largest number of coordinates for which a run computes natural frequencies, at the start and in its monitor: the
 /// cost grows with the cube of that number.

@@ -295,7 +295,7 @@ void write_files(const ObliqueCalibration& found, const CalibrateOptions& option
 bool gives_oblique(const CalibrateOptions& options) { return !options.angle.empty() || !options.angles.empty(); }
 
 int calibrate_oblique(const CalibrateOptions& options, const DrawingSink& sink) {
-  return report(calibrated_oblique(options), options, sink);
+  return report(calibrated_oblique, options, sink);
 }
 
 }  // namespace talus::app

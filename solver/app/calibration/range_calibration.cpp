@@ -295,7 +295,7 @@ bool gives_range(const CalibrateOptions& options) {
 }
 
 int calibrate_range(const CalibrateOptions& options, const DrawingSink& sink) {
-  return report(calibrated_range(options), options, sink);
+  return report(calibrated_range, options, sink);
 }
 
 }  // namespace talus::app

@@ -30,12 +30,13 @@ void print_table(const std::vector<QuantityColumn>& table, const UnitSystem& uni
 void write_table(const std::vector<QuantityColumn>& table, const CalibrateOptions& options, const UnitSystem& units,
                  DrawingRequest drawing, const DrawingSink& sink);
 
-/// Prints a calibration, as JSON or as a text in the units of the options, by its own print_json and print_text. With
-/// a folder in the options, its write_files writes its table. Returns the exit status. Errors: InputError for unknown
-/// units; IoError.
-template <class Calibration>
-[[nodiscard]] int report(const Calibration& found, const CalibrateOptions& options, const DrawingSink& sink) {
+/// Calibrates, and prints the result as JSON or as a text in the units of the options by its own print_json and
+/// print_text. With a folder in the options, its write_files writes its table. Returns the exit status. Errors:
+/// InputError for unknown units, before the calibration, and those of the calibration; IoError.
+template <class Calibrate>
+[[nodiscard]] int report(const Calibrate& calibrate, const CalibrateOptions& options, const DrawingSink& sink) {
   const UnitSystem units = unit_system(options.units);
+  const auto found = calibrate(options);
   if (options.json) {
     print_json(found, options);
   } else {

@@ -16,9 +16,7 @@ std::string step_warning(std::string_view verdict, std::string_view command) {
 
 std::vector<std::string> start_warnings(const SceneFile& file, const Dynamics& dynamics) {
   std::vector<std::string> warnings{overlap_warning(start_overlaps(dynamics, file.scene.initial), file.scene.model),
-                                    inertia_warning(file.scene.model)};
-  if (file.scene.initial.q.size() <= maximum_watched_coordinates)
-    warnings.push_back(output_warning(file.scene, advise_step(dynamics, file.scene.initial)));
+                                    inertia_warning(file.scene.model), output_warning(file.scene, dynamics)};
   std::erase(warnings, "");
   return warnings;
 }

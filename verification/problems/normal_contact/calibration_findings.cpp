@@ -200,7 +200,7 @@ void check_step_advice(Findings& findings) {
           {fmt::format("advised_step/{}/{:g}", rule == EndRule::attractive ? "attractive" : "clamped", bound),
            "largest error of e with the advised step at other phases, " + name},
           errors.max(), 0.0, bound, 1.0, "the requested bound");
-      stated = std::max(stated, errors.max() / advice.largest_error);
+      keep_largest(stated, errors.max() / advice.largest_error);
       const double time = reference::impact_events({1.0, law.damping, 1.0, 1.0}, same(rule)).contact_time;
       table.rows.push_back(cells("{} | {:g} | {:.0f} | {:.3e} | {:.3e}",
                                  rule == EndRule::attractive ? "attractive" : "clamped", bound, time / advice.step,
