@@ -90,6 +90,22 @@ BOOST_AUTO_TEST_CASE(failed_cases_are_listed_by_their_largest_finite_error) {
       text);
 }
 
+BOOST_AUTO_TEST_CASE(eight_failures_and_the_controls_that_are_not_judged_are_printed) {
+  const Case wrong = synthetic("wrong", [](Findings& f, const Setup&) {
+    f.expect("value", 3.0, 1.0, Tolerance::model(0.25, "chosen"));
+    for (int i = 2; i <= 10; ++i)
+      f.expect(std::string(static_cast<std::size_t>(i), 'x'), i, 0.0, Tolerance::model(1.0, "chosen"));
+  });
+  const std::string text = printed(STDOUT_FILENO, [&] { BOOST_TEST(Run({wrong}, {}).status == 1); });
+  const auto has = [&](const std::string& line) { return text.find("         " + line) != std::string::npos; };
+  BOOST_TEST(has("wrong.xxxxxxxxxx: measured 10, "), text);
+  BOOST_TEST(has("wrong.xxxx: measured 4, "), text);
+  BOOST_TEST(!has("wrong.xxx: "), text);
+  BOOST_TEST(has("and 2 more, in its record\n"), text);
+  BOOST_TEST(has("wrong: controls whose checks fail without the fault, too: shifted\n"), text);
+  BOOST_TEST(!has("wrong: control 'shifted'"), text);
+}
+
 BOOST_AUTO_TEST_CASE(no_case_at_all_fails) {
   const Run run({});
   BOOST_TEST(run.status == 1);

@@ -107,6 +107,18 @@ bool same(double a, double b) { return a == b || (std::isnan(a) && std::isnan(b)
 
 }  // namespace
 
+// Earlier records, and baselines with them, have "words".
+BOOST_AUTO_TEST_CASE(the_former_name_of_the_text_of_a_mark_is_read) {
+  const Scratch folder;
+  write_record(full_record(), folder.path);
+  std::string text = read_whole(folder.path / "record.json");
+  const std::string now = "\"text\": \"here\"", former = "\"words\": \"here\"";
+  BOOST_REQUIRE(text.find(now) != std::string::npos);
+  folder.file("record.json", text.replace(text.find(now), now.size(), former));
+  BOOST_TEST(read_record(folder.path).figures[1].marks.at(0).text == "here");
+  BOOST_TEST(refused_edited(now, "\"label\": \"here\"").find("text") != std::string::npos);
+}
+
 BOOST_AUTO_TEST_CASE(a_record_comes_back_the_same) {
   const Scratch folder;
   const Record record = full_record();
