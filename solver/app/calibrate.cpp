@@ -219,6 +219,9 @@ Command add_calibrate(CLI::App& talus, const DrawingSink& sink) {
   parameter("stiffness", "stiffness of the contact, e.g. \"1e6 lbf/ft\"");
   parameter("modulus", "of hertz: effective modulus, e.g. \"35 GPa\"");
   parameter("radius", "of hertz: effective radius");
+  app->add_option("--poisson-ratio", options->poisson_ratio,
+                  "of hertz between spheres of one material: Poisson's ratio, in [0, 0.5], for the Rayleigh time; of "
+                  "mindlin it gives the shear modulus");
   parameter("reference_overlap", "of hunt_crossley: overlap at which force over overlap is the stiffness");
   parameter("exponent", "of hunt_crossley: power of the overlap, at least 1");
   parameter("damping",
@@ -250,10 +253,10 @@ Command add_calibrate(CLI::App& talus, const DrawingSink& sink) {
                   "one and their number, spaced evenly")
       ->expected(3);
   CLI::Option* spheres = app->add_option("--spheres", options->spheres,
-                                         "of oblique impacts: radius of each body of --masses, spheres; with them the "
-                                         "radius of hertz")
+                                         "of hertz in place of --radius, and of oblique impacts: radius of each body of "
+                                         "--masses, spheres")
                              ->expected(1, 2);
-  CLI::Option* discs = app->add_option("--discs", options->discs, "the same for discs")->expected(1, 2);
+  CLI::Option* discs = app->add_option("--discs", options->discs, "of oblique impacts: the same for discs")->expected(1, 2);
   discs->excludes(spheres);
   app->add_option("--tangential-restitution", options->tangential_restitution,
                   "wanted at --angle: relative speed of the centres along the plane, after over before. The first of "
@@ -311,13 +314,14 @@ Command add_calibrate(CLI::App& talus, const DrawingSink& sink) {
       "  talus calibrate --law latching_spring --restitution 0.7 --step 1e-7 --integrator euler");
   return {app, [app, options, sink] {
             for (const char* name :
-                 {"--law", "--end-rule", "--dashpot", "--speed", "--step", "--bound", "--integrator", "--units"}) {
+                 {"--law", "--end-rule", "--dashpot", "--poisson-ratio", "--spheres", "--speed", "--step", "--bound",
+                  "--integrator", "--units"}) {
               if (app->get_option(name)->count() > 0) options->own_to_impact.emplace_back(name);
             }
             for (const char* name : {"--speeds", "--radii", "--density", "--pairs", "--out", "--format"})
               if (app->get_option(name)->count() > 0) options->own_to_range.emplace_back(name);
             for (const char* name :
-                 {"--angle", "--angles", "--spheres", "--discs", "--tangential-restitution", "--shear-law",
+                 {"--angle", "--angles", "--discs", "--tangential-restitution", "--shear-law",
                   "--friction", "--shear-stiffness", "--shear-modulus", "--shear-damping"}) {
               if (app->get_option(name)->count() == 0) continue;
               options->own_to_impact.emplace_back(name), options->own_to_oblique.emplace_back(name);

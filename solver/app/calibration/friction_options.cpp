@@ -7,10 +7,13 @@
 
 #include "solver/base/error.hpp"
 #include "solver/calibrate/oblique_impact.hpp"
+#include "solver/calibrate/rayleigh_time.hpp"
 #include "solver/laws/parameter.hpp"
 
 namespace talus::app {
 namespace {
+
+constexpr std::string_view shear_modulus = "shear_modulus";
 
 /// The friction law F for contacts of law L, with the defaults of scenes and the values that are the contact's.
 template <IsFrictionLaw F, class L>
@@ -30,10 +33,15 @@ std::string example_of(const LawParameter& parameter) {
   return fmt::format("\"1 {}\"", symbol(si, parameter.dimension));
 }
 
+/// Whether the options give a parameter of the friction; Poisson's ratio gives a shear modulus.
+bool gives(const CalibrateOptions& options, std::string_view name) {
+  return !options.friction.at(std::string{name}).empty() || (name == shear_modulus && options.poisson_ratio);
+}
+
 /// The first parameter whose option is absent.
 std::string first_absent(const CalibrateOptions& options, const std::vector<LawParameter>& parameters) {
   const auto absent =
-      std::ranges::find_if(parameters, [&](const LawParameter& of) { return options.friction.at(of.name).empty(); });
+      std::ranges::find_if(parameters, [&](const LawParameter& of) { return !gives(options, of.name); });
   if (absent != parameters.end()) return absent->name;
   throw InputError{
       fmt::format("{}: found with --tangential-restitution and all other parameters of the friction; leave "
@@ -74,7 +82,14 @@ GivenFriction friction_of_options(const CalibrateOptions& options, const Contact
   for (const LawParameter& parameter : parameters) {
     const std::string option = option_name(parameter.name), text = options.friction.at(parameter.name);
     const bool has_default = parameter.name != "friction" && contains(parameter.range, parameter.value);
-    if (!text.empty()) {
+    if (parameter.name == shear_modulus && options.poisson_ratio) {
+      if (!text.empty())
+        throw InputError{fmt::format("{}: it follows from --poisson-ratio; give one of the two", option)};
+      const std::vector<LawParameter> normal = parameters_of(contact_law);
+      const double modulus = std::ranges::find(normal, "modulus", &LawParameter::name)->value;
+      set_parameter(given.law, parameter.name,
+                    material_of(modulus, *options.poisson_ratio).effective_shear_modulus());
+    } else if (!text.empty()) {
       set_parameter(given.law, parameter.name, parameter_value(option, text, parameter.dimension, parameter.range));
     } else if (parameter.name != given.sought && !has_default) {
       throw InputError{fmt::format("{}: it is missing; give e.g. {} {}", option, option, example_of(parameter))};

@@ -9,6 +9,7 @@
 
 #include "solver/app/calibration/impact_bodies.hpp"
 #include "solver/app/calibration/law_options.hpp"
+#include "solver/app/calibration/round_bodies.hpp"
 #include "solver/base/error.hpp"
 #include "solver/base/exit_code.hpp"
 #include "solver/base/progress.hpp"
@@ -28,6 +29,7 @@ struct ImpactCalibration {
   KnownImpact known;
   double undamped_time{};  ///< contact time without the dashpot
   ImpactStep step;
+  std::optional<RayleighTime> rayleigh;
 };
 
 ImpactCalibration calibrated(const CalibrateOptions& options) {
@@ -36,6 +38,13 @@ ImpactCalibration calibrated(const CalibrateOptions& options) {
   const ContactLaw law = law_of_options(options);
   if (options.masses.empty())
     throw InputError{"--masses: it is missing; give one or two, e.g. --masses \"2 kg\" \"1 kg\""};
+  std::vector<Sphere> spheres;
+  if (!options.spheres.empty()) {
+    if (!options.pivot.empty() || !options.offset.empty())
+      throw InputError{"--pivot and --offset: spheres are hit centrally; remove them, or give --radius"};
+    spheres = spheres_of(round_bodies(options));
+  }
+  found.rayleigh = rayleigh_time(options, law, {}, spheres);
   found.effective_mass = effective_mass_of(options);
   found.speed = option_quantity("--speed", options.speed, dimension::velocity, si);
   found.law = damped_law(options, law, found.effective_mass, found.speed);
@@ -76,6 +85,7 @@ void print_json(const ImpactCalibration& found, const CalibrateOptions& options)
   json["step"] = found.step.step;
   json["restitution"] = found.step.restitution;
   json["restitution_error"] = found.step.largest_error;
+  add_rayleigh_time(json, found.rayleigh);
   json["units"] = "SI";
   fmt::print("{}\n", json.dump(2));
 }
@@ -102,6 +112,7 @@ void print_text(const ImpactCalibration& found, const CalibrateOptions& options)
   line("largest overlap at that speed", found.known.largest_overlap, dimension::length);
   line("step", found.step.step, dimension::time);
   line("step over undamped contact time", found.step.step / found.undamped_time, dimension::number);
+  print_rayleigh_time(found.rayleigh, found.step.step, 32, units);
   line("restitution simulated with it", found.step.restitution, dimension::number);
   fmt::print("  simulated with {}; its error over all phases of the step is at most {:.3g}, required {:.3g}\n",
              options.integrator, found.step.largest_error, options.bound);

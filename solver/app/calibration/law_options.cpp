@@ -6,6 +6,8 @@
 #include <charconv>
 #include <variant>
 
+#include "solver/app/calibration/oblique_calibration.hpp"
+#include "solver/app/calibration/round_bodies.hpp"
 #include "solver/base/error.hpp"
 #include "solver/io/file/quantity_text.hpp"
 #include "solver/laws/parameter.hpp"
@@ -28,15 +30,19 @@ void refuse_other_options(const CalibrateOptions& options) {
   const auto refuse = [](std::string_view option) {
     throw InputError{fmt::format("{}: the law '{}' does not use this option; remove it", option, L::name)};
   };
+  const auto has = [](std::string_view name) {
+    const auto fields = L::fields();
+    return std::ranges::find(fields, name, &Field<L>::name) != fields.end();
+  };
   for (const std::string& given : options.own_to_impact) {
     if (given == "--step") throw InputError{fmt::format("--step: it is found for the law '{}'; remove it", L::name)};
     if (given == "--end-rule" && !HasEndRule<L>) refuse(given);
     if (given == "--dashpot" && !HasHertzDashpot<L>) refuse(given);
+    if (given == "--poisson-ratio" && !has("modulus")) refuse(given);
+    if (given == "--spheres" && !has("radius") && !gives_oblique(options)) refuse(given);
   }
   for (const auto& [name, value] : options.parameters) {
-    const auto fields = L::fields();
-    const bool has = std::ranges::find(fields, std::string_view{name}, &Field<L>::name) != fields.end();
-    if (!value.empty() && !has) refuse(option_name(name));
+    if (!value.empty() && !has(name)) refuse(option_name(name));
   }
 }
 
@@ -130,10 +136,14 @@ ContactLaw law_of_options(const CalibrateOptions& options, const std::vector<std
   for (const LawParameter& parameter : parameters_of(found)) {
     const std::string option = option_name(parameter.name), text = options.parameters.at(parameter.name);
     const bool is_of_pairs = std::ranges::find(of_pairs, parameter.name) != of_pairs.end();
-    if (is_of_pairs && !text.empty()) {
-      const bool are_pairs = options.spheres.empty() && options.discs.empty();
+    const bool is_of_bodies = parameter.name == "radius" && gives_round_bodies(options);
+    if ((is_of_pairs || is_of_bodies) && !text.empty()) {
       throw InputError{fmt::format("{}: {}; remove it", option,
-                                   are_pairs ? "each pair gives its own" : "it follows from --spheres or --discs")};
+                                   is_of_pairs ? "each pair gives its own" : "it follows from --spheres or --discs")};
+    }
+    if (is_of_bodies) {
+      set_parameter(found, parameter.name, effective_radius(round_bodies(options)));
+      continue;
     }
     if (text.empty() && (is_of_pairs || parameter.is_dissipation)) continue;
     if (text.empty()) {

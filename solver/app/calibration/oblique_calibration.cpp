@@ -15,6 +15,7 @@
 #include "solver/app/calibration/impact_calibration.hpp"
 #include "solver/app/calibration/law_options.hpp"
 #include "solver/app/calibration/range_table.hpp"
+#include "solver/app/calibration/round_bodies.hpp"
 #include "solver/base/error.hpp"
 #include "solver/base/progress.hpp"
 #include "solver/calibrate/impact.hpp"
@@ -35,6 +36,7 @@ struct ObliqueCalibration {
   /// Shortest contact time of these impacts without dashpot.
   double undamped_time{std::numeric_limits<double>::infinity()};
   StepOfImpact step;
+  std::optional<RayleighTime> rayleigh;
 };
 
 /// Errors: InputError for options that oblique impacts do not use.
@@ -53,43 +55,6 @@ double checked_angle(const std::string& option, double angle) {
   if (angle > 0.0 && angle < 0.5 * std::numbers::pi) return angle;
   throw InputError{
       fmt::format("{}: found {:.6g} deg; it must be in (0, 90) deg", option, angle * 180.0 / std::numbers::pi)};
-}
-
-/// The bodies of --masses and --spheres or --discs.
-std::vector<RoundBody> round_bodies(const CalibrateOptions& options) {
-  const bool are_discs = !options.discs.empty();
-  const std::string option = are_discs ? "--discs" : "--spheres";
-  const std::vector<std::string>& radii = are_discs ? options.discs : options.spheres;
-  if (radii.empty()) {
-    throw InputError{"--spheres: it is missing; give the radius of each body, e.g. --spheres \"1 cm\", or --discs"};
-  }
-  if (options.masses.empty())
-    throw InputError{"--masses: it is missing; give one or two, e.g. --masses \"2 kg\" \"1 kg\""};
-  if (radii.size() != options.masses.size()) {
-    throw InputError{fmt::format("{}: found {} radi{} for {} mass{}; give one for each", option, radii.size(),
-                                 radii.size() == 1 ? "us" : "i", options.masses.size(),
-                                 options.masses.size() == 1 ? "" : "es")};
-  }
-  std::vector<RoundBody> bodies;
-  for (std::size_t i = 0; i < radii.size(); ++i) {
-    RoundBody body{.mass = option_quantity("--masses", options.masses[i], dimension::mass, si),
-                   .radius = option_quantity(option, radii[i], dimension::length, si)};
-    body.inertia = (are_discs ? 0.5 : 0.4) * body.mass * body.radius * body.radius;
-    bodies.push_back(body);
-  }
-  return bodies;
-}
-
-/// The law of the contact with the effective radius of the bodies, and the dashpot that --restitution requires.
-ContactLaw law_of(const CalibrateOptions& options, const ObliqueImpact& impact) {
-  std::vector<std::string> of_pairs;
-  for (const LawParameter& parameter : parameters_of(law_named(options.law)))
-    if (parameter.name == "radius") of_pairs.push_back(parameter.name);
-  ContactLaw law = law_of_options(options, of_pairs);
-  if (!of_pairs.empty())
-    set_parameter(law, "radius",
-                  1.0 / (1.0 / impact.second.radius + (impact.first ? 1.0 / impact.first->radius : 0.0)));
-  return damped_law(options, law, impact.effective_mass(), impact.approach_speed());
 }
 
 /// The table of the rebounds, and the step for all.
@@ -126,6 +91,7 @@ ObliqueCalibration calibrated_oblique(const CalibrateOptions& options) {
   if (!options.angles.empty()) angles = axis_of("--angles", options.angles, dimension::angle, Spacing::even);
   for (const double angle : angles)
     static_cast<void>(checked_angle("--angles", angle));
+  static_cast<void>(poisson_ratio_of(options, !options.spheres.empty()));
   ObliqueCalibration found;
   ObliqueImpact& impact = found.impact;
   const std::vector<RoundBody> bodies = round_bodies(options);
@@ -134,7 +100,7 @@ ObliqueCalibration calibrated_oblique(const CalibrateOptions& options) {
   impact.speed = option_quantity("--speed", options.speed, dimension::velocity, si);
   if (!options.angle.empty())
     impact.angle = checked_angle("--angle", option_quantity("--angle", options.angle, dimension::angle, si, false));
-  impact.law = law_of(options, impact);
+  impact.law = damped_law(options, law_of_options(options), impact.effective_mass(), impact.approach_speed());
   const GivenFriction friction = friction_of_options(options, impact.law);
   impact.friction = friction.law, found.sought = friction.sought;
   const Integrator integrator = make_integrator(options.integrator);
@@ -157,6 +123,7 @@ ObliqueCalibration calibrated_oblique(const CalibrateOptions& options) {
   }
   if (!angles.empty()) add_angles(found, angles, step, integrator);
   found.step = step.found();
+  if (!options.spheres.empty()) found.rayleigh = rayleigh_time(options, impact.law, impact.friction, spheres_of(bodies));
   return found;
 }
 
@@ -192,6 +159,7 @@ void print_json(const ObliqueCalibration& found, const CalibrateOptions& options
   json["shortest_undamped_contact_time"] = found.undamped_time;
   json["step"] = found.step.step;
   json["restitution_error"] = found.step.largest_error;
+  add_rayleigh_time(json, found.rayleigh);
   json["units"] = "SI";
   fmt::print("{}\n", json.dump(2));
 }
@@ -271,6 +239,7 @@ void print_text(const ObliqueCalibration& found, const CalibrateOptions& options
   line("shortest undamped contact time", found.undamped_time, dimension::time);
   line("step", found.step.step, dimension::time);
   line("step over undamped contact time", found.step.step / found.undamped_time, dimension::number);
+  print_rayleigh_time(found.rayleigh, found.step.step, 39, units);
   fmt::print(
       "  with {}; the errors of both restitutions over all phases of the step are at most {:.3g}, required {:.3g}\n",
       options.integrator, found.step.largest_error, options.bound);

@@ -12,6 +12,7 @@
 #include "solver/app/calibration/impact_bodies.hpp"
 #include "solver/app/calibration/law_options.hpp"
 #include "solver/app/calibration/range_table.hpp"
+#include "solver/app/calibration/round_bodies.hpp"
 #include "solver/base/error.hpp"
 #include "solver/base/progress.hpp"
 #include "solver/calibrate/impact.hpp"
@@ -54,6 +55,7 @@ struct RangeCalibration {
   std::optional<CommonDissipation> given;
   double undamped_time{};         ///< shortest contact time of the pairs without dashpot
   std::optional<RangeStep> step;  ///< none if no contact ends
+  std::optional<RayleighTime> rayleigh;
 
   const CommonDissipation& used() const { return given ? *given : minimax; }
   LawParameter dissipation() const { return dissipation_of(law); }
@@ -104,6 +106,9 @@ void refuse_replaced(const CalibrateOptions& options, const GivenPairs& pairs) {
     if (given == "--speed" && pairs.has("speed"))
       throw InputError{fmt::format("{}: each pair gives its own; remove it", given)};
   }
+  if (!options.spheres.empty() && (gives_mass_axis(options) || pairs.has("sphere_radius") || pairs.has("mass_2") ||
+                                   pairs.has("radius")))
+    throw InputError{"--spheres: each pair gives its own bodies; remove it"};
   if (gives_mass_axis(options)) {
     if (!options.radii.empty() || !options.pairs.empty()) {
       throw InputError{fmt::format("--masses: found three values, an axis of masses, and {}; give one of the two",
@@ -142,6 +147,18 @@ QuantityColumn effective_masses(const CalibrateOptions& options, const GivenPair
   return column;
 }
 
+/// The spheres of --radii, or those of --spheres, which all pairs share.
+std::vector<Sphere> spheres_of(const CalibrateOptions& options, const GivenPairs& pairs) {
+  if (!options.spheres.empty()) return app::spheres_of(round_bodies(options));
+  std::vector<Sphere> spheres;
+  if (const QuantityColumn* radii = pairs.find("sphere_radius")) {
+    const double density = option_quantity("--density", options.density, dimension::density, si);
+    for (const double radius : radii->values)
+      spheres.push_back({density, radius});
+  }
+  return spheres;
+}
+
 /// The law of one pair.
 ContactLaw law_of_pair(ContactLaw law, const GivenPairs& pairs, std::size_t row) {
   for (const LawParameter& parameter : parameters_of(law)) {
@@ -166,6 +183,7 @@ RangeCalibration calibrated_range(const CalibrateOptions& options) {
   }
   found.law = law_of_options(options, found.of_pairs);
   const QuantityColumn masses = effective_masses(options, given);
+  found.rayleigh = rayleigh_time(options, found.law, {}, spheres_of(options, given));
   const QuantityColumn* speeds = given.find("speed");
   const double speed = option_quantity("--speed", options.speed, dimension::velocity, si);
   std::vector<ImpactingPair> pairs;
@@ -227,13 +245,14 @@ void print_json(const RangeCalibration& found, const CalibrateOptions& options) 
     json["step"] = nullptr;
     json["restitution_error"] = nullptr;
   }
+  add_rayleigh_time(json, found.rayleigh);
   json["pairs"] = rows_of(found.table);
   json["units"] = "SI";
   fmt::print("{}\n", json.dump(2));
 }
 
 /// The step for all pairs, as a text.
-void print_step(const RangeCalibration& found, const CalibrateOptions& options) {
+void print_step(const RangeCalibration& found, const CalibrateOptions& options, const UnitSystem& units) {
   const auto line = [](const std::string& what, double value, std::string_view unit) {
     fmt::print("  {:<39}{:>16.9g} {}\n", what, value, unit);
   };
@@ -241,6 +260,7 @@ void print_step(const RangeCalibration& found, const CalibrateOptions& options) 
   if (!found.step) return;
   line("step for all pairs", found.step->step, "s");
   line("step over shortest undamped contact time", found.step->step / found.undamped_time, "1");
+  print_rayleigh_time(found.rayleigh, found.step->step, 39, units);
   fmt::print(
       "  with {}; row {} requires it; the error of the restitutions over all phases of the step is at most {:.3g}, "
       "required {:.3g}\n",
@@ -263,7 +283,7 @@ void print_text(const RangeCalibration& found, const CalibrateOptions& options, 
   line(dissipation.name + ", minimax", found.minimax);
   if (std::ranges::find(found.table[found.abscissae + 1].values, 0.0) != found.table[found.abscissae + 1].values.end())
     fmt::print("  a restitution of 0: the contact does not end\n");
-  print_step(found, options);
+  print_step(found, options, units);
   fmt::print("in a scene, for all these pairs:\n  {} = \"{} {}\"\n", dissipation.name, found.used().value / size, unit);
   if (restitution_varies(found.law)) {
     fmt::print("for every impact at the speed restitution_speed: restitution = {} in place of {}\n", found.wanted,

@@ -9,6 +9,7 @@
 #include "verification/check/case.hpp"
 #include "verification/problems/program/calibration/calibrated_ranges.hpp"
 #include "verification/problems/program/calibration/impact_request.hpp"
+#include "verification/problems/program/calibration/rayleigh_times.hpp"
 #include "verification/record/json_node.hpp"
 #include "verification/reference/impacts/restitution.hpp"
 #include "verification/study/findings/expectations.hpp"
@@ -129,9 +130,10 @@ void run(Findings& findings, const Setup& setup) {
   const auto group = findings.in("calibration");
   const Program program{setup};
   const bool is_of_pair =
-      std::ranges::any_of(setup.needed, [](const auto& name) { return !name.starts_with("ranges: "); });
+      std::ranges::any_of(setup.needed, [](const auto& name) { return name.find(": ") == std::string::npos; });
   if (setup.needed.empty() || is_of_pair) check_pairs(program, findings, setup);
   if (setup.needs("ranges: ")) check_ranges(program, findings);
+  if (setup.needs("spheres: ")) check_rayleigh_times(program, findings);
 }
 
 }  // namespace
@@ -141,13 +143,14 @@ Case definition() {
                     damping = "damping over the exact one, largest deviation from 1",
                     members = "members of the output that differ from the request",
                     of_pairs = "ranges: dashpots of the pairs over the exact ones, largest deviation from 1",
+                    wave = "spheres: Rayleigh time over that of the exact surface wave, largest deviation from 1",
                     minimax = "ranges: largest deviation with the minimax dashpot less that by a search",
                     wrong_ranges = "ranges: outputs that differ from the request";
   return {.id = "calibrated_laws",
           .title = "Damping of Hertz and Hunt-Crossley contacts by the program",
           .requirements = {{"G3", {"calibration"}}},
-          .main_checks = {pasted, damping, members, of_pairs, minimax},
-          .source = "Hunt & Crossley 1975; Tsuji, Tanaka & Ishida 1992; Schwager & Poeschel 2007",
+          .main_checks = {pasted, damping, members, of_pairs, minimax, wave},
+          .source = "Hunt & Crossley 1975; Tsuji, Tanaka & Ishida 1992; Schwager & Poeschel 2007; Rayleigh 1885",
           .faults = {{"without_speed", "speed of approach not given", damping},
                      {"without_dashpot", "dashpot not given", damping},
                      {"without_end_rule", "end rule not given", damping},
@@ -155,6 +158,8 @@ Case definition() {
                      {"other_mass", "effective mass of a sphere against a wall in place of two spheres", of_pairs},
                      {"heavy_first", "masses of an axis in the reverse order",
                       "ranges: effective masses over the exact ones, largest deviation from 1"},
+                     {"slow_sphere", "the slower of both surface waves", wave},
+                     {"rigid_plane", "half of Young's modulus, as of a sphere that hits a rigid body", wave},
                      {"mean_dashpot", "mean of the exact dashpots in place of the minimax one", minimax}},
           .seconds = 20.0,
           .full_seconds = 80.0,

@@ -1,0 +1,56 @@
+#pragma once
+
+#include <nlohmann/json_fwd.hpp>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "solver/app/calibration/calibrate_options.hpp"
+#include "solver/base/units.hpp"
+#include "solver/calibrate/oblique_impact.hpp"
+#include "solver/calibrate/rayleigh_time.hpp"
+#include "solver/laws/law_list.hpp"
+
+namespace talus::app {
+
+/// Whether the options give radii of the bodies: --spheres or --discs.
+[[nodiscard]] bool gives_round_bodies(const CalibrateOptions& options);
+
+/// The bodies of --masses with the radii of --spheres or --discs, in SI units. Errors: InputError naming the option:
+/// radii or masses are missing, or their numbers differ.
+[[nodiscard]] std::vector<RoundBody> round_bodies(const CalibrateOptions& options);
+
+/// R [L] of two bodies, or of one and a plane: 1/R is the sum of their curvatures.
+[[nodiscard]] double effective_radius(std::span<const RoundBody> bodies);
+
+/// A sphere of a contact, in SI units.
+struct Sphere {
+  double density{};
+  double radius{};
+};
+/// Spheres of these masses and radii.
+[[nodiscard]] std::vector<Sphere> spheres_of(std::span<const RoundBody> bodies);
+
+/// Shortest Rayleigh time of spheres of one material, in SI units.
+struct RayleighTime {
+  std::optional<Material> material;  ///< none: no material has these moduli
+  double shortest{};                 ///< if there is a material
+};
+
+/// Poisson's ratio of --poisson-ratio, if it is given, for contacts with or without spheres. Errors: InputError if it
+/// is not in [0, 0.5], or is given without spheres.
+[[nodiscard]] std::optional<double> poisson_ratio_of(const CalibrateOptions& options, bool has_spheres);
+
+/// The Rayleigh time of the spheres of a contact with this law; the material follows from --poisson-ratio, or from the
+/// moduli of hertz and mindlin. None without spheres or if Poisson's ratio is unknown. Errors: as poisson_ratio_of().
+[[nodiscard]] std::optional<RayleighTime> rayleigh_time(const CalibrateOptions& options, const ContactLaw& law,
+                                                        const FrictionLaw& friction, std::span<const Sphere> spheres);
+
+/// Adds `poisson_ratio` and `rayleigh_time` [s], or null for both without a material.
+void add_rayleigh_time(nlohmann::ordered_json& json, const std::optional<RayleighTime>& known);
+
+/// Lines of text with Poisson's ratio, the Rayleigh time in the unit of time of `units`, and the step [s] as a fraction
+/// of it; `width` of the names.
+void print_rayleigh_time(const std::optional<RayleighTime>& known, double step, int width, const UnitSystem& units);
+
+}  // namespace talus::app
