@@ -45,7 +45,8 @@ struct LawParameter {
 
 /// The law of --law with its choices and the parameters of the options, in SI units. Parameters named in `of_pairs` are
 /// given by the pairs of a range: their options must be absent. --spheres and --discs give the radius. The parameter by
-/// which the law dissipates may be absent. Errors: InputError naming the option: one that the law does not use, is missing, or has a wrong value.
+/// which the law dissipates may be absent. Errors: InputError naming the option: one that the law does not use, is
+/// missing, or has a wrong value.
 [[nodiscard]] ContactLaw law_of_options(const CalibrateOptions& options, const std::vector<std::string>& of_pairs = {});
 
 /// Whether the options give the parameter by which the law dissipates.
