@@ -252,11 +252,13 @@ Command add_calibrate(CLI::App& talus, const DrawingSink& sink) {
                   "a table of such impacts with the same parameters: the first angle, the last "
                   "one and their number, spaced evenly")
       ->expected(3);
-  CLI::Option* spheres = app->add_option("--spheres", options->spheres,
-                                         "of hertz in place of --radius, and of oblique impacts: radius of each body of "
-                                         "--masses, spheres")
-                             ->expected(1, 2);
-  CLI::Option* discs = app->add_option("--discs", options->discs, "of oblique impacts: the same for discs")->expected(1, 2);
+  CLI::Option* spheres =
+      app->add_option("--spheres", options->spheres,
+                      "of hertz in place of --radius, and of oblique impacts: radius of each body of "
+                      "--masses, spheres")
+          ->expected(1, 2);
+  CLI::Option* discs =
+      app->add_option("--discs", options->discs, "of oblique impacts: the same for discs")->expected(1, 2);
   discs->excludes(spheres);
   app->add_option("--tangential-restitution", options->tangential_restitution,
                   "wanted at --angle: relative speed of the centres along the plane, after over before. The first of "
@@ -313,16 +315,14 @@ Command add_calibrate(CLI::App& talus, const DrawingSink& sink) {
       "  talus calibrate cases/pivoted_cylinder.toml --contact impact --restitution 0.5\n"
       "  talus calibrate --law latching_spring --restitution 0.7 --step 1e-7 --integrator euler");
   return {app, [app, options, sink] {
-            for (const char* name :
-                 {"--law", "--end-rule", "--dashpot", "--poisson-ratio", "--spheres", "--speed", "--step", "--bound",
-                  "--integrator", "--units"}) {
+            for (const char* name : {"--law", "--end-rule", "--dashpot", "--poisson-ratio", "--spheres", "--speed",
+                                     "--step", "--bound", "--integrator", "--units"}) {
               if (app->get_option(name)->count() > 0) options->own_to_impact.emplace_back(name);
             }
             for (const char* name : {"--speeds", "--radii", "--density", "--pairs", "--out", "--format"})
               if (app->get_option(name)->count() > 0) options->own_to_range.emplace_back(name);
-            for (const char* name :
-                 {"--angle", "--angles", "--discs", "--tangential-restitution", "--shear-law",
-                  "--friction", "--shear-stiffness", "--shear-modulus", "--shear-damping"}) {
+            for (const char* name : {"--angle", "--angles", "--discs", "--tangential-restitution", "--shear-law",
+                                     "--friction", "--shear-stiffness", "--shear-modulus", "--shear-damping"}) {
               if (app->get_option(name)->count() == 0) continue;
               options->own_to_impact.emplace_back(name), options->own_to_oblique.emplace_back(name);
             }

@@ -21,8 +21,7 @@ std::optional<Material> material_of_moduli(double effective_modulus, double effe
 }
 
 double rayleigh_time(const Material& material, double density, double radius) {
-  const double speed =
-      (0.8766 + 0.1631 * material.poisson_ratio) * std::sqrt(material.shear_modulus / density);
+  const double speed = (0.8766 + 0.1631 * material.poisson_ratio) * std::sqrt(material.shear_modulus / density);
   return std::numbers::pi * radius / speed;
 }
 

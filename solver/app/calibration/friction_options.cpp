@@ -87,8 +87,7 @@ GivenFriction friction_of_options(const CalibrateOptions& options, const Contact
         throw InputError{fmt::format("{}: it follows from --poisson-ratio; give one of the two", option)};
       const std::vector<LawParameter> normal = parameters_of(contact_law);
       const double modulus = std::ranges::find(normal, "modulus", &LawParameter::name)->value;
-      set_parameter(given.law, parameter.name,
-                    material_of(modulus, *options.poisson_ratio).effective_shear_modulus());
+      set_parameter(given.law, parameter.name, material_of(modulus, *options.poisson_ratio).effective_shear_modulus());
     } else if (!text.empty()) {
       set_parameter(given.law, parameter.name, parameter_value(option, text, parameter.dimension, parameter.range));
     } else if (parameter.name != given.sought && !has_default) {

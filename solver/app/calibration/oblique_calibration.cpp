@@ -123,7 +123,8 @@ ObliqueCalibration calibrated_oblique(const CalibrateOptions& options) {
   }
   if (!angles.empty()) add_angles(found, angles, step, integrator);
   found.step = step.found();
-  if (!options.spheres.empty()) found.rayleigh = rayleigh_time(options, impact.law, impact.friction, spheres_of(bodies));
+  if (!options.spheres.empty())
+    found.rayleigh = rayleigh_time(options, impact.law, impact.friction, spheres_of(bodies));
   return found;
 }
 

@@ -106,8 +106,8 @@ void refuse_replaced(const CalibrateOptions& options, const GivenPairs& pairs) {
     if (given == "--speed" && pairs.has("speed"))
       throw InputError{fmt::format("{}: each pair gives its own; remove it", given)};
   }
-  if (!options.spheres.empty() && (gives_mass_axis(options) || pairs.has("sphere_radius") || pairs.has("mass_2") ||
-                                   pairs.has("radius")))
+  if (!options.spheres.empty() &&
+      (gives_mass_axis(options) || pairs.has("sphere_radius") || pairs.has("mass_2") || pairs.has("radius")))
     throw InputError{"--spheres: each pair gives its own bodies; remove it"};
   if (gives_mass_axis(options)) {
     if (!options.radii.empty() || !options.pairs.empty()) {

@@ -71,8 +71,7 @@ std::optional<double> poisson_ratio_of(const CalibrateOptions& options, bool has
   if (ratio && !(*ratio >= 0.0 && *ratio <= 0.5))
     throw InputError{fmt::format("--poisson-ratio: found {}; it must be in [0, 0.5]", *ratio)};
   if (ratio && !has_spheres) {
-    throw InputError{
-        "--poisson-ratio: it needs spheres; give --spheres with --masses, or --radii with --density"};
+    throw InputError{"--poisson-ratio: it needs spheres; give --spheres with --masses, or --radii with --density"};
   }
   return ratio;
 }

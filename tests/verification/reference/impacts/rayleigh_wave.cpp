@@ -10,7 +10,8 @@ using namespace talus::verification::reference;
 
 // nu = 1/4 has the root q = 2 - 2/sqrt(3) (Rayleigh 1885); nu = 0 gives q = 3 - sqrt(5).
 BOOST_AUTO_TEST_CASE(known_roots) {
-  BOOST_TEST(surface_wave_speed(0.25) == std::sqrt(2.0 - 2.0 / std::numbers::sqrt3), boost::test_tools::tolerance(1e-14));
+  BOOST_TEST(surface_wave_speed(0.25) == std::sqrt(2.0 - 2.0 / std::numbers::sqrt3),
+             boost::test_tools::tolerance(1e-14));
   BOOST_TEST(surface_wave_speed(0.0) == std::sqrt(3.0 - std::sqrt(5.0)), boost::test_tools::tolerance(1e-14));
 }
 

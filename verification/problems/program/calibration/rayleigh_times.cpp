@@ -28,9 +28,7 @@ struct Spheres {
   std::vector<double> densities, radii;
 
   double mass(std::size_t i) const { return densities[i] * 4.0 / 3.0 * std::numbers::pi * std::pow(radii[i], 3.0); }
-  double effective_radius() const {
-    return radii.size() == 1 ? radii[0] : radii[0] * radii[1] / (radii[0] + radii[1]);
-  }
+  double effective_radius() const { return radii.size() == 1 ? radii[0] : radii[0] * radii[1] / (radii[0] + radii[1]); }
   /// The faults take the slowest wave, or the material that touches a rigid body with the same modulus.
   double shortest_time(const Setup& setup) const {
     reference::ElasticMaterial of = material;
@@ -120,19 +118,18 @@ void compare_normal(const Program& program, const Spheres& spheres, double speed
 /// An oblique impact: Poisson's ratio gives the shear modulus, and the shear modulus Poisson's ratio.
 void compare_oblique(const Program& program, const Spheres& spheres, double speed, bool with_others, Worst& worst,
                      Differences& differ) {
-  const Options common =
-      with(hertz_options(spheres, true, speed), {{"--shear-law", {"mindlin"}},
-                                                 {"--friction", {"0.3"}},
-                                                 {"--angle", {fmt::format("{} rad", 20.0 * degree)}},
-                                                 {"--bound", {"0.05"}}});
+  const Options common = with(hertz_options(spheres, true, speed), {{"--shear-law", {"mindlin"}},
+                                                                    {"--friction", {"0.3"}},
+                                                                    {"--angle", {fmt::format("{} rad", 20.0 * degree)}},
+                                                                    {"--bound", {"0.05"}}});
   const reference::ElasticMaterial& material = spheres.material;
   const Options by_ratio = with(common, {ratio_option(material.poisson_ratio)});
   const Json found = program.json({"calibrate"}, with(by_ratio, {{"--json", {}}}));
   compare_time(found, spheres, program.setup(), worst);
   keep_worst(worst.modulus, found.at("shear_modulus").get<double>() / material.contact_shear_modulus() - 1.0);
   const Json back = program.json(
-      {"calibrate"}, with(common, {{"--shear-modulus", {fmt::format("{} Pa", material.contact_shear_modulus())}},
-                                   {"--json", {}}}));
+      {"calibrate"},
+      with(common, {{"--shear-modulus", {fmt::format("{} Pa", material.contact_shear_modulus())}}, {"--json", {}}}));
   compare_time(back, spheres, program.setup(), worst);
   keep_worst(worst.ratio, back.at("poisson_ratio").get<double>() - material.poisson_ratio);
   compare_text(program.run({"calibrate"}, by_ratio), found, worst);
@@ -140,12 +137,13 @@ void compare_oblique(const Program& program, const Spheres& spheres, double spee
   if (!with_others) return;
   // No material has half of this modulus, or twice.
   for (const double factor : {0.5, 2.0}) {
-    const Options other = with(
-        common, {{"--shear-modulus", {fmt::format("{} Pa", factor * material.contact_shear_modulus())}}});
+    const Options other =
+        with(common, {{"--shear-modulus", {fmt::format("{} Pa", factor * material.contact_shear_modulus())}}});
     const Json none = program.json({"calibrate"}, with(other, {{"--json", {}}}));
     differ.compare("no material", none.at("rayleigh_time").is_null() && none.at("poisson_ratio").is_null(), true);
     const std::string printed = program.run({"calibrate"}, other);
-    differ.compare("no Rayleigh time", printed.find("  no Rayleigh time: a material of both") != std::string::npos, true);
+    differ.compare("no Rayleigh time", printed.find("  no Rayleigh time: a material of both") != std::string::npos,
+                   true);
     differ.compare("no fraction of it", printed.find("step over Rayleigh time") == std::string::npos, true);
   }
 }
@@ -185,9 +183,9 @@ void compare_refusals(const Program& program, Differences& differ) {
   const Options hertz{{"--law", {"hertz"}}, {"--restitution", {"0.7"}}, {"--modulus", {"1 GPa"}}},
       linear{{"--stiffness", {"1 N/m"}}, {"--restitution", {"0.7"}}};
   const Option mass{"--masses", {"1 g"}}, sphere{"--spheres", {"1 cm"}}, radius{"--radius", {"1 cm"}},
-      ratio{"--poisson-ratio", {"0.3"}}, axis{"--masses", {"1 g", "2 g", "3"}},
-      radii{"--radii", {"1 mm", "2 mm", "3"}}, density{"--density", {"2500 kg/m^3"}}, angle{"--angle", {"10 deg"}},
-      friction{"--friction", {"0.1"}}, mindlin{"--shear-law", {"mindlin"}};
+      ratio{"--poisson-ratio", {"0.3"}}, axis{"--masses", {"1 g", "2 g", "3"}}, radii{"--radii", {"1 mm", "2 mm", "3"}},
+      density{"--density", {"2500 kg/m^3"}}, angle{"--angle", {"10 deg"}}, friction{"--friction", {"0.1"}},
+      mindlin{"--shear-law", {"mindlin"}};
   struct Wrong {
     Options options;
     std::string message;
@@ -195,8 +193,10 @@ void compare_refusals(const Program& program, Differences& differ) {
   const std::vector<Wrong> all{
       {with(hertz, {mass, radius, ratio}), "--poisson-ratio: it needs spheres; give --spheres with --masses, or"},
       {with(hertz, {axis, radius, ratio}), "--poisson-ratio: it needs spheres; give --spheres with --masses, or"},
-      {with(hertz, {mass, {"--discs", {"1 cm"}}, angle, friction, mindlin, ratio}), "--poisson-ratio: it needs spheres"},
-      {with(hertz, {mass, sphere, {"--poisson-ratio", {"0.51"}}}), "--poisson-ratio: found 0.51; it must be in [0, 0.5]"},
+      {with(hertz, {mass, {"--discs", {"1 cm"}}, angle, friction, mindlin, ratio}),
+       "--poisson-ratio: it needs spheres"},
+      {with(hertz, {mass, sphere, {"--poisson-ratio", {"0.51"}}}),
+       "--poisson-ratio: found 0.51; it must be in [0, 0.5]"},
       {with(hertz, {mass, sphere, {"--poisson-ratio", {"-0.1"}}}), "--poisson-ratio: found -0.1; it must be in"},
       {with(linear, {mass, ratio}), "--poisson-ratio: the law 'linear_spring_dashpot' does not use this option"},
       {with(linear, {mass, sphere}), "--spheres: the law 'linear_spring_dashpot' does not use this option"},
@@ -238,14 +238,17 @@ void check_rayleigh_times(const Program& program, Findings& findings) {
   compare_refusals(program, differ);
   findings.expect("spheres: Rayleigh time over that of the exact surface wave, largest deviation from 1", worst.wave,
                   0.0,
-                  Tolerance::model(0.004, "0.8766 + 0.1631 nu is 0.3 % above the root of Rayleigh's equation at both "
-                                          "ends of [0, 0.5]"));
+                  Tolerance::model(0.004,
+                                   "0.8766 + 0.1631 nu is 0.3 % above the root of Rayleigh's equation at both "
+                                   "ends of [0, 0.5]"));
   findings.expect("spheres: Rayleigh time over that of the formula, largest deviation from 1", worst.formula, 0.0,
-                  Tolerance::round_off(2e-14, "some twenty operations on both sides, and radii spaced by powers; nu of "
-                                              "both moduli has an error of some 1e-15"));
+                  Tolerance::round_off(2e-14,
+                                       "some twenty operations on both sides, and radii spaced by powers; nu of "
+                                       "both moduli has an error of some 1e-15"));
   findings.expect("spheres: Poisson's ratio less that of the material, largest error", worst.ratio, 0.0,
-                  Tolerance::round_off(1e-14, "from both moduli: (1 - 4 q)/(1 - 2 q) has a derivative of -2/(1 - 2 q)^2, "
-                                              "at most 8 for q up to 1/4"));
+                  Tolerance::round_off(1e-14,
+                                       "from both moduli: (1 - 4 q)/(1 - 2 q) has a derivative of -2/(1 - 2 q)^2, "
+                                       "at most 8 for q up to 1/4"));
   findings.expect("spheres: shear modulus over that of the material, largest deviation from 1", worst.modulus, 0.0,
                   Tolerance::round_off(2e-15, "some ten operations"));
   findings.expect("spheres: printed numbers over those of JSON, largest deviation from 1", worst.printed, 0.0,
