@@ -87,6 +87,7 @@ int parse_and_work(int count, const char* const* arguments) {
                                       add_snapshot(talus, draw),
                                       add_animate(talus, draw),
                                       add_study(talus),
+                                      add_sweep(talus),
                                       add_list(talus),
                                       add_new(talus)};
   for (const Command& command : commands)

@@ -28,6 +28,7 @@ struct Command {
 [[nodiscard]] Command add_convert(CLI::App& talus);
 [[nodiscard]] Command add_export(CLI::App& talus);
 [[nodiscard]] Command add_study(CLI::App& talus);
+[[nodiscard]] Command add_sweep(CLI::App& talus);
 [[nodiscard]] Command add_list(CLI::App& talus);
 [[nodiscard]] Command add_new(CLI::App& talus);
 /// Add a subcommand that draws, and sends its DrawingRequest to the sink.

@@ -59,7 +59,7 @@ class RequestedScene final : public ResumableRun {
       ends_early_ = scene().early_end && reached(*scene().early_end, scene().model, seen.state());
       return ends_early_ || seen.state().t >= until || (pause && pause());
     };
-    return run_.proceed(stop, progress);
+    return run_.proceed(stop, &progress);
   }
   bool finish(Outcome& outcome, const Condition& interrupted) override {
     if (ends_early_) outcome.kind = Outcome::Kind::finished;

@@ -5,6 +5,7 @@
 #include <charconv>
 #include <cmath>
 
+#include "solver/base/any_quantity.hpp"
 #include "solver/base/error.hpp"
 #include "solver/base/unit_table.hpp"
 
@@ -89,6 +90,15 @@ class QuantityText {
       : text_{text}, wanted_{wanted}, system_{system} {}
 
   double value() { return times_units(read_number()); }
+
+  AnyQuantity any() {
+    const double number = read_number();
+    Product product;
+    if (!at_end()) read_units(product);
+    const Dimension dimension = product.dimension;
+    divide_by_own(product, system_);
+    return {scaled(number, product.size), dimension};
+  }
 
   /// `number` times the units that follow, in consistent units.
   double times_units(double number) {
@@ -253,6 +263,10 @@ std::string text_of(Dimension dimension) {
 
 double parse_quantity(std::string_view text, Dimension wanted, const UnitSystem& system) {
   return QuantityText{text, wanted, system}.value();
+}
+
+AnyQuantity parse_any_quantity(std::string_view text, const UnitSystem& system) {
+  return QuantityText{text, dimension::number, system}.any();
 }
 
 double consistent(double number, std::string_view unit, Dimension wanted, const UnitSystem& system) {

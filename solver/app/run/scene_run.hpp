@@ -31,8 +31,9 @@ class SceneRun {
   /// Copies the files written so far from the folder of the interrupted run; called after restoring. Errors: IoError.
   void bring_files(const std::filesystem::path& from);
 
-  /// Advances the run to its plan's end or until `stop`, and shows the progress. Errors: IoError.
-  Outcome proceed(const StopCondition& stop, Progress& progress);
+  /// Advances the run to its plan's end or until `stop`, and shows the progress, if there is a line for it. Errors:
+  /// IoError.
+  Outcome proceed(const StopCondition& stop, Progress* progress);
   /// The monitor of the run, with its results so far.
   const RunMonitor& watch() const { return watch_; }
   /// Warnings about a start that is probably not intended; the first warnings of the record.
@@ -42,6 +43,11 @@ class SceneRun {
   const Dynamics& dynamics() const { return dynamics_; }
   /// Counts and computing times of the steps of this process.
   [[nodiscard]] StepParts::Found parts() const { return parts_.found(); }
+  const Recorder& recorder() const { return recorder_; }
+  /// Quality of the results of a run with this outcome.
+  [[nodiscard]] RunQuality quality(const Outcome& outcome) const;
+  /// Results of a fence so far; null for other scenes.
+  const scenes::FenceSummary* fence() const { return fence_ ? &fence_->summary() : nullptr; }
   /// The record of the run, for reports.
   [[nodiscard]] RunRecord record(Outcome outcome) const;
   /// Writes all files except summary.json. Errors: IoError.
@@ -51,7 +57,6 @@ class SceneRun {
 
  private:
   State started(State state);
-  RunQuality quality(const Outcome& outcome) const;
 
   const SceneFile* file_;
   const Scene* scene_;

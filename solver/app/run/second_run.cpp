@@ -21,7 +21,7 @@ std::optional<RunRecord> record_of(const SceneFile& file, long maximum, const St
     given_up = run.run_state().evaluations > maximum;
     return there || given_up || (stop && stop(seen));
   };
-  Outcome outcome = run.proceed(ends, progress);
+  Outcome outcome = run.proceed(ends, &progress);
   if (there) outcome.kind = Outcome::Kind::finished;
   if (given_up)
     outcome = {Outcome::Kind::diverged, outcome.time, fmt::format("given up after {} evaluations", maximum)};

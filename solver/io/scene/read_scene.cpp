@@ -251,7 +251,10 @@ SceneFile read_bodies_scene(SceneTable& file, SceneSource& source) {
 }  // namespace
 
 SceneFile read_scene_file(std::string_view text, std::string_view name) {
-  const TomlValue document = parse_toml(text, name);
+  return read_scene_file(parse_toml(text, name), name);
+}
+
+SceneFile read_scene_file(const TomlValue& document, std::string_view name) {
   SceneSource source{std::string{name}, si};
   SceneTable file{source, document, ""};
   source.collect();

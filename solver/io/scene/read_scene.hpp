@@ -2,6 +2,7 @@
 
 #include <string_view>
 
+#include "solver/io/file/toml_document.hpp"
 #include "solver/io/scene/scene_file.hpp"
 
 namespace talus {
@@ -11,6 +12,9 @@ namespace talus {
 /// in errors. Errors: InputError with all errors of the text, each of the form `file.toml:17: body 'rock': mass: found
 /// "-3 kg"; it must be > 0`.
 [[nodiscard]] SceneFile read_scene_file(std::string_view text, std::string_view name);
+
+/// The same of a parsed TOML text.
+[[nodiscard]] SceneFile read_scene_file(const TomlValue& document, std::string_view name);
 
 /// As read_scene_file, but returns only the scene.
 [[nodiscard]] Scene read_scene(std::string_view text, std::string_view name);

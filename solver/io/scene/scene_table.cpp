@@ -72,6 +72,8 @@ bool SceneTable::has(std::string_view key) {
   return find(key) != nullptr;
 }
 
+const TomlValue* SceneTable::value(std::string_view key) { return has(key) ? find(key) : nullptr; }
+
 bool SceneTable::is_text(std::string_view key) const {
   const TomlValue* const value = find(key);
   return value != nullptr && std::holds_alternative<std::string>(value->data);

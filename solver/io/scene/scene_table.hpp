@@ -127,6 +127,8 @@ class SceneTable {
   void guard(Read&& read) const {
     source_->guard(line_, std::forward<Read>(read));
   }
+  /// The value of a key as it is; null if the key is missing.
+  [[nodiscard]] const TomlValue* value(std::string_view key);
   /// A table inside this one.
   [[nodiscard]] SceneTable table(std::string_view key);
   /// The tables of an array of tables, [[key]]; empty if the key is missing or wrong. Messages use each table's `name`.

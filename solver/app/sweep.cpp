@@ -1,0 +1,307 @@
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <atomic>
+#include <charconv>
+#include <chrono>
+#include <filesystem>
+#include <memory>
+#include <mutex>
+#include <nlohmann/json.hpp>
+#include <optional>
+#include <thread>
+
+#include "solver/app/command.hpp"
+#include "solver/app/interruption.hpp"
+#include "solver/app/sweep/sweep_file.hpp"
+#include "solver/app/sweep/sweep_folder.hpp"
+#include "solver/app/sweep/sweep_table.hpp"
+#include "solver/base/error.hpp"
+#include "solver/base/progress.hpp"
+#include "solver/io/file/atomic_file.hpp"
+#include "solver/io/file/toml_field.hpp"
+#include "solver/threads/parallel_for.hpp"
+
+namespace talus::app {
+namespace {
+
+namespace fs = std::filesystem;
+using Clock = std::chrono::steady_clock;
+
+/// Exit status if some runs of a sweep failed; if all did, it is `diverged`.
+constexpr int some_failed = 6;
+
+struct SweepOptions {
+  std::string file;    ///< of plan
+  std::string folder;  ///< of all others, and --out of plan
+  std::string shard{"1/1"};
+  unsigned threads{std::max(1U, std::thread::hardware_concurrency())};
+  bool json{false};
+  bool partial{false};
+};
+
+/// Part `number` of `count` of a sweep, which has every count-th run.
+struct Shard {
+  std::size_t number{}, count{};
+};
+
+Shard shard_of(const std::string& text) {
+  Shard shard;
+  const char* const end = text.data() + text.size();
+  const auto first = std::from_chars(text.data(), end, shard.number);
+  if (first.ec == std::errc{} && first.ptr != end && *first.ptr == '/') {
+    const auto second = std::from_chars(first.ptr + 1, end, shard.count);
+    if (second.ec == std::errc{} && second.ptr == end && shard.number >= 1 && shard.number <= shard.count) return shard;
+  }
+  throw InputError{fmt::format("--shard: found \"{}\"; it must be I/N, part I from 1 to N of N parts", text)};
+}
+
+int exit_of(const SweepCounts& counts) {
+  if (counts.failed() == 0) return ok;
+  return counts.failed() == counts.done() ? int{diverged} : some_failed;
+}
+
+/// A time as text; below 10 s with two digits.
+std::string time_text(double seconds) {
+  return seconds < 10.0 ? fmt::format("{:.2g} s", seconds) : duration_text(seconds);
+}
+
+std::string failures_text(const SweepCounts& counts) {
+  std::string text;
+  for (const auto& [count, name] : {std::pair{counts.unusable, "not usable"}, std::pair{counts.diverged, "diverged"},
+                                    std::pair{counts.refused, "refused"}, std::pair{counts.limited, "limited"}}) {
+    if (count > 0) text += fmt::format(", {} {}", count, name);
+  }
+  return text;
+}
+
+/// What a run costs, measured at the start of one.
+struct Sample {
+  std::size_t number{};
+  SweepResult result;
+  double seconds{};
+};
+
+/// Runs the first, the middle and the last one, each for at most a tenth of a second: the cost of all is extrapolated.
+std::vector<Sample> samples_of(const SweepFolder& sweep, const SweepBase& base) {
+  std::vector<Sample> samples;
+  SweepLimits limits = sweep.limits;
+  constexpr double sample_time = 0.1;
+  limits.time = limits.time > 0.0 ? std::min(limits.time, sample_time) : sample_time;
+  std::size_t last = sweep.runs.size();
+  for (const std::size_t i : {std::size_t{0}, sweep.runs.size() / 2, sweep.runs.size() - 1}) {
+    if (i == last) continue;
+    last = i;
+    Sample sample{i + 1, {}, 0.0};
+    const Clock::time_point start = Clock::now();
+    sample.result = base.result(sweep.runs[i], limits, [] { return false; });
+    sample.seconds = std::chrono::duration<double>(Clock::now() - start).count();
+    if (sample.result.end == SweepEnd::limited && sample.result.time > 0.0) {
+      const double whole = base.scene(sweep.runs[i]).scene.plan.end / sample.result.time;
+      sample.seconds *= whole;
+      sample.result.evaluations = std::lround(static_cast<double>(sample.result.evaluations) * whole);
+    }
+    samples.push_back(std::move(sample));
+  }
+  return samples;
+}
+
+/// Calls `action`; an InputError of it gets the name of the sweep's file.
+template <class Action>
+auto of_file(const fs::path& file, Action&& action) {
+  try {
+    return action();
+  } catch (const InputError& error) {
+    throw InputError{fmt::format("{}: {}", file.string(), error.what())};
+  }
+}
+
+int plan(const SweepOptions& options) {
+  const fs::path file{options.file};
+  const SweepFile described = read_sweep(read_text(file), file);
+  SweepFolder sweep;
+  sweep.folder = options.folder.empty() ? file.stem() : fs::path{options.folder};
+  sweep.title = described.title;
+  sweep.outputs = described.outputs, sweep.limits = described.limits;
+  sweep.base_text = base_text(described.base);
+  const std::string base_name = described.base.string();
+  static_cast<void>(SweepBase{sweep.base_text, base_name, {}});  // errors of the scene name its file
+  const SweepBase base = of_file(file, [&] { return SweepBase{sweep.base_text, base_name, sweep.outputs}; });
+  SweptRuns made = of_file(file, [&] { return swept_runs(described); });
+  sweep.runs = std::move(made.runs);
+  // A field that does not exist is an error of the sweep, not of its runs.
+  of_file(file, [&] {
+    TomlValue document = parse_toml(sweep.base_text, base_name);
+    for (const auto& [field, value] : sweep.runs.front().parameters)
+      set_field(document, field, value);
+  });
+  write_sweep_folder(sweep);
+  const std::vector<Sample> samples = samples_of(sweep, base);
+  double seconds = 0.0, evaluations = 0.0, bytes = 0.0;
+  for (const Sample& sample : samples) {
+    seconds += sample.seconds, evaluations += static_cast<double>(sample.result.evaluations);
+    bytes += static_cast<double>(result_line(sample.result).size()) +
+             20.0 * static_cast<double>(sample.result.values.empty() ? sweep.outputs.size() : 0);
+  }
+  const double scale = static_cast<double>(sweep.runs.size()) / static_cast<double>(samples.size());
+  const std::string folder = sweep.folder.string();
+  if (options.json) {
+    nlohmann::ordered_json json{{"folder", folder},
+                                {"runs", sweep.runs.size()},
+                                {"left_out", made.left_out},
+                                {"evaluations", std::round(evaluations * scale)},
+                                {"processor_time", seconds * scale},
+                                {"bytes", std::round(bytes * scale)}};
+    fmt::print("{}\n", json.dump(2));
+  } else {
+    fmt::print("{} runs", sweep.runs.size());
+    if (made.left_out > 0) fmt::print(", without {} that do not satisfy the constraints", made.left_out);
+    fmt::print("\nestimated from {} runs: {:.3g} force evaluations, {} of processor time, {:.3g} MB of results\n",
+               samples.size(), evaluations * scale, time_text(seconds * scale), 1e-6 * bytes * scale);
+    fmt::print("written: {0}/sweep.json, base.toml, manifest.jsonl\nrun it by:\n  talus sweep run {0}\n",
+               shell_word(folder));
+  }
+  for (const Sample& sample : samples) {
+    if (sample.result.end == SweepEnd::refused)
+      print_failure(fmt::format("warning: run {} is refused: {}", sample.number, sample.result.reason));
+  }
+  return ok;
+}
+
+int run(const SweepOptions& options) {
+  const Shard shard = shard_of(options.shard);
+  const SweepFolder sweep = read_sweep_folder(options.folder);
+  const SweepBase base = sweep.base();
+  std::vector<const SweptRun*> missing;
+  {
+    const KnownResults known = read_results(sweep);
+    for (std::size_t i = shard.number - 1; i < sweep.runs.size(); i += shard.count)
+      if (!known.by_id.contains(sweep.runs[i].id)) missing.push_back(&sweep.runs[i]);
+  }
+  const std::size_t all = (sweep.runs.size() + shard.count - shard.number) / shard.count;
+  Interruption interruption;
+  const auto interrupted = [&] { return interruption.signal() != 0; };
+  if (!missing.empty()) {
+    ResultFile file{sweep.folder};
+    Progress line;
+    std::mutex one_at_a_time;
+    std::size_t done = 0;
+    const Clock::time_point start = Clock::now();
+    parallel_for(missing.size(), options.threads, [&](std::size_t i) {
+      if (interrupted()) return;
+      const SweepResult result = base.result(*missing[i], sweep.limits, interrupted);
+      if (result.id.empty()) return;
+      file.add(result);
+      const std::lock_guard lock{one_at_a_time};
+      ++done;
+      if (!line.due()) return;
+      const double elapsed = std::chrono::duration<double>(Clock::now() - start).count();
+      const double fraction = static_cast<double>(done) / static_cast<double>(missing.size());
+      line.show(fmt::format("{} of {} runs, {}", all - missing.size() + done, all, time_left_text(elapsed, fraction)));
+    });
+    file.flush();
+  }
+  // Counted are the runs of this shard.
+  const KnownResults known = read_results(sweep);
+  SweepFolder part = sweep;
+  part.runs.clear();
+  for (std::size_t i = shard.number - 1; i < sweep.runs.size(); i += shard.count)
+    part.runs.push_back(sweep.runs[i]);
+  const SweepCounts counts = counts_of(part, read_results(part));
+  fmt::print("{} of {} runs done", counts.done(), counts.runs);
+  if (shard.count > 1) fmt::print(", part {} of {}", shard.number, shard.count);
+  fmt::print(": {} finished{}\n", counts.finished, failures_text(counts));
+  if (interrupted()) {
+    print_failure(fmt::format("{}: {} runs are missing; the same command continues with them", interruption.name(),
+                              counts.missing));
+    return 128 + interruption.signal();
+  }
+  return exit_of(counts);
+}
+
+int status(const SweepOptions& options) {
+  const SweepFolder sweep = read_sweep_folder(options.folder);
+  const KnownResults known = read_results(sweep);
+  const SweepCounts counts = counts_of(sweep, known);
+  if (options.json) {
+    const nlohmann::ordered_json json{{"runs", counts.runs},           {"missing", counts.missing},
+                                      {"finished", counts.finished},   {"unusable", counts.unusable},
+                                      {"diverged", counts.diverged},   {"refused", counts.refused},
+                                      {"limited", counts.limited},     {"duplicates", known.duplicates.size()},
+                                      {"of_others", known.of_others}};
+    fmt::print("{}\n", json.dump(2));
+    return ok;
+  }
+  fmt::print("{} of {} runs done: {} finished{}\n", counts.done(), counts.runs, counts.finished, failures_text(counts));
+  if (!known.duplicates.empty()) fmt::print("{} results of runs that have another one\n", known.duplicates.size());
+  if (known.of_others > 0) fmt::print("{} results of runs that are not in the plan\n", known.of_others);
+  return ok;
+}
+
+int collect(const SweepOptions& options) {
+  const SweepFolder sweep = read_sweep_folder(options.folder);
+  const SweepBase base = sweep.base();
+  const KnownResults known = read_results(sweep);
+  const SweepCounts counts = counts_of(sweep, known);
+  if (!options.partial && counts.missing > 0) {
+    throw InputError{fmt::format("{}: {} of {} runs have no result; run them by `talus sweep run {}`, or collect those "
+                                 "that are done with --partial",
+                                 options.folder, counts.missing, counts.runs, shell_word(options.folder))};
+  }
+  if (!options.partial && !known.duplicates.empty()) {
+    throw InputError{fmt::format("{}: run {} has several results, as have {} in all; with --partial the first one of "
+                                 "each counts, in the order of the files' names",
+                                 options.folder, known.duplicates.front(), known.duplicates.size())};
+  }
+  if (counts.done() == 0) throw InputError{fmt::format("{}: no run has a result", options.folder)};
+  const fs::path csv = sweep.folder / "results.csv", json = sweep.folder / "results.json";
+  write_whole(csv, sweep_csv(sweep, known, base));
+  write_whole(json, sweep_json(sweep, known, base));
+  fmt::print("{} of {} runs: {} finished{}\n{}\n{}\n", counts.done(), counts.runs, counts.finished,
+             failures_text(counts), csv.string(), json.string());
+  return exit_of(counts);
+}
+
+void add_folder(CLI::App& app, SweepOptions& options) {
+  app.add_option("FOLDER", options.folder, "folder of the sweep, written by `talus sweep plan`")->required();
+}
+
+}  // namespace
+
+Command add_sweep(CLI::App& talus) {
+  CLI::App* const app = talus.add_subcommand("sweep", "Run a scene many times with changed fields and collect numbers");
+  const auto options = std::make_shared<SweepOptions>();
+  app->require_subcommand(1);
+  CLI::App* const plan_app = app->add_subcommand("plan", "List the runs of a sweep and estimate their cost");
+  plan_app->add_option("SWEEP", options->file, "the sweep (.toml): base, axes, outputs")->required();
+  plan_app->add_option("--out", options->folder, "folder of the sweep; default: the name of SWEEP without .toml, in the present folder");
+  plan_app->add_flag("--json", options->json, "print JSON");
+  CLI::App* const run_app = app->add_subcommand("run", "Execute the runs that have no result yet");
+  add_folder(*run_app, *options);
+  run_app->add_option("--shard", options->shard, "I/N: only part I of N equal parts, e.g. on one of N machines");
+  run_app->add_option("--threads", options->threads, "default: all; results do not depend on it")
+      ->check(CLI::Range(1U, 1024U));
+  CLI::App* const status_app = app->add_subcommand("status", "Count the runs that are done, failed and missing");
+  add_folder(*status_app, *options);
+  status_app->add_flag("--json", options->json, "print JSON");
+  CLI::App* const collect_app =
+      app->add_subcommand("collect", "Write results.csv and results.json, in the order of the plan");
+  add_folder(*collect_app, *options);
+  collect_app->add_flag("--partial", options->partial, "accept missing runs, and runs with several results");
+  app->footer(
+      "Examples:\n"
+      "  talus sweep plan cases/sweeps/rock.toml --out rock\n"
+      "  talus sweep run rock\n"
+      "  talus sweep run rock --shard 1/4             a quarter of the runs, e.g. on one of four machines\n"
+      "  talus sweep collect rock                     rock/results.csv, rock/results.json\n"
+      "A run that diverges, is refused or reaches a limit is a row with its reason. `run` can be stopped at any time and\n"
+      "started again. Exit statuses: 6 some runs failed, 3 all did.");
+  return {app, [=] {
+            if (plan_app->parsed()) return plan(*options);
+            if (run_app->parsed()) return run(*options);
+            return status_app->parsed() ? status(*options) : collect(*options);
+          }};
+}
+
+}  // namespace talus::app

@@ -1,0 +1,315 @@
+#include "solver/app/sweep/sweep_file.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <set>
+
+#include "solver/base/any_quantity.hpp"
+#include "solver/base/error.hpp"
+#include "solver/io/file/quantity_table.hpp"
+#include "solver/io/file/toml_field.hpp"
+#include "solver/io/scene/scene_table.hpp"
+#include "verification/record/csv.hpp"
+#include "verification/record/error.hpp"
+
+namespace talus::app {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr std::int64_t maximum_runs = 1'000'000;
+
+bool is_whole(const TomlValue& value) { return std::holds_alternative<std::int64_t>(value.data); }
+
+bool is_value(const TomlValue& value) {
+  return std::holds_alternative<std::string>(value.data) || std::holds_alternative<double>(value.data) ||
+         is_whole(value) || std::holds_alternative<bool>(value.data);
+}
+
+/// The elements of an array. Errors: of another value.
+const TomlArray& array_of(const SceneTable& table, std::string_view key, const TomlValue& value, std::size_t minimum,
+                          std::string_view what) {
+  const TomlArray* const array = std::get_if<TomlArray>(&value.data);
+  if (array == nullptr || array->size() < minimum)
+    table.fail(key, fmt::format("found {}; it must be an array of {}", found(value), what));
+  return *array;
+}
+
+/// The number of a value, in the unit that all values of the key must have.
+double in_unit(const SceneTable& table, std::string_view key, const TomlValue& value, std::optional<std::string>& unit) {
+  WrittenNumber number;
+  try {
+    number = written_number(value);
+  } catch (const InputError& error) {
+    table.fail(key, error.what());
+  }
+  if (unit && *unit != number.unit) {
+    table.fail(key, fmt::format("found {} and a value in {}; give all in one unit", found(value),
+                                unit->empty() ? "no unit" : *unit));
+  }
+  unit = number.unit;
+  return number.value;
+}
+
+Continuous read_range(SceneTable& table, const TomlValue& value) {
+  const TomlArray& ends = array_of(table, "range", value, 2, "two values, the first and the last");
+  if (ends.size() != 2) table.fail("range", fmt::format("found {}; it must be an array of two values", found(value)));
+  Continuous made;
+  std::optional<std::string> unit;
+  const double first = in_unit(table, "range", ends[0], unit), last = in_unit(table, "range", ends[1], unit);
+  if (!(first < last))
+    table.fail("range", fmt::format("found {}; the first value must be less than the second", found(value)));
+  made.unit = *unit, made.is_range = true, made.whole = is_whole(ends[0]) && is_whole(ends[1]);
+  made.quantiles = {{0.0, first}, {1.0, last}};
+  return made;
+}
+
+Continuous read_quantiles(SceneTable& table, const TomlValue& value) {
+  constexpr std::string_view what = "pairs [probability, value], the first probability 0 and the last one 1";
+  Continuous made;
+  std::optional<std::string> unit;
+  for (const TomlValue& pair : array_of(table, "quantiles", value, 2, what)) {
+    const TomlArray* const both = std::get_if<TomlArray>(&pair.data);
+    if (both == nullptr || both->size() != 2)
+      table.fail("quantiles", fmt::format("found {}; it must be an array of {}", found(pair), what));
+    std::optional<std::string> none{""};
+    const double probability = in_unit(table, "quantiles", (*both)[0], none);
+    made.quantiles.emplace_back(probability, in_unit(table, "quantiles", (*both)[1], unit));
+  }
+  made.unit = *unit;
+  const auto& all = made.quantiles;
+  if (all.front().first != 0.0 || all.back().first != 1.0)
+    table.fail("quantiles", fmt::format("found probabilities from {} to {}; they must be from 0 to 1",
+                                        all.front().first, all.back().first));
+  for (std::size_t i = 1; i < all.size(); ++i) {
+    if (!(all[i].first > all[i - 1].first && all[i].second >= all[i - 1].second))
+      table.fail("quantiles", fmt::format("found [{}, {}] after [{}, {}]; probabilities and values must grow",
+                                          all[i].first, all[i].second, all[i - 1].first, all[i - 1].second));
+  }
+  return made;
+}
+
+/// The columns of a CSV file that give fields, as axis of rows.
+SweepAxis read_rows(SceneTable& table, const fs::path& folder) {
+  SweepAxis axis;
+  const fs::path file = folder / table.text("table");
+  SceneTable columns = table.table("columns");
+  const TomlValue* const written = table.value("columns");
+  const TomlTable* const fields = written == nullptr ? nullptr : std::get_if<TomlTable>(&written->data);
+  if (fields == nullptr || fields->empty())
+    table.fail("columns", "it must be a table of fields with their headings, e.g. { \"run.step\" = \"step [s]\" }");
+  try {
+    const records::Csv csv = records::read_csv(file);
+    axis.rows.resize(csv.rows());
+    for (const TomlEntry& entry : *fields) {
+      const std::string heading = columns.text(entry.key);
+      if (std::ranges::find(csv.header(), heading) == csv.header().end())
+        columns.fail(entry.key, fmt::format("{}: {}", file.string(), unknown_name("column", heading, csv.header()).what()));
+      const std::string unit = name_and_unit(heading).second;
+      const std::size_t column = csv.column(heading);
+      axis.fields.push_back(entry.key);
+      for (std::size_t row = 0; row < csv.rows(); ++row) {
+        const double number = csv.number(row, column);
+        TomlValue cell;
+        if (unit.empty()) {
+          cell.data = number;
+        } else {
+          cell.data = fmt::format("{} {}", number, unit);
+        }
+        axis.rows[row].push_back(cell);
+      }
+    }
+  } catch (const records::FileError& error) {
+    throw IoError{error.what()};
+  } catch (const records::RecordError& error) {
+    throw InputError{error.what()};
+  }
+  if (axis.rows.empty()) table.fail("table", fmt::format("{}: found no line below the header", file.string()));
+  return axis;
+}
+
+SweepAxis read_axis(SceneTable& table, const fs::path& folder) {
+  table.allow({"field", "values", "range", "count", "spacing", "quantiles", "table", "columns"});
+  if (table.has("table")) {
+    for (const char* other : {"field", "values", "range", "count", "spacing", "quantiles"})
+      table.refuse(other, "the columns of the table give the fields and their values");
+    return read_rows(table, folder);
+  }
+  SweepAxis axis;
+  axis.fields.push_back(table.text("field"));
+  const TomlValue *values = table.value("values"), *range = table.value("range"),
+                  *quantiles = table.value("quantiles");
+  if ((values != nullptr) + (range != nullptr) + (quantiles != nullptr) != 1)
+    table.fail("values", "give one of values, range and quantiles, or a table");
+  if (values != nullptr) {
+    for (const TomlValue& value : array_of(table, "values", *values, 1, "values, at least one")) {
+      if (!is_value(value))
+        table.fail("values", fmt::format("found {}; each must be a number, a text, true or false", found(value)));
+      axis.rows.push_back({value});
+    }
+    for (const char* other : {"count", "spacing"})
+      table.refuse(other, "the values are given");
+    return axis;
+  }
+  Continuous& made = axis.continuous.emplace(range != nullptr ? read_range(table, *range)
+                                                              : read_quantiles(table, *quantiles));
+  made.spacing = table.choice_or("spacing", Continuous::Spacing::even);
+  if (made.spacing == Continuous::Spacing::logarithmic && !(made.quantiles.front().second > 0.0))
+    table.fail("spacing", fmt::format("found \"logarithmic\" from {} on; the values must be > 0",
+                                      made.quantiles.front().second));
+  if (table.has("count")) made.count = table.whole_between("count", 2, maximum_runs);
+  return axis;
+}
+
+SweepConstraint read_constraint(SceneTable& table, const std::set<std::string>& varied) {
+  table.allow({"field", "at_most", "at_least", "factor"});
+  const auto demand_varied = [&](std::string_view key, const std::string& field) {
+    if (!varied.contains(field))
+      table.fail(key, unknown_name("field that is varied", field, {varied.begin(), varied.end()}).what());
+  };
+  SweepConstraint made;
+  made.field = table.text("field");
+  demand_varied("field", made.field);
+  const TomlValue *upper = table.value("at_most"), *lower = table.value("at_least");
+  if ((upper == nullptr) == (lower == nullptr)) table.fail("at_most", "give one of at_most and at_least");
+  made.is_upper = upper != nullptr;
+  made.value = made.is_upper ? *upper : *lower;
+  const std::string_view key = made.is_upper ? "at_most" : "at_least";
+  if (const std::string* const text = std::get_if<std::string>(&made.value.data);
+      text != nullptr && varied.contains(*text))
+    made.other = *text;
+  if (made.other.empty()) {
+    try {
+      static_cast<void>(written_number(made.value));
+    } catch (const InputError&) {
+      table.fail(key, fmt::format("found {}; it must be a field that is varied, a number or a quantity",
+                                  found(made.value)));
+    }
+  }
+  if (table.has("factor")) made.factor = table.number("factor", Range::positive);
+  return made;
+}
+
+void read_design(SceneTable table, SweepFile& sweep) {
+  table.allow({"kind", "runs", "seed"});
+  sweep.design.kind = table.choice_or("kind", DesignKind::grid);
+  if (sweep.design.kind == DesignKind::grid) {
+    for (const char* other : {"runs", "seed"})
+      table.refuse(other, "a grid has every combination of the axes' points");
+    return;
+  }
+  sweep.design.runs = table.whole_between("runs", 1, maximum_runs);
+  if (table.has("seed")) sweep.design.seed = table.whole_between("seed", 0, 1'000'000'000);
+}
+
+void read_limits(SceneTable table, SweepLimits& limits) {
+  table.allow({"time", "evaluations"});
+  if (table.has("time")) limits.time = table.quantity("time", dimension::time, Range::positive);
+  if (table.has("evaluations"))
+    limits.evaluations = table.whole_between("evaluations", 1, 1'000'000'000'000);
+}
+
+/// Errors of axes that only all together have.
+void check_axes(SceneTable& file, const SweepFile& sweep, std::vector<SceneTable>& tables) {
+  std::set<std::string> varied;
+  double runs = 1.0;
+  for (std::size_t i = 0; i < sweep.axes.size(); ++i) {
+    const SweepAxis& axis = sweep.axes[i];
+    for (const std::string& field : axis.fields) {
+      static_cast<void>(tables[i].placed([&] { return field_keys(field); }));
+      if (!varied.insert(field).second) tables[i].fail("field", fmt::format("'{}' is varied by two axes", field));
+    }
+    const bool is_grid = sweep.design.kind == DesignKind::grid;
+    if (is_grid && axis.continuous && axis.continuous->count == 0)
+      tables[i].fail("count", "it is missing; a grid needs the number of points");
+    runs *= axis.continuous ? static_cast<double>(axis.continuous->count) : static_cast<double>(axis.rows.size());
+    if (is_grid && runs > maximum_runs)
+      file.fail("axis", fmt::format("found a grid of at least {:.3g} runs; it must be at most {}", runs, maximum_runs));
+    if (!is_grid && axis.continuous && axis.continuous->count != 0)
+      tables[i].fail("count", "only a grid has it; give `runs` of the design");
+  }
+}
+
+}  // namespace
+
+double Continuous::at(double probability) const {
+  const auto after = std::ranges::upper_bound(quantiles, probability, {}, &std::pair<double, double>::first);
+  const auto& [p1, x1] = after == quantiles.end() ? quantiles.back() : *after;
+  const auto& [p0, x0] = after == quantiles.end() ? quantiles[quantiles.size() - 2] : *std::prev(after);
+  if (probability >= 1.0) return quantiles.back().second;
+  if (whole) return std::min(std::floor(x0 + probability * (x1 - x0 + 1.0)), x1);
+  const double fraction = (probability - p0) / (p1 - p0);
+  return spacing == Spacing::even ? std::lerp(x0, x1, fraction) : x0 * std::pow(x1 / x0, fraction);
+}
+
+TomlValue Continuous::written(double probability) const {
+  const double value = at(probability);
+  TomlValue made;
+  if (whole) {
+    made.data = static_cast<std::int64_t>(value);
+  } else if (unit.empty()) {
+    made.data = value;
+  } else {
+    made.data = fmt::format("{} {}", value, unit);
+  }
+  return made;
+}
+
+WrittenNumber written_number(const TomlValue& value) {
+  if (const auto* number = std::get_if<double>(&value.data)) return {*number, ""};
+  if (const auto* whole = std::get_if<std::int64_t>(&value.data)) return {static_cast<double>(*whole), ""};
+  const auto* text = std::get_if<std::string>(&value.data);
+  if (text == nullptr) throw InputError{fmt::format("found {}; it must be a number or a quantity", found(value))};
+  static_cast<void>(parse_any_quantity(*text, si));
+  WrittenNumber made;
+  const char* const end = text->data() + text->size();
+  const auto read = std::from_chars(text->data(), end, made.value);
+  if (read.ec != std::errc{})
+    throw InputError{fmt::format("found {}; it must begin with its number", found(value))};
+  made.unit = std::string{read.ptr, end};
+  made.unit.erase(0, std::min(made.unit.find_first_not_of(" \t"), made.unit.size()));
+  return made;
+}
+
+SweepFile read_sweep(std::string_view text, const fs::path& name) {
+  const TomlValue document = parse_toml(text, name.string());
+  SceneSource source{name.string(), si};
+  SceneTable file{source, document, ""};
+  const fs::path folder = name.parent_path();
+  SweepFile sweep;
+  source.collect();
+  try {
+    file.allow({"title", "base", "outputs", "axis", "design", "constraint", "limits"});
+    sweep.title = file.title();
+    sweep.base = folder / file.text("base");
+    const TomlValue* const outputs = file.value("outputs");
+    if (outputs == nullptr) file.fail("outputs", "it is missing; give quantities, e.g. [\"rock.vx.end\"]");
+    for (const TomlValue& output : array_of(file, "outputs", *outputs, 1, "texts, e.g. [\"rock.vx.end\"]")) {
+      const auto* quantity = std::get_if<std::string>(&output.data);
+      if (quantity == nullptr) file.fail("outputs", fmt::format("found {}; it must be a text", found(output)));
+      sweep.outputs.push_back(*quantity);
+    }
+    if (file.has("design")) read_design(file.table("design"), sweep);
+    std::vector<SceneTable> axes = file.numbered_tables("axis");
+    if (axes.empty()) file.fail("axis", "it is missing; give at least one [[axis]]");
+    for (SceneTable& table : axes)
+      sweep.axes.push_back(read_axis(table, folder));
+    check_axes(file, sweep, axes);
+    std::set<std::string> varied;
+    for (const SweepAxis& axis : sweep.axes)
+      varied.insert(axis.fields.begin(), axis.fields.end());
+    for (SceneTable& table : file.numbered_tables("constraint"))
+      sweep.constraints.push_back(read_constraint(table, varied));
+    if (file.has("limits")) read_limits(file.table("limits"), sweep.limits);
+  } catch (const SceneSource::Collected&) {
+    source.check();
+    throw;
+  }
+  source.check();
+  return sweep;
+}
+
+}  // namespace talus::app

@@ -1,0 +1,106 @@
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "solver/base/fields.hpp"
+#include "solver/io/file/toml_document.hpp"
+
+namespace talus::app {
+
+/// A number with its unit as written; pure numbers have none.
+struct WrittenNumber {
+  double value{};
+  std::string unit;
+};
+
+/// Values between numbers, or according to the quantiles of a distribution.
+struct Continuous {
+  enum class Spacing { even, logarithmic };
+
+  std::string unit;
+  bool whole{};  ///< whole numbers only
+  Spacing spacing{Spacing::even};
+  /// Cumulative probabilities from 0 to 1 and their values; between them the distribution is even, or even in the
+  /// logarithm. A range has two.
+  std::vector<std::pair<double, double>> quantiles;
+  bool is_range{};
+  std::int64_t count{};  ///< number of its points in a grid; 0: not given
+
+  /// The value at a cumulative probability in [0, 1].
+  [[nodiscard]] double at(double probability) const;
+  /// The value as it is written in a scene, with its unit.
+  [[nodiscard]] TomlValue written(double probability) const;
+};
+
+/// What is varied: one field, or several together.
+struct SweepAxis {
+  std::vector<std::string> fields;  ///< paths to fields of the base
+  /// Values of these fields, one row for each point; empty for a continuous axis.
+  std::vector<std::vector<TomlValue>> rows;
+  std::optional<Continuous> continuous;
+};
+
+/// How points of several axes are combined.
+enum class DesignKind {
+  grid,             ///< every combination of the axes' points
+  sobol,            ///< points of a Sobol sequence with a random digital shift
+  latin_hypercube,  ///< each axis is divided into as many equal parts as there are runs, each with one point
+  random,           ///< independent points
+};
+struct Design {
+  DesignKind kind{DesignKind::grid};
+  std::int64_t runs{};  ///< not of a grid
+  std::int64_t seed{1};
+};
+
+/// A condition that points must satisfy: a field is at most, or at least, a factor times another field or a value.
+struct SweepConstraint {
+  std::string field;
+  bool is_upper{};    ///< at most, else at least
+  double factor{1.0};
+  std::string other;  ///< path of a field that is varied; empty: the value
+  TomlValue value;
+};
+
+/// Limits of each run; 0: none.
+struct SweepLimits {
+  double time{};               ///< of the clock on the wall [s]
+  std::int64_t evaluations{};  ///< force evaluations
+};
+
+/// A sweep as its file describes it.
+struct SweepFile {
+  std::string title;
+  std::filesystem::path base;  ///< scene or deck, relative to the current folder
+  std::vector<std::string> outputs;
+  std::vector<SweepAxis> axes;
+  Design design;
+  std::vector<SweepConstraint> constraints;
+  SweepLimits limits;
+};
+
+/// Reads a sweep, TOML; `name` is the file named in errors, and files that it names are relative to its folder. Errors:
+/// InputError with all errors, each with file, line and key; IoError for a table that cannot be read.
+[[nodiscard]] SweepFile read_sweep(std::string_view text, const std::filesystem::path& name);
+
+/// A number with its unit, of a TOML number or a text such as "600 lb". Errors: InputError.
+[[nodiscard]] WrittenNumber written_number(const TomlValue& value);
+
+}  // namespace talus::app
+
+namespace talus {
+template <>
+struct Names<app::DesignKind> {
+  static constexpr std::array<std::string_view, 4> list{"grid", "sobol", "latin_hypercube", "random"};
+};
+template <>
+struct Names<app::Continuous::Spacing> {
+  static constexpr std::array<std::string_view, 2> list{"even", "logarithmic"};
+};
+}  // namespace talus

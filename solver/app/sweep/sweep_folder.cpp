@@ -1,0 +1,185 @@
+#include "solver/app/sweep/sweep_folder.hpp"
+
+#include <fcntl.h>
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cerrno>
+#include <cstring>
+#include <nlohmann/json.hpp>
+#include <set>
+#include <string_view>
+#include <unordered_set>
+
+#include "solver/base/error.hpp"
+#include "solver/io/file/atomic_file.hpp"
+#include "solver/io/file/toml_document.hpp"
+
+namespace talus::app {
+namespace {
+
+namespace fs = std::filesystem;
+using Json = nlohmann::ordered_json;
+
+constexpr const char *description_name = "sweep.json", *base_name = "base.toml", *manifest_name = "manifest.jsonl",
+                     *results_name = "results";
+constexpr int schema = 1;
+
+std::string description(const SweepFolder& sweep) {
+  Json json{{"schema", schema}, {"title", sweep.title}, {"base", base_name}, {"outputs", sweep.outputs}};
+  Json limits = Json::object();
+  if (sweep.limits.time > 0.0) limits["time"] = sweep.limits.time;
+  if (sweep.limits.evaluations > 0) limits["evaluations"] = sweep.limits.evaluations;
+  json["limits"] = limits;
+  json["runs"] = sweep.runs.size();
+  return json.dump(2) + "\n";
+}
+
+/// The whole lines of a text; what follows the last line end is left out.
+std::vector<std::string> whole_lines(const std::string& text) {
+  std::vector<std::string> lines;
+  for (std::size_t from = 0; from < text.size();) {
+    const std::size_t end = text.find('\n', from);
+    if (end == std::string::npos) break;
+    lines.push_back(text.substr(from, end - from));
+    from = end + 1;
+  }
+  return lines;
+}
+
+/// The files of results, in the order of their names.
+std::set<fs::path> result_files(const fs::path& folder) {
+  std::set<fs::path> files;
+  std::error_code none;
+  for (const auto& entry : fs::directory_iterator{folder / results_name, none})
+    if (entry.path().extension() == ".jsonl") files.insert(entry.path());
+  return files;
+}
+
+template <class Read>
+void for_each_line(const fs::path& file, Read&& read) {
+  int number = 0;
+  for (const std::string& line : whole_lines(read_text(file))) {
+    ++number;
+    try {
+      read(line);
+    } catch (const InputError& error) {
+      throw InputError{fmt::format("{}:{}: {}", file.string(), number, error.what())};
+    }
+  }
+}
+
+/// Errors: InputError if results in the folder are of another base, or have other outputs or limits.
+void check_results(const SweepFolder& sweep) {
+  if (result_files(sweep.folder).empty()) return;
+  const SweepFolder old = read_sweep_folder(sweep.folder);
+  const char* const differs = old.base_text != sweep.base_text                       ? "another base"
+                              : old.outputs != sweep.outputs                         ? "other outputs"
+                              : old.limits.time != sweep.limits.time ||
+                                      old.limits.evaluations != sweep.limits.evaluations
+                                  ? "other limits"
+                                  : nullptr;
+  if (differs != nullptr)
+    throw InputError{fmt::format("{}: found results of a sweep with {}; give another folder, or remove {}",
+                                 sweep.folder.string(), differs, (sweep.folder / results_name).string())};
+}
+
+[[noreturn]] void fail(const fs::path& file) {
+  throw IoError{fmt::format("{}: {}", file.string(), std::strerror(errno))};
+}
+
+}  // namespace
+
+SweepBase SweepFolder::base() const { return {base_text, (folder / base_name).string(), outputs}; }
+
+void write_sweep_folder(const SweepFolder& sweep) {
+  make_folder(sweep.folder / results_name);
+  check_results(sweep);
+  std::string manifest;
+  for (const SweptRun& run : sweep.runs)
+    manifest += manifest_line(run) + "\n";
+  write_whole(sweep.folder / base_name, sweep.base_text, Durability::later);
+  write_whole(sweep.folder / manifest_name, manifest, Durability::later);
+  write_whole(sweep.folder / description_name, description(sweep), Durability::later);
+  sync_folder(sweep.folder);
+}
+
+SweepFolder read_sweep_folder(const fs::path& folder) {
+  demand_folder_with(folder, description_name, "the folder of a sweep, written by `talus sweep plan`");
+  SweepFolder sweep;
+  sweep.folder = folder;
+  std::size_t count = 0;
+  const fs::path file = folder / description_name;
+  try {
+    const Json json = Json::parse(read_text(file));
+    if (const int found = json.at("schema").get<int>(); found != schema)
+      throw InputError{fmt::format("{}: found schema {}; it must be {}", file.string(), found, schema)};
+    sweep.title = json.at("title").get<std::string>();
+    sweep.outputs = json.at("outputs").get<std::vector<std::string>>();
+    sweep.limits.time = json.at("limits").value("time", 0.0);
+    sweep.limits.evaluations = json.at("limits").value("evaluations", std::int64_t{0});
+    count = json.at("runs").get<std::size_t>();
+  } catch (const nlohmann::json::exception& error) {
+    throw InputError{fmt::format("{}: {}", file.string(), error.what())};
+  }
+  sweep.base_text = read_text(folder / base_name);
+  for_each_line(folder / manifest_name, [&](const std::string& line) { sweep.runs.push_back(run_of_line(line)); });
+  if (sweep.runs.size() != count)
+    throw InputError{fmt::format("{}: found {} runs; {} has {}", (folder / manifest_name).string(), sweep.runs.size(),
+                                 description_name, count)};
+  return sweep;
+}
+
+KnownResults read_results(const SweepFolder& sweep) {
+  std::unordered_set<std::string> ids;
+  for (const SweptRun& run : sweep.runs)
+    ids.insert(run.id);
+  KnownResults known;
+  for (const fs::path& file : result_files(sweep.folder)) {
+    for_each_line(file, [&](const std::string& line) {
+      SweepResult result = result_of_line(line);
+      if (!ids.contains(result.id)) {
+        ++known.of_others;
+        return;
+      }
+      if (result.values.size() != sweep.outputs.size() && !result.values.empty())
+        throw InputError{fmt::format("found {} values; there are {} outputs", result.values.size(),
+                                     sweep.outputs.size())};
+      std::string id = result.id;
+      if (!known.by_id.emplace(id, std::move(result)).second) known.duplicates.push_back(std::move(id));
+    });
+  }
+  return known;
+}
+
+ResultFile::ResultFile(const fs::path& folder) {
+  make_folder(folder / results_name);
+  char host[256] = "host";
+  static_cast<void>(::gethostname(host, sizeof host - 1));
+  for (int number = 0; descriptor_ < 0; ++number) {
+    file_ = folder / results_name / fmt::format("{}-{}-{}.jsonl", host, ::getpid(), number);
+    descriptor_ = ::open(file_.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_APPEND | O_CLOEXEC, 0666);
+    if (descriptor_ < 0 && errno != EEXIST) fail(file_);
+  }
+}
+
+ResultFile::~ResultFile() { ::close(descriptor_); }
+
+void ResultFile::add(const SweepResult& result) {
+  const std::string line = result_line(result) + "\n";
+  const std::lock_guard lock{one_at_a_time_};
+  std::string_view left = line;
+  while (!left.empty()) {
+    const ssize_t written = ::write(descriptor_, left.data(), left.size());
+    if (written < 0 && errno == EINTR) continue;
+    if (written < 0) fail(file_);
+    left.remove_prefix(static_cast<std::size_t>(written));
+  }
+}
+
+void ResultFile::flush() {
+  if (::fsync(descriptor_) != 0) fail(file_);
+}
+
+}  // namespace talus::app

@@ -1,0 +1,72 @@
+#pragma once
+
+#include <cstddef>
+#include <filesystem>
+#include <map>
+#include <mutex>
+#include <string>
+#include <vector>
+
+#include "solver/app/sweep/sweep_base.hpp"
+#include "solver/app/sweep/sweep_file.hpp"
+#include "solver/app/sweep/sweep_result.hpp"
+#include "solver/app/sweep/sweep_runs.hpp"
+
+namespace talus::app {
+
+/// The folder of a sweep, which is all that its runs need, on any machine:
+///
+///   sweep.json      base, outputs, limits and number of runs
+///   base.toml       the scene
+///   manifest.jsonl  a line for each run: its id and its parameters
+///   results/*.jsonl results, a line for each run; a file for each process that runs parts of the sweep
+struct SweepFolder {
+  std::filesystem::path folder;
+  std::string title;
+  std::string base_text;
+  std::vector<std::string> outputs;
+  SweepLimits limits;
+  std::vector<SweptRun> runs;
+
+  [[nodiscard]] SweepBase base() const;
+};
+
+/// Writes the folder of a planned sweep. An earlier plan in it is replaced; its results remain and count for runs that
+/// both have. Errors: InputError if there are results, and base, outputs or limits differ from those of these results;
+/// IoError.
+void write_sweep_folder(const SweepFolder& sweep);
+
+/// Reads a folder. Errors: IoError; InputError for a folder that is not of a sweep, with file and line.
+[[nodiscard]] SweepFolder read_sweep_folder(const std::filesystem::path& folder);
+
+/// Results of a sweep by the ids of the runs.
+struct KnownResults {
+  std::map<std::string, SweepResult> by_id;
+  std::vector<std::string> duplicates;  ///< ids of runs with several results
+  std::size_t of_others{};              ///< number of results of runs that are not in the manifest
+};
+/// All results in a folder. The last line of a file without its end, of a process that was killed, is ignored. Errors:
+/// IoError; InputError with file and line.
+[[nodiscard]] KnownResults read_results(const SweepFolder& sweep);
+
+/// File for the results of this process. A line is written at once, so that the results of a killed process are whole.
+class ResultFile {
+ public:
+  /// Errors: IoError.
+  explicit ResultFile(const std::filesystem::path& folder);
+  ResultFile(const ResultFile&) = delete;
+  ResultFile& operator=(const ResultFile&) = delete;
+  ~ResultFile();
+
+  /// Adds a result; threads may call it at the same time. Errors: IoError.
+  void add(const SweepResult& result);
+  /// Flushes all results to the disk. Errors: IoError.
+  void flush();
+
+ private:
+  std::filesystem::path file_;
+  int descriptor_{-1};
+  std::mutex one_at_a_time_;
+};
+
+}  // namespace talus::app

@@ -1,0 +1,50 @@
+#include "solver/app/sweep/sweep_result.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <limits>
+#include <nlohmann/json.hpp>
+
+#include "solver/base/error.hpp"
+
+namespace talus::app {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+}  // namespace
+
+std::string result_line(const SweepResult& result) {
+  Json json{{"id", result.id}, {"end", Names<SweepEnd>::list[static_cast<std::size_t>(result.end)]}};
+  if (!result.reason.empty()) json["reason"] = result.reason;
+  json["time"] = result.time;
+  json["evaluations"] = result.evaluations;
+  if (!result.verdict.empty()) json["verdict"] = result.verdict;
+  json["values"] = result.values;  // a number that is not finite becomes null
+  return json.dump(-1, ' ', false, Json::error_handler_t::replace);
+}
+
+SweepResult result_of_line(const std::string& line) {
+  try {
+    const Json json = Json::parse(line);
+    SweepResult result;
+    result.id = json.at("id").get<std::string>();
+    const auto& names = Names<SweepEnd>::list;
+    const auto name = json.at("end").get<std::string>();
+    const auto found = std::ranges::find(names, name);
+    if (found == names.end()) throw InputError{unknown_name("end", name, {names.begin(), names.end()}).what()};
+    result.end = static_cast<SweepEnd>(found - names.begin());
+    result.reason = json.value("reason", "");
+    result.time = json.at("time").get<double>();
+    result.evaluations = json.at("evaluations").get<long>();
+    result.verdict = json.value("verdict", "");
+    for (const Json& value : json.at("values"))
+      result.values.push_back(value.is_null() ? std::numeric_limits<double>::quiet_NaN() : value.get<double>());
+    return result;
+  } catch (const nlohmann::json::exception& error) {
+    throw InputError{fmt::format("not a result: {}", error.what())};
+  }
+}
+
+}  // namespace talus::app

@@ -1,0 +1,45 @@
+#pragma once
+
+#include <array>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "solver/base/fields.hpp"
+
+namespace talus::app {
+
+/// How a run of a sweep ended.
+enum class SweepEnd {
+  finished,
+  unusable,  ///< it finished, but its results are not usable
+  diverged,
+  refused,  ///< its scene is wrong
+  limited,  ///< it reached a limit of the sweep
+};
+
+/// The result of one run.
+struct SweepResult {
+  std::string id;
+  SweepEnd end{};
+  std::string reason;          ///< empty of a finished run
+  double time{};               ///< the last time of the run, in units of its scene
+  long evaluations{};          ///< force evaluations
+  std::string verdict;         ///< of a fence; empty of other scenes
+  std::vector<double> values;  ///< the outputs in units of the base; empty unless the run reached its end
+
+  friend bool operator==(const SweepResult&, const SweepResult&) = default;
+};
+
+/// A result as one line of JSON, and back. Errors: InputError for a line of another form.
+[[nodiscard]] std::string result_line(const SweepResult& result);
+[[nodiscard]] SweepResult result_of_line(const std::string& line);
+
+}  // namespace talus::app
+
+namespace talus {
+template <>
+struct Names<app::SweepEnd> {
+  static constexpr std::array<std::string_view, 5> list{"finished", "unusable", "diverged", "refused", "limited"};
+};
+}  // namespace talus

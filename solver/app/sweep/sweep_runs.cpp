@@ -1,0 +1,179 @@
+#include "solver/app/sweep/sweep_runs.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cstdint>
+#include <map>
+#include <nlohmann/json.hpp>
+
+#include "solver/app/sweep/design.hpp"
+#include "solver/base/any_quantity.hpp"
+#include "solver/base/error.hpp"
+
+namespace talus::app {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+std::size_t grid_size(const SweepAxis& axis) {
+  return axis.continuous ? static_cast<std::size_t>(axis.continuous->count) : axis.rows.size();
+}
+
+/// Point `i` of an axis of a grid: of a range with both ends, of quantiles in the middle of equally probable parts.
+void add_grid_point(const SweepAxis& axis, std::size_t i, SweptRun& run) {
+  if (!axis.continuous) {
+    for (std::size_t field = 0; field < axis.fields.size(); ++field)
+      run.parameters.emplace_back(axis.fields[field], axis.rows[i][field]);
+    return;
+  }
+  const auto number = static_cast<double>(i), count = static_cast<double>(axis.continuous->count);
+  const double probability = axis.continuous->is_range ? number / (count - 1.0) : (number + 0.5) / count;
+  run.parameters.emplace_back(axis.fields.front(), axis.continuous->written(probability));
+}
+
+std::vector<SweptRun> grid(const SweepFile& sweep) {
+  std::size_t count = 1;
+  for (const SweepAxis& axis : sweep.axes)
+    count *= grid_size(axis);
+  std::vector<SweptRun> runs(count);
+  for (std::size_t number = 0; number < count; ++number) {
+    std::size_t rest = count, left = number;
+    for (const SweepAxis& axis : sweep.axes) {
+      rest /= grid_size(axis);
+      add_grid_point(axis, left / rest, runs[number]);
+      left %= rest;
+    }
+  }
+  return runs;
+}
+
+std::vector<SweptRun> sampled(const SweepFile& sweep) {
+  std::vector<SweptRun> runs;
+  for (const std::vector<double>& point : design_points(sweep.design, sweep.axes.size())) {
+    SweptRun run;
+    for (std::size_t i = 0; i < sweep.axes.size(); ++i) {
+      const SweepAxis& axis = sweep.axes[i];
+      if (axis.continuous) {
+        run.parameters.emplace_back(axis.fields.front(), axis.continuous->written(point[i]));
+      } else {
+        const auto row = static_cast<std::size_t>(point[i] * static_cast<double>(axis.rows.size()));
+        add_grid_point(axis, std::min(row, axis.rows.size() - 1), run);
+      }
+    }
+    runs.push_back(std::move(run));
+  }
+  return runs;
+}
+
+AnyQuantity quantity_of(const TomlValue& value, const std::string& what) {
+  try {
+    if (const auto* text = std::get_if<std::string>(&value.data)) return parse_any_quantity(*text, si);
+    return {written_number(value).value, dimension::number};
+  } catch (const InputError& error) {
+    throw InputError{fmt::format("constraint: '{}': {}", what, error.what())};
+  }
+}
+
+const TomlValue& value_of(const SweptRun& run, const std::string& field) {
+  const auto found = std::ranges::find(run.parameters, field, &std::pair<std::string, TomlValue>::first);
+  TALUS_DEMAND(found != run.parameters.end());
+  return found->second;
+}
+
+bool satisfies(const SweptRun& run, const SweepConstraint& constraint) {
+  const AnyQuantity left = quantity_of(value_of(run, constraint.field), constraint.field);
+  const AnyQuantity right = constraint.other.empty() ? quantity_of(constraint.value, found(constraint.value))
+                                                     : quantity_of(value_of(run, constraint.other), constraint.other);
+  if (left.dimension != right.dimension) {
+    throw InputError{fmt::format("constraint: '{}' is {}, and {} is {}; give values of one dimension",
+                                 constraint.field, text_of(left.dimension), found(constraint.value),
+                                 text_of(right.dimension))};
+  }
+  const double limit = constraint.factor * right.value;
+  return constraint.is_upper ? left.value <= limit : left.value >= limit;
+}
+
+Json json_of(const TomlValue& value) {
+  if (const auto* text = std::get_if<std::string>(&value.data)) return *text;
+  if (const auto* number = std::get_if<double>(&value.data)) return *number;
+  if (const auto* whole = std::get_if<std::int64_t>(&value.data)) return *whole;
+  return std::get<bool>(value.data);
+}
+
+TomlValue value_of(const Json& json) {
+  TomlValue value;
+  if (json.is_string()) {
+    value.data = json.get<std::string>();
+  } else if (json.is_boolean()) {
+    value.data = json.get<bool>();
+  } else if (json.is_number_integer()) {
+    value.data = json.get<std::int64_t>();
+  } else {
+    value.data = json.get<double>();
+  }
+  return value;
+}
+
+Json parameters_json(const SweptRun& run) {
+  Json json = Json::object();
+  for (const auto& [field, value] : run.parameters)
+    json[field] = json_of(value);
+  return json;
+}
+
+/// FNV-1a of 64 bits.
+std::uint64_t hash(const std::string& text) {
+  std::uint64_t value = 14695981039346656037U;
+  for (const char letter : text) {
+    value ^= static_cast<unsigned char>(letter);
+    value *= 1099511628211U;
+  }
+  return value;
+}
+
+void set_ids(std::vector<SweptRun>& runs) {
+  std::map<std::string, int> copies;
+  std::map<std::string, std::size_t> ids;
+  for (std::size_t number = 0; number < runs.size(); ++number) {
+    std::string text = parameters_json(runs[number]).dump();
+    if (const int copy = copies[text]++; copy > 0) text += fmt::format(" {}", copy);
+    runs[number].id = fmt::format("{:016x}", hash(text));
+    const auto [other, is_new] = ids.emplace(runs[number].id, number);
+    if (!is_new)
+      throw InputError{fmt::format("runs {} and {} have the same id; change one of their values slightly",
+                                   other->second + 1, number + 1)};
+  }
+}
+
+}  // namespace
+
+SweptRuns swept_runs(const SweepFile& sweep) {
+  SweptRuns made;
+  made.runs = sweep.design.kind == DesignKind::grid ? grid(sweep) : sampled(sweep);
+  const std::size_t points = made.runs.size();
+  std::erase_if(made.runs, [&](const SweptRun& run) {
+    return !std::ranges::all_of(sweep.constraints,
+                                [&](const SweepConstraint& constraint) { return satisfies(run, constraint); });
+  });
+  if (made.runs.empty()) throw InputError{fmt::format("constraint: none of the {} runs satisfies all", points)};
+  made.left_out = points - made.runs.size();
+  set_ids(made.runs);
+  return made;
+}
+
+std::string manifest_line(const SweptRun& run) { return Json{{"id", run.id}, {"parameters", parameters_json(run)}}.dump(); }
+
+SweptRun run_of_line(const std::string& line) {
+  try {
+    const Json json = Json::parse(line);
+    SweptRun run{json.at("id").get<std::string>(), {}};
+    for (const auto& [field, value] : json.at("parameters").items())
+      run.parameters.emplace_back(field, value_of(value));
+    return run;
+  } catch (const nlohmann::json::exception& error) {
+    throw InputError{fmt::format("not a run: {}", error.what())};
+  }
+}
+
+}  // namespace talus::app

@@ -1,0 +1,35 @@
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "solver/app/sweep/sweep_file.hpp"
+
+namespace talus::app {
+
+/// One run of a sweep: the fields of the base that it changes, in the order of the axes.
+struct SweptRun {
+  std::string id;  ///< 16 hexadecimal digits that follow from the parameters alone
+  std::vector<std::pair<std::string, TomlValue>> parameters;
+
+  friend bool operator==(const SweptRun& a, const SweptRun& b) { return a.id == b.id; }
+};
+
+/// The runs of a sweep.
+struct SweptRuns {
+  std::vector<SweptRun> runs;
+  std::size_t left_out{};  ///< number of points that do not satisfy the constraints
+};
+
+/// All runs of a sweep, in the order of its design; of a grid the last axis changes first. A run has the same id however
+/// many others there are: the second one with the same parameters has another. Errors: InputError if no run satisfies
+/// the constraints, or a constraint compares values of different dimensions.
+[[nodiscard]] SweptRuns swept_runs(const SweepFile& sweep);
+
+/// A run as one line of JSON, and back. Errors: InputError for a line of another form.
+[[nodiscard]] std::string manifest_line(const SweptRun& run);
+[[nodiscard]] SweptRun run_of_line(const std::string& line);
+
+}  // namespace talus::app

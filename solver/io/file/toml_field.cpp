@@ -1,0 +1,110 @@
+#include "solver/io/file/toml_field.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <charconv>
+
+#include "solver/base/error.hpp"
+
+namespace talus {
+namespace {
+
+FieldKey field_key(std::string_view part, std::string_view path) {
+  const auto refuse = [&] {
+    throw InputError{fmt::format("found '{}'; it must be a path such as run.step or body.NAME.velocity[0]", path)};
+  };
+  FieldKey made{std::string{part}, {}};
+  if (const std::size_t open = part.find('['); open != std::string_view::npos) {
+    std::size_t index = 0;
+    const char* const end = part.data() + part.size() - 1;
+    const auto [read, failure] = std::from_chars(part.data() + open + 1, end, index);
+    if (*end != ']' || read != end || failure != std::errc{}) refuse();
+    made = {std::string{part.substr(0, open)}, index};
+  }
+  if (made.key.empty()) refuse();
+  return made;
+}
+
+TomlEntry* entry_of(TomlTable& table, std::string_view key) {
+  const auto found = std::ranges::find(table, key, &TomlEntry::key);
+  return found == table.end() ? nullptr : &*found;
+}
+
+std::vector<std::string> keys_of(const TomlTable& table) {
+  std::vector<std::string> keys;
+  for (const TomlEntry& entry : table)
+    keys.push_back(entry.key);
+  return keys;
+}
+
+/// The table of a list that has this name.
+TomlValue& named(TomlArray& list, const std::string& name, std::string_view path) {
+  std::vector<std::string> names;
+  for (TomlValue& element : list) {
+    TomlTable* const table = std::get_if<TomlTable>(&element.data);
+    if (table == nullptr) continue;
+    const TomlEntry* const entry = entry_of(*table, "name");
+    const std::string* const text = entry == nullptr ? nullptr : std::get_if<std::string>(&entry->value.data);
+    names.push_back(text == nullptr ? std::string{} : *text);
+    if (names.back() == name) return element;
+  }
+  throw InputError{fmt::format("'{}': {}", path, unknown_name("name", name, names).what())};
+}
+
+TomlValue& element_of(TomlValue& value, const FieldKey& key, std::string_view path) {
+  TomlArray* const list = std::get_if<TomlArray>(&value.data);
+  if (list == nullptr)
+    throw InputError{fmt::format("'{}': '{}' is not an array; give it without [{}]", path, key.key, *key.index)};
+  if (*key.index >= list->size())
+    throw InputError{fmt::format("'{}': '{}' has no element [{}]; give one of its {} elements, from [0] on", path,
+                                 key.key, *key.index, list->size())};
+  return (*list)[*key.index];
+}
+
+}  // namespace
+
+std::vector<FieldKey> field_keys(std::string_view path) {
+  std::vector<FieldKey> keys;
+  for (std::size_t from = 0; from <= path.size();) {
+    const std::size_t dot = std::min(path.find('.', from), path.size());
+    keys.push_back(field_key(path.substr(from, dot - from), path));
+    from = dot + 1;
+  }
+  return keys;
+}
+
+void set_field(TomlValue& document, std::string_view path, const TomlValue& value) {
+  const std::vector<FieldKey> keys = field_keys(path);
+  TomlValue* at = &document;
+  for (std::size_t i = 0; i < keys.size(); ++i) {
+    const FieldKey& key = keys[i];
+    const bool is_last = i + 1 == keys.size();
+    if (TomlArray* const list = std::get_if<TomlArray>(&at->data)) {
+      at = &named(*list, key.key, path);
+      if (is_last || key.index)
+        throw InputError{fmt::format("'{}': it must end with a field of '{}'", path, key.key)};
+      continue;
+    }
+    TomlTable* const table = std::get_if<TomlTable>(&at->data);
+    if (table == nullptr)
+      throw InputError{fmt::format("'{}': nothing can be below '{}', which is a value; give a shorter path", path,
+                                   keys[i - 1].key)};
+    TomlEntry* const entry = entry_of(*table, key.key);
+    if (entry == nullptr) {
+      if (!is_last || key.index)
+        throw InputError{fmt::format("'{}': {}", path, unknown_name("field", key.key, keys_of(*table)).what())};
+      table->push_back({key.key, value});
+      return;
+    }
+    at = key.index ? &element_of(entry->value, key, path) : &entry->value;
+  }
+  const bool is_table = std::holds_alternative<TomlTable>(at->data);
+  if (is_table || std::holds_alternative<TomlArray>(at->data))
+    throw InputError{fmt::format("'{}': found {}; it must be a value", path, is_table ? "a table" : "an array")};
+  const int line = at->line;
+  *at = value;
+  at->line = line;
+}
+
+}  // namespace talus

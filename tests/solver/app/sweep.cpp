@@ -1,0 +1,73 @@
+#define BOOST_TEST_MODULE sweep
+#include <csignal>
+
+#include <boost/test/unit_test.hpp>
+#include <chrono>
+#include <string>
+#include <thread>
+
+#include "tests/solver/app/program.hpp"
+#include "tests/solver/io/folder.hpp"
+
+// `talus sweep run` that is killed or interrupted at any time, started again.
+
+namespace {
+
+constexpr int run_count = 120;
+
+std::string planned(const Folder& folder, const std::string& name) {
+  const std::string file =
+      folder.file("rebounds.toml",
+               "base = \"" + scene("fence/table_2.toml") +
+                   "\"\noutputs = [\"rock.vx.end\", \"energy.kinetic.max\"]\n[[axis]]\nfield = \"fence.steps\"\nvalues = "
+                   "[2000]\n[[axis]]\nfield = \"fence.step_factor\"\nvalues = [0.17]\n[[axis]]\nfield = "
+                   "\"fence.rock[0].velocity[0]\"\nrange = [\"20 ft/s\", \"90 ft/s\"]\ncount = " +
+                   std::to_string(run_count) + "\n").string();
+  const std::string out = (folder.path / name).string();
+  BOOST_REQUIRE(talus_ran({"sweep", "plan", file, "--out", out}).code == 0);
+  return out;
+}
+
+std::string collected(const std::string& out) {
+  const Ended ended = talus_ran({"sweep", "collect", out});
+  BOOST_TEST(ended.code == 0, ended.err);
+  return talus::read_text(out + "/results.csv") + talus::read_text(out + "/results.json");
+}
+
+}  // namespace
+
+BOOST_AUTO_TEST_CASE(a_sweep_that_is_killed_continues_to_the_same_bytes) {
+  const Folder folder;
+  const std::string whole = planned(folder, "whole"), cut = planned(folder, "cut");
+  const auto start = std::chrono::steady_clock::now();
+  BOOST_REQUIRE(talus_ran({"sweep", "run", whole, "--threads", "2"}).code == 0);
+  const auto duration = std::chrono::steady_clock::now() - start;
+  int killed = 0;
+  for (const double fraction : {0.15, 0.3, 0.1, 0.2}) {
+    StartedProgram program{TALUS_EXECUTABLE, {"sweep", "run", cut, "--threads", "2"}};
+    std::this_thread::sleep_for(duration * fraction);
+    program.send(SIGKILL);
+    killed += WIFSIGNALED(program.wait()) ? 1 : 0;
+  }
+  BOOST_TEST(killed >= 1);
+  const Ended last = talus_ran({"sweep", "run", cut});
+  BOOST_TEST(last.code == 0, last.err);
+  BOOST_TEST(last.out == "120 of 120 runs done: 120 finished\n");
+  BOOST_TEST((collected(cut) == collected(whole)));
+}
+
+BOOST_AUTO_TEST_CASE(a_signal_ends_it_without_the_runs_in_flight) {
+  const Folder folder;
+  const std::string out = planned(folder, "out");
+  for (const int signal : {SIGINT, SIGTERM}) {
+    StartedProgram program{TALUS_EXECUTABLE, {"sweep", "run", out, "--threads", "1"}};
+    std::this_thread::sleep_for(std::chrono::milliseconds{30});
+    program.send(signal);
+    const int status = program.wait();
+    // It may have ended before the signal, or not have begun to catch it.
+    const bool ended = WIFEXITED(status) && (WEXITSTATUS(status) == 128 + signal || WEXITSTATUS(status) == 0);
+    BOOST_TEST((ended || WIFSIGNALED(status)));
+  }
+  BOOST_TEST(talus_ran({"sweep", "run", out}).code == 0);
+  BOOST_TEST(talus_ran({"sweep", "collect", out}).code == 0);
+}

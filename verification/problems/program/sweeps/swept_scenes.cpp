@@ -1,0 +1,441 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <set>
+#include <string>
+#include <vector>
+
+#include "verification/check/case.hpp"
+#include "verification/problems/program/sweeps/sweep_refusals.hpp"
+#include "verification/record/csv.hpp"
+#include "verification/record/json_node.hpp"
+#include "verification/reference/impacts/restitution.hpp"
+#include "verification/study/findings/expectations.hpp"
+#include "verification/study/program/program_options.hpp"
+#include "verification/study/program/program_run.hpp"
+
+namespace talus::verification::problems::swept_scenes {
+namespace {
+
+namespace fs = std::filesystem;
+using records::Json;
+
+constexpr double radius = 0.1, step = 1e-4;
+
+std::string ball_scene(const std::string& integrator) {
+  return fmt::format(
+      "title = \"Ball against a wall\"\nunits = \"SI\"\n"
+      "[[body]]\nname = \"ball\"\nmobility = \"particle\"\nmass = \"2 kg\"\nposition = [\"-0.15 m\", \"0 m\"]\n"
+      "velocity = [\"5 m/s\", \"0 m/s\"]\nshape = {{ kind = \"circle\", radius = \"{} m\" }}\n"
+      "[[body]]\nname = \"wall\"\nmobility = \"fixed\"\nposition = [\"0 m\", \"0 m\"]\nangle = \"90 deg\"\n"
+      "shape = {{ kind = \"half_plane\" }}\n"
+      "[[contact]]\nname = \"hit\"\nbetween = [\"ball\", \"wall\"]\nlaw = \"linear_spring_dashpot\"\n"
+      "stiffness = \"1e5 N/m\"\ndamping = \"100 N s/m\"\n"
+      "[run]\nintegrator = \"{}\"\nstep = \"{} s\"\nend = \"0.2 s\"\n",
+      radius, integrator, step);
+}
+
+/// The impact of a run, with the fields that it may change.
+struct BallImpact {
+  double mass{2.0}, speed{5.0}, stiffness{1e5}, damping{100.0};
+
+  reference::ImpactEvents events(const Setup& setup) const {
+    const double factor = setup.has("other_damping") ? 1.01 : 1.0;
+    return reference::impact_events({stiffness, factor * damping, mass, speed}, reference::EndRule::clamped);
+  }
+};
+
+/// Worst errors over all runs.
+struct Worst {
+  double velocity{}, overlap{}, json{}, spaced{}, strata{}, quantile{};
+};
+
+/// Plans, runs and collects a sweep in a folder of its name.
+records::Csv collected(const Program& program, const std::string& name, const std::string& text) {
+  program.write(name + ".toml", text);
+  static_cast<void>(program.run({"sweep", "plan", name + ".toml"}, {}));
+  static_cast<void>(program.run({"sweep", "run", name}, {}));
+  static_cast<void>(program.run({"sweep", "collect", name}, {}));
+  return program.csv(name + "/results.csv");
+}
+
+/// The rows beside the closed form, with the columns of the fields in their order.
+void compare_rows(const Program& program, const std::string& name, const records::Csv& csv, Worst& worst,
+                  Differences& differ) {
+  const Setup& setup = program.setup();
+  const Json json = program.file(name + "/results.json");
+  differ.compare("rows of results.json", json.at("runs").size(), csv.rows());
+  std::set<std::string> ids;
+  for (std::size_t row = 0; row < csv.rows(); ++row) {
+    BallImpact impact;
+    for (std::size_t column = 0; column < csv.header().size(); ++column) {
+      const std::string& head = csv.header()[column];
+      if (head == "body.ball.mass [kg]") impact.mass = csv.number(row, column);
+      if (head == "body.ball.mass [g]") impact.mass = 1e-3 * csv.number(row, column);
+      if (head == "body.ball.velocity[0] [m/s]") impact.speed = csv.number(row, column);
+      if (head == "contact.hit.damping [N s/m]") impact.damping = csv.number(row, column);
+      if (head == "contact.hit.stiffness [N/m]") impact.stiffness = csv.number(row, column);
+    }
+    const reference::ImpactEvents exact = impact.events(setup);
+    const double after = csv.number(row, csv.column("ball.vx.end [m/s]")),
+                 deepest = csv.number(row, csv.column("ball.x.max [m]")) + radius;
+    keep_worst(worst.velocity, after / (-exact.restitution * impact.speed) - 1.0);
+    keep_worst(worst.overlap, (deepest / exact.largest_depth - 1.0) / std::pow(exact.frequency * step, 2));
+    const Json& object = json.at("runs").at(row);
+    keep_worst(worst.json, object.at("values").at(0).get<double>() - after);
+    keep_worst(worst.json, object.at("values").at(1).get<double>() + radius - deepest);
+    differ.compare("number", std::string{csv.cell(row, 0)}, fmt::format("{}", row + 1));
+    differ.compare("number in JSON", object.at("number").get<std::size_t>(), row + 1);
+    differ.compare("id", object.at("id").get<std::string>(), std::string{csv.cell(row, 1)});
+    differ.compare("end", std::string{csv.cell(row, csv.column("end"))}, std::string{"finished"});
+    differ.compare("new id", ids.insert(std::string{csv.cell(row, 1)}).second, true);
+  }
+}
+
+const std::string outputs = "base = \"ball.toml\"\noutputs = [\"ball.vx.end\", \"ball.x.max\"]\n";
+
+std::string axis(const std::string& field, const std::string& rest) {
+  return fmt::format("[[axis]]\nfield = \"{}\"\n{}\n", field, rest);
+}
+
+std::string grid_text() {
+  return "title = \"Rebounds\"\n" + outputs +
+         axis("contact.hit.damping", "values = [\"0 N s/m\", \"50 N s/m\", \"400 N s/m\"]") +
+         axis("body.ball.velocity[0]", "range = [\"1 m/s\", \"5 m/s\"]\ncount = 5") +
+         axis("body.ball.mass", "range = [\"500 g\", \"8000 g\"]\ncount = 3\nspacing = \"logarithmic\"") +
+         "[[constraint]]\nfield = \"body.ball.mass\"\nat_most = \"7.9 kg\"\n"
+         "[[constraint]]\nfield = \"contact.hit.damping\"\nat_least = \"45 N s/m\"\n"
+         "[[constraint]]\nfield = \"body.ball.velocity[0]\"\nat_most = \"4 m/s\"\nfactor = 1.1\n";
+}
+
+/// A grid with constraints: all combinations, the last axis first.
+void check_grid(const Program& program, Worst& worst, Differences& differ) {
+  const records::Csv csv = collected(program, "grid", grid_text());
+  compare_rows(program, "grid", csv, worst, differ);
+  std::size_t row = 0;
+  for (const double damping : {50.0, 400.0}) {
+    for (const double speed : {1.0, 2.0, 3.0, 4.0}) {
+      for (const double mass : {500.0, 2000.0}) {
+        if (row == csv.rows()) break;
+        const std::vector<double> expected{damping, speed, mass};
+        for (std::size_t i = 0; i < expected.size(); ++i)
+          keep_worst(worst.spaced, csv.number(row, i + 2) / expected[i] - 1.0);
+        ++row;
+      }
+    }
+  }
+  differ.compare("rows of the grid", csv.rows(), std::size_t{16});
+  differ.compare("expected rows of the grid", row, std::size_t{16});
+  const std::string planned = program.run({"sweep", "plan", "grid.toml"}, {{"--out", {"other"}}});
+  differ.compare("runs of the plan", planned.starts_with("16 runs, without 29 that do not satisfy the constraints\n"),
+                 true);
+  const Json json = program.json({"sweep", "plan", "grid.toml"}, {{"--out", {"other"}}, {"--json", {}}});
+  differ.compare("runs of the plan in JSON", json.at("runs").get<std::size_t>(), std::size_t{16});
+  differ.compare("runs left out", json.at("left_out").get<std::size_t>(), std::size_t{29});
+  differ.compare("the plan's estimates",
+                 json.at("evaluations").get<double>() > 0.0 && json.at("processor_time").get<double>() > 0.0 &&
+                     json.at("bytes").get<double>() > 0.0,
+                 true);
+  // The estimate of the bytes: results of three runs, scaled.
+  double bytes = 0.0;
+  for (const auto& entry : fs::directory_iterator{program.folder().path() / "grid" / "results"})
+    bytes += static_cast<double>(fs::file_size(entry.path()));
+  differ.compare("estimated bytes, within a tenth", std::abs(json.at("bytes").get<double>() / bytes - 1.0) < 0.1, true);
+}
+
+/// Largest distance of the numbers of points in equal parts of [0, 1) from one.
+double strata_error(std::vector<double> probabilities) {
+  std::vector<int> in_part(probabilities.size());
+  for (const double probability : probabilities) {
+    const auto part = static_cast<std::size_t>(probability * static_cast<double>(probabilities.size()));
+    if (part < in_part.size()) ++in_part[part];
+  }
+  double error = 0.0;
+  for (const int count : in_part)
+    error = std::max(error, std::abs(count - 1.0));
+  return error;
+}
+
+/// Sampled designs: the probabilities of the values, of which each part must have one.
+void check_samples(const Program& program, Worst& worst, Differences& differ) {
+  const Setup& setup = program.setup();
+  std::set<std::string> tables;
+  for (const char* kind : {"sobol", "latin_hypercube", "random"}) {
+    const bool is_random = std::string{kind} == "random";
+    for (const int seed : {1, 2}) {
+      const std::string name = fmt::format("{}_{}", kind, seed);
+      const std::string used = setup.has("random_points") ? "random" : kind;
+      const records::Csv csv = collected(
+          program, name,
+          outputs + fmt::format("[design]\nkind = \"{}\"\nruns = 64\nseed = {}\n", used, seed) +
+              axis("body.ball.velocity[0]", "quantiles = [[0, \"1 m/s\"], [0.75, \"2 m/s\"], [1, \"6 m/s\"]]") +
+              axis("contact.hit.stiffness", "range = [\"4e4 N/m\", \"4e6 N/m\"]\nspacing = \"logarithmic\"") +
+              axis("contact.hit.damping", "values = [\"20 N s/m\", \"40 N s/m\"]"));
+      compare_rows(program, name, csv, worst, differ);
+      std::vector<double> speeds, stiffnesses;
+      int weak = 0;
+      for (std::size_t row = 0; row < csv.rows(); ++row) {
+        const double v = csv.number(row, 2);
+        speeds.push_back(v < 2.0 ? 0.75 * (v - 1.0) : 0.75 + 0.25 * (v - 2.0) / 4.0);
+        stiffnesses.push_back(std::log10(csv.number(row, 3) / 4e4) / 2.0);
+        weak += csv.number(row, 4) == 20.0 ? 1 : 0;
+      }
+      differ.compare("runs of a design", csv.rows(), std::size_t{64});
+      differ.compare("different points for each design and seed", tables.insert(program.read(name + "/manifest.jsonl")).second,
+                     true);
+      if (is_random) {
+        // The standard error of a fraction of 64 is at most 1/16.
+        keep_worst(worst.quantile, weak / 64.0 - 0.5);
+        keep_worst(worst.quantile,
+                   static_cast<double>(std::ranges::count_if(speeds, [](double p) { return p < 0.75; })) / 64.0 - 0.75);
+      } else {
+        keep_worst(worst.strata, strata_error(speeds));
+        keep_worst(worst.strata, strata_error(stiffnesses));
+        differ.compare("half of the runs have each value", weak, 32);
+      }
+    }
+  }
+}
+
+/// Fields from a file, and the second run with the same parameters.
+void check_table(const Program& program, Worst& worst, Differences& differ) {
+  program.write("balls.csv", "# measured\nv [m/s],m [kg],note\n3,2,a\n1.5,0.5,b\n3,2,c\n");
+  const records::Csv csv =
+      collected(program, "table",
+                outputs + "[[axis]]\ntable = \"balls.csv\"\ncolumns = { \"body.ball.mass\" = \"m [kg]\", "
+                          "\"body.ball.velocity[0]\" = \"v [m/s]\" }\n" +
+                    axis("contact.hit.damping", "values = [\"80 N s/m\"]"));
+  compare_rows(program, "table", csv, worst, differ);
+  differ.compare("rows of a table", csv.rows(), std::size_t{3});
+  if (csv.rows() != 3) return;
+  const std::size_t mass = csv.column("body.ball.mass [kg]"), speed = csv.column("body.ball.velocity[0] [m/s]");
+  differ.compare("second row of the table", csv.number(1, mass) == 0.5 && csv.number(1, speed) == 1.5, true);
+  differ.compare("third row of the table", csv.number(2, mass) == 2.0 && csv.number(2, speed) == 3.0, true);
+}
+
+/// A run of the sweep is that of `talus run` with the same fields, bit by bit; a fence has a verdict.
+void check_fence(const Program& program, Differences& differ) {
+  program.write("fence.toml", program.run({"new", "fence"}, {}));
+  const records::Csv csv = collected(
+      program, "speeds",
+      "base = \"fence.toml\"\noutputs = [\"rock.vx.end\", \"energy.kinetic.max\"]\n" +
+          axis("fence.rock[0].velocity[0]", "values = [\"-5 m/s\", \"-25 m/s\"]") +
+          axis("fence.columns", "range = [5, 9]\ncount = 3"));
+  differ.compare("runs of a fence", csv.rows(), std::size_t{6});
+  const std::string scene = program.read("fence.toml");
+  for (std::size_t row = 0; row < csv.rows(); ++row) {
+    const std::string speed{csv.cell(row, 2)}, columns{csv.cell(row, 3)};
+    differ.compare("whole number of columns", columns, std::string{row % 3 == 0 ? "5" : row % 3 == 1 ? "7" : "9"});
+    std::string changed = scene;
+    const auto replace = [&](const std::string& key, const std::string& value) {
+      const std::size_t at = changed.find("\n" + key + " = ") + 1, end = changed.find('\n', at);
+      changed.replace(at, end - at, key + " = " + value);
+    };
+    replace("columns", columns);
+    const std::size_t rock = changed.find("[[fence.rock]]"), line = changed.find("\nvelocity = ", rock) + 1;
+    const std::size_t comma = changed.find(',', line);
+    changed.replace(line, comma - line, fmt::format("velocity = [\"{} m/s\"", speed));
+    program.write("changed.toml", changed);
+    const Json summary = program.json({"run", "changed.toml"}, {{"--json", {}}});
+    differ.compare("verdict", std::string{csv.cell(row, csv.column("verdict"))},
+                   summary.at("verdict").at("fence").get<std::string>());
+    differ.compare("evaluations", std::string{csv.cell(row, csv.column("evaluations"))},
+                   fmt::format("{}", summary.at("evaluations").get<long>()));
+    for (const Json& body : summary.at("bodies"))
+      if (body.at("name").get<std::string>() == "rock")
+        differ.compare("velocity", csv.number(row, csv.column("rock.vx.end [m/s]")),
+                       body.at("velocity").at(0).get<double>());
+    for (const Json& extreme : summary.at("extremes"))
+      if (extreme.at("name").get<std::string>() == "energy.kinetic")
+        differ.compare("extreme", csv.number(row, csv.column("energy.kinetic.max [N m]")),
+                       extreme.at("maximum").get<double>());
+  }
+}
+
+/// Rows of runs that fail, with their reasons and exit statuses.
+void check_failures(const Program& program, Differences& differ) {
+  program.write("steps.toml", ball_scene("velocity_verlet"));
+  program.write("failing.toml",
+                "base = \"steps.toml\"\noutputs = [\"ball.vx.end\"]\n[limits]\nevaluations = 5000\n" +
+                    axis("body.ball.mass", "values = [\"2 kg\", \"-1 kg\"]") +
+                    axis("run.step", "values = [\"1e-4 s\", \"2e-2 s\", \"1e-6 s\"]"));
+  static_cast<void>(program.run({"sweep", "plan", "failing.toml"}, {}));
+  const ProgramEnd ran = program.end({"sweep", "run", "failing"}, {});
+  differ.compare("exit status if some runs fail", ran.exit_code, 6);
+  differ.compare("counts of failures",
+                 ran.output.find("6 of 6 runs done: 1 finished, 1 diverged, 3 refused, 1 limited\n") !=
+                     std::string::npos,
+                 true);
+  differ.compare("exit status of collect", program.end({"sweep", "collect", "failing"}, {}).exit_code, 6);
+  const records::Csv csv = program.csv("failing/results.csv");
+  const std::vector<std::pair<std::string, std::string>> ends{
+      {"finished", ""},          {"diverged", "overlaps by"},    {"limited", "limit of 5000 evaluations"},
+      {"refused", "found \"-1 kg\""}, {"refused", "-1 kg"}, {"refused", "mass"}};
+  differ.compare("rows of failures", csv.rows(), ends.size());
+  for (std::size_t row = 0; row < std::min(csv.rows(), ends.size()); ++row) {
+    differ.compare("end: " + ends[row].first, std::string{csv.cell(row, csv.column("end"))}, ends[row].first);
+    differ.compare("reason: " + ends[row].second,
+                   csv.cell(row, csv.column("reason")).find(ends[row].second) != std::string_view::npos, true);
+    differ.compare("no value of a failed run", csv.cell(row, csv.column("ball.vx.end [m/s]")).empty(), row > 0);
+  }
+  const Json status = program.json({"sweep", "status", "failing"}, {{"--json", {}}});
+  for (const auto& [member, count] :
+       {std::pair{"runs", 6}, {"missing", 0}, {"finished", 1}, {"diverged", 1}, {"refused", 3}, {"limited", 1}})
+    differ.compare(member, status.at(member).get<int>(), count);
+
+  program.write("none.toml", "base = \"steps.toml\"\noutputs = [\"ball.vx.end\"]\n" +
+                                 axis("body.ball.mass", "values = [\"-2 kg\", \"-1 kg\"]"));
+  const ProgramEnd planned = program.end({"sweep", "plan", "none.toml"}, {});
+  differ.compare("warning of the plan", planned.messages.find("warning: run 1 is refused: ") != std::string::npos, true);
+  differ.compare("exit status if all runs fail", program.end({"sweep", "run", "none"}, {}).exit_code, 3);
+
+  program.write("slow.toml", "base = \"steps.toml\"\noutputs = [\"ball.vx.end\"]\n[limits]\ntime = \"1 ms\"\n" +
+                                 axis("run.step", "values = [\"1e-9 s\"]"));
+  static_cast<void>(program.run({"sweep", "plan", "slow.toml"}, {}));
+  static_cast<void>(program.end({"sweep", "run", "slow"}, {}));
+  static_cast<void>(program.end({"sweep", "collect", "slow"}, {}));
+  const records::Csv slow = program.csv("slow/results.csv");
+  differ.compare("limit of time", std::string{slow.cell(0, slow.column("reason"))}, std::string{"limit of 0.001 s"});
+}
+
+/// The files of results of a sweep.
+std::vector<fs::path> result_files(const Program& program, const std::string& name) {
+  std::vector<fs::path> files;
+  for (const auto& entry : fs::directory_iterator{program.folder().path() / name / "results"})
+    files.push_back(entry.path());
+  return files;
+}
+
+std::string relative(const Program& program, const fs::path& file) {
+  return file.lexically_relative(program.folder().path()).string();
+}
+
+/// The same bytes for parts in any order, threads, and after lost, cut and repeated results.
+void check_bytes(const Program& program, Findings& findings, Differences& differ) {
+  const Setup& setup = program.setup();
+  program.write("parts.toml", grid_text());
+  const auto bytes = [&](const std::string& name) {
+    return program.read(name + "/results.csv") + program.read(name + "/results.json");
+  };
+  const auto plan = [&](const std::string& name) {
+    static_cast<void>(program.run({"sweep", "plan", "parts.toml"}, {{"--out", {name}}}));
+  };
+  plan("whole");
+  static_cast<void>(program.run({"sweep", "run", "whole"}, {{"--threads", {"1"}}}));
+  static_cast<void>(program.run({"sweep", "collect", "whole"}, {}));
+  const std::string expected = bytes("whole");
+  double differing = 0.0;
+  const auto compare = [&](const std::string& name) {
+    const ProgramEnd end = program.end({"sweep", "collect", name}, {});
+    if (end.exit_code != 0 || bytes(name) != expected) differing += 1.0;
+  };
+
+  plan("parts");
+  for (const char* shard : {"3/3", "1/3", "2/3"}) {
+    if (setup.has("part_left_out") && std::string{shard} == "1/3") continue;
+    const std::string printed = program.run({"sweep", "run", "parts"}, {{"--shard", {shard}}, {"--threads", {"2"}}});
+    const std::string part = fmt::format(", part {} of 3: ", shard[0]);
+    differ.compare("part", printed.find(part) != std::string::npos, true);
+  }
+  compare("parts");
+  if (setup.has("part_left_out")) {
+    findings.expect("collected files that differ in a byte, by part, threads and lost results", differing, 0.0,
+                    Tolerance::exact("the manifest gives parameters and order"));
+    return;
+  }
+  // A process that was killed: the last line has no end; the run is done again.
+  const std::vector<fs::path> files = result_files(program, "parts");
+  differ.compare("a file of results for each process", files.size(), std::size_t{3});
+  const std::string cut = relative(program, files.front()), text = program.read(cut);
+  program.write(cut, text.substr(0, text.size() - 30));
+  const ProgramEnd refused = program.end({"sweep", "collect", "parts"}, {});
+  differ.compare("a missing run is refused",
+                 refused.exit_code == 2 && refused.messages.find("1 of 16 runs have no result") != std::string::npos, true);
+  differ.compare("a missing run is accepted", program.end({"sweep", "collect", "parts"}, {{"--partial", {}}}).exit_code, 0);
+  differ.compare("rows without the missing one", program.csv("parts/results.csv").rows(), std::size_t{15});
+  static_cast<void>(program.run({"sweep", "run", "parts"}, {}));
+  compare("parts");
+  differ.compare("only the missing run is done", result_files(program, "parts").size(), std::size_t{4});
+  static_cast<void>(program.run({"sweep", "run", "parts"}, {}));
+  differ.compare("nothing is done again", result_files(program, "parts").size(), std::size_t{4});
+  program.write("parts/results/copy.jsonl", program.read(relative(program, result_files(program, "whole").front())));
+  const ProgramEnd doubled = program.end({"sweep", "collect", "parts"}, {});
+  differ.compare("repeated results are refused",
+                 doubled.exit_code == 2 && doubled.messages.find("has several results, as have 16 in all") != std::string::npos,
+                 true);
+  static_cast<void>(program.run({"sweep", "collect", "parts"}, {{"--partial", {}}}));
+  if (bytes("parts") != expected) differing += 1.0;
+  findings.expect("collected files that differ in a byte, by part, threads and lost results", differing, 0.0,
+                  Tolerance::exact("the manifest gives parameters and order"));
+
+  // A longer axis: the results of the runs that both plans have count.
+  std::string longer = grid_text();
+  const std::size_t at = longer.find("\"400 N s/m\"");
+  program.write("parts.toml", longer.insert(at, "\"100 N s/m\", "));
+  plan("whole");
+  const Json status = program.json({"sweep", "status", "whole"}, {{"--json", {}}});
+  differ.compare("missing after a longer axis", status.at("missing").get<int>(), 8);
+  program.write("ball.toml", ball_scene("velocity_verlet"));
+  const ProgramEnd other = program.end({"sweep", "plan", "parts.toml"}, {{"--out", {"whole"}}});
+  differ.compare("results of another base are refused",
+                 other.exit_code == 2 && other.messages.find("found results of a sweep with another base") != std::string::npos,
+                 true);
+  program.write("ball.toml", ball_scene("exact"));
+}
+
+void run(Findings& findings, const Setup& setup) {
+  const auto group = findings.in("sweep");
+  const Program program{setup};
+  program.write("ball.toml", ball_scene("exact"));
+  Worst worst;
+  Differences differ;
+  check_grid(program, worst, differ);
+  if (setup.needs("points")) check_samples(program, worst, differ);
+  if (setup.needs("files")) check_bytes(program, findings, differ);
+  check_table(program, worst, differ);
+  if (setup.needs("outputs that differ")) {
+    check_fence(program, differ);
+    check_failures(program, differ);
+    check_refusals(program, differ);
+  }
+  findings.expect("velocity after the impact over the exact one, largest deviation from 1", worst.velocity, 0.0,
+                  Tolerance::model(1e-11, "the integrator `exact` has closed forms; events are located to round-off"));
+  findings.expect("largest overlap less the exact one, over its square of frequency and step, largest",
+                  worst.overlap, 0.0,
+                  Tolerance::truncation(0.125, 1.0, "the extreme is that of the states, the nearest within half a step: "
+                                                    "(w h)^2/8 of the overlap; with a dashpot less curved"));
+  findings.expect("values of JSON less those of CSV, largest", worst.json, 0.0,
+                  Tolerance::round_off(1e-15, "both write all digits; one sum"));
+  findings.expect("points of the grid over the exact ones, largest deviation from 1", worst.spaced, 0.0,
+                  Tolerance::round_off(1e-15, "a power and a product"));
+  findings.expect("Sobol sequence and Latin hypercube: points in each of 64 equal parts of an axis less one, largest",
+                  worst.strata, 0.0, Tolerance::exact("a property of both designs"));
+  findings.expect("random points: fraction below a quantile less its probability, largest", worst.quantile, 0.0,
+                  Tolerance::model(0.22, "3.5 times the largest standard error, 1/16"));
+  differ.expect_none(findings, "outputs that differ from the request", "numbers, texts, files and refusals");
+}
+
+}  // namespace
+
+Case definition() {
+  const std::string velocity = "velocity after the impact over the exact one, largest deviation from 1",
+                    bytes = "collected files that differ in a byte, by part, threads and lost results",
+                    strata =
+                        "Sobol sequence and Latin hypercube: points in each of 64 equal parts of an axis less one, "
+                        "largest";
+  return {.id = "swept_scenes",
+          .title = "Sweeps: many runs of a scene with changed fields",
+          .requirements = {{"G15", {"sweep"}}},
+          .main_checks = {velocity, bytes, strata, "outputs that differ from the request"},
+          .source = "Sobol 1967; Joe & Kuo 2008",
+          .faults = {{"other_damping", "a hundredth more damping", velocity},
+                     {"random_points", "independent points in place of the designs", strata},
+                     {"part_left_out", "one of three parts is not run", bytes}},
+          .seconds = 6.0,
+          .time_limit = 120.0,
+          .run = run};
+}
+
+}  // namespace talus::verification::problems::swept_scenes
