@@ -12,8 +12,10 @@
 #include <optional>
 #include <thread>
 
+#include "reports/base/error.hpp"
 #include "solver/app/command.hpp"
 #include "solver/app/interruption.hpp"
+#include "solver/app/sweep/engine.hpp"
 #include "solver/app/sweep/sweep_file.hpp"
 #include "solver/app/sweep/sweep_folder.hpp"
 #include "solver/app/sweep/sweep_table.hpp"
@@ -39,6 +41,11 @@ struct SweepOptions {
   unsigned threads{std::max(1U, std::thread::hardware_concurrency())};
   bool json{false};
   bool partial{false};
+  std::string engine{"local"};
+  std::size_t parts{std::max(1U, std::thread::hardware_concurrency())};
+  std::string hosts;
+  std::vector<std::string> engine_options;
+  bool waits{false};
 };
 
 /// Part `number` of `count` of a sweep, which has every count-th run.
@@ -225,10 +232,10 @@ int status(const SweepOptions& options) {
   const KnownResults known = read_results(sweep);
   const SweepCounts counts = counts_of(sweep, known);
   if (options.json) {
-    const nlohmann::ordered_json json{{"runs", counts.runs},           {"missing", counts.missing},
-                                      {"finished", counts.finished},   {"unusable", counts.unusable},
-                                      {"diverged", counts.diverged},   {"refused", counts.refused},
-                                      {"limited", counts.limited},     {"duplicates", known.duplicates.size()},
+    const nlohmann::ordered_json json{{"runs", counts.runs},         {"missing", counts.missing},
+                                      {"finished", counts.finished}, {"unusable", counts.unusable},
+                                      {"diverged", counts.diverged}, {"refused", counts.refused},
+                                      {"limited", counts.limited},   {"duplicates", known.duplicates.size()},
                                       {"of_others", known.of_others}};
     fmt::print("{}\n", json.dump(2));
     return ok;
@@ -245,14 +252,16 @@ int collect(const SweepOptions& options) {
   const KnownResults known = read_results(sweep);
   const SweepCounts counts = counts_of(sweep, known);
   if (!options.partial && counts.missing > 0) {
-    throw InputError{fmt::format("{}: {} of {} runs have no result; run them by `talus sweep run {}`, or collect those "
-                                 "that are done with --partial",
-                                 options.folder, counts.missing, counts.runs, shell_word(options.folder))};
+    throw InputError{
+        fmt::format("{}: {} of {} runs have no result; run them by `talus sweep run {}`, or collect those "
+                    "that are done with --partial",
+                    options.folder, counts.missing, counts.runs, shell_word(options.folder))};
   }
   if (!options.partial && !known.duplicates.empty()) {
-    throw InputError{fmt::format("{}: run {} has several results, as have {} in all; with --partial the first one of "
-                                 "each counts, in the order of the files' names",
-                                 options.folder, known.duplicates.front(), known.duplicates.size())};
+    throw InputError{
+        fmt::format("{}: run {} has several results, as have {} in all; with --partial the first one of "
+                    "each counts, in the order of the files' names",
+                    options.folder, known.duplicates.front(), known.duplicates.size())};
   }
   if (counts.done() == 0) throw InputError{fmt::format("{}: no run has a result", options.folder)};
   const fs::path csv = sweep.folder / "results.csv", json = sweep.folder / "results.json";
@@ -261,6 +270,53 @@ int collect(const SweepOptions& options) {
   fmt::print("{} of {} runs: {} finished{}\n{}\n{}\n", counts.done(), counts.runs, counts.finished,
              failures_text(counts), csv.string(), json.string());
   return exit_of(counts);
+}
+
+Engine engine_named(const std::string& name) {
+  const auto& names = Names<Engine>::list;
+  const auto found = std::ranges::find(names, name);
+  if (found == names.end()) throw unknown_name("--engine: engine", name, {names.begin(), names.end()});
+  return static_cast<Engine>(found - names.begin());
+}
+
+int submit(const SweepOptions& options) {
+  const Engine engine = engine_named(options.engine);
+  const SweepFolder sweep = read_sweep_folder(options.folder);
+  if (engine == Engine::local) {
+    if (!options.hosts.empty() || options.waits || !options.engine_options.empty())
+      throw InputError{"--hosts, --wait and --option: the engine 'local' does not use them; remove them"};
+    return run(options);
+  }
+  EngineRequest request;
+  request.folder = fs::absolute(sweep.folder).lexically_normal();
+  if (request.folder.filename().empty()) request.folder = request.folder.parent_path();
+  request.program = fs::read_symlink("/proc/self/exe");
+  request.parts = std::min(options.parts, sweep.runs.size());
+  request.threads = options.threads;
+  request.hosts = options.hosts, request.options = options.engine_options, request.waits = options.waits;
+  const fs::path script = request.folder / "part.sh";
+  const reports::Command command = engine_command(engine, request, script);
+  try {
+    reports::demand_program(command.program);
+    write_whole(script, part_script(request));
+    const reports::Finished ended = reports::run(command);
+    fmt::print("{}", ended.output);
+    // Of parallel, and of sbatch with --wait, the status counts parts whose runs failed.
+    if (engine == Engine::slurm && !options.waits) {
+      if (ended.status != 0) throw IoError{fmt::format("{}: {}", command.program, ended.messages)};
+      return ok;
+    }
+    const SweepCounts counts = counts_of(sweep, read_results(sweep));
+    if (counts.missing > 0) {
+      throw IoError{fmt::format("{}: {} of {} runs have no result; status {}: {}", command.program, counts.missing,
+                                counts.runs, ended.status, ended.messages)};
+    }
+    fmt::print("{} of {} runs done: {} finished{}\n", counts.done(), counts.runs, counts.finished,
+               failures_text(counts));
+    return exit_of(counts);
+  } catch (const reports::OutputError& error) {
+    throw IoError{error.what()};
+  }
 }
 
 void add_folder(CLI::App& app, SweepOptions& options) {
@@ -275,7 +331,8 @@ Command add_sweep(CLI::App& talus) {
   app->require_subcommand(1);
   CLI::App* const plan_app = app->add_subcommand("plan", "List the runs of a sweep and estimate their cost");
   plan_app->add_option("SWEEP", options->file, "the sweep (.toml): base, axes, outputs")->required();
-  plan_app->add_option("--out", options->folder, "folder of the sweep; default: the name of SWEEP without .toml, in the present folder");
+  plan_app->add_option("--out", options->folder,
+                       "folder of the sweep; default: the name of SWEEP without .toml, in the present folder");
   plan_app->add_flag("--json", options->json, "print JSON");
   CLI::App* const run_app = app->add_subcommand("run", "Execute the runs that have no result yet");
   add_folder(*run_app, *options);
@@ -285,6 +342,21 @@ Command add_sweep(CLI::App& talus) {
   CLI::App* const status_app = app->add_subcommand("status", "Count the runs that are done, failed and missing");
   add_folder(*status_app, *options);
   status_app->add_flag("--json", options->json, "print JSON");
+  CLI::App* const submit_app =
+      app->add_subcommand("submit", "Start the parts of a sweep by Slurm, by GNU parallel or in this process");
+  add_folder(*submit_app, *options);
+  submit_app->add_option("--engine", options->engine,
+                         "local (default), parallel (GNU parallel, also on ssh hosts) or slurm (a job array)");
+  submit_app
+      ->add_option("--parts", options->parts,
+                   "number of processes with one thread each; default: one for each thread of this machine")
+      ->check(CLI::Range(std::size_t{1}, std::size_t{100000}));
+  submit_app->add_option("--hosts", options->hosts, "of parallel: file with a host for ssh on each line");
+  submit_app
+      ->add_option("--option", options->engine_options,
+                   "for sbatch or parallel as it is, e.g. --option=--partition=long; repeat it for several")
+      ->allow_extra_args(false);
+  submit_app->add_flag("--wait", options->waits, "of slurm: wait until all parts have ended");
   CLI::App* const collect_app =
       app->add_subcommand("collect", "Write results.csv and results.json, in the order of the plan");
   add_folder(*collect_app, *options);
@@ -294,12 +366,15 @@ Command add_sweep(CLI::App& talus) {
       "  talus sweep plan cases/sweeps/rock.toml --out rock\n"
       "  talus sweep run rock\n"
       "  talus sweep run rock --shard 1/4             a quarter of the runs, e.g. on one of four machines\n"
+      "  talus sweep submit rock --engine slurm --parts 100 --option=--time=1:00:00\n"
       "  talus sweep collect rock                     rock/results.csv, rock/results.json\n"
-      "A run that diverges, is refused or reaches a limit is a row with its reason. `run` can be stopped at any time and\n"
+      "A run that diverges, is refused or reaches a limit is a row with its reason. `run` can be stopped at any time "
+      "and\n"
       "started again. Exit statuses: 6 some runs failed, 3 all did.");
   return {app, [=] {
             if (plan_app->parsed()) return plan(*options);
             if (run_app->parsed()) return run(*options);
+            if (submit_app->parsed()) return submit(*options);
             return status_app->parsed() ? status(*options) : collect(*options);
           }};
 }

@@ -8,10 +8,10 @@
 
 #include "solver/app/run/scene_run.hpp"
 #include "solver/base/error.hpp"
-#include "solver/io/file/toml_field.hpp"
 #include "solver/io/cell/read_cell.hpp"
-#include "solver/io/fence_file.hpp"
 #include "solver/io/fence1993/read_deck.hpp"
+#include "solver/io/fence_file.hpp"
+#include "solver/io/file/toml_field.hpp"
 #include "solver/io/scene/read_scene.hpp"
 #include "solver/io/scene/write_fence.hpp"
 
@@ -40,7 +40,8 @@ void demand_ledger(const SceneFile& file, const std::vector<Quantity>& wanted) {
   if (file.scene.plan.ledger) return;
   for (const Quantity& output : wanted) {
     if (output.ledger)
-      throw InputError{fmt::format("outputs: '{}' needs the energy balance, which the scene switches off", output.name)};
+      throw InputError{
+          fmt::format("outputs: '{}' needs the energy balance, which the scene switches off", output.name)};
   }
 }
 

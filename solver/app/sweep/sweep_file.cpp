@@ -39,7 +39,8 @@ const TomlArray& array_of(const SceneTable& table, std::string_view key, const T
 }
 
 /// The number of a value, in the unit that all values of the key must have.
-double in_unit(const SceneTable& table, std::string_view key, const TomlValue& value, std::optional<std::string>& unit) {
+double in_unit(const SceneTable& table, std::string_view key, const TomlValue& value,
+               std::optional<std::string>& unit) {
   WrittenNumber number;
   try {
     number = written_number(value);
@@ -107,7 +108,8 @@ SweepAxis read_rows(SceneTable& table, const fs::path& folder) {
     for (const TomlEntry& entry : *fields) {
       const std::string heading = columns.text(entry.key);
       if (std::ranges::find(csv.header(), heading) == csv.header().end())
-        columns.fail(entry.key, fmt::format("{}: {}", file.string(), unknown_name("column", heading, csv.header()).what()));
+        columns.fail(entry.key,
+                     fmt::format("{}: {}", file.string(), unknown_name("column", heading, csv.header()).what()));
       const std::string unit = name_and_unit(heading).second;
       const std::size_t column = csv.column(heading);
       axis.fields.push_back(entry.key);
@@ -140,8 +142,7 @@ SweepAxis read_axis(SceneTable& table, const fs::path& folder) {
   }
   SweepAxis axis;
   axis.fields.push_back(table.text("field"));
-  const TomlValue *values = table.value("values"), *range = table.value("range"),
-                  *quantiles = table.value("quantiles");
+  const TomlValue *values = table.value("values"), *range = table.value("range"), *quantiles = table.value("quantiles");
   if ((values != nullptr) + (range != nullptr) + (quantiles != nullptr) != 1)
     table.fail("values", "give one of values, range and quantiles, or a table");
   if (values != nullptr) {
@@ -154,12 +155,12 @@ SweepAxis read_axis(SceneTable& table, const fs::path& folder) {
       table.refuse(other, "the values are given");
     return axis;
   }
-  Continuous& made = axis.continuous.emplace(range != nullptr ? read_range(table, *range)
-                                                              : read_quantiles(table, *quantiles));
+  Continuous& made =
+      axis.continuous.emplace(range != nullptr ? read_range(table, *range) : read_quantiles(table, *quantiles));
   made.spacing = table.choice_or("spacing", Continuous::Spacing::even);
   if (made.spacing == Continuous::Spacing::logarithmic && !(made.quantiles.front().second > 0.0))
-    table.fail("spacing", fmt::format("found \"logarithmic\" from {} on; the values must be > 0",
-                                      made.quantiles.front().second));
+    table.fail("spacing",
+               fmt::format("found \"logarithmic\" from {} on; the values must be > 0", made.quantiles.front().second));
   if (table.has("count")) made.count = table.whole_between("count", 2, maximum_runs);
   return axis;
 }
@@ -185,8 +186,8 @@ SweepConstraint read_constraint(SceneTable& table, const std::set<std::string>& 
     try {
       static_cast<void>(written_number(made.value));
     } catch (const InputError&) {
-      table.fail(key, fmt::format("found {}; it must be a field that is varied, a number or a quantity",
-                                  found(made.value)));
+      table.fail(key,
+                 fmt::format("found {}; it must be a field that is varied, a number or a quantity", found(made.value)));
     }
   }
   if (table.has("factor")) made.factor = table.number("factor", Range::positive);
@@ -208,8 +209,7 @@ void read_design(SceneTable table, SweepFile& sweep) {
 void read_limits(SceneTable table, SweepLimits& limits) {
   table.allow({"time", "evaluations"});
   if (table.has("time")) limits.time = table.quantity("time", dimension::time, Range::positive);
-  if (table.has("evaluations"))
-    limits.evaluations = table.whole_between("evaluations", 1, 1'000'000'000'000);
+  if (table.has("evaluations")) limits.evaluations = table.whole_between("evaluations", 1, 1'000'000'000'000);
 }
 
 /// Errors of axes that only all together have.
@@ -267,8 +267,7 @@ WrittenNumber written_number(const TomlValue& value) {
   WrittenNumber made;
   const char* const end = text->data() + text->size();
   const auto read = std::from_chars(text->data(), end, made.value);
-  if (read.ec != std::errc{})
-    throw InputError{fmt::format("found {}; it must begin with its number", found(value))};
+  if (read.ec != std::errc{}) throw InputError{fmt::format("found {}; it must begin with its number", found(value))};
   made.unit = std::string{read.ptr, end};
   made.unit.erase(0, std::min(made.unit.find_first_not_of(" \t"), made.unit.size()));
   return made;

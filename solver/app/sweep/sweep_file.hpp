@@ -62,7 +62,7 @@ struct Design {
 /// A condition that points must satisfy: a field is at most, or at least, a factor times another field or a value.
 struct SweepConstraint {
   std::string field;
-  bool is_upper{};    ///< at most, else at least
+  bool is_upper{};  ///< at most, else at least
   double factor{1.0};
   std::string other;  ///< path of a field that is varied; empty: the value
   TomlValue value;

@@ -74,12 +74,11 @@ void for_each_line(const fs::path& file, Read&& read) {
 void check_results(const SweepFolder& sweep) {
   if (result_files(sweep.folder).empty()) return;
   const SweepFolder old = read_sweep_folder(sweep.folder);
-  const char* const differs = old.base_text != sweep.base_text                       ? "another base"
-                              : old.outputs != sweep.outputs                         ? "other outputs"
-                              : old.limits.time != sweep.limits.time ||
-                                      old.limits.evaluations != sweep.limits.evaluations
-                                  ? "other limits"
-                                  : nullptr;
+  const char* const differs =
+      old.base_text != sweep.base_text                                                             ? "another base"
+      : old.outputs != sweep.outputs                                                               ? "other outputs"
+      : old.limits.time != sweep.limits.time || old.limits.evaluations != sweep.limits.evaluations ? "other limits"
+                                                                                                   : nullptr;
   if (differs != nullptr)
     throw InputError{fmt::format("{}: found results of a sweep with {}; give another folder, or remove {}",
                                  sweep.folder.string(), differs, (sweep.folder / results_name).string())};
@@ -144,8 +143,8 @@ KnownResults read_results(const SweepFolder& sweep) {
         return;
       }
       if (result.values.size() != sweep.outputs.size() && !result.values.empty())
-        throw InputError{fmt::format("found {} values; there are {} outputs", result.values.size(),
-                                     sweep.outputs.size())};
+        throw InputError{
+            fmt::format("found {} values; there are {} outputs", result.values.size(), sweep.outputs.size())};
       std::string id = result.id;
       if (!known.by_id.emplace(id, std::move(result)).second) known.duplicates.push_back(std::move(id));
     });

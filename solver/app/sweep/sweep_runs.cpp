@@ -86,9 +86,8 @@ bool satisfies(const SweptRun& run, const SweepConstraint& constraint) {
   const AnyQuantity right = constraint.other.empty() ? quantity_of(constraint.value, found(constraint.value))
                                                      : quantity_of(value_of(run, constraint.other), constraint.other);
   if (left.dimension != right.dimension) {
-    throw InputError{fmt::format("constraint: '{}' is {}, and {} is {}; give values of one dimension",
-                                 constraint.field, text_of(left.dimension), found(constraint.value),
-                                 text_of(right.dimension))};
+    throw InputError{fmt::format("constraint: '{}' is {}, and {} is {}; give values of one dimension", constraint.field,
+                                 text_of(left.dimension), found(constraint.value), text_of(right.dimension))};
   }
   const double limit = constraint.factor * right.value;
   return constraint.is_upper ? left.value <= limit : left.value >= limit;
@@ -162,7 +161,9 @@ SweptRuns swept_runs(const SweepFile& sweep) {
   return made;
 }
 
-std::string manifest_line(const SweptRun& run) { return Json{{"id", run.id}, {"parameters", parameters_json(run)}}.dump(); }
+std::string manifest_line(const SweptRun& run) {
+  return Json{{"id", run.id}, {"parameters", parameters_json(run)}}.dump();
+}
 
 SweptRun run_of_line(const std::string& line) {
   try {

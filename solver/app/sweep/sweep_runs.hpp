@@ -23,9 +23,9 @@ struct SweptRuns {
   std::size_t left_out{};  ///< number of points that do not satisfy the constraints
 };
 
-/// All runs of a sweep, in the order of its design; of a grid the last axis changes first. A run has the same id however
-/// many others there are: the second one with the same parameters has another. Errors: InputError if no run satisfies
-/// the constraints, or a constraint compares values of different dimensions.
+/// All runs of a sweep, in the order of its design; of a grid the last axis changes first. A run has the same id
+/// however many others there are: the second one with the same parameters has another. Errors: InputError if no run
+/// satisfies the constraints, or a constraint compares values of different dimensions.
 [[nodiscard]] SweptRuns swept_runs(const SweepFile& sweep);
 
 /// A run as one line of JSON, and back. Errors: InputError for a line of another form.

@@ -99,8 +99,8 @@ std::string sweep_csv(const SweepFolder& sweep, const KnownResults& known, const
   heads.insert(heads.end(), {"end", "reason", "time [s]", "evaluations"});
   if (base.is_fence()) heads.emplace_back("verdict");
   for (const Quantity& output : base.outputs())
-    heads.push_back(head(output.name, output.dimension == dimension::number ? ""
-                                                                            : symbol(base.units(), output.dimension)));
+    heads.push_back(
+        head(output.name, output.dimension == dimension::number ? "" : symbol(base.units(), output.dimension)));
   records::CsvText csv{heads};
   for_each_result(sweep, known, [&](std::size_t number, const SweptRun& run, const SweepResult& result) {
     csv.cell(fmt::format("{}", number));
@@ -133,7 +133,7 @@ std::string sweep_csv(const SweepFolder& sweep, const KnownResults& known, const
 std::string sweep_json(const SweepFolder& sweep, const KnownResults& known, const SweepBase& base) {
   Json json{{"schema", 1}, {"title", sweep.title}, {"units", "SI"}, {"outputs", sweep.outputs}};
   const SweepCounts counts = counts_of(sweep, known);
-  json["counts"] = {{"runs", counts.runs},         {"missing", counts.missing}, {"finished", counts.finished},
+  json["counts"] = {{"runs", counts.runs},         {"missing", counts.missing},   {"finished", counts.finished},
                     {"unusable", counts.unusable}, {"diverged", counts.diverged}, {"refused", counts.refused},
                     {"limited", counts.limited}};
   json["runs"] = Json::array();

@@ -15,10 +15,10 @@ struct SweepCounts {
 };
 [[nodiscard]] SweepCounts counts_of(const SweepFolder& sweep, const KnownResults& known);
 
-/// The runs that have a result as a CSV file, in the order of the manifest: number from 1, id, each field that is varied
-/// with its unit, how the run ended and why, its last time, force evaluations, the verdict of a fence, and each output
-/// with its unit. A field whose values are no quantities in one unit is a column of texts. Cells without a value are
-/// empty.
+/// The runs that have a result as a CSV file, in the order of the manifest: number from 1, id, each field that is
+/// varied with its unit, how the run ended and why, its last time, force evaluations, the verdict of a fence, and each
+/// output with its unit. A field whose values are no quantities in one unit is a column of texts. Cells without a
+/// value are empty.
 [[nodiscard]] std::string sweep_csv(const SweepFolder& sweep, const KnownResults& known, const SweepBase& base);
 
 /// The same as JSON, in SI units; parameters as they are written.

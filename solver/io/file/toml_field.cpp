@@ -82,14 +82,13 @@ void set_field(TomlValue& document, std::string_view path, const TomlValue& valu
     const bool is_last = i + 1 == keys.size();
     if (TomlArray* const list = std::get_if<TomlArray>(&at->data)) {
       at = &named(*list, key.key, path);
-      if (is_last || key.index)
-        throw InputError{fmt::format("'{}': it must end with a field of '{}'", path, key.key)};
+      if (is_last || key.index) throw InputError{fmt::format("'{}': it must end with a field of '{}'", path, key.key)};
       continue;
     }
     TomlTable* const table = std::get_if<TomlTable>(&at->data);
     if (table == nullptr)
-      throw InputError{fmt::format("'{}': nothing can be below '{}', which is a value; give a shorter path", path,
-                                   keys[i - 1].key)};
+      throw InputError{
+          fmt::format("'{}': nothing can be below '{}', which is a value; give a shorter path", path, keys[i - 1].key)};
     TomlEntry* const entry = entry_of(*table, key.key);
     if (entry == nullptr) {
       if (!is_last || key.index)

@@ -17,12 +17,15 @@ constexpr int run_count = 120;
 
 std::string planned(const Folder& folder, const std::string& name) {
   const std::string file =
-      folder.file("rebounds.toml",
-               "base = \"" + scene("fence/table_2.toml") +
-                   "\"\noutputs = [\"rock.vx.end\", \"energy.kinetic.max\"]\n[[axis]]\nfield = \"fence.steps\"\nvalues = "
-                   "[2000]\n[[axis]]\nfield = \"fence.step_factor\"\nvalues = [0.17]\n[[axis]]\nfield = "
-                   "\"fence.rock[0].velocity[0]\"\nrange = [\"20 ft/s\", \"90 ft/s\"]\ncount = " +
-                   std::to_string(run_count) + "\n").string();
+      folder
+          .file("rebounds.toml",
+                "base = \"" + scene("fence/table_2.toml") +
+                    "\"\noutputs = [\"rock.vx.end\", \"energy.kinetic.max\"]\n[[axis]]\nfield = "
+                    "\"fence.steps\"\nvalues = "
+                    "[2000]\n[[axis]]\nfield = \"fence.step_factor\"\nvalues = [0.17]\n[[axis]]\nfield = "
+                    "\"fence.rock[0].velocity[0]\"\nrange = [\"20 ft/s\", \"90 ft/s\"]\ncount = " +
+                    std::to_string(run_count) + "\n")
+          .string();
   const std::string out = (folder.path / name).string();
   BOOST_REQUIRE(talus_ran({"sweep", "plan", file, "--out", out}).code == 0);
   return out;

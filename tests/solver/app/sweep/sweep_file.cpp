@@ -71,8 +71,8 @@ BOOST_AUTO_TEST_CASE(ids_follow_from_the_parameters) {
 }
 
 BOOST_AUTO_TEST_CASE(lines_of_the_manifest_are_read_back) {
-  const SweptRuns made =
-      swept_runs(sweep_of("[[axis]]\nfield = \"f\"\nvalues = [1, 2.5, \"3 kg\", true, \"a \\\"quoted\\\" \\u00e4\"]\n"));
+  const SweptRuns made = swept_runs(
+      sweep_of("[[axis]]\nfield = \"f\"\nvalues = [1, 2.5, \"3 kg\", true, \"a \\\"quoted\\\" \\u00e4\"]\n"));
   for (const SweptRun& run : made.runs) {
     const SweptRun again = run_of_line(manifest_line(run));
     BOOST_TEST(again.id == run.id);
@@ -104,8 +104,8 @@ BOOST_AUTO_TEST_CASE(designs_depend_on_the_seed_alone) {
   BOOST_CHECK_THROW(static_cast<void>(design_points({DesignKind::sobol, 2, 1}, 100000)), InputError);
 }
 
-// A Sobol sequence extends: more runs have the same first points. Pairs of axes: 2^4 points have one in each of 2^2 x 2^2
-// boxes for neighbouring axes (Sobol's property A').
+// A Sobol sequence extends: more runs have the same first points. Of two axes, 16 points have one in each of 4 x 4
+// boxes (Sobol's property A').
 BOOST_AUTO_TEST_CASE(a_sobol_sequence_extends_and_fills_boxes) {
   const auto few = design_points({DesignKind::sobol, 16, 5}, 2), more = design_points({DesignKind::sobol, 32, 5}, 2);
   std::set<std::pair<int, int>> boxes;

@@ -13,7 +13,8 @@ namespace {
 TomlValue document() {
   return parse_toml(
       "gravity = [\"0 m/s^2\", \"-9.81 m/s^2\"]\n[run]\nstep = \"1 s\"\n"
-      "[[body]]\nname = \"a\"\nshape = { kind = \"circle\", radius = \"1 m\" }\n[[body]]\nname = \"b\"\nmass = \"2 kg\"\n"
+      "[[body]]\nname = \"a\"\nshape = { kind = \"circle\", radius = \"1 m\" }\n[[body]]\nname = \"b\"\nmass = \"2 "
+      "kg\"\n"
       "[fence]\n[[fence.rock]]\na = \"1 m\"\n[[fence.rock]]\na = \"2 m\"\n",
       "test.toml");
 }

@@ -12,8 +12,9 @@ struct Wrong {
   std::string text, message;
 };
 
-const std::string head = "base = \"ball.toml\"\noutputs = [\"ball.vx.end\"]\n", mass = "[[axis]]\nfield = \"body.ball.mass\"\n",
-                  good = mass + "values = [\"1 kg\", \"2 kg\"]\n", sobol = "[design]\nkind = \"sobol\"\nruns = 4\n";
+const std::string head = "base = \"ball.toml\"\noutputs = [\"ball.vx.end\"]\n",
+                  mass = "[[axis]]\nfield = \"body.ball.mass\"\n", good = mass + "values = [\"1 kg\", \"2 kg\"]\n",
+                  sobol = "[design]\nkind = \"sobol\"\nruns = 4\n";
 
 std::vector<Wrong> wrong_sweeps() {
   return {
@@ -24,26 +25,33 @@ std::vector<Wrong> wrong_sweeps() {
       {"base = \"ball.toml\"\n" + good, "outputs: it is missing; give quantities"},
       {"base = \"ball.toml\"\noutputs = []\n" + good, "wrong.toml:2: outputs: found []; it must be an array of texts"},
       {"base = \"ball.toml\"\noutputs = [3]\n" + good, "wrong.toml:2: outputs: found 3; it must be a text"},
-      {"base = \"ball.toml\"\noutputs = [\"ball.vz.end\"]\n" + good, "wrong.toml: outputs: column 'ball.vz' is not known"},
+      {"base = \"ball.toml\"\noutputs = [\"ball.vz.end\"]\n" + good,
+       "wrong.toml: outputs: column 'ball.vz' is not known"},
       {"base = \"ball.toml\"\noutputs = [\"ball.vx\"]\n" + good, "outputs: found \"ball.vx\"; it must end in .max"},
       {head, "axis: it is missing; give at least one [[axis]]"},
       {head + mass, "axis 1: values: give one of values, range and quantiles, or a table"},
       {head + "[[axis]]\nvalues = [1]\n", "axis 1: field: it is missing"},
-      {head + "[[axis]]\nfield = \"body..mass\"\nvalues = [1]\n", "wrong.toml:3: found 'body..mass'; it must be a path"},
-      {head + "[[axis]]\nfield = \"body.bal.mass\"\nvalues = [\"1 kg\"]\n", "wrong.toml: 'body.bal.mass': name 'bal' is not known"},
+      {head + "[[axis]]\nfield = \"body..mass\"\nvalues = [1]\n",
+       "wrong.toml:3: found 'body..mass'; it must be a path"},
+      {head + "[[axis]]\nfield = \"body.bal.mass\"\nvalues = [\"1 kg\"]\n",
+       "wrong.toml: 'body.bal.mass': name 'bal' is not known"},
       {head + "[[axis]]\nfield = \"body.ball.velocity[2]\"\nvalues = [\"1 m/s\"]\n",
        "'body.ball.velocity[2]': 'velocity' has no element [2]; give one of its 2 elements"},
-      {head + "[[axis]]\nfield = \"body.ball.mass[0]\"\nvalues = [\"1 kg\"]\n", "'mass' is not an array; give it without"},
+      {head + "[[axis]]\nfield = \"body.ball.mass[0]\"\nvalues = [\"1 kg\"]\n",
+       "'mass' is not an array; give it without"},
       {head + "[[axis]]\nfield = \"body.ball.shape\"\nvalues = [\"1 m\"]\n", "found a table; it must be a value"},
       {head + "[[axis]]\nfield = \"body.ball.mass.low\"\nvalues = [\"1 m\"]\n", "nothing can be below 'mass'"},
       {head + mass + "values = []\n", "wrong.toml:5: axis 1: values: found []; it must be an array of values"},
       {head + mass + "values = [[1]]\n", "axis 1: values: found [1]; each must be a number, a text, true or false"},
       {head + mass + "values = [\"1 kg\"]\ncount = 3\n", "axis 1: count"},
-      {head + mass + "range = [\"1 kg\", \"2 kg\"]\n", "axis 1: count: it is missing; a grid needs the number of points"},
+      {head + mass + "range = [\"1 kg\", \"2 kg\"]\n",
+       "axis 1: count: it is missing; a grid needs the number of points"},
       {head + mass + "range = [\"2 kg\", \"1 kg\"]\ncount = 2\n", "the first value must be less than the second"},
-      {head + mass + "range = [\"1 kg\", \"2 g\"]\ncount = 2\n", "found \"2 g\" and a value in kg; give all in one unit"},
+      {head + mass + "range = [\"1 kg\", \"2 g\"]\ncount = 2\n",
+       "found \"2 g\" and a value in kg; give all in one unit"},
       {head + mass + "range = [\"1 kg\"]\ncount = 2\n", "it must be an array of two values"},
-      {head + mass + "range = [\"1 kf\", \"2 kf\"]\ncount = 2\n", "axis 1: range: found \"1 kf\"; unit 'kf' is not known"},
+      {head + mass + "range = [\"1 kf\", \"2 kf\"]\ncount = 2\n",
+       "axis 1: range: found \"1 kf\"; unit 'kf' is not known"},
       {head + mass + "range = [\"1 kg\", \"2 kg\"]\ncount = 1\n", "axis 1: count: found 1"},
       {head + mass + "range = [\"0 kg\", \"2 kg\"]\ncount = 2\nspacing = \"logarithmic\"\n",
        "axis 1: spacing: found \"logarithmic\" from 0 on; the values must be > 0"},
@@ -73,8 +81,9 @@ std::vector<Wrong> wrong_sweeps() {
        "wrong.toml: constraint: 'body.ball.mass' is a mass, and \"1 m\" is a length; give values of one dimension"},
       {head + good + "[[constraint]]\nfield = \"body.ball.mass\"\nat_most = \"0.1 kg\"\n",
        "wrong.toml: constraint: none of the 2 runs satisfies all"},
-      {head + mass + "range = [\"1 kg\", \"2 kg\"]\ncount = 1000000\n[[axis]]\nfield = \"run.step\"\nvalues = [\"1e-4 s\", "
-              "\"1e-5 s\"]\n",
+      {head + mass +
+           "range = [\"1 kg\", \"2 kg\"]\ncount = 1000000\n[[axis]]\nfield = \"run.step\"\nvalues = [\"1e-4 s\", "
+           "\"1e-5 s\"]\n",
        "found a grid of at least 2e+06 runs; it must be at most 1000000"},
   };
 }
@@ -100,12 +109,19 @@ void check_refusals(const Program& program, Differences& differ) {
     int exit_code{2};
   };
   const std::vector<WrongCommand> commands{
-      {{"sweep"}, {}, "a command is missing; known: plan, run, status, collect"},
+      {{"sweep"}, {}, "a command is missing; known: plan, run, status, submit, collect"},
       {{"sweep", "plan", "cell.toml"}, {}, "a shear cell is run by `talus cell`"},
       {{"sweep", "run", "grid"}, {{"--shard", {"0/2"}}}, "--shard: found \"0/2\"; it must be I/N"},
       {{"sweep", "run", "grid"}, {{"--shard", {"3/2"}}}, "--shard: found \"3/2\"; it must be I/N"},
       {{"sweep", "run", "grid"}, {{"--shard", {"1:2"}}}, "--shard: found \"1:2\"; it must be I/N"},
       {{"sweep", "run", "grid"}, {{"--threads", {"0"}}}, "--threads"},
+      {{"sweep", "submit", "grid"}, {{"--engine", {"pbs"}}}, "--engine: engine 'pbs' is not known"},
+      {{"sweep", "submit", "grid"}, {{"--hosts", {"h"}}}, "the engine 'local' does not use them"},
+      {{"sweep", "submit", "grid"},
+       {{"--engine", {"slurm"}}, {"--hosts", {"h"}}},
+       "--hosts: only the engine 'parallel'"},
+      {{"sweep", "submit", "grid"}, {{"--engine", {"parallel"}}, {"--wait", {}}}, "--wait: only the engine 'slurm'"},
+      {{"sweep", "submit", "grid"}, {{"--parts", {"0"}}}, "--parts"},
       {{"sweep", "run", "nowhere"}, {}, "nowhere", 4},
       {{"sweep", "status", "."}, {}, "found a folder without sweep.json; it must be the folder of a sweep", 4}};
   for (const WrongCommand& wrong : commands) {
@@ -116,19 +132,21 @@ void check_refusals(const Program& program, Differences& differ) {
   const std::string manifest = program.read("grid/manifest.jsonl");
   program.write("grid/manifest.jsonl", manifest + "{\"id\": 3}\n");
   const ProgramEnd damaged = program.end({"sweep", "status", "grid"}, {});
-  differ.compare("refusal: a damaged manifest",
-                 damaged.exit_code == 2 && damaged.messages.find("grid/manifest.jsonl:17: not a run: ") != std::string::npos,
-                 true);
+  differ.compare(
+      "refusal: a damaged manifest",
+      damaged.exit_code == 2 && damaged.messages.find("grid/manifest.jsonl:17: not a run: ") != std::string::npos,
+      true);
   program.write("grid/manifest.jsonl", manifest.substr(0, manifest.find('\n') + 1));
   const ProgramEnd shorter = program.end({"sweep", "status", "grid"}, {});
-  differ.compare("refusal: a shorter manifest",
-                 shorter.exit_code == 2 && shorter.messages.find("found 1 runs; sweep.json has 16") != std::string::npos, true);
+  differ.compare(
+      "refusal: a shorter manifest",
+      shorter.exit_code == 2 && shorter.messages.find("found 1 runs; sweep.json has 16") != std::string::npos, true);
   program.write("grid/manifest.jsonl", manifest);
   program.write("grid/results/wrong.jsonl", "{\"id\": \"a\", \"end\": \"lost\"}\n");
   const ProgramEnd wrong = program.end({"sweep", "status", "grid"}, {});
-  differ.compare("refusal: a wrong result",
-                 wrong.exit_code == 2 && wrong.messages.find("wrong.jsonl:1: end 'lost' is not known") != std::string::npos,
-                 true);
+  differ.compare(
+      "refusal: a wrong result",
+      wrong.exit_code == 2 && wrong.messages.find("wrong.jsonl:1: end 'lost' is not known") != std::string::npos, true);
 }
 
 }  // namespace talus::verification::problems::swept_scenes

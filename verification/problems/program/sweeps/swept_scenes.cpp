@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdlib>
 #include <filesystem>
 #include <set>
 #include <string>
@@ -183,8 +184,8 @@ void check_samples(const Program& program, Worst& worst, Differences& differ) {
         weak += csv.number(row, 4) == 20.0 ? 1 : 0;
       }
       differ.compare("runs of a design", csv.rows(), std::size_t{64});
-      differ.compare("different points for each design and seed", tables.insert(program.read(name + "/manifest.jsonl")).second,
-                     true);
+      differ.compare("different points for each design and seed",
+                     tables.insert(program.read(name + "/manifest.jsonl")).second, true);
       if (is_random) {
         // The standard error of a fraction of 64 is at most 1/16.
         keep_worst(worst.quantile, weak / 64.0 - 0.5);
@@ -204,8 +205,9 @@ void check_table(const Program& program, Worst& worst, Differences& differ) {
   program.write("balls.csv", "# measured\nv [m/s],m [kg],note\n3,2,a\n1.5,0.5,b\n3,2,c\n");
   const records::Csv csv =
       collected(program, "table",
-                outputs + "[[axis]]\ntable = \"balls.csv\"\ncolumns = { \"body.ball.mass\" = \"m [kg]\", "
-                          "\"body.ball.velocity[0]\" = \"v [m/s]\" }\n" +
+                outputs +
+                    "[[axis]]\ntable = \"balls.csv\"\ncolumns = { \"body.ball.mass\" = \"m [kg]\", "
+                    "\"body.ball.velocity[0]\" = \"v [m/s]\" }\n" +
                     axis("contact.hit.damping", "values = [\"80 N s/m\"]"));
   compare_rows(program, "table", csv, worst, differ);
   differ.compare("rows of a table", csv.rows(), std::size_t{3});
@@ -218,11 +220,10 @@ void check_table(const Program& program, Worst& worst, Differences& differ) {
 /// A run of the sweep is that of `talus run` with the same fields, bit by bit; a fence has a verdict.
 void check_fence(const Program& program, Differences& differ) {
   program.write("fence.toml", program.run({"new", "fence"}, {}));
-  const records::Csv csv = collected(
-      program, "speeds",
-      "base = \"fence.toml\"\noutputs = [\"rock.vx.end\", \"energy.kinetic.max\"]\n" +
-          axis("fence.rock[0].velocity[0]", "values = [\"-5 m/s\", \"-25 m/s\"]") +
-          axis("fence.columns", "range = [5, 9]\ncount = 3"));
+  const records::Csv csv = collected(program, "speeds",
+                                     "base = \"fence.toml\"\noutputs = [\"rock.vx.end\", \"energy.kinetic.max\"]\n" +
+                                         axis("fence.rock[0].velocity[0]", "values = [\"-5 m/s\", \"-25 m/s\"]") +
+                                         axis("fence.columns", "range = [5, 9]\ncount = 3"));
   differ.compare("runs of a fence", csv.rows(), std::size_t{6});
   const std::string scene = program.read("fence.toml");
   for (std::size_t row = 0; row < csv.rows(); ++row) {
@@ -257,22 +258,23 @@ void check_fence(const Program& program, Differences& differ) {
 /// Rows of runs that fail, with their reasons and exit statuses.
 void check_failures(const Program& program, Differences& differ) {
   program.write("steps.toml", ball_scene("velocity_verlet"));
-  program.write("failing.toml",
-                "base = \"steps.toml\"\noutputs = [\"ball.vx.end\"]\n[limits]\nevaluations = 5000\n" +
-                    axis("body.ball.mass", "values = [\"2 kg\", \"-1 kg\"]") +
-                    axis("run.step", "values = [\"1e-4 s\", \"2e-2 s\", \"1e-6 s\"]"));
+  program.write("failing.toml", "base = \"steps.toml\"\noutputs = [\"ball.vx.end\"]\n[limits]\nevaluations = 5000\n" +
+                                    axis("body.ball.mass", "values = [\"2 kg\", \"-1 kg\"]") +
+                                    axis("run.step", "values = [\"1e-4 s\", \"2e-2 s\", \"1e-6 s\"]"));
   static_cast<void>(program.run({"sweep", "plan", "failing.toml"}, {}));
   const ProgramEnd ran = program.end({"sweep", "run", "failing"}, {});
   differ.compare("exit status if some runs fail", ran.exit_code, 6);
-  differ.compare("counts of failures",
-                 ran.output.find("6 of 6 runs done: 1 finished, 1 diverged, 3 refused, 1 limited\n") !=
-                     std::string::npos,
-                 true);
+  differ.compare(
+      "counts of failures",
+      ran.output.find("6 of 6 runs done: 1 finished, 1 diverged, 3 refused, 1 limited\n") != std::string::npos, true);
   differ.compare("exit status of collect", program.end({"sweep", "collect", "failing"}, {}).exit_code, 6);
   const records::Csv csv = program.csv("failing/results.csv");
-  const std::vector<std::pair<std::string, std::string>> ends{
-      {"finished", ""},          {"diverged", "overlaps by"},    {"limited", "limit of 5000 evaluations"},
-      {"refused", "found \"-1 kg\""}, {"refused", "-1 kg"}, {"refused", "mass"}};
+  const std::vector<std::pair<std::string, std::string>> ends{{"finished", ""},
+                                                              {"diverged", "overlaps by"},
+                                                              {"limited", "limit of 5000 evaluations"},
+                                                              {"refused", "found \"-1 kg\""},
+                                                              {"refused", "-1 kg"},
+                                                              {"refused", "mass"}};
   differ.compare("rows of failures", csv.rows(), ends.size());
   for (std::size_t row = 0; row < std::min(csv.rows(), ends.size()); ++row) {
     differ.compare("end: " + ends[row].first, std::string{csv.cell(row, csv.column("end"))}, ends[row].first);
@@ -288,7 +290,8 @@ void check_failures(const Program& program, Differences& differ) {
   program.write("none.toml", "base = \"steps.toml\"\noutputs = [\"ball.vx.end\"]\n" +
                                  axis("body.ball.mass", "values = [\"-2 kg\", \"-1 kg\"]"));
   const ProgramEnd planned = program.end({"sweep", "plan", "none.toml"}, {});
-  differ.compare("warning of the plan", planned.messages.find("warning: run 1 is refused: ") != std::string::npos, true);
+  differ.compare("warning of the plan", planned.messages.find("warning: run 1 is refused: ") != std::string::npos,
+                 true);
   differ.compare("exit status if all runs fail", program.end({"sweep", "run", "none"}, {}).exit_code, 3);
 
   program.write("slow.toml", "base = \"steps.toml\"\noutputs = [\"ball.vx.end\"]\n[limits]\ntime = \"1 ms\"\n" +
@@ -352,8 +355,10 @@ void check_bytes(const Program& program, Findings& findings, Differences& differ
   program.write(cut, text.substr(0, text.size() - 30));
   const ProgramEnd refused = program.end({"sweep", "collect", "parts"}, {});
   differ.compare("a missing run is refused",
-                 refused.exit_code == 2 && refused.messages.find("1 of 16 runs have no result") != std::string::npos, true);
-  differ.compare("a missing run is accepted", program.end({"sweep", "collect", "parts"}, {{"--partial", {}}}).exit_code, 0);
+                 refused.exit_code == 2 && refused.messages.find("1 of 16 runs have no result") != std::string::npos,
+                 true);
+  differ.compare("a missing run is accepted", program.end({"sweep", "collect", "parts"}, {{"--partial", {}}}).exit_code,
+                 0);
   differ.compare("rows without the missing one", program.csv("parts/results.csv").rows(), std::size_t{15});
   static_cast<void>(program.run({"sweep", "run", "parts"}, {}));
   compare("parts");
@@ -362,9 +367,10 @@ void check_bytes(const Program& program, Findings& findings, Differences& differ
   differ.compare("nothing is done again", result_files(program, "parts").size(), std::size_t{4});
   program.write("parts/results/copy.jsonl", program.read(relative(program, result_files(program, "whole").front())));
   const ProgramEnd doubled = program.end({"sweep", "collect", "parts"}, {});
-  differ.compare("repeated results are refused",
-                 doubled.exit_code == 2 && doubled.messages.find("has several results, as have 16 in all") != std::string::npos,
-                 true);
+  differ.compare(
+      "repeated results are refused",
+      doubled.exit_code == 2 && doubled.messages.find("has several results, as have 16 in all") != std::string::npos,
+      true);
   static_cast<void>(program.run({"sweep", "collect", "parts"}, {{"--partial", {}}}));
   if (bytes("parts") != expected) differing += 1.0;
   findings.expect("collected files that differ in a byte, by part, threads and lost results", differing, 0.0,
@@ -379,10 +385,55 @@ void check_bytes(const Program& program, Findings& findings, Differences& differ
   differ.compare("missing after a longer axis", status.at("missing").get<int>(), 8);
   program.write("ball.toml", ball_scene("velocity_verlet"));
   const ProgramEnd other = program.end({"sweep", "plan", "parts.toml"}, {{"--out", {"whole"}}});
-  differ.compare("results of another base are refused",
-                 other.exit_code == 2 && other.messages.find("found results of a sweep with another base") != std::string::npos,
-                 true);
+  differ.compare(
+      "results of another base are refused",
+      other.exit_code == 2 && other.messages.find("found results of a sweep with another base") != std::string::npos,
+      true);
   program.write("ball.toml", ball_scene("exact"));
+}
+
+/// The commands of the engines, by programs of their names that start the parts one after the other.
+void check_engines(const Program& program, Differences& differ) {
+  const fs::path folder = program.folder().path();
+  fs::create_directory(folder / "bin");
+  program.write("bin/sbatch",
+                "#!/bin/sh\nprintf '%s\\n' \"$@\" > sbatch.txt\nfor script; do :; done\n"
+                "for part in 1 2 3; do SLURM_ARRAY_TASK_ID=$part /bin/sh \"$script\"; done\n");
+  program.write("bin/parallel",
+                "#!/bin/sh\nprintf '%s\\n' \"$@\" > parallel.txt\nwhile [ \"$1\" != /bin/sh ]; do shift; done\n"
+                "script=$2\nwhile [ \"$1\" != ::: ]; do shift; done\nshift\n"
+                "for part; do eval \"/bin/sh $script $part\"; done\n");
+  for (const char* engine : {"sbatch", "parallel"})
+    fs::permissions(folder / "bin" / engine, fs::perms::owner_all);
+  const char* const path = std::getenv("PATH");
+  const Environment environment{{"PATH", fmt::format("{}:{}", (folder / "bin").string(), path != nullptr ? path : "")}};
+  const auto submit = [&](const std::string& engine, const std::string& name, const Options& options) {
+    program.write("engines.toml", grid_text());
+    static_cast<void>(program.run({"sweep", "plan", "engines.toml"}, {{"--out", {name}}}));
+    const std::string printed = talus_output(
+        program.folder(), with_options({"sweep", "submit", name, "--engine", engine}, options, program.setup()),
+        environment);
+    differ.compare(engine + ": all runs are done",
+                   printed.find("16 of 16 runs done: 16 finished\n") != std::string::npos, true);
+    static_cast<void>(program.run({"sweep", "collect", name}, {}));
+    differ.compare(engine + ": the same table", program.read(name + "/results.csv"), program.read("grid/results.csv"));
+    return "\n" + program.read(engine == "slurm" ? "sbatch.txt" : "parallel.txt");
+  };
+  const fs::path whole = fs::canonical(folder);
+  const std::string slurm =
+      submit("slurm", "it's slurm", {{"--parts", {"3"}}, {"--wait", {}}, {"--option", {"--mem=1G"}}});
+  for (const std::string& argument :
+       {std::string{"--array=1-3"}, std::string{"--job-name=talus-it's slurm"}, std::string{"--wait"},
+        std::string{"--mem=1G"}, "--output=" + (whole / "it's slurm/part-%a.log").string(),
+        (whole / "it's slurm/part.sh").string()})
+    differ.compare("sbatch " + argument, slurm.find("\n" + argument + "\n") != std::string::npos, true);
+  const std::string parallel =
+      submit("parallel", "it's parallel", {{"--parts", {"2"}}, {"--hosts", {"h.txt"}}, {"--option", {"--bar"}}});
+  differ.compare("parallel with hosts", parallel.starts_with("\n--sshloginfile\nh.txt\n--bar\n/bin/sh\n"), true);
+  differ.compare("parallel parts", parallel.ends_with("\n{}\n:::\n1\n2\n"), true);
+  const std::string here = submit("parallel", "here", {{"--parts", {"40"}}});
+  differ.compare("parallel without hosts", here.starts_with("\n--jobs\n"), true);
+  differ.compare("not more parts than runs", here.ends_with("\n15\n16\n"), true);
 }
 
 void run(Findings& findings, const Setup& setup) {
@@ -398,14 +449,16 @@ void run(Findings& findings, const Setup& setup) {
   if (setup.needs("outputs that differ")) {
     check_fence(program, differ);
     check_failures(program, differ);
+    check_engines(program, differ);
     check_refusals(program, differ);
   }
   findings.expect("velocity after the impact over the exact one, largest deviation from 1", worst.velocity, 0.0,
                   Tolerance::model(1e-11, "the integrator `exact` has closed forms; events are located to round-off"));
-  findings.expect("largest overlap less the exact one, over its square of frequency and step, largest",
-                  worst.overlap, 0.0,
-                  Tolerance::truncation(0.125, 1.0, "the extreme is that of the states, the nearest within half a step: "
-                                                    "(w h)^2/8 of the overlap; with a dashpot less curved"));
+  findings.expect("largest overlap less the exact one, over its square of frequency and step, largest", worst.overlap,
+                  0.0,
+                  Tolerance::truncation(0.125, 1.0,
+                                        "the extreme is that of the states, the nearest within half a step: "
+                                        "(w h)^2/8 of the overlap; with a dashpot less curved"));
   findings.expect("values of JSON less those of CSV, largest", worst.json, 0.0,
                   Tolerance::round_off(1e-15, "both write all digits; one sum"));
   findings.expect("points of the grid over the exact ones, largest deviation from 1", worst.spaced, 0.0,

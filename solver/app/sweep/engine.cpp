@@ -1,0 +1,58 @@
+#include "solver/app/sweep/engine.hpp"
+
+#include <fmt/format.h>
+
+#include "solver/base/error.hpp"
+
+namespace talus::app {
+namespace {
+
+/// A word of a shell script, whatever its characters.
+std::string quoted(const std::string& word) {
+  std::string text = "'";
+  for (const char letter : word)
+    text += letter == '\'' ? std::string{"'\\''"} : std::string{letter};
+  return text + "'";
+}
+
+}  // namespace
+
+std::string part_script(const EngineRequest& request) {
+  return fmt::format(
+      "#!/bin/sh\n"
+      "# One of {0} parts of a sweep: that of the Slurm task, or the first argument.\n"
+      "exec {1} sweep run {2} --shard \"${{SLURM_ARRAY_TASK_ID:-$1}}/{0}\" --threads 1\n",
+      request.parts, quoted(request.program.string()), quoted(request.folder.string()));
+}
+
+reports::Command engine_command(Engine engine, const EngineRequest& request, const std::filesystem::path& script) {
+  if (engine != Engine::parallel && !request.hosts.empty())
+    throw InputError{"--hosts: only the engine 'parallel' uses it; remove it"};
+  if (engine != Engine::slurm && request.waits) throw InputError{"--wait: only the engine 'slurm' uses it; remove it"};
+  reports::Command command;
+  if (engine == Engine::slurm) {
+    command.program = "sbatch";
+    command.arguments = {fmt::format("--array=1-{}", request.parts),
+                         fmt::format("--job-name=talus-{}", request.folder.filename().string()), "--cpus-per-task=1",
+                         "--output=" + (request.folder / "part-%a.log").string()};
+    if (request.waits) command.arguments.emplace_back("--wait");
+    command.arguments.insert(command.arguments.end(), request.options.begin(), request.options.end());
+    command.arguments.push_back(script.string());
+    return command;
+  }
+  TALUS_DEMAND(engine == Engine::parallel);
+  command.program = "parallel";
+  // Its default is a process for each core; hosts have their own numbers of them.
+  if (request.hosts.empty()) {
+    command.arguments = {"--jobs", fmt::format("{}", request.threads)};
+  } else {
+    command.arguments = {"--sshloginfile", request.hosts};
+  }
+  command.arguments.insert(command.arguments.end(), request.options.begin(), request.options.end());
+  command.arguments.insert(command.arguments.end(), {"/bin/sh", quoted(script.string()), "{}", ":::"});
+  for (std::size_t part = 1; part <= request.parts; ++part)
+    command.arguments.push_back(fmt::format("{}", part));
+  return command;
+}
+
+}  // namespace talus::app
