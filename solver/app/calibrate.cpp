@@ -79,6 +79,7 @@ struct SceneCalibration {
   Impact impact;  ///< the first impact with the calibrated damping
   std::optional<double> damping_ratio;
   std::optional<EndRule> end_rule;
+  bool is_of_speed{};     ///< the restitution depends on the speed
   std::string parameter;  ///< by which the law dissipates: damping or hysteresis
   Dimension dimension;    ///< of the parameter
 
@@ -90,6 +91,7 @@ void print_json(const SceneCalibration& result, const Scene& scene, const std::s
   const UnitSystem& units = scene.model.units;
   nlohmann::ordered_json json{{"contact", contact},
                               {result.parameter, result.found.dissipation * si_size(units, result.dimension)},
+                              {"speed", result.impact.approach_speed * si_size(units, dimension::velocity)},
                               {"contact_time", result.impact.contact_time},
                               {"contact_steps", result.contact_steps(scene)},
                               {"largest_overlap", result.impact.largest_overlap * si_size(units, dimension::length)},
@@ -112,6 +114,7 @@ void print_text(const SceneCalibration& result, const Scene& scene, const std::s
   line(result.parameter == "damping" ? "damping c" : result.parameter, result.found.dissipation, result.dimension);
   if (result.damping_ratio) line("damping ratio xi", *result.damping_ratio, dimension::number);
   line("restitution", result.found.restitution, dimension::number);
+  line("speed of approach", result.impact.approach_speed, dimension::velocity);
   const std::string time = symbol(units, dimension::time);
   fmt::print("  {:<18}{:>16.9g} {}: {} steps, from the last one before the contact to the first one after it\n",
              "contact time", result.impact.contact_time, time, result.contact_steps(scene));
@@ -119,6 +122,7 @@ void print_text(const SceneCalibration& result, const Scene& scene, const std::s
   const std::string_view chosen = ": times at which the method gives states; it chooses shorter steps itself";
   fmt::print("  {:<18}{:>16.9g} {}, of the scene{}\n", "step", scene.plan.step, time,
              chooses_steps(scene.integrator) ? chosen : "");
+  if (result.is_of_speed) fmt::print("  the restitution holds at this speed: others are more or less elastic\n");
   fmt::print("in the scene:\n  {} = \"{} {}\"\n", result.parameter, result.found.dissipation,
              symbol(units, result.dimension));
   if (result.end_rule) fmt::print("  end_rule = \"{}\"\n", name_of(*result.end_rule));
@@ -137,6 +141,7 @@ int calibrate_scene(const CalibrateOptions& options) {
   result.damping_ratio = damping_ratio_of(damped, contact);
   const ContactLaw& law = scene.model.contacts[index(contact)].law;
   result.end_rule = end_rule_of(law);
+  result.is_of_speed = restitution_varies(law);
   const LawParameter dissipation = dissipation_of(law);
   result.parameter = dissipation.name, result.dimension = dissipation.dimension;
   if (options.json) {
@@ -174,6 +179,7 @@ int calibrate_law(const CalibrateOptions& options, const DrawingSink& sink) {
 int run_calibration(const CalibrateOptions& options, const DrawingSink& sink) {
   if (options.restitution && !(*options.restitution > 0.0 && *options.restitution <= 1.0))
     throw InputError{fmt::format("--restitution: found {}; it must be in (0, 1]", *options.restitution)};
+  if (!(options.bound > 0.0)) throw InputError{fmt::format("--bound: found {}; it must be > 0", options.bound)};
   if (options.scene.empty()) {
     if (!options.contact.empty()) throw InputError{"--contact: it needs a scene; name its file"};
     return calibrate_law(options, sink);

@@ -59,6 +59,7 @@ class ImpactMonitor {
     }
     stage_ = Stage::after;
     impact_.restitution = -work_.rates[deepest] / approach_;
+    impact_.approach_speed = approach_;
     impact_.contact_time = state.t - start_;
   }
 

@@ -24,6 +24,7 @@ struct KnownImpact {
 /// Results of one simulated impact.
 struct Impact {
   double restitution{};      ///< speed of separation over speed of approach along the normal
+  double approach_speed{};   ///< along the normal [L/T]
   double contact_time{};     ///< from the last step before contact to the first step at which the law no longer acts
                              ///< [T]
   double largest_overlap{};  ///< [L]

@@ -18,7 +18,7 @@ struct StepOfImpact {
 
 /// Finds a step of the form contact time/(2^n + 0.38), n >= 3, at most `longest` [T], at which impacts of this contact
 /// time [T] have errors of at most 0.8 of the bound for 64 pairs of phases at which the surfaces meet and part. Errors:
-/// InputError if bound is not > 0, or too small to be reached with 2^18 steps in a contact.
+/// InputError if bound is not > 0, too small to be reached with 2^18 steps in a contact, or if no impact ends.
 [[nodiscard]] StepOfImpact accurate_step(const ImpactError& error, double contact_time, double bound,
                                          double longest = std::numeric_limits<double>::infinity());
 

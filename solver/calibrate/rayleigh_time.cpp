@@ -1,5 +1,6 @@
 #include "solver/calibrate/rayleigh_time.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
@@ -17,7 +18,7 @@ std::optional<Material> material_of_moduli(double effective_modulus, double effe
   // Moduli that are printed for nu = 0 or 0.5 miss it by their rounding.
   constexpr double rounding = 1e-5;
   if (!(ratio < 0.5 && poisson_ratio >= -rounding && poisson_ratio <= 0.5 + rounding)) return {};
-  return material_of(effective_modulus, poisson_ratio);
+  return material_of(effective_modulus, std::clamp(poisson_ratio, 0.0, 0.5));
 }
 
 double rayleigh_time(const Material& material, double density, double radius) {

@@ -178,7 +178,7 @@ void add_contact_laws(std::vector<Group>& groups) {
       if constexpr (VariesRestitution<L>) {
         group.fields.push_back(quantity("restitution_speed",
                                         HasHertzDashpot<L> ? "speed of approach at which the restitution holds; needed "
-                                                             "with the dashpot constant"
+                                                             "with the dashpot constant, without effect on tsuji's"
                                                            : "speed of approach at which the restitution holds",
                                         dimension::velocity, Range::positive, ""));
         set_with(group, "restitution_speed", "restitution");

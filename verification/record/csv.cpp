@@ -81,6 +81,8 @@ class Splitter {
 }  // namespace
 
 Csv::Csv(std::filesystem::path file, std::string_view text) : file_{std::move(file)} {
+  // Some programs begin a file with this mark of UTF-8.
+  if (constexpr std::string_view mark = "\xEF\xBB\xBF"; text.starts_with(mark)) text.remove_prefix(mark.size());
   Splitter splitter{file_, text, text_};
   if (!splitter.find_row()) {
     throw RecordError(fmt::format("{}: found no header; the first line must name the columns", file_.string()));

@@ -40,8 +40,7 @@ ImpactCalibration calibrated(const CalibrateOptions& options) {
     throw InputError{"--masses: it is missing; give one or two, e.g. --masses \"2 kg\" \"1 kg\""};
   std::vector<Sphere> spheres;
   if (!options.spheres.empty()) {
-    if (!options.pivot.empty() || !options.offset.empty())
-      throw InputError{"--pivot and --offset: spheres are hit centrally; remove them, or give --radius"};
+    if (!options.pivot.empty() || !options.offset.empty()) throw InputError{spheres_are_central};
     spheres = spheres_of(round_bodies(options));
   }
   found.rayleigh = rayleigh_time(options, law, {}, spheres);
@@ -119,17 +118,7 @@ void print_text(const ImpactCalibration& found, const CalibrateOptions& options)
   if (restitution_varies(found.law))
     fmt::print("  the restitution holds at this speed: others are more or less elastic\n");
   fmt::print("in a scene, for these bodies and this line of impact:\n");
-  if (options.law != LinearSpringDashpot::name) fmt::print("  law = \"{}\"\n", options.law);
-  for (const LawParameter& parameter : parameters_of(found.law)) {
-    if (parameter.dimension == dimension::number) {
-      fmt::print("  {} = {}\n", parameter.name, parameter.value);
-    } else {
-      fmt::print("  {} = \"{} {}\"\n", parameter.name, parameter.value / si_size(units, parameter.dimension),
-                 symbol(units, parameter.dimension));
-    }
-  }
-  for (const auto& [name, value] : choices_of(found.law))
-    fmt::print("  {} = \"{}\"\n", name, value);
+  fmt::print("{}", scene_lines(found.law, units));
   if (!options.restitution) return;
   const std::string at_speed =
       restitution_varies(found.law)

@@ -109,6 +109,23 @@ std::string law_text(const ContactLaw& contact_law) {
   return text;
 }
 
+std::string scene_line(const LawParameter& parameter, const UnitSystem& units) {
+  const double value = parameter.value / si_size(units, parameter.dimension);
+  if (parameter.dimension == dimension::number) return fmt::format("  {} = {}\n", parameter.name, value);
+  return fmt::format("  {} = \"{} {}\"\n", parameter.name, value, symbol(units, parameter.dimension));
+}
+
+std::string scene_lines(const ContactLaw& law, const UnitSystem& units, const std::vector<std::string>& of_pairs) {
+  std::string lines = std::visit([]<class L>(const L&) { return fmt::format("  law = \"{}\"\n", L::name); }, law);
+  for (const LawParameter& parameter : parameters_of(law)) {
+    const bool is_of_pairs = std::ranges::find(of_pairs, parameter.name) != of_pairs.end();
+    lines += is_of_pairs ? fmt::format("  # {}: that of each pair\n", parameter.name) : scene_line(parameter, units);
+  }
+  for (const auto& [name, value] : choices_of(law))
+    lines += fmt::format("  {} = \"{}\"\n", name, value);
+  return lines;
+}
+
 bool restitution_varies(const ContactLaw& law) {
   return std::visit([](const auto& of) { return talus::restitution_varies(of); }, law);
 }

@@ -7,6 +7,7 @@
 
 #include "solver/app/calibration/calibrate_options.hpp"
 #include "solver/base/fields.hpp"
+#include "solver/base/units.hpp"
 #include "solver/laws/law_list.hpp"
 
 namespace talus::app {
@@ -36,6 +37,14 @@ struct LawParameter {
 
 /// "hertz, constant dashpot, clamped end rule"
 [[nodiscard]] std::string law_text(const ContactLaw& law);
+
+/// The lines of a law in a scene, with the parameters and choices in these units; parameters named in `of_pairs` are
+/// comments.
+[[nodiscard]] std::string scene_lines(const ContactLaw& law, const UnitSystem& units,
+                                      const std::vector<std::string>& of_pairs = {});
+
+/// A parameter as a line of a scene.
+[[nodiscard]] std::string scene_line(const LawParameter& parameter, const UnitSystem& units);
 
 /// Whether the restitution of the law depends on the speed (VariesRestitution).
 [[nodiscard]] bool restitution_varies(const ContactLaw& law);

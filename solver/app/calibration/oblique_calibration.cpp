@@ -197,22 +197,10 @@ void print_rebound(const ObliqueCalibration& found, const Lines& line) {
 
 /// The lines of the contact in a scene.
 void print_scene_lines(const ObliqueImpact& impact, const CalibrateOptions& options, const UnitSystem& units) {
-  std::vector<LawParameter> parameters = parameters_of(impact.law), of_friction = parameters_of(impact.friction);
-  const auto print = [&units](const LawParameter& parameter) {
-    const double value = parameter.value / si_size(units, parameter.dimension);
-    if (parameter.dimension == dimension::number) {
-      fmt::print("  {} = {}\n", parameter.name, value);
-    } else {
-      fmt::print("  {} = \"{} {}\"\n", parameter.name, value, symbol(units, parameter.dimension));
-    }
-  };
-  fmt::print("in a scene, for these bodies:\n");
-  if (options.law != LinearSpringDashpot::name) fmt::print("  law = \"{}\"\n", options.law);
-  std::ranges::for_each(parameters, print);
-  for (const auto& [name, value] : choices_of(impact.law))
-    fmt::print("  {} = \"{}\"\n", name, value);
+  fmt::print("in a scene, for these bodies:\n{}", scene_lines(impact.law, units));
   if (options.shear_law != CoulombFriction::name) fmt::print("  shear_law = \"{}\"\n", options.shear_law);
-  std::ranges::for_each(of_friction, print);
+  for (const LawParameter& parameter : parameters_of(impact.friction))
+    fmt::print("{}", scene_line(parameter, units));
 }
 
 void print_text(const ObliqueCalibration& found, const CalibrateOptions& options, const UnitSystem& units) {

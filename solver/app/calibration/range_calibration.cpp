@@ -109,6 +109,8 @@ void refuse_replaced(const CalibrateOptions& options, const GivenPairs& pairs) {
   if (!options.spheres.empty() &&
       (gives_mass_axis(options) || pairs.has("sphere_radius") || pairs.has("mass_2") || pairs.has("radius")))
     throw InputError{"--spheres: each pair gives its own bodies; remove it"};
+  if (!options.spheres.empty() && (!options.pivot.empty() || !options.offset.empty()))
+    throw InputError{spheres_are_central};
   if (gives_mass_axis(options)) {
     if (!options.radii.empty() || !options.pairs.empty()) {
       throw InputError{fmt::format("--masses: found three values, an axis of masses, and {}; give one of the two",
@@ -147,16 +149,12 @@ QuantityColumn effective_masses(const CalibrateOptions& options, const GivenPair
   return column;
 }
 
-/// The spheres of --radii, or those of --spheres, which all pairs share.
-std::vector<Sphere> spheres_of(const CalibrateOptions& options, const GivenPairs& pairs) {
+/// The spheres of one pair: of --radii, or those of --spheres, which all pairs share.
+std::vector<Sphere> spheres_of(const CalibrateOptions& options, const GivenPairs& pairs, std::size_t row) {
   if (!options.spheres.empty()) return app::spheres_of(round_bodies(options));
-  std::vector<Sphere> spheres;
-  if (const QuantityColumn* radii = pairs.find("sphere_radius")) {
-    const double density = option_quantity("--density", options.density, dimension::density, si);
-    for (const double radius : radii->values)
-      spheres.push_back({density, radius});
-  }
-  return spheres;
+  const QuantityColumn* const radii = pairs.find("sphere_radius");
+  if (radii == nullptr) return {};
+  return {{option_quantity("--density", options.density, dimension::density, si), radii->values[row]}};
 }
 
 /// The law of one pair.
@@ -183,13 +181,14 @@ RangeCalibration calibrated_range(const CalibrateOptions& options) {
   }
   found.law = law_of_options(options, found.of_pairs);
   const QuantityColumn masses = effective_masses(options, given);
-  found.rayleigh = rayleigh_time(options, found.law, {}, spheres_of(options, given));
   const QuantityColumn* speeds = given.find("speed");
   const double speed = option_quantity("--speed", options.speed, dimension::velocity, si);
   std::vector<ImpactingPair> pairs;
   for (std::size_t i = 0; i < given.rows; ++i) {
     pairs.push_back(
         {law_of_pair(found.law, given, i), masses.values[i], speeds == nullptr ? speed : speeds->values[i]});
+    const auto rayleigh = rayleigh_time(options, pairs.back().law, {}, spheres_of(options, given, i));
+    if (rayleigh && !(found.rayleigh && found.rayleigh->shortest <= rayleigh->shortest)) found.rayleigh = rayleigh;
   }
   const auto common = [&](double value) {
     return CommonDissipation{value, largest_deviation(pairs, value, found.wanted)};
@@ -257,7 +256,7 @@ void print_step(const RangeCalibration& found, const CalibrateOptions& options, 
     fmt::print("  {:<39}{:>16.9g} {}\n", what, value, unit);
   };
   line("shortest undamped contact time", found.undamped_time, "s");
-  if (!found.step) return;
+  if (!found.step) return print_rayleigh_time(found.rayleigh, {}, 39, units);
   line("step for all pairs", found.step->step, "s");
   line("step over shortest undamped contact time", found.step->step / found.undamped_time, "1");
   print_rayleigh_time(found.rayleigh, found.step->step, 39, units);
@@ -284,10 +283,11 @@ void print_text(const RangeCalibration& found, const CalibrateOptions& options, 
   if (std::ranges::find(found.table[found.abscissae + 1].values, 0.0) != found.table[found.abscissae + 1].values.end())
     fmt::print("  a restitution of 0: the contact does not end\n");
   print_step(found, options, units);
-  fmt::print("in a scene, for all these pairs:\n  {} = \"{} {}\"\n", dissipation.name, found.used().value / size, unit);
+  fmt::print("in a scene, for all these pairs:\n{}",
+             scene_lines(with_dissipation(found.law, found.used().value), units, found.of_pairs));
   if (restitution_varies(found.law)) {
-    fmt::print("for every impact at the speed restitution_speed: restitution = {} in place of {}\n", found.wanted,
-               dissipation.name);
+    fmt::print("for every impact at one speed: restitution = {} and restitution_speed, that speed, in place of {}\n",
+               found.wanted, dissipation.name);
   } else {
     fmt::print("for every impact, whatever the bodies and the speed: restitution = {} in place of {}\n", found.wanted,
                dissipation.name);

@@ -101,7 +101,8 @@ void add_rayleigh_time(nlohmann::ordered_json& json, const std::optional<Rayleig
   json["rayleigh_time"] = known->shortest;
 }
 
-void print_rayleigh_time(const std::optional<RayleighTime>& known, double step, int width, const UnitSystem& units) {
+void print_rayleigh_time(const std::optional<RayleighTime>& known, std::optional<double> step, int width,
+                         const UnitSystem& units) {
   if (!known) return;
   if (!known->material) {
     fmt::print("  no Rayleigh time: a material of both bodies has a shear_modulus of 1/6 to 1/4 of the modulus\n");
@@ -113,7 +114,7 @@ void print_rayleigh_time(const std::optional<RayleighTime>& known, double step, 
   line("Poisson's ratio", known->material->poisson_ratio, "1");
   line("Rayleigh time, of one material", known->shortest / si_size(units, dimension::time),
        symbol(units, dimension::time));
-  line("step over Rayleigh time", step / known->shortest, "1");
+  if (step) line("step over Rayleigh time", *step / known->shortest, "1");
 }
 
 }  // namespace talus::app

@@ -49,8 +49,13 @@ struct RayleighTime {
 /// Adds `poisson_ratio` and `rayleigh_time` [s], or null for both without a material.
 void add_rayleigh_time(nlohmann::ordered_json& json, const std::optional<RayleighTime>& known);
 
-/// Lines of text with Poisson's ratio, the Rayleigh time in the unit of time of `units`, and the step [s] as a fraction
-/// of it; `width` of the names.
-void print_rayleigh_time(const std::optional<RayleighTime>& known, double step, int width, const UnitSystem& units);
+/// Lines of text with Poisson's ratio, the Rayleigh time in the unit of time of `units`, and the step [s], if it is
+/// known, as a fraction of it; `width` of the names.
+void print_rayleigh_time(const std::optional<RayleighTime>& known, std::optional<double> step, int width,
+                         const UnitSystem& units);
+
+/// The error of --pivot or --offset with --spheres.
+inline constexpr const char* spheres_are_central =
+    "--pivot and --offset: spheres are hit centrally; remove them, or give --radius";
 
 }  // namespace talus::app

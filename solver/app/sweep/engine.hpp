@@ -21,8 +21,8 @@ enum class Engine {
 
 /// Request to run a sweep in parts, each by a process with one thread.
 struct EngineRequest {
-  std::filesystem::path folder;      ///< of the sweep; absolute
-  std::filesystem::path program;     ///< talus; absolute
+  std::filesystem::path folder;   ///< of the sweep; absolute
+  std::filesystem::path program;  ///< talus; absolute
   std::size_t parts{};
   unsigned threads{1};               ///< of this machine
   std::string hosts;                 ///< of parallel: file with ssh hosts; empty: this machine

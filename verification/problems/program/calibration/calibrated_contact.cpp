@@ -209,7 +209,6 @@ position = ["1 m", "0 m"]
 [[contact]]
 name = "impact"
 between = ["striker", "struck"]
-law = "linear_spring_dashpot"
 {}
 [run]
 integrator = "velocity_verlet"
@@ -240,7 +239,7 @@ std::string printed_law(const TemporaryFolder& folder, double restitution, EndRu
                                      fmt::format("{} kg", striker_mass),
                                      fmt::format("{} kg", struck_mass)};
   const std::string text = talus_output(folder, arguments);
-  const std::size_t from = text.find("  stiffness = "), to = text.find("for every impact", from);
+  const std::size_t from = text.find("  law = "), to = text.find("for every impact", from);
   return text.substr(from, to - from);
 }
 

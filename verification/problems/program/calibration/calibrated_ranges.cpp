@@ -336,13 +336,12 @@ void compare_text(const Range& range, const std::string& printed, const Json& js
                  printed.find("with velocity_verlet; row ") != std::string::npos &&
                      printed.find(fmt::format("required {}\n", step_bound)) != std::string::npos,
                  true);
-  keep_worst(worst.printed, relative_error(number_after(printed, "pairs:\n  " + parameter + " = \"") * size, used));
-  const std::string every =
-      range.common.varies() ? "at the speed restitution_speed" : ", whatever the bodies and the speed";
+  keep_worst(worst.printed, relative_error(number_after(printed, "\n  " + parameter + " = \"") * size, used));
+  const std::string every = range.common.varies() ? " at one speed" : ", whatever the bodies and the speed";
+  const std::string speed = range.common.varies() ? " and restitution_speed, that speed," : "";
   differ.compare("printed line for every impact",
-                 squeezed(printed).find(fmt::format("for every impact{}{}: restitution = {} in place of {}\n",
-                                                    every.front() == ',' ? "" : " ", every, range.common.restitution,
-                                                    parameter)) != std::string::npos,
+                 squeezed(printed).find(fmt::format("for every impact{}: restitution = {}{} in place of {}\n", every,
+                                                    range.common.restitution, speed, parameter)) != std::string::npos,
                  true);
 }
 
@@ -415,9 +414,19 @@ void compare_given(const Range& range, const Program& program, const Environment
   keep_worst(worst.printed, number_after(printed, parameter + ", as given ") / given - 1.0);
 }
 
-/// The step for all pairs: with it, runs of the pairs give the restitutions of the table; it is as long as that of the
-/// pair that needs the shortest one when it is calibrated alone.
-void compare_step(const Range& range, const Program& program, const Json& json, Worst& worst) {
+/// The lines for a scene of one pair, from the text of a range.
+std::string lines_of_pair(const std::string& printed, const ImpactRequest& pair) {
+  const std::size_t from = printed.find('\n', printed.find("in a scene, for all these pairs")) + 1;
+  std::string lines = printed.substr(from, printed.find("for every impact", from) - from);
+  const std::string radius = "  # radius: that of each pair";
+  if (const std::size_t at = lines.find(radius); at != std::string::npos)
+    lines.replace(at, radius.size(), fmt::format("  radius = \"{} m\"", pair.radius));
+  return lines;
+}
+
+/// The step for all pairs: with it, runs of the pairs with the printed lines give the restitutions of the table; it is
+/// as long as that of the pair that needs the shortest one when it is calibrated alone.
+void compare_step(const Range& range, const Program& program, const std::string& text, const Json& json, Worst& worst) {
   const std::string parameter = range.common.parameter();
   const double used = json.at(parameter).get<double>(), step = json.at("step").get<double>();
   const std::vector<double> restitution = member(json, "restitution");
@@ -429,11 +438,10 @@ void compare_step(const Range& range, const Program& program, const Json& json, 
     Options alone = options_of(pair, step_bound);
     alone.push_back({"--" + parameter, {value}});
     const std::string printed = program.run({"calibrate"}, alone);
-    const std::size_t from = printed.find('\n', printed.find("in a scene")) + 1;
     shortest = std::min(shortest, number_after(printed, "\n  step "));
     const ExactImpact exact{used, number_after(printed, "\n  contact time "),
                             number_after(printed, "largest overlap at that speed ")};
-    keep_worst(worst.run, restitution_of_run(program, pair, printed.substr(from), step, exact) - restitution[i]);
+    keep_worst(worst.run, restitution_of_run(program, pair, lines_of_pair(text, pair), step, exact) - restitution[i]);
   }
   if (!std::isfinite(shortest)) return;
   keep_worst(worst.finer, std::max(0.0, shortest / step - 1.0));
@@ -473,7 +481,7 @@ void compare_refusals(const Program& program, Differences& differ) {
       {{{"--masses", {"1 kg", "2 kg", "3 kg"}}, {"--radius", {"1 mm"}}},
        "",
        "--masses: found \"3 kg\"; the count must be a whole number from 2"},
-      {{axis, {"--radius", {"1 mm"}}, {"--bound", {"0"}}}, "", "error bound is 0; it must be > 0"},
+      {{axis, {"--radius", {"1 mm"}}, {"--bound", {"0"}}}, "", "--bound: found 0; it must be > 0"},
       {{speeds, {"--radius", {"1 mm"}}}, "", "--masses: it is missing"},
       {{pairs}, "mass_2 [kg],sped [m/s]\n1,1\n", "wrong.csv: column 'sped [m/s]': column 'sped' is not known"},
       {{pairs}, "mass_1 [kg],radius [m]\n1,1\n", "wrong.csv: column 'mass_2': it is missing"},
@@ -525,7 +533,7 @@ void check_ranges(const Program& program, Findings& findings) {
     compare_csv(range, program.csv(out + "/calibration.csv"), json, worst, differ);
     compare_drawing(range, program.read(out + "/calibration.svg"), json, worst, differ);
     if (setup.needs("ranges: step") || setup.needs("runs at the advised step")) {
-      if (kind == 0 || kind == 2) compare_step(range, program, json, worst);
+      if (kind == 0 || kind == 2) compare_step(range, program, printed, json, worst);
     }
     if (kind == 0) compare_given(range, program, recorded, json, worst, differ);
   }

@@ -163,7 +163,6 @@ double restitution_of_run(const Program& program, const ImpactRequest& request, 
                : "[[body]]\nname = \"b\"\nmobility = \"fixed\"\nposition = [\"0 m\", \"0 m\"]\nangle "
                  "= \"90 deg\"\nshape = { kind = \"half_plane\" }\n";
   scene += "[[contact]]\nname = \"hit\"\nbetween = [\"a\", \"b\"]\n";
-  if (lines.find("law = ") == std::string::npos) scene += "law = \"linear_spring_dashpot\"\n";
   scene += lines + fmt::format(
                        "[run]\nintegrator = \"velocity_verlet\"\nstep = \"{0} s\"\nend = \"{1} s\"\ninterval = "
                        "\"{1} s\"\nwatch = \"off\"\n",

@@ -182,7 +182,6 @@ RunRebound run_rebound(const Program& program, const ObliqueRequest& request, co
                                        "m\"]\nshape = { kind = \"half_plane\" }\n";
   scene += body("two", request.masses.size() - 1, -lead * u, request.radii.back() + lead * v, u, -v);
   scene += "[[contact]]\nname = \"hit\"\nbetween = [\"one\", \"two\"]\n";
-  if (!request.mindlin) scene += "law = \"linear_spring_dashpot\"\n";
   scene += lines + fmt::format(
                        "[run]\nintegrator = \"velocity_verlet\"\nstep = \"{0} s\"\nend = \"{1} s\"\ninterval = "
                        "\"{1} s\"\nwatch = \"off\"\n",

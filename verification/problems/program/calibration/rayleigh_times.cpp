@@ -178,6 +178,32 @@ void compare_ranges(const Program& program, const Spheres& spheres, double speed
                  std::abs(found.at("radius").get<double>() / spheres.effective_radius() - 1.0) < 1e-14, true);
 }
 
+/// Pairs of different moduli that share their spheres, and impacts that do not end.
+void compare_other_ranges(const Program& program, const Spheres& spheres, Worst& worst, Differences& differ) {
+  const reference::ElasticMaterial soft{0.01 * spheres.material.young_modulus, spheres.material.poisson_ratio};
+  program.write("moduli.csv", fmt::format("modulus [Pa],speed [m/s]\n{},0.1\n{},0.1\n{},0.1\n", soft.contact_modulus(),
+                                          spheres.material.contact_modulus(), soft.contact_modulus()));
+  Options options = hertz_options(spheres, true, 1.0);
+  std::erase_if(options, [](const Option& option) { return option.first == "--modulus" || option.first == "--speed"; });
+  options = with(options, {{"--pairs", {"moduli.csv"}}, {"--bound", {"0.05"}}, ratio_option(soft.poisson_ratio)});
+  compare_time(program.json({"calibrate"}, with(options, {{"--json", {}}})), spheres, program.setup(), worst);
+
+  const Options endless{{"--law", {"hertz"}},
+                        {"--restitution", {"0.5"}},
+                        {"--damping", {"1e9 N s/m"}},
+                        {"--end-rule", {"attractive"}},
+                        {"--modulus", {fmt::format("{} Pa", spheres.material.contact_modulus())}},
+                        {"--radii", {"1 mm", "1 cm", "2"}},
+                        {"--density", {"2500 kg/m^3"}},
+                        ratio_option(spheres.material.poisson_ratio)};
+  const Json json = program.json({"calibrate"}, with(endless, {{"--json", {}}}));
+  const std::string printed = program.run({"calibrate"}, endless);
+  differ.compare("no step for impacts that do not end", json.at("step").is_null(), true);
+  keep_worst(worst.printed,
+             number_after(printed, "Rayleigh time, of one material ") / json.at("rayleigh_time").get<double>() - 1.0);
+  differ.compare("no fraction without a step", printed.find("step over Rayleigh time") == std::string::npos, true);
+}
+
 /// Wrong requests, each with a part of its message.
 void compare_refusals(const Program& program, Differences& differ) {
   const Options hertz{{"--law", {"hertz"}}, {"--restitution", {"0.7"}}, {"--modulus", {"1 GPa"}}},
@@ -204,6 +230,11 @@ void compare_refusals(const Program& program, Differences& differ) {
       {with(hertz, {mass, {"--spheres", {"1 cm", "2 cm"}}}), "--spheres: found 2 radii for 1 mass; give one for each"},
       {with(hertz, {mass, sphere, {"--offset", {"1 kg m^2", "1 m"}}}),
        "--pivot and --offset: spheres are hit centrally; remove them, or give --radius"},
+      {with(hertz, {mass, sphere, {"--speeds", {"1 m/s", "2 m/s", "2"}}, {"--pivot", {"1 kg m^2", "1 m"}}}),
+       "--pivot and --offset: spheres are hit centrally; remove them, or give --radius"},
+      {with(hertz, {mass, radius, {"--integrator", {"exact"}}}),
+       "the method cannot simulate the impact with 2^3 to 2^10 steps in a contact; choose another integrator"},
+      {with(hertz, {mass, radius, {"--bound", {"nan"}}}), "--bound: found nan; it must be > 0"},
       {with(hertz, {axis, sphere}), "--spheres: each pair gives its own bodies; remove it"},
       {with(hertz, {radii, density, sphere}), "--spheres: each pair gives its own bodies; remove it"},
       {with(hertz, {mass, sphere, angle, friction, mindlin, ratio, {"--shear-modulus", {"1 GPa"}}}),
@@ -235,6 +266,7 @@ void check_rayleigh_times(const Program& program, Findings& findings) {
     spheres.material.young_modulus = std::max(spheres.material.young_modulus, 1e9);
     if (number % 3 == 0) compare_oblique(program, spheres, speed, number == 0, worst, differ);
   }
+  compare_other_ranges(program, drawn_spheres(draw, 0.3), worst, differ);
   compare_refusals(program, differ);
   findings.expect("spheres: Rayleigh time over that of the exact surface wave, largest deviation from 1", worst.wave,
                   0.0,

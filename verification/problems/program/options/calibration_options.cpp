@@ -160,6 +160,10 @@ void check_calibration(const Program& program, Findings& findings, Differences& 
   differ.compare("calibrate: time of the contact over its steps",
                  fmt::format("{:.12g}", scene.at("contact_time").get<double>() / static_cast<double>(contact_steps)),
                  fmt::format("{:.12g}", drop_step));
+  // The disc falls freely until it touches; the approach is that of the last step before.
+  const double touch = std::sqrt(2.0 * gravity * (drop.position - drop_radius));
+  findings.expect_between("talus calibrate --contact: speed of approach less the exact one",
+                          scene.at("speed").get<double>() - touch, -gravity * drop_step, 1e-12, "the fall in one step");
   const std::string contact_text = program.run({"calibrate", "drop.toml"}, of_contact);
   differ.compare(
       "calibrate: contact and number of runs printed",
