@@ -50,7 +50,7 @@ void bare(const SceneFile& file, const Dynamics& dynamics, bool ledger) {
 void observed(const SceneFile& file, const fs::path& folder, bool sheet) {
   app::SceneRun run{file, folder, "scene.toml", {.sheet = sheet}};
   Progress progress;
-  const Outcome outcome = run.proceed({}, progress);
+  const Outcome outcome = run.proceed({}, &progress);
   TALUS_DEMAND(static_cast<bool>(outcome));
   const RunRecord record = run.record(outcome);
   if (!folder.empty()) run.write(record);

@@ -47,7 +47,7 @@ bool advance(app::SceneRun& run) {
     return cut || ++steps >= Bounds::steps;
   };
   Progress progress;
-  const Outcome outcome = run.proceed(stop, progress);
+  const Outcome outcome = run.proceed(stop, &progress);
   if (outcome.kind == Outcome::Kind::diverged && (outcome.message.empty() || !std::isfinite(outcome.time)))
     throw std::logic_error{fmt::format("diverged at {} because of '{}'", outcome.time, outcome.message)};
   const RunRecord record = run.record(outcome);
@@ -133,13 +133,13 @@ void leave_scene_run(const fs::path& scene, const fs::path& folder) {
   const SceneFile file = read_scene_file(scene);
   app::SceneRun run{file, folder, scene, {.frames = 3}};
   Progress progress;
-  const RunRecord record = run.record(run.proceed({}, progress));
+  const RunRecord record = run.record(run.proceed({}, &progress));
   run.write(record);
   write_whole(folder / "summary.json", summary_json(record));
 
   app::SceneRun interrupted{file, {}, scene, {}};
   long steps = 0;
-  static_cast<void>(interrupted.proceed([&](const Snapshot&) { return ++steps >= saved_steps; }, progress));
+  static_cast<void>(interrupted.proceed([&](const Snapshot&) { return ++steps >= saved_steps; }, &progress));
   Archive archive;
   interrupted.serialize(archive);
   Checkpoint checkpoint = saved(scene);

@@ -12,6 +12,9 @@
 #include "reports/figures/plot.hpp"
 #include "reports/sheet/sheet_record.hpp"
 #include "solver/app/life_cycle.hpp"
+#include "solver/app/sweep/sweep_file.hpp"
+#include "solver/app/sweep/sweep_result.hpp"
+#include "solver/app/sweep/sweep_runs.hpp"
 #include "solver/base/error.hpp"
 #include "solver/io/cell/cell_restart.hpp"
 #include "solver/io/file/quantity_table.hpp"
@@ -154,6 +157,48 @@ void add_pair_reader(std::vector<Reader>& readers) {
                      .corpus = {"mass_1 [kg],mass_2 [g],speed [ft/s]\n1,20,3.5\n2,1e3,0.1\n",
                                 "# a wall\nmass_2 [slug]\n0.5\n", "exponent,mass_2 [kg]\n1.5,1\n"},
                      .read = only([allowed](const fs::path& file) { return read_quantity_table(file, allowed, si); })});
+}
+
+/// Adds readers of sweeps and of lines that they write.
+void add_sweep_readers(std::vector<Reader>& readers) {
+  const fs::path cases = TALUS_CASES;
+  // The commands add the file's name, and the line.
+  const auto named = [](const fs::path& file, const auto& read) {
+    try {
+      return read();
+    } catch (const InputError& error) {
+      throw InputError{fmt::format("{}:1: {}", file.string(), error.what())};
+    }
+  };
+  const auto lines = [named](auto read) {
+    return only([=](const fs::path& file) { return named(file, [&] { return read(read_text(file)); }); });
+  };
+  readers.push_back(
+      {.name = "sweep",
+       .file = "sweep.toml",
+       .corpus = joined(texts_in(cases / "sweeps", ".toml"),
+                        {"base = \"a.toml\"\noutputs = [\"x.end\"]\n[[axis]]\nfield = \"run.step\"\nrange = [\"1 s\", "
+                         "\"2 s\"]\ncount = 3\nspacing = \"logarithmic\"\n[[axis]]\nfield = \"a.b[0]\"\nvalues = [1, "
+                         "true]\n[[constraint]]\nfield = \"run.step\"\nat_most = \"1.5 s\"\nfactor = 2\n"}),
+       .read = only([named](const fs::path& file) {
+         const app::SweepFile sweep = app::read_sweep(read_text(file), file);
+         std::int64_t runs = std::max<std::int64_t>(sweep.design.runs, 1);
+         for (const app::SweepAxis& axis : sweep.axes)
+           runs *= axis.continuous ? std::max<std::int64_t>(axis.continuous->count, 1) : 1;
+         // Many runs take long to list, as they should.
+         return runs > 1000 ? app::SweptRuns{} : named(file, [&] { return app::swept_runs(sweep); });
+       })});
+  readers.push_back({.name = "sweep_run",
+                     .file = "run.json",
+                     .corpus = {R"({"id":"b163a6a19d49fbb8","parameters":{"fence.steps":20000,"run.a[0]":"-1 ft"}})"},
+                     .read = lines(app::run_of_line)});
+  readers.push_back(
+      {.name = "sweep_result",
+       .file = "result.json",
+       .corpus =
+           {R"({"id":"b1","end":"finished","time":0.2,"evaluations":200,"verdict":"stopped","values":[-5.1,null]})",
+            R"({"id":"b1","end":"diverged","reason":"why","time":0.2,"evaluations":200,"values":[]})"},
+       .read = lines(app::result_of_line)});
 }
 
 /// Adds readers of files that a run writes.
@@ -313,6 +358,7 @@ std::vector<Reader> all_readers(const fs::path& scratch) {
   std::vector<Reader> readers;
   add_scene_readers(scratch, readers);
   add_pair_reader(readers);
+  add_sweep_readers(readers);
   add_run_readers(scratch, readers);
   add_verification_readers(readers);
   return readers;

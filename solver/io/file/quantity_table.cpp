@@ -48,6 +48,13 @@ std::string unit_of(const std::string& unit, const AllowedColumn& column, const 
 QuantityColumn read_column(const records::Csv& csv, std::size_t column_index, const std::vector<AllowedColumn>& allowed,
                            const UnitSystem& units) {
   const std::string file = csv.file().string(), head = csv.header()[column_index];
+  const auto is_control = [](char letter) { return static_cast<unsigned char>(letter) < 0x20; };
+  if (const auto found = std::ranges::find_if(head, is_control); found != head.end()) {
+    throw InputError{
+        fmt::format("{}: column {}: found a line end or a control character in its heading, after '{}'; "
+                    "remove it",
+                    file, column_index + 1, std::string{head.begin(), found})};
+  }
   std::string name, unit;
   std::tie(name, unit) = name_and_unit(head);
   const auto named = [&](const auto& read) {

@@ -58,6 +58,8 @@ BOOST_AUTO_TEST_CASE(wrong_tables_are_refused) {
        ": column 'speed [kg]': found \"1 kg\"; that is a mass; it must be a velocity, e.g. \"1 m/s\""},
       {"exponent [m]\n1\n", ": column 'exponent [m]': found the unit m; it must be a pure number, without a unit"},
       {"mass [kg],mass [g]\n1,1\n", ": column 'mass [g]': it is the second one named mass; remove one"},
+      {"\"mass\n[kg]\"\n1\n",
+       ": column 1: found a line end or a control character in its heading, after 'mass'; remove it"},
       {"mass [kg]\n", ": found no line below the header; there must be one for each row"},
       {"", ": found no header; the first line must name the columns"},
       {"mass [kg]\n1\n0\n", ":3: column 'mass [kg]': found '0'; it must be > 0"},
@@ -67,6 +69,10 @@ BOOST_AUTO_TEST_CASE(wrong_tables_are_refused) {
   for (const auto& [text, message] : wrong)
     BOOST_TEST(refusal(text) == message);
   BOOST_CHECK_THROW((void)read_quantity_table("no/such.csv", allowed, si), IoError);
+}
+
+BOOST_AUTO_TEST_CASE(a_byte_order_mark_is_skipped) {
+  BOOST_TEST((read("\xEF\xBB\xBFmass [kg]\n2\n")[0].values == std::vector{2.0}));
 }
 
 BOOST_AUTO_TEST_CASE(a_written_table_is_read_back) {
