@@ -5,7 +5,6 @@
 #include <charconv>
 #include <cmath>
 
-#include "solver/base/any_quantity.hpp"
 #include "solver/base/error.hpp"
 #include "solver/base/unit_table.hpp"
 

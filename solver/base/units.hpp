@@ -56,6 +56,15 @@ inline constexpr UnitSystem us{"US", "slug", "ft", "s", "lbf", exact::slug_in_kg
 /// one), or a unit whose dimension is not `wanted`.
 [[nodiscard]] double parse_quantity(std::string_view text, Dimension wanted, const UnitSystem& system);
 
+/// A quantity of any dimension.
+struct AnyQuantity {
+  double value{};  ///< in consistent units
+  Dimension dimension;
+};
+
+/// Reads a quantity of any dimension; a bare number is a pure number. Errors: as parse_quantity, but for the dimension.
+[[nodiscard]] AnyQuantity parse_any_quantity(std::string_view text, const UnitSystem& system);
+
 /// Converts a number in a unit, e.g. 2e7 in "psi", to consistent units of `system`; bit-identical to parse_quantity()
 /// of number and unit as one text. Errors: as parse_quantity.
 [[nodiscard]] double consistent(double number, std::string_view unit, Dimension wanted, const UnitSystem& system);

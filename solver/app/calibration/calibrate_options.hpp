@@ -45,6 +45,11 @@ struct CalibrateOptions {
   std::vector<std::string> own_to_oblique;  ///< given options of oblique impacts
 };
 
+/// Whether the options give an oblique impact: --angle or --angles.
+[[nodiscard]] inline bool gives_oblique(const CalibrateOptions& options) {
+  return !options.angle.empty() || !options.angles.empty();
+}
+
 /// The option of a law's parameter: "--reference-overlap" for reference_overlap.
 [[nodiscard]] std::string option_name(std::string_view field);
 

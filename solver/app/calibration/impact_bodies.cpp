@@ -4,6 +4,7 @@
 
 #include <optional>
 
+#include "solver/base/error.hpp"
 #include "solver/io/file/quantity_text.hpp"
 #include "solver/laws/restitution.hpp"
 
@@ -56,6 +57,39 @@ std::string bodies_text(const CalibrateOptions& options, const UnitSystem& units
   if (bodies.second.inertia)
     return text + line("body 2, free, hit off centre", bodies.second, "1/(1/mass + arm^2/inertia)");
   return text + line("body 2, free, hit centrally", bodies.second, central);
+}
+
+bool gives_round_bodies(const CalibrateOptions& options) { return !options.spheres.empty() || !options.discs.empty(); }
+
+std::vector<RoundBody> round_bodies(const CalibrateOptions& options) {
+  const bool are_discs = !options.discs.empty();
+  const std::string option = are_discs ? "--discs" : "--spheres";
+  const std::vector<std::string>& radii = are_discs ? options.discs : options.spheres;
+  if (radii.empty()) {
+    throw InputError{"--spheres: it is missing; give the radius of each body, e.g. --spheres \"1 cm\", or --discs"};
+  }
+  if (options.masses.empty())
+    throw InputError{"--masses: it is missing; give one or two, e.g. --masses \"2 kg\" \"1 kg\""};
+  if (radii.size() != options.masses.size()) {
+    throw InputError{fmt::format("{}: found {} radi{} for {} mass{}; give one for each", option, radii.size(),
+                                 radii.size() == 1 ? "us" : "i", options.masses.size(),
+                                 options.masses.size() == 1 ? "" : "es")};
+  }
+  std::vector<RoundBody> bodies;
+  for (std::size_t i = 0; i < radii.size(); ++i) {
+    RoundBody body{.mass = option_quantity("--masses", options.masses[i], dimension::mass, si),
+                   .radius = option_quantity(option, radii[i], dimension::length, si)};
+    body.inertia = (are_discs ? 0.5 : 0.4) * body.mass * body.radius * body.radius;
+    bodies.push_back(body);
+  }
+  return bodies;
+}
+
+double effective_radius(std::span<const RoundBody> bodies) {
+  double curvature = 0.0;
+  for (auto body = bodies.rbegin(); body != bodies.rend(); ++body)
+    curvature += 1.0 / body->radius;
+  return 1.0 / curvature;
 }
 
 }  // namespace talus::app

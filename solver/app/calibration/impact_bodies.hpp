@@ -1,9 +1,12 @@
 #pragma once
 
+#include <span>
 #include <string>
+#include <vector>
 
 #include "solver/app/calibration/calibrate_options.hpp"
 #include "solver/base/units.hpp"
+#include "solver/calibrate/oblique_impact.hpp"
 
 namespace talus::app {
 
@@ -14,5 +17,15 @@ namespace talus::app {
 
 /// Lines of text that give each body its role in the impact and its effective mass, in these units. Errors: as above.
 [[nodiscard]] std::string bodies_text(const CalibrateOptions& options, const UnitSystem& units);
+
+/// Whether the options give radii of the bodies: --spheres or --discs.
+[[nodiscard]] bool gives_round_bodies(const CalibrateOptions& options);
+
+/// The bodies of --masses with the radii of --spheres or --discs, in SI units. Errors: InputError naming the option:
+/// radii or masses are missing, or their numbers differ.
+[[nodiscard]] std::vector<RoundBody> round_bodies(const CalibrateOptions& options);
+
+/// R [L] of two bodies, or of one and a plane: 1/R is the sum of their curvatures.
+[[nodiscard]] double effective_radius(std::span<const RoundBody> bodies);
 
 }  // namespace talus::app

@@ -9,7 +9,7 @@
 
 #include "solver/app/calibration/impact_bodies.hpp"
 #include "solver/app/calibration/law_options.hpp"
-#include "solver/app/calibration/round_bodies.hpp"
+#include "solver/app/calibration/rayleigh_times.hpp"
 #include "solver/base/error.hpp"
 #include "solver/base/exit_code.hpp"
 #include "solver/base/progress.hpp"

@@ -6,8 +6,7 @@
 #include <charconv>
 #include <variant>
 
-#include "solver/app/calibration/oblique_calibration.hpp"
-#include "solver/app/calibration/round_bodies.hpp"
+#include "solver/app/calibration/impact_bodies.hpp"
 #include "solver/base/error.hpp"
 #include "solver/io/file/quantity_text.hpp"
 #include "solver/laws/parameter.hpp"

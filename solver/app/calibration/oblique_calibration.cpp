@@ -15,7 +15,7 @@
 #include "solver/app/calibration/impact_calibration.hpp"
 #include "solver/app/calibration/law_options.hpp"
 #include "solver/app/calibration/range_table.hpp"
-#include "solver/app/calibration/round_bodies.hpp"
+#include "solver/app/calibration/rayleigh_times.hpp"
 #include "solver/base/error.hpp"
 #include "solver/base/progress.hpp"
 #include "solver/calibrate/impact.hpp"
@@ -249,8 +249,6 @@ void write_files(const ObliqueCalibration& found, const CalibrateOptions& option
 }
 
 }  // namespace
-
-bool gives_oblique(const CalibrateOptions& options) { return !options.angle.empty() || !options.angles.empty(); }
 
 int calibrate_oblique(const CalibrateOptions& options, const DrawingSink& sink) {
   return report(calibrated_oblique, options, sink);

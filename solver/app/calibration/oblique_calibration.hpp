@@ -5,9 +5,6 @@
 
 namespace talus::app {
 
-/// Whether the options give an oblique impact: --angle or --angles.
-[[nodiscard]] bool gives_oblique(const CalibrateOptions& options);
-
 /// `talus calibrate` for oblique impacts with friction: the parameter of the friction that a tangential restitution at
 /// --angle requires, or the rebound with given parameters; with --angles a table of rebounds with the same parameters.
 /// Prints them, a step for all these impacts and the lines for a scene; --out writes the table and sends its drawing to

@@ -7,7 +7,6 @@
 #include <cmath>
 #include <set>
 
-#include "solver/base/any_quantity.hpp"
 #include "solver/base/error.hpp"
 #include "solver/io/file/quantity_table.hpp"
 #include "solver/io/file/toml_field.hpp"

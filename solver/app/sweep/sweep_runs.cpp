@@ -8,8 +8,8 @@
 #include <nlohmann/json.hpp>
 
 #include "solver/app/sweep/design.hpp"
-#include "solver/base/any_quantity.hpp"
 #include "solver/base/error.hpp"
+#include "solver/base/units.hpp"
 
 namespace talus::app {
 namespace {

@@ -10,8 +10,8 @@
 #include "solver/app/sweep/design.hpp"
 #include "solver/app/sweep/sweep_result.hpp"
 #include "solver/app/sweep/sweep_runs.hpp"
-#include "solver/base/any_quantity.hpp"
 #include "solver/base/error.hpp"
+#include "solver/base/units.hpp"
 
 using namespace talus;
 using namespace talus::app;

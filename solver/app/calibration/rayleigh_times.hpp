@@ -13,16 +13,6 @@
 
 namespace talus::app {
 
-/// Whether the options give radii of the bodies: --spheres or --discs.
-[[nodiscard]] bool gives_round_bodies(const CalibrateOptions& options);
-
-/// The bodies of --masses with the radii of --spheres or --discs, in SI units. Errors: InputError naming the option:
-/// radii or masses are missing, or their numbers differ.
-[[nodiscard]] std::vector<RoundBody> round_bodies(const CalibrateOptions& options);
-
-/// R [L] of two bodies, or of one and a plane: 1/R is the sum of their curvatures.
-[[nodiscard]] double effective_radius(std::span<const RoundBody> bodies);
-
 /// A sphere of a contact, in SI units.
 struct Sphere {
   double density{};
