@@ -35,7 +35,12 @@ double constant_dashpot_restitution(double g, EndRule rule) {
 }  // namespace
 
 double ImpactRequest::effective_mass() const {
-  return masses.size() == 1 ? masses[0] : masses[0] * masses[1] / (masses[0] + masses[1]);
+  if (masses.size() == 1) return masses[0];
+  // An impulse J at the arm a gives a free body the speed J/m + a (a J/I) there, one on a pin a (a J/I).
+  const double second = lever == Lever::none     ? masses[1]
+                        : lever == Lever::offset ? masses[1] / (1.0 + 1.0 / inertia_ratio)
+                                                 : masses[1] * inertia_ratio;
+  return masses[0] * second / (masses[0] + second);
 }
 
 std::pair<double, double> ImpactRequest::spring() const {
@@ -70,6 +75,13 @@ ImpactRequest ImpactDraw::request(std::size_t number) {
   return made;
 }
 
+ImpactRequest with_lever(ImpactRequest request, std::size_t number) {
+  if (request.masses.size() == 1 || number % 3 == 0) return request;
+  request.lever = number % 3 == 1 ? Lever::offset : Lever::pin;
+  request.inertia_ratio = 0.3 + 0.4 * static_cast<double>(number % 7);
+  return request;
+}
+
 std::string name_of(EndRule rule) { return rule == EndRule::clamped ? "clamped" : "attractive"; }
 
 Options law_options(const ImpactRequest& request) {
@@ -98,6 +110,9 @@ Options options_of(const ImpactRequest& request, double bound) {
   for (const double mass : request.masses)
     masses.push_back(fmt::format("{} kg", mass));
   options.push_back({"--masses", masses});
+  if (request.lever != Lever::none)
+    options.push_back({request.lever == Lever::pin ? "--pivot" : "--offset",
+                       {fmt::format("{} kg m^2", request.inertia()), fmt::format("{} m", request.arm())}});
   return options;
 }
 
@@ -157,8 +172,19 @@ double restitution_of_run(const Program& program, const ImpactRequest& request, 
         "\"{} m\" }}\nposition = [\"{} m\", \"0 m\"]\nvelocity = [\"{} m/s\", \"0 m/s\"]\n",
         which, mass, radius, x, speed);
   };
+  // A thin plate of which the left side is hit above the centre.
+  const double thickness = radius;
+  const auto plate = [&] {
+    const bool is_pinned = request.lever == Lever::pin;
+    return fmt::format(
+        "[[body]]\nname = \"b\"\nmobility = \"{}\"\nmass = \"{} kg\"\ninertia = \"{} kg m^2\"\nshape = {{ kind = "
+        "\"rectangle\", half_width = \"{} m\", half_height = \"{} m\" }}\nposition = [\"{} m\", \"{} m\"]\n{}",
+        is_pinned ? "pinned" : "free", request.masses[1], request.inertia(), thickness, 2.0 * request.arm(), thickness,
+        -request.arm(), is_pinned ? "pin = [\"0 m\", \"0 m\"]\n" : "");
+  };
   std::string scene = "units = \"SI\"\n" + body("a", request.masses[0], -radius - gap, request.speed);
-  scene += request.masses.size() > 1
+  scene += request.lever != Lever::none ? plate()
+           : request.masses.size() > 1
                ? body("b", request.masses[1], radius, 0.0)
                : "[[body]]\nname = \"b\"\nmobility = \"fixed\"\nposition = [\"0 m\", \"0 m\"]\nangle "
                  "= \"90 deg\"\nshape = { kind = \"half_plane\" }\n";
@@ -172,7 +198,9 @@ double restitution_of_run(const Program& program, const ImpactRequest& request, 
   const auto velocity = [&](std::size_t which) {
     return state.at("bodies").at(which).at("velocity").at(0).get<double>();
   };
-  return ((request.masses.size() > 1 ? velocity(1) : 0.0) - velocity(0)) / request.speed;
+  const double spin = request.lever == Lever::none ? 0.0 : state.at("bodies").at(1).at("spin").get<double>();
+  const double second = request.masses.size() > 1 ? velocity(1) - spin * request.arm() : 0.0;
+  return (second - velocity(0)) / request.speed;
 }
 
 }  // namespace talus::verification::problems::calibrated_laws

@@ -12,6 +12,13 @@
 /// Requests to `talus calibrate` and their exact results; part of the case `calibrated_laws`.
 namespace talus::verification::problems::calibrated_laws {
 
+/// How body 2 of a pair moves.
+enum class Lever {
+  none,    ///< it is hit centrally
+  offset,  ///< free and hit off centre
+  pin,     ///< on a fixed pin beside the line of impact
+};
+
 /// The impact of a pair; SI units.
 struct ImpactRequest {
   std::string law;
@@ -19,6 +26,8 @@ struct ImpactRequest {
   reference::EndRule rule{};
   double restitution{}, speed{};
   std::vector<double> masses;
+  Lever lever{};
+  double inertia_ratio{};       ///< of a lever: inertia over mass of body 2 and arm^2
   double stiffness{};           ///< or modulus
   double radius{}, exponent{};  ///< or reference overlap
 
@@ -26,6 +35,9 @@ struct ImpactRequest {
   [[nodiscard]] bool is_hunt_crossley() const { return law == "hunt_crossley"; }
   [[nodiscard]] bool varies() const { return constant || is_hunt_crossley(); }
   [[nodiscard]] double effective_mass() const;
+  /// Arm of a lever [m], 1e5 times the length of the impact: it hardly changes while the body turns.
+  [[nodiscard]] double arm() const { return 1e5 * length(); }
+  [[nodiscard]] double inertia() const { return inertia_ratio * masses.back() * arm() * arm(); }
   /// K of the force K x^n, and n.
   [[nodiscard]] std::pair<double, double> spring() const;
   /// Length (m v^2/K)^(1/(n + 1)) of the impact [m].
@@ -46,6 +58,9 @@ class ImpactDraw {
  private:
   std::mt19937_64 engine_{20261126};
 };
+
+/// The same request with a lever for two of three pairs of free bodies.
+[[nodiscard]] ImpactRequest with_lever(ImpactRequest request, std::size_t number);
 
 [[nodiscard]] std::string name_of(reference::EndRule rule);
 
