@@ -6,6 +6,7 @@
 #include <charconv>
 #include <chrono>
 #include <filesystem>
+#include <map>
 #include <memory>
 #include <mutex>
 #include <nlohmann/json.hpp>
@@ -21,7 +22,9 @@
 #include "solver/app/sweep/sweep_table.hpp"
 #include "solver/base/error.hpp"
 #include "solver/base/progress.hpp"
+#include "solver/io/fence_file.hpp"
 #include "solver/io/file/atomic_file.hpp"
+#include "solver/io/file/folder_lock.hpp"
 #include "solver/io/file/toml_field.hpp"
 #include "solver/threads/parallel_for.hpp"
 
@@ -42,7 +45,7 @@ struct SweepOptions {
   bool json{false};
   bool partial{false};
   std::string engine{"local"};
-  std::size_t parts{std::max(1U, std::thread::hardware_concurrency())};
+  std::optional<std::size_t> parts;  ///< default: threads
   std::string hosts;
   std::vector<std::string> engine_options;
   bool waits{false};
@@ -59,9 +62,12 @@ Shard shard_of(const std::string& text) {
   const auto first = std::from_chars(text.data(), end, shard.number);
   if (first.ec == std::errc{} && first.ptr != end && *first.ptr == '/') {
     const auto second = std::from_chars(first.ptr + 1, end, shard.count);
-    if (second.ec == std::errc{} && second.ptr == end && shard.number >= 1 && shard.number <= shard.count) return shard;
+    constexpr std::size_t maximum = 1'000'000;
+    const bool is_whole = second.ec == std::errc{} && second.ptr == end;
+    if (is_whole && shard.number >= 1 && shard.number <= shard.count && shard.count <= maximum) return shard;
   }
-  throw InputError{fmt::format("--shard: found \"{}\"; it must be I/N, part I from 1 to N of N parts", text)};
+  throw InputError{
+      fmt::format("--shard: found \"{}\"; it must be I/N, part I from 1 to N of N parts, at most 1000000", text)};
 }
 
 int exit_of(const SweepCounts& counts) {
@@ -95,7 +101,8 @@ std::vector<Sample> samples_of(const SweepFolder& sweep, const SweepBase& base) 
   std::vector<Sample> samples;
   SweepLimits limits = sweep.limits;
   constexpr double sample_time = 0.1;
-  limits.time = limits.time > 0.0 ? std::min(limits.time, sample_time) : sample_time;
+  const bool is_short = limits.time > 0.0 && limits.time <= sample_time;
+  if (!is_short) limits.time = sample_time;
   std::size_t last = sweep.runs.size();
   for (const std::size_t i : {std::size_t{0}, sweep.runs.size() / 2, sweep.runs.size() - 1}) {
     if (i == last) continue;
@@ -104,10 +111,15 @@ std::vector<Sample> samples_of(const SweepFolder& sweep, const SweepBase& base) 
     const Clock::time_point start = Clock::now();
     sample.result = base.result(sweep.runs[i], limits, [] { return false; });
     sample.seconds = std::chrono::duration<double>(Clock::now() - start).count();
-    if (sample.result.end == SweepEnd::limited && sample.result.time > 0.0) {
-      const double whole = base.scene(sweep.runs[i]).scene.plan.end / sample.result.time;
+    const auto evaluations = static_cast<double>(sample.result.evaluations);
+    const bool is_of_sweep = is_short || (limits.evaluations > 0 && sample.result.evaluations >= limits.evaluations);
+    if (sample.result.end == SweepEnd::limited && sample.result.time > 0.0 && !is_of_sweep) {
+      // The run ends at its end, or at a limit of the sweep.
+      double whole = base.scene(sweep.runs[i]).scene.plan.end / sample.result.time;
+      if (limits.evaluations > 0) whole = std::min(whole, static_cast<double>(limits.evaluations) / evaluations);
+      if (sweep.limits.time > 0.0) whole = std::min(whole, sweep.limits.time / sample.seconds);
       sample.seconds *= whole;
-      sample.result.evaluations = std::lround(static_cast<double>(sample.result.evaluations) * whole);
+      sample.result.evaluations = std::lround(evaluations * whole);
     }
     samples.push_back(std::move(sample));
   }
@@ -124,6 +136,19 @@ auto of_file(const fs::path& file, Action&& action) {
   }
 }
 
+/// Errors: InputError for a field that the base cannot have, or that two axes change by different paths.
+void check_fields(const SweepFolder& sweep, const std::string& base_name) {
+  TomlValue document = parse_toml(sweep.base_text, base_name);
+  const auto& parameters = sweep.runs.front().parameters;
+  for (const auto& [field, value] : parameters)
+    set_field(document, field, value);
+  std::map<const TomlValue*, std::string> fields;
+  for (const auto& [field, value] : parameters) {
+    const auto [other, is_new] = fields.emplace(&field_at(document, field), field);
+    if (!is_new) throw InputError{fmt::format("axis: '{}' and '{}' are the same field", other->second, field)};
+  }
+}
+
 int plan(const SweepOptions& options) {
   const fs::path file{options.file};
   const SweepFile described = read_sweep(read_text(file), file);
@@ -132,19 +157,18 @@ int plan(const SweepOptions& options) {
   sweep.title = described.title;
   sweep.outputs = described.outputs, sweep.limits = described.limits;
   sweep.base_text = base_text(described.base);
-  const std::string base_name = described.base.string();
+  const std::string base_name = is_deck(described.base) ? "base.toml" : described.base.string();
   static_cast<void>(SweepBase{sweep.base_text, base_name, {}});  // errors of the scene name its file
   const SweepBase base = of_file(file, [&] { return SweepBase{sweep.base_text, base_name, sweep.outputs}; });
   SweptRuns made = of_file(file, [&] { return swept_runs(described); });
   sweep.runs = std::move(made.runs);
-  // A field that does not exist is an error of the sweep, not of its runs.
-  of_file(file, [&] {
-    TomlValue document = parse_toml(sweep.base_text, base_name);
-    for (const auto& [field, value] : sweep.runs.front().parameters)
-      set_field(document, field, value);
-  });
-  write_sweep_folder(sweep);
+  of_file(file, [&] { check_fields(sweep, base_name); });
   const std::vector<Sample> samples = samples_of(sweep, base);
+  if (std::ranges::all_of(samples, [](const Sample& of) { return of.result.end == SweepEnd::refused; })) {
+    throw InputError{fmt::format("{}: run {} is refused, as are all that were tried: {}", file.string(),
+                                 samples.front().number, samples.front().result.reason)};
+  }
+  write_sweep_folder(sweep);
   double seconds = 0.0, evaluations = 0.0, bytes = 0.0;
   for (const Sample& sample : samples) {
     seconds += sample.seconds, evaluations += static_cast<double>(sample.result.evaluations);
@@ -178,43 +202,41 @@ int plan(const SweepOptions& options) {
 
 int run(const SweepOptions& options) {
   const Shard shard = shard_of(options.shard);
-  const SweepFolder sweep = read_sweep_folder(options.folder);
-  const SweepBase base = sweep.base();
+  const SweepFolder part = read_sweep_folder(options.folder).part(shard.number, shard.count);
+  // The same part twice at a time would have two results of each run.
+  const fs::path lock_folder = part.folder / "parts" / fmt::format("{}-of-{}", shard.number, shard.count);
+  make_folder(lock_folder);
+  const FolderLock lock{lock_folder};
+  const SweepBase base = part.base();
   std::vector<const SweptRun*> missing;
   {
-    const KnownResults known = read_results(sweep);
-    for (std::size_t i = shard.number - 1; i < sweep.runs.size(); i += shard.count)
-      if (!known.by_id.contains(sweep.runs[i].id)) missing.push_back(&sweep.runs[i]);
+    const KnownResults known = read_results(part);
+    for (const SweptRun& run : part.runs)
+      if (!known.by_id.contains(run.id)) missing.push_back(&run);
   }
-  const std::size_t all = (sweep.runs.size() + shard.count - shard.number) / shard.count;
   Interruption interruption;
   const auto interrupted = [&] { return interruption.signal() != 0; };
   if (!missing.empty()) {
-    ResultFile file{sweep.folder};
+    ResultFile file{part.folder};
     Progress line;
     std::mutex one_at_a_time;
     std::size_t done = 0;
+    const std::size_t before = part.runs.size() - missing.size();
     const Clock::time_point start = Clock::now();
     parallel_for(missing.size(), options.threads, [&](std::size_t i) {
       if (interrupted()) return;
-      const SweepResult result = base.result(*missing[i], sweep.limits, interrupted);
+      const SweepResult result = base.result(*missing[i], part.limits, interrupted);
       if (result.id.empty()) return;
       file.add(result);
-      const std::lock_guard lock{one_at_a_time};
+      const std::lock_guard one{one_at_a_time};
       ++done;
       if (!line.due()) return;
       const double elapsed = std::chrono::duration<double>(Clock::now() - start).count();
       const double fraction = static_cast<double>(done) / static_cast<double>(missing.size());
-      line.show(fmt::format("{} of {} runs, {}", all - missing.size() + done, all, time_left_text(elapsed, fraction)));
+      line.show(fmt::format("{} of {} runs, {}", before + done, part.runs.size(), time_left_text(elapsed, fraction)));
     });
     file.flush();
   }
-  // Counted are the runs of this shard.
-  const KnownResults known = read_results(sweep);
-  SweepFolder part = sweep;
-  part.runs.clear();
-  for (std::size_t i = shard.number - 1; i < sweep.runs.size(); i += shard.count)
-    part.runs.push_back(sweep.runs[i]);
   const SweepCounts counts = counts_of(part, read_results(part));
   fmt::print("{} of {} runs done", counts.done(), counts.runs);
   if (shard.count > 1) fmt::print(", part {} of {}", shard.number, shard.count);
@@ -283,15 +305,15 @@ int submit(const SweepOptions& options) {
   const Engine engine = engine_named(options.engine);
   const SweepFolder sweep = read_sweep_folder(options.folder);
   if (engine == Engine::local) {
-    if (!options.hosts.empty() || options.waits || !options.engine_options.empty())
-      throw InputError{"--hosts, --wait and --option: the engine 'local' does not use them; remove them"};
+    if (!options.hosts.empty() || options.waits || !options.engine_options.empty() || options.parts)
+      throw InputError{"--hosts, --wait, --option and --parts: the engine 'local' does not use them; remove them"};
     return run(options);
   }
   EngineRequest request;
   request.folder = fs::absolute(sweep.folder).lexically_normal();
   if (request.folder.filename().empty()) request.folder = request.folder.parent_path();
   request.program = fs::read_symlink("/proc/self/exe");
-  request.parts = std::min(options.parts, sweep.runs.size());
+  request.parts = std::min(options.parts.value_or(options.threads), sweep.runs.size());
   request.threads = options.threads;
   request.hosts = options.hosts, request.options = options.engine_options, request.waits = options.waits;
   const fs::path script = request.folder / "part.sh";

@@ -15,13 +15,21 @@ std::string quoted(const std::string& word) {
   return text + "'";
 }
 
+/// A folder in a pattern of sbatch, where % begins a variable.
+std::string escaped(const std::string& folder) {
+  std::string text;
+  for (const char letter : folder)
+    text += letter == '%' ? std::string{"%%"} : std::string{letter};
+  return text;
+}
+
 }  // namespace
 
 std::string part_script(const EngineRequest& request) {
   return fmt::format(
       "#!/bin/sh\n"
-      "# One of {0} parts of a sweep: that of the Slurm task, or the first argument.\n"
-      "exec {1} sweep run {2} --shard \"${{SLURM_ARRAY_TASK_ID:-$1}}/{0}\" --threads 1\n",
+      "# One of {0} parts of a sweep: the first argument, or that of the Slurm task.\n"
+      "exec {1} sweep run {2} --shard \"${{1:-$SLURM_ARRAY_TASK_ID}}/{0}\" --threads 1\n",
       request.parts, quoted(request.program.string()), quoted(request.folder.string()));
 }
 
@@ -34,7 +42,7 @@ reports::Command engine_command(Engine engine, const EngineRequest& request, con
     command.program = "sbatch";
     command.arguments = {fmt::format("--array=1-{}", request.parts),
                          fmt::format("--job-name=talus-{}", request.folder.filename().string()), "--cpus-per-task=1",
-                         "--output=" + (request.folder / "part-%a.log").string()};
+                         "--output=" + escaped(request.folder.string()) + "/part-%a.log"};
     if (request.waits) command.arguments.emplace_back("--wait");
     command.arguments.insert(command.arguments.end(), request.options.begin(), request.options.end());
     command.arguments.push_back(script.string());
@@ -49,7 +57,9 @@ reports::Command engine_command(Engine engine, const EngineRequest& request, con
     command.arguments = {"--sshloginfile", request.hosts};
   }
   command.arguments.insert(command.arguments.end(), request.options.begin(), request.options.end());
-  command.arguments.insert(command.arguments.end(), {"/bin/sh", quoted(script.string()), "{}", ":::"});
+  // A word that is no part of a folder's name, as {} may be.
+  const std::string number = "TALUS_PART_NUMBER";
+  command.arguments.insert(command.arguments.end(), {"-I", number, "/bin/sh", quoted(script.string()), number, ":::"});
   for (std::size_t part = 1; part <= request.parts; ++part)
     command.arguments.push_back(fmt::format("{}", part));
   return command;

@@ -30,7 +30,7 @@ struct EngineRequest {
   bool waits{};                      ///< of slurm: wait until all parts have ended
 };
 
-/// Text of the shell script that runs one part: that of the Slurm task, or its first argument.
+/// Text of the shell script that runs one part: its first argument, or that of the Slurm task.
 [[nodiscard]] std::string part_script(const EngineRequest& request);
 
 /// The command that starts all parts by the script. Errors: InputError for an option that the engine does not use.

@@ -64,6 +64,9 @@ Continuous read_range(SceneTable& table, const TomlValue& value) {
     table.fail("range", fmt::format("found {}; the first value must be less than the second", found(value)));
   made.unit = *unit, made.is_range = true, made.whole = is_whole(ends[0]) && is_whole(ends[1]);
   made.quantiles = {{0.0, first}, {1.0, last}};
+  constexpr double largest = 9007199254740992.0;  // 2^53: above, not all whole numbers are doubles
+  if (made.whole && !(std::abs(first) <= largest && std::abs(last) <= largest))
+    table.fail("range", fmt::format("found {}; whole numbers must be at most 2^53", found(value)));
   return made;
 }
 
@@ -92,6 +95,23 @@ Continuous read_quantiles(SceneTable& table, const TomlValue& value) {
   return made;
 }
 
+/// The number of a cell with the unit of its column; without a unit, whole numbers stay whole.
+TomlValue cell_value(const records::Csv& csv, std::size_t row, std::size_t column, const std::string& unit) {
+  const double number = csv.number(row, column);
+  const std::string_view text = csv.cell(row, column);
+  std::int64_t whole = 0;
+  const auto read = std::from_chars(text.data(), text.data() + text.size(), whole);
+  TomlValue value;
+  if (!unit.empty()) {
+    value.data = fmt::format("{} {}", number, unit);
+  } else if (read.ec == std::errc{} && read.ptr == text.data() + text.size()) {
+    value.data = whole;
+  } else {
+    value.data = number;
+  }
+  return value;
+}
+
 /// The columns of a CSV file that give fields, as axis of rows.
 SweepAxis read_rows(SceneTable& table, const fs::path& folder) {
   SweepAxis axis;
@@ -112,16 +132,13 @@ SweepAxis read_rows(SceneTable& table, const fs::path& folder) {
       const std::string unit = name_and_unit(heading).second;
       const std::size_t column = csv.column(heading);
       axis.fields.push_back(entry.key);
-      for (std::size_t row = 0; row < csv.rows(); ++row) {
-        const double number = csv.number(row, column);
-        TomlValue cell;
-        if (unit.empty()) {
-          cell.data = number;
-        } else {
-          cell.data = fmt::format("{} {}", number, unit);
-        }
-        axis.rows[row].push_back(cell);
+      try {
+        static_cast<void>(parse_any_quantity("1 " + unit, si));
+      } catch (const InputError& error) {
+        columns.fail(entry.key, error.what());
       }
+      for (std::size_t row = 0; row < csv.rows(); ++row)
+        axis.rows[row].push_back(cell_value(csv, row, column, unit));
     }
   } catch (const records::FileError& error) {
     throw IoError{error.what()};
@@ -139,6 +156,7 @@ SweepAxis read_axis(SceneTable& table, const fs::path& folder) {
       table.refuse(other, "the columns of the table give the fields and their values");
     return read_rows(table, folder);
   }
+  table.refuse("columns", "it names columns of a table; give `table`, too");
   SweepAxis axis;
   axis.fields.push_back(table.text("field"));
   const TomlValue *values = table.value("values"), *range = table.value("range"), *quantiles = table.value("quantiles");
@@ -148,6 +166,8 @@ SweepAxis read_axis(SceneTable& table, const fs::path& folder) {
     for (const TomlValue& value : array_of(table, "values", *values, 1, "values, at least one")) {
       if (!is_value(value))
         table.fail("values", fmt::format("found {}; each must be a number, a text, true or false", found(value)));
+      if (const auto* number = std::get_if<double>(&value.data); number != nullptr && !std::isfinite(*number))
+        table.fail("values", fmt::format("found {}; it must be finite", found(value)));
       axis.rows.push_back({value});
     }
     for (const char* other : {"count", "spacing"})
@@ -160,7 +180,12 @@ SweepAxis read_axis(SceneTable& table, const fs::path& folder) {
   if (made.spacing == Continuous::Spacing::logarithmic && !(made.quantiles.front().second > 0.0))
     table.fail("spacing",
                fmt::format("found \"logarithmic\" from {} on; the values must be > 0", made.quantiles.front().second));
+  if (made.whole && made.spacing == Continuous::Spacing::logarithmic)
+    table.fail("spacing", "found \"logarithmic\" of whole numbers; write the range with decimals, e.g. 1.0");
   if (table.has("count")) made.count = table.whole_between("count", 2, maximum_runs);
+  if (const double numbers = made.quantiles.back().second - made.quantiles.front().second + 1.0;
+      made.whole && static_cast<double>(made.count) > numbers)
+    table.fail("count", fmt::format("found {}; there are {} whole numbers in the range", made.count, numbers));
   return axis;
 }
 
@@ -218,7 +243,11 @@ void check_axes(SceneTable& file, const SweepFile& sweep, std::vector<SceneTable
   for (std::size_t i = 0; i < sweep.axes.size(); ++i) {
     const SweepAxis& axis = sweep.axes[i];
     for (const std::string& field : axis.fields) {
-      static_cast<void>(tables[i].placed([&] { return field_keys(field); }));
+      try {
+        static_cast<void>(field_keys(field));
+      } catch (const InputError& error) {
+        tables[i].fail("field", error.what());
+      }
       if (!varied.insert(field).second) tables[i].fail("field", fmt::format("'{}' is varied by two axes", field));
     }
     const bool is_grid = sweep.design.kind == DesignKind::grid;
@@ -241,7 +270,10 @@ double Continuous::at(double probability) const {
   if (probability >= 1.0) return quantiles.back().second;
   if (whole) return std::min(std::floor(x0 + probability * (x1 - x0 + 1.0)), x1);
   const double fraction = (probability - p0) / (p1 - p0);
-  return spacing == Spacing::even ? std::lerp(x0, x1, fraction) : x0 * std::pow(x1 / x0, fraction);
+  if (spacing == Spacing::even) return std::lerp(x0, x1, fraction);
+  const double quotient = x1 / x0;
+  if (std::isfinite(quotient)) return x0 * std::pow(quotient, fraction);
+  return std::exp(std::lerp(std::log(x0), std::log(x1), fraction));
 }
 
 TomlValue Continuous::written(double probability) const {
@@ -258,17 +290,24 @@ TomlValue Continuous::written(double probability) const {
 }
 
 WrittenNumber written_number(const TomlValue& value) {
-  if (const auto* number = std::get_if<double>(&value.data)) return {*number, ""};
+  if (const auto* number = std::get_if<double>(&value.data)) {
+    if (!std::isfinite(*number)) throw InputError{fmt::format("found {}; it must be finite", found(value))};
+    return {*number, ""};
+  }
   if (const auto* whole = std::get_if<std::int64_t>(&value.data)) return {static_cast<double>(*whole), ""};
   const auto* text = std::get_if<std::string>(&value.data);
   if (text == nullptr) throw InputError{fmt::format("found {}; it must be a number or a quantity", found(value))};
   static_cast<void>(parse_any_quantity(*text, si));
+  constexpr std::string_view blanks = " \t";
+  std::string_view rest{*text};
+  rest.remove_prefix(rest.find_first_not_of(blanks));
+  if (rest.front() == '+') rest.remove_prefix(1);
   WrittenNumber made;
-  const char* const end = text->data() + text->size();
-  const auto read = std::from_chars(text->data(), end, made.value);
-  if (read.ec != std::errc{}) throw InputError{fmt::format("found {}; it must begin with its number", found(value))};
-  made.unit = std::string{read.ptr, end};
-  made.unit.erase(0, std::min(made.unit.find_first_not_of(" \t"), made.unit.size()));
+  const auto read = std::from_chars(rest.data(), rest.data() + rest.size(), made.value);
+  TALUS_DEMAND(read.ec == std::errc{});  // it is a quantity
+  rest.remove_prefix(static_cast<std::size_t>(read.ptr - rest.data()));
+  rest.remove_prefix(std::min(rest.find_first_not_of(blanks), rest.size()));
+  made.unit = rest.substr(0, rest.find_last_not_of(blanks) + 1);
   return made;
 }
 
@@ -288,6 +327,8 @@ SweepFile read_sweep(std::string_view text, const fs::path& name) {
     for (const TomlValue& output : array_of(file, "outputs", *outputs, 1, "texts, e.g. [\"rock.vx.end\"]")) {
       const auto* quantity = std::get_if<std::string>(&output.data);
       if (quantity == nullptr) file.fail("outputs", fmt::format("found {}; it must be a text", found(output)));
+      if (std::ranges::find(sweep.outputs, *quantity) != sweep.outputs.end())
+        file.fail("outputs", fmt::format("found {} twice", found(output)));
       sweep.outputs.push_back(*quantity);
     }
     if (file.has("design")) read_design(file.table("design"), sweep);

@@ -70,10 +70,34 @@ void for_each_line(const fs::path& file, Read&& read) {
   }
 }
 
+/// The description and the base of a folder; the number of its runs in `count`.
+SweepFolder read_description(const fs::path& folder, std::size_t& count) {
+  demand_folder_with(folder, description_name, "the folder of a sweep, written by `talus sweep plan`");
+  SweepFolder sweep;
+  sweep.folder = folder;
+  const fs::path file = folder / description_name;
+  try {
+    const Json json = Json::parse(read_text(file));
+    if (const int found = json.at("schema").get<int>(); found != schema)
+      throw InputError{fmt::format("{}: found schema {}; it must be {}", file.string(), found, schema)};
+    sweep.title = json.at("title").get<std::string>();
+    sweep.outputs = json.at("outputs").get<std::vector<std::string>>();
+    sweep.limits.time = json.at("limits").value("time", 0.0);
+    sweep.limits.evaluations = json.at("limits").value("evaluations", std::int64_t{0});
+    count = json.at("runs").get<std::size_t>();
+  } catch (const nlohmann::json::exception& error) {
+    throw InputError{fmt::format("{}: {}", file.string(), error.what())};
+  }
+  sweep.base_text = read_text(folder / base_name);
+  return sweep;
+}
+
 /// Errors: InputError if results in the folder are of another base, or have other outputs or limits.
 void check_results(const SweepFolder& sweep) {
-  if (result_files(sweep.folder).empty()) return;
-  const SweepFolder old = read_sweep_folder(sweep.folder);
+  const std::set<fs::path> files = result_files(sweep.folder);
+  if (std::ranges::all_of(files, [](const fs::path& file) { return whole_lines(read_text(file)).empty(); })) return;
+  std::size_t count = 0;
+  const SweepFolder old = read_description(sweep.folder, count);
   const char* const differs =
       old.base_text != sweep.base_text                                                             ? "another base"
       : old.outputs != sweep.outputs                                                               ? "other outputs"
@@ -90,7 +114,16 @@ void check_results(const SweepFolder& sweep) {
 
 }  // namespace
 
-SweepBase SweepFolder::base() const { return {base_text, (folder / base_name).string(), outputs}; }
+// Reasons of refused runs name the file, but not the folder: results are the same in any.
+SweepBase SweepFolder::base() const { return {base_text, base_name, outputs}; }
+
+SweepFolder SweepFolder::part(std::size_t number, std::size_t of) && {
+  std::vector<SweptRun> kept;
+  for (std::size_t i = number - 1; i < runs.size(); i += of)
+    kept.push_back(std::move(runs[i]));
+  runs = std::move(kept);
+  return std::move(*this);
+}
 
 void write_sweep_folder(const SweepFolder& sweep) {
   make_folder(sweep.folder / results_name);
@@ -105,28 +138,12 @@ void write_sweep_folder(const SweepFolder& sweep) {
 }
 
 SweepFolder read_sweep_folder(const fs::path& folder) {
-  demand_folder_with(folder, description_name, "the folder of a sweep, written by `talus sweep plan`");
-  SweepFolder sweep;
-  sweep.folder = folder;
   std::size_t count = 0;
-  const fs::path file = folder / description_name;
-  try {
-    const Json json = Json::parse(read_text(file));
-    if (const int found = json.at("schema").get<int>(); found != schema)
-      throw InputError{fmt::format("{}: found schema {}; it must be {}", file.string(), found, schema)};
-    sweep.title = json.at("title").get<std::string>();
-    sweep.outputs = json.at("outputs").get<std::vector<std::string>>();
-    sweep.limits.time = json.at("limits").value("time", 0.0);
-    sweep.limits.evaluations = json.at("limits").value("evaluations", std::int64_t{0});
-    count = json.at("runs").get<std::size_t>();
-  } catch (const nlohmann::json::exception& error) {
-    throw InputError{fmt::format("{}: {}", file.string(), error.what())};
-  }
-  sweep.base_text = read_text(folder / base_name);
+  SweepFolder sweep = read_description(folder, count);
   for_each_line(folder / manifest_name, [&](const std::string& line) { sweep.runs.push_back(run_of_line(line)); });
   if (sweep.runs.size() != count)
-    throw InputError{fmt::format("{}: found {} runs; {} has {}", (folder / manifest_name).string(), sweep.runs.size(),
-                                 description_name, count)};
+    throw InputError{fmt::format("{}: found {} runs; {} has {}; plan the sweep again",
+                                 (folder / manifest_name).string(), sweep.runs.size(), description_name, count)};
   return sweep;
 }
 

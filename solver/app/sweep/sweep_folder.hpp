@@ -29,6 +29,8 @@ struct SweepFolder {
   std::vector<SweptRun> runs;
 
   [[nodiscard]] SweepBase base() const;
+  /// Part `number` >= 1 of `of` equal parts: every run of that number, and each of-th after it.
+  [[nodiscard]] SweepFolder part(std::size_t number, std::size_t of) &&;
 };
 
 /// Writes the folder of a planned sweep. An earlier plan in it is replaced; its results remain and count for runs that

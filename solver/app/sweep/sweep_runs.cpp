@@ -3,7 +3,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstdint>
+#include <limits>
 #include <map>
 #include <nlohmann/json.hpp>
 
@@ -71,7 +73,7 @@ AnyQuantity quantity_of(const TomlValue& value, const std::string& what) {
     if (const auto* text = std::get_if<std::string>(&value.data)) return parse_any_quantity(*text, si);
     return {written_number(value).value, dimension::number};
   } catch (const InputError& error) {
-    throw InputError{fmt::format("constraint: '{}': {}", what, error.what())};
+    throw InputError{fmt::format("'{}': {}", what, error.what())};
   }
 }
 
@@ -81,16 +83,19 @@ const TomlValue& value_of(const SweptRun& run, const std::string& field) {
   return found->second;
 }
 
+/// A limit that a value meets but for round-off is met.
+constexpr double round_off = 4.0 * std::numeric_limits<double>::epsilon();
+
 bool satisfies(const SweptRun& run, const SweepConstraint& constraint) {
   const AnyQuantity left = quantity_of(value_of(run, constraint.field), constraint.field);
   const AnyQuantity right = constraint.other.empty() ? quantity_of(constraint.value, found(constraint.value))
                                                      : quantity_of(value_of(run, constraint.other), constraint.other);
   if (left.dimension != right.dimension) {
-    throw InputError{fmt::format("constraint: '{}' is {}, and {} is {}; give values of one dimension", constraint.field,
+    throw InputError{fmt::format("'{}' is {}, and {} is {}; give values of one dimension", constraint.field,
                                  text_of(left.dimension), found(constraint.value), text_of(right.dimension))};
   }
-  const double limit = constraint.factor * right.value;
-  return constraint.is_upper ? left.value <= limit : left.value >= limit;
+  const double limit = constraint.factor * right.value, margin = round_off * std::abs(limit);
+  return constraint.is_upper ? left.value <= limit + margin : left.value >= limit - margin;
 }
 
 Json json_of(const TomlValue& value) {
@@ -152,8 +157,14 @@ SweptRuns swept_runs(const SweepFile& sweep) {
   made.runs = sweep.design.kind == DesignKind::grid ? grid(sweep) : sampled(sweep);
   const std::size_t points = made.runs.size();
   std::erase_if(made.runs, [&](const SweptRun& run) {
-    return !std::ranges::all_of(sweep.constraints,
-                                [&](const SweepConstraint& constraint) { return satisfies(run, constraint); });
+    for (std::size_t i = 0; i < sweep.constraints.size(); ++i) {
+      try {
+        if (!satisfies(run, sweep.constraints[i])) return true;
+      } catch (const InputError& error) {
+        throw InputError{fmt::format("constraint {}: {}", i + 1, error.what())};
+      }
+    }
+    return false;
   });
   if (made.runs.empty()) throw InputError{fmt::format("constraint: none of the {} runs satisfies all", points)};
   made.left_out = points - made.runs.size();

@@ -74,7 +74,7 @@ std::vector<FieldKey> field_keys(std::string_view path) {
   return keys;
 }
 
-void set_field(TomlValue& document, std::string_view path, const TomlValue& value) {
+TomlValue& field_at(TomlValue& document, std::string_view path) {
   const std::vector<FieldKey> keys = field_keys(path);
   TomlValue* at = &document;
   for (std::size_t i = 0; i < keys.size(); ++i) {
@@ -93,17 +93,20 @@ void set_field(TomlValue& document, std::string_view path, const TomlValue& valu
     if (entry == nullptr) {
       if (!is_last || key.index)
         throw InputError{fmt::format("'{}': {}", path, unknown_name("field", key.key, keys_of(*table)).what())};
-      table->push_back({key.key, value});
-      return;
+      table->push_back({key.key, {std::string{}, at->line}});
+      return table->back().value;
     }
     at = key.index ? &element_of(entry->value, key, path) : &entry->value;
   }
   const bool is_table = std::holds_alternative<TomlTable>(at->data);
   if (is_table || std::holds_alternative<TomlArray>(at->data))
     throw InputError{fmt::format("'{}': found {}; it must be a value", path, is_table ? "a table" : "an array")};
-  const int line = at->line;
-  *at = value;
-  at->line = line;
+  return *at;
+}
+
+void set_field(TomlValue& document, std::string_view path, const TomlValue& value) {
+  TomlValue& field = field_at(document, path);
+  field.data = value.data;
 }
 
 }  // namespace talus

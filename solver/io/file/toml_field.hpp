@@ -20,9 +20,12 @@ struct FieldKey {
 /// InputError for a text that is no path.
 [[nodiscard]] std::vector<FieldKey> field_keys(std::string_view path);
 
-/// Sets one value of a document. `path`: keys separated by dots, an element of an array by its index from 0, and a
-/// table of a list by its name or index. The last key may be new. Errors: InputError with the part that was not found,
-/// and what is there.
+/// One value of a document; it is added, empty, if only the last key is missing. `path`: keys separated by dots, an
+/// element of an array by its index from 0, and a table of a list by its name or index. Errors: InputError with the
+/// part that was not found, and what is there.
+[[nodiscard]] TomlValue& field_at(TomlValue& document, std::string_view path);
+
+/// Sets that value. Errors: as field_at().
 void set_field(TomlValue& document, std::string_view path, const TomlValue& value);
 
 }  // namespace talus

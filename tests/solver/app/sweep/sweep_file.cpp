@@ -116,6 +116,27 @@ BOOST_AUTO_TEST_CASE(a_sobol_sequence_extends_and_fills_boxes) {
   BOOST_TEST(boxes.size() == 16U);
 }
 
+BOOST_AUTO_TEST_CASE(logarithmic_ranges_may_be_as_wide_as_doubles) {
+  const SweptRuns made =
+      swept_runs(sweep_of("[[axis]]\nfield = \"f\"\nrange = [1e-200, 1e200]\ncount = 3\nspacing = \"logarithmic\"\n"));
+  BOOST_TEST(std::get<double>(made.runs[1].parameters[0].second.data) == 1.0, boost::test_tools::tolerance(1e-12));
+}
+
+BOOST_AUTO_TEST_CASE(a_limit_is_met_but_for_round_off) {
+  const SweptRuns made = swept_runs(
+      sweep_of("[[axis]]\nfield = \"f\"\nrange = [\"0.1 kg\", \"0.7 kg\"]\ncount = 7\n[[constraint]]\nfield = "
+               "\"f\"\nat_least = \"0.1 kg\"\nfactor = 3\n"));
+  BOOST_TEST(made.runs.size() == 5U);
+}
+
+BOOST_AUTO_TEST_CASE(a_written_number_has_its_unit) {
+  for (const char* text : {"5 kg", "+5 kg", " 5 kg ", "5\tkg"}) {
+    const WrittenNumber number = written_number({std::string{text}, 0});
+    BOOST_TEST(number.value == 5.0);
+    BOOST_TEST(number.unit == "kg");
+  }
+}
+
 BOOST_AUTO_TEST_CASE(quantities_of_any_dimension) {
   const AnyQuantity speed = parse_any_quantity("10 ft/s", si);
   BOOST_TEST((speed.dimension == dimension::velocity));

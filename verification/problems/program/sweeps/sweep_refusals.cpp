@@ -32,7 +32,7 @@ std::vector<Wrong> wrong_sweeps() {
       {head + mass, "axis 1: values: give one of values, range and quantiles, or a table"},
       {head + "[[axis]]\nvalues = [1]\n", "axis 1: field: it is missing"},
       {head + "[[axis]]\nfield = \"body..mass\"\nvalues = [1]\n",
-       "wrong.toml:3: found 'body..mass'; it must be a path"},
+       "wrong.toml:4: axis 1: field: found 'body..mass'; it must be a path"},
       {head + "[[axis]]\nfield = \"body.bal.mass\"\nvalues = [\"1 kg\"]\n",
        "wrong.toml: 'body.bal.mass': name 'bal' is not known"},
       {head + "[[axis]]\nfield = \"body.ball.velocity[2]\"\nvalues = [\"1 m/s\"]\n",
@@ -66,7 +66,26 @@ std::vector<Wrong> wrong_sweeps() {
       {head + "[[axis]]\ntable = \"none.csv\"\ncolumns = { \"run.step\" = \"s\" }\n", "none.csv"},
       {head + "[[axis]]\ntable = \"bad.csv\"\ncolumns = { \"run.step\" = \"h [s]\" }\n", "column 'h [s]' is not known"},
       {head + sobol + mass + "range = [\"1 kg\", \"2 kg\"]\ncount = 2\n", "axis 1: count: only a grid has it"},
-      {head + "[design]\nkind = \"grid\"\nruns = 4\n" + good, "design: runs"},
+      {head + "[design]\nkind = \"grid\"\nruns = 4\n" + good,
+       "design: runs: a grid has every combination of the axes' points"},
+      {head + mass + "range = [1, 9]\ncount = 3\nspacing = \"logarithmic\"\n",
+       "axis 1: spacing: found \"logarithmic\" of whole numbers; write the range with decimals"},
+      {head + mass + "range = [1, 3]\ncount = 4\n", "axis 1: count: found 4; there are 3 whole numbers in the range"},
+      {head + mass + "range = [0, 9007199254740993]\ncount = 3\n", "whole numbers must be at most 2^53"},
+      {head + mass + "values = [nan]\n", "axis 1: values: found nan; it must be finite"},
+      {head + mass + "range = [1.0, inf]\ncount = 3\n", "axis 1: range: found inf; it must be finite"},
+      {head + mass + "values = [\"1 kg\"]\ncolumns = { \"run.step\" = \"s\" }\n",
+       "axis 1: columns: it names columns of a table; give `table`, too"},
+      {"base = \"ball.toml\"\noutputs = [\"ball.vx.end\", \"ball.vx.end\"]\n" + good,
+       "wrong.toml:2: outputs: found \"ball.vx.end\" twice"},
+      {head + good +
+           "[[axis]]\nfield = \"body.ball.velocity[0]\"\nvalues = [\"1 m/s\"]\n[[axis]]\nfield = "
+           "\"body.ball.velocity[00]\"\nvalues = [\"1 m/s\"]\n",
+       "'body.ball.velocity[0]' and 'body.ball.velocity[00]' are the same field"},
+      {head + "[[axis]]\ntable = \"bad.csv\"\ncolumns = { \"run.step\" = \"step [sec]\" }\n",
+       "unit 'sec' is not known"},
+      {head + "[[axis]]\nfield = \"run.stepp\"\nvalues = [1, 2]\n",
+       "wrong.toml: run 1 is refused, as are all that were tried: ball.toml:"},
       {head + "[design]\nkind = \"sobel\"\nruns = 4\n" + good, "design: kind: "},
       {head + "[design]\nkind = \"sobol\"\n" + good, "design: runs: it is missing"},
       {head + "[design]\nkind = \"sobol\"\nruns = 0\n" + good, "design: runs: found 0"},
@@ -78,7 +97,7 @@ std::vector<Wrong> wrong_sweeps() {
       {head + good + "[[constraint]]\nfield = \"body.ball.mass\"\nat_most = \"one\"\n",
        "at_most: found \"one\"; it must be a field that is varied, a number or a quantity"},
       {head + good + "[[constraint]]\nfield = \"body.ball.mass\"\nat_most = \"1 m\"\n",
-       "wrong.toml: constraint: 'body.ball.mass' is a mass, and \"1 m\" is a length; give values of one dimension"},
+       "wrong.toml: constraint 1: 'body.ball.mass' is a mass, and \"1 m\" is a length; give values of one dimension"},
       {head + good + "[[constraint]]\nfield = \"body.ball.mass\"\nat_most = \"0.1 kg\"\n",
        "wrong.toml: constraint: none of the 2 runs satisfies all"},
       {head + mass +
@@ -91,7 +110,7 @@ std::vector<Wrong> wrong_sweeps() {
 }  // namespace
 
 void check_refusals(const Program& program, Differences& differ) {
-  program.write("bad.csv", "step [s]\n1\n");
+  program.write("bad.csv", "step [s],step [sec]\n1,1\n");
   for (const Wrong& wrong : wrong_sweeps()) {
     program.write("wrong.toml", wrong.text);
     const ProgramEnd end = program.end({"sweep", "plan", "wrong.toml"}, {});
@@ -114,6 +133,8 @@ void check_refusals(const Program& program, Differences& differ) {
       {{"sweep", "run", "grid"}, {{"--shard", {"0/2"}}}, "--shard: found \"0/2\"; it must be I/N"},
       {{"sweep", "run", "grid"}, {{"--shard", {"3/2"}}}, "--shard: found \"3/2\"; it must be I/N"},
       {{"sweep", "run", "grid"}, {{"--shard", {"1:2"}}}, "--shard: found \"1:2\"; it must be I/N"},
+      {{"sweep", "run", "grid"}, {{"--shard", {"3/18446744073709551615"}}}, "of N parts, at most 1000000"},
+      {{"sweep", "submit", "grid"}, {{"--parts", {"7"}}}, "the engine 'local' does not use them"},
       {{"sweep", "run", "grid"}, {{"--threads", {"0"}}}, "--threads"},
       {{"sweep", "submit", "grid"}, {{"--engine", {"pbs"}}}, "--engine: engine 'pbs' is not known"},
       {{"sweep", "submit", "grid"}, {{"--hosts", {"h"}}}, "the engine 'local' does not use them"},

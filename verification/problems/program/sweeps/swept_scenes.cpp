@@ -200,6 +200,25 @@ void check_samples(const Program& program, Worst& worst, Differences& differ) {
   }
 }
 
+/// A base in US units, one run of which has SI units: the table is in US units, JSON in SI.
+void check_units(const Program& program, Differences& differ) {
+  std::string scene = ball_scene("exact");
+  scene.replace(scene.find("\"SI\""), 4, "\"US\"");
+  program.write("feet.toml", scene);
+  const records::Csv csv =
+      collected(program, "units",
+                "base = \"feet.toml\"\noutputs = [\"ball.vx.end\"]\n" + axis("units", "values = [\"US\", \"SI\"]"));
+  const Json json = program.file("units/results.json");
+  constexpr double foot = 0.3048;
+  for (std::size_t row = 0; row < 2; ++row) {
+    const double velocity = csv.number(row, csv.column("ball.vx.end [ft/s]")) * foot;
+    differ.compare("velocity in SI",
+                   std::abs(json.at("runs").at(row).at("values").at(0).get<double>() / velocity - 1.0) < 1e-15, true);
+    differ.compare("velocity of a run in other units",
+                   std::abs(velocity / (csv.number(0, csv.column("ball.vx.end [ft/s]")) * foot) - 1.0) < 1e-11, true);
+  }
+}
+
 /// Fields from a file, and the second run with the same parameters.
 void check_table(const Program& program, Worst& worst, Differences& differ) {
   program.write("balls.csv", "# measured\nv [m/s],m [kg],note\n3,2,a\n1.5,0.5,b\n3,2,c\n");
@@ -287,11 +306,19 @@ void check_failures(const Program& program, Differences& differ) {
        {std::pair{"runs", 6}, {"missing", 0}, {"finished", 1}, {"diverged", 1}, {"refused", 3}, {"limited", 1}})
     differ.compare(member, status.at(member).get<int>(), count);
 
-  program.write("none.toml", "base = \"steps.toml\"\noutputs = [\"ball.vx.end\"]\n" +
-                                 axis("body.ball.mass", "values = [\"-2 kg\", \"-1 kg\"]"));
-  const ProgramEnd planned = program.end({"sweep", "plan", "none.toml"}, {});
-  differ.compare("warning of the plan", planned.messages.find("warning: run 1 is refused: ") != std::string::npos,
+  const ProgramEnd planned = program.end({"sweep", "plan", "failing.toml"}, {{"--out", {"deep/er"}}});
+  differ.compare("warning of the plan", planned.messages.find("warning: run 4 is refused: ") != std::string::npos,
                  true);
+  // Reasons do not depend on the folder, nor on the way to it.
+  const fs::path deep = fs::canonical(program.folder().path() / "deep/er");
+  static_cast<void>(program.end({"sweep", "run", deep.string()}, {}));
+  static_cast<void>(program.end({"sweep", "collect", deep.string()}, {}));
+  differ.compare("table in another folder", program.read("deep/er/results.csv"), program.read("failing/results.csv"));
+
+  program.write("none.toml", "base = \"steps.toml\"\noutputs = [\"ball.vx.end\"]\n[limits]\nevaluations = 100\n" +
+                                 axis("run.step", "values = [\"1e-7 s\", \"2e-7 s\"]"));
+  const Json cost = program.json({"sweep", "plan", "none.toml"}, {{"--json", {}}});
+  differ.compare("estimate with a limit", cost.at("evaluations").get<double>(), 200.0);
   differ.compare("exit status if all runs fail", program.end({"sweep", "run", "none"}, {}).exit_code, 3);
 
   program.write("slow.toml", "base = \"steps.toml\"\noutputs = [\"ball.vx.end\"]\n[limits]\ntime = \"1 ms\"\n" +
@@ -406,7 +433,9 @@ void check_engines(const Program& program, Differences& differ) {
   for (const char* engine : {"sbatch", "parallel"})
     fs::permissions(folder / "bin" / engine, fs::perms::owner_all);
   const char* const path = std::getenv("PATH");
-  const Environment environment{{"PATH", fmt::format("{}:{}", (folder / "bin").string(), path != nullptr ? path : "")}};
+  // As if the command itself were a task of Slurm.
+  const Environment environment{{"PATH", fmt::format("{}:{}", (folder / "bin").string(), path != nullptr ? path : "")},
+                                {"SLURM_ARRAY_TASK_ID", "2"}};
   const auto submit = [&](const std::string& engine, const std::string& name, const Options& options) {
     program.write("engines.toml", grid_text());
     static_cast<void>(program.run({"sweep", "plan", "engines.toml"}, {{"--out", {name}}}));
@@ -429,8 +458,9 @@ void check_engines(const Program& program, Differences& differ) {
     differ.compare("sbatch " + argument, slurm.find("\n" + argument + "\n") != std::string::npos, true);
   const std::string parallel =
       submit("parallel", "it's parallel", {{"--parts", {"2"}}, {"--hosts", {"h.txt"}}, {"--option", {"--bar"}}});
-  differ.compare("parallel with hosts", parallel.starts_with("\n--sshloginfile\nh.txt\n--bar\n/bin/sh\n"), true);
-  differ.compare("parallel parts", parallel.ends_with("\n{}\n:::\n1\n2\n"), true);
+  differ.compare("parallel with hosts",
+                 parallel.starts_with("\n--sshloginfile\nh.txt\n--bar\n-I\nTALUS_PART_NUMBER\n/bin/sh\n"), true);
+  differ.compare("parallel parts", parallel.ends_with("\nTALUS_PART_NUMBER\n:::\n1\n2\n"), true);
   const std::string here = submit("parallel", "here", {{"--parts", {"40"}}});
   differ.compare("parallel without hosts", here.starts_with("\n--jobs\n"), true);
   differ.compare("not more parts than runs", here.ends_with("\n15\n16\n"), true);
@@ -450,6 +480,7 @@ void run(Findings& findings, const Setup& setup) {
     check_fence(program, differ);
     check_failures(program, differ);
     check_engines(program, differ);
+    check_units(program, differ);
     check_refusals(program, differ);
   }
   findings.expect("velocity after the impact over the exact one, largest deviation from 1", worst.velocity, 0.0,
