@@ -39,7 +39,7 @@ BOOST_AUTO_TEST_CASE(wrong_command_lines) {
       {{"rnu"},
        "talus: command 'rnu' is not known; nearest: run; known: run, check, advise, calibrate, cell, convert, export, "
        "plot, "
-       "snapshot, animate, study, list, new\n"
+       "snapshot, animate, study, sweep, list, new\n"
        "help: talus --help\n"},
       {{"run"}, "talus: SCENE is required, or --resume DIR\nhelp: talus run --help\n"},
       {{"run", scene("pendulum.toml"), "--uot", "d"},
@@ -100,7 +100,7 @@ BOOST_AUTO_TEST_CASE(wrong_command_lines) {
         "2", "--speed", "1 m/s"},
        "talus: --speed: each pair gives its own; remove it\n"},
       {{"calibrate", "--restitution", "0.5", "--stiffness", "1 N/m", "--masses", "1 kg", "2 kg", "2", "--bound", "-1"},
-       "talus: error bound is -1; it must be > 0\n"},
+       "talus: --bound: found -1; it must be > 0\n"},
       {{"calibrate", "--restitution", "0.5", "--stiffness", "1 N/m", "--masses", "1 kg", "2 kg", "2", "--radii", "1 m",
         "2 m", "2", "--density", "1 kg/m^3"},
        "talus: --masses: found three values, an axis of masses, and --radii; give one of the two\n"},
