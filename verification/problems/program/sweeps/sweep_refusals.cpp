@@ -71,7 +71,7 @@ std::vector<Wrong> wrong_sweeps() {
       {head + mass + "range = [1, 9]\ncount = 3\nspacing = \"logarithmic\"\n",
        "axis 1: spacing: found \"logarithmic\" of whole numbers; write the range with decimals"},
       {head + mass + "range = [1, 3]\ncount = 4\n", "axis 1: count: found 4; there are 3 whole numbers in the range"},
-      {head + mass + "range = [0, 9007199254740993]\ncount = 3\n", "whole numbers must be at most 2^53"},
+      {head + mass + "range = [0, 9007199254740994]\ncount = 3\n", "whole numbers must be at most 2^53"},
       {head + mass + "values = [nan]\n", "axis 1: values: found nan; it must be finite"},
       {head + mass + "range = [1.0, inf]\ncount = 3\n", "axis 1: range: found inf; it must be finite"},
       {head + mass + "values = [\"1 kg\"]\ncolumns = { \"run.step\" = \"s\" }\n",
