@@ -20,7 +20,7 @@
 
 BOOST_AUTO_TEST_CASE(help_and_version) {
   for (const std::string command : {"run", "check", "advise", "calibrate", "cell", "convert", "plot", "snapshot",
-                                    "animate", "study", "list", "new"}) {
+                                    "animate", "study", "sweep", "list", "new"}) {
     const Ended help = talus_ran({command, "--help"});
     BOOST_TEST(help.code == 0);
     BOOST_TEST(holds(help.out, "Example"));
@@ -34,7 +34,7 @@ BOOST_AUTO_TEST_CASE(wrong_command_lines) {
       {{},
        "talus: a command is missing; known: run, check, advise, calibrate, cell, convert, export, plot, snapshot, "
        "animate, "
-       "study, list, new\nhelp: talus "
+       "study, sweep, list, new\nhelp: talus "
        "--help\n"},
       {{"rnu"},
        "talus: command 'rnu' is not known; nearest: run; known: run, check, advise, calibrate, cell, convert, export, "
