@@ -43,7 +43,7 @@ SweepResult result_of_line(const std::string& line) {
       result.values.push_back(value.is_null() ? std::numeric_limits<double>::quiet_NaN() : value.get<double>());
     return result;
   } catch (const nlohmann::json::exception& error) {
-    throw InputError{fmt::format("not a result: {}", error.what())};
+    throw InputError{fmt::format("not a result; remove this line and run the sweep again: {}", error.what())};
   }
 }
 

@@ -184,7 +184,7 @@ SweptRun run_of_line(const std::string& line) {
       run.parameters.emplace_back(field, value_of(value));
     return run;
   } catch (const nlohmann::json::exception& error) {
-    throw InputError{fmt::format("not a run: {}", error.what())};
+    throw InputError{fmt::format("not a run; remove this line and plan the sweep again: {}", error.what())};
   }
 }
 

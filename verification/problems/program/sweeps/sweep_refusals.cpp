@@ -155,7 +155,9 @@ void check_refusals(const Program& program, Differences& differ) {
   const ProgramEnd damaged = program.end({"sweep", "status", "grid"}, {});
   differ.compare(
       "refusal: a damaged manifest",
-      damaged.exit_code == 2 && damaged.messages.find("grid/manifest.jsonl:17: not a run: ") != std::string::npos,
+      damaged.exit_code == 2 &&
+          damaged.messages.find("grid/manifest.jsonl:17: not a run; remove this line and plan the sweep again: ") !=
+              std::string::npos,
       true);
   program.write("grid/manifest.jsonl", manifest.substr(0, manifest.find('\n') + 1));
   const ProgramEnd shorter = program.end({"sweep", "status", "grid"}, {});
