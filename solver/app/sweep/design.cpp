@@ -1,5 +1,7 @@
 #include "solver/app/sweep/design.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <boost/random/sobol.hpp>
 #include <cmath>
@@ -40,8 +42,9 @@ void fill_sobol(std::vector<std::vector<double>>& points, std::size_t axes, Gene
         point[axis] = unit_number((is_first ? 0 : sequence()) ^ shifts[axis]);
       is_first = false;
     }
-  } catch (const std::exception& error) {
-    throw InputError{std::string{"design: kind sobol: "} + error.what()};
+  } catch (const std::exception&) {  // 3667 with the library's table
+    throw InputError{
+        fmt::format("design: kind: found \"sobol\" of {} axes; choose latin_hypercube or random for so many", axes)};
   }
 }
 
