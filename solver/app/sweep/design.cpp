@@ -43,8 +43,7 @@ void fill_sobol(std::vector<std::vector<double>>& points, std::size_t axes, Gene
       is_first = false;
     }
   } catch (const std::exception&) {  // 3667 with the library's table
-    throw InputError{
-        fmt::format("design: kind: found \"sobol\" of {} axes; choose latin_hypercube or random for so many", axes)};
+    throw InputError{fmt::format("design: kind: found \"sobol\" of {} axes; choose latin_hypercube or random", axes)};
   }
 }
 
