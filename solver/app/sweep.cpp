@@ -2,7 +2,6 @@
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
-#include <atomic>
 #include <charconv>
 #include <chrono>
 #include <filesystem>
@@ -33,9 +32,6 @@ namespace {
 
 namespace fs = std::filesystem;
 using Clock = std::chrono::steady_clock;
-
-/// Exit status if some runs of a sweep failed; if all did, it is `diverged`.
-constexpr int some_failed = 6;
 
 struct SweepOptions {
   std::string file;    ///< of plan
@@ -72,21 +68,12 @@ Shard shard_of(const std::string& text) {
 
 int exit_of(const SweepCounts& counts) {
   if (counts.failed() == 0) return ok;
-  return counts.failed() == counts.done() ? int{diverged} : some_failed;
+  return counts.failed() == counts.done() ? diverged : some_failed;
 }
 
 /// A time as text; below 10 s with two digits.
 std::string time_text(double seconds) {
   return seconds < 10.0 ? fmt::format("{:.2g} s", seconds) : duration_text(seconds);
-}
-
-std::string failures_text(const SweepCounts& counts) {
-  std::string text;
-  for (const auto& [count, name] : {std::pair{counts.unusable, "not usable"}, std::pair{counts.diverged, "diverged"},
-                                    std::pair{counts.refused, "refused"}, std::pair{counts.limited, "limited"}}) {
-    if (count > 0) text += fmt::format(", {} {}", count, name);
-  }
-  return text;
 }
 
 /// What a run costs, measured at the start of one.
@@ -238,12 +225,11 @@ int run(const SweepOptions& options) {
     file.flush();
   }
   const SweepCounts counts = counts_of(part, read_results(part));
-  fmt::print("{} of {} runs done", counts.done(), counts.runs);
-  if (shard.count > 1) fmt::print(", part {} of {}", shard.number, shard.count);
-  fmt::print(": {} finished{}\n", counts.finished, failures_text(counts));
+  const std::string of_all = shard.count > 1 ? fmt::format(", part {} of {}", shard.number, shard.count) : "";
+  fmt::print("{}\n", counts.text(" done" + of_all));
   if (interrupted()) {
     print_failure(fmt::format("{}: {} runs are missing; the same command continues with them", interruption.name(),
-                              counts.missing));
+                              counts.missing()));
     return 128 + interruption.signal();
   }
   return exit_of(counts);
@@ -254,15 +240,13 @@ int status(const SweepOptions& options) {
   const KnownResults known = read_results(sweep);
   const SweepCounts counts = counts_of(sweep, known);
   if (options.json) {
-    const nlohmann::ordered_json json{{"runs", counts.runs},         {"missing", counts.missing},
-                                      {"finished", counts.finished}, {"unusable", counts.unusable},
-                                      {"diverged", counts.diverged}, {"refused", counts.refused},
-                                      {"limited", counts.limited},   {"duplicates", known.duplicates.size()},
-                                      {"of_others", known.of_others}};
+    nlohmann::ordered_json json = counts.json();
+    json["duplicates"] = known.duplicates.size();
+    json["of_others"] = known.of_others;
     fmt::print("{}\n", json.dump(2));
     return ok;
   }
-  fmt::print("{} of {} runs done: {} finished{}\n", counts.done(), counts.runs, counts.finished, failures_text(counts));
+  fmt::print("{}\n", counts.text(" done"));
   if (!known.duplicates.empty()) fmt::print("{} results of runs that have another one\n", known.duplicates.size());
   if (known.of_others > 0) fmt::print("{} results of runs that are not in the plan\n", known.of_others);
   return ok;
@@ -273,11 +257,11 @@ int collect(const SweepOptions& options) {
   const SweepBase base = sweep.base();
   const KnownResults known = read_results(sweep);
   const SweepCounts counts = counts_of(sweep, known);
-  if (!options.partial && counts.missing > 0) {
+  if (!options.partial && counts.missing() > 0) {
     throw InputError{
         fmt::format("{}: {} of {} runs have no result; run them by `talus sweep run {}`, or collect those "
                     "that are done with --partial",
-                    options.folder, counts.missing, counts.runs, shell_word(options.folder))};
+                    options.folder, counts.missing(), counts.runs, shell_word(options.folder))};
   }
   if (!options.partial && !known.duplicates.empty()) {
     throw InputError{
@@ -289,8 +273,7 @@ int collect(const SweepOptions& options) {
   const fs::path csv = sweep.folder / "results.csv", json = sweep.folder / "results.json";
   write_whole(csv, sweep_csv(sweep, known, base));
   write_whole(json, sweep_json(sweep, known, base));
-  fmt::print("{} of {} runs: {} finished{}\n{}\n{}\n", counts.done(), counts.runs, counts.finished,
-             failures_text(counts), csv.string(), json.string());
+  fmt::print("{}\n{}\n{}\n", counts.text(""), csv.string(), json.string());
   return exit_of(counts);
 }
 
@@ -329,12 +312,11 @@ int submit(const SweepOptions& options) {
       return ok;
     }
     const SweepCounts counts = counts_of(sweep, read_results(sweep));
-    if (counts.missing > 0) {
-      throw IoError{fmt::format("{}: {} of {} runs have no result; status {}: {}", command.program, counts.missing,
+    if (counts.missing() > 0) {
+      throw IoError{fmt::format("{}: {} of {} runs have no result; status {}: {}", command.program, counts.missing(),
                                 counts.runs, ended.status, ended.messages)};
     }
-    fmt::print("{} of {} runs done: {} finished{}\n", counts.done(), counts.runs, counts.finished,
-               failures_text(counts));
+    fmt::print("{}\n", counts.text(" done"));
     return exit_of(counts);
   } catch (const reports::OutputError& error) {
     throw IoError{error.what()};

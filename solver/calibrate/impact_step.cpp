@@ -45,10 +45,9 @@ StepOfImpact accurate_step(const ImpactError& error, double contact_time, double
     if (found.step > longest) continue;
     if (is_accurate(error, contact_time, std::ldexp(1.0, n), bound, found.largest_error)) return found;
     ends = ends || std::isfinite(found.largest_error);
-    if (!ends && n == 10)
-      throw InputError{
-          "the method cannot simulate the impact with 2^3 to 2^10 steps in a contact; choose another integrator"};
   }
+  if (!ends)
+    throw InputError{"the method cannot simulate the impact with 2^18 steps in a contact; choose another integrator"};
   throw InputError{
       fmt::format("an error of e below {} is not reached with 2^18 steps in a contact; allow a larger error", bound)};
 }

@@ -4,45 +4,16 @@
 #include <fmt/ranges.h>
 
 #include <toml++/toml.h>
-#include <charconv>
-#include <optional>
 #include <sstream>
 #include <utility>
 #include <vector>
 
 #include "solver/base/error.hpp"
+#include "solver/io/file/toml_field.hpp"
 
 namespace talus::verification {
 
 namespace {
-
-/// A key of a path, with the index behind it.
-struct Step {
-  std::string key;
-  std::optional<std::size_t> index;
-};
-
-std::vector<Step> steps_of(const std::string& field) {
-  const auto refuse = [&] {
-    throw InputError{fmt::format("found '{}'; it must be a path such as run.step or body.NAME.velocity[0]", field)};
-  };
-  std::vector<Step> steps;
-  std::istringstream parts{field};
-  for (std::string part; std::getline(parts, part, '.');) {
-    Step step{part, {}};
-    if (const std::size_t open = part.find('['); open != std::string::npos) {
-      std::size_t index = 0;
-      const char* const end = part.data() + part.size() - 1;
-      const auto [read, failure] = std::from_chars(part.data() + open + 1, end, index);
-      if (*end != ']' || read != end || failure != std::errc{}) refuse();
-      step = {part.substr(0, open), index};
-    }
-    if (step.key.empty()) refuse();
-    steps.push_back(step);
-  }
-  if (steps.empty() || field.back() == '.') refuse();
-  return steps;
-}
 
 std::vector<std::string> keys_of(const toml::table& table) {
   std::vector<std::string> keys;
@@ -74,7 +45,7 @@ std::string with_field(const std::string& scene, const std::string& field, const
     throw InputError{fmt::format("'{}' = {}: not TOML: {}", field, value, wrong.description())};
   }
   const toml::node& fresh = *given.get("value");
-  const std::vector<Step> steps = steps_of(field);
+  const std::vector<FieldKey> steps = field_keys(field);
   toml::node* at = &root;
   for (std::size_t i = 0; i < steps.size(); ++i) {
     const bool last = i + 1 == steps.size();

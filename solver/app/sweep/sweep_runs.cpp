@@ -12,6 +12,7 @@
 #include "solver/app/sweep/design.hpp"
 #include "solver/base/error.hpp"
 #include "solver/base/units.hpp"
+#include "solver/io/output/checkpoint.hpp"
 
 namespace talus::app {
 namespace {
@@ -126,23 +127,13 @@ Json parameters_json(const SweptRun& run) {
   return json;
 }
 
-/// FNV-1a of 64 bits.
-std::uint64_t hash(const std::string& text) {
-  std::uint64_t value = 14695981039346656037U;
-  for (const char letter : text) {
-    value ^= static_cast<unsigned char>(letter);
-    value *= 1099511628211U;
-  }
-  return value;
-}
-
 void set_ids(std::vector<SweptRun>& runs) {
   std::map<std::string, int> copies;
   std::map<std::string, std::size_t> ids;
   for (std::size_t number = 0; number < runs.size(); ++number) {
     std::string text = parameters_json(runs[number]).dump();
     if (const int copy = copies[text]++; copy > 0) text += fmt::format(" {}", copy);
-    runs[number].id = fmt::format("{:016x}", hash(text));
+    runs[number].id = fnv1a(text);
     const auto [other, is_new] = ids.emplace(runs[number].id, number);
     if (!is_new)
       throw InputError{fmt::format("runs {} and {} have the same id; change one of their values slightly",

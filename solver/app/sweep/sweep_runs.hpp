@@ -13,8 +13,6 @@ namespace talus::app {
 struct SweptRun {
   std::string id;  ///< 16 hexadecimal digits that follow from the parameters alone
   std::vector<std::pair<std::string, TomlValue>> parameters;
-
-  friend bool operator==(const SweptRun& a, const SweptRun& b) { return a.id == b.id; }
 };
 
 /// The runs of a sweep.

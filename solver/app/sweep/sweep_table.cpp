@@ -65,29 +65,25 @@ void for_each_result(const SweepFolder& sweep, const KnownResults& known, Visit&
 
 }  // namespace
 
+std::string SweepCounts::text(std::string_view what) const {
+  std::string text = fmt::format("{} of {} runs{}: {} finished", done(), runs, what, finished());
+  for (std::size_t end = 0; end < ends.size(); ++end)
+    if (static_cast<SweepEnd>(end) != SweepEnd::finished && ends[end] > 0)
+      text += fmt::format(", {} {}", ends[end], Names<SweepEnd>::list[end]);
+  return text;
+}
+
+Json SweepCounts::json() const {
+  Json json{{"runs", runs}, {"missing", missing()}};
+  for (std::size_t end = 0; end < ends.size(); ++end)
+    json[std::string{Names<SweepEnd>::list[end]}] = ends[end];
+  return json;
+}
+
 SweepCounts counts_of(const SweepFolder& sweep, const KnownResults& known) {
-  SweepCounts counts;
-  counts.runs = sweep.runs.size();
-  counts.missing = sweep.runs.size() - known.by_id.size();
-  for (const auto& [id, result] : known.by_id) {
-    switch (result.end) {
-      case SweepEnd::finished:
-        ++counts.finished;
-        break;
-      case SweepEnd::unusable:
-        ++counts.unusable;
-        break;
-      case SweepEnd::diverged:
-        ++counts.diverged;
-        break;
-      case SweepEnd::refused:
-        ++counts.refused;
-        break;
-      case SweepEnd::limited:
-        ++counts.limited;
-        break;
-    }
-  }
+  SweepCounts counts{.runs = sweep.runs.size()};
+  for (const auto& [id, result] : known.by_id)
+    ++counts.ends[static_cast<std::size_t>(result.end)];
   return counts;
 }
 
@@ -132,10 +128,7 @@ std::string sweep_csv(const SweepFolder& sweep, const KnownResults& known, const
 
 std::string sweep_json(const SweepFolder& sweep, const KnownResults& known, const SweepBase& base) {
   Json json{{"schema", 1}, {"title", sweep.title}, {"units", "SI"}, {"outputs", sweep.outputs}};
-  const SweepCounts counts = counts_of(sweep, known);
-  json["counts"] = {{"runs", counts.runs},         {"missing", counts.missing},   {"finished", counts.finished},
-                    {"unusable", counts.unusable}, {"diverged", counts.diverged}, {"refused", counts.refused},
-                    {"limited", counts.limited}};
+  json["counts"] = counts_of(sweep, known).json();
   json["runs"] = Json::array();
   for_each_result(sweep, known, [&](std::size_t number, const SweptRun& run, const SweepResult& result) {
     Json row{{"number", number}};

@@ -1,6 +1,11 @@
 #pragma once
 
+#include <array>
+#include <cstddef>
+#include <nlohmann/json_fwd.hpp>
+#include <numeric>
 #include <string>
+#include <string_view>
 
 #include "solver/app/sweep/sweep_folder.hpp"
 
@@ -8,10 +13,18 @@ namespace talus::app {
 
 /// Number of runs by their ends.
 struct SweepCounts {
-  std::size_t runs{}, missing{}, finished{}, unusable{}, diverged{}, refused{}, limited{};
+  std::size_t runs{};
+  std::array<std::size_t, Names<SweepEnd>::list.size()> ends{};  ///< by SweepEnd
 
-  [[nodiscard]] std::size_t done() const { return runs - missing; }
-  [[nodiscard]] std::size_t failed() const { return unusable + diverged + refused + limited; }
+  [[nodiscard]] std::size_t done() const { return std::accumulate(ends.begin(), ends.end(), std::size_t{0}); }
+  [[nodiscard]] std::size_t missing() const { return runs - done(); }
+  [[nodiscard]] std::size_t finished() const { return ends[static_cast<std::size_t>(SweepEnd::finished)]; }
+  [[nodiscard]] std::size_t failed() const { return done() - finished(); }
+
+  /// "64 of 64 runs done: 60 finished, 4 diverged"; `what` follows "runs".
+  [[nodiscard]] std::string text(std::string_view what) const;
+  /// Members `runs`, `missing`, and one for each end.
+  [[nodiscard]] nlohmann::ordered_json json() const;
 };
 [[nodiscard]] SweepCounts counts_of(const SweepFolder& sweep, const KnownResults& known);
 
