@@ -37,7 +37,8 @@ void describe(CLI::App& talus) {
       "  talus list fields                            every field that a scene can hold, with its dimension\n"
       "Exit statuses: 0 done, 2 wrong input or usage, 3 the run failed numerically, 4 a file cannot be read or "
       "written, 5 "
-      "no method gives the required accuracy, 7 the results are NOT USABLE or, of check, the step is beyond its limit "
+      "no method gives the required accuracy, 6 some runs of a sweep failed, 7 the results are NOT USABLE or, of "
+      "check, the step is beyond its limit "
       "or the run would end at its start, 128 + n stopped by signal n and saved to be resumed.");
   talus.set_version_flag("--version", std::string{"talus "} + TALUS_VERSION, "Print the version and exit");
   talus.require_subcommand(1);
