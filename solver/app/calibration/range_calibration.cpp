@@ -239,9 +239,11 @@ void print_json(const RangeCalibration& found, const CalibrateOptions& options) 
   json["shortest_undamped_contact_time"] = found.undamped_time;
   if (found.step) {
     json["step"] = found.step->step;
+    json["step_row"] = found.step->pair + 1;
     json["restitution_error"] = found.step->largest_error;
   } else {
     json["step"] = nullptr;
+    json["step_row"] = nullptr;
     json["restitution_error"] = nullptr;
   }
   add_rayleigh_time(json, found.rayleigh);

@@ -202,7 +202,7 @@ double relative_error(double found, double exact) { return found == exact ? 0.0 
 /// Worst errors over all ranges.
 struct Worst {
   double mass{}, damping{}, restitution{}, deviation{}, undamped{}, minimax{}, search{}, given{}, printed{}, csv{},
-      drawn{}, run{}, finer{}, coarser{1.0};
+      drawn{}, run{}, finer{}, coarser{1.0}, row{1.0};
 };
 
 std::vector<std::string> tokens_of(const std::string& line) {
@@ -269,7 +269,7 @@ void compare_json(const Range& range, const Json& json, const Setup& setup, Wors
   differ.compare("units", json.at("units").get<std::string>(), std::string{"SI"});
   const bool has_radius =
       std::ranges::any_of(range.options, [](const Option& each) { return each.first == "--radius"; });
-  std::size_t members = 11;
+  std::size_t members = 12;
   if (common.is_hertz()) {
     differ.compare("modulus", json.at("modulus").get<double>(), common.stiffness);
     differ.compare("dashpot", json.at("dashpot").get<std::string>(),
@@ -332,10 +332,13 @@ void compare_text(const Range& range, const std::string& printed, const Json& js
   keep_worst(worst.printed, relative_error(number_after(printed, "step over shortest undamped contact time ") *
                                                json.at("shortest_undamped_contact_time").get<double>(),
                                            step));
-  differ.compare("printed method and bound",
-                 printed.find("with velocity_verlet; row ") != std::string::npos &&
-                     printed.find(fmt::format("required {}\n", step_bound)) != std::string::npos,
-                 true);
+  differ.compare(
+      "printed method, row and bound",
+      printed.find(fmt::format("with velocity_verlet; row {} requires it; ", json.at("step_row").get<int>())) !=
+              std::string::npos &&
+          printed.find(fmt::format("is at most {:.3g}, required {}\n", json.at("restitution_error").get<double>(),
+                                   step_bound)) != std::string::npos,
+      true);
   keep_worst(worst.printed, relative_error(number_after(printed, "\n  " + parameter + " = \"") * size, used));
   const std::string every = range.common.varies() ? " at one speed" : ", whatever the bodies and the speed";
   const std::string speed = range.common.varies() ? " and restitution_speed, that speed," : "";
@@ -412,6 +415,13 @@ void compare_given(const Range& range, const Program& program, const Environment
                  true);
   const std::string printed = program.run({"calibrate"}, options);
   keep_worst(worst.printed, number_after(printed, parameter + ", as given ") / given - 1.0);
+  const auto deviation_on_line = [&](const std::string& start) {
+    return number_after(printed.substr(printed.find(parameter + start)), "deviate by at most ");
+  };
+  keep_worst(worst.printed,
+             relative_error(deviation_on_line(", as given "), json.at("largest_deviation").get<double>()));
+  keep_worst(worst.printed,
+             relative_error(deviation_on_line(", minimax "), json.at("minimax_deviation").get<double>()));
 }
 
 /// The lines for a scene of one pair, from the text of a range.
@@ -431,14 +441,17 @@ void compare_step(const Range& range, const Program& program, const std::string&
   const double used = json.at(parameter).get<double>(), step = json.at("step").get<double>();
   const std::vector<double> restitution = member(json, "restitution");
   const std::string value = fmt::format("{} {}", used, range.common.is_hunt_crossley() ? "s/m" : "N s/m");
-  double shortest = std::numeric_limits<double>::infinity();
+  const std::size_t row = json.at("step_row").get<std::size_t>() - 1;
+  double shortest = std::numeric_limits<double>::infinity(), of_row = shortest;
   for (std::size_t i = 0; i < range.pairs.size(); ++i) {
     if (restitution[i] == 0.0) continue;  // no end
     const ImpactRequest& pair = range.pairs[i];
     Options alone = options_of(pair, step_bound);
     alone.push_back({"--" + parameter, {value}});
     const std::string printed = program.run({"calibrate"}, alone);
-    shortest = std::min(shortest, number_after(printed, "\n  step "));
+    const double step_alone = number_after(printed, "\n  step ");
+    shortest = std::min(shortest, step_alone);
+    if (i == row) of_row = step_alone;
     const ExactImpact exact{used, number_after(printed, "\n  contact time "),
                             number_after(printed, "largest overlap at that speed ")};
     keep_worst(worst.run, restitution_of_run(program, pair, lines_of_pair(text, pair), step, exact) - restitution[i]);
@@ -446,6 +459,7 @@ void compare_step(const Range& range, const Program& program, const std::string&
   if (!std::isfinite(shortest)) return;
   keep_worst(worst.finer, std::max(0.0, shortest / step - 1.0));
   worst.coarser = std::max(worst.coarser, step / shortest);
+  worst.row = std::max(worst.row, of_row / shortest);
 }
 
 /// Wrong ranges, each with the end of its message.
@@ -557,6 +571,8 @@ void check_ranges(const Program& program, Findings& findings) {
   findings.expect_between("ranges: step over that of the pair that needs the shortest one alone, largest ratio",
                           worst.coarser, 1.0 - 1e-8, 2.1,
                           "alone, steps are tried in powers of two; in a range a pair has any number of steps");
+  findings.expect_between("ranges: step alone of the row named for the step over the shortest of all, largest ratio",
+                          worst.row, 1.0, 2.1, "as above; a pair that requires no such step is far beyond it");
   findings.expect("ranges: smallest largest deviation, largest error", worst.minimax, 0.0,
                   Tolerance::model(1e-13, "as the restitutions"));
   findings.expect_between("ranges: largest deviation with the minimax dashpot less that by a search", worst.search,
