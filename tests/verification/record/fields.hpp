@@ -20,8 +20,9 @@ inline void collect(const talus::records::Json& value, const std::string& path,
                     const talus::records::Json::json_pointer& pointer, std::vector<Field>& fields) {
   if (value.is_object()) {
     for (const auto& item : value.items()) {
-      fields.push_back({path + "." + item.key(), item.key(), pointer / item.key()});
-      collect(item.value(), fields.back().path, pointer / item.key(), fields);
+      const std::string path_of_item = path + "." + item.key();
+      fields.push_back({path_of_item, item.key(), pointer / item.key()});
+      collect(item.value(), path_of_item, pointer / item.key(), fields);
     }
   } else if (value.is_array()) {
     for (std::size_t i = 0; i < value.size(); ++i)
