@@ -1,5 +1,5 @@
 # Thin: each goal is a script, and the scripts install what is missing.
-.PHONY: help verify verify-full test fuzz faults mutants interface nightly guide bench bench-discs format clean
+.PHONY: help verify verify-full test fuzz faults mutants interface nightly guide packages bench bench-discs format clean
 
 help:  ## this list
 	@sed -n 's/^\([a-z-]*\):.*## /  make \1\t/p' Makefile
@@ -30,6 +30,9 @@ fuzz:  ## mutated files for every reader, with the sanitizers; an hour (scripts/
 
 guide:  ## build/guide/index.html and guide.pdf from README.md and docs/
 	@scripts/guide
+
+packages:  ## build/packages/*.deb: program, library and guide for Debian 12
+	@scripts/packages
 
 bench:  ## microseconds per step and work-precision tables
 	@scripts/bench

@@ -18,7 +18,7 @@
 namespace talus::app {
 namespace {
 
-void describe(CLI::App& talus) {
+void describe(CLI::App& talus, const std::string& version) {
   talus.description(
       "Talus: a 2-D discrete element code for rockfall fences and sheared granular cells.\n"
       "Bodies, tension-only cables and contacts, described in a scene file (TOML, quantities with units).");
@@ -40,7 +40,7 @@ void describe(CLI::App& talus) {
       "no method gives the required accuracy, 6 some runs of a sweep failed, 7 the results are NOT USABLE or, of "
       "check, the step is beyond its limit "
       "or the run would end at its start, 128 + n stopped by signal n and saved to be resumed.");
-  talus.set_version_flag("--version", std::string{"talus "} + TALUS_VERSION, "Print the version and exit");
+  talus.set_version_flag("--version", version, "Print the version, the revision and the build, and exit");
   talus.require_subcommand(1);
 }
 
@@ -68,7 +68,7 @@ int work(const std::vector<Command>& commands) {
   }
 }
 
-int parse_and_work(int count, const char* const* arguments) {
+int parse_and_work(const std::string& version, int count, const char* const* arguments) {
   for (int i = 1; i < count; ++i) {
     if (is_utf8(arguments[i])) continue;
     return report(bad_input, fmt::format("found \"{}\", which is not UTF-8; what names files and titles must be, since "
@@ -76,12 +76,13 @@ int parse_and_work(int count, const char* const* arguments) {
                                          as_utf8(arguments[i])));
   }
   CLI::App talus{"", "talus"};
-  describe(talus);
+  describe(talus, version);
   const std::vector<Command> commands{add_run(talus),
                                       add_check(talus),
                                       add_advise(talus),
                                       add_calibrate(talus, draw),
                                       add_cell(talus),
+                                      add_completion(talus),
                                       add_convert(talus),
                                       add_export(talus),
                                       add_plot(talus, draw),
@@ -146,9 +147,9 @@ std::string shell_word(const std::string& word) {
   return quoted + "'";
 }
 
-int run_command_line(int count, const char* const* arguments) {
+int run_command_line(const std::string& version, int count, const char* const* arguments) {
   try {
-    return parse_and_work(count, arguments);
+    return parse_and_work(version, count, arguments);
   } catch (const std::bad_alloc&) {
     std::fputs("talus: out of memory\n", stderr);  // no fmt::format: it allocates memory
     return io_failed;

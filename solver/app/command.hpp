@@ -25,6 +25,7 @@ struct Command {
 [[nodiscard]] Command add_check(CLI::App& talus);
 [[nodiscard]] Command add_advise(CLI::App& talus);
 [[nodiscard]] Command add_cell(CLI::App& talus);
+[[nodiscard]] Command add_completion(CLI::App& talus);
 [[nodiscard]] Command add_convert(CLI::App& talus);
 [[nodiscard]] Command add_export(CLI::App& talus);
 [[nodiscard]] Command add_study(CLI::App& talus);
@@ -48,6 +49,7 @@ void print_failure(std::string_view message);
 [[nodiscard]] std::string shell_word(const std::string& word);
 
 /// The whole program: parses the command line, executes the command, converts errors to messages and exit statuses.
-[[nodiscard]] int run_command_line(int count, const char* const* arguments);
+/// `version` is what --version prints.
+[[nodiscard]] int run_command_line(const std::string& version, int count, const char* const* arguments);
 
 }  // namespace talus::app

@@ -9,6 +9,7 @@
 
 #include "solver/app/command.hpp"
 #include "solver/base/exit_code.hpp"
+#include "solver/version/version.hpp"
 
 namespace {
 
@@ -39,5 +40,5 @@ int main(int count, char** arguments) {
   occupy_closed_streams();
   // Exceeding a file size limit then is a write error with a message and clean-up, instead of ending the program.
   std::signal(SIGXFSZ, SIG_IGN);
-  return talus::app::run_command_line(count, arguments);
+  return talus::app::run_command_line(talus::version_text("talus"), count, arguments);
 }

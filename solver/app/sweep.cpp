@@ -333,6 +333,17 @@ Command add_sweep(CLI::App& talus) {
   CLI::App* const app = talus.add_subcommand("sweep", "Run a scene many times with changed fields and collect numbers");
   const auto options = std::make_shared<SweepOptions>();
   app->require_subcommand(1);
+  // Before its commands are added, which take it over.
+  app->footer(
+      "Examples:\n"
+      "  talus sweep plan cases/sweeps/rock.toml --out rock\n"
+      "  talus sweep run rock\n"
+      "  talus sweep run rock --shard 1/4             a quarter of the runs, e.g. on one of four machines\n"
+      "  talus sweep submit rock --engine slurm --parts 100 --option=--time=1:00:00\n"
+      "  talus sweep collect rock                     rock/results.csv, rock/results.json\n"
+      "A run that diverges, is refused or reaches a limit is a row with its reason. `run` can be stopped at any time "
+      "and\n"
+      "started again. Exit statuses: 6 some runs failed, 3 all did.");
   CLI::App* const plan_app = app->add_subcommand("plan", "List the runs of a sweep and estimate their cost");
   plan_app->add_option("SWEEP", options->file, "the sweep (.toml): base, axes, outputs")->required();
   plan_app->add_option("--out", options->folder,
@@ -365,16 +376,6 @@ Command add_sweep(CLI::App& talus) {
       app->add_subcommand("collect", "Write results.csv and results.json, in the order of the plan");
   add_folder(*collect_app, *options);
   collect_app->add_flag("--partial", options->partial, "accept missing runs, and runs with several results");
-  app->footer(
-      "Examples:\n"
-      "  talus sweep plan cases/sweeps/rock.toml --out rock\n"
-      "  talus sweep run rock\n"
-      "  talus sweep run rock --shard 1/4             a quarter of the runs, e.g. on one of four machines\n"
-      "  talus sweep submit rock --engine slurm --parts 100 --option=--time=1:00:00\n"
-      "  talus sweep collect rock                     rock/results.csv, rock/results.json\n"
-      "A run that diverges, is refused or reaches a limit is a row with its reason. `run` can be stopped at any time "
-      "and\n"
-      "started again. Exit statuses: 6 some runs failed, 3 all did.");
   return {app, [=] {
             if (plan_app->parsed()) return plan(*options);
             if (run_app->parsed()) return run(*options);

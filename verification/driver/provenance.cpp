@@ -8,6 +8,7 @@
 #include <ctime>
 #include <fstream>
 
+#include "solver/version/version.hpp"
 #include "verification/driver/build_facts.hpp"
 
 namespace talus::verification {

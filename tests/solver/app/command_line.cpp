@@ -19,25 +19,29 @@
 // The built program from end to end: exit statuses, messages, files.
 
 BOOST_AUTO_TEST_CASE(help_and_version) {
-  for (const std::string command : {"run", "check", "advise", "calibrate", "cell", "convert", "plot", "snapshot",
-                                    "animate", "study", "sweep", "list", "new"}) {
+  for (const std::string command : {"run", "check", "advise", "calibrate", "cell", "completion", "convert", "plot",
+                                    "snapshot", "animate", "study", "sweep", "list", "new"}) {
     const Ended help = talus_ran({command, "--help"});
     BOOST_TEST(help.code == 0);
     BOOST_TEST(holds(help.out, "Example"));
     BOOST_TEST(holds(talus_ran({"--help"}).out, "\n  " + command));
   }
-  BOOST_TEST(talus_ran({"--version"}).out.rfind("talus ", 0) == 0U);
+  const Ended version = talus_ran({"--version"});
+  BOOST_TEST(holds(version.out, "talus 0.1.0\nrevision "));
+  BOOST_TEST(holds(version.out, "\nbuild "));
 }
 
 BOOST_AUTO_TEST_CASE(wrong_command_lines) {
   const std::vector<std::pair<std::vector<std::string>, std::string>> wrong{
       {{},
-       "talus: a command is missing; known: run, check, advise, calibrate, cell, convert, export, plot, snapshot, "
+       "talus: a command is missing; known: run, check, advise, calibrate, cell, completion, convert, export, plot, "
+       "snapshot, "
        "animate, "
        "study, sweep, list, new\nhelp: talus "
        "--help\n"},
       {{"rnu"},
-       "talus: command 'rnu' is not known; nearest: run; known: run, check, advise, calibrate, cell, convert, export, "
+       "talus: command 'rnu' is not known; nearest: run; known: run, check, advise, calibrate, cell, completion, "
+       "convert, export, "
        "plot, "
        "snapshot, animate, study, sweep, list, new\n"
        "help: talus --help\n"},
@@ -132,7 +136,8 @@ BOOST_AUTO_TEST_CASE(wrong_command_lines) {
       {{"new", "fens"}, "talus: kind of scene 'fens' is not known; nearest: fence; known: fence, scene, cell\n"},
       {{"new", "cell", "--units", "si"}, "talus: unit system 'si' is not known; nearest: SI; known: SI, US\n"},
       {{"list", "law"},
-       "talus: topic 'law' is not known; nearest: laws; known: integrators, laws, shapes, units, fields\n"}};
+       "talus: topic 'law' is not known; nearest: laws; known: integrators, laws, shapes, units, fields\n"},
+      {{"completion", "zish"}, "talus: shell 'zish' is not known; nearest: zsh; known: bash, zsh, fish\n"}};
   for (const auto& [arguments, message] : wrong) {
     const Ended ended = talus_ran(arguments);
     BOOST_TEST(ended.code == 2);

@@ -390,7 +390,7 @@ BOOST_AUTO_TEST_CASE(numbers_have_points_in_every_locale) {
     std::vector<const char*> arguments;
     for (const std::string& word : program_arguments)
       arguments.push_back(word.c_str());
-    BOOST_TEST(talus::app::run_command_line(static_cast<int>(arguments.size()), arguments.data()) == 0);
+    BOOST_TEST(talus::app::run_command_line("", static_cast<int>(arguments.size()), arguments.data()) == 0);
     undisturbed->same(out);
   }
   std::locale::global(before);

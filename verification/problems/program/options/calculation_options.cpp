@@ -339,9 +339,20 @@ void check_other_commands(const Program& program, Differences& differ) {
   }
   const ProgramEnd version = program.end({}, {{"--version", {}}});
   differ.compare("version: exit status", version.exit_code, 0);
-  differ.compare("version: text", version.output.starts_with("talus ") && version.output.size() < 20, true);
-  for (const std::string command : {"run", "check", "advise", "calibrate", "cell", "convert", "export", "plot",
-                                    "snapshot", "animate", "study", "list", "new"}) {
+  // talus 0.1.0, revision and build, a line each
+  differ.compare("version: lines", static_cast<int>(std::ranges::count(version.output, '\n')), 3);
+  differ.compare("version: text",
+                 version.output.starts_with("talus ") && version.output.find("\nrevision ") != std::string::npos &&
+                     version.output.find("\nbuild ") != std::string::npos,
+                 true);
+  for (const std::string shell : {"bash", "zsh", "fish"}) {
+    const std::string script = run_talus(program.folder(), {"completion", shell}).output;
+    for (const std::string word : {"calibrate", "sweep", "collect", "restitution"})
+      differ.compare("completion by " + shell + ": " + word, script.find(word) != std::string::npos, true);
+  }
+  differ.compare("completion by another shell", run_talus(program.folder(), {"completion", "csh"}).exit_code, 2);
+  for (const std::string command : {"run", "check", "advise", "calibrate", "cell", "completion", "convert", "export",
+                                    "plot", "snapshot", "animate", "study", "list", "new"}) {
     const ProgramEnd help = run_talus(program.folder(), {command, "--help"});
     differ.compare("help of " + command,
                    help.exit_code == 0 && help.output.find("Usage: talus " + command) != std::string::npos, true);

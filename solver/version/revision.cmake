@@ -12,12 +12,12 @@ else()
 endif()
 file(CONFIGURE OUTPUT ${OUT} CONTENT [[
 // Generated at build time: the commit that the sources belong to.
-#include "verification/driver/build_facts.hpp"
+#include "solver/version/version.hpp"
 
-namespace talus::verification {
+namespace talus {
 
 const char* const source_revision = "@revision@";
 const bool source_dirty = @dirty@;
 
-}  // namespace talus::verification
+}  // namespace talus
 ]] @ONLY)

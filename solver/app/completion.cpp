@@ -1,0 +1,43 @@
+#include "solver/command_line/completion.hpp"
+
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <array>
+#include <memory>
+#include <utility>
+
+#include "solver/app/command.hpp"
+#include "solver/base/error.hpp"
+
+namespace talus::app {
+namespace {
+
+constexpr std::array<std::pair<const char*, Shell>, 3> shells{
+    {{"bash", Shell::bash}, {"zsh", Shell::zsh}, {"fish", Shell::fish}}};
+
+int print_completion(const CLI::App& talus, const std::string& wanted) {
+  std::vector<std::string> names;
+  for (const auto& [name, shell] : shells) {
+    names.emplace_back(name);
+    if (wanted != name) continue;
+    fmt::print("{}", completion(talus, shell));
+    return ok;
+  }
+  throw unknown_name("shell", wanted, names);
+}
+
+}  // namespace
+
+Command add_completion(CLI::App& talus) {
+  CLI::App* app = talus.add_subcommand("completion", "Print a script that makes a shell complete commands and options");
+  const auto shell = std::make_shared<std::string>();
+  app->add_option("shell", *shell, "bash, zsh or fish")->required();
+  app->footer(
+      "Example:\n"
+      "  source <(talus completion bash)     in ~/.bashrc, for each shell from then on; or for all users:\n"
+      "  talus completion fish > /usr/share/fish/vendor_completions.d/talus.fish");
+  return {app, [&talus, shell] { return print_completion(talus, *shell); }};
+}
+
+}  // namespace talus::app
