@@ -16,6 +16,7 @@
 #include "solver/app/run/start_warnings.hpp"
 #include "solver/base/error.hpp"
 #include "solver/base/progress.hpp"
+#include "solver/command_line/shell_word.hpp"
 #include "solver/dynamics/rigid_body_system.hpp"
 #include "solver/integrate/integrator_list.hpp"
 #include "solver/io/cell/read_cell.hpp"

@@ -6,7 +6,6 @@
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
-#include <cctype>
 #include <charconv>
 #include <cstdio>
 #include <vector>
@@ -133,18 +132,6 @@ void print_failure(std::string_view message) {
   // Write errors of stderr are ignored: they lose the message, not the run.
   std::fputs(lines.c_str(), stderr);
   std::fflush(stderr);
-}
-
-std::string shell_word(const std::string& word) {
-  const auto is_plain = [](char c) {
-    const auto byte = static_cast<unsigned char>(c);
-    return byte >= 0x80 || std::isalnum(byte) != 0 || std::string_view{"/._-+,:=@%"}.find(c) != std::string_view::npos;
-  };
-  if (!word.empty() && std::all_of(word.begin(), word.end(), is_plain)) return word;
-  std::string quoted = "'";
-  for (const char c : word)
-    quoted += c == '\'' ? "'\\''" : std::string{c};
-  return quoted + "'";
 }
 
 int run_command_line(const std::string& version, int count, const char* const* arguments) {

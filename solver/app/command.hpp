@@ -44,10 +44,6 @@ struct Command {
 /// Prints an error or a warning to stderr, in red on a terminal unless NO_COLOR is set.
 void print_failure(std::string_view message);
 
-/// A word of a printed command, quoted for a shell if it contains characters other than letters, digits, bytes of UTF-8
-/// and `/ . _ - + , : = @ %`.
-[[nodiscard]] std::string shell_word(const std::string& word);
-
 /// The whole program: parses the command line, executes the command, converts errors to messages and exit statuses.
 /// `version` is what --version prints.
 [[nodiscard]] int run_command_line(const std::string& version, int count, const char* const* arguments);

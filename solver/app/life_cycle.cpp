@@ -10,6 +10,7 @@
 #include "solver/app/command.hpp"
 #include "solver/app/interruption.hpp"
 #include "solver/app/outputs/run_outputs.hpp"
+#include "solver/command_line/shell_word.hpp"
 #include "solver/io/file/atomic_file.hpp"
 #include "solver/io/file/folder_lock.hpp"
 #include "solver/io/file/json_text.hpp"

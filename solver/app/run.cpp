@@ -11,6 +11,7 @@
 #include "solver/app/run/second_run.hpp"
 #include "solver/app/run/start_warnings.hpp"
 #include "solver/app/scene_request.hpp"
+#include "solver/command_line/shell_word.hpp"
 #include "solver/draw/drawing.hpp"
 #include "solver/io/output/write_summary.hpp"
 #include "solver/stability/step_advice.hpp"

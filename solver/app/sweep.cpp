@@ -21,6 +21,7 @@
 #include "solver/app/sweep/sweep_table.hpp"
 #include "solver/base/error.hpp"
 #include "solver/base/progress.hpp"
+#include "solver/command_line/shell_word.hpp"
 #include "solver/io/fence_file.hpp"
 #include "solver/io/file/atomic_file.hpp"
 #include "solver/io/file/folder_lock.hpp"

@@ -6,6 +6,8 @@
 #include <string_view>
 #include <vector>
 
+#include "solver/command_line/shell_word.hpp"
+
 namespace talus {
 namespace {
 
@@ -15,10 +17,9 @@ struct CompletedOption {
   bool takes_value{};
 };
 
-/// A command, or the program, whose path is empty.
+/// A command, or the program.
 struct CompletedCommand {
-  std::string path;  ///< names from the program's first command on, separated by spaces
-  std::string parent;
+  std::string path;  ///< of the program "", of a command the path that it is in, a space and its name
   std::string name, meaning;
   std::vector<CompletedOption> options;
   std::vector<std::size_t> commands;  ///< indices of those that it has
@@ -39,57 +40,43 @@ std::vector<CompletedOption> options_of(const CLI::App& app) {
   return found;
 }
 
-void collect(const CLI::App& app, const std::string& path, const std::string& parent,
-             std::vector<CompletedCommand>& found) {
+void collect(const CLI::App& app, const std::string& path, std::vector<CompletedCommand>& found) {
   const std::size_t at = found.size();
-  found.push_back({path, parent, app.get_name(), first_line(app.get_description()), options_of(app), {}});
+  found.push_back({path, app.get_name(), first_line(app.get_description()), options_of(app), {}});
   for (const CLI::App* inner : app.get_subcommands([](const CLI::App*) { return true; })) {
     found[at].commands.push_back(found.size());
-    collect(*inner, path.empty() ? inner->get_name() : path + " " + inner->get_name(), path, found);
+    collect(*inner, path + " " + inner->get_name(), found);
   }
 }
 
-std::string replaced(const std::string& text, std::string_view characters, std::string_view before) {
-  std::string escaped;
-  for (const char c : text) {
-    if (characters.find(c) != std::string_view::npos) escaped += before;
-    escaped += c;
-  }
-  return escaped;
+/// The paths of all commands in single quotes, with a separator between them.
+std::string quoted_paths(const std::vector<CompletedCommand>& commands, std::string_view separator) {
+  std::string paths;
+  for (const CompletedCommand& each : commands)
+    if (!each.path.empty()) paths += (paths.empty() ? "" : std::string{separator}) + single_quoted(each.path);
+  return paths;
 }
 
-/// The text in single quotes of bash and zsh.
-std::string in_quotes(const std::string& text) {
-  std::string all = "'";
-  for (const char c : text)
-    all += c == '\'' ? "'\\''" : std::string{c};
-  return all + "'";
-}
-
-/// Lines of a `case` of bash and zsh that finds the command: each assigns a path to `command`.
-std::string path_cases(const std::vector<CompletedCommand>& commands, std::string_view indent) {
-  std::string lines;
-  for (const CompletedCommand& each : commands) {
-    if (each.path.empty()) continue;
-    lines +=
-        fmt::format("{}{}) command={} ;;\n", indent, in_quotes(each.parent + " " + each.name), in_quotes(each.path));
-  }
-  return lines;
+/// The start of the function of bash and zsh: finds the path of the command before the word to complete, which is
+/// number `last` of the array `typed`, whose first word after the program is number `first`.
+std::string path_search(const std::vector<CompletedCommand>& commands, const std::string& program,
+                        std::string_view typed, std::string_view last, int first) {
+  return fmt::format(
+      "_{}() {{\n"
+      "  local command= i\n"
+      "  for ((i = {}; i < {}; ++i)); do\n"
+      "    case \"$command ${{{}[i]}}\" in\n"
+      "      {}) command+=\" ${{{}[i]}}\" ;;\n"
+      "    esac\n"
+      "  done\n",
+      program, first, last, typed, quoted_paths(commands, " | "), typed);
 }
 
 std::string bash_script(const std::vector<CompletedCommand>& commands, const std::string& program) {
-  std::string script = fmt::format(
-      "# bash completion of {0}\n"
-      "_{0}() {{\n"
-      "  local word=${{COMP_WORDS[COMP_CWORD]}} command= i\n"
-      "  for ((i = 1; i < COMP_CWORD; ++i)); do\n"
-      "    case \"$command ${{COMP_WORDS[i]}}\" in\n"
-      "{1}"
-      "    esac\n"
-      "  done\n"
-      "  local commands= options=\n"
-      "  case \"$command\" in\n",
-      program, path_cases(commands, "      "));
+  std::string script = fmt::format("# bash completion of {}\n", program) +
+                       path_search(commands, program, "COMP_WORDS", "COMP_CWORD", 1) +
+                       "  local word=${COMP_WORDS[COMP_CWORD]} commands= options=\n"
+                       "  case \"$command\" in\n";
   for (const CompletedCommand& each : commands) {
     std::string names, options;
     for (const std::size_t inner : each.commands)
@@ -97,8 +84,8 @@ std::string bash_script(const std::vector<CompletedCommand>& commands, const std
     for (const CompletedOption& option : each.options)
       for (const std::string& name : option.names)
         options += (options.empty() ? "" : " ") + name;
-    script +=
-        fmt::format("    {}) commands={} options={} ;;\n", in_quotes(each.path), in_quotes(names), in_quotes(options));
+    script += fmt::format("    {}) commands={} options={} ;;\n", single_quoted(each.path), single_quoted(names),
+                          single_quoted(options));
   }
   script += fmt::format(
       "  esac\n"
@@ -111,27 +98,18 @@ std::string bash_script(const std::vector<CompletedCommand>& commands, const std
 }
 
 std::string zsh_script(const std::vector<CompletedCommand>& commands, const std::string& program) {
-  std::string script = fmt::format(
-      "#compdef {0}\n"
-      "# zsh completion of {0}\n"
-      "_{0}() {{\n"
-      "  local command= i\n"
-      "  for ((i = 2; i < CURRENT; ++i)); do\n"
-      "    case \"$command ${{words[i]}}\" in\n"
-      "{1}"
-      "    esac\n"
-      "  done\n"
-      "  local -a commands options\n"
-      "  case \"$command\" in\n",
-      program, path_cases(commands, "      "));
+  std::string script = fmt::format("#compdef {0}\n# zsh completion of {0}\n", program) +
+                       path_search(commands, program, "words", "CURRENT", 2) +
+                       "  local -a commands options\n"
+                       "  case \"$command\" in\n";
   for (const CompletedCommand& each : commands) {
-    script += fmt::format("    {})\n      commands=(", in_quotes(each.path));
+    script += fmt::format("    {})\n      commands=(", single_quoted(each.path));
     for (const std::size_t inner : each.commands)
-      script += "\n        " + in_quotes(commands[inner].name + ":" + commands[inner].meaning);
+      script += "\n        " + single_quoted(commands[inner].name + ":" + commands[inner].meaning);
     script += ")\n      options=(";
     for (const CompletedOption& option : each.options)
       for (const std::string& name : option.names)
-        script += "\n        " + in_quotes(name + ":" + option.meaning);
+        script += "\n        " + single_quoted(name + ":" + option.meaning);
     script += ") ;;\n";
   }
   script += fmt::format(
@@ -150,19 +128,21 @@ std::string zsh_script(const std::vector<CompletedCommand>& commands, const std:
 }
 
 std::string fish_script(const std::vector<CompletedCommand>& commands, const std::string& program) {
-  const auto text = [](const std::string& of) { return "'" + replaced(of, "'\\", "\\") + "'"; };
+  const auto text = [](const std::string& of) {
+    std::string quoted = "'";
+    for (const char c : of)
+      quoted += c == '\'' || c == '\\' ? std::string{'\\', c} : std::string{c};
+    return quoted + "'";
+  };
   std::string script = fmt::format(
       "# fish completion of {0}\n"
       "function __{0}_at --description 'whether this is the command on the line'\n"
       "  set -l command ''\n"
       "  for word in (commandline -opc)[2..-1]\n"
-      "    switch \"$command $word\"\n",
-      program);
-  for (const CompletedCommand& each : commands) {
-    if (each.path.empty()) continue;
-    script +=
-        fmt::format("      case {}\n        set command {}\n", text(each.parent + " " + each.name), text(each.path));
-  }
+      "    switch \"$command $word\"\n"
+      "      case {1}\n"
+      "        set command \"$command $word\"\n",
+      program, quoted_paths(commands, " "));
   script += "    end\n  end\n  test \"$command\" = \"$argv[1]\"\nend\n";
   for (const CompletedCommand& each : commands) {
     const std::string start = fmt::format("complete -c {} -n \"__{}_at {}\"", program, program, text(each.path));
@@ -182,7 +162,7 @@ std::string fish_script(const std::vector<CompletedCommand>& commands, const std
 
 std::string completion(const CLI::App& program, Shell shell) {
   std::vector<CompletedCommand> commands;
-  collect(program, "", "", commands);
+  collect(program, "", commands);
   const std::string& name = program.get_name();
   switch (shell) {
     case Shell::bash:

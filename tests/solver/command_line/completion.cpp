@@ -77,8 +77,8 @@ BOOST_AUTO_TEST_CASE(all_scripts_have_all_commands_and_options) {
   }
   const std::string zsh = completion(program.app, Shell::zsh), fish = completion(program.app, Shell::fish);
   BOOST_TEST(zsh.find("'go:Goes; it'\\''s [quick]: \"now\"'") != std::string::npos, zsh);
-  BOOST_TEST(fish.find("-n \"__prog_at 'go'\" -s o -l out -r -d 'where it writes'") != std::string::npos, fish);
-  BOOST_TEST(fish.find("-n \"__prog_at 'go'\" -l fast -d 'Quicker'") != std::string::npos, fish);
-  BOOST_TEST(fish.find("-n \"__prog_at 'many'\" -f -a plan -d 'Plans'") != std::string::npos, fish);
+  BOOST_TEST(fish.find("-n \"__prog_at ' go'\" -s o -l out -r -d 'where it writes'") != std::string::npos, fish);
+  BOOST_TEST(fish.find("-n \"__prog_at ' go'\" -l fast -d 'Quicker'") != std::string::npos, fish);
+  BOOST_TEST(fish.find("-n \"__prog_at ' many'\" -f -a plan -d 'Plans'") != std::string::npos, fish);
   BOOST_TEST(fish.find("-d 'Goes; it\\'s [quick]: \"now\"'") != std::string::npos, fish);
 }
