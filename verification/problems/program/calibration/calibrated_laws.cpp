@@ -42,7 +42,7 @@ void check_pairs(const Program& program, Findings& findings, const Setup& setup)
   Differences differ;
   ImpactDraw draw;
   double damping = 0.0, time = 0.0, undamped = 0.0, overlap = 0.0, reverse = 0.0, pasted = 0.0, fraction = 0.0;
-  const std::size_t count = setup.tier == Tier::full ? 200 : setup.coarse ? 8 : 20;
+  const std::size_t count = setup.tier == Tier::full ? 200 : setup.coarse ? 8 : 12;
   for (std::size_t number = 0; number < count; ++number) {
     const ImpactRequest request = with_lever(draw.request(number), number);
     const ExactImpact exact = exact_of(request);
