@@ -152,8 +152,22 @@ int calibrate_scene(const CalibrateOptions& options) {
   return ok;
 }
 
+/// Checks --write-scene before anything is computed. Errors: InputError
+void check_written_scene(const CalibrateOptions& options) {
+  const std::string& file = options.written_scene;
+  if (file.empty()) return;
+  if (options.law == LatchingSpring::name || gives_oblique(options) || gives_range(options)) {
+    throw InputError{
+        "--write-scene: only a single impact along the normal has this scene; latching_spring, oblique impacts and "
+        "ranges have none; remove it"};
+  }
+  if (std::filesystem::path{file}.extension() != ".toml")
+    throw InputError{fmt::format("--write-scene: found \"{}\"; it must be a scene file, .toml", file)};
+}
+
 /// Calibration without a scene, by the law of --law.
 int calibrate_law(const CalibrateOptions& options, const DrawingSink& sink) {
+  check_written_scene(options);
   if (options.law == LatchingSpring::name) return calibrate_latching(options);
   if (gives_oblique(options)) {
     for (const std::string& given : options.own_to_range)
@@ -303,6 +317,8 @@ Command add_calibrate(CLI::App& talus, const DrawingSink& sink) {
                                      "folder for the table of the pairs, or of the angles, and its drawing");
   add_format_option(*app, options->picture);
   app->get_option("--format")->needs(out);
+  app->add_option("--write-scene", options->written_scene,
+                  "file for a scene of this impact with the dashpot and the step: run it to see the restitution");
   app->add_option("--units", options->units, "SI or US, for the text; JSON is always SI");
   app->add_flag("--json", options->json, "print JSON, in SI units");
   app->footer(
@@ -322,7 +338,7 @@ Command add_calibrate(CLI::App& talus, const DrawingSink& sink) {
       "  talus calibrate --law latching_spring --restitution 0.7 --step 1e-7 --integrator euler");
   return {app, [app, options, sink] {
             for (const char* name : {"--law", "--end-rule", "--dashpot", "--poisson-ratio", "--spheres", "--speed",
-                                     "--step", "--bound", "--integrator", "--units"}) {
+                                     "--step", "--bound", "--integrator", "--write-scene", "--units"}) {
               if (app->get_option(name)->count() > 0) options->own_to_impact.emplace_back(name);
             }
             for (const char* name : {"--speeds", "--radii", "--density", "--pairs", "--out", "--format"})

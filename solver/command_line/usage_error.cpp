@@ -39,7 +39,13 @@ std::string message(const CLI::App& program, const CLI::ParseError& error) {
     return fmt::format("a command is missing; known: {}", fmt::join(commands, ", "));
   if (unexpected.empty()) return error.what();
   const std::string& first = unexpected.front();
-  if (first.front() == '-') return unknown_name("option", first, option_names(app)).what();
+  if (first.front() == '-') {
+    // A long list hides the nearest name; --help, which the next line names, prints it.
+    const std::vector<std::string> names = option_names(app);
+    constexpr std::size_t maximum_listed = 20;
+    if (names.size() <= maximum_listed) return unknown_name("option", first, names).what();
+    return fmt::format("option '{}' is not known; nearest: {}", first, nearest_name(first, names));
+  }
   if (!commands.empty()) return unknown_name("command", first, commands).what();
   return fmt::format("'{}' is one argument too many", first);
 }

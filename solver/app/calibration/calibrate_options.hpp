@@ -38,6 +38,7 @@ struct CalibrateOptions {
   std::string density;                          ///< of these spheres
   std::string pairs;                            ///< CSV file
   PictureOptions picture;                       ///< its folder receives the table and its drawing
+  std::string written_scene;                    ///< file for a scene of the impact
   std::string units{"SI"};
   bool json{false};
   std::vector<std::string> own_to_impact;   ///< given options that a scene replaces

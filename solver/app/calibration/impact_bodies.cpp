@@ -2,20 +2,16 @@
 
 #include <fmt/format.h>
 
-#include <optional>
-
 #include "solver/base/error.hpp"
 #include "solver/io/file/quantity_text.hpp"
-#include "solver/laws/restitution.hpp"
 
 namespace talus::app {
 namespace {
 
-/// The bodies of an impact, in SI units. Body 1 is fixed if it is empty.
-struct ImpactBodies {
-  std::optional<ContactSide> first;
-  ContactSide second;
-};
+/// Effective mass of one body that hits a fixed one: twice that against its own mirror image.
+double against_a_fixed_body(const ContactSide& side) { return 2.0 * effective_mass(side, side); }
+
+}  // namespace
 
 ImpactBodies bodies_of(const CalibrateOptions& options) {
   const auto mass = [&](const std::string& text) {
@@ -33,11 +29,6 @@ ImpactBodies bodies_of(const CalibrateOptions& options) {
   }
   return bodies;
 }
-
-/// Effective mass of one body that hits a fixed one: twice that against its own mirror image.
-double against_a_fixed_body(const ContactSide& side) { return 2.0 * effective_mass(side, side); }
-
-}  // namespace
 
 double effective_mass_of(const CalibrateOptions& options) {
   const ImpactBodies bodies = bodies_of(options);

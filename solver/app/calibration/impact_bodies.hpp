@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
@@ -7,8 +8,19 @@
 #include "solver/app/calibration/calibrate_options.hpp"
 #include "solver/base/units.hpp"
 #include "solver/calibrate/oblique_impact.hpp"
+#include "solver/laws/restitution.hpp"
 
 namespace talus::app {
+
+/// The bodies of an impact, in SI units. Body 1 is fixed if it is empty.
+struct ImpactBodies {
+  std::optional<ContactSide> first;
+  ContactSide second;
+};
+
+/// The bodies of --masses, --pivot and --offset, of which there is at least one mass. Errors: InputError naming the
+/// option.
+[[nodiscard]] ImpactBodies bodies_of(const CalibrateOptions& options);
 
 /// Effective mass of an impact of two bodies along the line of impact [kg], from --masses, --pivot and --offset.
 /// Body 2 is the last of --masses, to which --pivot or --offset applies; with one mass it is the only moving one, and

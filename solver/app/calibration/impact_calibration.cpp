@@ -2,12 +2,14 @@
 
 #include <fmt/format.h>
 
+#include <filesystem>
 #include <nlohmann/json.hpp>
 #include <optional>
 #include <variant>
 #include <vector>
 
 #include "solver/app/calibration/impact_bodies.hpp"
+#include "solver/app/calibration/impact_scene.hpp"
 #include "solver/app/calibration/law_options.hpp"
 #include "solver/app/calibration/rayleigh_times.hpp"
 #include "solver/base/error.hpp"
@@ -15,6 +17,8 @@
 #include "solver/base/progress.hpp"
 #include "solver/calibrate/impact.hpp"
 #include "solver/calibrate/impact_range.hpp"
+#include "solver/command_line/shell_word.hpp"
+#include "solver/io/file/atomic_file.hpp"
 #include "solver/io/file/quantity_text.hpp"
 
 namespace talus::app {
@@ -129,6 +133,16 @@ void print_text(const ImpactCalibration& found, const CalibrateOptions& options)
              at_speed, dissipation.name);
 }
 
+void write_scene(const ImpactCalibration& found, const CalibrateOptions& options) {
+  const ImpactSceneRequest request{found.law, found.speed, found.known.largest_overlap, found.known.contact_time,
+                                   found.step.step};
+  write_whole(options.written_scene, impact_scene(options, request, unit_system(options.units)));
+  if (options.json) return;
+  const std::filesystem::path file{options.written_scene};
+  fmt::print("to check it by a run: talus run {} --impacts --out {}\n", shell_word(file.string()),
+             shell_word((file.parent_path() / file.stem()).string()));
+}
+
 }  // namespace
 
 ContactLaw damped_law(const CalibrateOptions& options, ContactLaw law, double effective_mass, double speed) {
@@ -149,6 +163,7 @@ int calibrate_impact(const CalibrateOptions& options) {
   } else {
     print_text(found, options);
   }
+  if (!options.written_scene.empty()) write_scene(found, options);
   return ok;
 }
 

@@ -132,6 +132,26 @@ BOOST_AUTO_TEST_CASE(wrong_command_lines) {
        "talus: --speeds: the law 'latching_spring' does not use this option; remove it\n"},
       {{"calibrate", scene("two_cable.toml"), "--contact", "impact", "--restitution", "0.5", "--out", "never"},
        "talus: --out: a range of pairs has no scene; remove one of both\n"},
+      {{"calibrate", scene("two_cable.toml"), "--contact", "impact", "--restitution", "0.5", "--write-scene", "a.toml"},
+       "talus: --write-scene: given by the scene; remove it\n"},
+      {{"calibrate", "--law", "latching_spring", "--restitution", "0.5", "--step", "1e-7", "--write-scene", "a.toml"},
+       "talus: --write-scene: only a single impact along the normal has this scene; latching_spring, oblique impacts "
+       "and "
+       "ranges have none; remove it\n"},
+      {{"calibrate", "--restitution", "0.5", "--stiffness", "1 N/m", "--masses", "1 kg", "2 kg", "2", "--write-scene",
+        "a.toml"},
+       "talus: --write-scene: only a single impact along the normal has this scene; latching_spring, oblique impacts "
+       "and "
+       "ranges have none; remove it\n"},
+      {{"calibrate", "--restitution", "0.5", "--stiffness", "1 N/m", "--masses", "1 kg", "--angle", "9 deg",
+        "--spheres", "1 m", "--friction", "0.1", "--write-scene", "a.toml"},
+       "talus: --write-scene: only a single impact along the normal has this scene; latching_spring, oblique impacts "
+       "and "
+       "ranges have none; remove it\n"},
+      {{"calibrate", "--restitution", "0.5", "--stiffness", "1 N/m", "--masses", "1 kg", "--write-scene", "a.txt"},
+       "talus: --write-scene: found \"a.txt\"; it must be a scene file, .toml\n"},
+      {{"calibrate", "--restitusion", "0.5"},
+       "talus: option '--restitusion' is not known; nearest: --restitution\nhelp: talus calibrate --help\n"},
       {{"new"}, "talus: KIND is required\nhelp: talus new --help\n"},
       {{"new", "fens"}, "talus: kind of scene 'fens' is not known; nearest: fence; known: fence, scene, cell\n"},
       {{"new", "cell", "--units", "si"}, "talus: unit system 'si' is not known; nearest: SI; known: SI, US\n"},

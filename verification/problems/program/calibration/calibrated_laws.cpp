@@ -37,11 +37,23 @@ std::string lines_of(const std::string& printed, const std::string& parameter, b
   return lines + restitution + "\n";
 }
 
+/// Restitution of a run of the scene that the program writes for an impact, which names the command that runs it.
+double restitution_of_scene(const Program& program, const Setup& setup, const ImpactRequest& request, Options options,
+                            Differences& differ) {
+  options.push_back({"--write-scene", {"impact.toml"}});
+  const std::string printed = program.run({"calibrate"}, options);
+  const std::string last = "to check it by a run: talus run impact.toml --impacts --out impact\n";
+  differ.compare("command for the written scene", printed.ends_with(last), true);
+  const double arm = request.lever == Lever::none ? 0.0 : request.arm() * (setup.has("other_arm") ? 1.05 : 1.0);
+  return separation_of_run(program, "impact.toml", arm) / request.speed;
+}
+
 /// Calibrations of one pair.
 void check_pairs(const Program& program, Findings& findings, const Setup& setup) {
   Differences differ;
   ImpactDraw draw;
   double damping = 0.0, time = 0.0, undamped = 0.0, overlap = 0.0, reverse = 0.0, pasted = 0.0, fraction = 0.0;
+  double written = 0.0;
   const std::size_t count = setup.tier == Tier::full ? 200 : setup.coarse ? 8 : 12;
   for (std::size_t number = 0; number < count; ++number) {
     const ImpactRequest request = with_lever(draw.request(number), number);
@@ -71,6 +83,15 @@ void check_pairs(const Program& program, Findings& findings, const Setup& setup)
     const std::string lines = lines_of(printed, parameter, number % 8 > 3);
     keep_worst(pasted, restitution_of_run(program, request, lines, found.at("step").get<double>(), exact) -
                            request.restitution);
+    keep_worst(written, restitution_of_scene(program, setup, request, with({wanted}), differ) - request.restitution);
+    if (request.lever != Lever::none) {
+      // The same body 2 against a fixed body 1.
+      ImpactRequest alone = request;
+      alone.masses.erase(alone.masses.begin());
+      Options options = options_of(alone, bound);
+      options.push_back(wanted);
+      keep_worst(written, restitution_of_scene(program, setup, alone, options, differ) - request.restitution);
+    }
 
     differ.compare("law", found.at("law").get<std::string>(), request.law);
     differ.compare("speed", found.at("speed").get<double>(), request.speed);
@@ -123,6 +144,8 @@ void check_pairs(const Program& program, Findings& findings, const Setup& setup)
   findings.expect("restitution of a given damping, largest error", reverse, 0.0, integrated);
   findings.expect("restitution of runs with the printed lines, largest error", pasted, 0.0,
                   Tolerance::truncation(bound, 1.0, "the requested error with the advised step"));
+  findings.expect("restitution of runs of the written scenes, largest error", written, 0.0,
+                  Tolerance::truncation(bound, 1.0, "as with the printed lines"));
   differ.expect_none(findings, "members of the output that differ from the request", "numbers and texts");
 }
 
@@ -154,6 +177,8 @@ Case definition() {
           .faults = {{"without_speed", "speed of approach not given", damping},
                      {"without_dashpot", "dashpot not given", damping},
                      {"without_end_rule", "end rule not given", damping},
+                     {"other_arm", "arm of body 2 in the written scenes 5 % longer",
+                      "restitution of runs of the written scenes, largest error"},
                      {"without_units", "units of the table not given", wrong_ranges},
                      {"other_mass", "effective mass of a sphere against a wall in place of two spheres", of_pairs},
                      {"heavy_first", "masses of an axis in the reverse order",

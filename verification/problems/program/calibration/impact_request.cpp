@@ -163,6 +163,16 @@ double restitution_with(const ImpactRequest& request, double damping) {
   return reference::restitution(c / critical, request.rule);
 }
 
+double separation_of_run(const Program& program, const std::string& file, double arm) {
+  const records::Json state = program.json({"run", file}, {{"--json", {}}});
+  // Velocity of a body along the line of impact; body 2 turns about a point below it.
+  const auto velocity = [&](std::size_t which) {
+    const records::Json& body = state.at("bodies").at(which);
+    return body.at("velocity").at(0).get<double>() - (which == 1 ? body.at("spin").get<double>() * arm : 0.0);
+  };
+  return velocity(1) - velocity(0);
+}
+
 double restitution_of_run(const Program& program, const ImpactRequest& request, const std::string& lines, double step,
                           const ExactImpact& exact) {
   const double radius = 300.0 * exact.overlap, gap = 3.3 * step * request.speed;
@@ -194,13 +204,7 @@ double restitution_of_run(const Program& program, const ImpactRequest& request, 
                        "\"{1} s\"\nwatch = \"off\"\n",
                        step, 1.3 * exact.time + 8.0 * step);
   program.write("pasted.toml", scene);
-  const records::Json state = program.json({"run", "pasted.toml"}, {{"--json", {}}});
-  const auto velocity = [&](std::size_t which) {
-    return state.at("bodies").at(which).at("velocity").at(0).get<double>();
-  };
-  const double spin = request.lever == Lever::none ? 0.0 : state.at("bodies").at(1).at("spin").get<double>();
-  const double second = request.masses.size() > 1 ? velocity(1) - spin * request.arm() : 0.0;
-  return (second - velocity(0)) / request.speed;
+  return separation_of_run(program, "pasted.toml", request.lever == Lever::none ? 0.0 : request.arm()) / request.speed;
 }
 
 }  // namespace talus::verification::problems::calibrated_laws
