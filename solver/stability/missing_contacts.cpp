@@ -78,6 +78,14 @@ std::vector<UndeclaredOverlap> MissingContacts::new_overlaps(const Workspace& ge
   return found;
 }
 
+std::vector<UndeclaredOverlap> MissingContacts::returned() const {
+  std::vector<UndeclaredOverlap> found;
+  for (std::size_t p = 0; p < returned_.size(); ++p) {
+    if (returned_[p]) found.push_back({search_.pairs()[p].a, search_.pairs()[p].b, 0.0});
+  }
+  return found;
+}
+
 void MissingContacts::serialize(Archive& archive) {
   std::vector<double> positions, returned;
   const std::size_t bodies = dynamics_->model().bodies.size();

@@ -243,6 +243,10 @@ void RunMonitor::check_missing_contacts(double time, const Workspace& geometry) 
   }
 }
 
+std::vector<UndeclaredOverlap> RunMonitor::undeclared_overlaps() const {
+  return missing_contacts_ ? missing_contacts_->returned() : std::vector<UndeclaredOverlap>{};
+}
+
 void RunMonitor::check_contact_steps(const State& seen) {
   for (std::size_t i = 0; i < contact_times_.size(); ++i) {
     if (modes_[i] != 0 || seen.mode[i] == 0 || !std::isfinite(contact_times_[i])) continue;

@@ -75,6 +75,10 @@ class RunMonitor {
   const std::string& step_ratio() const { return step_ratio_; }
   bool step_is_beyond() const { return step_is_beyond_; }
 
+  /// Pairs of bodies without a contact that have overlapped, see MissingContacts; `ratio` is zero. At most
+  /// maximum_reported_pairs and those of the same step.
+  std::vector<UndeclaredOverlap> undeclared_overlaps() const;
+
   /// Why the run must end; empty while it may continue.
   const std::string& violation() const { return violation_; }
   /// Findings that do not end the run, once for each quantity and limit; those of the start come first.

@@ -1,6 +1,7 @@
 #include "verification/driver/terminal.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 #include <unistd.h>
 
 #include <algorithm>
@@ -144,6 +145,12 @@ void Terminal::summarise(const Results& results, const std::string& results_file
                  records::margin_text(first.margin, first.pass, 3));
     }
   }
+  std::vector<std::string> broken_off;
+  for (const auto& record : results.records) {
+    if (!records::finished(record.status)) broken_off.push_back(record.id);
+  }
+  if (!broken_off.empty())
+    fmt::print("without a verdict, ended by an error or a limit: {}\n", fmt::join(broken_off, ", "));
   if (results.selected.empty()) fmt::print("nothing was run: that is a failure\n");
   fmt::print("results: {}\n", results_file);
   std::fflush(stdout);

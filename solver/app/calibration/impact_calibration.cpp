@@ -134,8 +134,9 @@ void print_text(const ImpactCalibration& found, const CalibrateOptions& options)
 }
 
 void write_scene(const ImpactCalibration& found, const CalibrateOptions& options) {
-  const ImpactSceneRequest request{found.law, found.speed, found.known.largest_overlap, found.known.contact_time,
-                                   found.step.step};
+  const ImpactSceneRequest request{
+      found.law,      found.speed, found.restitution, found.known.largest_overlap, found.known.contact_time,
+      found.step.step};
   write_whole(options.written_scene, impact_scene(options, request, unit_system(options.units)));
   if (options.json) return;
   const std::filesystem::path file{options.written_scene};

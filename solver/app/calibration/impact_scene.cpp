@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <string>
 
 #include "solver/app/calibration/impact_bodies.hpp"
@@ -36,6 +37,9 @@ std::string impact_scene(const CalibrateOptions& options, const ImpactSceneReque
   const ImpactBodies bodies = bodies_of(options);
   const double radius = radius_over_overlap * request.largest_overlap;
   const double flight = 0.5 * request.contact_time, gap = flight * request.speed;
+  // A contact that ends before the outlines part leaves an overlap, less than the largest one. Impacts of nearly no
+  // restitution are not followed to their end.
+  const double parting = request.largest_overlap / (std::max(request.restitution, 0.01) * request.speed);
   const auto disc = [&](int number, double mass, double x, double speed) {
     return fmt::format(
         "[[body]]\nname = \"body_{}\"\nmobility = \"particle\"\nmass = {}\nshape = {{ kind = \"circle\", radius = {} "
@@ -83,7 +87,7 @@ std::string impact_scene(const CalibrateOptions& options, const ImpactSceneReque
              "# The step is as long as the restitution allows; the energy within the contact may be off by more.\n"
              "watch = \"off\"\n",
              options.integrator, quantity(request.step, dimension::time),
-             quantity(flight + 1.2 * request.contact_time + 10.0 * request.step, dimension::time));
+             quantity(flight + request.contact_time + parting + 10.0 * request.step, dimension::time));
 }
 
 }  // namespace talus::app

@@ -12,6 +12,7 @@ namespace talus::app {
 struct ImpactSceneRequest {
   ContactLaw law;
   double speed{};            ///< of approach
+  double restitution{};      ///< at that speed
   double largest_overlap{};  ///< the bodies are large beside it
   double contact_time{};
   double step{};

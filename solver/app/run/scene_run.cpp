@@ -154,6 +154,9 @@ RunQuality SceneRun::quality(const Outcome& outcome) const {
     found.contact_steps = shortest.value;
   if (const auto last = watch_.last_contact())
     found.last_contact = {scene_->model.contacts[index(last->contact)].name, last->time, last->touching};
+  const std::vector<Body>& bodies = scene_->model.bodies;
+  for (const UndeclaredOverlap& pair : watch_.undeclared_overlaps())
+    found.undeclared_overlaps.emplace_back(bodies[index(pair.a)].name, bodies[index(pair.b)].name);
   return found;
 }
 

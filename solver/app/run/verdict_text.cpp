@@ -153,6 +153,12 @@ class Lines {
     if (record_.fence && quality.last_contact && quality.last_contact->touching)
       steps += fmt::format("; {} still touches at the end", quality.last_contact->name);
     add("", steps);
+    if (!quality.undeclared_overlaps.empty()) {
+      const auto& [a, b] = quality.undeclared_overlaps.front();
+      const std::size_t others = quality.undeclared_overlaps.size() - 1;
+      add("no contact", fmt::format("'{}' and '{}' passed through each other{}", a, b,
+                                    others > 0 ? fmt::format(", and {} other pairs", others) : ""));
+    }
     if (quality.repeat) {
       add("sensitivity", repeat(*quality.repeat));
     } else if (record_.fence && quality.flaw.empty()) {

@@ -2,6 +2,7 @@
 
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "solver/run/failure_log.hpp"
@@ -61,6 +62,8 @@ struct RunQuality {
     bool touching{};
   };
   std::optional<LastContact> last_contact;  ///< empty if nothing touched
+  /// Names of the bodies that overlapped without a contact between them. The results may be usable: it can be intended.
+  std::vector<std::pair<std::string, std::string>> undeclared_overlaps;
 
   /// A repeated run of the same fence with changed velocities of the rocks.
   struct Repeat {

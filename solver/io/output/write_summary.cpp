@@ -165,6 +165,8 @@ nlohmann::ordered_json quality_json(const RunQuality& quality, double time_size)
     json["last_contact"] = {
         {"name", last->name}, {"time", json_number(last->time * time_size)}, {"touching", last->touching}};
   }
+  for (const auto& [a, b] : quality.undeclared_overlaps)
+    json["undeclared_overlaps"].push_back({a, b});
   if (const auto& repeat = quality.repeat) {
     json["repeat"] = {{"change_of_speed", repeat->change},
                       {"failure", repeat->failure},

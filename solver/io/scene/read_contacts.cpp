@@ -17,7 +17,8 @@ void read_restitution(SceneTable& table, L& law, SceneContact& read) {
   if constexpr (HasEndRule<L>) rule = table.choice_or("restitution_rule", rule);
   const bool both = table.has("restitution") && table.has(field);
   const bool neither = !table.has("restitution") && !table.has(field);
-  if (both || (neither && L::restitution_field.is_required))
+  const bool misspelt = table.is_misspelt("restitution") || table.is_misspelt(field);
+  if (both || (neither && L::restitution_field.is_required && !misspelt))
     table.report(field, "give either this or restitution, one of the two");
   if (!table.has("restitution")) {
     const std::string why = neither ? "it needs restitution"

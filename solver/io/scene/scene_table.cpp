@@ -81,7 +81,7 @@ bool SceneTable::is_text(std::string_view key) const {
 
 const TomlValue* SceneTable::demand(std::string_view key) {
   if (has(key)) return find(key);
-  if (std::find(misspelt_.begin(), misspelt_.end(), key) == misspelt_.end()) report_at(line_, key, "it is missing");
+  if (!is_misspelt(key)) report_at(line_, key, "it is missing");
   return nullptr;
 }
 
@@ -368,6 +368,10 @@ std::vector<SceneTable> SceneTable::tables(std::string_view key) {
     });
   }
   return result;
+}
+
+bool SceneTable::is_misspelt(std::string_view key) const {
+  return std::find(misspelt_.begin(), misspelt_.end(), key) != misspelt_.end();
 }
 
 void SceneTable::refuse(std::string_view key, std::string_view why) {

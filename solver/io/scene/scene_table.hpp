@@ -154,6 +154,8 @@ class SceneTable {
     std::visit([&](auto member) { value.*member = count; }, field.member);
   }
 
+  /// Whether allow() found an unknown key of which this one is the nearest known one: it is presumably not missing.
+  [[nodiscard]] bool is_misspelt(std::string_view key) const;
   /// Reports an error if the key is present, with the reason why it is not allowed.
   void refuse(std::string_view key, std::string_view why);
   /// Reports all keys of the table except these and those requested so far, naming the nearest known one.

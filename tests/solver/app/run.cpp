@@ -352,6 +352,34 @@ BOOST_AUTO_TEST_CASE(a_summary_begins_with_the_verdict) {
 
 // Unusable results have an exit status, also from --resume; the files are written. The scene may accept
 // them.
+// Three discs that fall through the floor: the results are usable, and say so. A resumed run keeps the pairs.
+BOOST_AUTO_TEST_CASE(bodies_without_a_contact_are_named_with_the_quality) {
+  const Folder folder;
+  const std::string file = (folder.path / "fall.toml").string(), out = (folder.path / "run").string();
+  std::string text =
+      "units = \"SI\"\ngravity = [\"0 m/s^2\", \"-10 m/s^2\"]\n[run]\nend = \"1 s\"\n[[body]]\nname = \"floor\"\n"
+      "mobility = \"fixed\"\nshape = { kind = \"half_plane\" }\nposition = [\"0 m\", \"0 m\"]\n";
+  for (const int i : {1, 2, 3})
+    text += fmt::format(
+        "[[body]]\nname = \"disc{0}\"\nmobility = \"particle\"\nmass = \"1 kg\"\nshape = {{ kind = \"circle\", radius "
+        "= "
+        "\"0.1 m\" }}\nposition = [\"{0} m\", \"{0} m\"]\n",
+        i);
+  std::ofstream{file} << text;
+  const auto pairs = [&] {
+    return nlohmann::json::parse(talus::read_text(out + "/summary.json"))["quality"]["undeclared_overlaps"].dump();
+  };
+  const Ended whole = talus_ran({"run", file, "--out", out});
+  BOOST_TEST(whole.code == 0);
+  BOOST_TEST(holds(whole.out, "  quality      usable; "));
+  BOOST_TEST(holds(whole.out, "  no contact   'floor' and 'disc1' passed through each other, and 2 other pairs\n"));
+  BOOST_TEST(pairs() == R"([["floor","disc1"],["floor","disc2"],["floor","disc3"]])");
+  BOOST_TEST(talus_ran({"run", file, "--out", out, "--until", "0.7 s"}).code == 0);
+  BOOST_TEST(pairs() == R"([["floor","disc1"],["floor","disc2"]])");
+  BOOST_TEST(talus_ran({"run", "--resume", out}).code == 0);
+  BOOST_TEST(pairs() == R"([["floor","disc1"],["floor","disc2"],["floor","disc3"]])");
+}
+
 BOOST_AUTO_TEST_CASE(unusable_results_have_an_exit_code) {
   const Folder folder;
   const std::string out = (folder.path / "run").string();

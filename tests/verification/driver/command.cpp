@@ -90,6 +90,17 @@ BOOST_AUTO_TEST_CASE(failed_cases_are_listed_by_their_largest_finite_error) {
       text);
 }
 
+BOOST_AUTO_TEST_CASE(cases_that_end_by_an_error_are_named_at_the_end) {
+  const auto broken = [](const std::string& id) {
+    return synthetic(id, [](Findings&, const Setup&) { throw std::runtime_error{"no file"}; });
+  };
+  const std::vector<Case> cases{broken("first"), synthetic("whole", sound), broken("second")};
+  const std::string text = printed(STDOUT_FILENO, [&] { BOOST_TEST(Run(cases, {}).status == 1); });
+  BOOST_TEST(
+      text.find("\nwithout a verdict, ended by an error or a limit: first, second\nresults: ") != std::string::npos,
+      text);
+}
+
 BOOST_AUTO_TEST_CASE(eight_failures_and_the_controls_that_are_not_judged_are_printed) {
   const Case wrong = synthetic("wrong", [](Findings& f, const Setup&) {
     f.expect("value", 3.0, 1.0, Tolerance::model(0.25, "chosen"));

@@ -162,6 +162,9 @@ BOOST_AUTO_TEST_CASE(what_is_missing_or_has_no_place) {
              "s.toml:11: body 'ground': a half_plane cannot move; its mobility must be fixed");
   BOOST_TEST(message("damping = \"2 N s/m\"\n", "") ==
              "s.toml:16: contact 'bounce': damping: give either this or restitution, one of the two");
+  BOOST_TEST(
+      message("damping = \"2 N s/m\"", "restitusion = 0.5")
+          .starts_with("s.toml:21: contact 'bounce': restitusion: this key is not known; nearest: restitution; "));
   BOOST_TEST(message("damping = \"2 N s/m\"", "restitution = 1.5") ==
              "s.toml:21: contact 'bounce': restitution: found 1.5; it must be in (0, 1]");
   BOOST_TEST(

@@ -154,6 +154,33 @@ Json cables_of(const Run& run) {
   return list;
 }
 
+/// Names of discs that are pushed into each other, or into the ground, by more than 1 % of the smaller radius, without
+/// a contact between them; the contacts are named after their bodies.
+Json undeclared_overlaps_of(const Run& run) {
+  Json pairs = Json::array();
+  const std::vector<Part>& bodies = run.facts.bodies;
+  for (std::size_t i = 0; i < bodies.size(); ++i) {
+    for (std::size_t j = i + 1; j < bodies.size(); ++j) {
+      const Part &first = bodies[i], &second = bodies[j];
+      if (first.shape == Shape::none || second.shape != Shape::circle) continue;
+      const bool is_plane = first.shape == Shape::plane;
+      const double reach = second.a + (is_plane ? 0.0 : first.a),
+                   smaller = is_plane ? second.a : std::min(first.a, second.a);
+      const auto is_named = [&](const std::string& a, const std::string& b) {
+        return std::ranges::find(run.facts.contacts, a + "-" + b) != run.facts.contacts.end();
+      };
+      if (is_named(first.name, second.name) || is_named(second.name, first.name)) continue;
+      bool overlaps = false;
+      for (std::size_t row = 0; row < run.rows(); ++row) {
+        const Vector apart = between(run.position(first, 0.0, 0.0, row), run.position(second, 0.0, 0.0, row));
+        overlaps = overlaps || reach - (is_plane ? apart[1] : size(apart)) > 0.01 * smaller;
+      }
+      if (overlaps) pairs.push_back({first.name, second.name});
+    }
+  }
+  return pairs;
+}
+
 Json quality_of(const Run& run) {
   const Json& found = run.summary["quality"];
   const double balance = relative_balance_error(run);
@@ -172,6 +199,7 @@ Json quality_of(const Run& run) {
     json["steps_in_shortest_contact"] = std::abs(steps - printed) < 6e-4 * printed ? steps : printed;
   }
   json["last_contact"] = last_contact_of(run);
+  if (!run.facts.mirrored) json["undeclared_overlaps"] = undeclared_overlaps_of(run);
   return json;
 }
 

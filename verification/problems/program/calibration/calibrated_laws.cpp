@@ -37,7 +37,8 @@ std::string lines_of(const std::string& printed, const std::string& parameter, b
   return lines + restitution + "\n";
 }
 
-/// Restitution of a run of the scene that the program writes for an impact, which names the command that runs it.
+/// Restitution of a run of the scene that the program writes for an impact. It names the command that runs this scene
+/// and lists the impact, with the restitution at the point of contact.
 double restitution_of_scene(const Program& program, const Setup& setup, const ImpactRequest& request, Options options,
                             Differences& differ) {
   options.push_back({"--write-scene", {"impact.toml"}});
@@ -45,7 +46,13 @@ double restitution_of_scene(const Program& program, const Setup& setup, const Im
   const std::string last = "to check it by a run: talus run impact.toml --impacts --out impact\n";
   differ.compare("command for the written scene", printed.ends_with(last), true);
   const double arm = request.lever == Lever::none ? 0.0 : request.arm() * (setup.has("other_arm") ? 1.05 : 1.0);
-  return separation_of_run(program, "impact.toml", arm) / request.speed;
+  const double restitution = separation_of_run(program, "impact.toml", arm) / request.speed;
+  static_cast<void>(program.run({"run", "impact.toml"}, {{"--impacts", {}}, {"--out", {"impact"}}}));
+  const records::Csv impacts = program.csv("impact/impacts.csv");
+  const bool is_listed =
+      impacts.rows() == 1 && std::abs(impacts.number(0, impacts.column("restitution")) / restitution - 1.0) < 1e-4;
+  differ.compare("restitution in the list of impacts", is_listed, true);
+  return restitution;
 }
 
 /// Calibrations of one pair.
