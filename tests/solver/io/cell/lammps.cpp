@@ -60,7 +60,9 @@ struct Answer {
 Answer lammps(const LammpsScene& given, LammpsRun::Style style, bool newton, double h = step, long count = steps) {
   const fs::path folder = fs::temp_directory_path() / ("talus_lammps_" + std::to_string(std::random_device{}()));
   export_lammps(folder, given, {.step = h, .steps = count, .skin = 0.6, .style = style, .newton = newton});
-  const std::string command = "cd '" + folder.string() + "' && lmp -in in.discs > screen.txt 2>&1";
+  // Alone, without the daemon of Open MPI, whose start takes seconds where a service that it looks for does not answer.
+  const std::string command =
+      "cd '" + folder.string() + "' && OMPI_MCA_ess_singleton_isolated=1 lmp -in in.discs > screen.txt 2>&1";
   Answer answer;
   BOOST_REQUIRE_MESSAGE(std::system(command.c_str()) == 0, "lmp failed in " + folder.string());
   std::ifstream forces{folder / "forces.txt"};
