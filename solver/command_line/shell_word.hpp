@@ -4,7 +4,7 @@
 
 namespace talus {
 
-/// The text in single quotes, as bash and zsh read it.
+/// The text in single quotes, as sh, bash and zsh read it.
 [[nodiscard]] std::string single_quoted(const std::string& text);
 
 /// A word of a printed command, quoted for a shell if it contains characters other than letters, digits, bytes of UTF-8

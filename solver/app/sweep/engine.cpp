@@ -3,17 +3,10 @@
 #include <fmt/format.h>
 
 #include "solver/base/error.hpp"
+#include "solver/command_line/shell_word.hpp"
 
 namespace talus::app {
 namespace {
-
-/// A word of a shell script, whatever its characters.
-std::string quoted(const std::string& word) {
-  std::string text = "'";
-  for (const char letter : word)
-    text += letter == '\'' ? std::string{"'\\''"} : std::string{letter};
-  return text + "'";
-}
 
 /// A folder in a pattern of sbatch, where % begins a variable.
 std::string escaped(const std::string& folder) {
@@ -30,7 +23,7 @@ std::string part_script(const EngineRequest& request) {
       "#!/bin/sh\n"
       "# One of {0} parts of a sweep: the first argument, or that of the Slurm task.\n"
       "exec {1} sweep run {2} --shard \"${{1:-$SLURM_ARRAY_TASK_ID}}/{0}\" --threads 1\n",
-      request.parts, quoted(request.program.string()), quoted(request.folder.string()));
+      request.parts, single_quoted(request.program.string()), single_quoted(request.folder.string()));
 }
 
 reports::Command engine_command(Engine engine, const EngineRequest& request, const std::filesystem::path& script) {
@@ -59,7 +52,8 @@ reports::Command engine_command(Engine engine, const EngineRequest& request, con
   command.arguments.insert(command.arguments.end(), request.options.begin(), request.options.end());
   // A word that is no part of a folder's name, as {} may be.
   const std::string number = "TALUS_PART_NUMBER";
-  command.arguments.insert(command.arguments.end(), {"-I", number, "/bin/sh", quoted(script.string()), number, ":::"});
+  command.arguments.insert(command.arguments.end(),
+                           {"-I", number, "/bin/sh", single_quoted(script.string()), number, ":::"});
   for (std::size_t part = 1; part <= request.parts; ++part)
     command.arguments.push_back(fmt::format("{}", part));
   return command;
