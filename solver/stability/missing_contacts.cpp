@@ -78,10 +78,10 @@ std::vector<UndeclaredOverlap> MissingContacts::new_overlaps(const Workspace& ge
   return found;
 }
 
-std::vector<UndeclaredOverlap> MissingContacts::returned() const {
-  std::vector<UndeclaredOverlap> found;
+std::vector<std::pair<BodyId, BodyId>> MissingContacts::returned() const {
+  std::vector<std::pair<BodyId, BodyId>> found;
   for (std::size_t p = 0; p < returned_.size(); ++p) {
-    if (returned_[p]) found.push_back({search_.pairs()[p].a, search_.pairs()[p].b, 0.0});
+    if (returned_[p]) found.emplace_back(search_.pairs()[p].a, search_.pairs()[p].b);
   }
   return found;
 }

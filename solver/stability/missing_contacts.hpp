@@ -1,6 +1,7 @@
 #pragma once
 
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "solver/base/archive.hpp"
@@ -39,8 +40,8 @@ class MissingContacts {
   /// minimum width since the last comparison, so that most calls cost a few operations for each body.
   [[nodiscard]] std::vector<UndeclaredOverlap> new_overlaps(const Workspace& geometry);
 
-  /// All pairs returned so far, in the order of the bodies; `ratio` is zero.
-  [[nodiscard]] std::vector<UndeclaredOverlap> returned() const;
+  /// All pairs returned so far, in the order of the bodies.
+  [[nodiscard]] std::vector<std::pair<BodyId, BodyId>> returned() const;
 
   /// Serializes what determines the results of later calls.
   void serialize(Archive& archive);

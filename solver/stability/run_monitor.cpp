@@ -243,8 +243,8 @@ void RunMonitor::check_missing_contacts(double time, const Workspace& geometry) 
   }
 }
 
-std::vector<UndeclaredOverlap> RunMonitor::undeclared_overlaps() const {
-  return missing_contacts_ ? missing_contacts_->returned() : std::vector<UndeclaredOverlap>{};
+std::vector<std::pair<BodyId, BodyId>> RunMonitor::undeclared_overlaps() const {
+  return missing_contacts_ ? missing_contacts_->returned() : std::vector<std::pair<BodyId, BodyId>>{};
 }
 
 void RunMonitor::check_contact_steps(const State& seen) {

@@ -3,6 +3,7 @@
 #include <array>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "solver/run/energy_ledger.hpp"
@@ -75,9 +76,9 @@ class RunMonitor {
   const std::string& step_ratio() const { return step_ratio_; }
   bool step_is_beyond() const { return step_is_beyond_; }
 
-  /// Pairs of bodies without a contact that have overlapped, see MissingContacts; `ratio` is zero. At most
+  /// Pairs of bodies without a contact that have overlapped, see MissingContacts. At most
   /// maximum_reported_pairs and those of the same step.
-  std::vector<UndeclaredOverlap> undeclared_overlaps() const;
+  std::vector<std::pair<BodyId, BodyId>> undeclared_overlaps() const;
 
   /// Why the run must end; empty while it may continue.
   const std::string& violation() const { return violation_; }

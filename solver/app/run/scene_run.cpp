@@ -155,8 +155,8 @@ RunQuality SceneRun::quality(const Outcome& outcome) const {
   if (const auto last = watch_.last_contact())
     found.last_contact = {scene_->model.contacts[index(last->contact)].name, last->time, last->touching};
   const std::vector<Body>& bodies = scene_->model.bodies;
-  for (const UndeclaredOverlap& pair : watch_.undeclared_overlaps())
-    found.undeclared_overlaps.emplace_back(bodies[index(pair.a)].name, bodies[index(pair.b)].name);
+  for (const auto& [a, b] : watch_.undeclared_overlaps())
+    found.undeclared_overlaps.emplace_back(bodies[index(a)].name, bodies[index(b)].name);
   return found;
 }
 

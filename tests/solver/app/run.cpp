@@ -350,8 +350,6 @@ BOOST_AUTO_TEST_CASE(a_summary_begins_with_the_verdict) {
                    "  last contact none: nothing touched; closest was bounce with a gap of 0.5 m\n"));
 }
 
-// Unusable results have an exit status, also from --resume; the files are written. The scene may accept
-// them.
 // Three discs that fall through the floor: the results are usable, and say so. A resumed run keeps the pairs.
 BOOST_AUTO_TEST_CASE(bodies_without_a_contact_are_named_with_the_quality) {
   const Folder folder;
@@ -380,6 +378,8 @@ BOOST_AUTO_TEST_CASE(bodies_without_a_contact_are_named_with_the_quality) {
   BOOST_TEST(pairs() == R"([["floor","disc1"],["floor","disc2"],["floor","disc3"]])");
 }
 
+// Unusable results have an exit status, also from --resume; the files are written. The scene may accept
+// them.
 BOOST_AUTO_TEST_CASE(unusable_results_have_an_exit_code) {
   const Folder folder;
   const std::string out = (folder.path / "run").string();

@@ -525,7 +525,7 @@ void check_ranges(const Program& program, Findings& findings) {
   ImpactDraw draw;
   const char* const path = std::getenv("PATH");
   const Environment recorded{{"PATH", fmt::format("{}:{}", TALUS_RECORDER, path != nullptr ? path : "")}};
-  const std::size_t count = setup.tier == Tier::full ? 30 : setup.coarse ? 5 : 10;
+  const std::size_t count = setup.tier == Tier::full ? 30 : setup.coarse ? 5 : 20;
   for (std::size_t number = 0; number < count; ++number) {
     const ImpactRequest common = draw.request(number);
     const std::size_t kind = setup.coarse ? number : number / 4 % 5;

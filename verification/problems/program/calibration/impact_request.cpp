@@ -163,8 +163,9 @@ double restitution_with(const ImpactRequest& request, double damping) {
   return reference::restitution(c / critical, request.rule);
 }
 
-double separation_of_run(const Program& program, const std::string& file, double arm) {
-  const records::Json state = program.json({"run", file}, {{"--json", {}}});
+double separation_of_run(const Program& program, const std::string& file, double arm, Options options) {
+  options.push_back({"--json", {}});
+  const records::Json state = program.json({"run", file}, options);
   // Velocity of a body along the line of impact; body 2 turns about a point below it.
   const auto velocity = [&](std::size_t which) {
     const records::Json& body = state.at("bodies").at(which);

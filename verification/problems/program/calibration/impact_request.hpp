@@ -81,9 +81,10 @@ struct ExactImpact {
 /// Restitution of the pair with another dashpot, by the references; 0 if the contact does not end.
 [[nodiscard]] double restitution_with(const ImpactRequest& request, double damping);
 
-/// Velocity of body 2 less that of body 1 [m/s] along the line of impact, after a run of `talus` of a scene of both.
-/// Body 2 turns about a point `arm` [m] below this line.
-[[nodiscard]] double separation_of_run(const Program& program, const std::string& file, double arm);
+/// Velocity of body 2 less that of body 1 [m/s] along the line of impact, after a run of `talus` of a scene of both
+/// with these further options. Body 2 turns about a point `arm` [m] below this line.
+[[nodiscard]] double separation_of_run(const Program& program, const std::string& file, double arm,
+                                       Options options = {});
 
 /// Restitution of a run of `talus` of two bodies, or of one and a wall, with these lines of the contact.
 [[nodiscard]] double restitution_of_run(const Program& program, const ImpactRequest& request, const std::string& lines,
