@@ -1,4 +1,3 @@
-#define BOOST_TEST_MODULE refused_inputs
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -8,6 +7,8 @@
 
 #include "tests/fuzz/readers.hpp"
 #include "tests/solver/io/folder.hpp"
+
+BOOST_AUTO_TEST_SUITE(refused_inputs_tests)
 
 // Inputs that were findings of talus_mutate_inputs: each is refused by its present message.
 
@@ -124,3 +125,5 @@ BOOST_AUTO_TEST_CASE(run_folder_of_unknown_units) {
   const Tried folder{"run_folder"};
   folder.refuses(folder.changed("\"SI\"", "\"IS\""), ": units: unit system 'IS' is not known");
 }
+
+BOOST_AUTO_TEST_SUITE_END()

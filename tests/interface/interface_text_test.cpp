@@ -1,9 +1,10 @@
-#define BOOST_TEST_MODULE interface_text
 #include "tests/interface/interface_text.hpp"
 
 #include <boost/test/unit_test.hpp>
 
 #include "tests/interface/known_gaps.hpp"
+
+BOOST_AUTO_TEST_SUITE(interface_text_tests)
 
 using namespace talus::interface_audit;
 using Items = std::set<std::string>;
@@ -134,3 +135,5 @@ BOOST_AUTO_TEST_CASE(gaps_are_known_with_a_reason_or_unexpected) {
                             "unused: field b -- one\nunused: field b -- two"})
     BOOST_CHECK_THROW(read_known_gaps(wrong), std::runtime_error);
 }
+
+BOOST_AUTO_TEST_SUITE_END()

@@ -1,9 +1,10 @@
-#define BOOST_TEST_MODULE message_form
 #include <boost/test/unit_test.hpp>
 
 #include <sstream>
 
 #include "tests/messages/message_form.hpp"
+
+BOOST_AUTO_TEST_SUITE(message_form_tests)
 
 using namespace talus::messages;
 
@@ -83,3 +84,5 @@ BOOST_AUTO_TEST_CASE(each_message_names_a_cure_or_has_one_in_the_list) {
   BOOST_TEST(cure_errors(forms, cures("neither can move\n")).size() == 2U);
   BOOST_CHECK_THROW(cures("    free one\n"), std::runtime_error);
 }
+
+BOOST_AUTO_TEST_SUITE_END()

@@ -1,8 +1,9 @@
-#define BOOST_TEST_MODULE schemata
 #include "tests/mutants/schemata.hpp"
 
 #include <boost/test/unit_test.hpp>
 #include <stdexcept>
+
+BOOST_AUTO_TEST_SUITE(schemata_tests)
 
 namespace {
 
@@ -73,3 +74,5 @@ BOOST_AUTO_TEST_CASE(an_error_is_traced_to_the_switch_before_it) {
   BOOST_TEST(switch_at(with, 2, with.find("3) ?") - second + 4) == 3);
   BOOST_TEST(switch_at(with, 2, 1) == 0);
 }
+
+BOOST_AUTO_TEST_SUITE_END()

@@ -1,4 +1,3 @@
-#define BOOST_TEST_MODULE written_bugs
 #include "tests/mutants/written_bugs.hpp"
 
 #include <fmt/format.h>
@@ -12,6 +11,8 @@
 #include "tests/mutants/equivalent.hpp"
 #include "tests/mutants/schemata.hpp"
 #include "verification/record/whole_file.hpp"
+
+BOOST_AUTO_TEST_SUITE(written_bugs_tests)
 
 namespace {
 
@@ -103,3 +104,5 @@ BOOST_AUTO_TEST_CASE(every_equivalent_mutant_has_its_line_and_a_reason) {
     BOOST_TEST(one.reason.size() > 20u);
   }
 }
+
+BOOST_AUTO_TEST_SUITE_END()

@@ -1,5 +1,4 @@
 /// Every number of the report is one of its records, or a sum of such numbers.
-#define BOOST_TEST_MODULE reports_numbers
 #include "reports/numbers.hpp"
 
 #include <boost/test/unit_test.hpp>
@@ -10,6 +9,8 @@
 #include "reports/base/process.hpp"
 #include "tests/reports/scratch.hpp"
 #include "verification/record/whole_file.hpp"
+
+BOOST_AUTO_TEST_SUITE(numbers_tests)
 
 namespace fs = std::filesystem;
 using namespace talus::reports;
@@ -67,3 +68,5 @@ BOOST_AUTO_TEST_CASE(numbers_of_trials_are_in_their_records) {
   BOOST_TEST(unfounded_numbers("66.7 %, 100.0 %", known).empty());
   BOOST_TEST(unfounded_numbers("66.6 %", known).size() == 1U);
 }
+
+BOOST_AUTO_TEST_SUITE_END()

@@ -1,4 +1,3 @@
-#define BOOST_TEST_MODULE reports_report
 #include "reports/report.hpp"
 
 #include <fmt/format.h>
@@ -19,6 +18,8 @@
 #include "tests/reports/report_program.hpp"
 #include "tests/reports/scratch.hpp"
 #include "verification/record/whole_file.hpp"
+
+BOOST_AUTO_TEST_SUITE(report_tests)
 
 using namespace talus::reports;
 using talus::records::read_whole;
@@ -379,3 +380,5 @@ BOOST_AUTO_TEST_CASE(sketches_of_pages_are_drawn_for_their_authors) {
   BOOST_TEST(
       contains(sketch("```sketch A ball\ndisc 0\n```\n").messages, "drop.md: sketch, line 1: disc has 1 numbers"));
 }
+
+BOOST_AUTO_TEST_SUITE_END()

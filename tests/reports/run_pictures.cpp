@@ -1,4 +1,3 @@
-#define BOOST_TEST_MODULE reports_run_pictures
 #include "reports/report.hpp"
 
 #include <array>
@@ -10,6 +9,8 @@
 #include "tests/reports/report_program.hpp"
 #include "tests/reports/scratch.hpp"
 #include "verification/record/whole_file.hpp"
+
+BOOST_AUTO_TEST_SUITE(run_pictures_tests)
 
 using namespace talus::reports;
 using talus::records::read_whole;
@@ -196,3 +197,5 @@ BOOST_AUTO_TEST_CASE(wrong_figures_of_a_run_are_named) {
     BOOST_TEST(contains(finished.messages, expected), finished.messages);
   }
 }
+
+BOOST_AUTO_TEST_SUITE_END()

@@ -1,5 +1,4 @@
 /// A fence's sheet from a record made by hand, whose numbers in feet, pounds and kips are easily recognized.
-#define BOOST_TEST_MODULE reports_sheet
 #include <algorithm>
 #include <boost/test/unit_test.hpp>
 
@@ -9,6 +8,8 @@
 #include "reports/sheet/sheet_verdict.hpp"
 #include "tests/reports/scratch.hpp"
 #include "verification/record/whole_file.hpp"
+
+BOOST_AUTO_TEST_SUITE(sheet_tests)
 
 using namespace talus::reports;
 using talus::records::read_whole;
@@ -221,3 +222,5 @@ BOOST_AUTO_TEST_CASE(records_that_are_wrong) {
     BOOST_TEST(!fs::exists(scratch.folder / "sheet.pdf"));
   }
 }
+
+BOOST_AUTO_TEST_SUITE_END()

@@ -1,4 +1,3 @@
-#define BOOST_TEST_MODULE reports_file
 #include "reports/base/file.hpp"
 
 #include <sys/wait.h>
@@ -8,6 +7,8 @@
 #include <fstream>
 
 #include "tests/reports/scratch.hpp"
+
+BOOST_AUTO_TEST_SUITE(file_tests)
 
 namespace fs = std::filesystem;
 using talus::reports::StagingFolder;
@@ -49,3 +50,5 @@ BOOST_AUTO_TEST_CASE(folders_of_killed_processes_are_removed) {
   for (const std::string& name : {alive, std::string{".partial-"}, std::string{".partial-1x"}})
     BOOST_TEST(fs::exists(scratch.folder / name), name);
 }
+
+BOOST_AUTO_TEST_SUITE_END()

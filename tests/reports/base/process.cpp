@@ -1,4 +1,3 @@
-#define BOOST_TEST_MODULE reports_process
 #include "reports/base/process.hpp"
 
 #include <boost/test/unit_test.hpp>
@@ -7,6 +6,8 @@
 
 #include "reports/base/error.hpp"
 #include "solver/threads/parallel_for.hpp"
+
+BOOST_AUTO_TEST_SUITE(process_tests)
 
 using namespace talus::reports;
 
@@ -67,3 +68,5 @@ BOOST_AUTO_TEST_CASE(a_missing_or_failing_tool_is_named) {
   BOOST_TEST(message_of({"sh", {"-c", "kill -9 $$"}, {}, {}}) == "sh failed on page 3 (exit status 137):\n");
   BOOST_TEST(message_of({"true", {}, {}, {}}) == "nothing");
 }
+
+BOOST_AUTO_TEST_SUITE_END()

@@ -1,4 +1,3 @@
-#define BOOST_TEST_MODULE reports_plot
 #include "reports/figures/plot.hpp"
 
 #include <boost/test/unit_test.hpp>
@@ -10,6 +9,8 @@
 #include "reports/figures/gnuplot_text.hpp"
 #include "reports/figures/page_script.hpp"
 #include "tests/reports/scratch.hpp"
+
+BOOST_AUTO_TEST_SUITE(plot_tests)
 
 using namespace talus::reports;
 
@@ -175,3 +176,5 @@ BOOST_AUTO_TEST_CASE(heat_maps_are_drawn_in_their_panels) {
   BOOST_TEST(names(script, "with rgbimage"));
   BOOST_TEST(names(script, "with lines linetype 2 lc rgb '#000000'"));
 }
+
+BOOST_AUTO_TEST_SUITE_END()

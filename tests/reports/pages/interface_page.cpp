@@ -1,4 +1,3 @@
-#define BOOST_TEST_MODULE reports_interface_page
 #include "reports/pages/interface_page.hpp"
 
 #include <boost/test/unit_test.hpp>
@@ -6,6 +5,8 @@
 #include "tests/reports/scratch.hpp"
 #include "verification/record/error.hpp"
 #include "verification/record/whole_file.hpp"
+
+BOOST_AUTO_TEST_SUITE(interface_page_tests)
 
 using namespace talus::reports;
 using namespace talus::records;
@@ -66,3 +67,5 @@ BOOST_AUTO_TEST_CASE(what_is_written_is_read) {
   write_whole(file, "{\"schema\": \"talus interface 0\", \"items\": []}");
   BOOST_CHECK_THROW(read_interface(file), RecordError);
 }
+
+BOOST_AUTO_TEST_SUITE_END()

@@ -1,10 +1,11 @@
-#define BOOST_TEST_MODULE reports_kill_matrix
 #include "reports/pages/kill_matrix.hpp"
 
 #include <boost/test/unit_test.hpp>
 #include <limits>
 
 #include "reports/pages/mutants_page.hpp"
+
+BOOST_AUTO_TEST_SUITE(kill_matrix_tests)
 
 namespace {
 
@@ -148,3 +149,5 @@ BOOST_AUTO_TEST_CASE(the_chapter_names_survivors_and_bugs) {
   BOOST_REQUIRE(figures.size() == 3u);
   BOOST_TEST(figures[1].series[0].y.back() == 75.0);
 }
+
+BOOST_AUTO_TEST_SUITE_END()

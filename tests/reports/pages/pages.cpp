@@ -1,5 +1,4 @@
 /// Text of the report from records made by hand: counts, and statements about missing parts.
-#define BOOST_TEST_MODULE reports_pages
 #include <boost/test/unit_test.hpp>
 #include <filesystem>
 #include <fstream>
@@ -11,6 +10,8 @@
 #include "reports/pages/front_page.hpp"
 #include "reports/pages/pages.hpp"
 #include "reports/pages/summary.hpp"
+
+BOOST_AUTO_TEST_SUITE(pages_tests)
 
 using namespace talus::reports;
 
@@ -273,3 +274,5 @@ BOOST_AUTO_TEST_CASE(what_peers_check_and_we_do_not_says_none) {
   BOOST_TEST(contains(text, "| code | test 1 | falls | $gt$ | [flight](page:flight) (A1) |"), text);
   BOOST_TEST(contains(text, "**none**: no glue"), text);
 }
+
+BOOST_AUTO_TEST_SUITE_END()

@@ -1,7 +1,8 @@
-#define BOOST_TEST_MODULE reports_rounding
 #include "reports/pages/rounding.hpp"
 
 #include <boost/test/unit_test.hpp>
+
+BOOST_AUTO_TEST_SUITE(rounding_tests)
 
 namespace {
 
@@ -44,3 +45,5 @@ BOOST_AUTO_TEST_CASE(a_check_that_was_not_made_is_listed) {
 BOOST_AUTO_TEST_CASE(none_fails) {
   BOOST_TEST(holds(rounding_text(results(0.5, 0.25), {{"upward", results(0.5, 0.9)}}), "No check fails"));
 }
+
+BOOST_AUTO_TEST_SUITE_END()

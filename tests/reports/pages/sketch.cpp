@@ -1,4 +1,3 @@
-#define BOOST_TEST_MODULE sketch
 #include "reports/pages/sketch.hpp"
 
 #include <algorithm>
@@ -9,6 +8,8 @@
 
 #include "reports/base/record.hpp"
 #include "reports/pages/pages.hpp"
+
+BOOST_AUTO_TEST_SUITE(sketch_tests)
 
 using namespace talus::reports;
 
@@ -188,3 +189,5 @@ BOOST_AUTO_TEST_CASE(sketches_of_a_page_become_pictures) {
   BOOST_TEST(error_of_page("```sketch A disc\ndisc 0 0 1\n") == "page: a code block does not end");
   BOOST_TEST(error_of_page("```\n") == "page: a code block does not end");
 }
+
+BOOST_AUTO_TEST_SUITE_END()

@@ -1,10 +1,11 @@
-#define BOOST_TEST_MODULE reports_markdown
 #include "reports/text/markdown.hpp"
 
 #include <boost/test/unit_test.hpp>
 #include <limits>
 
 #include "reports/text/document.hpp"
+
+BOOST_AUTO_TEST_SUITE(markdown_tests)
 
 namespace md = talus::reports::markdown;
 
@@ -44,3 +45,5 @@ BOOST_AUTO_TEST_CASE(letters_without_a_sign_become_their_number) {
   const std::string header = "\\DeclareUnicodeCharacter{03BC}{x}";
   BOOST_TEST(talus::reports::printable("é μ 漢 \xFF", header) == "é μ U+6F22 ?");
 }
+
+BOOST_AUTO_TEST_SUITE_END()

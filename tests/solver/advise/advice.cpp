@@ -1,4 +1,3 @@
-#define BOOST_TEST_MODULE advice
 #include <boost/test/unit_test.hpp>
 #include <cmath>
 #include <numbers>
@@ -10,6 +9,8 @@
 #include "solver/run/simulate.hpp"
 #include "solver/scenes/bouncing_disc.hpp"
 #include "solver/scenes/pendulum.hpp"
+
+BOOST_AUTO_TEST_SUITE(advice_tests)
 
 using namespace talus;
 
@@ -190,3 +191,5 @@ BOOST_AUTO_TEST_CASE(what_no_step_can_give_is_refused_with_the_reason) {
   BOOST_TEST((kind(fallen) == Refusal::Kind::chaotic));
   BOOST_TEST(fallen.growth.result > 1e-3);
 }
+
+BOOST_AUTO_TEST_SUITE_END()

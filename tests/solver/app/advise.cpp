@@ -1,4 +1,3 @@
-#define BOOST_TEST_MODULE advise
 #include <fmt/format.h>
 
 #include <boost/test/unit_test.hpp>
@@ -9,6 +8,8 @@
 
 #include "solver/io/read_scene_file.hpp"
 #include "tests/solver/app/program.hpp"
+
+BOOST_AUTO_TEST_SUITE(advise_tests)
 
 // `talus advise` from end to end.
 
@@ -219,3 +220,5 @@ BOOST_AUTO_TEST_CASE(a_run_written_in_one_line_is_changed_where_it_stands) {
   const std::string dotted = "run.integrator = \"rk4\" # ä\n  run.step = \"10 ms\"\nrun.end = \"10 s\"\n";
   BOOST_TEST(holds(rewritten(dotted, "stormer_cowell"), "\nrun.integrator = \"stormer_cowell\" # ä\nrun.tolerance = "));
 }
+
+BOOST_AUTO_TEST_SUITE_END()

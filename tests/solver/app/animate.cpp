@@ -1,4 +1,3 @@
-#define BOOST_TEST_MODULE animate
 #include <algorithm>
 #include <boost/test/unit_test.hpp>
 #include <cmath>
@@ -9,6 +8,8 @@
 #include "solver/io/output/read_history.hpp"
 #include "tests/solver/app/requested.hpp"
 #include "tests/solver/app/sample_run.hpp"
+
+BOOST_AUTO_TEST_SUITE(animate_tests)
 
 // Animations and players by `talus animate`.
 
@@ -119,3 +120,5 @@ BOOST_AUTO_TEST_CASE(the_player_accepts_numbers_of_any_size) {
   BOOST_TEST(ended.code == 0, ended.err);
   BOOST_TEST(holds(talus::read_text(run + "/plots/animation.html"), "4.25e-310"));
 }
+
+BOOST_AUTO_TEST_SUITE_END()

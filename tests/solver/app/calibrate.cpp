@@ -1,4 +1,3 @@
-#define BOOST_TEST_MODULE calibrate
 #include <fmt/format.h>
 
 #include <boost/test/unit_test.hpp>
@@ -9,6 +8,8 @@
 
 #include "solver/laws/restitution.hpp"
 #include "tests/solver/app/requested.hpp"
+
+BOOST_AUTO_TEST_SUITE(calibrate_tests)
 
 // `talus calibrate`: the printed lines give the restitution when pasted into a scene, and an impact is judged as by
 // `talus run`.
@@ -215,3 +216,5 @@ BOOST_AUTO_TEST_CASE(rebounds_at_several_angles_are_drawn) {
   BOOST_TEST(requested.panel(0).series[0].y[2] == 1.0 - 0.18 / std::tan(80.0 * std::acos(-1.0) / 180.0),
              boost::test_tools::tolerance(1e-4));
 }
+
+BOOST_AUTO_TEST_SUITE_END()

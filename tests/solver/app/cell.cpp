@@ -1,5 +1,4 @@
 /// The shear cell by the built program: its output, refused input, and runs that are killed and resumed.
-#define BOOST_TEST_MODULE cell
 #include <fmt/format.h>
 
 #include <signal.h>
@@ -15,6 +14,8 @@
 #include <thread>
 
 #include "tests/solver/app/program.hpp"
+
+BOOST_AUTO_TEST_SUITE(cell_tests)
 
 namespace {
 
@@ -356,3 +357,5 @@ BOOST_AUTO_TEST_CASE(lammps_prints_what_a_cell_prints) {
   BOOST_TEST(means.at("top_shear") / means.at("top_normal") == means.at("stress_ratio_top"),
              boost::test_tools::tolerance(1e-3));
 }
+
+BOOST_AUTO_TEST_SUITE_END()

@@ -1,4 +1,3 @@
-#define BOOST_TEST_MODULE check
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -9,6 +8,8 @@
 #include <sstream>
 
 #include "tests/solver/app/program.hpp"
+
+BOOST_AUTO_TEST_SUITE(check_tests)
 
 // `talus check` compared with the runs that it describes: the size of their output, and their warnings.
 
@@ -427,3 +428,5 @@ BOOST_AUTO_TEST_CASE(unlikely_fences) {
   const auto of_check = lines_of(checked.err), of_run = lines_of(ran.err);
   BOOST_TEST(std::ranges::includes(of_run, of_check), checked.err << "against\n" << ran.err);
 }
+
+BOOST_AUTO_TEST_SUITE_END()

@@ -1,4 +1,3 @@
-#define BOOST_TEST_MODULE command_line
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
@@ -15,6 +14,8 @@
 #include "solver/granular/disc_method.hpp"
 #include "solver/io/file/toml_document.hpp"
 #include "tests/solver/app/program.hpp"
+
+BOOST_AUTO_TEST_SUITE(command_line_tests)
 
 // The built program from end to end: exit statuses, messages, files.
 
@@ -572,3 +573,5 @@ BOOST_AUTO_TEST_CASE(fields_are_listed_with_mark_form_range_and_default) {
   for (std::string line; std::getline(lines, line);)
     BOOST_TEST(line.size() <= 110U, line);
 }
+
+BOOST_AUTO_TEST_SUITE_END()

@@ -1,5 +1,4 @@
 /// Pictures of a sheared cell by plot, snapshot and animate.
-#define BOOST_TEST_MODULE disc_pictures
 #include <algorithm>
 #include <boost/test/unit_test.hpp>
 #include <cmath>
@@ -8,6 +7,8 @@
 #include "solver/io/output/read_geometry.hpp"
 #include "solver/io/output/read_history.hpp"
 #include "tests/solver/app/requested.hpp"
+
+BOOST_AUTO_TEST_SUITE(disc_pictures_tests)
 
 namespace {
 
@@ -224,3 +225,5 @@ BOOST_AUTO_TEST_CASE(a_cell_moves_in_a_gif_and_in_one_page) {
   }
   BOOST_TEST(frame.at("contacts").size() == 3 * state.contacts.size());
 }
+
+BOOST_AUTO_TEST_SUITE_END()

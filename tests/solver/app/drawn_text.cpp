@@ -1,10 +1,11 @@
-#define BOOST_TEST_MODULE drawn_text
 #include <boost/test/unit_test.hpp>
 #include <fstream>
 #include <nlohmann/json.hpp>
 #include <pugixml.hpp>
 
 #include "tests/solver/app/requested.hpp"
+
+BOOST_AUTO_TEST_SUITE(drawn_text_tests)
 
 // Titles and names of a scene in the pictures of all commands that draw.
 
@@ -73,3 +74,5 @@ BOOST_AUTO_TEST_CASE(texts_of_a_scene_stay_text) {
   }
   BOOST_TEST(titled > 0U);
 }
+
+BOOST_AUTO_TEST_SUITE_END()

@@ -1,7 +1,6 @@
 /// Disturbances of a run: kill -9 at any time, signals, closed streams, full or read-only disks, a second run in its
 /// folder, other locales, unusual paths, little memory. The folder contains complete files at any time, the program
 /// ends with a message, and the resumed run writes the files of an undisturbed one.
-#define BOOST_TEST_MODULE faults
 #include <fmt/format.h>
 #include <sys/mount.h>
 #include <sys/wait.h>
@@ -20,6 +19,8 @@
 
 #include "solver/app/command.hpp"
 #include "tests/solver/app/program.hpp"
+
+BOOST_AUTO_TEST_SUITE(faults_tests)
 
 namespace {
 
@@ -476,3 +477,5 @@ BOOST_AUTO_TEST_CASE(runs_side_by_side_write_the_same_bytes) {
     run.same(out(i));
   }
 }
+
+BOOST_AUTO_TEST_SUITE_END()

@@ -1,4 +1,3 @@
-#define BOOST_TEST_MODULE fence_run
 
 #include <boost/test/unit_test.hpp>
 #include <filesystem>
@@ -9,6 +8,8 @@
 
 #include "solver/io/file/toml_document.hpp"
 #include "tests/solver/app/program.hpp"
+
+BOOST_AUTO_TEST_SUITE(fence_run_tests)
 
 // `talus run` of fences from end to end: verdict and its sensitivity, a second rock, the files of a deck.
 
@@ -173,3 +174,5 @@ BOOST_AUTO_TEST_CASE(a_sheet_says_how_sensitive_its_verdict_is) {
   BOOST_TEST(std::abs(repeat.at("change_of_largest_cable_force").get<double>() - change) < 2e-3);
   BOOST_TEST(repeat.at("change_of_largest_cable_force").get<double>() != 0.0);
 }
+
+BOOST_AUTO_TEST_SUITE_END()

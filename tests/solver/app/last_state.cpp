@@ -1,5 +1,4 @@
 /// The final state of a run is the last state in each of its files, however the run ends.
-#define BOOST_TEST_MODULE last_state
 #include <boost/test/unit_test.hpp>
 #include <fstream>
 #include <nlohmann/json.hpp>
@@ -8,6 +7,8 @@
 #include "solver/io/output/read_geometry.hpp"
 #include "solver/io/output/read_history.hpp"
 #include "tests/solver/app/program.hpp"
+
+BOOST_AUTO_TEST_SUITE(last_state_tests)
 
 namespace {
 
@@ -63,3 +64,5 @@ BOOST_AUTO_TEST_CASE(of_a_run_that_ends_by_time_but_for_the_listing) {
   BOOST_TEST(last.end == 61.0 * last.step);
   BOOST_TEST(last.listing == talus::fortran_e(60.0 * last.step, 3));
 }
+
+BOOST_AUTO_TEST_SUITE_END()

@@ -1,5 +1,4 @@
 /// Life cycle of runs by the built program: the same checks for a scene and for a cell.
-#define BOOST_TEST_MODULE life_cycle
 #include <signal.h>
 #include <unistd.h>
 
@@ -11,6 +10,8 @@
 
 #include "solver/io/file/folder_lock.hpp"
 #include "tests/solver/app/program.hpp"
+
+BOOST_AUTO_TEST_SUITE(life_cycle_tests)
 
 namespace {
 
@@ -215,3 +216,5 @@ BOOST_AUTO_TEST_CASE(no_file_of_the_other_kind_stays) {
     }
   }
 }
+
+BOOST_AUTO_TEST_SUITE_END()

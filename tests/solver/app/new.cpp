@@ -1,4 +1,3 @@
-#define BOOST_TEST_MODULE new
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
@@ -10,6 +9,8 @@
 #include <sstream>
 
 #include "tests/solver/app/program.hpp"
+
+BOOST_AUTO_TEST_SUITE(new_tests)
 
 // `talus new`: its files are accepted without a warning and run unchanged; fences made from them by a few changes have
 // the outcome of a converged run.
@@ -233,3 +234,5 @@ BOOST_AUTO_TEST_CASE(fences_made_from_the_new_one_end_as_converged_runs) {
   BOOST_TEST(stopped >= 5U);
   BOOST_TEST(stopped <= 15U);
 }
+
+BOOST_AUTO_TEST_SUITE_END()

@@ -1,4 +1,3 @@
-#define BOOST_TEST_MODULE player_in_browser
 #include <boost/test/unit_test.hpp>
 #include <cstdio>
 #include <cstdlib>
@@ -28,7 +27,12 @@ struct BrowserNeeded {
     std::_Exit(77);
   }
 };
-BOOST_TEST_GLOBAL_FIXTURE(BrowserNeeded);
+
+}  // namespace
+
+BOOST_AUTO_TEST_SUITE(player_in_browser_tests, *boost::unit_test::fixture<BrowserNeeded>())
+
+namespace {
 
 /// The first 50 ms of sample2 in 26 states, 2 ms apart, and the page that plays them.
 const fs::path& player() {
@@ -231,3 +235,5 @@ BOOST_AUTO_TEST_CASE(the_sheet_is_read_on_a_phone_and_on_a_screen) {
     }
   }
 }
+
+BOOST_AUTO_TEST_SUITE_END()

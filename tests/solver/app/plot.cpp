@@ -1,4 +1,3 @@
-#define BOOST_TEST_MODULE plot
 #include <algorithm>
 #include <boost/test/unit_test.hpp>
 #include <cstdio>
@@ -8,6 +7,8 @@
 #include "solver/io/output/read_history.hpp"
 #include "tests/solver/app/requested.hpp"
 #include "tests/solver/app/sample_run.hpp"
+
+BOOST_AUTO_TEST_SUITE(plot_tests)
 
 // Pictures by `talus plot`: histories.
 
@@ -208,3 +209,5 @@ BOOST_AUTO_TEST_CASE(histories_are_drawn_in_each_format_the_same_each_time) {
   for (const auto& entry : fs::directory_iterator(folder.path / "a"))
     BOOST_TEST(entry.path().filename().string().front() != '.', "left behind: " << entry.path());
 }
+
+BOOST_AUTO_TEST_SUITE_END()

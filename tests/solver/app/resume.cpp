@@ -1,6 +1,5 @@
 /// Runs that are stopped and resumed by the built program, their files compared byte for byte with those of an
 /// uninterrupted run; and refused requests.
-#define BOOST_TEST_MODULE resume
 #include <sys/wait.h>
 
 #include <boost/test/unit_test.hpp>
@@ -12,6 +11,8 @@
 
 #include "solver/integrate/integrator_list.hpp"
 #include "tests/solver/app/program.hpp"
+
+BOOST_AUTO_TEST_SUITE(resume_tests)
 
 namespace {
 
@@ -244,3 +245,5 @@ BOOST_AUTO_TEST_CASE(a_run_that_is_killed_loses_a_second) {
     same_files(out, straight);
   }
 }
+
+BOOST_AUTO_TEST_SUITE_END()

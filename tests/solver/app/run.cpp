@@ -1,4 +1,3 @@
-#define BOOST_TEST_MODULE run
 #include <fmt/format.h>
 
 #include <sys/resource.h>
@@ -15,6 +14,8 @@
 
 #include "solver/io/file/toml_document.hpp"
 #include "tests/solver/app/program.hpp"
+
+BOOST_AUTO_TEST_SUITE(run_tests)
 
 // `talus run` of the built program from end to end: its files, changes of the plan, and failures.
 
@@ -459,3 +460,5 @@ BOOST_AUTO_TEST_CASE(a_run_into_the_folder_of_another_leaves_nothing_of_that) {
   BOOST_TEST(left.erase("plots/notes.txt") == 1U);
   BOOST_TEST((left == files(fresh.path / "run")));
 }
+
+BOOST_AUTO_TEST_SUITE_END()

@@ -1,4 +1,3 @@
-#define BOOST_TEST_MODULE snapshot
 #include <algorithm>
 #include <array>
 #include <boost/test/unit_test.hpp>
@@ -10,6 +9,8 @@
 #include "solver/io/output/read_history.hpp"
 #include "tests/solver/app/requested.hpp"
 #include "tests/solver/app/sample_run.hpp"
+
+BOOST_AUTO_TEST_SUITE(snapshot_tests)
 
 // Pictures by `talus snapshot`: states.
 
@@ -163,3 +164,5 @@ BOOST_AUTO_TEST_CASE(snapshots_that_cannot_be_drawn) {
   BOOST_TEST(
       holds(older.err, "planar/plot.json: it is not a file written by `talus run --out` or `talus cell --out`: "));
 }
+
+BOOST_AUTO_TEST_SUITE_END()

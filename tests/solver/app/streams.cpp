@@ -1,5 +1,4 @@
 /// Output of the program to a terminal, and to one file that receives both of its streams.
-#define BOOST_TEST_MODULE streams
 #include <pty.h>
 #include <unistd.h>
 
@@ -11,6 +10,8 @@
 #include <sstream>
 
 #include "tests/solver/app/program.hpp"
+
+BOOST_AUTO_TEST_SUITE(streams_tests)
 
 namespace {
 
@@ -95,3 +96,5 @@ BOOST_AUTO_TEST_CASE(lines_are_whole_where_both_streams_go_to_one_file) {
     }
   }
 }
+
+BOOST_AUTO_TEST_SUITE_END()

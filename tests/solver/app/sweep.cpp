@@ -1,4 +1,3 @@
-#define BOOST_TEST_MODULE sweep
 #include <csignal>
 
 #include <boost/test/unit_test.hpp>
@@ -8,6 +7,8 @@
 
 #include "tests/solver/app/program.hpp"
 #include "tests/solver/io/folder.hpp"
+
+BOOST_AUTO_TEST_SUITE(sweep_tests)
 
 // `talus sweep run` that is killed or interrupted at any time, started again.
 
@@ -94,3 +95,5 @@ BOOST_AUTO_TEST_CASE(a_part_runs_once_at_a_time) {
   BOOST_TEST(first.exit_code() == 0);
   BOOST_TEST(talus_ran({"sweep", "collect", out}).code == 0);
 }
+
+BOOST_AUTO_TEST_SUITE_END()

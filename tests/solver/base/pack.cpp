@@ -1,10 +1,11 @@
-#define BOOST_TEST_MODULE pack
 #include "solver/base/pack.hpp"
 
 #include <array>
 #include <boost/test/unit_test.hpp>
 #include <cmath>
 #include <limits>
+
+BOOST_AUTO_TEST_SUITE(pack_tests)
 
 using namespace talus;
 
@@ -54,3 +55,5 @@ BOOST_AUTO_TEST_CASE(whether_a_lane_is_true_or_a_bit_is_set) {
     }
   }
 }
+
+BOOST_AUTO_TEST_SUITE_END()

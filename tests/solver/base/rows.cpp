@@ -1,4 +1,3 @@
-#define BOOST_TEST_MODULE rows
 #include "solver/base/rows.hpp"
 
 #include <boost/test/unit_test.hpp>
@@ -6,6 +5,8 @@
 #include <limits>
 #include <utility>
 #include <vector>
+
+BOOST_AUTO_TEST_SUITE(rows_tests)
 
 using namespace talus;
 
@@ -52,3 +53,5 @@ BOOST_AUTO_TEST_CASE(finite_numbers_are_finite_however_sums_are_rounded) {
     }
   }
 }
+
+BOOST_AUTO_TEST_SUITE_END()

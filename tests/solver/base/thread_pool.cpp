@@ -1,4 +1,3 @@
-#define BOOST_TEST_MODULE pool
 #include "solver/base/thread_pool.hpp"
 
 #include <sys/resource.h>
@@ -12,6 +11,8 @@
 #include <string>
 #include <thread>
 #include <vector>
+
+BOOST_AUTO_TEST_SUITE(thread_pool_tests)
 
 using talus::ThreadPool;
 
@@ -91,3 +92,5 @@ BOOST_AUTO_TEST_CASE(what_a_part_throws_reaches_the_caller_and_the_team_goes_on)
     BOOST_TEST(done == 1);
   }
 }
+
+BOOST_AUTO_TEST_SUITE_END()

@@ -1,10 +1,11 @@
-#define BOOST_TEST_MODULE units
 #include "solver/base/units.hpp"
 
 #include <boost/test/unit_test.hpp>
 #include <numbers>
 
 #include "solver/base/error.hpp"
+
+BOOST_AUTO_TEST_SUITE(units_tests)
 
 using namespace talus;
 
@@ -147,3 +148,5 @@ BOOST_AUTO_TEST_CASE(numbers_of_a_unit_are_quantities) {
   BOOST_TEST(symbol(si, dimension::area) == "m^2");
   BOOST_CHECK_THROW(static_cast<void>(consistent(1.0, "psi", dimension::area, us)), InputError);
 }
+
+BOOST_AUTO_TEST_SUITE_END()

@@ -1,4 +1,3 @@
-#define BOOST_TEST_MODULE impact_range
 #include "solver/calibrate/impact_range.hpp"
 
 #include <boost/test/unit_test.hpp>
@@ -8,6 +7,8 @@
 
 #include "solver/base/error.hpp"
 #include "solver/calibrate/impact.hpp"
+
+BOOST_AUTO_TEST_SUITE(impact_range_tests)
 
 using namespace talus;
 
@@ -211,3 +212,5 @@ BOOST_AUTO_TEST_CASE(a_hertz_contact_with_a_very_strong_dashpot_stops_the_body) 
     }
   }
 }
+
+BOOST_AUTO_TEST_SUITE_END()

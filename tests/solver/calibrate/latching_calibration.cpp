@@ -1,4 +1,3 @@
-#define BOOST_TEST_MODULE latching_calibration
 #include "solver/calibrate/latching_calibration.hpp"
 
 #include <boost/test/unit_test.hpp>
@@ -7,6 +6,8 @@
 #include <string>
 
 #include "solver/base/error.hpp"
+
+BOOST_AUTO_TEST_SUITE(latching_calibration_tests)
 
 using namespace talus;
 
@@ -77,3 +78,5 @@ BOOST_AUTO_TEST_CASE(what_cannot_be_reached_is_refused_with_the_range) {
   BOOST_TEST(ratio_by_formula(contact_of("velocity_verlet", 0.1), 1.0) == 1.0);
   BOOST_TEST(ratio_by_simulation(contact_of("velocity_verlet", 0.1), 1.0) == 1.0, boost::test_tools::tolerance(1e-3));
 }
+
+BOOST_AUTO_TEST_SUITE_END()

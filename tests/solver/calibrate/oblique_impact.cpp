@@ -1,4 +1,3 @@
-#define BOOST_TEST_MODULE oblique_impact
 #include "solver/calibrate/oblique_impact.hpp"
 
 #include <boost/test/unit_test.hpp>
@@ -12,6 +11,8 @@
 #include "solver/base/error.hpp"
 #include "solver/calibrate/impact.hpp"
 #include "solver/laws/parameter.hpp"
+
+BOOST_AUTO_TEST_SUITE(oblique_impact_tests)
 
 using namespace talus;
 
@@ -168,3 +169,5 @@ BOOST_AUTO_TEST_CASE(a_jump_past_the_wanted_restitution_is_an_error_with_both_si
     BOOST_TEST(std::abs(rebound(impact).tangential_restitution - expected) < 3e-3);
   }
 }
+
+BOOST_AUTO_TEST_SUITE_END()

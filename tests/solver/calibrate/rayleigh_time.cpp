@@ -1,9 +1,10 @@
-#define BOOST_TEST_MODULE rayleigh_time
 #include "solver/calibrate/rayleigh_time.hpp"
 
 #include <boost/test/unit_test.hpp>
 #include <cmath>
 #include <numbers>
+
+BOOST_AUTO_TEST_SUITE(rayleigh_time_tests)
 
 using namespace talus;
 
@@ -39,3 +40,5 @@ BOOST_AUTO_TEST_CASE(time_of_a_sphere) {
   BOOST_TEST(rayleigh_time(material, 9.0, 2.0) == std::numbers::pi * 2.0 * 1.5 / (0.8766 + 0.1631 * 0.25), near);
   BOOST_TEST(rayleigh_time(material, 9.0, 6.0) == 3.0 * rayleigh_time(material, 9.0, 2.0), near);
 }
+
+BOOST_AUTO_TEST_SUITE_END()

@@ -1,4 +1,3 @@
-#define BOOST_TEST_MODULE calibrate
 #include "solver/laws/restitution.hpp"
 
 #include <boost/test/unit_test.hpp>
@@ -12,6 +11,8 @@
 #include "solver/scenes/bouncing_disc.hpp"
 #include "solver/scenes/pivoted_cylinder.hpp"
 #include "solver/stability/step_advice.hpp"
+
+BOOST_AUTO_TEST_SUITE(restitution_tests)
 
 using namespace talus;
 
@@ -125,3 +126,5 @@ BOOST_AUTO_TEST_CASE(a_slow_mode_with_a_strong_dashpot_may_rule_the_step) {
   BOOST_TEST(limit->mode.frequency == 100.0);
   BOOST_TEST(limit->step == 2.0 * (std::sqrt(2501.0) - 50.0) / 100.0, boost::test_tools::tolerance(1e-12));
 }
+
+BOOST_AUTO_TEST_SUITE_END()

@@ -1,10 +1,11 @@
-#define BOOST_TEST_MODULE block_means
 #include "solver/cell/block_means.hpp"
 
 #include <array>
 #include <boost/test/unit_test.hpp>
 #include <cmath>
 #include <random>
+
+BOOST_AUTO_TEST_SUITE(block_means_tests)
 
 using namespace talus;
 
@@ -103,3 +104,5 @@ BOOST_AUTO_TEST_CASE(errors_are_those_of_correlated_series) {
     BOOST_TEST(estimated == std::sqrt(1.0 / (1.0 - a) / (1.0 - a) / 800.0), boost::test_tools::tolerance(0.15));
   }
 }
+
+BOOST_AUTO_TEST_SUITE_END()

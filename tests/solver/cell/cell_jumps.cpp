@@ -1,9 +1,10 @@
 /// Runs of cells that skip time intervals in which no discs can touch.
-#define BOOST_TEST_MODULE cell_jumps
 #include <boost/test/unit_test.hpp>
 #include <cmath>
 
 #include "tests/solver/cell/cell_runs.hpp"
+
+BOOST_AUTO_TEST_SUITE(cell_jumps_tests)
 
 using namespace talus;
 
@@ -131,3 +132,5 @@ BOOST_AUTO_TEST_CASE(means_of_flights_are_those_of_their_steps) {
         boost::test_tools::tolerance(2e-3));
   }
 }
+
+BOOST_AUTO_TEST_SUITE_END()

@@ -1,10 +1,11 @@
-#define BOOST_TEST_MODULE cell_profile
 #include "solver/cell/cell_profile.hpp"
 
 #include <array>
 #include <boost/test/unit_test.hpp>
 #include <cmath>
 #include <numbers>
+
+BOOST_AUTO_TEST_SUITE(cell_profile_tests)
 
 using namespace talus;
 
@@ -76,3 +77,5 @@ BOOST_AUTO_TEST_CASE(no_disc_is_too_high) {
   BOOST_TEST(profile.layers()[0].velocity.value == 0.5, boost::test_tools::tolerance(1e-15));
   BOOST_TEST(profile.layers()[15].fraction.value == 0.0);
 }
+
+BOOST_AUTO_TEST_SUITE_END()

@@ -1,4 +1,3 @@
-#define BOOST_TEST_MODULE cell_run
 #include "solver/cell/cell_run.hpp"
 
 #include <boost/test/unit_test.hpp>
@@ -7,6 +6,8 @@
 
 #include "solver/base/error.hpp"
 #include "tests/solver/cell/cell_runs.hpp"
+
+BOOST_AUTO_TEST_SUITE(cell_run_tests)
 
 using namespace talus;
 
@@ -343,3 +344,5 @@ BOOST_AUTO_TEST_CASE(plans_that_cannot_be) {
     }
   }
 }
+
+BOOST_AUTO_TEST_SUITE_END()

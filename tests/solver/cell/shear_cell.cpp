@@ -1,4 +1,3 @@
-#define BOOST_TEST_MODULE shear_cell
 #include "solver/cell/shear_cell.hpp"
 
 #include <boost/test/unit_test.hpp>
@@ -7,6 +6,8 @@
 
 #include "solver/base/error.hpp"
 #include "solver/granular/disc_system.hpp"
+
+BOOST_AUTO_TEST_SUITE(shear_cell_tests)
 
 using namespace talus;
 
@@ -130,3 +131,5 @@ BOOST_AUTO_TEST_CASE(impacts_of_laws_that_are_not_linear_are_stated_at_a_speed) 
   cell.law = Hertz{1e-3, 2.5e-4};
   BOOST_TEST(cell.nominal_overlap() == cell.diameter);
 }
+
+BOOST_AUTO_TEST_SUITE_END()

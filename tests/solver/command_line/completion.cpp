@@ -1,6 +1,5 @@
 // Scripts for shells, of a program with nested commands: all commands and options are in each; bash, which is at hand
 // on every machine, completes with its script.
-#define BOOST_TEST_MODULE completion
 #include "solver/command_line/completion.hpp"
 
 #include <CLI/CLI.hpp>
@@ -10,6 +9,8 @@
 #include <fstream>
 #include <string>
 #include <vector>
+
+BOOST_AUTO_TEST_SUITE(completion_tests)
 
 using namespace talus;
 namespace fs = std::filesystem;
@@ -82,3 +83,5 @@ BOOST_AUTO_TEST_CASE(all_scripts_have_all_commands_and_options) {
   BOOST_TEST(fish.find("-n \"__prog_at ' many'\" -f -a plan -d 'Plans'") != std::string::npos, fish);
   BOOST_TEST(fish.find("-d 'Goes; it\\'s [quick]: \"now\"'") != std::string::npos, fish);
 }
+
+BOOST_AUTO_TEST_SUITE_END()

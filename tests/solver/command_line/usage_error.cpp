@@ -1,10 +1,11 @@
 /// Messages about wrong command lines (solver/command_line/usage_error.hpp).
-#define BOOST_TEST_MODULE usage_error
 #include "solver/command_line/usage_error.hpp"
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <boost/test/unit_test.hpp>
+
+BOOST_AUTO_TEST_SUITE(usage_error_tests)
 
 using namespace talus;
 
@@ -52,3 +53,5 @@ BOOST_AUTO_TEST_CASE(commands_that_are_missing_or_not_known) {
              "option '--dept' is not known; nearest: --depth; known: --help, --depth\nhelp: tool draw --help");
   BOOST_TEST(message({"list", "more"}, true) == "'more' is one argument too many\nhelp: tool list --help");
 }
+
+BOOST_AUTO_TEST_SUITE_END()

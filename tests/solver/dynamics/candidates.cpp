@@ -1,5 +1,4 @@
 /// The contact search compared with brute force: an excluded pair never touches.
-#define BOOST_TEST_MODULE candidates
 #include "solver/dynamics/candidates.hpp"
 
 #include <algorithm>
@@ -13,6 +12,8 @@
 #include <vector>
 
 #include "solver/geometry/gap.hpp"
+
+BOOST_AUTO_TEST_SUITE(candidates_tests)
 
 using namespace talus;
 
@@ -299,3 +300,5 @@ BOOST_AUTO_TEST_CASE(a_chain_of_many_discs) {
     BOOST_TEST(wrong == 0U);
   }
 }
+
+BOOST_AUTO_TEST_SUITE_END()

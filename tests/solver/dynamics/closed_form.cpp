@@ -1,5 +1,4 @@
 /// Scenes with a closed form between events (solver/dynamics/closed_form.hpp), and the integrator chosen for them.
-#define BOOST_TEST_MODULE closed_form
 #include <boost/test/unit_test.hpp>
 #include <string>
 
@@ -8,6 +7,8 @@
 #include "solver/model/model_builder.hpp"
 #include "solver/scenes/bouncing_disc.hpp"
 #include "solver/scenes/pendulum.hpp"
+
+BOOST_AUTO_TEST_SUITE(closed_form_tests)
 
 using namespace talus;
 
@@ -86,3 +87,5 @@ BOOST_AUTO_TEST_CASE(the_choice_is_exact_where_it_can_be) {
   BOOST_TEST(message(has_one, "exact", 1e-6) ==
              "integrator 'exact' has no step control; its tolerance must be left out");
 }
+
+BOOST_AUTO_TEST_SUITE_END()

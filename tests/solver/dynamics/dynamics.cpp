@@ -1,4 +1,3 @@
-#define BOOST_TEST_MODULE dynamics
 #include "solver/dynamics/dynamics.hpp"
 
 #include <algorithm>
@@ -11,6 +10,8 @@
 #include "solver/dynamics/rigid_body_system.hpp"
 #include "solver/dynamics/springs.hpp"
 #include "solver/model/model_builder.hpp"
+
+BOOST_AUTO_TEST_SUITE(dynamics_tests)
 
 using namespace talus;
 
@@ -325,3 +326,5 @@ BOOST_AUTO_TEST_CASE(a_guard_evaluated_alone_is_the_same_as_among_all) {
     }
   }
 }
+
+BOOST_AUTO_TEST_SUITE_END()

@@ -1,5 +1,4 @@
 /// Friction in motion, compared with the mechanics of a disc on a table and of a body on a slope.
-#define BOOST_TEST_MODULE dynamics_friction
 #include <boost/test/unit_test.hpp>
 #include <cmath>
 #include <string>
@@ -10,6 +9,8 @@
 #include "solver/run/energy_ledger.hpp"
 #include "solver/run/simulate.hpp"
 #include "solver/run/snapshot.hpp"
+
+BOOST_AUTO_TEST_SUITE(friction_tests)
 
 using namespace talus;
 
@@ -182,3 +183,5 @@ BOOST_AUTO_TEST_CASE(a_smooth_contact_keeps_no_memory) {
   const Run a = run(smooth, {3.0, 0.0}, "rk4", 2e-5, 0.02), b = run(none, {3.0, 0.0}, "rk4", 2e-5, 0.02);
   BOOST_TEST(a.state.q == b.state.q, boost::test_tools::per_element());
 }
+
+BOOST_AUTO_TEST_SUITE_END()

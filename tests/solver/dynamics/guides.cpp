@@ -1,5 +1,4 @@
 /// Bodies with one guided axis, checked by energy, momentum, and the directions that a guide leaves free.
-#define BOOST_TEST_MODULE dynamics_guides
 #include <boost/test/unit_test.hpp>
 #include <cmath>
 #include <numbers>
@@ -12,6 +11,8 @@
 #include "solver/run/energy_ledger.hpp"
 #include "solver/run/simulate.hpp"
 #include "solver/run/snapshot.hpp"
+
+BOOST_AUTO_TEST_SUITE(guides_tests)
 
 using namespace talus;
 
@@ -122,3 +123,5 @@ BOOST_AUTO_TEST_CASE(springs_at_a_guided_body_stretch_as_it_moves) {
     }
   }
 }
+
+BOOST_AUTO_TEST_SUITE_END()

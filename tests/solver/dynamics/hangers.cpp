@@ -1,5 +1,4 @@
 /// Hangers that break: the bodies that fall, the cables afterwards, and the recorded energy.
-#define BOOST_TEST_MODULE dynamics_hangers
 #include <boost/test/unit_test.hpp>
 #include <cmath>
 
@@ -11,6 +10,8 @@
 #include "solver/run/failure_log.hpp"
 #include "solver/run/simulate.hpp"
 #include "solver/run/snapshot.hpp"
+
+BOOST_AUTO_TEST_SUITE(hangers_tests)
 
 using namespace talus;
 
@@ -208,3 +209,5 @@ BOOST_AUTO_TEST_CASE(wrong_hangers_are_refused) {
                     .law = ElasticPlastic{.stiffness = 2.0}});
   BOOST_CHECK_THROW(builder.add(Hanger{"mixed", body, {0.0, 0.5, 0.0}, 1.0}), InputError);
 }
+
+BOOST_AUTO_TEST_SUITE_END()

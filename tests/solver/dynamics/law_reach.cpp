@@ -1,5 +1,4 @@
 /// Gaps between bodies whose law acts at a distance, by a law that is in no list.
-#define BOOST_TEST_MODULE law_reach
 #include <boost/test/unit_test.hpp>
 #include <string>
 #include <vector>
@@ -9,6 +8,8 @@
 #include "solver/model/model_builder.hpp"
 #include "solver/model/reach.hpp"
 #include "tests/solver/laws/cohesive.hpp"
+
+BOOST_AUTO_TEST_SUITE(law_reach_tests)
 
 using namespace talus;
 
@@ -63,3 +64,5 @@ BOOST_AUTO_TEST_CASE(a_law_that_acts_at_a_distance_needs_one) {
              "it acts at a distance, and the depth of nodes by 'centroid_ray' is no distance between outlines that are "
              "apart; node_depth must be 'nearest'");
 }
+
+BOOST_AUTO_TEST_SUITE_END()

@@ -1,6 +1,5 @@
 /// Events that a method locates (solver/integrate/stormer_cowell.hpp), where they are most easily missed: at the ends
 /// of steps, simultaneous, grazing, accumulating.
-#define BOOST_TEST_MODULE located_events
 #include <boost/test/unit_test.hpp>
 #include <cmath>
 #include <string>
@@ -12,6 +11,8 @@
 #include "solver/run/simulate.hpp"
 #include "solver/run/snapshot.hpp"
 #include "solver/scenes/scene.hpp"
+
+BOOST_AUTO_TEST_SUITE(located_events_tests)
 
 using namespace talus;
 
@@ -242,3 +243,5 @@ BOOST_AUTO_TEST_CASE(what_cannot_go_on_says_why) {
   BOOST_TEST(!static_cast<bool>(outcome));
   BOOST_TEST(outcome.message.find("t = ") != std::string::npos);
 }
+
+BOOST_AUTO_TEST_SUITE_END()

@@ -1,4 +1,3 @@
-#define BOOST_TEST_MODULE rows
 #include <array>
 #include <boost/test/unit_test.hpp>
 #include <cmath>
@@ -9,6 +8,8 @@
 #include "solver/dynamics/rigid_body_system.hpp"
 #include "solver/integrate/advance.hpp"
 #include "solver/model/model_builder.hpp"
+
+BOOST_AUTO_TEST_SUITE(rows_tests)
 
 using namespace talus;
 
@@ -179,3 +180,5 @@ BOOST_AUTO_TEST_CASE(cables_that_go_slack_and_yield_move_the_same_with_and_witho
     BOOST_TEST(changes < 3000);  // most steps change no mode, and evaluate no path
   }
 }
+
+BOOST_AUTO_TEST_SUITE_END()

@@ -1,4 +1,3 @@
-#define BOOST_TEST_MODULE gap
 #include "solver/geometry/gap.hpp"
 
 #include <algorithm>
@@ -9,6 +8,8 @@
 #include <random>
 
 #include "solver/geometry/path.hpp"
+
+BOOST_AUTO_TEST_SUITE(gap_tests)
 
 using namespace talus;
 
@@ -230,3 +231,5 @@ BOOST_AUTO_TEST_CASE(nodes_of_a_circle_start_at_local_x_and_a_rectangle_has_its_
   BOOST_TEST(boundary_nodes(Rectangle{1.0, 2.0}, 12).size() == 4);
   BOOST_TEST(boundary_nodes(HalfPlane{}, 12).empty());
 }
+
+BOOST_AUTO_TEST_SUITE_END()

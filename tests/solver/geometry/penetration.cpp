@@ -1,6 +1,5 @@
 /// The overlap of two outlines over all directions (solver/geometry/penetration.hpp), compared with independent
 /// methods.
-#define BOOST_TEST_MODULE penetration
 #include "solver/geometry/penetration.hpp"
 
 #include <boost/test/unit_test.hpp>
@@ -9,6 +8,8 @@
 #include <random>
 
 #include "solver/geometry/gap.hpp"
+
+BOOST_AUTO_TEST_SUITE(penetration_tests)
 
 using namespace talus;
 using boost::test_tools::tolerance;
@@ -81,3 +82,5 @@ BOOST_AUTO_TEST_CASE(outlines_below_a_segment_of_terrain) {
     }
   }
 }
+
+BOOST_AUTO_TEST_SUITE_END()

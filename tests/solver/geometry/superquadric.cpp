@@ -1,5 +1,4 @@
 /// Superquadrics, the node depths of 1993, mass properties, and the rotation on which they depend.
-#define BOOST_TEST_MODULE superquadric
 #include "solver/geometry/superquadric.hpp"
 
 #include <sleef.h>
@@ -13,6 +12,8 @@
 
 #include "solver/geometry/mass_properties.hpp"
 #include "solver/geometry/node_depth.hpp"
+
+BOOST_AUTO_TEST_SUITE(superquadric_tests)
 
 using namespace talus;
 
@@ -234,3 +235,5 @@ BOOST_AUTO_TEST_CASE(powers_have_the_bits_of_the_plain_routine) {
   for (const double base : {0.0, 1.0, 5e-324, 1e308})
     BOOST_TEST(power(base, 2.5) == Sleef_cinz_powd1_u10purec(base, 2.5));
 }
+
+BOOST_AUTO_TEST_SUITE_END()

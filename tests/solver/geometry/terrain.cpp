@@ -1,11 +1,12 @@
 /// Uneven ground compared with the distance to a polyline found by brute force.
-#define BOOST_TEST_MODULE geometry_terrain
 #include <boost/test/unit_test.hpp>
 #include <cmath>
 #include <limits>
 #include <random>
 
 #include "solver/geometry/gap.hpp"
+
+BOOST_AUTO_TEST_SUITE(terrain_tests)
 
 using namespace talus;
 
@@ -77,3 +78,5 @@ BOOST_AUTO_TEST_CASE(points_on_a_straight_stretch_change_nothing) {
     }
   }
 }
+
+BOOST_AUTO_TEST_SUITE_END()

@@ -1,5 +1,4 @@
 /// Discs that attract each other before they touch, by a law that is in no list: in both systems, with identical bits.
-#define BOOST_TEST_MODULE cohesive_discs
 #include <boost/test/unit_test.hpp>
 #include <cmath>
 #include <random>
@@ -9,9 +8,11 @@
 #include "solver/granular/law_sweep.hpp"
 #include "tests/solver/laws/cohesive.hpp"
 
-using namespace talus;
+template struct talus::LawSweeps<talus::LawList<talus::Cohesive>>;
 
-template struct talus::LawSweeps<LawList<Cohesive>>;
+BOOST_AUTO_TEST_SUITE(cohesive_discs_tests)
+
+using namespace talus;
 
 namespace {
 
@@ -131,3 +132,5 @@ BOOST_AUTO_TEST_CASE(both_systems_give_the_same_bits) {
     compare(Frictionless{}), compare(CoulombFriction{0.5, 2e3});
   }
 }
+
+BOOST_AUTO_TEST_SUITE_END()

@@ -1,7 +1,8 @@
-#define BOOST_TEST_MODULE disc_order
 #include "solver/granular/disc_order.hpp"
 
 #include <boost/test/unit_test.hpp>
+
+BOOST_AUTO_TEST_SUITE(disc_order_tests)
 
 using namespace talus;
 
@@ -30,3 +31,5 @@ BOOST_AUTO_TEST_CASE(discs_are_numbered_by_rows_and_walls_come_last) {
   BOOST_TEST(new_shapes.walls.size() == 1U);
   BOOST_TEST(new_discs.spin.empty());
 }
+
+BOOST_AUTO_TEST_SUITE_END()

@@ -1,4 +1,3 @@
-#define BOOST_TEST_MODULE disc_system
 #include "solver/granular/disc_system.hpp"
 
 #include <boost/test/unit_test.hpp>
@@ -12,6 +11,8 @@
 #include "solver/granular/fast_disc_system.hpp"
 #include "solver/integrate/integrator_list.hpp"
 #include "solver/model/model_builder.hpp"
+
+BOOST_AUTO_TEST_SUITE(disc_system_tests)
 
 using namespace talus;
 
@@ -446,3 +447,5 @@ BOOST_AUTO_TEST_CASE(a_run_that_is_put_back_goes_on_bit_for_bit) {
     BOOST_TEST(system.builds() > 2);
   });
 }
+
+BOOST_AUTO_TEST_SUITE_END()

@@ -1,4 +1,3 @@
-#define BOOST_TEST_MODULE disc_twins
 #include <array>
 #include <boost/test/unit_test.hpp>
 #include <cmath>
@@ -10,6 +9,8 @@
 #include "solver/granular/fast_disc_system.hpp"
 #include "solver/laws/law_list.hpp"
 #include "tests/solver/laws/law_examples.hpp"
+
+BOOST_AUTO_TEST_SUITE(disc_twins_tests)
 
 using namespace talus;
 
@@ -304,3 +305,5 @@ BOOST_AUTO_TEST_CASE(a_wall_that_brakes_counts_as_fast_as_it_is_after_the_kick) 
     BOOST_TEST(twins.plain_builds() > 2);
   }
 }
+
+BOOST_AUTO_TEST_SUITE_END()

@@ -1,4 +1,3 @@
-#define BOOST_TEST_MODULE fast_disc_system
 #include "solver/granular/fast_disc_system.hpp"
 
 #include <array>
@@ -12,6 +11,8 @@
 #include "solver/granular/disc_method.hpp"
 #include "solver/granular/disc_order.hpp"
 #include "solver/granular/disc_system.hpp"
+
+BOOST_AUTO_TEST_SUITE(fast_disc_system_tests)
 
 using namespace talus;
 
@@ -399,3 +400,5 @@ BOOST_AUTO_TEST_CASE(jammed_discs_are_all_near_and_give_the_same_bits) {
   });
   BOOST_TEST(all_near > 10);  // cases that friction has brought to rest have a near list again
 }
+
+BOOST_AUTO_TEST_SUITE_END()

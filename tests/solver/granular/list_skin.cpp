@@ -1,7 +1,8 @@
-#define BOOST_TEST_MODULE list_skin
 #include "solver/granular/list_skin.hpp"
 
 #include <boost/test/unit_test.hpp>
+
+BOOST_AUTO_TEST_SUITE(list_skin_tests)
 
 using talus::list_skin;
 
@@ -20,3 +21,5 @@ BOOST_AUTO_TEST_CASE(what_lies_outside_takes_the_border) {
   BOOST_TEST(list_skin(0, 0.99) == list_skin(100, 0.9));
   BOOST_TEST(list_skin(10'000'000, 0.01) == list_skin(100'000, 0.3));
 }
+
+BOOST_AUTO_TEST_SUITE_END()

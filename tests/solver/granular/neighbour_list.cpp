@@ -1,4 +1,3 @@
-#define BOOST_TEST_MODULE neighbour_list
 #include "solver/granular/neighbour_list.hpp"
 
 #include <algorithm>
@@ -10,6 +9,8 @@
 #include <vector>
 
 #include "solver/base/error.hpp"
+
+BOOST_AUTO_TEST_SUITE(neighbour_list_tests)
 
 using namespace talus;
 
@@ -187,3 +188,5 @@ BOOST_AUTO_TEST_CASE(boxes_that_are_too_small_are_refused) {
   NeighbourList list{PeriodicBox{.width = 4.0}, 0.3};
   BOOST_CHECK_THROW(list.build(p.shapes, p.discs), InputError);
 }
+
+BOOST_AUTO_TEST_SUITE_END()

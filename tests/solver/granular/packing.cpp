@@ -1,4 +1,3 @@
-#define BOOST_TEST_MODULE packing
 #include "solver/granular/packing.hpp"
 
 #include <algorithm>
@@ -10,6 +9,8 @@
 
 #include "solver/base/error.hpp"
 #include "solver/granular/stress.hpp"
+
+BOOST_AUTO_TEST_SUITE(packing_tests)
 
 using namespace talus;
 
@@ -178,3 +179,5 @@ BOOST_AUTO_TEST_CASE(what_would_touch_itself_or_cannot_be_warm_is_refused) {
   BOOST_CHECK_THROW(agitate(one, 3.0, 1), talus::InputError);
   BOOST_CHECK_NO_THROW(agitate(one, 0.0, 1));
 }
+
+BOOST_AUTO_TEST_SUITE_END()

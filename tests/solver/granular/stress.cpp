@@ -1,4 +1,3 @@
-#define BOOST_TEST_MODULE stress
 #include "solver/granular/stress.hpp"
 
 #include <boost/test/unit_test.hpp>
@@ -7,6 +6,8 @@
 
 #include "solver/granular/disc_system.hpp"
 #include "solver/laws/linear_spring_dashpot.hpp"
+
+BOOST_AUTO_TEST_SUITE(stress_tests)
 
 using namespace talus;
 
@@ -75,3 +76,5 @@ BOOST_AUTO_TEST_CASE(contacts_carry_their_force_across_the_distance_of_the_centr
   for (const double found : {virial.xx, virial.xy, virial.yx, virial.yy})
     BOOST_TEST(found == each, boost::test_tools::tolerance(1e-10));
 }
+
+BOOST_AUTO_TEST_SUITE_END()

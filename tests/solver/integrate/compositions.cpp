@@ -1,6 +1,5 @@
 /// The choice of the fourth-order symplectic method: its error at equal force evaluations compared with those of
 /// alternatives, on three smooth motions. The alternatives are implemented only here, with plain numbers.
-#define BOOST_TEST_MODULE compositions
 #include <array>
 #include <boost/test/unit_test.hpp>
 #include <cmath>
@@ -10,6 +9,8 @@
 
 #include "solver/integrate/blanes_moan4.hpp"
 #include "solver/integrate/odeint_steppers.hpp"
+
+BOOST_AUTO_TEST_SUITE(compositions_tests)
 
 using namespace talus;
 
@@ -118,3 +119,5 @@ BOOST_AUTO_TEST_CASE(error_at_equal_evaluations_against_rivals) {
     }
   }
 }
+
+BOOST_AUTO_TEST_SUITE_END()

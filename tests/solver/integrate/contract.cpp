@@ -1,12 +1,13 @@
 /// Types that the concepts of methods, systems and motions refuse (solver/integrate/concepts.hpp, hybrid_system.hpp,
 /// located_steps.hpp): an optional member of the wrong form must not be treated as a missing one.
-#define BOOST_TEST_MODULE contract
 #include <boost/test/unit_test.hpp>
 #include <string>
 #include <vector>
 
 #include "solver/integrate/integrator_list.hpp"
 #include "tests/solver/integrate/smooth_systems.hpp"
+
+BOOST_AUTO_TEST_SUITE(contract_tests)
 
 using namespace talus;
 
@@ -121,3 +122,5 @@ BOOST_AUTO_TEST_CASE(motions_of_the_wrong_form_are_refused) {
   BOOST_TEST(!Motion<NeverProbes>);
   BOOST_TEST(!Motion<SaysNothing>);
 }
+
+BOOST_AUTO_TEST_SUITE_END()

@@ -1,5 +1,4 @@
 /// Divided differences (solver/integrate/differences.hpp) of polynomials, whose integrals are known.
-#define BOOST_TEST_MODULE differences
 #include "solver/integrate/differences.hpp"
 
 #include <algorithm>
@@ -7,6 +6,8 @@
 #include <boost/test/unit_test.hpp>
 #include <cmath>
 #include <vector>
+
+BOOST_AUTO_TEST_SUITE(differences_tests)
 
 using namespace talus;
 
@@ -122,3 +123,5 @@ BOOST_AUTO_TEST_CASE(the_oldest_times_are_forgotten) {
   differences.sum(none, 0, std::vector<double>{basis[0].value, basis[1].value}, line);
   BOOST_TEST(line.front() == 6.0, boost::test_tools::tolerance(1e-12));
 }
+
+BOOST_AUTO_TEST_SUITE_END()

@@ -1,6 +1,5 @@
 /// The contract of an integrator (solver/integrate/concepts.hpp), tested over the closed list on smooth systems: every
 /// declared trait of a method is measured here.
-#define BOOST_TEST_MODULE every_integrator
 #include <algorithm>
 #include <array>
 #include <boost/test/unit_test.hpp>
@@ -13,6 +12,8 @@
 #include "solver/integrate/integrator_list.hpp"
 #include "solver/integrate/method_list.hpp"
 #include "tests/solver/integrate/smooth_systems.hpp"
+
+BOOST_AUTO_TEST_SUITE(every_integrator_tests)
 
 using namespace talus;
 
@@ -437,3 +438,5 @@ BOOST_AUTO_TEST_CASE(names_and_options_are_checked) {
   BOOST_CHECK_THROW(static_cast<void>(make_integrator("odeint_abm8", 1e-6)), InputError);
   BOOST_CHECK_THROW(static_cast<void>(make_integrator("odeint_bulirsch_stoer")), InputError);
 }
+
+BOOST_AUTO_TEST_SUITE_END()

@@ -1,11 +1,12 @@
 /// Properties stated by the docstrings of single methods, beyond the contract of all (every_integrator.cpp).
-#define BOOST_TEST_MODULE methods
 #include <boost/test/unit_test.hpp>
 #include <cmath>
 #include <numbers>
 
 #include "solver/integrate/integrator_list.hpp"
 #include "tests/solver/integrate/smooth_systems.hpp"
+
+BOOST_AUTO_TEST_SUITE(methods_tests)
 
 using namespace talus;
 
@@ -106,3 +107,5 @@ BOOST_AUTO_TEST_CASE(central_difference_is_the_report_s_stagger) {
   BOOST_TEST(state.q[0] == q + h * v);
   BOOST_TEST(synchronized(method, system, state, h).q[0] == q + h * v - 0.5 * h * v);
 }
+
+BOOST_AUTO_TEST_SUITE_END()

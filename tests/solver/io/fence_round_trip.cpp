@@ -1,4 +1,3 @@
-#define BOOST_TEST_MODULE fence_round_trip
 #include <boost/test/unit_test.hpp>
 #include <cmath>
 #include <cstring>
@@ -9,6 +8,8 @@
 #include "solver/io/file/quantity_text.hpp"
 #include "solver/io/scene/read_fence.hpp"
 #include "solver/io/scene/write_fence.hpp"
+
+BOOST_AUTO_TEST_SUITE(fence_round_trip_tests)
 
 // Every number of a fence is unchanged to the last bit by deck -> scene file -> deck, whatever its digits.
 
@@ -178,3 +179,5 @@ BOOST_AUTO_TEST_CASE(shortest_digits_of_every_unit) {
     }
   }
 }
+
+BOOST_AUTO_TEST_SUITE_END()

@@ -1,4 +1,3 @@
-#define BOOST_TEST_MODULE field_catalogue
 #include "solver/io/field_catalogue.hpp"
 
 #include <algorithm>
@@ -7,6 +6,8 @@
 #include <set>
 
 #include "tests/solver/io/file_tables.hpp"
+
+BOOST_AUTO_TEST_SUITE(field_catalogue_tests)
 
 // The catalogue compared with the readers: the fields that each reader knows, and those that it requires.
 
@@ -191,3 +192,5 @@ BOOST_AUTO_TEST_CASE(fields_are_explained) {
   }
   BOOST_CHECK_THROW(static_cast<void>(field_group("contact hrtz")), InputError);
 }
+
+BOOST_AUTO_TEST_SUITE_END()

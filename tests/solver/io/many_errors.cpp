@@ -1,10 +1,11 @@
-#define BOOST_TEST_MODULE many_errors
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <boost/test/unit_test.hpp>
 
 #include "tests/solver/io/file_tables.hpp"
+
+BOOST_AUTO_TEST_SUITE(many_errors_tests)
 
 // Independent mistakes in different tables of one file are reported together, and nothing else.
 
@@ -156,3 +157,5 @@ BOOST_AUTO_TEST_CASE(at_most_twenty) {
     BOOST_TEST(errors.ends_with("f.toml: there may be more errors; these are the first found"));
   }
 }
+
+BOOST_AUTO_TEST_SUITE_END()

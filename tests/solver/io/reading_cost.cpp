@@ -1,4 +1,3 @@
-#define BOOST_TEST_MODULE reading_cost
 #include <boost/test/unit_test.hpp>
 #include <string>
 
@@ -7,6 +6,8 @@
 #include "solver/io/scene/read_scene.hpp"
 #include "tests/solver/io/disc_grid.hpp"
 #include "tests/solver/run/counted_memory.hpp"
+
+BOOST_AUTO_TEST_SUITE(reading_cost_tests)
 
 // Reading and compiling a scene requires memory in proportion to its bodies; data built for each pair of bodies, or
 // searched once per body, would take four times as much for twice the bodies. Times are measured by `talus_bench`.
@@ -42,3 +43,5 @@ BOOST_AUTO_TEST_CASE(costs_grow_in_proportion_to_bodies) {
   };
   BOOST_TEST(compiled(all) / compiled(half) < 2.3);
 }
+
+BOOST_AUTO_TEST_SUITE_END()

@@ -1,4 +1,3 @@
-#define BOOST_TEST_MODULE contact_kernel
 #include "solver/laws/contact_kernel.hpp"
 
 #include <array>
@@ -12,6 +11,8 @@
 #include "solver/laws/mode_update.hpp"
 #include "tests/solver/laws/cohesive.hpp"
 #include "tests/solver/laws/law_examples.hpp"
+
+BOOST_AUTO_TEST_SUITE(contact_kernel_tests)
 
 using namespace talus;
 
@@ -166,3 +167,5 @@ BOOST_AUTO_TEST_CASE(forces_and_energies_of_secants_are_those_of_the_formulas) {
     BOOST_TEST(-released == elastic * d / (n + 1.0), close);
   }
 }
+
+BOOST_AUTO_TEST_SUITE_END()

@@ -1,9 +1,10 @@
 /// Friction by spring and slider, with prescribed slips under prescribed normal forces.
-#define BOOST_TEST_MODULE coulomb_friction
 #include "solver/laws/coulomb_friction.hpp"
 
 #include <boost/test/unit_test.hpp>
 #include <cmath>
+
+BOOST_AUTO_TEST_SUITE(coulomb_friction_tests)
 
 using namespace talus;
 
@@ -86,3 +87,5 @@ BOOST_AUTO_TEST_CASE(guard_is_positive_while_the_mode_lasts) {
   BOOST_TEST(law.guard(0.25, -1.0, 4.0, CoulombFriction::slipping_forward) < 0.0);
   BOOST_TEST(law.guard(-0.25, -1.0, 4.0, CoulombFriction::slipping_backward) > 0.0);
 }
+
+BOOST_AUTO_TEST_SUITE_END()

@@ -1,11 +1,12 @@
 /// A cable that yields and breaks, stretched along prescribed paths with piecewise linear results.
-#define BOOST_TEST_MODULE elastic_plastic
 #include "solver/laws/elastic_plastic.hpp"
 
 #include <array>
 #include <boost/test/unit_test.hpp>
 #include <cmath>
 #include <utility>
+
+BOOST_AUTO_TEST_SUITE(elastic_plastic_tests)
 
 using namespace talus;
 
@@ -162,3 +163,5 @@ BOOST_AUTO_TEST_CASE(hardening_ends_at_the_strength) {
   cable.draw(1.0, 4096);
   BOOST_TEST(cable.mode == ElasticPlastic::broken);
 }
+
+BOOST_AUTO_TEST_SUITE_END()

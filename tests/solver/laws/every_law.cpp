@@ -1,6 +1,5 @@
 /// The contract of a law (solver/laws/law.hpp), tested over the closed lists, and over a law that is in none of them
 /// and acts before the surfaces touch.
-#define BOOST_TEST_MODULE every_law
 #include "solver/laws/law_list.hpp"
 
 #include <algorithm>
@@ -12,6 +11,8 @@
 #include "solver/laws/mode_update.hpp"
 #include "tests/solver/laws/cohesive.hpp"
 #include "tests/solver/laws/law_examples.hpp"
+
+BOOST_AUTO_TEST_SUITE(every_law_tests)
 
 using namespace talus;
 
@@ -379,3 +380,5 @@ BOOST_AUTO_TEST_CASE(impacts_have_a_duration_with_the_weakest_and_the_strongest_
     }
   }
 }
+
+BOOST_AUTO_TEST_SUITE_END()

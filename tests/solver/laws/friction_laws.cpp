@@ -1,5 +1,4 @@
 /// The contract of all friction laws: spring, rate and motion of the stretch, and energy agree with each other.
-#define BOOST_TEST_MODULE friction_laws
 #include <boost/test/unit_test.hpp>
 #include <cmath>
 #include <random>
@@ -8,6 +7,8 @@
 #include "solver/base/pack.hpp"
 #include "solver/laws/law_list.hpp"
 #include "tests/solver/laws/law_examples.hpp"
+
+BOOST_AUTO_TEST_SUITE(friction_laws_tests)
 
 using namespace talus;
 
@@ -198,3 +199,5 @@ BOOST_AUTO_TEST_CASE(linear_friction_follows_the_normal_law) {
   friction.follow(6.0, false);
   BOOST_TEST((friction == CoulombFriction{0.0, 6.0, 0.0, false}));
 }
+
+BOOST_AUTO_TEST_SUITE_END()

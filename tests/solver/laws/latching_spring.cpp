@@ -1,9 +1,10 @@
 /// A latching contact, compressed along prescribed paths with piecewise linear results.
-#define BOOST_TEST_MODULE latching_spring
 #include "solver/laws/latching_spring.hpp"
 
 #include <array>
 #include <boost/test/unit_test.hpp>
+
+BOOST_AUTO_TEST_SUITE(latching_spring_tests)
 
 using namespace talus;
 
@@ -112,3 +113,5 @@ BOOST_AUTO_TEST_CASE(turns_round_where_it_stands) {
   contact.press({1.0, 1.0});
   BOOST_TEST(contact.mode == LatchingSpring::loading);
 }
+
+BOOST_AUTO_TEST_SUITE_END()

@@ -1,5 +1,4 @@
 /// Laws with a hook of the right name and a wrong signature: none of them is a law, so that no list accepts it.
-#define BOOST_TEST_MODULE wrong_laws
 #include "solver/laws/law.hpp"
 
 #include <array>
@@ -10,6 +9,8 @@
 #include "solver/laws/coulomb_friction.hpp"
 #include "solver/laws/law_list.hpp"
 #include "tests/solver/laws/cohesive.hpp"
+
+BOOST_AUTO_TEST_SUITE(wrong_laws_tests)
 
 using namespace talus;
 
@@ -202,3 +203,5 @@ BOOST_AUTO_TEST_CASE(a_hook_with_a_wrong_signature_makes_no_law) {
 }
 
 BOOST_AUTO_TEST_CASE(a_law_without_a_part_is_none) { refuse<ActsIsUnknown, ForceIsADouble, Frictionless, int>(); }
+
+BOOST_AUTO_TEST_SUITE_END()

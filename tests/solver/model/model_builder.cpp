@@ -1,4 +1,3 @@
-#define BOOST_TEST_MODULE model_builder
 #include "solver/model/model_builder.hpp"
 
 #include <boost/test/unit_test.hpp>
@@ -8,6 +7,8 @@
 
 #include "solver/base/error.hpp"
 #include "solver/model/layout.hpp"
+
+BOOST_AUTO_TEST_SUITE(model_builder_tests)
 
 using namespace talus;
 
@@ -180,3 +181,5 @@ BOOST_AUTO_TEST_CASE(a_cable_end_stands_with_its_body) {
   BOOST_TEST(in_world.x == 3.0);
   BOOST_TEST(in_world.y == 0.0);
 }
+
+BOOST_AUTO_TEST_SUITE_END()

@@ -1,5 +1,4 @@
 /// A step allocates no heap memory once its buffers exist.
-#define BOOST_TEST_MODULE allocations
 #include <boost/test/unit_test.hpp>
 #include <filesystem>
 #include <string>
@@ -10,6 +9,8 @@
 #include "solver/io/read_scene_file.hpp"
 #include "solver/scenes/fence_scene.hpp"
 #include "tests/solver/run/counted_memory.hpp"
+
+BOOST_AUTO_TEST_SUITE(allocations_tests)
 
 using namespace talus;
 
@@ -73,3 +74,5 @@ BOOST_AUTO_TEST_CASE(columns_that_wake_take_little) {
   const long found = taken_in_steps(scene, scene.integrator, 2e-6, 5000);
   BOOST_TEST(found < 5000, found);
 }
+
+BOOST_AUTO_TEST_SUITE_END()

@@ -1,9 +1,10 @@
-#define BOOST_TEST_MODULE extremes
 #include "solver/run/extremes.hpp"
 
 #include <boost/test/unit_test.hpp>
 #include <cmath>
 #include <limits>
+
+BOOST_AUTO_TEST_SUITE(extremes_tests)
 
 using namespace talus;
 
@@ -50,3 +51,5 @@ BOOST_AUTO_TEST_CASE(extremes_are_those_of_each_quantity_alone_at_any_time) {
     }
   }
 }
+
+BOOST_AUTO_TEST_SUITE_END()

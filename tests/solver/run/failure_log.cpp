@@ -1,10 +1,11 @@
 /// Each failure is found once, with the time of the step after which it is first visible, by modes or by memory alone.
-#define BOOST_TEST_MODULE failure_log
 #include "solver/run/failure_log.hpp"
 
 #include <boost/test/unit_test.hpp>
 
 #include "solver/model/model_builder.hpp"
+
+BOOST_AUTO_TEST_SUITE(failure_log_tests)
 
 using namespace talus;
 
@@ -71,3 +72,5 @@ BOOST_AUTO_TEST_CASE(a_failure_of_the_first_state_is_found) {
   run.state.mode[run.slot(0).mode] = ElasticPlastic::broken;
   BOOST_TEST(run.step(0.0) == 1);
 }
+
+BOOST_AUTO_TEST_SUITE_END()

@@ -1,6 +1,5 @@
 /// The table of impacts: one row for each interval in which a contact acts, for every law; speeds, forces and impulses
 /// of scenes with known results; a log that is saved and restored within an impact.
-#define BOOST_TEST_MODULE impact_log
 #include "solver/run/impact_log.hpp"
 
 #include <boost/test/unit_test.hpp>
@@ -14,6 +13,8 @@
 #include "solver/run/simulate.hpp"
 #include "solver/scenes/bouncing_disc.hpp"
 #include "tests/solver/laws/law_examples.hpp"
+
+BOOST_AUTO_TEST_SUITE(impact_log_tests)
 
 using namespace talus;
 
@@ -226,3 +227,5 @@ BOOST_AUTO_TEST_CASE(damaged_archives_are_refused) {
   refuses("motions", {1.0}, "motions: found 1 numbers; it must have 9");
   refuses("overlaps", {}, "overlaps: found 0 numbers; it must have 2");
 }
+
+BOOST_AUTO_TEST_SUITE_END()

@@ -1,6 +1,5 @@
 /// A run that is stopped, saved and resumed by new objects ends with the bits of an uninterrupted run: every integrator
 /// of the closed list, several scenes, several stops.
-#define BOOST_TEST_MODULE run_state
 #include <boost/test/unit_test.hpp>
 #include <cmath>
 #include <numeric>
@@ -18,6 +17,8 @@
 #include "solver/scenes/pivoted_cylinder.hpp"
 #include "solver/scenes/two_cable.hpp"
 #include "tests/solver/scenes/sample_fence.hpp"
+
+BOOST_AUTO_TEST_SUITE(run_state_tests)
 
 using namespace talus;
 
@@ -265,3 +266,5 @@ BOOST_AUTO_TEST_CASE(what_is_put_back_must_fit) {
     return std::string{error.what()} == "run.start: it is missing; it must be a list of numbers";
   });
 }
+
+BOOST_AUTO_TEST_SUITE_END()

@@ -1,4 +1,3 @@
-#define BOOST_TEST_MODULE simulate
 #include "solver/run/simulate.hpp"
 #include "solver/base/error.hpp"
 #include "solver/dynamics/rigid_body_system.hpp"
@@ -12,6 +11,8 @@
 
 #include <boost/test/unit_test.hpp>
 #include <cmath>
+
+BOOST_AUTO_TEST_SUITE(simulate_tests)
 
 using namespace talus;
 
@@ -190,3 +191,5 @@ BOOST_AUTO_TEST_CASE(central_difference_shows_observers_one_time) {
   scene.plan = {1e-3, 1.0, 1.0, true};
   BOOST_TEST(run(scene).balance_error < 1e-5);
 }
+
+BOOST_AUTO_TEST_SUITE_END()

@@ -1,6 +1,5 @@
 /// Data that observers see of a run (solver/run/snapshot.hpp): evaluated once, and equal to a separate evaluation by
 /// Dynamics.
-#define BOOST_TEST_MODULE snapshot
 #include "solver/run/snapshot.hpp"
 #include "solver/dynamics/rigid_body_system.hpp"
 #include "solver/integrate/integrator_list.hpp"
@@ -14,6 +13,8 @@
 #include <cmath>
 #include <limits>
 #include <vector>
+
+BOOST_AUTO_TEST_SUITE(snapshot_tests)
 
 namespace {
 
@@ -161,3 +162,5 @@ BOOST_AUTO_TEST_CASE(extremes_are_the_first_of_all_times) {
     }
   }
 }
+
+BOOST_AUTO_TEST_SUITE_END()

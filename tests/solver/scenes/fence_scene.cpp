@@ -1,6 +1,5 @@
 /// A fence as a scene: derived values in the listing of sample2, equilibrium, and the half model compared with the full
 /// one.
-#define BOOST_TEST_MODULE fence_scene
 #include "solver/scenes/fence_scene.hpp"
 
 #include <boost/test/unit_test.hpp>
@@ -11,6 +10,8 @@
 #include "solver/run/energy_ledger.hpp"
 #include "tests/solver/scenes/fence_end.hpp"
 #include "tests/solver/scenes/sample_fence.hpp"
+
+BOOST_AUTO_TEST_SUITE(fence_scene_tests)
 
 using namespace talus;
 using namespace talus::scenes;
@@ -312,3 +313,5 @@ BOOST_AUTO_TEST_CASE(stretched_on_one_side_it_hangs_alike_in_any_unit_of_length)
   for (std::size_t i = 2; i < one.members.size(); ++i)
     BOOST_TEST(two.members[i].position.y == unit * one.members[i].position.y);
 }
+
+BOOST_AUTO_TEST_SUITE_END()

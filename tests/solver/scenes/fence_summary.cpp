@@ -1,11 +1,12 @@
 /// Contents of the engineer's sheet of a fence, checked independently: the static shape, momentum balances, states made
 /// by hand.
-#define BOOST_TEST_MODULE fence_summary
 #include <boost/test/unit_test.hpp>
 #include <cmath>
 
 #include "solver/run/failure_log.hpp"
 #include "tests/solver/scenes/watched_fence.hpp"
+
+BOOST_AUTO_TEST_SUITE(fence_summary_tests)
 
 using namespace talus;
 using namespace talus::scenes;
@@ -280,3 +281,5 @@ BOOST_AUTO_TEST_CASE(a_watch_goes_on) {
     if (!name.starts_with("history.")) BOOST_TEST((other.items().at(name) == value), name);
   }
 }
+
+BOOST_AUTO_TEST_SUITE_END()

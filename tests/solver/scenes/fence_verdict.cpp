@@ -1,9 +1,10 @@
 /// Verdicts on a rock, from states made by hand, and implausible values of a fence.
-#define BOOST_TEST_MODULE fence_verdict
 #include <boost/test/unit_test.hpp>
 
 #include "solver/scenes/fence_plausibility.hpp"
 #include "tests/solver/scenes/watched_fence.hpp"
+
+BOOST_AUTO_TEST_SUITE(fence_verdict_tests)
 
 using namespace talus;
 using namespace talus::scenes;
@@ -239,3 +240,5 @@ BOOST_AUTO_TEST_CASE(motion_that_is_unlikely_to_be_meant) {
     BOOST_TEST(implausible_motion(story.fence, layers).empty());
   }
 }
+
+BOOST_AUTO_TEST_SUITE_END()

@@ -1,5 +1,4 @@
 /// A fence whose cables yield by a table: the resulting laws, their tensions, and a second impact.
-#define BOOST_TEST_MODULE fence_yield
 #include <algorithm>
 #include <boost/test/unit_test.hpp>
 #include <cmath>
@@ -12,6 +11,8 @@
 #include "solver/scenes/fence_scene.hpp"
 #include "tests/solver/scenes/fence_end.hpp"
 #include "tests/solver/scenes/sample_fence.hpp"
+
+BOOST_AUTO_TEST_SUITE(fence_yield_tests)
 
 using namespace talus;
 using namespace talus::scenes;
@@ -123,3 +124,5 @@ BOOST_AUTO_TEST_CASE(the_ledger_closes_with_a_table_and_broken_hangers) {
   BOOST_TEST(fine.state.work[static_cast<std::size_t>(Mechanism::cable_yield)] > 0.0);
   BOOST_TEST(fine.state.work[static_cast<std::size_t>(Mechanism::hanger_break)] > 0.0);
 }
+
+BOOST_AUTO_TEST_SUITE_END()

@@ -1,6 +1,5 @@
 /// Bounds of the effective mass of contacts (solver/stability/contact_range.hpp), compared with the effective masses of
 /// touching bodies in many orientations.
-#define BOOST_TEST_MODULE contact_range
 #include <algorithm>
 #include <boost/test/unit_test.hpp>
 #include <cmath>
@@ -10,6 +9,8 @@
 #include "solver/dynamics/springs.hpp"
 #include "solver/model/model_builder.hpp"
 #include "solver/stability/contact_range.hpp"
+
+BOOST_AUTO_TEST_SUITE(contact_range_tests)
 
 using namespace talus;
 
@@ -106,3 +107,5 @@ BOOST_AUTO_TEST_CASE(a_pinned_body_has_the_lever_about_its_pin) {
   BOOST_TEST(sliding.smallest_mass == 2.0);
   BOOST_TEST(std::isinf(sliding.largest_mass));
 }
+
+BOOST_AUTO_TEST_SUITE_END()

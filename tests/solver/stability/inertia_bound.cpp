@@ -1,5 +1,4 @@
 /// Bounds of moments of inertia by outlines (solver/stability/inertia_bound.hpp).
-#define BOOST_TEST_MODULE inertia_bound
 #include "solver/stability/inertia_bound.hpp"
 
 #include <algorithm>
@@ -8,6 +7,8 @@
 #include <numbers>
 
 #include "solver/model/model_builder.hpp"
+
+BOOST_AUTO_TEST_SUITE(inertia_bound_tests)
 
 using namespace talus;
 
@@ -48,3 +49,5 @@ BOOST_AUTO_TEST_CASE(bodies_beyond_the_bound_are_counted_and_the_worst_is_named)
              "body 'ring': its moment of inertia, 0.9 kg m^2, is more than m R^2 = 0.5 kg m^2, that of its mass, 2 kg, "
              "at the largest distance of its outline from the centre of mass, 0.5 m; so is that of 1 more body");
 }
+
+BOOST_AUTO_TEST_SUITE_END()

@@ -1,5 +1,4 @@
 /// Overlaps of bodies without a contact between them (solver/stability/missing_contacts.hpp).
-#define BOOST_TEST_MODULE missing_contacts
 #include <boost/test/unit_test.hpp>
 #include <cmath>
 #include <random>
@@ -9,6 +8,8 @@
 #include "solver/model/model_builder.hpp"
 #include "solver/stability/missing_contacts.hpp"
 #include "solver/stability/start_overlaps.hpp"
+
+BOOST_AUTO_TEST_SUITE(missing_contacts_tests)
 
 using namespace talus;
 
@@ -124,3 +125,5 @@ BOOST_AUTO_TEST_CASE(the_warning_of_a_start_names_the_largest_overlap) {
              "at the start bodies 'body2' and 'floor' overlap by 150 % of half the width of the smaller one, and no "
              "[[contact]] is declared between them: they pass through each other without a force; so does 1 more pair");
 }
+
+BOOST_AUTO_TEST_SUITE_END()

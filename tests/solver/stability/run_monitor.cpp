@@ -1,5 +1,4 @@
 /// The run monitor (solver/stability/run_monitor.hpp), on both sides of each of its limits.
-#define BOOST_TEST_MODULE watch
 #include <array>
 #include <boost/test/unit_test.hpp>
 #include <cmath>
@@ -15,6 +14,8 @@
 #include "solver/scenes/bouncing_disc.hpp"
 #include "solver/stability/run_monitor.hpp"
 #include "solver/stability/step_advice.hpp"
+
+BOOST_AUTO_TEST_SUITE(run_monitor_tests)
 
 using namespace talus;
 
@@ -302,3 +303,5 @@ BOOST_AUTO_TEST_CASE(bodies_that_overlap_at_the_start_are_reported_by_the_constr
     }
   }
 }
+
+BOOST_AUTO_TEST_SUITE_END()

@@ -1,4 +1,3 @@
-#define BOOST_TEST_MODULE parallel_for
 #include "solver/threads/parallel_for.hpp"
 
 #include <atomic>
@@ -8,6 +7,8 @@
 #include <string>
 #include <thread>
 #include <vector>
+
+BOOST_AUTO_TEST_SUITE(parallel_for_tests)
 
 using talus::parallel_for;
 
@@ -84,3 +85,5 @@ BOOST_AUTO_TEST_CASE(the_error_of_the_smallest_is_thrown) {
   BOOST_TEST(thrown(4, 2, 9, started) == "nothing");
   BOOST_TEST(started == 4);
 }
+
+BOOST_AUTO_TEST_SUITE_END()

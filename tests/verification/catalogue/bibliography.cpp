@@ -1,10 +1,11 @@
 /// The reader of references.bib, and the citations in a text.
-#define BOOST_TEST_MODULE catalogue_bibliography
 #include "verification/catalogue/bibliography.hpp"
 
 #include <boost/test/unit_test.hpp>
 
 #include "solver/base/error.hpp"
+
+BOOST_AUTO_TEST_SUITE(bibliography_tests)
 
 using namespace talus::verification;
 
@@ -132,3 +133,5 @@ BOOST_AUTO_TEST_CASE(what_is_cited_is_found_and_what_lacks_an_entry_is_named) {
   BOOST_TEST(some.missing[0] == "nobody 1993");
   BOOST_TEST(some.missing[1] == "1882");
 }
+
+BOOST_AUTO_TEST_SUITE_END()

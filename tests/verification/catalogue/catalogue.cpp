@@ -1,5 +1,4 @@
 /// The readers of requirements.toml, peers.toml and errata.toml: accepted input, and messages for mistakes.
-#define BOOST_TEST_MODULE catalogue_catalogue
 #include "verification/catalogue/catalogue.hpp"
 
 #include <unistd.h>
@@ -9,6 +8,8 @@
 #include <map>
 
 #include "solver/base/error.hpp"
+
+BOOST_AUTO_TEST_SUITE(catalogue_tests)
 
 using namespace talus::verification;
 namespace fs = std::filesystem;
@@ -166,3 +167,5 @@ BOOST_AUTO_TEST_CASE(what_is_referred_to_must_be_there) {
              "peers.toml:16: check 'DEM02': suite: found \"mfix\" after another suite; the checks of a suite must be "
              "adjacent");
 }
+
+BOOST_AUTO_TEST_SUITE_END()

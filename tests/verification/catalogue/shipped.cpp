@@ -1,11 +1,12 @@
 /// The shipped catalogue.
-#define BOOST_TEST_MODULE catalogue_shipped
 #include <algorithm>
 #include <boost/test/unit_test.hpp>
 #include <cmath>
 #include <set>
 
 #include "verification/catalogue/catalogue.hpp"
+
+BOOST_AUTO_TEST_SUITE(shipped_tests)
 
 using namespace talus::verification;
 
@@ -108,3 +109,5 @@ BOOST_AUTO_TEST_CASE(the_numbers_of_the_errata_of_the_fence_are_right) {
   BOOST_TEST(joint(2.66e5) == 8.18e4, boost::test_tools::tolerance(4e-3));
   BOOST_TEST(joint(2.87e5) == 9.21e4, boost::test_tools::tolerance(4e-3));
 }
+
+BOOST_AUTO_TEST_SUITE_END()

@@ -1,11 +1,12 @@
 // The comparator, tested separately: the controls of cases inject faults into the code under test instead.
-#define BOOST_TEST_MODULE check
 #include "verification/check/check.hpp"
 
 #include <boost/test/unit_test.hpp>
 #include <cmath>
 #include <limits>
 #include <stdexcept>
+
+BOOST_AUTO_TEST_SUITE(check_tests)
 
 using talus::verification::Check;
 using talus::verification::compare;
@@ -117,3 +118,5 @@ BOOST_AUTO_TEST_CASE(an_interval_needs_two_ends_and_words) {
   BOOST_CHECK_THROW((void)compare_between("a", 1.0, not_a_number, 1.0, "why", "1"), std::invalid_argument);
   BOOST_CHECK_THROW((void)compare_between("a", 1.0, 0.0, 1.0, "", "1"), std::invalid_argument);
 }
+
+BOOST_AUTO_TEST_SUITE_END()

@@ -1,4 +1,3 @@
-#define BOOST_TEST_MODULE convergence
 #include "verification/check/convergence.hpp"
 
 #include <algorithm>
@@ -6,6 +5,8 @@
 #include <cmath>
 #include <limits>
 #include <stdexcept>
+
+BOOST_AUTO_TEST_SUITE(convergence_tests)
 
 using namespace talus::verification;
 
@@ -88,3 +89,5 @@ BOOST_AUTO_TEST_CASE(steps_are_incommensurate_with_the_contact) {
   BOOST_TEST(offset_step(1.0, 16.0, 0) != offset_step(1.0, 16.0, 1));
   BOOST_TEST(doublings(16.0, 4) == std::vector<double>({16.0, 32.0, 64.0, 128.0}));
 }
+
+BOOST_AUTO_TEST_SUITE_END()

@@ -1,7 +1,8 @@
-#define BOOST_TEST_MODULE check_evidence
 #include "verification/check/evidence.hpp"
 
 #include <boost/test/unit_test.hpp>
+
+BOOST_AUTO_TEST_SUITE(evidence_tests)
 
 using namespace talus::verification;
 
@@ -55,3 +56,5 @@ BOOST_AUTO_TEST_CASE(an_incomplete_paragraph_is_refused) {
   BOOST_TEST(refused("**Evidence.** Property. Unknown: more.", "followed by 'Unknown: more.'"));
   BOOST_TEST(refused("**Evidence.** Property. Not shown: more", "followed by 'Not shown: more'"));
 }
+
+BOOST_AUTO_TEST_SUITE_END()

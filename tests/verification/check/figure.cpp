@@ -1,9 +1,10 @@
-#define BOOST_TEST_MODULE figure
 #include "verification/check/figure.hpp"
 
 #include <boost/test/unit_test.hpp>
 #include <limits>
 #include <stdexcept>
+
+BOOST_AUTO_TEST_SUITE(figure_tests)
 
 using namespace talus::verification;
 
@@ -81,3 +82,5 @@ BOOST_AUTO_TEST_CASE(heat_maps_keep_their_values_and_panels) {
   refuse([](Figure& f) { f.columns = 0; });
   refuse([](Figure& f) { f.scale->max = -2.0; });
 }
+
+BOOST_AUTO_TEST_SUITE_END()

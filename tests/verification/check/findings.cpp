@@ -1,4 +1,3 @@
-#define BOOST_TEST_MODULE findings
 #include "verification/check/findings.hpp"
 
 #include <array>
@@ -9,6 +8,8 @@
 #include <vector>
 
 #include "verification/check/case.hpp"
+
+BOOST_AUTO_TEST_SUITE(findings_tests)
 
 using namespace talus::verification;
 
@@ -123,3 +124,5 @@ BOOST_AUTO_TEST_CASE(a_setup_needs_checks_by_parts_of_their_names) {
   BOOST_TEST(control.needs("order"));
   BOOST_TEST(!control.needs("cable"));
 }
+
+BOOST_AUTO_TEST_SUITE_END()

@@ -1,9 +1,10 @@
-#define BOOST_TEST_MODULE tolerance
 #include "verification/check/tolerance.hpp"
 
 #include <boost/test/unit_test.hpp>
 #include <limits>
 #include <stdexcept>
+
+BOOST_AUTO_TEST_SUITE(tolerance_tests)
 
 using talus::verification::Kind;
 using talus::verification::Tolerance;
@@ -50,3 +51,5 @@ BOOST_AUTO_TEST_CASE(kind_words_and_relative_are_kept) {
   BOOST_TEST((relative.kind() == Kind::model));
   BOOST_TEST(Tolerance::exact("same bits").bound() == 0.0);
 }
+
+BOOST_AUTO_TEST_SUITE_END()

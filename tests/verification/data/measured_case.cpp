@@ -1,5 +1,4 @@
 /// Cases made from measurements, against sets whose deviations and uncertainties are known.
-#define BOOST_TEST_MODULE measured_case
 #include "verification/data/measured_case.hpp"
 
 #include <boost/test/unit_test.hpp>
@@ -7,6 +6,8 @@
 
 #include "tests/verification/data/measured_files.hpp"
 #include "verification/driver/case_run.hpp"
+
+BOOST_AUTO_TEST_SUITE(measured_case_tests)
 
 using namespace talus::verification;
 namespace records = talus::records;
@@ -142,3 +143,5 @@ BOOST_AUTO_TEST_CASE(a_run_that_fails_names_its_row) {
   BOOST_TEST(holds_text(record.controls.at(0).message, "row 1 of the data: talus run ended with 2"),
              record.controls.at(0).message);
 }
+
+BOOST_AUTO_TEST_SUITE_END()

@@ -1,5 +1,4 @@
 /// Files of measurements: what is read, and what is refused.
-#define BOOST_TEST_MODULE measured_set
 #include "verification/data/measured_set.hpp"
 
 #include <boost/test/unit_test.hpp>
@@ -7,6 +6,8 @@
 #include "solver/base/error.hpp"
 #include "tests/verification/data/measured_files.hpp"
 #include "verification/data/scene_field.hpp"
+
+BOOST_AUTO_TEST_SUITE(measured_set_tests)
 
 using namespace talus;
 using namespace talus::verification;
@@ -137,3 +138,5 @@ BOOST_AUTO_TEST_CASE(a_field_is_found_by_its_path) {
   BOOST_TEST(field_refused("title[0]", "'title' is not an array; give it without [0]"));
   BOOST_TEST(field_refused("title.text", "nothing can be below 'title', which is a value"));
 }
+
+BOOST_AUTO_TEST_SUITE_END()

@@ -1,5 +1,4 @@
 // The comparison of two results: every class of difference, allowances, and renames.
-#define BOOST_TEST_MODULE baseline
 #include "verification/driver/baseline.hpp"
 
 #include <algorithm>
@@ -10,6 +9,12 @@
 
 #include "solver/base/error.hpp"
 #include "tests/verification/driver/recorded_cases.hpp"
+
+BOOST_TEST_DONT_PRINT_LOG_VALUE(talus::verification::Movement)
+BOOST_TEST_DONT_PRINT_LOG_VALUE(talus::verification::Presence)
+BOOST_TEST_DONT_PRINT_LOG_VALUE(std::vector<talus::verification::Reason>)
+
+BOOST_AUTO_TEST_SUITE(baseline_tests)
 
 using namespace talus::verification;
 
@@ -46,10 +51,6 @@ auto find(const Changes& changes, const std::string& name) {
 ItemName name(const std::string& id, const std::string& item = "") { return {id, item}; }
 
 }  // namespace
-
-BOOST_TEST_DONT_PRINT_LOG_VALUE(Movement)
-BOOST_TEST_DONT_PRINT_LOG_VALUE(Presence)
-BOOST_TEST_DONT_PRINT_LOG_VALUE(Reasons)
 
 BOOST_AUTO_TEST_CASE(equal_results_are_not_worse) {
   const RecordedResults results = recorded_results(
@@ -480,3 +481,5 @@ BOOST_AUTO_TEST_CASE(what_is_refused_before_a_run) {
                           return std::string(fault.what()) == "old.json: cases: found none; there must be at least one";
                         });
 }
+
+BOOST_AUTO_TEST_SUITE_END()

@@ -1,5 +1,4 @@
 // `talus_verify --baseline` and `--compare` from the command line to the exit status.
-#define BOOST_TEST_MODULE baseline_command
 #include <boost/test/unit_test.hpp>
 #include <filesystem>
 #include <initializer_list>
@@ -10,6 +9,8 @@
 #include "tests/verification/driver/synthetic_cases.hpp"
 #include "tests/verification/driver/temporary_folder.hpp"
 #include "verification/driver/command.hpp"
+
+BOOST_AUTO_TEST_SUITE(baseline_command_tests)
 
 using namespace talus::verification;
 using nlohmann::json;
@@ -288,3 +289,5 @@ BOOST_AUTO_TEST_CASE(a_comparison_that_cannot_be_written_is_four) {
   const Baseline baseline;
   BOOST_TEST(run({}, {"--compare", baseline.file, "--baseline", baseline.file, "--out", "/dev/null/none"}) == 4);
 }
+
+BOOST_AUTO_TEST_SUITE_END()

@@ -1,5 +1,4 @@
 // A comparison as a table, a job summary and JSON.
-#define BOOST_TEST_MODULE baseline_text
 #include <algorithm>
 #include <boost/test/unit_test.hpp>
 #include <cmath>
@@ -13,6 +12,8 @@
 #include "verification/driver/baseline_lines.hpp"
 #include "verification/driver/baseline_markdown.hpp"
 #include "verification/driver/baseline_table.hpp"
+
+BOOST_AUTO_TEST_SUITE(baseline_text_tests)
 
 using namespace talus::verification;
 
@@ -237,3 +238,5 @@ BOOST_AUTO_TEST_CASE(numbers_that_json_does_not_have_are_words) {
       table_of(compare(before, after, {}, {})),
       {"verdict         a/value: 1.1 m -> FAIL nan m; change/bound inf; error/bound 0.2 -> nan; bound 0.5 m\n"});
 }
+
+BOOST_AUTO_TEST_SUITE_END()

@@ -1,5 +1,4 @@
 /// All cases compared with the catalogue, without running them.
-#define BOOST_TEST_MODULE driver_case_list
 #include "verification/driver/case_list.hpp"
 
 #include <algorithm>
@@ -7,6 +6,8 @@
 #include <set>
 
 #include "verification/driver/case_error.hpp"
+
+BOOST_AUTO_TEST_SUITE(case_list_tests)
 
 using namespace talus::verification;
 
@@ -79,3 +80,5 @@ BOOST_AUTO_TEST_CASE(each_work_is_cited_or_called_background) {
         work.key << (background ? " is cited: it is no background" : " is cited nowhere: keywords = {background}"));
   }
 }
+
+BOOST_AUTO_TEST_SUITE_END()

@@ -1,5 +1,4 @@
 // The driver from its command line to its exit status.
-#define BOOST_TEST_MODULE command
 #include "verification/driver/command.hpp"
 
 #include <unistd.h>
@@ -15,6 +14,8 @@
 
 #include "tests/verification/driver/driver_run.hpp"
 #include "tests/verification/driver/synthetic_cases.hpp"
+
+BOOST_AUTO_TEST_SUITE(command_tests)
 
 using namespace talus::verification;
 namespace fs = std::filesystem;
@@ -198,3 +199,5 @@ BOOST_AUTO_TEST_CASE(the_results_do_not_depend_on_the_number_of_jobs) {
   }
   BOOST_TEST(one == three);
 }
+
+BOOST_AUTO_TEST_SUITE_END()

@@ -1,5 +1,4 @@
 // Records of an earlier run that are not made again (--reuse).
-#define BOOST_TEST_MODULE earlier_record
 #include <unistd.h>
 
 #include <boost/test/unit_test.hpp>
@@ -12,6 +11,8 @@
 
 #include "tests/verification/driver/driver_run.hpp"
 #include "tests/verification/driver/synthetic_cases.hpp"
+
+BOOST_AUTO_TEST_SUITE(earlier_record_tests)
 
 using namespace talus::verification;
 namespace fs = std::filesystem;
@@ -103,3 +104,5 @@ BOOST_AUTO_TEST_CASE(a_failed_case_is_run_again) {
 BOOST_AUTO_TEST_CASE(nothing_is_taken_over_under_another_rounding) {
   BOOST_TEST(Run({synthetic("sound", sound)}, {"--reuse", "--rounding", "upward"}).status == 2);
 }
+
+BOOST_AUTO_TEST_SUITE_END()

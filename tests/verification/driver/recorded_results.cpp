@@ -1,6 +1,5 @@
 // The reader of results.json for comparisons: all values that the driver writes are read with the same bits, and
 // anything else is refused with its path.
-#define BOOST_TEST_MODULE recorded_results
 #include "verification/driver/recorded_results.hpp"
 
 #include <boost/test/unit_test.hpp>
@@ -14,6 +13,8 @@
 #include "tests/verification/driver/temporary_folder.hpp"
 #include "verification/driver/case_run.hpp"
 #include "verification/driver/results.hpp"
+
+BOOST_AUTO_TEST_SUITE(recorded_results_tests)
 
 using namespace talus::verification;
 using nlohmann::json;
@@ -187,3 +188,5 @@ BOOST_AUTO_TEST_CASE(a_check_or_control_that_is_not_one_is_refused) {
   demand_refused([&](json& r) { control(r)["pass"] = false; },
                  "cases[0].controls[0].pass: found false; it must be true, because observed is \"red\"");
 }
+
+BOOST_AUTO_TEST_SUITE_END()

@@ -1,10 +1,11 @@
-#define BOOST_TEST_MODULE renames
 #include "verification/driver/renames.hpp"
 
 #include <boost/test/unit_test.hpp>
 
 #include "solver/base/error.hpp"
 #include "tests/verification/driver/temporary_folder.hpp"
+
+BOOST_AUTO_TEST_SUITE(renames_tests)
 
 using namespace talus::verification;
 
@@ -75,3 +76,5 @@ BOOST_AUTO_TEST_CASE(a_file_that_cannot_be_read_is_no_input_error) {
   BOOST_CHECK_THROW(static_cast<void>(read_renames(folder.path / "none.txt")), talus::IoError);
   BOOST_CHECK_THROW(static_cast<void>(read_renames(folder.path)), talus::IoError);
 }
+
+BOOST_AUTO_TEST_SUITE_END()

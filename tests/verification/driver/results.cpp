@@ -1,4 +1,3 @@
-#define BOOST_TEST_MODULE results
 #include "verification/driver/results.hpp"
 
 #include <algorithm>
@@ -16,6 +15,8 @@
 #include "verification/driver/junit.hpp"
 #include "verification/driver/provenance.hpp"
 #include "verification/driver/terminal.hpp"
+
+BOOST_AUTO_TEST_SUITE(results_tests)
 
 using namespace talus::verification;
 
@@ -194,3 +195,5 @@ BOOST_AUTO_TEST_CASE(junit_holds_each_check_and_control_and_their_failures) {
   BOOST_TEST(text.find("errors=\"1\"") != std::string::npos);
   BOOST_TEST(text.find("timeout: stopped &lt;late&gt;") != std::string::npos);
 }
+
+BOOST_AUTO_TEST_SUITE_END()

@@ -1,5 +1,4 @@
 // Cases that misbehave in each known way, from the command line of the driver to its exit status.
-#define BOOST_TEST_MODULE runner
 #include <sys/fsuid.h>
 #include <sys/resource.h>
 #include <sys/wait.h>
@@ -21,6 +20,8 @@
 
 #include "tests/verification/driver/driver_run.hpp"
 #include "tests/verification/driver/synthetic_cases.hpp"
+
+BOOST_AUTO_TEST_SUITE(runner_tests)
 
 using namespace talus::verification;
 namespace fs = std::filesystem;
@@ -458,3 +459,5 @@ BOOST_AUTO_TEST_CASE(a_case_that_is_not_well_formed_fails_without_being_run) {
   const Run twice({synthetic("same", sound), synthetic("same", sound)});
   BOOST_TEST(twice.status == 1);
 }
+
+BOOST_AUTO_TEST_SUITE_END()

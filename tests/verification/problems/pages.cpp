@@ -1,4 +1,3 @@
-#define BOOST_TEST_MODULE pages
 #include <algorithm>
 #include <boost/test/unit_test.hpp>
 #include <cctype>
@@ -15,6 +14,8 @@
 #include "verification/catalogue/catalogue.hpp"
 #include "verification/check/evidence.hpp"
 #include "verification/driver/case_list.hpp"
+
+BOOST_AUTO_TEST_SUITE(pages_tests)
 
 using namespace talus::verification;
 namespace fs = std::filesystem;
@@ -251,3 +252,5 @@ BOOST_AUTO_TEST_CASE(faults_of_pages_are_found) {
                             "`make nothing`", "[a](none.md)", "text\n\n**Source.** Nobody 1993."})
     BOOST_TEST(number(dead_references(wrong)) == 1u, wrong);
 }
+
+BOOST_AUTO_TEST_SUITE_END()

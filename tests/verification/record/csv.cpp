@@ -1,4 +1,3 @@
-#define BOOST_TEST_MODULE record_csv
 #include "verification/record/csv.hpp"
 
 #include <cmath>
@@ -7,6 +6,8 @@
 #include <vector>
 
 #include "tests/verification/record/scratch.hpp"
+
+BOOST_AUTO_TEST_SUITE(csv_tests)
 
 using namespace talus::records;
 
@@ -132,3 +133,5 @@ BOOST_AUTO_TEST_CASE(a_row_has_as_many_cells_as_the_header) {
   text.number(3.0);
   BOOST_CHECK_THROW(text.end_row(), std::logic_error);
 }
+
+BOOST_AUTO_TEST_SUITE_END()

@@ -1,4 +1,3 @@
-#define BOOST_TEST_MODULE record_figure
 #include "verification/record/figure.hpp"
 
 #include <limits>
@@ -7,6 +6,8 @@
 
 #include "tests/verification/record/scratch.hpp"
 #include "verification/record/figure_points.hpp"
+
+BOOST_AUTO_TEST_SUITE(figure_tests)
 
 using namespace talus::records;
 
@@ -187,3 +188,5 @@ BOOST_AUTO_TEST_CASE(each_rule_of_a_figure_is_demanded) {
   BOOST_TEST(of([](Figure& f) { f.slopes = {{2.0, 1.0, 0.0, ""}}; }) == "slopes[0]: x and y must be > 0");
   BOOST_TEST(of([](Figure& f) { f.equal = true; }) == ": a figure with equal units needs min and max of both axes");
 }
+
+BOOST_AUTO_TEST_SUITE_END()

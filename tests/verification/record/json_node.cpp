@@ -1,4 +1,3 @@
-#define BOOST_TEST_MODULE record_json_node
 #include "verification/record/json_node.hpp"
 
 #include <cmath>
@@ -7,6 +6,8 @@
 
 #include "tests/verification/record/scratch.hpp"
 #include "verification/record/json_number.hpp"
+
+BOOST_AUTO_TEST_SUITE(json_node_tests)
 
 using namespace talus::records;
 
@@ -107,3 +108,5 @@ BOOST_AUTO_TEST_CASE(files_that_are_no_json_are_refused) {
   BOOST_TEST(holds(read("{\"a\": 1e999}"), "a.json: truncated or not JSON: "));
   BOOST_TEST(holds(error_message([&] { (void)read_json(folder.path / "none"); }), "No such file or directory"));
 }
+
+BOOST_AUTO_TEST_SUITE_END()

@@ -1,4 +1,3 @@
-#define BOOST_TEST_MODULE record_record_files
 #include "verification/record/record_files.hpp"
 
 #include <cmath>
@@ -8,6 +7,8 @@
 #include "tests/verification/record/fields.hpp"
 #include "verification/record/case_fields.hpp"
 #include "verification/record/whole_file.hpp"
+
+BOOST_AUTO_TEST_SUITE(record_files_tests)
 
 using namespace talus::records;
 
@@ -365,3 +366,5 @@ BOOST_AUTO_TEST_CASE(a_control_passes_only_if_red_with_and_green_without_its_fau
     }
   }
 }
+
+BOOST_AUTO_TEST_SUITE_END()

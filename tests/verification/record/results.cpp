@@ -1,4 +1,3 @@
-#define BOOST_TEST_MODULE record_results
 #include "verification/record/results.hpp"
 
 #include <fmt/format.h>
@@ -10,6 +9,8 @@
 #include "verification/record/record_files.hpp"
 #include "verification/record/results_fields.hpp"
 #include "verification/record/whole_file.hpp"
+
+BOOST_AUTO_TEST_SUITE(results_tests)
 
 using namespace talus::records;
 
@@ -175,3 +176,5 @@ BOOST_AUTO_TEST_CASE(dates_are_seconds) {
   for (const char* text : {"", "2000-13-01", "2000-02-30", "2000-01-01T25:00:00Z", "yesterday"})
     BOOST_CHECK_THROW((void)epoch_seconds(text), RecordError);
 }
+
+BOOST_AUTO_TEST_SUITE_END()

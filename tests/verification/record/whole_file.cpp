@@ -1,4 +1,3 @@
-#define BOOST_TEST_MODULE record_whole_file
 #include "verification/record/whole_file.hpp"
 
 #include <sys/resource.h>
@@ -9,6 +8,8 @@
 #include <vector>
 
 #include "tests/verification/record/scratch.hpp"
+
+BOOST_AUTO_TEST_SUITE(whole_file_tests)
 
 using namespace talus::records;
 
@@ -116,3 +117,5 @@ BOOST_AUTO_TEST_CASE(the_remains_of_a_killed_program_are_removed) {
   BOOST_TEST(!fs::exists(folder.path / ".a.csv.talus-0000ab"));
   remove_remains(folder.path / "none", [](std::string_view) { return true; });
 }
+
+BOOST_AUTO_TEST_SUITE_END()

@@ -1,4 +1,3 @@
-#define BOOST_TEST_MODULE toolkit
 #include <array>
 #include <boost/test/unit_test.hpp>
 #include <cmath>
@@ -9,6 +8,8 @@
 #include "verification/study/program/program_options.hpp"
 #include "verification/study/runs/recorded_run.hpp"
 #include "verification/study/toolkit.hpp"
+
+BOOST_AUTO_TEST_SUITE(toolkit_tests)
 
 using namespace talus;
 using namespace talus::verification;
@@ -237,3 +238,5 @@ BOOST_AUTO_TEST_CASE(differences_are_named_and_none_need_a_comparison) {
   BOOST_TEST(findings.find("equal")->pass);
   BOOST_TEST(!findings.find("none")->pass);
 }
+
+BOOST_AUTO_TEST_SUITE_END()

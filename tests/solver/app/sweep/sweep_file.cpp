@@ -1,4 +1,3 @@
-#define BOOST_TEST_MODULE sweep_file
 #include "solver/app/sweep/sweep_file.hpp"
 
 #include <boost/test/unit_test.hpp>
@@ -12,6 +11,8 @@
 #include "solver/app/sweep/sweep_runs.hpp"
 #include "solver/base/error.hpp"
 #include "solver/base/units.hpp"
+
+BOOST_AUTO_TEST_SUITE(sweep_file_tests)
 
 using namespace talus;
 using namespace talus::app;
@@ -144,3 +145,5 @@ BOOST_AUTO_TEST_CASE(quantities_of_any_dimension) {
   BOOST_TEST((parse_any_quantity("3", si).dimension == dimension::number));
   BOOST_CHECK_THROW(static_cast<void>(parse_any_quantity("fast", si)), InputError);
 }
+
+BOOST_AUTO_TEST_SUITE_END()

@@ -1,4 +1,3 @@
-#define BOOST_TEST_MODULE cell_restart
 #include "solver/io/cell/cell_restart.hpp"
 
 #include <boost/test/unit_test.hpp>
@@ -9,6 +8,8 @@
 
 #include "solver/base/error.hpp"
 #include "tests/solver/io/small_cell.hpp"
+
+BOOST_AUTO_TEST_SUITE(cell_restart_tests)
 
 using namespace talus;
 
@@ -124,3 +125,5 @@ BOOST_AUTO_TEST_CASE(a_picture_has_all_discs_and_the_images_across_the_border) {
   BOOST_TEST(seen.at(4).first == 2.4, boost::test_tools::tolerance(1e-14));
   BOOST_TEST(seen.at(-4).second == discs.y[3]);
 }
+
+BOOST_AUTO_TEST_SUITE_END()

@@ -1,4 +1,3 @@
-#define BOOST_TEST_MODULE lammps
 #include "solver/io/cell/lammps.hpp"
 
 #include <algorithm>
@@ -14,6 +13,8 @@
 #include "solver/base/error.hpp"
 #include "solver/granular/disc_system.hpp"
 #include "solver/integrate/velocity_verlet.hpp"
+
+BOOST_AUTO_TEST_SUITE(lammps_tests)
 
 using namespace talus;
 namespace fs = std::filesystem;
@@ -243,3 +244,5 @@ BOOST_AUTO_TEST_CASE(what_lammps_does_not_have_is_refused) {
       LammpsRun::Style::granular,
       "shear_law: found mindlin with linear_spring_dashpot, which has no contact radius; it must be linear");
 }
+
+BOOST_AUTO_TEST_SUITE_END()

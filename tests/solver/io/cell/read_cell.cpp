@@ -1,4 +1,3 @@
-#define BOOST_TEST_MODULE read_cell
 #include "solver/io/cell/read_cell.hpp"
 
 #include <fmt/format.h>
@@ -11,6 +10,8 @@
 #include "solver/base/error.hpp"
 #include "solver/granular/disc_method.hpp"
 #include "tests/solver/io/folder.hpp"
+
+BOOST_AUTO_TEST_SUITE(read_cell_tests)
 
 using namespace talus;
 
@@ -413,3 +414,5 @@ BOOST_AUTO_TEST_CASE(the_two_files_of_cases_are_the_same_cell) {
   BOOST_TEST(one.cell.rows == other.cell.rows);
   BOOST_TEST(one.pictures == other.pictures);
 }
+
+BOOST_AUTO_TEST_SUITE_END()

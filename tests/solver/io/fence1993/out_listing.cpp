@@ -1,4 +1,3 @@
-#define BOOST_TEST_MODULE out_listing
 #include "solver/io/fence1993/out_listing.hpp"
 
 #include <algorithm>
@@ -13,6 +12,8 @@
 #include "solver/io/file/fortran.hpp"
 #include "solver/io/file/toml_document.hpp"
 #include "tests/solver/io/fence_run.hpp"
+
+BOOST_AUTO_TEST_SUITE(out_listing_tests)
 
 using namespace talus;
 
@@ -137,3 +138,5 @@ BOOST_AUTO_TEST_CASE(fences_in_other_units_are_listed_in_those_of_the_deck) {
     lines->resize(lines->size() - 13);
   BOOST_TEST(ours == theirs, boost::test_tools::per_element());
 }
+
+BOOST_AUTO_TEST_SUITE_END()

@@ -1,4 +1,3 @@
-#define BOOST_TEST_MODULE read_deck
 #include "solver/io/fence1993/read_deck.hpp"
 
 #include <boost/test/unit_test.hpp>
@@ -6,6 +5,8 @@
 #include "solver/base/error.hpp"
 #include "solver/io/fence1993/write_deck.hpp"
 #include "solver/io/file/toml_document.hpp"
+
+BOOST_AUTO_TEST_SUITE(read_deck_tests)
 
 using namespace talus;
 using scenes::ElementSolid;
@@ -257,3 +258,5 @@ BOOST_AUTO_TEST_CASE(options_that_no_record_carries) {
                std::string::npos);
   }
 }
+
+BOOST_AUTO_TEST_SUITE_END()

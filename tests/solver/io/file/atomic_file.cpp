@@ -1,4 +1,3 @@
-#define BOOST_TEST_MODULE atomic_file
 #include "solver/io/file/atomic_file.hpp"
 
 #include <boost/test/unit_test.hpp>
@@ -7,6 +6,8 @@
 #include "solver/base/error.hpp"
 #include "solver/io/file/toml_document.hpp"
 #include "tests/solver/io/folder.hpp"
+
+BOOST_AUTO_TEST_SUITE(atomic_file_tests)
 
 using namespace talus;
 namespace fs = std::filesystem;
@@ -56,3 +57,5 @@ BOOST_AUTO_TEST_CASE(folders_are_made) {
   demand_folder_with(folder.path, "file", meaning);
   BOOST_CHECK_THROW(demand_folder_with(folder.path / "a", "plot.json", meaning), IoError);
 }
+
+BOOST_AUTO_TEST_SUITE_END()

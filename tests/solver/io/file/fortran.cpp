@@ -1,7 +1,8 @@
-#define BOOST_TEST_MODULE fortran
 #include "solver/io/file/fortran.hpp"
 
 #include <boost/test/unit_test.hpp>
+
+BOOST_AUTO_TEST_SUITE(fortran_tests)
 
 using talus::fortran_e;
 using talus::fortran_g;
@@ -45,3 +46,5 @@ BOOST_AUTO_TEST_CASE(format_g_stands_without_exponent_near_one) {
   BOOST_TEST(fortran_g(999.6, 3) == ".100E+04");
   BOOST_TEST(fortran_g(2e7, 3) == ".200E+08");
 }
+
+BOOST_AUTO_TEST_SUITE_END()

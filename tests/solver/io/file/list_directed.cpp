@@ -1,4 +1,3 @@
-#define BOOST_TEST_MODULE list_directed
 #include "solver/io/file/list_directed.hpp"
 
 #include <boost/test/unit_test.hpp>
@@ -6,6 +5,8 @@
 #include <vector>
 
 #include "solver/base/error.hpp"
+
+BOOST_AUTO_TEST_SUITE(list_directed_tests)
 
 // Expected values follow from the rules of list-directed input in the Fortran 77 standard (ANSI X3.9-1978, 13.6).
 
@@ -80,3 +81,5 @@ BOOST_AUTO_TEST_CASE(missing_values) {
   ListDirected empty{""};
   BOOST_CHECK_THROW(static_cast<void>(empty.whole_line()), InputError);
 }
+
+BOOST_AUTO_TEST_SUITE_END()

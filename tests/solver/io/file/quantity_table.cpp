@@ -1,4 +1,3 @@
-#define BOOST_TEST_MODULE quantity_table
 #include "solver/io/file/quantity_table.hpp"
 
 #include <boost/test/unit_test.hpp>
@@ -7,6 +6,8 @@
 
 #include "solver/base/error.hpp"
 #include "tests/solver/io/folder.hpp"
+
+BOOST_AUTO_TEST_SUITE(quantity_table_tests)
 
 using namespace talus;
 
@@ -91,3 +92,5 @@ BOOST_AUTO_TEST_CASE(a_head_has_a_name_and_a_unit) {
   BOOST_TEST((name_and_unit("rock.vx") == std::pair<std::string, std::string>{"rock.vx", ""}));
   BOOST_TEST((name_and_unit("a [b] [m]") == std::pair<std::string, std::string>{"a [b]", "m"}));
 }
+
+BOOST_AUTO_TEST_SUITE_END()

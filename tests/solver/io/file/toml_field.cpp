@@ -1,10 +1,11 @@
-#define BOOST_TEST_MODULE toml_field
 #include "solver/io/file/toml_field.hpp"
 
 #include <boost/test/unit_test.hpp>
 #include <string>
 
 #include "solver/base/error.hpp"
+
+BOOST_AUTO_TEST_SUITE(toml_field_tests)
 
 using namespace talus;
 
@@ -74,3 +75,5 @@ BOOST_AUTO_TEST_CASE(wrong_paths_are_refused) {
   refused("gravity[0].x", "nothing can be below 'gravity'");
   refused("fence.rock[0]", "found a table; it must be a value");
 }
+
+BOOST_AUTO_TEST_SUITE_END()

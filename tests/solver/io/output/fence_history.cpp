@@ -1,4 +1,3 @@
-#define BOOST_TEST_MODULE fence_history
 #include "solver/io/output/fence_history.hpp"
 
 #include <algorithm>
@@ -11,6 +10,8 @@
 #include "solver/base/error.hpp"
 #include "solver/io/fence1993/read_deck.hpp"
 #include "tests/solver/io/fence_run.hpp"
+
+BOOST_AUTO_TEST_SUITE(fence_history_tests)
 
 using namespace talus;
 
@@ -175,3 +176,5 @@ BOOST_AUTO_TEST_CASE(hangers_of_sleeping_columns_carry_their_weight) {
       BOOST_TEST(near(row[column], 960.4162901, 1e-5));  // the wave contributes less than 1e-5 of it within 12 steps
   }
 }
+
+BOOST_AUTO_TEST_SUITE_END()

@@ -1,4 +1,3 @@
-#define BOOST_TEST_MODULE read_geometry
 #include "solver/io/output/read_geometry.hpp"
 
 #include <unistd.h>
@@ -17,6 +16,8 @@
 #include "tests/solver/io/fence_run.hpp"
 #include "tests/solver/io/folder.hpp"
 #include "tests/solver/io/small_cell.hpp"
+
+BOOST_AUTO_TEST_SUITE(read_geometry_tests)
 
 // Output files of a run, read back.
 
@@ -197,3 +198,5 @@ BOOST_AUTO_TEST_CASE(what_no_run_left_is_named) {
                    "plot.json: period: found 0; it must be > 0"));
   BOOST_CHECK_THROW(static_cast<void>(read_run_folder(folder.path / "none")), IoError);
 }
+
+BOOST_AUTO_TEST_SUITE_END()

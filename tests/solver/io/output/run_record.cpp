@@ -1,4 +1,3 @@
-#define BOOST_TEST_MODULE run_record
 #include <boost/test/unit_test.hpp>
 #include <cstdlib>
 #include <limits>
@@ -8,6 +7,8 @@
 #include "solver/io/output/write_history.hpp"
 #include "solver/io/output/write_plot.hpp"
 #include "solver/io/output/write_summary.hpp"
+
+BOOST_AUTO_TEST_SUITE(run_record_tests)
 
 using namespace talus;
 
@@ -91,3 +92,5 @@ BOOST_AUTO_TEST_CASE(plots_name_the_columns_of_the_csv) {
   BOOST_TEST(figure.at("series").at(0).at("y").get<std::string>() == "rock.x [ft]");
   BOOST_TEST(json.at("figures").at(1).at("name").get<std::string>() == "energies");
 }
+
+BOOST_AUTO_TEST_SUITE_END()

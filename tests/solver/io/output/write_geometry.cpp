@@ -1,4 +1,3 @@
-#define BOOST_TEST_MODULE write_geometry
 #include "solver/io/output/write_geometry.hpp"
 
 #include <unistd.h>
@@ -15,6 +14,8 @@
 #include "solver/io/fence1993/read_deck.hpp"
 #include "tests/solver/io/fence_run.hpp"
 #include "tests/solver/io/folder.hpp"
+
+BOOST_AUTO_TEST_SUITE(write_geometry_tests)
 
 using namespace talus;
 namespace fs = std::filesystem;
@@ -131,3 +132,5 @@ BOOST_AUTO_TEST_CASE(an_index_of_before_does_not_stay) {
   BOOST_TEST(!fs::exists(folder.path / "s.pvd"));
   BOOST_CHECK_THROW((VtpSeries{dynamics, "/dev/null/no", "s", 60}), IoError);
 }
+
+BOOST_AUTO_TEST_SUITE_END()

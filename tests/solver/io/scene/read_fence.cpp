@@ -1,4 +1,3 @@
-#define BOOST_TEST_MODULE read_fence
 #include "solver/io/scene/read_fence.hpp"
 
 #include <boost/test/unit_test.hpp>
@@ -9,6 +8,8 @@
 #include "solver/io/fence_file.hpp"
 #include "solver/io/scene/write_fence.hpp"
 #include "solver/scenes/fence_scene.hpp"
+
+BOOST_AUTO_TEST_SUITE(read_fence_tests)
 
 using namespace talus;
 using scenes::Fence;
@@ -241,3 +242,5 @@ BOOST_AUTO_TEST_CASE(files_by_extension) {
   BOOST_CHECK_THROW(static_cast<void>(fence_format("a.txt")), InputError);
   BOOST_CHECK_THROW(static_cast<void>(read_fence(folder().parent_path() / "two_cable.toml")), InputError);
 }
+
+BOOST_AUTO_TEST_SUITE_END()

@@ -1,4 +1,3 @@
-#define BOOST_TEST_MODULE read_scene
 #include <boost/test/unit_test.hpp>
 #include <cmath>
 #include <numbers>
@@ -7,6 +6,8 @@
 #include "solver/io/scene/read_scene.hpp"
 #include "solver/laws/restitution.hpp"
 #include "solver/scenes/two_cable.hpp"
+
+BOOST_AUTO_TEST_SUITE(read_scene_tests)
 
 using namespace talus;
 
@@ -121,3 +122,5 @@ ledger = "off"
   BOOST_TEST(!read.plan.ledger);
   BOOST_TEST(name(read.integrator) == "odeint_dopri5");
 }
+
+BOOST_AUTO_TEST_SUITE_END()

@@ -1,4 +1,3 @@
-#define BOOST_TEST_MODULE wrong_scenes
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
@@ -10,6 +9,8 @@
 #include "solver/integrate/integrator_list.hpp"
 #include "solver/io/read_scene_file.hpp"
 #include "solver/io/scene/read_scene.hpp"
+
+BOOST_AUTO_TEST_SUITE(wrong_scenes_tests)
 
 // Each test takes the valid scene, introduces one mistake and expects one message, word for word.
 
@@ -280,3 +281,5 @@ BOOST_AUTO_TEST_CASE(fields_of_other_contact_laws) {
   BOOST_TEST(hunt_crossley("exponent = 1.5\nrestitution = 0.5\nrestitution_speed = \"-1 m/s\"") ==
              "s.toml:24: contact 'bounce': restitution_speed: found \"-1 m/s\"; it must be > 0");
 }
+
+BOOST_AUTO_TEST_SUITE_END()

@@ -1,10 +1,11 @@
-#define BOOST_TEST_MODULE reference_cable_draw
 #include "verification/reference/cables/cable_draw.hpp"
 
 #include <algorithm>
 #include <boost/test/unit_test.hpp>
 #include <cmath>
 #include <stdexcept>
+
+BOOST_AUTO_TEST_SUITE(cable_draw_tests)
 
 namespace ref = talus::verification::reference;
 
@@ -136,3 +137,5 @@ BOOST_AUTO_TEST_CASE(wrong_cables_are_refused) {
   BOOST_CHECK_THROW((void)ref::draw({8.0, {{0.1, 2.0}}, 0.0}, 1.0, 1.0), std::invalid_argument);
   BOOST_CHECK_THROW((void)ref::draw(straight, 0.0, 1.0), std::invalid_argument);
 }
+
+BOOST_AUTO_TEST_SUITE_END()

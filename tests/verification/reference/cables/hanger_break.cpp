@@ -1,9 +1,10 @@
-#define BOOST_TEST_MODULE reference_hanger_break
 #include "verification/reference/cables/hanger_break.hpp"
 
 #include <boost/test/unit_test.hpp>
 #include <cmath>
 #include <stdexcept>
+
+BOOST_AUTO_TEST_SUITE(hanger_break_tests)
 
 namespace ref = talus::verification::reference;
 
@@ -72,3 +73,5 @@ BOOST_AUTO_TEST_CASE(a_strong_hanger_is_refused) {
   BOOST_CHECK_THROW((void)ref::break_hanger(pair, 1.01 * ref::first_load_peak(pair).load), std::invalid_argument);
   BOOST_CHECK_THROW((void)ref::break_hanger(pair, 0.0), std::invalid_argument);
 }
+
+BOOST_AUTO_TEST_SUITE_END()

@@ -1,10 +1,11 @@
-#define BOOST_TEST_MODULE reference_hanging_chain
 #include "verification/reference/cables/hanging_chain.hpp"
 
 #include <boost/test/unit_test.hpp>
 #include <cmath>
 #include <limits>
 #include <stdexcept>
+
+BOOST_AUTO_TEST_SUITE(hanging_chain_tests)
 
 namespace ref = talus::verification::reference;
 
@@ -68,3 +69,5 @@ BOOST_AUTO_TEST_CASE(bad_parameters) {
   BOOST_CHECK_THROW((void)ref::hung_chain({9, 0.05, 0.1, 1.0, 0.0}, 0.0), std::invalid_argument);
   BOOST_CHECK_THROW((void)ref::hung_chain({0, 0.5, 0.1, 1.0, 0.0}, 0.0), std::invalid_argument);
 }
+
+BOOST_AUTO_TEST_SUITE_END()

@@ -1,4 +1,3 @@
-#define BOOST_TEST_MODULE reference_mid_span
 #include "verification/reference/cables/mid_span.hpp"
 
 #include <array>
@@ -7,6 +6,8 @@
 #include <limits>
 
 #include "verification/reference/mathematics/trajectory.hpp"
+
+BOOST_AUTO_TEST_SUITE(mid_span_tests)
 
 namespace ref = talus::verification::reference;
 
@@ -76,3 +77,5 @@ BOOST_AUTO_TEST_CASE(steps_shorten_the_period_of_the_cubic_oscillator) {
   const double found = 4.0 * t / ref::cubic_period(span, 1.0) - 1.0;
   BOOST_TEST(found == ref::longer_by_steps(span, 1.0, h), boost::test_tools::tolerance(1e-3));
 }
+
+BOOST_AUTO_TEST_SUITE_END()

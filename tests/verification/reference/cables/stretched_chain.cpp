@@ -1,4 +1,3 @@
-#define BOOST_TEST_MODULE reference_stretched_chain
 #include "verification/reference/cables/stretched_chain.hpp"
 
 #include <boost/test/unit_test.hpp>
@@ -7,6 +6,8 @@
 #include <stdexcept>
 
 #include "verification/reference/mathematics/trajectory.hpp"
+
+BOOST_AUTO_TEST_SUITE(stretched_chain_tests)
 
 namespace ref = talus::verification::reference;
 
@@ -73,3 +74,5 @@ BOOST_AUTO_TEST_CASE(bad_parameters) {
   BOOST_CHECK_THROW((void)ref::leapfrog_frequency(2.1, 1.0), std::invalid_argument);
   BOOST_CHECK_THROW((void)ref::leapfrog_growth(1.9, 1.0), std::invalid_argument);
 }
+
+BOOST_AUTO_TEST_SUITE_END()

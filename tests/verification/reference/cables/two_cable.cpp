@@ -1,4 +1,3 @@
-#define BOOST_TEST_MODULE reference_two_cable
 #include "verification/reference/cables/two_cable.hpp"
 
 #include <boost/math/quadrature/tanh_sinh.hpp>
@@ -10,6 +9,8 @@
 #include <stdexcept>
 
 #include "verification/reference/mathematics/high_precision.hpp"
+
+BOOST_AUTO_TEST_SUITE(two_cable_tests)
 
 namespace ref = talus::verification::reference;
 using ref::Real50;
@@ -120,3 +121,5 @@ BOOST_AUTO_TEST_CASE(time_and_position_are_inverse) {
   BOOST_CHECK_THROW((void)motion.time_to_distance(3.9), std::invalid_argument);
   BOOST_CHECK_THROW((void)motion.at(-1.0), std::invalid_argument);
 }
+
+BOOST_AUTO_TEST_SUITE_END()

@@ -1,4 +1,3 @@
-#define BOOST_TEST_MODULE reference_two_cable_contact
 #include "verification/reference/cables/two_cable_contact.hpp"
 
 #include <array>
@@ -8,6 +7,8 @@
 #include <vector>
 
 #include "verification/reference/impacts/restitution.hpp"
+
+BOOST_AUTO_TEST_SUITE(two_cable_contact_tests)
 
 namespace ref = talus::verification::reference;
 using ref::EndRule;
@@ -110,3 +111,5 @@ BOOST_AUTO_TEST_CASE(samples_join_at_the_end_of_contact) {
   BOOST_TEST(std::abs(soft.samples[2].particle_position - once.turning_distance) < 4 * eps);
   BOOST_CHECK_THROW((void)ref::soft_impact(problem, {0.0, 0.0, EndRule::clamped}), std::invalid_argument);
 }
+
+BOOST_AUTO_TEST_SUITE_END()

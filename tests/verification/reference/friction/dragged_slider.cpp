@@ -1,9 +1,10 @@
-#define BOOST_TEST_MODULE reference_dragged_slider
 #include "verification/reference/friction/dragged_slider.hpp"
 
 #include <boost/test/unit_test.hpp>
 #include <cmath>
 #include <stdexcept>
+
+BOOST_AUTO_TEST_SUITE(dragged_slider_tests)
 
 namespace ref = talus::verification::reference;
 
@@ -128,3 +129,5 @@ BOOST_AUTO_TEST_CASE(wrong_problems_are_refused) {
   p.mobility = 0.5;
   BOOST_CHECK_THROW((ref::DraggedSliderMotion{p, 1.0}), std::invalid_argument);
 }
+
+BOOST_AUTO_TEST_SUITE_END()

@@ -1,10 +1,11 @@
-#define BOOST_TEST_MODULE reference_oblique_impact
 #include "verification/reference/friction/oblique_impact.hpp"
 
 #include <algorithm>
 #include <boost/test/unit_test.hpp>
 #include <cmath>
 #include <stdexcept>
+
+BOOST_AUTO_TEST_SUITE(oblique_impact_tests)
 
 namespace ref = talus::verification::reference;
 using ref::EndRule;
@@ -101,3 +102,5 @@ BOOST_AUTO_TEST_CASE(ends_and_errors) {
   BOOST_CHECK_THROW((void)ref::rebound(disc(0.0, 0.3, 1.0), EndRule::clamped), std::invalid_argument);
   BOOST_CHECK_THROW((void)ref::rebound(disc(0.5, 0.3, 1.0, 2.5), EndRule::clamped), std::invalid_argument);
 }
+
+BOOST_AUTO_TEST_SUITE_END()

@@ -1,10 +1,11 @@
-#define BOOST_TEST_MODULE reference_resting_contact
 #include "verification/reference/friction/resting_contact.hpp"
 
 #include <boost/test/unit_test.hpp>
 #include <cmath>
 
 #include "verification/reference/mathematics/trajectory.hpp"
+
+BOOST_AUTO_TEST_SUITE(resting_contact_tests)
 
 namespace ref = talus::verification::reference;
 
@@ -68,3 +69,5 @@ BOOST_AUTO_TEST_CASE(the_disc_rolls_as_an_integration_does) {
   BOOST_TEST(static_cast<double>(truth.coordinates()[4]) == ref::rolled_spin(disc, 1.3),
              boost::test_tools::tolerance(1e-12));
 }
+
+BOOST_AUTO_TEST_SUITE_END()

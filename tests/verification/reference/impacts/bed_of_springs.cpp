@@ -1,4 +1,3 @@
-#define BOOST_TEST_MODULE reference_bed_of_springs
 #include "verification/reference/impacts/bed_of_springs.hpp"
 
 #include <algorithm>
@@ -7,6 +6,8 @@
 #include <numbers>
 #include <stdexcept>
 #include <vector>
+
+BOOST_AUTO_TEST_SUITE(bed_of_springs_tests)
 
 namespace ref = talus::verification::reference;
 
@@ -81,3 +82,5 @@ BOOST_AUTO_TEST_CASE(bad_parameters) {
   BOOST_CHECK_THROW((void)ref::bed_impact({0.0, 1.0, 0.0}, 1.0, 1.0), std::invalid_argument);
   BOOST_CHECK_THROW((void)ref::bed_impact(bed, 1.0, 0.0), std::invalid_argument);
 }
+
+BOOST_AUTO_TEST_SUITE_END()

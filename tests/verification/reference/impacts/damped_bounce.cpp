@@ -1,4 +1,3 @@
-#define BOOST_TEST_MODULE reference_damped_bounce
 #include "verification/reference/impacts/damped_bounce.hpp"
 
 #include <array>
@@ -10,6 +9,8 @@
 
 #include "verification/reference/impacts/restitution.hpp"
 #include "verification/reference/mathematics/trajectory.hpp"
+
+BOOST_AUTO_TEST_SUITE(damped_bounce_tests)
 
 namespace ref = talus::verification::reference;
 using ref::Coordinates;
@@ -155,3 +156,5 @@ BOOST_AUTO_TEST_CASE(bad_parameters) {
   BOOST_CHECK_THROW((void)ref::bounces({0.0, 0.1, 9.81, 1.0, 0.0, EndRule::clamped}, 1), std::invalid_argument);
   BOOST_CHECK_THROW((void)ref::bounces({1.0, 0.1, 0.0, 1.0, 0.0, EndRule::clamped}, 1), std::invalid_argument);
 }
+
+BOOST_AUTO_TEST_SUITE_END()

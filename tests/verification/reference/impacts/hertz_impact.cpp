@@ -1,4 +1,3 @@
-#define BOOST_TEST_MODULE reference_hertz_impact
 #include "verification/reference/impacts/hertz_impact.hpp"
 
 #include <array>
@@ -10,6 +9,8 @@
 #include "verification/reference/impacts/restitution.hpp"
 #include "verification/reference/mathematics/high_precision.hpp"
 #include "verification/reference/mathematics/trajectory.hpp"
+
+BOOST_AUTO_TEST_SUITE(hertz_impact_tests)
 
 namespace ref = talus::verification::reference;
 using ref::EndRule;
@@ -80,3 +81,5 @@ BOOST_AUTO_TEST_CASE(bad_parameters) {
   BOOST_CHECK_THROW((void)ref::hertz_events({0.0, 0.0, 1.0, 1.0}, EndRule::clamped), std::invalid_argument);
   BOOST_CHECK_THROW((void)ref::hertz_events({1.0, 1.0, 1.0, 1.0}, EndRule::clamped), std::invalid_argument);
 }
+
+BOOST_AUTO_TEST_SUITE_END()

@@ -1,4 +1,3 @@
-#define BOOST_TEST_MODULE reference_latching_impact
 #include "verification/reference/impacts/latching_impact.hpp"
 
 #include <array>
@@ -8,6 +7,8 @@
 #include <stdexcept>
 
 #include "verification/reference/mathematics/trajectory.hpp"
+
+BOOST_AUTO_TEST_SUITE(latching_impact_tests)
 
 namespace ref = talus::verification::reference;
 
@@ -84,3 +85,5 @@ BOOST_AUTO_TEST_CASE(bad_parameters) {
   BOOST_CHECK_THROW((void)ref::latching_events({2.0, 1.0, 0.0, 1.0, 1.0}), std::invalid_argument);
   BOOST_CHECK_THROW((void)ref::latching_events({1.0, 1.0, -1.0, 1.0, 1.0}), std::invalid_argument);
 }
+
+BOOST_AUTO_TEST_SUITE_END()

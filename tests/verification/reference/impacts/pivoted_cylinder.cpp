@@ -1,4 +1,3 @@
-#define BOOST_TEST_MODULE reference_pivoted_cylinder
 #include "verification/reference/impacts/pivoted_cylinder.hpp"
 
 #include <array>
@@ -9,6 +8,8 @@
 #include <vector>
 
 #include "verification/reference/impacts/restitution.hpp"
+
+BOOST_AUTO_TEST_SUITE(pivoted_cylinder_tests)
 
 namespace ref = talus::verification::reference;
 using ref::EndRule;
@@ -145,3 +146,5 @@ BOOST_AUTO_TEST_CASE(largest_force_and_rate_bound_the_samples) {
   BOOST_TEST(rate <= once.peak_rate * (1 + 4 * eps));
   BOOST_TEST(rate > once.peak_rate * (1 - 1e-5));
 }
+
+BOOST_AUTO_TEST_SUITE_END()

@@ -1,4 +1,3 @@
-#define BOOST_TEST_MODULE reference_power_law_impact
 #include "verification/reference/impacts/power_law_impact.hpp"
 
 #include <boost/test/unit_test.hpp>
@@ -7,6 +6,8 @@
 #include <stdexcept>
 
 #include "verification/reference/impacts/hertz_impact.hpp"
+
+BOOST_AUTO_TEST_SUITE(power_law_impact_tests)
 
 namespace ref = talus::verification::reference;
 using boost::test_tools::tolerance;
@@ -55,3 +56,5 @@ BOOST_AUTO_TEST_CASE(what_has_no_answer_is_refused) {
   BOOST_CHECK_THROW((void)ref::hunt_crossley_restitution(0.0), std::invalid_argument);
   BOOST_CHECK_THROW((void)ref::hunt_crossley_number(1.0), std::invalid_argument);
 }
+
+BOOST_AUTO_TEST_SUITE_END()

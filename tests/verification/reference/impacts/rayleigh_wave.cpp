@@ -1,10 +1,11 @@
-#define BOOST_TEST_MODULE reference_rayleigh_wave
 #include "verification/reference/impacts/rayleigh_wave.hpp"
 
 #include <boost/test/unit_test.hpp>
 #include <cmath>
 #include <numbers>
 #include <stdexcept>
+
+BOOST_AUTO_TEST_SUITE(rayleigh_wave_tests)
 
 using namespace talus::verification::reference;
 
@@ -35,3 +36,5 @@ BOOST_AUTO_TEST_CASE(wrong_ratio_is_refused) {
   BOOST_CHECK_THROW(static_cast<void>(surface_wave_speed(0.51)), std::invalid_argument);
   BOOST_CHECK_THROW(static_cast<void>(surface_wave_speed(-0.01)), std::invalid_argument);
 }
+
+BOOST_AUTO_TEST_SUITE_END()

@@ -1,4 +1,3 @@
-#define BOOST_TEST_MODULE reference_restitution
 #include "verification/reference/impacts/restitution.hpp"
 
 #include <boost/test/unit_test.hpp>
@@ -7,6 +6,8 @@
 #include <stdexcept>
 
 #include "verification/reference/mathematics/high_precision.hpp"
+
+BOOST_AUTO_TEST_SUITE(restitution_tests)
 
 namespace ref = talus::verification::reference;
 using ref::EndRule;
@@ -177,3 +178,5 @@ BOOST_AUTO_TEST_CASE(effective_masses) {
   BOOST_CHECK_THROW((void)ref::effective_mass(0.0, 0.0), std::invalid_argument);
   BOOST_CHECK_THROW((void)ref::free_mobility(0.0, 1.0, 0.0), std::invalid_argument);
 }
+
+BOOST_AUTO_TEST_SUITE_END()

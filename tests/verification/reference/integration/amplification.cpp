@@ -1,4 +1,3 @@
-#define BOOST_TEST_MODULE reference_amplification
 #include "verification/reference/integration/amplification.hpp"
 
 #include <algorithm>
@@ -9,6 +8,8 @@
 #include <limits>
 #include <stdexcept>
 #include <vector>
+
+BOOST_AUTO_TEST_SUITE(amplification_tests)
 
 namespace ref = talus::verification::reference;
 using ref::Scheme;
@@ -215,3 +216,5 @@ BOOST_AUTO_TEST_CASE(multipliers_of_a_made_up_motion_are_found) {
   // Only noise.
   BOOST_TEST(std::isnan(ref::ln_multiplier(both, 2, 1.0)));
 }
+
+BOOST_AUTO_TEST_SUITE_END()

@@ -1,9 +1,10 @@
-#define BOOST_TEST_MODULE reference_leapfrog_bounce
 #include "verification/reference/integration/leapfrog_bounce.hpp"
 
 #include <boost/test/unit_test.hpp>
 #include <cmath>
 #include <stdexcept>
+
+BOOST_AUTO_TEST_SUITE(leapfrog_bounce_tests)
 
 namespace ref = talus::verification::reference;
 
@@ -48,3 +49,5 @@ BOOST_AUTO_TEST_CASE(mean_of_the_inverse_square_is_one_and_the_mean_logarithm_po
   for (const double eta : {0.1, 0.2, 0.3})
     BOOST_TEST(std::abs(ref::leapfrog_gain(eta, 200000).mean_ln / ref::small_step_heating(eta) - 1.0) < eta * eta);
 }
+
+BOOST_AUTO_TEST_SUITE_END()

@@ -1,10 +1,11 @@
-#define BOOST_TEST_MODULE reference_pendulum_steppers
 #include "verification/reference/integration/pendulum_steppers.hpp"
 
 #include <boost/test/unit_test.hpp>
 #include <cmath>
 #include <stdexcept>
 #include <string>
+
+BOOST_AUTO_TEST_SUITE(pendulum_steppers_tests)
 
 namespace ref = talus::verification::reference;
 
@@ -56,3 +57,5 @@ BOOST_AUTO_TEST_CASE(what_cannot_run_is_refused) {
   BOOST_CHECK_THROW((void)ref::run_pendulum({"bulirsch_stoer", 1.0, 1.0, 1.0, 10, 0.0}), std::invalid_argument);
   BOOST_CHECK_THROW((void)ref::run_pendulum({"dopri5", 1.0, 1.0, 1.0, 0, 0.0}), std::invalid_argument);
 }
+
+BOOST_AUTO_TEST_SUITE_END()

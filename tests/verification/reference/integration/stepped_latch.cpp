@@ -1,10 +1,11 @@
-#define BOOST_TEST_MODULE reference_stepped_latch
 #include "verification/reference/integration/stepped_latch.hpp"
 
 #include <algorithm>
 #include <array>
 #include <boost/test/unit_test.hpp>
 #include <cmath>
+
+BOOST_AUTO_TEST_SUITE(stepped_latch_tests)
 
 namespace ref = talus::verification::reference;
 
@@ -82,3 +83,5 @@ BOOST_AUTO_TEST_CASE(leading_terms) {
   }
   BOOST_TEST(std::isnan(ref::mean_restitution({0.49, 1.5, ref::StepMap::euler})));
 }
+
+BOOST_AUTO_TEST_SUITE_END()

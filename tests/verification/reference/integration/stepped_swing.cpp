@@ -1,10 +1,11 @@
-#define BOOST_TEST_MODULE reference_stepped_swing
 #include "verification/reference/integration/stepped_swing.hpp"
 
 #include <array>
 #include <boost/test/unit_test.hpp>
 #include <cmath>
 #include <stdexcept>
+
+BOOST_AUTO_TEST_SUITE(stepped_swing_tests)
 
 namespace ref = talus::verification::reference;
 using ref::SwingMethod;
@@ -89,3 +90,5 @@ BOOST_AUTO_TEST_CASE(distances_are_resolved_below_a_double_s_last_place) {
   BOOST_TEST(errors[0] == 0.0);
   BOOST_TEST(errors[1] == 0x1p-101);
 }
+
+BOOST_AUTO_TEST_SUITE_END()

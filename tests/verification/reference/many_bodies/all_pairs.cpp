@@ -1,9 +1,10 @@
-#define BOOST_TEST_MODULE reference_all_pairs
 #include "verification/reference/many_bodies/all_pairs.hpp"
 
 #include <boost/test/unit_test.hpp>
 #include <cmath>
 #include <numbers>
+
+BOOST_AUTO_TEST_SUITE(all_pairs_tests)
 
 using talus::verification::reference::AllPairs;
 
@@ -50,3 +51,5 @@ BOOST_AUTO_TEST_CASE(discs_apart_fly_on) {
   BOOST_TEST(discs.x[0] == -1.99);
   BOOST_TEST(discs.vx[0] == 0.001);
 }
+
+BOOST_AUTO_TEST_SUITE_END()

@@ -1,10 +1,11 @@
-#define BOOST_TEST_MODULE reference_gas_of_discs
 #include "verification/reference/many_bodies/gas_of_discs.hpp"
 
 #include <boost/test/unit_test.hpp>
 #include <cmath>
 #include <numbers>
 #include <stdexcept>
+
+BOOST_AUTO_TEST_SUITE(gas_of_discs_tests)
 
 using namespace talus::verification::reference;
 
@@ -117,3 +118,5 @@ BOOST_AUTO_TEST_CASE(gases_that_cannot_be) {
   BOOST_CHECK_THROW((void)pressure({0.1, 0.0, 1.0, 1.0}, 1.0), std::invalid_argument);
   BOOST_CHECK_THROW((void)gaussian_shear({0.1, 0.9, -1.0, 1.0}, 1.0), std::invalid_argument);
 }
+
+BOOST_AUTO_TEST_SUITE_END()

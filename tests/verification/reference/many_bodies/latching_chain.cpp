@@ -1,4 +1,3 @@
-#define BOOST_TEST_MODULE reference_latching_chain
 #include "verification/reference/many_bodies/latching_chain.hpp"
 
 #include <array>
@@ -9,6 +8,8 @@
 
 #include "verification/reference/impacts/latching_impact.hpp"
 #include "verification/reference/many_bodies/struck_row.hpp"
+
+BOOST_AUTO_TEST_SUITE(latching_chain_tests)
 
 namespace ref = talus::verification::reference;
 
@@ -85,3 +86,5 @@ BOOST_AUTO_TEST_CASE(bad_parameters) {
   BOOST_CHECK_THROW((void)ref::chain_rebound({1.0, 2.0, 1.0, {1.0, 0.0}, {0.0, 0.0}}), std::invalid_argument);
   BOOST_CHECK_THROW((void)ref::chain_rebound({1.0, 2.0, 1.0, {1.0, 0.0}, {-1.0}}), std::invalid_argument);
 }
+
+BOOST_AUTO_TEST_SUITE_END()

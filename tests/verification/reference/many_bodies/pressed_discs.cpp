@@ -1,4 +1,3 @@
-#define BOOST_TEST_MODULE reference_pressed_discs
 #include "verification/reference/many_bodies/pressed_discs.hpp"
 
 #include <boost/test/unit_test.hpp>
@@ -8,6 +7,8 @@
 #include <stdexcept>
 
 #include "verification/reference/mathematics/trajectory.hpp"
+
+BOOST_AUTO_TEST_SUITE(pressed_discs_tests)
 
 namespace ref = talus::verification::reference;
 
@@ -72,3 +73,5 @@ BOOST_AUTO_TEST_CASE(equal_pair_has_the_textbook_frequencies) {
 BOOST_AUTO_TEST_CASE(bad_parameters) {
   BOOST_CHECK_THROW((void)ref::pair_at({1.0, 1.0, 1.0, 5.0, 0.0}, {}, 1.0), std::invalid_argument);
 }
+
+BOOST_AUTO_TEST_SUITE_END()

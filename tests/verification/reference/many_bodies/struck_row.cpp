@@ -1,4 +1,3 @@
-#define BOOST_TEST_MODULE reference_struck_row
 #include "verification/reference/many_bodies/struck_row.hpp"
 
 #include <array>
@@ -8,6 +7,8 @@
 #include <stdexcept>
 
 #include "verification/reference/mathematics/trajectory.hpp"
+
+BOOST_AUTO_TEST_SUITE(struck_row_tests)
 
 namespace ref = talus::verification::reference;
 
@@ -102,3 +103,5 @@ BOOST_AUTO_TEST_CASE(bad_parameters) {
   BOOST_CHECK_THROW((void)ref::rebound({1.0, 1.0, 0.0, 0.0}), std::invalid_argument);
   BOOST_CHECK_THROW((void)ref::rebound({1.0, 1.0, 1.0, -1.0}), std::invalid_argument);
 }
+
+BOOST_AUTO_TEST_SUITE_END()

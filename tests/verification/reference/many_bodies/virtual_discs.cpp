@@ -1,9 +1,10 @@
-#define BOOST_TEST_MODULE reference_virtual_discs
 #include "verification/reference/many_bodies/virtual_discs.hpp"
 
 #include <boost/test/unit_test.hpp>
 #include <cmath>
 #include <numbers>
+
+BOOST_AUTO_TEST_SUITE(virtual_discs_tests)
 
 using talus::verification::reference::VirtualDiscs;
 
@@ -67,3 +68,5 @@ BOOST_AUTO_TEST_CASE(the_block_falls_as_one_and_what_it_meets_is_counted) {
   BOOST_TEST(discs.force_on_block_y == 4.9e3 * 0.1, boost::test_tools::tolerance(1e-12));
   BOOST_TEST(discs.vy[0] == -0.49, boost::test_tools::tolerance(1e-12));
 }
+
+BOOST_AUTO_TEST_SUITE_END()

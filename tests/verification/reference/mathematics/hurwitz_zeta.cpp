@@ -1,10 +1,11 @@
-#define BOOST_TEST_MODULE reference_hurwitz_zeta
 #include "verification/reference/mathematics/hurwitz_zeta.hpp"
 
 #include <boost/math/special_functions/zeta.hpp>
 #include <boost/test/unit_test.hpp>
 #include <cmath>
 #include <stdexcept>
+
+BOOST_AUTO_TEST_SUITE(hurwitz_zeta_tests)
 
 namespace ref = talus::verification::reference;
 
@@ -38,3 +39,5 @@ BOOST_AUTO_TEST_CASE(bad_parameters) {
   BOOST_CHECK_THROW((void)ref::hurwitz_zeta_of_minus(-1.0, 0.5), std::invalid_argument);
   BOOST_CHECK_THROW((void)ref::hurwitz_zeta_of_minus(1.0, 0.0), std::invalid_argument);
 }
+
+BOOST_AUTO_TEST_SUITE_END()

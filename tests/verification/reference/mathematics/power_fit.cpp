@@ -1,10 +1,11 @@
-#define BOOST_TEST_MODULE reference_power_fit
 #include "verification/reference/mathematics/power_fit.hpp"
 
 #include <boost/test/unit_test.hpp>
 #include <cmath>
 #include <random>
 #include <stdexcept>
+
+BOOST_AUTO_TEST_SUITE(power_fit_tests)
 
 namespace ref = talus::verification::reference;
 
@@ -93,3 +94,5 @@ BOOST_AUTO_TEST_CASE(too_few_points_are_refused) {
   BOOST_CHECK_THROW((void)ref::fit_power(few), std::invalid_argument);
   BOOST_CHECK_THROW((void)ref::fit_corrected_power(few, power), std::invalid_argument);
 }
+
+BOOST_AUTO_TEST_SUITE_END()

@@ -1,10 +1,11 @@
-#define BOOST_TEST_MODULE reference_trajectory
 #include "verification/reference/mathematics/trajectory.hpp"
 
 #include <array>
 #include <boost/test/unit_test.hpp>
 #include <cmath>
 #include <numbers>
+
+BOOST_AUTO_TEST_SUITE(trajectory_tests)
 
 namespace ref = talus::verification::reference;
 using ref::Coordinates;
@@ -41,3 +42,5 @@ BOOST_AUTO_TEST_CASE(events_are_located_to_round_off) {
   BOOST_TEST(!path.advance_until(depth, 6.0L).has_value());  // negative until 2 pi: not located
   BOOST_TEST((path.time() == 6.0L));
 }
+
+BOOST_AUTO_TEST_SUITE_END()

@@ -1,7 +1,8 @@
-#define BOOST_TEST_MODULE reference_constant_force
 #include "verification/reference/motion/constant_force.hpp"
 
 #include <boost/test/unit_test.hpp>
+
+BOOST_AUTO_TEST_SUITE(constant_force_tests)
 
 namespace ref = talus::verification::reference;
 
@@ -36,3 +37,5 @@ BOOST_AUTO_TEST_CASE(euler_by_its_rule) {
     BOOST_TEST(x - ref::position_at(flight, t) == ref::semi_implicit_euler_error(flight, h, n));
   }
 }
+
+BOOST_AUTO_TEST_SUITE_END()

@@ -1,9 +1,10 @@
-#define BOOST_TEST_MODULE reference_damped_oscillator
 #include "verification/reference/motion/damped_oscillator.hpp"
 
 #include <boost/test/unit_test.hpp>
 #include <cmath>
 #include <stdexcept>
+
+BOOST_AUTO_TEST_SUITE(damped_oscillator_tests)
 
 namespace ref = talus::verification::reference;
 
@@ -40,3 +41,5 @@ BOOST_AUTO_TEST_CASE(out_of_range) {
   BOOST_CHECK_THROW((void)ref::state_at({1.0, 1.0, 1.0, 0.0}, 1.0), std::invalid_argument);
   BOOST_CHECK_THROW((void)ref::state_at({1.0, 0.1, 1.0, 0.0}, -1.0), std::invalid_argument);
 }
+
+BOOST_AUTO_TEST_SUITE_END()

@@ -1,10 +1,11 @@
-#define BOOST_TEST_MODULE reference_elastic_pendulum
 #include "verification/reference/motion/elastic_pendulum.hpp"
 
 #include <array>
 #include <boost/test/unit_test.hpp>
 #include <cmath>
 #include <vector>
+
+BOOST_AUTO_TEST_SUITE(elastic_pendulum_tests)
 
 namespace ref = talus::verification::reference;
 
@@ -55,3 +56,5 @@ BOOST_AUTO_TEST_CASE(leading_order_holds_at_every_amplitude) {
     BOOST_TEST(std::abs(errors[2]) < 0.35 * std::abs(errors[0]));
   }
 }
+
+BOOST_AUTO_TEST_SUITE_END()

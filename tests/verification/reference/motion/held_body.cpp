@@ -1,8 +1,9 @@
-#define BOOST_TEST_MODULE reference_held_body
 #include "verification/reference/motion/held_body.hpp"
 
 #include <boost/test/unit_test.hpp>
 #include <cmath>
+
+BOOST_AUTO_TEST_SUITE(held_body_tests)
 
 namespace ref = talus::verification::reference;
 using ref::Real, ref::SmoothState, ref::SmoothSystem, ref::Triple;
@@ -99,3 +100,5 @@ BOOST_AUTO_TEST_CASE(waves_and_forcing) {
   for (std::size_t i = 0; i < 3; ++i)
     BOOST_TEST(std::abs(end.q[i] - wanted.q[i]) + std::abs(end.v[i] - wanted.v[i]) < 1e-11L);
 }
+
+BOOST_AUTO_TEST_SUITE_END()

@@ -1,4 +1,3 @@
-#define BOOST_TEST_MODULE reference_pendulum
 #include "verification/reference/motion/pendulum.hpp"
 
 #include <boost/math/special_functions/ellint_1.hpp>
@@ -13,6 +12,8 @@
 
 #include "verification/reference/mathematics/high_precision.hpp"
 #include "verification/reference/mathematics/jacobi.hpp"
+
+BOOST_AUTO_TEST_SUITE(pendulum_tests)
 
 namespace ref = talus::verification::reference;
 using ref::PendulumMotion;
@@ -151,3 +152,5 @@ BOOST_AUTO_TEST_CASE(bad_parameters) {
   BOOST_CHECK_THROW((void)PendulumMotion::from_rest(0.0, 1.0), std::invalid_argument);
   BOOST_CHECK_THROW((void)PendulumMotion::from_bottom(1.0, 0.0), std::invalid_argument);
 }
+
+BOOST_AUTO_TEST_SUITE_END()

@@ -1,9 +1,10 @@
-#define BOOST_TEST_MODULE reference_smooth_motion
 #include "verification/reference/motion/smooth_motion.hpp"
 
 #include <algorithm>
 #include <boost/test/unit_test.hpp>
 #include <cmath>
+
+BOOST_AUTO_TEST_SUITE(smooth_motion_tests)
 
 namespace ref = talus::verification::reference;
 using ref::Leapfrog, ref::Memories, ref::Real, ref::SmoothState, ref::SmoothSystem, ref::Triple;
@@ -111,3 +112,5 @@ BOOST_AUTO_TEST_CASE(leading_error_is_what_the_methods_make) {
       BOOST_TEST(difference(wild(damping), method) < 2e-5L);  // the power after next of h = 3e-4, times 100
   }
 }
+
+BOOST_AUTO_TEST_SUITE_END()

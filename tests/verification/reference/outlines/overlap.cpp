@@ -1,9 +1,10 @@
-#define BOOST_TEST_MODULE reference_overlap
 #include "verification/reference/outlines/overlap.hpp"
 
 #include <boost/test/unit_test.hpp>
 #include <cmath>
 #include <numbers>
+
+BOOST_AUTO_TEST_SUITE(overlap_tests)
 
 namespace ref = talus::verification::reference;
 using ref::Outline;
@@ -64,3 +65,5 @@ BOOST_AUTO_TEST_CASE(minimum_displacements_of_outlines_with_a_closed_form) {
   const double apart = ref::minimum_displacement(disc(1.0, 0.0, 0.0), disc(0.5, 0.0, 2.0), 1600);
   BOOST_TEST(apart == -0.5, boost::test_tools::tolerance(1e-5));
 }
+
+BOOST_AUTO_TEST_SUITE_END()

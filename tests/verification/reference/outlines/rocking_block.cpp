@@ -1,8 +1,9 @@
-#define BOOST_TEST_MODULE reference_rocking_block
 #include "verification/reference/outlines/rocking_block.hpp"
 
 #include <boost/test/unit_test.hpp>
 #include <cmath>
+
+BOOST_AUTO_TEST_SUITE(rocking_block_tests)
 
 namespace ref = talus::verification::reference;
 
@@ -49,3 +50,5 @@ BOOST_AUTO_TEST_CASE(impact_and_energy) {
   const double height = 0.3 * std::sin(0.1) + std::cos(0.1) - 1.0;
   BOOST_TEST(ref::tilt_energy(block, 0.1) == 9.81 * height, boost::test_tools::tolerance(1e-13));
 }
+
+BOOST_AUTO_TEST_SUITE_END()

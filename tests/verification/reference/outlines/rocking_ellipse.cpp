@@ -1,9 +1,10 @@
-#define BOOST_TEST_MODULE reference_rocking_ellipse
 #include "verification/reference/outlines/rocking_ellipse.hpp"
 
 #include <boost/test/unit_test.hpp>
 #include <cmath>
 #include <numbers>
+
+BOOST_AUTO_TEST_SUITE(rocking_ellipse_tests)
 
 namespace ref = talus::verification::reference;
 
@@ -70,3 +71,5 @@ BOOST_AUTO_TEST_CASE(shift_by_the_two_springs) {
   const double shift = std::sqrt(low) / ref::small_rocking_frequency(ellipse) - 1.0;
   BOOST_TEST(shift == ref::frequency_shift(ellipse, m, kn, ks), boost::test_tools::tolerance(1e-3));
 }
+
+BOOST_AUTO_TEST_SUITE_END()

@@ -1,8 +1,9 @@
-#define BOOST_TEST_MODULE reference_solid_moments
 #include "verification/reference/outlines/solid_moments.hpp"
 
 #include <boost/test/unit_test.hpp>
 #include <numbers>
+
+BOOST_AUTO_TEST_SUITE(solid_moments_tests)
 
 namespace ref = talus::verification::reference;
 
@@ -24,3 +25,5 @@ BOOST_AUTO_TEST_CASE(centroid_of_a_triangle) {
   BOOST_TEST(c.x == 1.0);
   BOOST_TEST(c.y == 2.0);
 }
+
+BOOST_AUTO_TEST_SUITE_END()

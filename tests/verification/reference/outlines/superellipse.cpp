@@ -1,4 +1,3 @@
-#define BOOST_TEST_MODULE reference_superellipse
 #include "verification/reference/outlines/superellipse.hpp"
 
 #include <algorithm>
@@ -7,6 +6,8 @@
 #include <cmath>
 #include <limits>
 #include <numbers>
+
+BOOST_AUTO_TEST_SUITE(superellipse_tests)
 
 namespace ref = talus::verification::reference;
 
@@ -118,3 +119,5 @@ BOOST_AUTO_TEST_CASE(nearest_point_of_circles_and_along_normals) {
     }
   }
 }
+
+BOOST_AUTO_TEST_SUITE_END()
