@@ -23,11 +23,17 @@
 namespace talus {
 namespace {
 
-/// Observes the first impact of a contact: the speed of its gap before, and after its law has ceased to act.
+/// When an impact is over.
+enum class ImpactEnd {
+  force,    ///< the law no longer acts
+  parting,  ///< the surfaces have parted, as in ImpactLog; between a clamped force's end and this weights change speeds
+};
+
+/// Observes the first impact of a contact: the speed of its gap before the law acts, and after the impact.
 class ImpactMonitor {
  public:
-  ImpactMonitor(const Dynamics& dynamics, ContactId contact)
-      : dynamics_{&dynamics}, contact_{contact}, work_{dynamics.workspace()} {}
+  ImpactMonitor(const Dynamics& dynamics, ContactId contact, ImpactEnd end)
+      : dynamics_{&dynamics}, contact_{contact}, end_{end}, work_{dynamics.workspace()} {}
 
   void operator()(const State& seen, const StepInfo&) {
     if (stage_ == Stage::after) return;
@@ -37,10 +43,11 @@ class ImpactMonitor {
     const std::size_t first = dynamics_->layout().contact_slots[index(contact_)].mode;
     const std::size_t last = first + dynamics_->layout().contact_instances[index(contact_)];
     dynamics_->forces(state, work_, forces_);
-    bool acts = false;
+    bool acts = false, is_open = true;
     std::size_t deepest = first;
     for (std::size_t i = first; i < last; ++i) {
       acts = acts || forces_.instances[i] != 0.0;
+      is_open = is_open && state.mode[i] == 0;
       if (work_.gaps[i].depth > work_.gaps[deepest].depth) deepest = i;
     }
     if (stage_ == Stage::before && !acts) {
@@ -57,10 +64,12 @@ class ImpactMonitor {
       impact_.largest_overlap = std::max(impact_.largest_overlap, work_.gaps[deepest].depth);
       return;
     }
+    if (stage_ == Stage::during) impact_.contact_time = state.t - start_;
+    stage_ = Stage::released;
+    if (end_ == ImpactEnd::parting && !is_open) return;
     stage_ = Stage::after;
     impact_.restitution = -work_.rates[deepest] / approach_;
     impact_.approach_speed = approach_;
-    impact_.contact_time = state.t - start_;
   }
 
   bool over() const { return stage_ == Stage::after; }
@@ -69,10 +78,11 @@ class ImpactMonitor {
   const Impact& impact() const { return impact_; }
 
  private:
-  enum class Stage { before, during, after };
+  enum class Stage { before, during, released, after };
 
   const Dynamics* dynamics_;
   ContactId contact_;
+  ImpactEnd end_;
   Workspace work_;
   LawForces forces_;
   Stage stage_{Stage::before};
@@ -100,10 +110,10 @@ struct Followed {
   std::optional<Impact> impact;
   std::string why_not;
 };
-Followed follow_impact(const Scene& scene, ContactId contact) {
+Followed follow_impact(const Scene& scene, ContactId contact, ImpactEnd end) {
   const Dynamics dynamics{scene.model};
   RigidBodySystem system{dynamics, false};
-  ImpactMonitor watch{dynamics, contact};
+  ImpactMonitor watch{dynamics, contact, end};
   State state = scene.initial;
   system.begin(state);
   // Monitored like a run: an impact in which bodies slip through or overlap too far gives no restitution.
@@ -156,6 +166,12 @@ Scene impact_scene(const ContactLaw& law, double effective_mass, double speed, d
   return scene;
 }
 
+Impact impact_of(const Scene& scene, ContactId contact, ImpactEnd end) {
+  const Followed followed = follow_impact(scene, contact, end);
+  if (followed.impact) return *followed.impact;
+  throw InputError{fmt::format("contact '{}': {}", scene.model.contacts[index(contact)].name, followed.why_not)};
+}
+
 /// Number of phases over which the restitution of an advised step is averaged.
 constexpr int phase_count = 64;
 
@@ -196,23 +212,19 @@ Scene with_dissipation(Scene scene, ContactId contact, double value) {
   return scene;
 }
 
-Impact simulate_impact(const Scene& scene, ContactId contact) {
-  const Followed followed = follow_impact(scene, contact);
-  if (followed.impact) return *followed.impact;
-  throw InputError{fmt::format("contact '{}': {}", scene.model.contacts[index(contact)].name, followed.why_not)};
-}
+Impact simulate_impact(const Scene& scene, ContactId contact) { return impact_of(scene, contact, ImpactEnd::parting); }
 
 Impact simulate_impact(const ContactLaw& law, double effective_mass, double speed, double step, double phase,
                        const Integrator& integrator) {
-  return simulate_impact(impact_scene(law, effective_mass, speed, step, phase, integrator), ContactId{0});
+  return impact_of(impact_scene(law, effective_mass, speed, step, phase, integrator), ContactId{0}, ImpactEnd::force);
 }
 
 ImpactError restitution_error(const ContactLaw& law, double effective_mass, double speed,
                               const Integrator& integrator) {
   const double exact = known_impact(law, effective_mass, speed).restitution;
   return [=](double step, double phase) {
-    const Followed followed =
-        follow_impact(impact_scene(law, effective_mass, speed, step, phase, integrator), ContactId{0});
+    const Followed followed = follow_impact(impact_scene(law, effective_mass, speed, step, phase, integrator),
+                                            ContactId{0}, ImpactEnd::force);
     // A step so long that the contact does not end, or the run diverges, is rejected.
     return followed.impact ? std::abs(followed.impact->restitution - exact) : std::numeric_limits<double>::infinity();
   };

@@ -56,8 +56,9 @@ struct ImpactStep {
 [[nodiscard]] ImpactStep advise_impact_step(const ContactLaw& law, double effective_mass, double speed, double bound,
                                             const Integrator& integrator);
 
-/// Simulates the first impact of one contact of a scene with the scene's method and step. Restitution is the speed of
-/// separation at the first step after the contact over the speed of approach at the last step before it.
+/// Simulates the first impact of one contact of a scene with the scene's method and step. Restitution is, as in
+/// ImpactLog, the speed of separation at the first step after the surfaces have parted over the speed of approach at
+/// the last step before the contact: a clamped force ends earlier, and from then on weights change the speed.
 /// Errors: InputError if the bodies do not meet or do not part before the scene's end.
 [[nodiscard]] Impact simulate_impact(const Scene& scene, ContactId contact);
 
