@@ -80,6 +80,7 @@ int parse_and_work(const std::string& version, int count, const char* const* arg
                                       add_check(talus),
                                       add_advise(talus),
                                       add_calibrate(talus, draw),
+                                      add_capacity(talus, draw),
                                       add_cell(talus),
                                       add_completion(talus),
                                       add_convert(talus),

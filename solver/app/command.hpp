@@ -34,6 +34,7 @@ struct Command {
 [[nodiscard]] Command add_new(CLI::App& talus);
 /// Add a subcommand that draws, and sends its DrawingRequest to the sink.
 [[nodiscard]] Command add_calibrate(CLI::App& talus, const DrawingSink& sink);
+[[nodiscard]] Command add_capacity(CLI::App& talus, const DrawingSink& sink);
 [[nodiscard]] Command add_plot(CLI::App& talus, const DrawingSink& sink);
 [[nodiscard]] Command add_snapshot(CLI::App& talus, const DrawingSink& sink);
 [[nodiscard]] Command add_animate(CLI::App& talus, const DrawingSink& sink);

@@ -23,26 +23,40 @@ using Clock = std::chrono::steady_clock;
 /// Steps between two readings of the clock and of the signal: some 100 us.
 constexpr long stride = 128;
 
-std::vector<Quantity> quantities(const Model& model, const std::vector<std::string>& names) {
-  std::vector<Quantity> found;
+SweepOutput output_named(const SceneFile& file, const std::string& name) {
+  if (file.fence && name.starts_with("fence.")) {
+    std::vector<std::string> known;
+    for (const scenes::FenceOutput& output : scenes::fence_outputs()) {
+      if (output.name == name) return {name, output.dimension, output};
+      known.emplace_back(output.name);
+    }
+    throw unknown_name("number of a fence", name, known);
+  }
+  const Quantity quantity = quantity_named(file.scene.model, name);
+  if (quantity.ledger && !file.scene.plan.ledger)
+    throw InputError{fmt::format("'{}' needs the energy balance, which the scene switches off", name)};
+  return {name, quantity.dimension, quantity};
+}
+
+/// Errors: InputError for an output that the scene does not have.
+std::vector<SweepOutput> outputs_named(const SceneFile& file, const std::vector<std::string>& names) {
+  std::vector<SweepOutput> outputs;
   for (const std::string& name : names) {
     try {
-      found.push_back(quantity_named(model, name));
+      outputs.push_back(output_named(file, name));
     } catch (const InputError& error) {
       throw InputError{fmt::format("outputs: {}", error.what())};
     }
   }
-  return found;
+  return outputs;
 }
 
-/// Errors: InputError for an output of the balances in a scene without them.
-void demand_ledger(const SceneFile& file, const std::vector<Quantity>& wanted) {
-  if (file.scene.plan.ledger) return;
-  for (const Quantity& output : wanted) {
-    if (output.ledger)
-      throw InputError{
-          fmt::format("outputs: '{}' needs the energy balance, which the scene switches off", output.name)};
-  }
+/// The value of an output at the end of a run, in units of its scene.
+double value_of(const SweepOutput& output, const SceneRun& run) {
+  if (const auto* const of_fence = std::get_if<scenes::FenceOutput>(&output.source)) return of_fence->of(*run.fence());
+  const auto& quantity = std::get<Quantity>(output.source);
+  const Extreme extreme = run.recorder().extremes()[quantity.column];
+  return quantity.of(extreme.minimum, extreme.maximum, run.recorder().row()[quantity.column]);
 }
 
 /// Only the first and the last state are stored as rows; extremes are those of all steps.
@@ -53,10 +67,9 @@ void drop_history(SceneFile& file) { file.scene.plan.interval = file.scene.plan.
 SweepBase::SweepBase(std::string_view text, std::string name, std::vector<std::string> outputs)
     : name_{std::move(name)}, document_{parse_toml(text, name_)}, names_{std::move(outputs)} {
   const SceneFile file = read_scene_file(document_, name_);
-  outputs_ = quantities(file.scene.model, names_);
+  outputs_ = outputs_named(file, names_);
   units_ = file.scene.model.units;
   is_fence_ = file.fence.has_value();
-  demand_ledger(file, outputs_);
 }
 
 SceneFile SweepBase::scene(const SweptRun& run) const {
@@ -70,11 +83,10 @@ SweepResult SweepBase::result(const SweptRun& run, const SweepLimits& limits,
                               const std::function<bool()>& interrupted) const {
   SweepResult result{run.id, SweepEnd::finished, {}, 0.0, 0, {}, {}};
   std::optional<SceneFile> file;
-  std::vector<Quantity> wanted;
+  std::vector<SweepOutput> wanted;
   try {
     file.emplace(scene(run));
-    wanted = quantities(file->scene.model, names_);
-    demand_ledger(*file, wanted);
+    wanted = outputs_named(*file, names_);
     drop_history(*file);
   } catch (const InputError& error) {
     result.end = SweepEnd::refused, result.reason = error.what();
@@ -112,12 +124,9 @@ SweepResult SweepBase::result(const SweptRun& run, const SweepLimits& limits,
   }
   const RunQuality quality = scene_run.quality(outcome);
   if (quality.enforced && !quality.flaw.empty()) result.end = SweepEnd::unusable, result.reason = quality.flaw;
-  const Extremes& extremes = scene_run.recorder().extremes();
-  for (const Quantity& quantity : wanted) {
-    const Extreme extreme = extremes[quantity.column];
-    const double value = quantity.of(extreme.minimum, extreme.maximum, scene_run.recorder().row()[quantity.column]);
-    result.values.push_back(value * si_size(units, quantity.dimension) / si_size(units_, quantity.dimension));
-  }
+  for (const SweepOutput& output : wanted)
+    result.values.push_back(value_of(output, scene_run) * si_size(units, output.dimension) /
+                            si_size(units_, output.dimension));
   return result;
 }
 

@@ -3,14 +3,23 @@
 #include <filesystem>
 #include <functional>
 #include <string>
+#include <variant>
 #include <vector>
 
 #include "solver/app/sweep/sweep_result.hpp"
 #include "solver/app/sweep/sweep_runs.hpp"
 #include "solver/io/scene/scene_file.hpp"
 #include "solver/run/quantity.hpp"
+#include "solver/scenes/fence_output.hpp"
 
 namespace talus::app {
+
+/// A number that is read of each run: a column of its history, reduced, or a number of a fence's summary.
+struct SweepOutput {
+  std::string name;
+  Dimension dimension{};
+  std::variant<Quantity, scenes::FenceOutput> source;
+};
 
 /// The scene that the runs of a sweep change, and what is read of each run.
 class SweepBase {
@@ -20,7 +29,7 @@ class SweepBase {
   SweepBase(std::string_view text, std::string name, std::vector<std::string> outputs);
 
   /// The outputs of the base, with names and dimensions.
-  const std::vector<Quantity>& outputs() const { return outputs_; }
+  const std::vector<SweepOutput>& outputs() const { return outputs_; }
   const UnitSystem& units() const { return units_; }
   bool is_fence() const { return is_fence_; }
 
@@ -36,7 +45,7 @@ class SweepBase {
   std::string name_;
   TomlValue document_;
   std::vector<std::string> names_;
-  std::vector<Quantity> outputs_;
+  std::vector<SweepOutput> outputs_;
   UnitSystem units_;
   bool is_fence_{};
 };

@@ -230,12 +230,6 @@ void read_design(SceneTable table, SweepFile& sweep) {
   if (table.has("seed")) sweep.design.seed = table.whole_between("seed", 0, 1'000'000'000);
 }
 
-void read_limits(SceneTable table, SweepLimits& limits) {
-  table.allow({"time", "evaluations"});
-  if (table.has("time")) limits.time = table.quantity("time", dimension::time, Range::positive);
-  if (table.has("evaluations")) limits.evaluations = table.whole_between("evaluations", 1, 1'000'000'000'000);
-}
-
 /// Errors of axes that only all together have.
 void check_axes(SceneTable& file, const SweepFile& sweep, std::vector<SceneTable>& tables) {
   std::set<std::string> varied;
@@ -262,6 +256,14 @@ void check_axes(SceneTable& file, const SweepFile& sweep, std::vector<SceneTable
 }
 
 }  // namespace
+
+SweepLimits read_limits(SceneTable table) {
+  SweepLimits limits;
+  table.allow({"time", "evaluations"});
+  if (table.has("time")) limits.time = table.quantity("time", dimension::time, Range::positive);
+  if (table.has("evaluations")) limits.evaluations = table.whole_between("evaluations", 1, 1'000'000'000'000);
+  return limits;
+}
 
 double Continuous::at(double probability) const {
   const auto after = std::ranges::upper_bound(quantiles, probability, {}, &std::pair<double, double>::first);
@@ -342,7 +344,7 @@ SweepFile read_sweep(std::string_view text, const fs::path& name) {
       varied.insert(axis.fields.begin(), axis.fields.end());
     for (SceneTable& table : file.numbered_tables("constraint"))
       sweep.constraints.push_back(read_constraint(table, varied));
-    if (file.has("limits")) read_limits(file.table("limits"), sweep.limits);
+    if (file.has("limits")) sweep.limits = read_limits(file.table("limits"));
   } catch (const SceneSource::Collected&) {
     source.check();
     throw;

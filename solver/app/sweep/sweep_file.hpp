@@ -10,6 +10,7 @@
 
 #include "solver/base/fields.hpp"
 #include "solver/io/file/toml_document.hpp"
+#include "solver/io/scene/scene_table.hpp"
 
 namespace talus::app {
 
@@ -88,6 +89,9 @@ struct SweepFile {
 /// Reads a sweep, TOML; `name` is the file named in errors, and files that it names are relative to its folder. Errors:
 /// InputError with all errors, each with file, line and key; IoError for a table that cannot be read.
 [[nodiscard]] SweepFile read_sweep(std::string_view text, const std::filesystem::path& name);
+
+/// The limits of each run in a table with `time` and `evaluations`. Errors: InputError.
+[[nodiscard]] SweepLimits read_limits(SceneTable table);
 
 /// A number with its unit, of a TOML number or a text such as "600 lb". Errors: InputError.
 [[nodiscard]] WrittenNumber written_number(const TomlValue& value);

@@ -147,24 +147,30 @@ SweepFolder read_sweep_folder(const fs::path& folder) {
   return sweep;
 }
 
+std::vector<SweepResult> all_results(const SweepFolder& sweep) {
+  std::vector<SweepResult> all;
+  for (const fs::path& file : result_files(sweep.folder)) {
+    for_each_line(file, [&](const std::string& line) {
+      all.push_back(result_of_line(line));
+      if (const std::size_t count = all.back().values.size(); count != sweep.outputs.size() && count != 0)
+        throw InputError{fmt::format("found {} values; there are {} outputs", count, sweep.outputs.size())};
+    });
+  }
+  return all;
+}
+
 KnownResults read_results(const SweepFolder& sweep) {
   std::unordered_set<std::string> ids;
   for (const SweptRun& run : sweep.runs)
     ids.insert(run.id);
   KnownResults known;
-  for (const fs::path& file : result_files(sweep.folder)) {
-    for_each_line(file, [&](const std::string& line) {
-      SweepResult result = result_of_line(line);
-      if (!ids.contains(result.id)) {
-        ++known.of_others;
-        return;
-      }
-      if (result.values.size() != sweep.outputs.size() && !result.values.empty())
-        throw InputError{
-            fmt::format("found {} values; there are {} outputs", result.values.size(), sweep.outputs.size())};
-      std::string id = result.id;
-      if (!known.by_id.emplace(id, std::move(result)).second) known.duplicates.push_back(std::move(id));
-    });
+  for (SweepResult& result : all_results(sweep)) {
+    if (!ids.contains(result.id)) {
+      ++known.of_others;
+      continue;
+    }
+    std::string id = result.id;
+    if (!known.by_id.emplace(id, std::move(result)).second) known.duplicates.push_back(std::move(id));
   }
   return known;
 }

@@ -41,14 +41,17 @@ void write_sweep_folder(const SweepFolder& sweep);
 /// Reads a folder. Errors: IoError; InputError for a folder that is not of a sweep, with file and line.
 [[nodiscard]] SweepFolder read_sweep_folder(const std::filesystem::path& folder);
 
+/// All results in a folder, also of runs that the manifest does not have. The last line of a file without its end, of a
+/// process that was killed, is ignored. Errors: IoError; InputError with file and line.
+[[nodiscard]] std::vector<SweepResult> all_results(const SweepFolder& sweep);
+
 /// Results of a sweep by the ids of the runs.
 struct KnownResults {
   std::map<std::string, SweepResult> by_id;
   std::vector<std::string> duplicates;  ///< ids of runs with several results
   std::size_t of_others{};              ///< number of results of runs that are not in the manifest
 };
-/// All results in a folder. The last line of a file without its end, of a process that was killed, is ignored. Errors:
-/// IoError; InputError with file and line.
+/// The results of the manifest's runs. Errors: as all_results().
 [[nodiscard]] KnownResults read_results(const SweepFolder& sweep);
 
 /// File for the results of this process. A line is written at once, so that the results of a killed process are whole.

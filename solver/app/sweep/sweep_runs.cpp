@@ -163,6 +163,8 @@ SweptRuns swept_runs(const SweepFile& sweep) {
   return made;
 }
 
+std::string id_of(const SweptRun& run) { return fnv1a(parameters_json(run).dump()); }
+
 std::string manifest_line(const SweptRun& run) {
   return Json{{"id", run.id}, {"parameters", parameters_json(run)}}.dump();
 }

@@ -26,6 +26,9 @@ struct SweptRuns {
 /// satisfies the constraints, or a constraint compares values of different dimensions.
 [[nodiscard]] SweptRuns swept_runs(const SweepFile& sweep);
 
+/// The id of a run with these parameters of which there is one.
+[[nodiscard]] std::string id_of(const SweptRun& run);
+
 /// A run as one line of JSON, and back. Errors: InputError for a line of another form.
 [[nodiscard]] std::string manifest_line(const SweptRun& run);
 [[nodiscard]] SweptRun run_of_line(const std::string& line);

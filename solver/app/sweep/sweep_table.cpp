@@ -94,7 +94,7 @@ std::string sweep_csv(const SweepFolder& sweep, const KnownResults& known, const
     heads.push_back(head(column.name, column.unit));
   heads.insert(heads.end(), {"end", "reason", "time [s]", "evaluations"});
   if (base.is_fence()) heads.emplace_back("verdict");
-  for (const Quantity& output : base.outputs())
+  for (const SweepOutput& output : base.outputs())
     heads.push_back(
         head(output.name, output.dimension == dimension::number ? "" : symbol(base.units(), output.dimension)));
   records::CsvText csv{heads};

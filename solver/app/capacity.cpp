@@ -1,0 +1,98 @@
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <filesystem>
+#include <memory>
+#include <thread>
+
+#include "solver/app/capacity/capacity_results.hpp"
+#include "solver/app/command.hpp"
+#include "solver/app/interruption.hpp"
+#include "solver/base/error.hpp"
+#include "solver/base/progress.hpp"
+#include "solver/io/fence_file.hpp"
+#include "solver/io/file/atomic_file.hpp"
+#include "solver/io/file/folder_lock.hpp"
+
+namespace talus::app {
+namespace {
+
+namespace fs = std::filesystem;
+
+struct CapacityOptions {
+  std::string file;
+  std::string folder;
+  unsigned threads{std::max(1U, std::thread::hardware_concurrency())};
+  bool json{false};
+  bool draws{true};
+};
+
+int capacity(const CapacityOptions& options, const DrawingSink& sink) {
+  const fs::path name{options.file};
+  const CapacityFile file = read_capacity(read_text(name), name);
+  SweepFolder folder;
+  folder.folder = options.folder.empty() ? name.stem() : fs::path{options.folder};
+  folder.title = file.title, folder.limits = file.limits;
+  folder.base_text = base_text(file.base);
+  folder.outputs.assign(capacity_outputs.begin(), capacity_outputs.end());
+  const std::string base_name = is_deck(file.base) ? "base.toml" : file.base.string();
+  const RockRuns rocks{folder.base_text, base_name, file};
+  const SweepBase base{folder.base_text, base_name, folder.outputs};
+  make_folder(folder.folder);
+  const FolderLock lock{folder.folder};
+  CapacityStudy study{file, folder, base, rocks, options.threads};
+  Interruption interruption;
+  Progress line;
+  const bool is_complete = study.run([&] { return interruption.signal() != 0; },
+                                     [&](std::size_t runs) {
+                                       if (line.due()) line.show(fmt::format("{} runs", runs));
+                                     });
+  if (!is_complete) {
+    print_failure(fmt::format("{}: the same command continues", interruption.name()));
+    return 128 + interruption.signal();
+  }
+  // For `talus sweep collect`, which writes each run as a row.
+  folder.runs = study.runs();
+  write_sweep_folder(folder);
+  write_whole(folder.folder / "capacity.csv", capacity_csv(study));
+  const std::string json = capacity_json(study, rocks.own());
+  write_whole(folder.folder / "capacity.json", json);
+  fmt::print("{}", options.json ? json : capacity_text(study));
+  if (options.draws)
+    sink({.pictures = {.figures = capacity_figures(study)},
+          .target = folder.folder / "plots",
+          .formats = {"svg", "pdf"},
+          .lists_files = !options.json});
+  std::size_t failed = 0, all = 0;
+  for (const HeightMap& map : study.maps()) {
+    for (const RockTrials& node : map.nodes) {
+      all += node.trials.size();
+      failed += node.ends()[static_cast<std::size_t>(RockEnd::failed)];
+    }
+  }
+  if (failed == 0) return ok;
+  return failed == all ? diverged : some_failed;
+}
+
+}  // namespace
+
+Command add_capacity(CLI::App& talus, const DrawingSink& sink) {
+  CLI::App* const app = talus.add_subcommand("capacity", "Find the rocks that a fence stops, with intervals");
+  const auto options = std::make_shared<CapacityOptions>();
+  app->add_option("FILE", options->file, "what is asked (.toml): base, mass, speed, height")->required();
+  app->add_option("--out", options->folder,
+                  "folder of the results; default: the name of FILE without .toml, in the present folder");
+  app->add_option("--threads", options->threads, "default: all; results do not depend on it")
+      ->check(CLI::Range(1U, 1024U));
+  app->add_flag("--json", options->json, "print JSON");
+  app->add_flag("!--no-plots", options->draws, "draw no figures");
+  app->footer(
+      "Examples:\n"
+      "  talus capacity cases/capacity/table_2.toml --out capacity\n"
+      "  talus sweep collect capacity                 each run as a row\n"
+      "It can be stopped at any time and started again. Exit statuses: 6 some runs failed, 3 all did.");
+  return {app, [=] { return capacity(*options, sink); }};
+}
+
+}  // namespace talus::app

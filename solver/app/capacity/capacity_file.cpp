@@ -1,0 +1,182 @@
+#include "solver/app/capacity/capacity_file.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "solver/base/error.hpp"
+#include "solver/capacity/proportion.hpp"
+#include "solver/io/scene/scene_table.hpp"
+#include "verification/record/csv.hpp"
+#include "verification/record/error.hpp"
+
+namespace talus::app {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// Standard normal quantiles.
+constexpr double normal_95 = 1.6448536269514722, normal_99 = 2.3263478740408408;
+
+/// Two positive quantities, the first less than the second.
+std::array<double, 2> ends_of(SceneTable& table, std::string_view key, Dimension dimension) {
+  std::array<double, 2> ends{1.0, 2.0};
+  table.guard([&] {
+    const std::vector<double> read = table.quantities(key, dimension, 2, 2);
+    const TomlValue* const value = table.value(key);
+    const auto* const array = value == nullptr ? nullptr : std::get_if<TomlArray>(&value->data);
+    if (array == nullptr || array->size() != 2) return;  // reported
+    if (!(read[0] > 0.0 && read[0] < read[1]))
+      table.fail(key, fmt::format("found {}; both must be > 0, the first less than the second", found(*value)));
+    ends = {read[0], read[1]};
+  });
+  return ends;
+}
+
+/// One length or an array of them, each > 0.
+std::vector<double> heights_of(SceneTable& table) {
+  if (table.is_text("height")) return {table.quantity("height", dimension::length, Range::positive)};
+  std::vector<double> heights;
+  table.guard([&] {
+    const TomlValue& value = *table.value("height");
+    const auto* const array = std::get_if<TomlArray>(&value.data);
+    constexpr std::size_t maximum = 12;
+    if (array == nullptr || array->empty() || array->size() > maximum)
+      table.fail("height",
+                 fmt::format("found {}; it must be a length, or an array of 1 to {} lengths", found(value), maximum));
+    for (const TomlValue& element : *array) {
+      const auto* const text = std::get_if<std::string>(&element.data);
+      if (text == nullptr) table.fail("height", fmt::format("found {}; it must be a length", found(element)));
+      heights.push_back(parse_quantity(*text, dimension::length, si));
+      if (!(heights.back() > 0.0)) table.fail("height", fmt::format("found {}; it must be > 0", found(element)));
+    }
+  });
+  return heights;
+}
+
+void read_changes(SceneTable table, RockChanges& changes) {
+  table.allow({"speed", "height", "angle", "spin"});
+  if (table.has("speed")) changes.speed = table.number("speed", Range::fraction);
+  changes.height = table.quantity_or("height", dimension::length, 0.0, Range::non_negative);
+  changes.angle = table.quantity_or("angle", dimension::angle, 0.0, Range::non_negative);
+  changes.spin = table.quantity_or("spin", dimension::angular_velocity, 0.0, Range::non_negative);
+}
+
+void read_map(SceneTable table, CapacityFile& file) {
+  table.allow({"cells", "first_cells", "runs", "few_runs", "audit"});
+  if (table.has("cells")) file.map.cells = static_cast<int>(table.whole_between("cells", 1, 1024));
+  if (table.has("first_cells")) file.map.first_cells = static_cast<int>(table.whole_between("first_cells", 1, 64));
+  if (table.has("runs")) file.map.trials = static_cast<std::size_t>(table.whole_between("runs", 1, 10'000));
+  if (table.has("few_runs")) file.map.few = static_cast<std::size_t>(table.whole_between("few_runs", 1, 10'000));
+  if (table.has("audit")) file.audit = static_cast<std::size_t>(table.whole_between("audit", 0, 10'000));
+  table.guard([&] {
+    try {
+      static_cast<void>(CapacityMap{file.map});
+    } catch (const InputError& error) {
+      table.fail("cells", error.what());
+    }
+  });
+}
+
+RockNumber read_number(SceneTable& table, std::string_view key, Dimension dimension) {
+  RockNumber number{1.0, 1.0};
+  if (table.is_text(key) || !table.has(key)) {
+    number.p95 = number.p99 = table.quantity(key, dimension, Range::positive);
+    return number;
+  }
+  table.guard([&] {
+    SceneTable percentiles = table.table(key);
+    percentiles.allow({"p95", "p99"});
+    number = {percentiles.quantity("p95", dimension, Range::positive),
+              percentiles.quantity("p99", dimension, Range::positive)};
+    if (!(number.p95 <= number.p99))
+      percentiles.fail("p99",
+                       fmt::format("found {} [SI], less than the percentile of 95 %, {}", number.p99, number.p95));
+  });
+  return number;
+}
+
+std::vector<Rock> read_rocks(SceneTable& table, const fs::path& file) {
+  std::vector<Rock> rocks;
+  try {
+    const records::Csv csv = records::read_csv(file);
+    for (const char* const heading : {"mass [kg]", "speed [m/s]", "height [m]"}) {
+      if (std::ranges::find(csv.header(), heading) == csv.header().end())
+        table.fail("table", fmt::format("{}: the column \"{}\" is missing", file.string(), heading));
+    }
+    const std::size_t mass = csv.column("mass [kg]"), speed = csv.column("speed [m/s]"),
+                      height = csv.column("height [m]");
+    for (std::size_t row = 0; row < csv.rows(); ++row) {
+      const Rock rock{csv.number(row, mass), csv.number(row, speed), csv.number(row, height)};
+      if (!(rock.mass > 0.0 && rock.speed > 0.0 && std::isfinite(rock.height)))
+        table.fail("table", fmt::format("{}: row {}: mass and speed must be > 0", file.string(), row + 1));
+      rocks.push_back(rock);
+    }
+  } catch (const records::FileError& error) {
+    throw IoError{error.what()};
+  } catch (const records::RecordError& error) {
+    throw InputError{error.what()};
+  }
+  if (rocks.empty()) table.fail("table", fmt::format("{}: found no line below the header", file.string()));
+  return rocks;
+}
+
+RockHazard read_hazard(SceneTable table, const fs::path& folder) {
+  table.allow({"mass", "speed", "height", "table", "runs"});
+  RockHazard hazard;
+  if (table.has("runs")) hazard.runs = static_cast<std::size_t>(table.whole_between("runs", 1, 1'000'000));
+  if (table.has("table")) {
+    for (const char* other : {"mass", "speed", "height"})
+      table.refuse(other, "the rows of the table give it");
+    hazard.table = read_rocks(table, folder / table.text("table"));
+    return hazard;
+  }
+  hazard.mass = read_number(table, "mass", dimension::mass);
+  hazard.speed = read_number(table, "speed", dimension::velocity);
+  hazard.height = read_number(table, "height", dimension::length);
+  return hazard;
+}
+
+}  // namespace
+
+double RockNumber::at(double z) const {
+  if (p95 == p99) return p95;
+  const double deviation = std::log(p99 / p95) / (normal_99 - normal_95);
+  return p95 * std::exp(deviation * (z - normal_95));
+}
+
+CapacityFile read_capacity(std::string_view text, const fs::path& name) {
+  const TomlValue document = parse_toml(text, name.string());
+  SceneSource source{name.string(), si};
+  SceneTable file{source, document, ""};
+  const fs::path folder = name.parent_path();
+  CapacityFile made;
+  source.collect();
+  try {
+    file.allow({"title", "base", "mass", "speed", "height", "set", "map", "changes", "seed", "hazard", "limits"});
+    made.title = file.title();
+    made.base = folder / file.text("base");
+    made.mass = ends_of(file, "mass", dimension::mass);
+    made.speed = ends_of(file, "speed", dimension::velocity);
+    if (file.has("height")) made.heights = heights_of(file);
+    if (const TomlValue* const fields = file.value("set")) {
+      const auto* const table = std::get_if<TomlTable>(&fields->data);
+      if (table == nullptr) file.fail("set", "it must be a table of fields of the base with their values");
+      for (const TomlEntry& entry : *table)
+        made.fields.emplace_back(entry.key, entry.value);
+    }
+    if (file.has("map")) read_map(file.table("map"), made);
+    if (file.has("changes")) read_changes(file.table("changes"), made.changes);
+    if (file.has("seed")) made.seed = file.whole_between("seed", 0, 1'000'000'000);
+    if (file.has("hazard")) made.hazard = read_hazard(file.table("hazard"), folder);
+    if (file.has("limits")) made.limits = read_limits(file.table("limits"));
+  } catch (const SceneSource::Collected&) {
+    source.check();
+    throw;
+  }
+  source.check();
+  return made;
+}
+
+}  // namespace talus::app

@@ -1,0 +1,303 @@
+#include "solver/app/capacity/capacity_results.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <nlohmann/json.hpp>
+
+namespace talus::app {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+constexpr int schema = 1;
+constexpr std::array<std::string_view, 3> state_names{"stopped", "not stopped", "open"};
+/// Of capacity_outputs: units, and words for a text.
+constexpr std::array<std::string_view, 6> output_units{"N", "N", "N", "1", "1", "J"};
+constexpr std::array<std::string_view, 6> output_words{"anchor force",       "cable force",
+                                                       "hanger force",       "cable force/limit",
+                                                       "hanger force/limit", "energy after the last contact"};
+
+std::size_t node_number(const HeightMap& map, MapNode node) {
+  return static_cast<std::size_t>(node.j) * static_cast<std::size_t>(map.map.side()) + static_cast<std::size_t>(node.i);
+}
+
+template <class Visit>
+void for_each_node(const HeightMap& map, Visit&& visit) {
+  for (int j = 0; j < map.map.side(); ++j)
+    for (int i = 0; i < map.map.side(); ++i)
+      visit(MapNode{i, j}, node_number(map, {i, j}));
+}
+
+Json ends_json(const RockTrials& trials) {
+  Json json = Json::object();
+  const std::array<std::size_t, 6> ends = trials.ends();
+  for (std::size_t i = 0; i < ends.size(); ++i)
+    json[std::string{Names<RockEnd>::list[i]}] = ends[i];
+  return json;
+}
+
+/// An end that is not known is null.
+Json interval_json(const Interval& interval) {
+  const auto end = [](double value) { return std::isfinite(value) ? Json(value) : Json(nullptr); };
+  return Json{end(interval.low), end(interval.high)};
+}
+
+Json outputs_json(const RockTrials& trials) {
+  Json json = Json::object();
+  for (std::size_t output = 0; output < capacity_outputs.size(); ++output) {
+    const std::vector<double> values = trials.values(output);
+    if (values.empty()) continue;
+    Json& quantiles = json[std::string{capacity_outputs[output]}] = Json::object();
+    for (const auto& [name, probability] : {std::pair{"median", 0.5}, std::pair{"p95", 0.95}}) {
+      const SampleQuantile quantile = sample_quantile(values, probability);
+      quantiles[name] = {{"value", quantile.value}, {"interval", interval_json(quantile.interval)}};
+    }
+  }
+  return json;
+}
+
+RockTrials all_trials(const HeightMap& map) {
+  RockTrials all;
+  for (const RockTrials& node : map.nodes)
+    all.trials.insert(all.trials.end(), node.trials.begin(), node.trials.end());
+  return all;
+}
+
+std::size_t full_grid(const HeightMap& map) { return map.nodes.size() * map.map.rules().trials; }
+
+std::string ends_text(const RockTrials& trials) {
+  std::string text;
+  const std::array<std::size_t, 6> ends = trials.ends();
+  for (std::size_t i = 0; i < ends.size(); ++i) {
+    if (ends[i] == 0) continue;
+    std::string name{Names<RockEnd>::list[i]};
+    std::ranges::replace(name, '_', ' ');
+    text += fmt::format("{}{} {}", text.empty() ? "" : ", ", ends[i], name);
+  }
+  return text;
+}
+
+/// "4.1 to 4.3"; an open end is "below" or "above".
+std::string range_text(const Interval& interval, const std::array<double, 2>& ends, double unit) {
+  if (interval.low < ends[0]) return fmt::format("below {:.4g}", ends[0] / unit);
+  if (interval.high > ends[1]) return fmt::format("above {:.4g}", ends[1] / unit);
+  return fmt::format("{:.4g} to {:.4g}", interval.low / unit, interval.high / unit);
+}
+
+records::Figure map_figure(const CapacityStudy& study, const HeightMap& map, std::size_t number) {
+  const CapacityFile& file = study.file();
+  records::Figure figure{
+      .name = fmt::format("envelope_{}", number),
+      .title = fmt::format("Rocks stopped at a height of {:.3g} m", map.height),
+      .caption =
+          "Rocks that are stopped, and that are not, by mass and speed at the start. A node is drawn where runs "
+          "were executed; it is open if the interval of 95 % of its probability contains one half. Thin lines: "
+          "equal kinetic energy.",
+      .x = {.label = "mass", .unit = "kg"},
+      .y = {.label = "speed", .unit = "m/s"}};
+  constexpr std::array<const char*, 3> labels{"stopped", "not stopped", "open"};
+  std::array<records::Series, 3> nodes;
+  for (std::size_t state = 0; state < nodes.size(); ++state) {
+    nodes[state].label = labels[state];
+    nodes[state].style = state == 1 ? records::Style::crosses : records::Style::points;
+  }
+  for_each_node(map, [&](MapNode node, std::size_t at) {
+    if (map.map.trials(node) == 0) return;
+    const Rock rock = study.rock_at(map, node);
+    nodes[static_cast<std::size_t>(map.states[at])].add(rock.mass, rock.speed);
+  });
+  for (records::Series& series : nodes)
+    if (!series.x.empty()) figure.series.push_back(std::move(series));
+  // Lines through the middle of the right side, and through halves and doubles of that energy.
+  const double energy = 0.125 * file.mass[1] * file.speed[1] * file.speed[1];
+  for (const double factor : {0.25, 1.0, 4.0}) {
+    records::Series line{.label = fmt::format("{:.3g} kJ", 1e-3 * factor * energy), .style = records::Style::lines};
+    constexpr int points = 100;
+    for (int i = 0; i <= points; ++i) {
+      const double mass = std::lerp(file.mass[0], file.mass[1], i / static_cast<double>(points));
+      const double speed = std::sqrt(2.0 * factor * energy / mass);
+      if (speed >= file.speed[0] && speed <= file.speed[1]) line.add(mass, speed);
+    }
+    if (line.x.size() > 1) figure.series.push_back(std::move(line));
+  }
+  return figure;
+}
+
+records::Figure force_figure(const CapacityStudy& study, const HeightMap& map, std::size_t number) {
+  records::Figure figure{
+      .name = fmt::format("cable_force_{}", number),
+      .title = fmt::format("Largest cable force at a height of {:.3g} m", map.height),
+      .caption =
+          "Median of the largest cable force at each node, over the kinetic energy; bars to the least and the "
+          "largest of its runs. Light and heavy: the lower and the upper half of the "
+          "masses. Rocks of one energy give different forces.",
+      .x = {.label = "kinetic energy", .unit = "kJ"},
+      .y = {.label = "largest cable force", .unit = "kN", .min = 0.0}};
+  std::array<records::Series, 2> halves;
+  halves[0].label = "light rocks", halves[1].label = "heavy rocks";
+  for (records::Series& half : halves)
+    half.style = records::Style::errorbars;
+  for_each_node(map, [&](MapNode node, std::size_t at) {
+    const std::vector<double> forces = map.nodes[at].values(1);
+    if (forces.empty()) return;
+    records::Series& half = halves[2 * node.i < map.map.rules().cells ? 0 : 1];
+    half.add(1e-3 * study.rock_at(map, node).kinetic_energy(), 1e-3 * sample_quantile(forces, 0.5).value);
+    half.y_low.push_back(1e-3 * std::ranges::min(forces));
+    half.y_high.push_back(1e-3 * std::ranges::max(forces));
+  });
+  for (records::Series& half : halves)
+    if (!half.x.empty()) figure.series.push_back(std::move(half));
+  return figure;
+}
+
+}  // namespace
+
+std::vector<CapacityBoundary> boundaries_of(const CapacityStudy& study, const HeightMap& map) {
+  std::vector<CapacityBoundary> boundaries;
+  const int stride = map.map.rules().cells / map.map.rules().first_cells;
+  for (int i = 0; i < map.map.side(); i += stride) {
+    const MapBoundary at = boundary_at(map.map, map.states, i);
+    CapacityBoundary found;
+    found.mass = study.rock_at(map, {i, 0}).mass;
+    found.speed = {
+        at.last_above < 0 ? 0.0 : study.rock_at(map, {i, at.last_above}).speed,
+        at.first_below < 0 ? std::numeric_limits<double>::infinity() : study.rock_at(map, {i, at.first_below}).speed};
+    const auto energy = [&](double speed) { return 0.5 * found.mass * speed * speed; };
+    found.energy = {energy(found.speed.low), energy(found.speed.high)};
+    boundaries.push_back(found);
+  }
+  return boundaries;
+}
+
+std::string capacity_csv(const CapacityStudy& study) {
+  std::string text = "height [m],mass [kg],speed [m/s],kinetic_energy [J],runs";
+  for (const std::string_view end : Names<RockEnd>::list)
+    text += fmt::format(",{}", end);
+  text += ",probability,probability_low,probability_high,state";
+  for (std::size_t i = 0; i < capacity_outputs.size(); ++i) {
+    for (const char* const of : {"median", "p95"})
+      text += fmt::format(",{}.{} [{}]", capacity_outputs[i], of, output_units[i]);
+  }
+  text += '\n';
+  for (const HeightMap& map : study.maps()) {
+    for_each_node(map, [&](MapNode node, std::size_t at) {
+      const std::size_t trials = map.map.trials(node);
+      if (trials == 0) return;
+      const Rock rock = study.rock_at(map, node);
+      text += fmt::format("{},{},{},{},{}", rock.height, rock.mass, rock.speed, rock.kinetic_energy(), trials);
+      for (const std::size_t count : map.nodes[at].ends())
+        text += fmt::format(",{}", count);
+      const Interval interval = wilson_interval(map.map.hits(node), trials);
+      text += fmt::format(",{},{},{},{}", static_cast<double>(map.map.hits(node)) / static_cast<double>(trials),
+                          interval.low, interval.high, state_names[static_cast<std::size_t>(map.states[at])]);
+      for (std::size_t output = 0; output < capacity_outputs.size(); ++output) {
+        const std::vector<double> values = map.nodes[at].values(output);
+        for (const double probability : {0.5, 0.95})
+          text += values.empty() ? "," : fmt::format(",{}", sample_quantile(values, probability).value);
+      }
+      text += '\n';
+    });
+  }
+  return text;
+}
+
+std::string capacity_json(const CapacityStudy& study, const Rock& own) {
+  const CapacityFile& file = study.file();
+  Json json{{"schema", schema},
+            {"title", file.title},
+            {"units", "SI"},
+            {"rock", {{"mass", own.mass}, {"speed", own.speed}, {"height", own.height}}},
+            {"seed", file.seed},
+            {"cells", file.map.cells},
+            {"first_cells", file.map.first_cells},
+            {"runs_of_a_node", file.map.trials},
+            {"few_runs", file.map.few},
+            {"changes",
+             {{"speed", file.changes.speed},
+              {"height", file.changes.height},
+              {"angle", file.changes.angle},
+              {"spin", file.changes.spin}}}};
+  json["maps"] = Json::array();
+  for (const HeightMap& map : study.maps()) {
+    const RockTrials all = all_trials(map);
+    Json of_map{{"height", map.height},
+                {"runs", all.trials.size()},
+                {"full_grid_runs", full_grid(map)},
+                {"ends", ends_json(all)},
+                {"audit",
+                 {{"runs", map.audited},
+                  {"contradictions", map.contradicted},
+                  {"interval", interval_json(wilson_interval(map.contradicted, map.audited))}}}};
+    of_map["boundary"] = Json::array();
+    for (const CapacityBoundary& boundary : boundaries_of(study, map)) {
+      of_map["boundary"].push_back({{"mass", boundary.mass},
+                                    {"speed", interval_json(boundary.speed)},
+                                    {"kinetic_energy", interval_json(boundary.energy)}});
+    }
+    json["maps"].push_back(std::move(of_map));
+  }
+  if (file.hazard) {
+    const RockTrials& hazard = study.hazard();
+    const std::size_t runs = hazard.trials.size(), failures = runs - hazard.stopped();
+    json["hazard"] = {{"runs", runs},
+                      {"ends", ends_json(hazard)},
+                      {"probability_of_failure", static_cast<double>(failures) / static_cast<double>(runs)},
+                      {"interval", interval_json(wilson_interval(failures, runs))},
+                      {"outputs", outputs_json(hazard)}};
+  }
+  return json.dump(2) + "\n";
+}
+
+std::string capacity_text(const CapacityStudy& study) {
+  const CapacityFile& file = study.file();
+  std::string text;
+  for (const HeightMap& map : study.maps()) {
+    const RockTrials all = all_trials(map);
+    text += fmt::format("height {:.4g} m: {} runs ({:.3g} % of the full grid): {}\n", map.height, all.trials.size(),
+                        100.0 * static_cast<double>(all.trials.size()) / static_cast<double>(full_grid(map)),
+                        ends_text(all));
+    text += fmt::format("  {:>10}  {:>20}  {:>24}\n", "mass [kg]", "stopped up to [m/s]", "kinetic energy [kJ]");
+    for (const CapacityBoundary& boundary : boundaries_of(study, map)) {
+      const std::array<double, 2> energies{0.5 * boundary.mass * file.speed[0] * file.speed[0],
+                                           0.5 * boundary.mass * file.speed[1] * file.speed[1]};
+      text += fmt::format("  {:>10.4g}  {:>20}  {:>24}\n", boundary.mass, range_text(boundary.speed, file.speed, 1.0),
+                          range_text(boundary.energy, energies, 1e3));
+    }
+    if (map.audited > 0) {
+      text += fmt::format("  audit: {} of {} runs at nodes without any contradict the map\n", map.contradicted,
+                          map.audited);
+    }
+  }
+  if (file.hazard) {
+    const RockTrials& hazard = study.hazard();
+    const std::size_t runs = hazard.trials.size(), failures = runs - hazard.stopped();
+    const Interval interval = wilson_interval(failures, runs);
+    text += fmt::format("expected rocks: {} runs: {}\n", runs, ends_text(hazard));
+    text += fmt::format("  probability of failure per impact {:.4g}, 95 %: {:.4g} to {:.4g}\n",
+                        static_cast<double>(failures) / static_cast<double>(runs), interval.low, interval.high);
+    for (std::size_t output = 0; output < capacity_outputs.size(); ++output) {
+      const std::vector<double> values = hazard.values(output);
+      if (values.empty()) continue;
+      text += fmt::format("  {:<30} median {:>10.4g}, 95th percentile {:>10.4g} {}\n", output_words[output],
+                          sample_quantile(values, 0.5).value, sample_quantile(values, 0.95).value,
+                          output_units[output] == "1" ? "" : output_units[output]);
+    }
+  }
+  return text;
+}
+
+std::vector<records::Figure> capacity_figures(const CapacityStudy& study) {
+  std::vector<records::Figure> figures;
+  std::size_t number = 0;
+  for (const HeightMap& map : study.maps()) {
+    figures.push_back(map_figure(study, map, ++number));
+    if (records::Figure forces = force_figure(study, map, number); !forces.series.empty())
+      figures.push_back(std::move(forces));
+  }
+  return figures;
+}
+
+}  // namespace talus::app

@@ -1,0 +1,36 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "solver/app/capacity/capacity_study.hpp"
+#include "solver/capacity/proportion.hpp"
+#include "verification/record/figure.hpp"
+
+namespace talus::app {
+
+/// The speed up to which rocks of one mass are stopped.
+struct CapacityBoundary {
+  double mass{};    ///< [kg]
+  Interval speed;   ///< stopped up to the first, not from the second on [m/s]; nothing: the ends of the map
+  Interval energy;  ///< kinetic energy of these [J]
+};
+
+/// The boundaries at the masses of a map's first cells.
+[[nodiscard]] std::vector<CapacityBoundary> boundaries_of(const CapacityStudy& study, const HeightMap& map);
+
+/// Every node with trials as a line of CSV: height, mass, speed, kinetic energy, trials by their end, probability of
+/// being stopped with its interval, state, and of each output the median and the 95th percentile.
+[[nodiscard]] std::string capacity_csv(const CapacityStudy& study);
+
+/// Rules, boundaries, audits and the hazard as JSON, in SI units.
+[[nodiscard]] std::string capacity_json(const CapacityStudy& study, const Rock& own);
+
+/// The results as text for a terminal.
+[[nodiscard]] std::string capacity_text(const CapacityStudy& study);
+
+/// The map of each height, with lines of equal kinetic energy; and the largest cable force over the kinetic energy.
+[[nodiscard]] std::vector<records::Figure> capacity_figures(const CapacityStudy& study);
+
+}  // namespace talus::app

@@ -1,0 +1,183 @@
+#include "solver/app/capacity/capacity_study.hpp"
+
+#include <algorithm>
+#include <boost/math/special_functions/erf.hpp>
+#include <cmath>
+#include <mutex>
+#include <numbers>
+
+#include "solver/base/error.hpp"
+#include "solver/threads/parallel_for.hpp"
+
+namespace talus::app {
+namespace {
+
+/// What random numbers are for, so that no two purposes have the same ones.
+enum Purpose : std::uint32_t { for_trials, for_audit, for_hazard, for_rock };
+
+RockEnd end_of(const SweepResult& result) {
+  if (result.end != SweepEnd::finished) return RockEnd::failed;
+  const auto& verdicts = Names<scenes::Verdict>::list;
+  return static_cast<RockEnd>(std::ranges::find(verdicts, result.verdict) - verdicts.begin());
+}
+
+/// Standard normal quantile of a number in [-1, 1), its middle being the median.
+double normal_of(double number) {
+  // The first number would be at minus infinity.
+  const double inside = std::max(number, -1.0 + 0x1p-52);
+  return std::numbers::sqrt2 * boost::math::erf_inv(inside);
+}
+
+}  // namespace
+
+std::array<std::size_t, 6> RockTrials::ends() const {
+  std::array<std::size_t, 6> counts{};
+  for (const RockTrial& trial : trials)
+    ++counts[static_cast<std::size_t>(trial.end)];
+  return counts;
+}
+
+std::vector<double> RockTrials::values(std::size_t output) const {
+  std::vector<double> values;
+  for (const RockTrial& trial : trials)
+    if (!trial.outputs.empty()) values.push_back(trial.outputs[output]);
+  return values;
+}
+
+CapacityStudy::CapacityStudy(const CapacityFile& file, const SweepFolder& folder, const SweepBase& base,
+                             const RockRuns& rocks, unsigned threads)
+    : file_{&file}, folder_{&folder}, base_{&base}, rocks_{&rocks}, threads_{threads} {
+  write_sweep_folder(folder);
+  for (SweepResult& result : all_results(folder)) {
+    std::string id = result.id;
+    known_.emplace(std::move(id), std::move(result));
+  }
+  const std::vector<double> heights = file.heights.empty() ? std::vector{rocks.own().height} : file.heights;
+  for (const double height : heights) {
+    HeightMap map{height, CapacityMap{file.map}, {}, {}, 0, 0};
+    map.nodes.resize(static_cast<std::size_t>(map.map.side()) * static_cast<std::size_t>(map.map.side()));
+    maps_.push_back(std::move(map));
+  }
+}
+
+Rock CapacityStudy::rock_at(const HeightMap& map, MapNode node) const {
+  const double count = map.map.rules().cells;
+  return {std::lerp(file_->mass[0], file_->mass[1], node.i / count),
+          std::lerp(file_->speed[0], file_->speed[1], node.j / count), map.height};
+}
+
+std::optional<std::vector<RockTrial>> CapacityStudy::executed(const std::vector<Request>& requests) {
+  std::vector<std::string> ids;
+  std::vector<std::size_t> missing;  // in runs_
+  for (const Request& request : requests) {
+    SweptRun run = rocks_->run(request.rock, random_numbers(file_->seed, request.purpose));
+    ids.push_back(run.id);
+    const auto [at, is_new] = numbers_.emplace(run.id, runs_.size());
+    if (!is_new) continue;
+    if (!known_.contains(run.id)) missing.push_back(runs_.size());
+    runs_.push_back(std::move(run));
+  }
+  if (!missing.empty()) {
+    ResultFile file{folder_->folder};
+    std::mutex one_at_a_time;
+    parallel_for(missing.size(), threads_, [&](std::size_t i) {
+      if (interrupted_()) return;
+      SweepResult result = base_->result(runs_[missing[i]], folder_->limits, interrupted_);
+      if (result.id.empty()) return;
+      file.add(result);
+      const std::lock_guard one{one_at_a_time};
+      std::string id = result.id;
+      known_.emplace(std::move(id), std::move(result));
+      progress_(known_.size());
+    });
+    file.flush();
+  }
+  if (interrupted_()) return {};
+  std::vector<RockTrial> trials;
+  for (std::size_t i = 0; i < requests.size(); ++i) {
+    const SweepResult& result = known_.at(ids[i]);
+    RockTrial trial{requests[i].rock, end_of(result), result.reason, result.values};
+    for (std::size_t k = 0; k < trial.outputs.size(); ++k)
+      trial.outputs[k] *= si_size(base_->units(), base_->outputs()[k].dimension);
+    trials.push_back(std::move(trial));
+  }
+  return trials;
+}
+
+bool CapacityStudy::run_map(HeightMap& map, std::uint32_t number) {
+  for (std::vector<MapTrials> wanted = map.map.next(); !wanted.empty(); wanted = map.map.next()) {
+    std::vector<Request> requests;
+    std::vector<MapNode> nodes;
+    for (const MapTrials& trials : wanted) {
+      for (std::size_t trial = trials.first; trial < trials.last; ++trial) {
+        requests.push_back({rock_at(map, trials.node),
+                            {for_trials, number, static_cast<std::uint32_t>(trials.node.i),
+                             static_cast<std::uint32_t>(trials.node.j), static_cast<std::uint32_t>(trial)}});
+        nodes.push_back(trials.node);
+      }
+    }
+    std::optional<std::vector<RockTrial>> trials = executed(requests);
+    if (!trials) return false;
+    for (std::size_t i = 0; i < nodes.size(); ++i) {
+      map.map.add(nodes[i], (*trials)[i].end == RockEnd::stopped);
+      const auto row = static_cast<std::size_t>(nodes[i].j) * static_cast<std::size_t>(map.map.side());
+      map.nodes[row + static_cast<std::size_t>(nodes[i].i)].trials.push_back(std::move((*trials)[i]));
+    }
+  }
+  map.states = map.map.states();
+  return true;
+}
+
+bool CapacityStudy::audit(HeightMap& map, std::uint32_t number) {
+  std::vector<MapNode> without;
+  for (int j = 0; j < map.map.side(); ++j)
+    for (int i = 0; i < map.map.side(); ++i)
+      if (map.map.trials({i, j}) == 0) without.push_back({i, j});
+  if (without.empty()) return true;
+  std::vector<Request> requests;
+  std::vector<MapNode> nodes;
+  for (std::uint32_t trial = 0; trial < file_->audit; ++trial) {
+    const double fraction = 0.5 + 0.5 * random_numbers(file_->seed, {for_audit, number, trial, 0})[0];
+    nodes.push_back(without[static_cast<std::size_t>(fraction * static_cast<double>(without.size()))]);
+    requests.push_back({rock_at(map, nodes.back()), {for_audit, number, trial, 1}});
+  }
+  const std::optional<std::vector<RockTrial>> trials = executed(requests);
+  if (!trials) return false;
+  for (std::size_t i = 0; i < nodes.size(); ++i) {
+    const auto row = static_cast<std::size_t>(nodes[i].j) * static_cast<std::size_t>(map.map.side());
+    const MapState state = map.states[row + static_cast<std::size_t>(nodes[i].i)];
+    if (state == MapState::open) continue;
+    ++map.audited;
+    map.contradicted += ((*trials)[i].end == RockEnd::stopped) != (state == MapState::above) ? 1 : 0;
+  }
+  return true;
+}
+
+bool CapacityStudy::run_hazard() {
+  if (!file_->hazard) return true;
+  const RockHazard& hazard = *file_->hazard;
+  std::vector<Request> requests;
+  for (std::uint32_t trial = 0; trial < hazard.runs; ++trial) {
+    const std::array<double, 4> numbers = random_numbers(file_->seed, {for_rock, trial});
+    Rock rock{hazard.mass.at(normal_of(numbers[0])), hazard.speed.at(normal_of(numbers[1])),
+              hazard.height.at(normal_of(numbers[2]))};
+    if (!hazard.table.empty()) {
+      const double row = (0.5 + 0.5 * numbers[0]) * static_cast<double>(hazard.table.size());
+      rock = hazard.table[static_cast<std::size_t>(row)];
+    }
+    requests.push_back({rock, {for_hazard, trial}});
+  }
+  std::optional<std::vector<RockTrial>> trials = executed(requests);
+  if (!trials) return false;
+  hazard_.trials = std::move(*trials);
+  return true;
+}
+
+bool CapacityStudy::run(const std::function<bool()>& interrupted, const std::function<void(std::size_t)>& progress) {
+  interrupted_ = interrupted, progress_ = progress;
+  for (std::uint32_t number = 0; number < maps_.size(); ++number)
+    if (!run_map(maps_[number], number) || !audit(maps_[number], number)) return false;
+  return run_hazard();
+}
+
+}  // namespace talus::app

@@ -1,0 +1,109 @@
+#pragma once
+
+#include <array>
+#include <functional>
+#include <map>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "solver/app/capacity/capacity_file.hpp"
+#include "solver/app/capacity/rock_runs.hpp"
+#include "solver/app/sweep/sweep_base.hpp"
+#include "solver/app/sweep/sweep_folder.hpp"
+#include "solver/base/fields.hpp"
+#include "solver/capacity/capacity_map.hpp"
+
+namespace talus::app {
+
+/// How the run of a rock ended: as the fence's verdict, or without a result that can be used.
+enum class RockEnd { stopped, undecided, passed_under, passed_over, broke_through, failed };
+
+/// Numbers that are read of each run, as outputs of a sweep.
+inline constexpr std::array<std::string_view, 6> capacity_outputs{"fence.anchor_force",  "fence.cable_force",
+                                                                  "fence.hanger_force",  "fence.cable_margin",
+                                                                  "fence.hanger_margin", "fence.exit_energy"};
+
+/// One run of a rock.
+struct RockTrial {
+  Rock rock;  ///< without the small changes
+  RockEnd end{};
+  std::string reason;           ///< of a failed run
+  std::vector<double> outputs;  ///< in SI units, in the order of capacity_outputs; empty if there are none
+};
+
+/// Trials of rocks that count together.
+struct RockTrials {
+  std::vector<RockTrial> trials;
+
+  [[nodiscard]] std::array<std::size_t, 6> ends() const;  ///< number of trials by RockEnd
+  [[nodiscard]] std::size_t stopped() const { return ends()[static_cast<std::size_t>(RockEnd::stopped)]; }
+  /// Values of an output in those trials that have it.
+  [[nodiscard]] std::vector<double> values(std::size_t output) const;
+};
+
+/// The map of one height. Its outcome is that the rock is stopped: undecided and failed runs count as not stopped.
+struct HeightMap {
+  double height{};  ///< [m]
+  CapacityMap map;
+  std::vector<RockTrials> nodes;          ///< of each node, row by row (mass changes first)
+  std::vector<MapState> states;           ///< likewise
+  std::size_t audited{}, contradicted{};  ///< trials at nodes without any, and those that contradict their state
+};
+
+/// All runs that a capacity file asks for. Results are kept in the folder at once; a study that was ended at any time
+/// continues with the runs that it lacks.
+class CapacityStudy {
+ public:
+  /// Writes the folder's description. Errors: InputError if it has results of another base; IoError.
+  CapacityStudy(const CapacityFile& file, const SweepFolder& folder, const SweepBase& base, const RockRuns& rocks,
+                unsigned threads);
+
+  /// Executes everything. `interrupted` ends it; `progress` gets the number of runs done. Returns whether all were
+  /// executed.
+  [[nodiscard]] bool run(const std::function<bool()>& interrupted, const std::function<void(std::size_t)>& progress);
+
+  const CapacityFile& file() const { return *file_; }
+  const std::vector<HeightMap>& maps() const { return maps_; }
+  const RockTrials& hazard() const { return hazard_; }
+  /// The rock at a node.
+  [[nodiscard]] Rock rock_at(const HeightMap& map, MapNode node) const;
+  /// Every run that was requested, once.
+  const std::vector<SweptRun>& runs() const { return runs_; }
+
+ private:
+  /// A rock to be run, with the purpose of its random numbers.
+  struct Request {
+    Rock rock;
+    std::vector<std::uint32_t> purpose;
+  };
+  /// Trials of these rocks, in their order; nothing if it was interrupted.
+  std::optional<std::vector<RockTrial>> executed(const std::vector<Request>& requests);
+  bool run_map(HeightMap& map, std::uint32_t number);
+  bool audit(HeightMap& map, std::uint32_t number);
+  bool run_hazard();
+
+  const CapacityFile* file_;
+  const SweepFolder* folder_;
+  const SweepBase* base_;
+  const RockRuns* rocks_;
+  unsigned threads_;
+  std::function<bool()> interrupted_;
+  std::function<void(std::size_t)> progress_;
+  std::map<std::string, SweepResult> known_;
+  std::vector<HeightMap> maps_;
+  RockTrials hazard_;
+  std::vector<SweptRun> runs_;
+  std::map<std::string, std::size_t> numbers_;  ///< in runs_, by id
+};
+
+}  // namespace talus::app
+
+namespace talus {
+template <>
+struct Names<app::RockEnd> {
+  static constexpr std::array<std::string_view, 6> list{"stopped",     "undecided",     "passed_under",
+                                                        "passed_over", "broke_through", "failed"};
+};
+}  // namespace talus

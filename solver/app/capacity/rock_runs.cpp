@@ -1,0 +1,105 @@
+#include "solver/app/capacity/rock_runs.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <random>
+
+#include "solver/base/error.hpp"
+#include "solver/io/file/toml_field.hpp"
+#include "solver/io/scene/read_scene.hpp"
+#include "solver/scenes/fence_element.hpp"
+
+namespace talus::app {
+namespace {
+
+constexpr const char* rock_path = "fence.rock[0].";
+
+/// Whether the document has a field; one that is missing is added empty, to this copy.
+bool has_field(TomlValue document, std::string_view path) {
+  const auto* const text = std::get_if<std::string>(&field_at(document, path).data);
+  return text == nullptr || !text->empty();
+}
+
+SceneFile read_base(const std::string& text, const std::string& name, const CapacityFile& file, bool& gives_mass) {
+  TomlValue document = parse_toml(text, name);
+  for (const auto& [field, value] : file.fields)
+    set_field(document, field, value);
+  SceneFile scene = read_scene_file(document, name);
+  if (!scene.fence) throw InputError{fmt::format("{}: it must be a fence, with a table [fence]", name)};
+  if (const std::size_t count = scene.fence->fence.rocks.size(); count != 1)
+    throw InputError{fmt::format("{}: found {} rocks; it must be one, which is replaced by others", name, count)};
+  gives_mass = has_field(document, fmt::format("{}mass", rock_path));
+  return scene;
+}
+
+}  // namespace
+
+RockRuns::RockRuns(const std::string& text, const std::string& name, const CapacityFile& file)
+    : base_{read_base(text, name, file, gives_mass_)}, fields_{file.fields}, changes_{file.changes} {
+  const UnitSystem& units = base_.scene.model.units;
+  const scenes::FenceElement& rock = base_.fence->fence.rocks.front();
+  if (rock.velocity.x == 0.0)
+    throw InputError{fmt::format("{}: rock: velocity: found none along x; it must move towards the fence", name)};
+  own_.mass = scenes::mass_properties(rock).mass * si_size(units, dimension::mass);
+  own_.speed = norm(rock.velocity) * si_size(units, dimension::velocity);
+  own_.height = height_at({});
+}
+
+double RockRuns::height_at(Vec2 shift) const {
+  const FenceInput& fence = *base_.fence;
+  const double length = si_size(base_.scene.model.units, dimension::length);
+  const BodyId ground = *fence.made.members.front().body;
+  const Vec2 place = fence.fence.rocks.front().position + (1.0 / length) * shift;
+  return length * scenes::height_over(base_.scene.model.bodies[index(ground)],
+                                      pose(base_.scene.model, base_.scene.initial, ground), place);
+}
+
+SweptRun RockRuns::run(const Rock& rock, const std::array<double, 4>& numbers) const {
+  const UnitSystem& units = base_.scene.model.units;
+  const double length = si_size(units, dimension::length);
+  const scenes::FenceElement& own = base_.fence->fence.rocks.front();
+  const double size = std::cbrt(rock.mass / own_.mass);
+  const double speed = rock.speed * (1.0 + changes_.speed * numbers[0]);
+  const double height = rock.height + changes_.height * numbers[1];
+  // As far from the fence as the base's rock, whatever its orientation.
+  const double away = -std::copysign(1.0, own.velocity.x) * (size - 1.0) * std::max(own.a, own.b) * length;
+  double up = height - own_.height;
+  for (int correction = 0; correction < 8; ++correction)  // the ground may be inclined or uneven
+    up += height - height_at({away, up});
+  const Vec2 direction = (1.0 / norm(own.velocity)) * own.velocity;
+
+  SweptRun run;
+  run.parameters = fields_;
+  const auto set = [&](const char* field, const TomlValue& value) {
+    run.parameters.emplace_back(fmt::format("{}{}", rock_path, field), value);
+  };
+  const auto quantity = [](double value, const char* unit) { return TomlValue{fmt::format("{} {}", value, unit)}; };
+  set("a", quantity(own.a * length * size, "m"));
+  set("b", quantity(own.b * length * size, "m"));
+  if (gives_mass_) set("mass", quantity(rock.mass, "kg"));
+  set("position[0]", quantity(own.position.x * length + away, "m"));
+  set("position[1]", quantity(own.position.y * length + up, "m"));
+  set("velocity[0]", quantity(direction.x * speed, "m/s"));
+  set("velocity[1]", quantity(direction.y * speed, "m/s"));
+  if (changes_.angle > 0.0) set("angle", quantity(own.angle + changes_.angle * numbers[2], "rad"));
+  if (changes_.spin > 0.0)
+    set("spin", quantity(own.spin * si_size(units, dimension::angular_velocity) + changes_.spin * numbers[3], "rad/s"));
+  run.id = id_of(run);
+  return run;
+}
+
+std::array<double, 4> random_numbers(std::int64_t seed, const std::vector<std::uint32_t>& purpose) {
+  std::vector<std::uint32_t> words{static_cast<std::uint32_t>(seed)};
+  words.insert(words.end(), purpose.begin(), purpose.end());
+  std::seed_seq sequence(words.begin(), words.end());
+  std::mt19937_64 generator{sequence};
+  std::array<double, 4> numbers{};
+  // Standard distributions differ between libraries.
+  for (double& number : numbers)
+    number = std::ldexp(static_cast<double>(generator() >> 11U), -52) - 1.0;
+  return numbers;
+}
+
+}  // namespace talus::app

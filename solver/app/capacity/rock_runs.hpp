@@ -1,0 +1,40 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "solver/app/capacity/capacity_file.hpp"
+#include "solver/app/sweep/sweep_runs.hpp"
+#include "solver/base/vec.hpp"
+#include "solver/io/scene/scene_file.hpp"
+
+namespace talus::app {
+
+/// The runs of a fence with other rocks in place of its own. A rock of another mass has the density and the proportions
+/// of the base's; it starts as far from the fence, in the same direction, with the same angle and spin.
+class RockRuns {
+ public:
+  /// `text`: the base, TOML. Errors: InputError for a base that is no fence, has no rock or several, or whose rock does
+  /// not move along x.
+  RockRuns(const std::string& text, const std::string& name, const CapacityFile& file);
+
+  /// The rock of the base.
+  const Rock& own() const { return own_; }
+  /// The run of one rock with small changes, which `numbers` in [-1, 1) choose: of speed, height, angle and spin.
+  [[nodiscard]] SweptRun run(const Rock& rock, const std::array<double, 4>& numbers) const;
+
+ private:
+  /// Height of the base's rock's centre, at this distance from its place, above the ground [m].
+  double height_at(Vec2 shift) const;
+
+  bool gives_mass_{};  ///< the base gives its rock's mass, not the density; found while the base is read
+  SceneFile base_;
+  std::vector<std::pair<std::string, TomlValue>> fields_;
+  RockChanges changes_;
+  Rock own_;
+};
+
+/// Numbers in [-1, 1) that follow from a seed and what they are for.
+[[nodiscard]] std::array<double, 4> random_numbers(std::int64_t seed, const std::vector<std::uint32_t>& purpose);
+
+}  // namespace talus::app

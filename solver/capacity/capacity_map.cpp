@@ -1,0 +1,141 @@
+#include "solver/capacity/capacity_map.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <numeric>
+
+#include "solver/base/error.hpp"
+
+namespace talus {
+namespace {
+
+std::array<MapNode, 4> corners(MapNode corner, int size) {
+  return {MapNode{corner.i, corner.j}, MapNode{corner.i + size, corner.j}, MapNode{corner.i, corner.j + size},
+          MapNode{corner.i + size, corner.j + size}};
+}
+
+bool is_refinement(int cells, int first_cells) {
+  if (first_cells < 1 || cells < first_cells || cells % first_cells != 0) return false;
+  const int quotient = cells / first_cells;
+  return (quotient & (quotient - 1)) == 0;
+}
+
+}  // namespace
+
+CapacityMap::CapacityMap(const MapRules& rules) : rules_{rules} {
+  if (!is_refinement(rules.cells, rules.first_cells)) {
+    throw InputError{fmt::format("found {} cells, {} at first; the first must be a power of two times the second",
+                                 rules.cells, rules.first_cells)};
+  }
+  if (rules.few < 1 || rules.few > rules.trials)
+    throw InputError{fmt::format("found {} trials, {} at first; it must be at least 1 and at most as many",
+                                 rules.trials, rules.few)};
+  counts_.resize(static_cast<std::size_t>(side()) * static_cast<std::size_t>(side()));
+}
+
+void CapacityMap::add(MapNode node, bool hit) {
+  Count& count = counts_[index(node)];
+  ++count.trials;
+  count.hits += hit ? 1 : 0;
+}
+
+std::size_t CapacityMap::all_trials() const {
+  return std::transform_reduce(counts_.begin(), counts_.end(), std::size_t{0}, std::plus<>{},
+                               [](const Count& count) { return count.trials; });
+}
+
+MapState CapacityMap::state(MapNode node) const {
+  const Interval interval = wilson_interval(at(node).hits, at(node).trials);
+  return interval.low > 0.5 ? MapState::above : interval.high < 0.5 ? MapState::below : MapState::open;
+}
+
+std::size_t CapacityMap::needed(MapNode node) const {
+  const std::size_t trials = at(node).trials;
+  if (trials < rules_.few) return rules_.few;
+  return state(node) == MapState::open ? std::min(2 * trials, rules_.trials) : trials;
+}
+
+bool CapacityMap::is_uniform(const Cell& cell) const {
+  const std::array<MapNode, 4> nodes = corners(cell.corner, cell.size);
+  const MapState first = state(nodes[0]);
+  return std::ranges::all_of(nodes, [&](MapNode node) { return state(node) == first; });
+}
+
+void CapacityMap::visit(const Cell& cell, std::vector<std::size_t>& wanted) const {
+  bool is_tried = true;
+  const auto want = [&](MapNode node, std::size_t trials) {
+    wanted[index(node)] = std::max(wanted[index(node)], trials);
+    is_tried = is_tried && at(node).trials >= trials;
+  };
+  const std::array<MapNode, 4> nodes = corners(cell.corner, cell.size);
+  for (const MapNode node : nodes)
+    want(node, needed(node));
+  if (!is_tried || is_uniform(cell) || cell.size == 1) return;
+  const int half = cell.size / 2;
+  for (const MapNode corner : corners(cell.corner, half))
+    visit({corner, half}, wanted);
+}
+
+std::vector<CapacityMap::Cell> CapacityMap::first_cells() const {
+  std::vector<Cell> cells;
+  const int size = rules_.cells / rules_.first_cells;
+  for (int j = 0; j < rules_.cells; j += size)
+    for (int i = 0; i < rules_.cells; i += size)
+      cells.push_back({{i, j}, size});
+  return cells;
+}
+
+std::vector<MapTrials> CapacityMap::next() const {
+  std::vector<std::size_t> wanted(counts_.size(), 0);
+  for (const Cell& cell : first_cells())
+    visit(cell, wanted);
+  std::vector<MapTrials> needed;
+  for (int j = 0; j < side(); ++j) {
+    for (int i = 0; i < side(); ++i) {
+      const MapNode node{i, j};
+      if (wanted[index(node)] > at(node).trials) needed.push_back({node, at(node).trials, wanted[index(node)]});
+    }
+  }
+  return needed;
+}
+
+void CapacityMap::fill(const Cell& cell, std::vector<MapState>& states) const {
+  if (is_uniform(cell)) {
+    const MapState state_of_cell = state(cell.corner);
+    for (int j = cell.corner.j; j <= cell.corner.j + cell.size; ++j)
+      for (int i = cell.corner.i; i <= cell.corner.i + cell.size; ++i)
+        if (at({i, j}).trials == 0) states[index({i, j})] = state_of_cell;
+    return;
+  }
+  if (cell.size == 1) return;
+  const int half = cell.size / 2;
+  for (const MapNode corner : corners(cell.corner, half))
+    fill({corner, half}, states);
+}
+
+std::vector<MapState> CapacityMap::states() const {
+  std::vector<MapState> states(counts_.size(), MapState::open);
+  for (int j = 0; j < side(); ++j)
+    for (int i = 0; i < side(); ++i)
+      if (at({i, j}).trials > 0) states[index({i, j})] = state({i, j});
+  for (const Cell& cell : first_cells())
+    fill(cell, states);
+  return states;
+}
+
+MapBoundary boundary_at(const CapacityMap& map, const std::vector<MapState>& states, int i) {
+  MapBoundary found;
+  for (int j = 0; j < map.side(); ++j) {
+    const auto node = static_cast<std::size_t>(j) * static_cast<std::size_t>(map.side()) + static_cast<std::size_t>(i);
+    if (states[node] == MapState::below) {
+      found.first_below = j;
+      break;
+    }
+    if (states[node] == MapState::above) found.last_above = j;
+  }
+  return found;
+}
+
+}  // namespace talus

@@ -1,0 +1,176 @@
+#include "verification/problems/program/capacity/capacity_statistics.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <numbers>
+#include <random>
+#include <vector>
+
+#include "solver/capacity/capacity_map.hpp"
+#include "solver/capacity/proportion.hpp"
+#include "verification/study/findings/expectations.hpp"
+
+namespace talus::verification::problems::fence_capacity {
+namespace {
+
+/// The first 53 of 64 random bits, in [0, 1).
+double uniform(std::mt19937_64& generator) { return std::ldexp(static_cast<double>(generator() >> 11U), -53); }
+
+/// Probabilities of 0 to n hits, each from the one before.
+std::vector<double> binomial(int n, double p) {
+  std::vector<double> chances{std::pow(1.0 - p, n)};
+  for (int k = 0; k < n; ++k)
+    chances.push_back(chances.back() * (n - k) / (k + 1.0) * p / (1.0 - p));
+  return chances;
+}
+
+/// Coverage of the score test: the chance of those numbers of hits that are at most 1.96 deviations from n p.
+double score_coverage(int n, double p) {
+  double sum = 0.0;
+  const std::vector<double> chances = binomial(n, p);
+  for (int k = 0; k <= n; ++k)
+    if (std::abs(k - n * p) <= normal_975 * std::sqrt(n * p * (1.0 - p))) sum += chances[static_cast<std::size_t>(k)];
+  return sum;
+}
+
+/// Least coverage of 95 % by two order statistics of a sample: tails of at most 2.5 % each.
+double order_coverage(int n, double probability) {
+  const std::vector<double> chances = binomial(n, probability);
+  double below = 0.0, sum = 0.0;
+  for (const double chance : chances) {
+    // Left out at the lower end; counted up to the upper end.
+    if (below + chance > 0.025 && below < 0.975) sum += chance;
+    below += chance;
+  }
+  return sum;
+}
+
+double probability_at(double x, double y, double width) {
+  // One half on a curved line.
+  const double line = 0.75 - 0.5 * x + 0.1 * std::sin(2.0 * std::numbers::pi * x);
+  return 0.5 * std::erfc((y - line) / (std::numbers::sqrt2 * width));
+}
+
+/// The same outcome of a trial for every order of trials: its number is a hash (SplitMix64, Steele et al. 2014).
+bool is_hit(std::uint64_t seed, MapNode node, std::size_t trial, double probability) {
+  std::uint64_t bits =
+      (((seed << 16U) + static_cast<std::uint64_t>(node.i)) << 16U) + static_cast<std::uint64_t>(node.j);
+  bits = (bits << 8U) + trial;
+  for (int round = 0; round < 2; ++round) {
+    bits += 0x9e3779b97f4a7c15U;
+    bits = (bits ^ (bits >> 30U)) * 0xbf58476d1ce4e5b9U;
+    bits = (bits ^ (bits >> 27U)) * 0x94d049bb133111ebU;
+    bits ^= bits >> 31U;
+  }
+  return std::ldexp(static_cast<double>(bits >> 11U), -53) < probability;
+}
+
+}  // namespace
+
+void check_coverage(Findings& findings, const Setup& setup) {
+  constexpr int seeds = 1000;
+  double worst = 0.0, least = 1.0;
+  std::vector<std::vector<std::string>> rows;
+  std::mt19937_64 generator{2024};
+  for (const auto& [n, p] : {std::pair{4, 0.5}, std::pair{20, 0.02}, std::pair{20, 0.3}, std::pair{20, 0.9},
+                             std::pair{200, 0.02}, std::pair{200, 0.5}}) {
+    int covered = 0;
+    for (int seed = 0; seed < seeds; ++seed) {
+      std::size_t hits = 0;
+      for (int trial = 0; trial < n; ++trial)
+        hits += uniform(generator) < p ? 1 : 0;
+      Interval interval = wilson_interval(hits, static_cast<std::size_t>(n));
+      if (setup.has("normal_interval")) {
+        const double share = static_cast<double>(hits) / n, half = normal_975 * std::sqrt(share * (1.0 - share) / n);
+        interval = {share - half, share + half};
+      }
+      covered += interval.low <= p && p <= interval.high ? 1 : 0;
+    }
+    const double exact = score_coverage(n, p), found = covered / static_cast<double>(seeds);
+    keep_worst(worst, (found - exact) / std::sqrt(std::max(exact * (1.0 - exact), 1e-4) / seeds));
+    rows.push_back(
+        {fmt::format("{}", n), fmt::format("{}", p), fmt::format("{:.3f}", found), fmt::format("{:.4f}", exact)});
+  }
+  findings.expect("Wilson intervals: coverage over 1,000 seeds, largest deviation from the exact one", worst, 0.0,
+                  Tolerance::model(4.0,
+                                   "in standard deviations of 1,000 trials: four of six independent numbers; the "
+                                   "exact coverage is that of the score test, which the interval inverts"));
+  findings.table({.name = "coverage",
+                  .caption = "Coverage of intervals of 95 % for a probability, counted over 1,000 seeds, and exact.",
+                  .columns = {"trials", "probability", "counted", "exact"},
+                  .rows = rows});
+
+  double of_quantiles = 0.0;
+  for (const auto& [n, probability] : {std::pair{60, 0.5}, std::pair{200, 0.95}}) {
+    int covered = 0;
+    for (int seed = 0; seed < seeds; ++seed) {
+      std::vector<double> sample;
+      for (int i = 0; i < n; ++i)
+        sample.push_back(-std::log1p(-uniform(generator)));
+      const Interval interval = sample_quantile(sample, probability).interval;
+      const double exact = -std::log1p(-probability);
+      covered += interval.low <= exact && exact <= interval.high ? 1 : 0;
+    }
+    const double exact = order_coverage(n, probability), found = covered / static_cast<double>(seeds);
+    least = std::min(least, exact);
+    keep_worst(of_quantiles, (found - exact) / std::sqrt(exact * (1.0 - exact) / seeds));
+  }
+  findings.expect("quantiles: coverage over 1,000 seeds, largest deviation from the exact one", of_quantiles, 0.0,
+                  Tolerance::model(4.0,
+                                   "in standard deviations of 1,000 trials; the number of values below a quantile "
+                                   "is binomial"));
+  findings.expect_between("quantiles: least exact coverage", least, 0.95, 0.985,
+                          "each tail has at most 2.5 %, and one value more would be in it");
+}
+
+void check_maps(Findings& findings, const Setup& setup) {
+  double contradictions = 0.0, share = 0.0, lines = 0.0, off = 0.0;
+  for (const std::uint64_t seed : {1U, 2U, 3U}) {
+    const MapRules rules{.cells = 64, .first_cells = 4, .trials = 20, .few = 4};
+    const double width = 0.02;
+    CapacityMap map{rules};
+    const auto probability = [&](MapNode node) {
+      const double x = node.i / 64.0, y = node.j / 64.0;
+      return setup.has("other_line") ? probability_at(x, y + 0.1, width) : probability_at(x, y, width);
+    };
+    for (std::vector<MapTrials> wanted = map.next(); !wanted.empty(); wanted = map.next()) {
+      for (const MapTrials& trials : wanted)
+        for (std::size_t trial = trials.first; trial < trials.last; ++trial)
+          map.add(trials.node, is_hit(seed, trials.node, trial, probability(trials.node)));
+    }
+    const std::vector<MapState> states = map.states();
+    double full = 0.0;
+    for (int j = 0; j < map.side(); ++j) {
+      for (int i = 0; i < map.side(); ++i) {
+        const MapNode node{i, j};
+        std::size_t hits = 0;
+        for (std::size_t trial = 0; trial < rules.trials; ++trial)
+          hits += is_hit(seed, node, trial, probability_at(i / 64.0, j / 64.0, width)) ? 1 : 0;
+        full += static_cast<double>(rules.trials);
+        const Interval of_grid = wilson_interval(hits, rules.trials);
+        const MapState state = states[static_cast<std::size_t>(j * map.side() + i)];
+        if (state == MapState::above && of_grid.high < 0.5) contradictions += 1.0;
+        if (state == MapState::below && of_grid.low > 0.5) contradictions += 1.0;
+      }
+      const MapBoundary boundary = boundary_at(map, states, j);
+      const double x = j / 64.0, exact = 0.75 - 0.5 * x + 0.1 * std::sin(2.0 * std::numbers::pi * x);
+      lines += 1.0;
+      if (!(boundary.last_above / 64.0 <= exact && exact <= boundary.first_below / 64.0)) off += 1.0;
+    }
+    keep_worst(share, static_cast<double>(map.all_trials()) / full);
+  }
+  findings.expect("maps: nodes whose state contradicts the interval of the full grid", contradictions, 0.0,
+                  Tolerance::exact("the probability passes one half within a few cells, and the grid has the same "
+                                   "outcomes"));
+  findings.expect_between("maps: trials over those of the full grid, largest", share, 0.01, 0.1,
+                          "nodes are tried along a line of some 64 cells: a tenth was asked");
+  findings.expect_between("maps: lines on which the exact point of one half is not within the boundary, share",
+                          off / lines, 0.0, 0.15,
+                          "each of the two ends is wrong with at most 2.5 % at the nodes next to the line, where the "
+                          "probability is near one half, and with few trials at several of them");
+}
+
+}  // namespace talus::verification::problems::fence_capacity

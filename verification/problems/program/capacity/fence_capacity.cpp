@@ -1,0 +1,374 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <numbers>
+#include <string>
+#include <vector>
+
+#include "verification/check/case.hpp"
+#include "verification/problems/program/capacity/capacity_statistics.hpp"
+#include "verification/record/csv.hpp"
+#include "verification/record/json_node.hpp"
+#include "verification/study/findings/expectations.hpp"
+#include "verification/study/program/program_options.hpp"
+#include "verification/study/program/program_run.hpp"
+
+namespace talus::verification::problems::fence_capacity {
+namespace {
+
+namespace fs = std::filesystem;
+using records::Json;
+
+/// A cable with a column in its middle, and a rock against it. Both move along x alone.
+constexpr double half_span = 5.0, area = 1e-4, young = 1e11, strength = 1e5, column_mass = 1.0, own_mass = 200.0,
+                 own_radius = 0.3, own_x = 0.51, ground_top = -4.5;
+
+constexpr const char* guided = "held = [\"y\", \"rotation\"]\n";
+
+std::string fence(const std::string& of_rock) {
+  return fmt::format(R"(title = "One column on one cable"
+units = "SI"
+
+[fence]
+columns = 1
+layers = 1
+connections = 1
+spacing = "1 m"
+y_top = "0 m"
+y_bottom = "-0.5 m"
+span = "{} m"
+sag = "0.001 m"
+young = "{} Pa"
+area_top = "{} m^2"
+area_bottom = "1e-4 m^2"
+limit_top = "1e9 N"
+limit_bottom = "1e9 N"
+restitution = 1.0
+penetration = 0.002
+gravity = "1e-6 m/s^2"
+duration = "0.5 s"
+
+[fence.ground]
+position = ["0 m", "-5 m"]
+a = "10 m"
+b = "0.5 m"
+density = "1000 kg/m^3"
+
+[fence.column]
+a = "0.2 m"
+b = "1 m"
+mass = "{} kg"
+held = ["y", "rotation"]
+
+[[fence.rock]]
+a = "{} m"
+b = "{} m"
+mass = "{} kg"
+position = ["{} m", "0 m"]
+velocity = ["-5 m/s", "0 m/s"]
+{}
+[fence.options]
+strength_top = "1 N"
+)",
+                     2.0 * half_span, young, area, column_mass, own_radius, own_radius, own_mass, own_x, of_rock);
+}
+
+/// Kinetic energy with which the cable breaks: that of both halves at their strength.
+double breaking_energy(const Setup& setup) {
+  const double stiffness = young * area / half_span, draw = strength / stiffness;
+  return (setup.has("one_half") ? 1.0 : 2.0) * 0.5 * stiffness * draw * draw;
+}
+
+std::string question(int cells, const std::string& more) {
+  return fmt::format(
+      "title = \"One column\"\nbase = \"fence.toml\"\nmass = [\"100 kg\", \"800 kg\"]\nspeed = [\"2 m/s\", \"12 "
+      "m/s\"]\n"
+      "set = {{ \"fence.options.strength_top\" = \"{} N\" }}\nseed = 3\n{}[map]\ncells = {}\nruns = 12\naudit = 20\n"
+      "[changes]\nspeed = 0.002\n",
+      strength, more, cells);
+}
+
+/// The boundary at each mass beside the closed form, and the fields of all runs.
+void check_boundary(const Program& program, Findings& findings, Differences& differ) {
+  const Setup& setup = program.setup();
+  const int cells = setup.coarse ? 16 : 32;
+  program.write("fence.toml", fence(guided));
+  program.write("map.toml", question(cells, ""));
+  const Json found = program.json({"capacity", "map.toml"}, {{"--no-plots", {}}, {"--threads", {"2"}}, {"--json", {}}});
+  const Json& map = found.at("maps").at(0);
+  double outside = 0.0, widest = 0.0;
+  std::vector<std::vector<std::string>> rows;
+  for (const Json& line : map.at("boundary")) {
+    const double mass = line.at("mass").get<double>(), exact = std::sqrt(2.0 * breaking_energy(setup) / mass);
+    const double low = line.at("speed").at(0).get<double>(), high = line.at("speed").at(1).get<double>();
+    if (!(low <= exact && exact <= high)) outside += 1.0;
+    widest = std::max(widest, (high - low) / (10.0 / cells));
+    rows.push_back({fmt::format("{}", mass), fmt::format("{:.4g} to {:.4g}", low, high), fmt::format("{:.4g}", exact)});
+    differ.compare("energy of a boundary",
+                   std::abs(line.at("kinetic_energy").at(0).get<double>() / (0.5 * mass * low * low) - 1.0) < 1e-12,
+                   true);
+  }
+  findings.expect(
+      "one column: speeds at which the cable breaks outside of the boundary, number", outside, 0.0,
+      Tolerance::exact("energy of the rock = energy of both halves of the cable; the column of 1 kg adds at "
+                       "most 1 %, a cell is at least as wide"));
+  findings.expect_between("one column: widest boundary, in cells", widest, 0.999, 2.001,
+                          "neighbouring nodes, or one open node between them: speeds are changed by 0.2 %");
+  findings.table({.name = "one_column",
+                  .caption = "Speeds up to which a fence of one column stops a rock, and at which the cable breaks.",
+                  .columns = {"mass [kg]", "boundary [m/s]", "closed form [m/s]"},
+                  .rows = rows});
+  differ.compare("boundaries", map.at("boundary").size(), std::size_t{5});
+  differ.compare("full grid", map.at("full_grid_runs").get<int>(), (cells + 1) * (cells + 1) * 12);
+  differ.compare("height of the base's rock", std::abs(map.at("height").get<double>() + ground_top) < 1e-12, true);
+  differ.compare("audit", map.at("audit").at("contradictions").get<int>(), 0);
+  differ.compare("rock of the base", std::abs(found.at("rock").at("mass").get<double>() - own_mass) < 1e-9, true);
+
+  // Each run, as a sweep lists it.
+  static_cast<void>(program.run({"sweep", "collect", "map"}, {}));
+  const records::Csv runs = program.csv("map/results.csv"), nodes = program.csv("map/capacity.csv");
+  double geometry = 0.0, speeds = 0.0, sizes = 0.0;
+  std::size_t stopped = 0;
+  for (std::size_t row = 0; row < runs.rows(); ++row) {
+    const auto number = [&](const std::string& head) { return runs.number(row, runs.column(head)); };
+    const double radius = own_radius * std::cbrt(number("fence.rock[0].mass [kg]") / own_mass);
+    keep_worst(geometry, number("fence.rock[0].a [m]") / radius - 1.0);
+    keep_worst(geometry, number("fence.rock[0].b [m]") / radius - 1.0);
+    keep_worst(geometry, number("fence.rock[0].position[0] [m]") - (own_x + radius - own_radius));
+    keep_worst(geometry, number("fence.rock[0].position[1] [m]"));
+    // Speeds lie on the grid, but for the changes.
+    const double spacing = 10.0 / cells, speed = -number("fence.rock[0].velocity[0] [m/s]");
+    const double change = speed / (2.0 + spacing * std::round((speed - 2.0) / spacing)) - 1.0;
+    keep_worst(speeds, change / 0.002);
+    keep_worst(sizes, number("fence.cable_margin") - number("fence.cable_force [N]") / strength);
+    stopped += runs.cell(row, runs.column("verdict")) == "stopped" ? 1 : 0;
+  }
+  findings.expect("fields of the runs: size and place of the rock, largest deviation", geometry, 0.0,
+                  Tolerance::round_off(1e-12, "a cube root, and sums of a few terms of 1 m"));
+  findings.expect_between("fields of the runs: largest change of speed over the requested one", std::abs(speeds), 0.98,
+                          1.0 + 1e-9, "uniform within plus and minus 0.2 %, over some hundreds of runs");
+  findings.expect("margin of the cable, largest deviation from its force over its strength", sizes, 0.0,
+                  Tolerance::round_off(1e-12, "one division"));
+  double counted = 0.0, sums = 0.0, intervals = 0.0;
+  for (std::size_t row = 0; row < nodes.rows(); ++row) {
+    const auto number = [&](const std::string& head) { return nodes.number(row, nodes.column(head)); };
+    double ends = 0.0;
+    for (const char* const end : {"stopped", "undecided", "passed_under", "passed_over", "broke_through", "failed"})
+      ends += number(end);
+    sums += ends - number("runs");
+    counted += number("stopped");
+    keep_worst(intervals,
+               number("kinetic_energy [J]") / (0.5 * number("mass [kg]") * std::pow(number("speed [m/s]"), 2)) - 1.0);
+    keep_worst(intervals, number("probability") - number("stopped") / number("runs"));
+    const std::string state{nodes.cell(row, nodes.column("state"))};
+    const bool agrees = state == "stopped" ? number("probability_low") > 0.5
+                        : state == "not stopped"
+                            ? number("probability_high") < 0.5
+                            : number("probability_low") <= 0.5 && number("probability_high") >= 0.5;
+    differ.compare("state of a node", agrees, true);
+  }
+  const std::size_t audited = map.at("audit").at("runs").get<std::size_t>();
+  differ.compare("runs of the nodes and the audit",
+                 runs.rows() - map.at("runs").get<std::size_t>() <= audited + 20 &&
+                     runs.rows() >= map.at("runs").get<std::size_t>(),
+                 true);
+  differ.compare("stopped runs",
+                 counted <= static_cast<double>(stopped) && counted == map.at("ends").at("stopped").get<double>(),
+                 true);
+  findings.expect("nodes: ends, energies and probabilities, largest deviation", std::max(std::abs(sums), intervals),
+                  0.0, Tolerance::round_off(1e-12, "sums of whole numbers, and three products"));
+}
+
+std::vector<fs::path> result_files(const Program& program, const std::string& name) {
+  std::vector<fs::path> files;
+  for (const fs::directory_entry& entry : fs::directory_iterator{program.folder().path() / name / "results"})
+    files.push_back(entry.path());
+  std::ranges::sort(files);
+  return files;
+}
+
+/// The same bytes for any number of threads, and after results were lost.
+void check_bytes(const Program& program, Findings& findings) {
+  program.write("bytes.toml", question(8, ""));
+  const auto bytes = [&](const std::string& name) {
+    return program.read(name + "/capacity.csv") + program.read(name + "/capacity.json");
+  };
+  double differing = 0.0;
+  const auto run = [&](const std::string& name, const std::string& threads) {
+    static_cast<void>(
+        program.run({"capacity", "bytes.toml"}, {{"--no-plots", {}}, {"--out", {name}}, {"--threads", {threads}}}));
+  };
+  run("one", "1");
+  const std::string expected = bytes("one");
+  run("two", "2");
+  if (bytes("two") != expected) differing += 1.0;
+  const std::string file = result_files(program, "two").front().lexically_relative(program.folder().path()).string();
+  const std::string text = program.read(file);
+  program.write(file, text.substr(0, text.size() / 2));
+  run("two", "2");
+  if (bytes("two") != expected) differing += 1.0;
+  findings.expect("results that differ in a byte, by threads and lost results", differing, 0.0,
+                  Tolerance::exact("random numbers follow from the seed, the node and the number of the trial"));
+}
+
+/// The probability of failure of lognormal speeds beside the closed form.
+void check_hazard(const Program& program, Findings& findings, Differences& differ) {
+  const Setup& setup = program.setup();
+  const int runs = setup.coarse ? 300 : 600;
+  const double p95 = 9.0, p99 = 12.0, z95 = 1.6448536269514722, z99 = 2.3263478740408408;
+  const double deviation = std::log(p99 / p95) / (z99 - z95), mean = std::log(p95) - z95 * deviation;
+  const double speed = std::sqrt(2.0 * breaking_energy(setup) / own_mass);
+  const double exact = 0.5 * std::erfc((std::log(speed) - mean) / (std::numbers::sqrt2 * deviation));
+  program.write("hazard.toml",
+                question(4, fmt::format("[hazard]\nmass = \"200 kg\"\nspeed = {{ p95 = \"9 m/s\", p99 = \"12 m/s\" }}\n"
+                                        "height = \"4.5 m\"\nruns = {}\n",
+                                        runs)));
+  const Json found = program.json({"capacity", "hazard.toml"}, {{"--no-plots", {}}, {"--json", {}}}).at("hazard");
+  const double probability = found.at("probability_of_failure").get<double>();
+  findings.expect("expected rocks: probability of failure, deviation from the closed form",
+                  (probability - exact) / std::sqrt(exact * (1.0 - exact) / runs), 0.0,
+                  Tolerance::model(4.0, "in standard deviations of that many runs"));
+  differ.compare("runs of the hazard", found.at("runs").get<int>(), runs);
+  differ.compare(
+      "interval of the hazard",
+      found.at("interval").at(0).get<double>() < probability && found.at("interval").at(1).get<double>() > probability,
+      true);
+
+  // Two equally probable rocks of a table, of which one is stopped.
+  program.write("rocks.csv", "height [m],mass [kg],speed [m/s]\n4.5,200,4\n4.5,200,11\n");
+  program.write("table.toml", question(4, "[hazard]\ntable = \"rocks.csv\"\nruns = 200\n"));
+  const Json table = program.json({"capacity", "table.toml"}, {{"--no-plots", {}}, {"--json", {}}}).at("hazard");
+  findings.expect("rocks of a table: probability of failure, deviation from one half",
+                  (table.at("probability_of_failure").get<double>() - 0.5) / std::sqrt(0.25 / 200.0), 0.0,
+                  Tolerance::model(4.0, "in standard deviations of 200 runs"));
+  const Json& forces = table.at("outputs").at("fence.cable_force");
+  differ.compare("force that broke the cable",
+                 std::abs(forces.at("p95").at("value").get<double>() / strength - 1.0) < 0.01, true);
+}
+
+/// A rock that is higher, turned and spun within the requested changes; text, figures and exit status.
+void check_changes(const Program& program, Differences& differ) {
+  program.write("fence.toml", fence("spin = \"2 rad/s\"\nangle = \"0.5 rad\"\n"));
+  program.write("changes.toml",
+                "base = \"fence.toml\"\nmass = [\"100 kg\", \"800 kg\"]\nspeed = [\"2 m/s\", \"4 m/s\"]\n"
+                "height = [\"4.25 m\", \"4.75 m\"]\n[map]\ncells = 1\nfirst_cells = 1\nruns = 4\naudit = 0\n"
+                "[changes]\nspeed = 0.0\nheight = \"0.125 m\"\nangle = \"0.25 rad\"\nspin = \"1 rad/s\"\n");
+  const std::string text = program.run({"capacity", "changes.toml"}, {});
+  differ.compare("text", text.find("height 4.25 m: 16 runs (100 % of the full grid)") != std::string::npos, true);
+  for (const char* const file : {"envelope_1.svg", "envelope_2.pdf", "cable_force_1.svg"})
+    differ.compare("figure", program.has(fmt::format("changes/plots/{}", file)), true);
+  static_cast<void>(program.run({"sweep", "collect", "changes"}, {}));
+  const records::Csv runs = program.csv("changes/results.csv");
+  double highest = 0.0, angle = 0.0, spin = 0.0;
+  for (std::size_t row = 0; row < runs.rows(); ++row) {
+    const auto number = [&](const std::string& head) { return runs.number(row, runs.column(head)); };
+    highest = std::max(highest, std::abs(std::abs(number("fence.rock[0].position[1] [m]")) - 0.25));
+    angle = std::max(angle, std::abs(number("fence.rock[0].angle [rad]") - 0.5));
+    spin = std::max(spin, std::abs(number("fence.rock[0].spin [rad/s]") - 2.0));
+  }
+  differ.compare("rows", runs.rows(), std::size_t{32});
+  differ.compare("heights", highest > 0.09 && highest <= 0.125, true);
+  differ.compare("angles", angle > 0.18 && angle <= 0.25, true);
+  differ.compare("spins", spin > 0.7 && spin <= 1.0, true);
+  program.write("limited.toml", question(4, "[limits]\nevaluations = 10\n"));
+  const ProgramEnd limited = program.end({"capacity", "limited.toml"}, {{"--no-plots", {}}});
+  differ.compare("all runs failed", limited.exit_code, 3);
+  const ProgramEnd other = program.end({"capacity", "limited.toml"}, {{"--no-plots", {}}, {"--out", {"changes"}}});
+  differ.compare("results of other limits are refused",
+                 other.exit_code == 2 && other.messages.find("other limits") != std::string::npos, true);
+}
+
+void check_refusals(const Program& program, Differences& differ) {
+  program.write("fence.toml", fence(guided));
+  program.write("ball.toml", program.run({"new", "scene"}, {}));
+  std::string falling = fence("");
+  falling.replace(falling.find("-5 m/s\", \"0 m/s"), 15, "0 m/s\", \"-5 m/s");
+  program.write("falling.toml", falling);
+  program.write("bad.csv", "mass [kg],speed [m/s]\n1,1\n");
+  program.write("zero.csv", "mass [kg],speed [m/s],height [m]\n1,0,1\n");
+  program.write("empty.csv", "mass [kg],speed [m/s],height [m]\n");
+  const std::string mass = "mass = [\"1 kg\", \"2 kg\"]\n", speed = "speed = [\"1 m/s\", \"2 m/s\"]\n",
+                    good = "base = \"fence.toml\"\n" + mass + speed;
+  struct Wrong {
+    std::string text, message;
+    int exit_code{2};
+  };
+  const std::vector<Wrong> wrong{
+      {"base = ", "wrong.toml:1: not TOML"},
+      {mass + speed, "base: it is missing"},
+      {"base = \"none.toml\"\n" + mass + speed, "none.toml: No such file", 4},
+      {"base = \"ball.toml\"\n" + mass + speed, "ball.toml: it must be a fence, with a table [fence]"},
+      {"base = \"falling.toml\"\n" + mass + speed,
+       "rock: velocity: found none along x; it must move towards the fence"},
+      {"base = \"fence.toml\"\n" + speed, "mass: it is missing"},
+      {"base = \"fence.toml\"\nmass = [\"2 kg\", \"1 kg\"]\n" + speed,
+       "wrong.toml:2: mass: found [\"2 kg\", \"1 kg\"]; both must be > 0"},
+      {"base = \"fence.toml\"\nmass = [\"1 kg\", \"2 m\"]\n" + speed, "wrong.toml:2: mass: "},
+      {good + "height = []\n", "wrong.toml:4: height: found []; it must be a length, or an array of 1 to 12 lengths"},
+      {good + "height = [\"-1 m\"]\n", "wrong.toml:4: height: found \"-1 m\"; it must be > 0"},
+      {good + "height = [3]\n", "wrong.toml:4: height: found 3; it must be a length"},
+      {good + "heigth = \"1 m\"\n", "wrong.toml:4: heigth: "},
+      {good + "set = 3\n", "wrong.toml:4: set: it must be a table of fields"},
+      {good + "set = { \"fence.colums\" = 3 }\n", "colums"},
+      {good + "[map]\ncells = 24\nfirst_cells = 5\n",
+       "found 24 cells, 5 at first; the first must be a power of two times the second"},
+      {good + "[map]\nruns = 3\n", "found 3 trials, 4 at first"},
+      {good + "[changes]\nspeed = 2\n", "changes: speed: found 2"},
+      {good + "[changes]\nangle = \"1 m\"\n", "changes: angle: "},
+      {good + "[hazard]\nmass = \"1 kg\"\nspeed = \"1 m/s\"\n", "hazard: height: it is missing"},
+      {good + "[hazard]\nmass = \"1 kg\"\nheight = \"1 m\"\nspeed = { p95 = \"2 m/s\", p99 = \"1 m/s\" }\n",
+       "less than the percentile of 95 %"},
+      {good + "[hazard]\ntable = \"bad.csv\"\n", "the column \"height [m]\" is missing"},
+      {good + "[hazard]\ntable = \"zero.csv\"\n", "row 1: mass and speed must be > 0"},
+      {good + "[hazard]\ntable = \"empty.csv\"\n", "found no line below the header"},
+      {good + "[hazard]\ntable = \"none.csv\"\n", "none.csv", 4},
+      {good + "[hazard]\ntable = \"bad.csv\"\nmass = \"1 kg\"\n", "hazard: mass: the rows of the table give it"}};
+  for (const Wrong& of : wrong) {
+    program.write("wrong.toml", of.text);
+    const ProgramEnd end = program.end({"capacity", "wrong.toml"}, {});
+    differ.compare("refusal: " + of.message,
+                   end.exit_code == of.exit_code && end.messages.find(of.message) != std::string::npos, true);
+  }
+  differ.compare("nothing is written of a wrong question", program.has("wrong/sweep.json"), false);
+}
+
+void run(Findings& findings, const Setup& setup) {
+  const auto group = findings.in("capacity");
+  const Program program{setup};
+  Differences differ;
+  if (setup.needs("Wilson") || setup.needs("quantiles")) check_coverage(findings, setup);
+  if (setup.needs("maps")) check_maps(findings, setup);
+  if (setup.needs("one column") || setup.needs("fields") || setup.needs("outputs"))
+    check_boundary(program, findings, differ);
+  if (setup.needs("expected rocks")) check_hazard(program, findings, differ);
+  if (setup.needs("differ in a byte")) check_bytes(program, findings);
+  if (setup.needs("outputs that differ")) {
+    check_changes(program, differ);
+    check_refusals(program, differ);
+  }
+  differ.expect_none(findings, "outputs that differ from the request", "numbers, texts, files and refusals");
+}
+
+}  // namespace
+
+Case definition() {
+  const std::string boundary = "one column: speeds at which the cable breaks outside of the boundary, number",
+                    coverage = "Wilson intervals: coverage over 1,000 seeds, largest deviation from the exact one",
+                    maps = "maps: nodes whose state contradicts the interval of the full grid",
+                    hazard = "expected rocks: probability of failure, deviation from the closed form";
+  return {.id = "fence_capacity",
+          .title = "What a fence stops",
+          .requirements = {{"G16", {"capacity"}}},
+          .main_checks = {boundary, hazard, coverage, "outputs that differ from the request"},
+          .source = "Wilson 1927",
+          .faults = {{"one_half", "energy of one half of the cable alone", boundary},
+                     {"normal_interval", "p +- 1.96 sqrt(p (1 - p)/n) in place of Wilson's interval", coverage},
+                     {"other_line", "the map's probability is shifted by six cells", maps}},
+          .seconds = 12.0,
+          .time_limit = 240.0,
+          .run = run};
+}
+
+}  // namespace talus::verification::problems::fence_capacity
