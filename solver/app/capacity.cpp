@@ -80,7 +80,7 @@ int capacity(const CapacityOptions& options, const DrawingSink& sink) {
 Command add_capacity(CLI::App& talus, const DrawingSink& sink) {
   CLI::App* const app = talus.add_subcommand("capacity", "Find the rocks that a fence stops, with intervals");
   const auto options = std::make_shared<CapacityOptions>();
-  app->add_option("FILE", options->file, "what is asked (.toml): base, mass, speed, height")->required();
+  app->add_option("FILE", options->file, "the question (.toml): base, mass, speed, height")->required();
   app->add_option("--out", options->folder,
                   "folder of the results; default: the name of FILE without .toml, in the present folder");
   app->add_option("--threads", options->threads, "default: all; results do not depend on it")

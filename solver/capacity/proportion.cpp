@@ -31,14 +31,14 @@ SampleQuantile sample_quantile(std::vector<double> sample, double probability) {
                        {-infinity, infinity}};
   // The quantile is below the k-th value if fewer than k values lie below it.
   constexpr double tail = 0.025;
-  double at_most = 0.0;
+  double up_to_k = 0.0;
   for (std::size_t k = 0; k <= sample.size(); ++k) {
     const auto i = static_cast<double>(k);
     const double chance = std::exp(std::lgamma(n + 1.0) - std::lgamma(i + 1.0) - std::lgamma(n - i + 1.0) +
                                    i * std::log(probability) + (n - i) * std::log1p(-probability));
-    if (at_most + chance <= tail && k < sample.size()) found.interval.low = sample[k];
-    at_most += chance;
-    if (at_most >= 1.0 - tail) {
+    if (up_to_k + chance <= tail && k < sample.size()) found.interval.low = sample[k];
+    up_to_k += chance;
+    if (up_to_k >= 1.0 - tail) {
       if (k < sample.size()) found.interval.high = sample[k];
       break;
     }

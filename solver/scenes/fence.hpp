@@ -293,7 +293,7 @@ struct Fence {
               "fact_dt: multiple (0: one) of the step of the 1993 rule"},
              {"penetration", dimension::number, &F::penetration, Range::positive,
               "f_penet: largest overlap over the rock's radius"},
-             {"gravity", dimension::acceleration, &F::gravity, Range::non_negative, "grav: acceleration of free fall"},
+             {"gravity", dimension::acceleration, &F::gravity, Range::positive, "grav: acceleration of free fall"},
              {"span", dimension::length, &F::span, Range::positive, "of the top cable between its fixed ends"},
              {"sag", dimension::length, &F::sag, Range::positive, "of the top cable at mid-span"},
              {"spacing", dimension::length, &F::spacing, Range::positive, "dcol: distance of neighbouring columns"},

@@ -68,7 +68,13 @@ void read_map(SceneTable table, CapacityFile& file) {
   if (table.has("cells")) file.map.cells = static_cast<int>(table.whole_between("cells", 1, 1024));
   if (table.has("first_cells")) file.map.first_cells = static_cast<int>(table.whole_between("first_cells", 1, 64));
   if (table.has("runs")) file.map.trials = static_cast<std::size_t>(table.whole_between("runs", 1, 10'000));
+  file.map.few = std::min(file.map.few, file.map.trials);
   if (table.has("few_runs")) file.map.few = static_cast<std::size_t>(table.whole_between("few_runs", 1, 10'000));
+  if (file.map.few > file.map.trials) {
+    table.report("few_runs",
+                 fmt::format("found {}; it must be at most the runs of a node, {}", file.map.few, file.map.trials));
+    file.map.few = file.map.trials;
+  }
   if (table.has("audit")) file.audit = static_cast<std::size_t>(table.whole_between("audit", 0, 10'000));
   table.guard([&] {
     try {

@@ -14,11 +14,11 @@ using Json = nlohmann::ordered_json;
 
 constexpr int schema = 1;
 constexpr std::array<std::string_view, 3> state_names{"stopped", "not stopped", "open"};
-/// Of capacity_outputs: units, and words for a text.
+/// Of capacity_outputs: units, and labels of the text.
 constexpr std::array<std::string_view, 6> output_units{"N", "N", "N", "1", "1", "J"};
-constexpr std::array<std::string_view, 6> output_words{"anchor force",       "cable force",
-                                                       "hanger force",       "cable force/limit",
-                                                       "hanger force/limit", "energy after the last contact"};
+constexpr std::array<std::string_view, 6> output_labels{"anchor force",       "cable force",
+                                                        "hanger force",       "cable force/limit",
+                                                        "hanger force/limit", "energy after the last contact"};
 
 std::size_t node_number(const HeightMap& map, MapNode node) {
   return static_cast<std::size_t>(node.j) * static_cast<std::size_t>(map.map.side()) + static_cast<std::size_t>(node.i);
@@ -172,6 +172,15 @@ std::vector<CapacityBoundary> boundaries_of(const CapacityStudy& study, const He
   return boundaries;
 }
 
+double energy_factor(const std::vector<CapacityBoundary>& boundaries) {
+  double stopped = 0.0, passed = std::numeric_limits<double>::infinity();
+  for (const CapacityBoundary& boundary : boundaries) {
+    stopped = std::max(stopped, boundary.energy.low);
+    passed = std::min(passed, boundary.energy.high);
+  }
+  return std::max(1.0, stopped / passed);
+}
+
 std::string capacity_csv(const CapacityStudy& study) {
   std::string text = "height [m],mass [kg],speed [m/s],kinetic_energy [J],runs";
   for (const std::string_view end : Names<RockEnd>::list)
@@ -237,6 +246,7 @@ std::string capacity_json(const CapacityStudy& study, const Rock& own) {
                                     {"speed", interval_json(boundary.speed)},
                                     {"kinetic_energy", interval_json(boundary.energy)}});
     }
+    of_map["energy_factor"] = energy_factor(boundaries_of(study, map));
     json["maps"].push_back(std::move(of_map));
   }
   if (file.hazard) {
@@ -266,6 +276,8 @@ std::string capacity_text(const CapacityStudy& study) {
       text += fmt::format("  {:>10.4g}  {:>20}  {:>24}\n", boundary.mass, range_text(boundary.speed, file.speed, 1.0),
                           range_text(boundary.energy, energies, 1e3));
     }
+    if (const double factor = energy_factor(boundaries_of(study, map)); factor > 1.0)
+      text += fmt::format("  energy at the boundary differs by a factor of at least {:.3g} between masses\n", factor);
     if (map.audited > 0) {
       text += fmt::format("  audit: {} of {} runs at nodes without any contradict the map\n", map.contradicted,
                           map.audited);
@@ -281,7 +293,7 @@ std::string capacity_text(const CapacityStudy& study) {
     for (std::size_t output = 0; output < capacity_outputs.size(); ++output) {
       const std::vector<double> values = hazard.values(output);
       if (values.empty()) continue;
-      text += fmt::format("  {:<30} median {:>10.4g}, 95th percentile {:>10.4g} {}\n", output_words[output],
+      text += fmt::format("  {:<30} median {:>10.4g}, 95th percentile {:>10.4g} {}\n", output_labels[output],
                           sample_quantile(values, 0.5).value, sample_quantile(values, 0.95).value,
                           output_units[output] == "1" ? "" : output_units[output]);
     }

@@ -20,6 +20,10 @@ struct CapacityBoundary {
 /// The boundaries at the masses of a map's first cells.
 [[nodiscard]] std::vector<CapacityBoundary> boundaries_of(const CapacityStudy& study, const HeightMap& map);
 
+/// How much one energy for all masses is wrong at least: the largest energy up to which rocks of a mass are stopped,
+/// over the smallest with which those of another mass are not; 1 if they are equal within their intervals.
+[[nodiscard]] double energy_factor(const std::vector<CapacityBoundary>& boundaries);
+
 /// Every node with trials as a line of CSV: height, mass, speed, kinetic energy, trials by their end, probability of
 /// being stopped with its interval, state, and of each output the median and the 95th percentile.
 [[nodiscard]] std::string capacity_csv(const CapacityStudy& study);

@@ -1,10 +1,12 @@
 #include "solver/app/capacity/capacity_study.hpp"
 
 #include <algorithm>
+#include <bit>
 #include <boost/math/special_functions/erf.hpp>
 #include <cmath>
 #include <mutex>
 #include <numbers>
+#include <numeric>
 
 #include "solver/base/error.hpp"
 #include "solver/threads/parallel_for.hpp"
@@ -19,6 +21,19 @@ RockEnd end_of(const SweepResult& result) {
   if (result.end != SweepEnd::finished) return RockEnd::failed;
   const auto& verdicts = Names<scenes::Verdict>::list;
   return static_cast<RockEnd>(std::ranges::find(verdicts, result.verdict) - verdicts.begin());
+}
+
+/// What the random numbers of a trial are for: place and height of its node, which a finer map and a map of other
+/// heights share, so that their runs count there, too.
+std::vector<std::uint32_t> purpose_of(const HeightMap& map, MapNode node, std::size_t trial) {
+  const int cells = map.map.rules().cells, i = std::gcd(node.i, cells), j = std::gcd(node.j, cells);
+  const auto height = std::bit_cast<std::uint64_t>(map.height);
+  std::vector<std::uint32_t> purpose{for_trials, static_cast<std::uint32_t>(height >> 32U),
+                                     static_cast<std::uint32_t>(height)};
+  for (const int word : {node.i / i, cells / i, node.j / j, cells / j})
+    purpose.push_back(static_cast<std::uint32_t>(word));
+  purpose.push_back(static_cast<std::uint32_t>(trial));
+  return purpose;
 }
 
 /// Standard normal quantile of a number in [-1, 1), its middle being the median.
@@ -104,15 +119,13 @@ std::optional<std::vector<RockTrial>> CapacityStudy::executed(const std::vector<
   return trials;
 }
 
-bool CapacityStudy::run_map(HeightMap& map, std::uint32_t number) {
+bool CapacityStudy::run_map(HeightMap& map) {
   for (std::vector<MapTrials> wanted = map.map.next(); !wanted.empty(); wanted = map.map.next()) {
     std::vector<Request> requests;
     std::vector<MapNode> nodes;
     for (const MapTrials& trials : wanted) {
       for (std::size_t trial = trials.first; trial < trials.last; ++trial) {
-        requests.push_back({rock_at(map, trials.node),
-                            {for_trials, number, static_cast<std::uint32_t>(trials.node.i),
-                             static_cast<std::uint32_t>(trials.node.j), static_cast<std::uint32_t>(trial)}});
+        requests.push_back({rock_at(map, trials.node), purpose_of(map, trials.node, trial)});
         nodes.push_back(trials.node);
       }
     }
@@ -128,7 +141,7 @@ bool CapacityStudy::run_map(HeightMap& map, std::uint32_t number) {
   return true;
 }
 
-bool CapacityStudy::audit(HeightMap& map, std::uint32_t number) {
+bool CapacityStudy::audit(HeightMap& map) {
   std::vector<MapNode> without;
   for (int j = 0; j < map.map.side(); ++j)
     for (int i = 0; i < map.map.side(); ++i)
@@ -137,9 +150,9 @@ bool CapacityStudy::audit(HeightMap& map, std::uint32_t number) {
   std::vector<Request> requests;
   std::vector<MapNode> nodes;
   for (std::uint32_t trial = 0; trial < file_->audit; ++trial) {
-    const double fraction = 0.5 + 0.5 * random_numbers(file_->seed, {for_audit, number, trial, 0})[0];
+    const double fraction = 0.5 + 0.5 * random_numbers(file_->seed, {for_audit, trial, 0})[0];
     nodes.push_back(without[static_cast<std::size_t>(fraction * static_cast<double>(without.size()))]);
-    requests.push_back({rock_at(map, nodes.back()), {for_audit, number, trial, 1}});
+    requests.push_back({rock_at(map, nodes.back()), {for_audit, trial, 1}});
   }
   const std::optional<std::vector<RockTrial>> trials = executed(requests);
   if (!trials) return false;
@@ -175,8 +188,8 @@ bool CapacityStudy::run_hazard() {
 
 bool CapacityStudy::run(const std::function<bool()>& interrupted, const std::function<void(std::size_t)>& progress) {
   interrupted_ = interrupted, progress_ = progress;
-  for (std::uint32_t number = 0; number < maps_.size(); ++number)
-    if (!run_map(maps_[number], number) || !audit(maps_[number], number)) return false;
+  for (HeightMap& map : maps_)
+    if (!run_map(map) || !audit(map)) return false;
   return run_hazard();
 }
 

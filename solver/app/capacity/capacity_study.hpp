@@ -80,8 +80,8 @@ class CapacityStudy {
   };
   /// Trials of these rocks, in their order; nothing if it was interrupted.
   std::optional<std::vector<RockTrial>> executed(const std::vector<Request>& requests);
-  bool run_map(HeightMap& map, std::uint32_t number);
-  bool audit(HeightMap& map, std::uint32_t number);
+  bool run_map(HeightMap& map);
+  bool audit(HeightMap& map);
   bool run_hazard();
 
   const CapacityFile* file_;

@@ -51,9 +51,9 @@ double RockRuns::height_at(Vec2 shift) const {
   const FenceInput& fence = *base_.fence;
   const double length = si_size(base_.scene.model.units, dimension::length);
   const BodyId ground = *fence.made.members.front().body;
-  const Vec2 place = fence.fence.rocks.front().position + (1.0 / length) * shift;
+  const Vec2 position = fence.fence.rocks.front().position + (1.0 / length) * shift;
   return length * scenes::height_over(base_.scene.model.bodies[index(ground)],
-                                      pose(base_.scene.model, base_.scene.initial, ground), place);
+                                      pose(base_.scene.model, base_.scene.initial, ground), position);
 }
 
 SweptRun RockRuns::run(const Rock& rock, const std::array<double, 4>& numbers) const {
@@ -91,9 +91,9 @@ SweptRun RockRuns::run(const Rock& rock, const std::array<double, 4>& numbers) c
 }
 
 std::array<double, 4> random_numbers(std::int64_t seed, const std::vector<std::uint32_t>& purpose) {
-  std::vector<std::uint32_t> words{static_cast<std::uint32_t>(seed)};
-  words.insert(words.end(), purpose.begin(), purpose.end());
-  std::seed_seq sequence(words.begin(), words.end());
+  std::vector<std::uint32_t> seeds{static_cast<std::uint32_t>(seed)};
+  seeds.insert(seeds.end(), purpose.begin(), purpose.end());
+  std::seed_seq sequence(seeds.begin(), seeds.end());
   std::mt19937_64 generator{sequence};
   std::array<double, 4> numbers{};
   // Standard distributions differ between libraries.

@@ -72,7 +72,7 @@ bool is_hit(std::uint64_t seed, MapNode node, std::size_t trial, double probabil
 
 void check_coverage(Findings& findings, const Setup& setup) {
   constexpr int seeds = 1000;
-  double worst = 0.0, least = 1.0;
+  double worst = 0.0, lowest = 1.0;
   std::vector<std::vector<std::string>> rows;
   std::mt19937_64 generator{2024};
   for (const auto& [n, p] : {std::pair{4, 0.5}, std::pair{20, 0.02}, std::pair{20, 0.3}, std::pair{20, 0.9},
@@ -115,14 +115,14 @@ void check_coverage(Findings& findings, const Setup& setup) {
       covered += interval.low <= exact && exact <= interval.high ? 1 : 0;
     }
     const double exact = order_coverage(n, probability), found = covered / static_cast<double>(seeds);
-    least = std::min(least, exact);
+    lowest = std::min(lowest, exact);
     keep_worst(of_quantiles, (found - exact) / std::sqrt(exact * (1.0 - exact) / seeds));
   }
   findings.expect("quantiles: coverage over 1,000 seeds, largest deviation from the exact one", of_quantiles, 0.0,
                   Tolerance::model(4.0,
                                    "in standard deviations of 1,000 trials; the number of values below a quantile "
                                    "is binomial"));
-  findings.expect_between("quantiles: least exact coverage", least, 0.95, 0.985,
+  findings.expect_between("quantiles: lowest exact coverage", lowest, 0.95, 0.985,
                           "each tail has at most 2.5 %, and one value more would be in it");
 }
 
@@ -166,7 +166,7 @@ void check_maps(Findings& findings, const Setup& setup) {
                   Tolerance::exact("the probability passes one half within a few cells, and the grid has the same "
                                    "outcomes"));
   findings.expect_between("maps: trials over those of the full grid, largest", share, 0.01, 0.1,
-                          "nodes are tried along a line of some 64 cells: a tenth was asked");
+                          "nodes are tried along a line of some 64 cells: a tenth is allowed");
   findings.expect_between("maps: lines on which the exact point of one half is not within the boundary, share",
                           off / lines, 0.0, 0.15,
                           "each of the two ends is wrong with at most 2.5 % at the nodes next to the line, where the "

@@ -120,6 +120,7 @@ void check_boundary(const Program& program, Findings& findings, Differences& dif
                   .caption = "Speeds up to which a fence of one column stops a rock, and at which the cable breaks.",
                   .columns = {"mass [kg]", "boundary [m/s]", "closed form [m/s]"},
                   .rows = rows});
+  differ.compare("one energy for all masses", map.at("energy_factor").get<double>(), 1.0);
   differ.compare("boundaries", map.at("boundary").size(), std::size_t{5});
   differ.compare("full grid", map.at("full_grid_runs").get<int>(), (cells + 1) * (cells + 1) * 12);
   differ.compare("height of the base's rock", std::abs(map.at("height").get<double>() + ground_top) < 1e-12, true);
@@ -190,7 +191,7 @@ std::vector<fs::path> result_files(const Program& program, const std::string& na
 }
 
 /// The same bytes for any number of threads, and after results were lost.
-void check_bytes(const Program& program, Findings& findings) {
+void check_bytes(const Program& program, Findings& findings, Differences& differ) {
   program.write("bytes.toml", question(8, ""));
   const auto bytes = [&](const std::string& name) {
     return program.read(name + "/capacity.csv") + program.read(name + "/capacity.json");
@@ -209,6 +210,17 @@ void check_bytes(const Program& program, Findings& findings) {
   program.write(file, text.substr(0, text.size() / 2));
   run("two", "2");
   if (bytes("two") != expected) differing += 1.0;
+  // A finer map keeps the runs of the coarse one.
+  const std::size_t before = std::ranges::count(program.read("one/manifest.jsonl"), '\n');
+  program.write("bytes.toml", question(16, ""));
+  run("finer", "2");
+  const std::size_t alone = std::ranges::count(program.read("finer/manifest.jsonl"), '\n');
+  run("one", "2");
+  if (bytes("one") != bytes("finer")) differing += 1.0;
+  std::size_t lines = 0;
+  for (const fs::path& results : result_files(program, "one"))
+    lines += std::ranges::count(program.read(results.lexically_relative(program.folder().path()).string()), '\n');
+  differ.compare("runs of a coarse map that a finer one needs again", lines < before + alone && lines >= alone, true);
   findings.expect("results that differ in a byte, by threads and lost results", differing, 0.0,
                   Tolerance::exact("random numbers follow from the seed, the node and the number of the trial"));
 }
@@ -314,7 +326,8 @@ void check_refusals(const Program& program, Differences& differ) {
       {good + "set = { \"fence.colums\" = 3 }\n", "colums"},
       {good + "[map]\ncells = 24\nfirst_cells = 5\n",
        "found 24 cells, 5 at first; the first must be a power of two times the second"},
-      {good + "[map]\nruns = 3\n", "found 3 trials, 4 at first"},
+      {good + "[map]\nruns = 3\nfew_runs = 4\n",
+       "wrong.toml:6: map: few_runs: found 4; it must be at most the runs of a node, 3"},
       {good + "[changes]\nspeed = 2\n", "changes: speed: found 2"},
       {good + "[changes]\nangle = \"1 m\"\n", "changes: angle: "},
       {good + "[hazard]\nmass = \"1 kg\"\nspeed = \"1 m/s\"\n", "hazard: height: it is missing"},
@@ -343,7 +356,7 @@ void run(Findings& findings, const Setup& setup) {
   if (setup.needs("one column") || setup.needs("fields") || setup.needs("outputs"))
     check_boundary(program, findings, differ);
   if (setup.needs("expected rocks")) check_hazard(program, findings, differ);
-  if (setup.needs("differ in a byte")) check_bytes(program, findings);
+  if (setup.needs("differ in a byte")) check_bytes(program, findings, differ);
   if (setup.needs("outputs that differ")) {
     check_changes(program, differ);
     check_refusals(program, differ);
