@@ -97,8 +97,8 @@ RockNumber read_number(SceneTable& table, std::string_view key, Dimension dimens
     number = {percentiles.quantity("p95", dimension, Range::positive),
               percentiles.quantity("p99", dimension, Range::positive)};
     if (!(number.p95 <= number.p99))
-      percentiles.fail("p99",
-                       fmt::format("found {} [SI], less than the percentile of 95 %, {}", number.p99, number.p95));
+      percentiles.fail("p99", fmt::format("found {0} {2}, less than the percentile of 95 %, {1} {2}", number.p99,
+                                          number.p95, symbol(si, dimension)));
   });
   return number;
 }

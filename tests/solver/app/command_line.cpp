@@ -35,13 +35,15 @@ BOOST_AUTO_TEST_CASE(help_and_version) {
 BOOST_AUTO_TEST_CASE(wrong_command_lines) {
   const std::vector<std::pair<std::vector<std::string>, std::string>> wrong{
       {{},
-       "talus: a command is missing; known: run, check, advise, calibrate, cell, completion, convert, export, plot, "
+       "talus: a command is missing; known: run, check, advise, calibrate, capacity, cell, completion, convert, "
+       "export, plot, "
        "snapshot, "
        "animate, "
        "study, sweep, list, new\nhelp: talus "
        "--help\n"},
       {{"rnu"},
-       "talus: command 'rnu' is not known; nearest: run; known: run, check, advise, calibrate, cell, completion, "
+       "talus: command 'rnu' is not known; nearest: run; known: run, check, advise, calibrate, capacity, cell, "
+       "completion, "
        "convert, export, "
        "plot, "
        "snapshot, animate, study, sweep, list, new\n"

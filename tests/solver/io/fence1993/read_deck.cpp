@@ -142,7 +142,7 @@ BOOST_AUTO_TEST_CASE(missing_values) {
   BOOST_TEST(message_of("T\n0 10 1 1") ==
              "s.DAT:2: fact_dt, niter, nprint, nhisto, f_penet: f_penet: the file ends here; a value is missing");
   BOOST_TEST(message("3 -1 32.18", "3 -1") ==
-             "s.DAT:3: nel, igrav, grav: grav: found \"nel\"; it must be a number >= 0");
+             "s.DAT:3: nel, igrav, grav: grav: found \"nel\"; it must be a number > 0");
   BOOST_TEST(message("2,3,4", "2,,4") ==
              "s.DAT:5: elno(2): found a comma where a value is due (a null value); write the value");
   BOOST_TEST(message("3 -1", "3 /") ==

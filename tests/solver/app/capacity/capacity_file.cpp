@@ -1,0 +1,114 @@
+#include "solver/app/capacity/capacity_file.hpp"
+
+#include <boost/test/unit_test.hpp>
+#include <string>
+
+#include "solver/base/error.hpp"
+#include "tests/solver/io/folder.hpp"
+
+BOOST_AUTO_TEST_SUITE(capacity_file_tests)
+
+using namespace talus;
+using namespace talus::app;
+
+namespace {
+
+std::string message(const std::string& text, const Folder& folder) {
+  try {
+    static_cast<void>(read_capacity(text, folder.path / "c.toml"));
+  } catch (const InputError& error) {
+    std::string found = error.what();
+    for (std::size_t at = found.find(folder.path.string()); at != std::string::npos;
+         at = found.find(folder.path.string()))
+      found.erase(at, folder.path.string().size() + 1);
+    return found;
+  }
+  return "no error";
+}
+
+const std::string mass = "mass = [\"1 kg\", \"2 kg\"]\n", speed = "speed = [\"3 m/s\", \"4 m/s\"]\n",
+                  head = "base = \"f.toml\"\n" + mass + speed;
+
+}  // namespace
+
+BOOST_AUTO_TEST_CASE(all_fields_are_read_and_all_but_three_have_defaults) {
+  const Folder folder;
+  const CapacityFile least = read_capacity(head, "sub/c.toml");
+  BOOST_TEST(least.base.string() == "sub/f.toml");
+  BOOST_TEST(least.mass[1] == 2.0);
+  BOOST_TEST(least.speed[0] == 3.0);
+  BOOST_TEST(least.heights.empty());
+  BOOST_TEST(least.map.cells == 64);
+  BOOST_TEST(least.map.trials == 20U);
+  BOOST_TEST(least.audit == 50U);
+  BOOST_TEST(least.changes.speed == 0.01);
+  BOOST_TEST(least.changes.height == 0.0);
+  BOOST_TEST(least.seed == 1);
+  BOOST_TEST(!least.hazard);
+  folder.file("rocks.csv", "speed [m/s],height [m],mass [kg]\n3,1,200\n4,2,100\n");
+  const CapacityFile all = read_capacity(
+      "title = \"T\"\n" + head +
+          "height = [\"1 m\", \"250 cm\"]\nset = { \"fence.duration\" = \"2 s\" }\nseed = 7\n[map]\ncells = 24\n"
+          "first_cells = 3\nruns = 3\naudit = 0\n[changes]\nspeed = 0.5\nheight = \"1 cm\"\nangle = \"180 deg\"\n"
+          "spin = \"2 rad/s\"\n[hazard]\ntable = \"rocks.csv\"\nruns = 9\n[limits]\nevaluations = 8\n",
+      folder.path / "c.toml");
+  BOOST_TEST(all.title == "T");
+  BOOST_TEST(all.heights == (std::vector<double>{1.0, 2.5}), boost::test_tools::per_element());
+  BOOST_TEST(all.fields.at(0).first == "fence.duration");
+  BOOST_TEST(all.seed == 7);
+  BOOST_TEST(all.map.cells == 24);
+  BOOST_TEST(all.map.first_cells == 3);
+  BOOST_TEST(all.map.trials == 3U);
+  BOOST_TEST(all.map.few == 3U);  // not more than `runs`
+  BOOST_TEST(all.audit == 0U);
+  BOOST_TEST(all.changes.speed == 0.5);
+  BOOST_TEST(all.changes.height == 0.01);
+  BOOST_TEST(all.changes.angle == 3.141592653589793);
+  BOOST_TEST(all.changes.spin == 2.0);
+  BOOST_TEST(all.hazard->runs == 9U);
+  BOOST_TEST(all.hazard->table.at(1).mass == 100.0);
+  BOOST_TEST(all.hazard->table.at(1).height == 2.0);
+  BOOST_TEST(all.limits.evaluations == 8);
+  BOOST_TEST(read_capacity(head + "height = \"2 m\"\n", "c.toml").heights == (std::vector<double>{2.0}),
+             boost::test_tools::per_element());
+}
+
+BOOST_AUTO_TEST_CASE(a_lognormal_number_has_its_percentiles) {
+  const RockNumber number{2.0, 5.0};
+  BOOST_TEST(number.at(1.6448536269514722) == 2.0, boost::test_tools::tolerance(1e-14));
+  BOOST_TEST(number.at(2.3263478740408408) == 5.0, boost::test_tools::tolerance(1e-14));
+  BOOST_TEST((RockNumber{3.0, 3.0}).at(-1.0) == 3.0);
+}
+
+BOOST_AUTO_TEST_CASE(wrong_files_are_refused_by_key) {
+  const Folder folder;
+  folder.file("short.csv", "mass [kg],speed [m/s]\n1,1\n");
+  folder.file("zero.csv", "mass [kg],speed [m/s],height [m]\n1,1,1\n0,1,1\n");
+  folder.file("good.csv", "mass [kg],speed [m/s],height [m]\n1,1,1\n");
+  folder.file("empty.csv", "mass [kg],speed [m/s],height [m]\n");
+  const std::vector<std::pair<std::string, std::string>> wrong{
+      {"base = \"f.toml\"\n" + speed, "c.toml:1: mass: it is missing"},
+      {"base = \"f.toml\"\nmass = [\"2 kg\", \"1 kg\"]\n" + speed,
+       "c.toml:2: mass: found [\"2 kg\", \"1 kg\"]; both must be > 0, the first less than the second"},
+      {head + "height = []\n", "c.toml:4: height: found []; it must be a length, or an array of 1 to 12 lengths"},
+      {head + "height = [3]\n", "c.toml:4: height: found 3; it must be a length"},
+      {head + "height = [\"-1 m\"]\n", "c.toml:4: height: found \"-1 m\"; it must be > 0"},
+      {head + "set = 3\n", "c.toml:4: set: it must be a table of fields of the base with their values"},
+      {head + "[map]\ncells = 24\nfirst_cells = 5\n",
+       "c.toml:5: map: cells: found 24 cells, 5 at first; the first must be a power of two times the second"},
+      {head + "[map]\nfew_runs = 21\n", "c.toml:5: map: few_runs: found 21; it must be at most the runs of a node, 20"},
+      {head + "[hazard]\nmass = \"1 kg\"\nheight = \"1 m\"\nspeed = { p95 = \"2 m/s\", p99 = \"1 m/s\" }\n",
+       "c.toml:7: hazard: speed: p99: found 1 m/s, less than the percentile of 95 %, 2 m/s"},
+      {head + "[hazard]\ntable = \"short.csv\"\n",
+       "c.toml:5: hazard: table: short.csv: the column \"height [m]\" is missing"},
+      {head + "[hazard]\ntable = \"zero.csv\"\n",
+       "c.toml:5: hazard: table: zero.csv: row 2: mass and speed must be > 0"},
+      {head + "[hazard]\ntable = \"empty.csv\"\n",
+       "c.toml:5: hazard: table: empty.csv: found no line below the header"},
+      {head + "[hazard]\ntable = \"good.csv\"\nspeed = \"1 m/s\"\n",
+       "c.toml:6: hazard: speed: the rows of the table give it"}};
+  for (const auto& [text, expected] : wrong)
+    BOOST_TEST(message(text, folder) == expected);
+}
+
+BOOST_AUTO_TEST_SUITE_END()
