@@ -65,12 +65,13 @@ int capacity(const CapacityOptions& options, const DrawingSink& sink) {
           .formats = {"svg", "pdf"},
           .lists_files = !options.json});
   std::size_t failed = 0, all = 0;
-  for (const HeightMap& map : study.maps()) {
-    for (const RockTrials& node : map.nodes) {
-      all += node.trials.size();
-      failed += node.ends()[static_cast<std::size_t>(RockEnd::failed)];
-    }
-  }
+  const auto count = [&](const RockTrials& trials) {
+    all += trials.trials.size();
+    failed += trials.ends()[static_cast<std::size_t>(RockEnd::failed)];
+  };
+  for (const HeightMap& map : study.maps())
+    std::ranges::for_each(map.nodes, count);
+  count(study.hazard());
   if (failed == 0) return ok;
   return failed == all ? diverged : some_failed;
 }

@@ -11,6 +11,7 @@
 
 #include "reports/figures/plot.hpp"
 #include "reports/sheet/sheet_record.hpp"
+#include "solver/app/capacity/capacity_file.hpp"
 #include "solver/app/life_cycle.hpp"
 #include "solver/app/sweep/sweep_file.hpp"
 #include "solver/app/sweep/sweep_result.hpp"
@@ -159,7 +160,7 @@ void add_pair_reader(std::vector<Reader>& readers) {
                      .read = only([allowed](const fs::path& file) { return read_quantity_table(file, allowed, si); })});
 }
 
-/// Adds readers of sweeps and of lines that they write.
+/// Adds readers of sweeps, of questions about a fence, and of lines that they write.
 void add_sweep_readers(std::vector<Reader>& readers) {
   const fs::path cases = TALUS_CASES;
   // The commands add the file's name, and the line.
@@ -188,6 +189,15 @@ void add_sweep_readers(std::vector<Reader>& readers) {
          // Many runs take long to list, as they should.
          return runs > 1000 ? app::SweptRuns{} : named(file, [&] { return app::swept_runs(sweep); });
        })});
+  readers.push_back({.name = "capacity",
+                     .file = "capacity.toml",
+                     .corpus = {read_text(cases / "capacity/table_2.toml"),
+                                "base = \"a.toml\"\nmass = [\"1 kg\", \"2 kg\"]\nspeed = [\"1 m/s\", \"2 "
+                                "m/s\"]\nheight = [\"1 m\", \"2 ft\"]\n"
+                                "set = { \"a.b\" = [1, true] }\nseed = 3\n[map]\ncells = 8\nfirst_cells = 2\nruns = "
+                                "9\nfew_runs = 2\naudit = "
+                                "4\n[changes]\nangle = \"1 deg\"\nspin = \"1 rad/s\"\n[limits]\ntime = \"3 s\"\n"},
+                     .read = only([](const fs::path& file) { return app::read_capacity(read_text(file), file); })});
   readers.push_back({.name = "sweep_run",
                      .file = "run.json",
                      .corpus = {R"({"id":"b163a6a19d49fbb8","parameters":{"fence.steps":20000,"run.a[0]":"-1 ft"}})"},

@@ -48,7 +48,11 @@ std::vector<double> heights_of(SceneTable& table) {
     for (const TomlValue& element : *array) {
       const auto* const text = std::get_if<std::string>(&element.data);
       if (text == nullptr) table.fail("height", fmt::format("found {}; it must be a length", found(element)));
-      heights.push_back(parse_quantity(*text, dimension::length, si));
+      try {
+        heights.push_back(parse_quantity(*text, dimension::length, si));
+      } catch (const InputError& error) {
+        table.fail("height", error.what());
+      }
       if (!(heights.back() > 0.0)) table.fail("height", fmt::format("found {}; it must be > 0", found(element)));
     }
   });
@@ -97,8 +101,9 @@ RockNumber read_number(SceneTable& table, std::string_view key, Dimension dimens
     number = {percentiles.quantity("p95", dimension, Range::positive),
               percentiles.quantity("p99", dimension, Range::positive)};
     if (!(number.p95 <= number.p99))
-      percentiles.fail("p99", fmt::format("found {0} {2}, less than the percentile of 95 %, {1} {2}", number.p99,
-                                          number.p95, symbol(si, dimension)));
+      percentiles.fail("p99",
+                       fmt::format("found {0} {2}, less than the percentile of 95 %, {1} {2}; it must be at least that",
+                                   number.p99, number.p95, symbol(si, dimension)));
   });
   return number;
 }
@@ -109,14 +114,14 @@ std::vector<Rock> read_rocks(SceneTable& table, const fs::path& file) {
     const records::Csv csv = records::read_csv(file);
     for (const char* const heading : {"mass [kg]", "speed [m/s]", "height [m]"}) {
       if (std::ranges::find(csv.header(), heading) == csv.header().end())
-        table.fail("table", fmt::format("{}: the column \"{}\" is missing", file.string(), heading));
+        table.fail("table", fmt::format("{}: the column \"{}\" is missing; give it", file.string(), heading));
     }
     const std::size_t mass = csv.column("mass [kg]"), speed = csv.column("speed [m/s]"),
                       height = csv.column("height [m]");
     for (std::size_t row = 0; row < csv.rows(); ++row) {
       const Rock rock{csv.number(row, mass), csv.number(row, speed), csv.number(row, height)};
       if (!(rock.mass > 0.0 && rock.speed > 0.0 && std::isfinite(rock.height)))
-        table.fail("table", fmt::format("{}: row {}: mass and speed must be > 0", file.string(), row + 1));
+        table.fail("table", fmt::format("{}:{}: mass and speed must be > 0", file.string(), csv.line(row)));
       rocks.push_back(rock);
     }
   } catch (const records::FileError& error) {
@@ -124,7 +129,9 @@ std::vector<Rock> read_rocks(SceneTable& table, const fs::path& file) {
   } catch (const records::RecordError& error) {
     throw InputError{error.what()};
   }
-  if (rocks.empty()) table.fail("table", fmt::format("{}: found no line below the header", file.string()));
+  if (rocks.empty())
+    table.fail("table",
+               fmt::format("{}: found no line below the header; there must be one for each rock", file.string()));
   return rocks;
 }
 

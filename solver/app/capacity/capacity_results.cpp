@@ -80,6 +80,12 @@ std::string ends_text(const RockTrials& trials) {
   return text;
 }
 
+/// Why the first run failed, as a line; nothing if none did.
+std::string failure_text(const RockTrials& trials) {
+  const auto failed = std::ranges::find(trials.trials, RockEnd::failed, &RockTrial::end);
+  return failed == trials.trials.end() ? "" : fmt::format("  failed, for example: {}\n", failed->reason);
+}
+
 /// "4.1 to 4.3"; an open end is "below" or "above".
 std::string range_text(const Interval& interval, const std::array<double, 2>& ends, double unit) {
   if (interval.low < ends[0]) return fmt::format("below {:.4g}", ends[0] / unit);
@@ -269,6 +275,7 @@ std::string capacity_text(const CapacityStudy& study) {
     text += fmt::format("height {:.4g} m: {} runs ({:.3g} % of the full grid): {}\n", map.height, all.trials.size(),
                         100.0 * static_cast<double>(all.trials.size()) / static_cast<double>(full_grid(map)),
                         ends_text(all));
+    text += failure_text(all);
     text += fmt::format("  {:>10}  {:>20}  {:>24}\n", "mass [kg]", "stopped up to [m/s]", "kinetic energy [kJ]");
     for (const CapacityBoundary& boundary : boundaries_of(study, map)) {
       const std::array<double, 2> energies{0.5 * boundary.mass * file.speed[0] * file.speed[0],
@@ -287,7 +294,7 @@ std::string capacity_text(const CapacityStudy& study) {
     const RockTrials& hazard = study.hazard();
     const std::size_t runs = hazard.trials.size(), failures = runs - hazard.stopped();
     const Interval interval = wilson_interval(failures, runs);
-    text += fmt::format("expected rocks: {} runs: {}\n", runs, ends_text(hazard));
+    text += fmt::format("expected rocks: {} runs: {}\n", runs, ends_text(hazard)) + failure_text(hazard);
     text += fmt::format("  probability of failure per impact {:.4g}, 95 %: {:.4g} to {:.4g}\n",
                         static_cast<double>(failures) / static_cast<double>(runs), interval.low, interval.high);
     for (std::size_t output = 0; output < capacity_outputs.size(); ++output) {

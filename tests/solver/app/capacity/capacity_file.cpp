@@ -33,18 +33,18 @@ const std::string mass = "mass = [\"1 kg\", \"2 kg\"]\n", speed = "speed = [\"3 
 
 BOOST_AUTO_TEST_CASE(all_fields_are_read_and_all_but_three_have_defaults) {
   const Folder folder;
-  const CapacityFile least = read_capacity(head, "sub/c.toml");
-  BOOST_TEST(least.base.string() == "sub/f.toml");
-  BOOST_TEST(least.mass[1] == 2.0);
-  BOOST_TEST(least.speed[0] == 3.0);
-  BOOST_TEST(least.heights.empty());
-  BOOST_TEST(least.map.cells == 64);
-  BOOST_TEST(least.map.trials == 20U);
-  BOOST_TEST(least.audit == 50U);
-  BOOST_TEST(least.changes.speed == 0.01);
-  BOOST_TEST(least.changes.height == 0.0);
-  BOOST_TEST(least.seed == 1);
-  BOOST_TEST(!least.hazard);
+  const CapacityFile defaults = read_capacity(head, "sub/c.toml");
+  BOOST_TEST(defaults.base.string() == "sub/f.toml");
+  BOOST_TEST(defaults.mass[1] == 2.0);
+  BOOST_TEST(defaults.speed[0] == 3.0);
+  BOOST_TEST(defaults.heights.empty());
+  BOOST_TEST(defaults.map.cells == 64);
+  BOOST_TEST(defaults.map.trials == 20U);
+  BOOST_TEST(defaults.audit == 50U);
+  BOOST_TEST(defaults.changes.speed == 0.01);
+  BOOST_TEST(defaults.changes.height == 0.0);
+  BOOST_TEST(defaults.seed == 1);
+  BOOST_TEST(!defaults.hazard);
   folder.file("rocks.csv", "speed [m/s],height [m],mass [kg]\n3,1,200\n4,2,100\n");
   const CapacityFile all = read_capacity(
       "title = \"T\"\n" + head +
@@ -92,19 +92,19 @@ BOOST_AUTO_TEST_CASE(wrong_files_are_refused_by_key) {
        "c.toml:2: mass: found [\"2 kg\", \"1 kg\"]; both must be > 0, the first less than the second"},
       {head + "height = []\n", "c.toml:4: height: found []; it must be a length, or an array of 1 to 12 lengths"},
       {head + "height = [3]\n", "c.toml:4: height: found 3; it must be a length"},
+      {head + "height = [\"1 400\"]\n", "c.toml:4: height: found \"1 400\"; '400' is not a unit; write e.g. \"1 m\""},
       {head + "height = [\"-1 m\"]\n", "c.toml:4: height: found \"-1 m\"; it must be > 0"},
       {head + "set = 3\n", "c.toml:4: set: it must be a table of fields of the base with their values"},
       {head + "[map]\ncells = 24\nfirst_cells = 5\n",
        "c.toml:5: map: cells: found 24 cells, 5 at first; the first must be a power of two times the second"},
       {head + "[map]\nfew_runs = 21\n", "c.toml:5: map: few_runs: found 21; it must be at most the runs of a node, 20"},
       {head + "[hazard]\nmass = \"1 kg\"\nheight = \"1 m\"\nspeed = { p95 = \"2 m/s\", p99 = \"1 m/s\" }\n",
-       "c.toml:7: hazard: speed: p99: found 1 m/s, less than the percentile of 95 %, 2 m/s"},
+       "c.toml:7: hazard: speed: p99: found 1 m/s, less than the percentile of 95 %, 2 m/s; it must be at least that"},
       {head + "[hazard]\ntable = \"short.csv\"\n",
-       "c.toml:5: hazard: table: short.csv: the column \"height [m]\" is missing"},
-      {head + "[hazard]\ntable = \"zero.csv\"\n",
-       "c.toml:5: hazard: table: zero.csv: row 2: mass and speed must be > 0"},
+       "c.toml:5: hazard: table: short.csv: the column \"height [m]\" is missing; give it"},
+      {head + "[hazard]\ntable = \"zero.csv\"\n", "c.toml:5: hazard: table: zero.csv:3: mass and speed must be > 0"},
       {head + "[hazard]\ntable = \"empty.csv\"\n",
-       "c.toml:5: hazard: table: empty.csv: found no line below the header"},
+       "c.toml:5: hazard: table: empty.csv: found no line below the header; there must be one for each rock"},
       {head + "[hazard]\ntable = \"good.csv\"\nspeed = \"1 m/s\"\n",
        "c.toml:6: hazard: speed: the rows of the table give it"}};
   for (const auto& [text, expected] : wrong)

@@ -287,6 +287,8 @@ void check_changes(const Program& program, Differences& differ) {
   program.write("limited.toml", question(4, "[limits]\nevaluations = 10\n"));
   const ProgramEnd limited = program.end({"capacity", "limited.toml"}, {{"--no-plots", {}}});
   differ.compare("all runs failed", limited.exit_code, 3);
+  differ.compare("reason of a failure",
+                 limited.output.find("  failed, for example: limit of 10 evaluations\n") != std::string::npos, true);
   const ProgramEnd other = program.end({"capacity", "limited.toml"}, {{"--no-plots", {}}, {"--out", {"changes"}}});
   differ.compare("results of other limits are refused",
                  other.exit_code == 2 && other.messages.find("other limits") != std::string::npos, true);
@@ -334,7 +336,7 @@ void check_refusals(const Program& program, Differences& differ) {
       {good + "[hazard]\nmass = \"1 kg\"\nheight = \"1 m\"\nspeed = { p95 = \"2 m/s\", p99 = \"1 m/s\" }\n",
        "less than the percentile of 95 %"},
       {good + "[hazard]\ntable = \"bad.csv\"\n", "the column \"height [m]\" is missing"},
-      {good + "[hazard]\ntable = \"zero.csv\"\n", "row 1: mass and speed must be > 0"},
+      {good + "[hazard]\ntable = \"zero.csv\"\n", "zero.csv:2: mass and speed must be > 0"},
       {good + "[hazard]\ntable = \"empty.csv\"\n", "found no line below the header"},
       {good + "[hazard]\ntable = \"none.csv\"\n", "none.csv", 4},
       {good + "[hazard]\ntable = \"bad.csv\"\nmass = \"1 kg\"\n", "hazard: mass: the rows of the table give it"}};
