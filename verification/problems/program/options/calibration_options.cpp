@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
@@ -23,8 +24,9 @@ struct DroppedImpact {
   double restitution{};
 };
 
-/// The impact with this damping, until the force ends (clamped), or until the disc leaves the ground. The contact is an
-/// oscillator about the overlap m g/k at rest.
+/// The impact with this damping: the force ends when it no longer pushes (clamped), or when the disc leaves the ground.
+/// The contact is an oscillator about the overlap m g/k at rest; what overlap is left when the force ends, the disc is
+/// thrown up against gravity.
 DroppedImpact dropped_impact(double damping, bool clamped) {
   const double frequency = std::sqrt(drop_stiffness / drop_mass), rest = drop_mass * gravity / drop_stiffness;
   const double speed = std::sqrt(2.0 * gravity * (drop.position - drop_radius));
@@ -43,7 +45,9 @@ DroppedImpact dropped_impact(double damping, bool clamped) {
     const double t = 0.5 * (before + after);
     (pushes(t) ? before : after) = t;
   }
-  return {before, -at(before).velocity / speed};
+  const reference::OscillatorState end = at(before);
+  const double thrown = 2.0 * gravity * (rest + end.displacement), square = end.velocity * end.velocity - thrown;
+  return {before, std::sqrt(std::max(square, 0.0)) / speed};
 }
 
 /// The damping that gives the dropped disc this restitution, by bisection.
