@@ -11,8 +11,8 @@ foreach(shell file IN ZIP_LISTS shells completions)
   add_custom_command(OUTPUT ${file} COMMAND talus completion ${shell} > ${file} DEPENDS talus VERBATIM)
 endforeach()
 set(manual)
-foreach(name talus talus-run talus-check talus-advise talus-calibrate talus-cell talus-completion talus-convert talus-export talus-plot
-             talus-snapshot talus-animate talus-study talus-sweep talus-sweep-plan talus-sweep-run talus-sweep-submit
+foreach(name talus talus-run talus-check talus-advise talus-calibrate talus-capacity talus-cell talus-completion talus-convert
+             talus-export talus-plot talus-snapshot talus-animate talus-study talus-sweep talus-sweep-plan talus-sweep-run talus-sweep-submit
              talus-sweep-status talus-sweep-collect talus-list talus-new)
   add_custom_command(OUTPUT ${made}/${name}.1
     COMMAND ${PROJECT_SOURCE_DIR}/scripts/manual_page ${made}/${name}.1 ${TALUS_HELP2MAN} $<TARGET_FILE:talus> ${PROJECT_VERSION}
