@@ -42,19 +42,22 @@ int capacity(const CapacityOptions& options, const DrawingSink& sink) {
   make_folder(folder.folder);
   const FolderLock lock{folder.folder};
   CapacityStudy study{file, folder, base, rocks, options.threads};
+  // Those of an earlier question.
+  for (const char* const result : {"capacity.csv", "capacity.json"})
+    fs::remove(folder.folder / result);
   Interruption interruption;
   Progress line;
   const bool is_complete = study.run([&] { return interruption.signal() != 0; },
                                      [&](std::size_t runs) {
                                        if (line.due()) line.show(fmt::format("{} runs", runs));
                                      });
+  // For `talus sweep status` and `collect`, which writes each run as a row.
+  folder.runs = study.runs();
+  write_sweep_folder(folder);
   if (!is_complete) {
     print_failure(fmt::format("{}: the same command continues", interruption.name()));
     return 128 + interruption.signal();
   }
-  // For `talus sweep collect`, which writes each run as a row.
-  folder.runs = study.runs();
-  write_sweep_folder(folder);
   write_whole(folder.folder / "capacity.csv", capacity_csv(study));
   const std::string json = capacity_json(study, rocks.own());
   write_whole(folder.folder / "capacity.json", json);
@@ -69,8 +72,10 @@ int capacity(const CapacityOptions& options, const DrawingSink& sink) {
     all += trials.trials.size();
     failed += trials.ends()[static_cast<std::size_t>(RockEnd::failed)];
   };
-  for (const HeightMap& map : study.maps())
+  for (const HeightMap& map : study.maps()) {
     std::ranges::for_each(map.nodes, count);
+    count(map.audit);
+  }
   count(study.hazard());
   if (failed == 0) return ok;
   return failed == all ? diverged : some_failed;

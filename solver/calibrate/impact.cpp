@@ -109,6 +109,7 @@ double first_dissipation(const Scene& scene, ContactId contact, double e) {
 struct Followed {
   std::optional<Impact> impact;
   std::string why_not;
+  bool stays{};  ///< the bodies met and did not part
 };
 Followed follow_impact(const Scene& scene, ContactId contact, ImpactEnd end) {
   const Dynamics dynamics{scene.model};
@@ -126,14 +127,14 @@ Followed follow_impact(const Scene& scene, ContactId contact, ImpactEnd end) {
     if (monitor) monitor->check(seen, ++step);
     return watch.over() || (monitor && !monitor->violation().empty());
   });
-  if (!outcome) return {{}, outcome.message};
-  if (monitor && !monitor->violation().empty()) return {{}, monitor->violation()};
+  if (!outcome) return {{}, outcome.message, false};
+  if (monitor && !monitor->violation().empty()) return {{}, monitor->violation(), false};
   if (!watch.has_started())
-    return {{}, fmt::format("its bodies do not meet before the scene's end at t = {}", scene.plan.end)};
-  if (!watch.approached()) return {{}, "its bodies do not approach each other; they touch at the start"};
+    return {{}, fmt::format("its bodies do not meet before the scene's end at t = {}", scene.plan.end), false};
+  if (!watch.approached()) return {{}, "its bodies do not approach each other; they touch at the start", false};
   if (!watch.over())
-    return {{}, fmt::format("its bodies do not part before the scene's end at t = {}", scene.plan.end)};
-  return {watch.impact(), {}};
+    return {{}, fmt::format("its bodies do not part before the scene's end at t = {}", scene.plan.end), true};
+  return {watch.impact(), {}, false};
 }
 
 /// Scene of a particle of the effective mass that approaches a fixed plane. Errors: InputError if the contact never
@@ -247,11 +248,15 @@ ImpactStep advise_impact_step(const ContactLaw& law, double effective_mass, doub
 Calibration calibrate(const Scene& scene, ContactId contact, double e, double tolerance) {
   if (!(e > 0.0 && e <= 1.0)) throw InputError{fmt::format("restitution is {}; it must be in (0, 1]", e)};
   Calibration found;
+  const std::string& name = scene.model.contacts[index(contact)].name;
   const auto excess = [&](double value) {
     ++found.runs;
-    return simulate_impact(with_dissipation(scene, contact, value), contact).restitution - e;
+    const Followed followed = follow_impact(with_dissipation(scene, contact, value), contact, ImpactEnd::parting);
+    if (followed.impact) return followed.impact->restitution - e;
+    // So much damping that a weight keeps the bodies together: no rebound.
+    if (followed.stays && value > 0.0) return -e;
+    throw InputError{fmt::format("contact '{}': {}", name, followed.why_not)};
   };
-  const std::string& name = scene.model.contacts[index(contact)].name;
   const double undamped = excess(0.0);
   if (std::abs(undamped) <= tolerance) {
     found.restitution = undamped + e;

@@ -25,7 +25,7 @@ struct KnownImpact {
 struct Impact {
   double restitution{};      ///< speed of separation over speed of approach along the normal
   double approach_speed{};   ///< along the normal [L/T]
-  double contact_time{};     ///< from the last step before contact to the first step at which the law no longer acts
+  double contact_time{};     ///< from the last step before contact to the first after the last at which the law acts
                              ///< [T]
   double largest_overlap{};  ///< [L]
   double largest_force{};    ///< [F]

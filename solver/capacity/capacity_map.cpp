@@ -58,9 +58,11 @@ std::size_t CapacityMap::needed(MapNode node) const {
 }
 
 bool CapacityMap::is_uniform(const Cell& cell) const {
-  const std::array<MapNode, 4> nodes = corners(cell.corner, cell.size);
-  const MapState first = state(nodes[0]);
-  return std::ranges::all_of(nodes, [&](MapNode node) { return state(node) == first; });
+  // Also nodes of finer cells at its edges.
+  for (int j = cell.corner.j; j <= cell.corner.j + cell.size; ++j)
+    for (int i = cell.corner.i; i <= cell.corner.i + cell.size; ++i)
+      if (trials({i, j}) > 0 && state({i, j}) != state(cell.corner)) return false;
+  return true;
 }
 
 void CapacityMap::visit(const Cell& cell, std::vector<std::size_t>& wanted) const {

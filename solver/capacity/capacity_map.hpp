@@ -37,7 +37,7 @@ struct MapTrials {
 
 /// Map of the probability of an outcome over two variables, on a square grid, from random trials at its nodes.
 ///
-/// It begins with coarse cells. A cell is divided into four if the states of its corners differ, down to the cells of
+/// It begins with coarse cells. A cell is divided into four if the states of its nodes differ, down to the cells of
 /// the grid: nodes are tried at the edges of the band in which the probability is not beside one half, and few
 /// elsewhere. Nodes within a cell that was not divided count as its corners. An island smaller than the first cells may
 /// be missed: audit it with trials at nodes without any.

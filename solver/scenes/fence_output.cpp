@@ -35,7 +35,7 @@ std::span<const FenceOutput> fence_outputs() {
        {"fence.exit_energy", dimension::energy, [](const FenceSummary& of) {
           double sum = 0.0;
           for (const RockPassage& rock : of.rocks)
-            sum += rock.exit_energy;
+            sum += rock.touched ? rock.exit_energy : rock.end_energy;
           return sum;
         }}}};
   return all;

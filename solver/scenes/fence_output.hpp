@@ -17,7 +17,7 @@ struct FenceOutput {
 
 /// All of them: the largest forces (on an anchor, in a cable, in a hanger) and the largest travel of a column over the
 /// run, the largest ratio of a cable's and a hanger's force to its limit, and the kinetic energy of the rocks after
-/// their last contact.
+/// their last contact, or at the end if they had none.
 [[nodiscard]] std::span<const FenceOutput> fence_outputs();
 
 }  // namespace talus::scenes

@@ -71,7 +71,7 @@ void read_map(SceneTable table, CapacityFile& file) {
   table.allow({"cells", "first_cells", "runs", "few_runs", "audit"});
   if (table.has("cells")) file.map.cells = static_cast<int>(table.whole_between("cells", 1, 1024));
   if (table.has("first_cells")) file.map.first_cells = static_cast<int>(table.whole_between("first_cells", 1, 64));
-  if (table.has("runs")) file.map.trials = static_cast<std::size_t>(table.whole_between("runs", 1, 10'000));
+  if (table.has("runs")) file.map.trials = static_cast<std::size_t>(table.whole_between("runs", 4, 10'000));
   file.map.few = std::min(file.map.few, file.map.trials);
   if (table.has("few_runs")) file.map.few = static_cast<std::size_t>(table.whole_between("few_runs", 1, 10'000));
   if (file.map.few > file.map.trials) {
@@ -176,14 +176,24 @@ CapacityFile read_capacity(std::string_view text, const fs::path& name) {
     if (const TomlValue* const fields = file.value("set")) {
       const auto* const table = std::get_if<TomlTable>(&fields->data);
       if (table == nullptr) file.fail("set", "it must be a table of fields of the base with their values");
-      for (const TomlEntry& entry : *table)
+      for (const TomlEntry& entry : *table) {
+        if (std::holds_alternative<TomlArray>(entry.value.data) || std::holds_alternative<TomlTable>(entry.value.data))
+          file.fail("set", fmt::format("{}: found {}; it must be a number, a text, true or false", entry.key,
+                                       found(entry.value)));
         made.fields.emplace_back(entry.key, entry.value);
+      }
     }
     if (file.has("map")) read_map(file.table("map"), made);
     if (file.has("changes")) read_changes(file.table("changes"), made.changes);
+    if (const RockChanges& of = made.changes; !(of.speed > 0.0 || of.height > 0.0 || of.angle > 0.0 || of.spin > 0.0))
+      file.report("changes", "all are 0, so that the runs of a node would be the same; give one that is > 0");
     if (file.has("seed")) made.seed = file.whole_between("seed", 0, 1'000'000'000);
     if (file.has("hazard")) made.hazard = read_hazard(file.table("hazard"), folder);
-    if (file.has("limits")) made.limits = read_limits(file.table("limits"));
+    if (file.has("limits")) {
+      SceneTable limits = file.table("limits");
+      limits.refuse("time", "results would depend on the machine; give `evaluations`");
+      made.limits = read_limits(limits);
+    }
   } catch (const SceneSource::Collected&) {
     source.check();
     throw;

@@ -50,7 +50,7 @@ Json outputs_json(const RockTrials& trials) {
   for (std::size_t output = 0; output < capacity_outputs.size(); ++output) {
     const std::vector<double> values = trials.values(output);
     if (values.empty()) continue;
-    Json& quantiles = json[std::string{capacity_outputs[output]}] = Json::object();
+    Json& quantiles = json[std::string{capacity_outputs[output]}] = {{"runs", values.size()}};
     for (const auto& [name, probability] : {std::pair{"median", 0.5}, std::pair{"p95", 0.95}}) {
       const SampleQuantile quantile = sample_quantile(values, probability);
       quantiles[name] = {{"value", quantile.value}, {"interval", interval_json(quantile.interval)}};
@@ -86,10 +86,11 @@ std::string failure_text(const RockTrials& trials) {
   return failed == trials.trials.end() ? "" : fmt::format("  failed, for example: {}\n", failed->reason);
 }
 
-/// "4.1 to 4.3"; an open end is "below" or "above".
-std::string range_text(const Interval& interval, const std::array<double, 2>& ends, double unit) {
-  if (interval.low < ends[0]) return fmt::format("below {:.4g}", ends[0] / unit);
-  if (interval.high > ends[1]) return fmt::format("above {:.4g}", ends[1] / unit);
+/// "4.1 to 4.3"; where an end is not in the map, "below" or "above" the other one.
+std::string range_text(const Interval& interval, double unit) {
+  const bool is_bounded = std::isfinite(interval.high);
+  if (!(interval.low > 0.0)) return is_bounded ? fmt::format("below {:.4g}", interval.high / unit) : "open";
+  if (!is_bounded) return fmt::format("above {:.4g}", interval.low / unit);
   return fmt::format("{:.4g} to {:.4g}", interval.low / unit, interval.high / unit);
 }
 
@@ -224,6 +225,9 @@ std::string capacity_json(const CapacityStudy& study, const Rock& own) {
   Json json{{"schema", schema},
             {"title", file.title},
             {"units", "SI"},
+            {"base", file.base.filename().string()},
+            {"mass", file.mass},
+            {"speed", file.speed},
             {"rock", {{"mass", own.mass}, {"speed", own.speed}, {"height", own.height}}},
             {"seed", file.seed},
             {"cells", file.map.cells},
@@ -243,9 +247,10 @@ std::string capacity_json(const CapacityStudy& study, const Rock& own) {
                 {"full_grid_runs", full_grid(map)},
                 {"ends", ends_json(all)},
                 {"audit",
-                 {{"runs", map.audited},
+                 {{"runs", map.audit.trials.size()},
+                  {"ends", ends_json(map.audit)},
                   {"contradictions", map.contradicted},
-                  {"interval", interval_json(wilson_interval(map.contradicted, map.audited))}}}};
+                  {"interval", interval_json(wilson_interval(map.contradicted, map.audit.trials.size()))}}}};
     of_map["boundary"] = Json::array();
     for (const CapacityBoundary& boundary : boundaries_of(study, map)) {
       of_map["boundary"].push_back({{"mass", boundary.mass},
@@ -278,16 +283,14 @@ std::string capacity_text(const CapacityStudy& study) {
     text += failure_text(all);
     text += fmt::format("  {:>10}  {:>20}  {:>24}\n", "mass [kg]", "stopped up to [m/s]", "kinetic energy [kJ]");
     for (const CapacityBoundary& boundary : boundaries_of(study, map)) {
-      const std::array<double, 2> energies{0.5 * boundary.mass * file.speed[0] * file.speed[0],
-                                           0.5 * boundary.mass * file.speed[1] * file.speed[1]};
-      text += fmt::format("  {:>10.4g}  {:>20}  {:>24}\n", boundary.mass, range_text(boundary.speed, file.speed, 1.0),
-                          range_text(boundary.energy, energies, 1e3));
+      text += fmt::format("  {:>10.4g}  {:>20}  {:>24}\n", boundary.mass, range_text(boundary.speed, 1.0),
+                          range_text(boundary.energy, 1e3));
     }
     if (const double factor = energy_factor(boundaries_of(study, map)); factor > 1.0)
-      text += fmt::format("  energy at the boundary differs by a factor of at least {:.3g} between masses\n", factor);
-    if (map.audited > 0) {
-      text += fmt::format("  audit: {} of {} runs at nodes without any contradict the map\n", map.contradicted,
-                          map.audited);
+      text += fmt::format("  energy at the boundary differs by a factor of {:.3g} between masses\n", factor);
+    if (const std::size_t audited = map.audit.trials.size(); audited > 0) {
+      text += fmt::format("  audit: {} of {} runs at nodes without any ended otherwise than the map says\n",
+                          map.contradicted, audited);
     }
   }
   if (file.hazard) {

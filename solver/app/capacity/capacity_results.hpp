@@ -13,15 +13,16 @@ namespace talus::app {
 /// The speed up to which rocks of one mass are stopped.
 struct CapacityBoundary {
   double mass{};    ///< [kg]
-  Interval speed;   ///< stopped up to the first, not from the second on [m/s]; nothing: the ends of the map
+  Interval speed;   ///< stopped up to the first (0: none in the map), not from the second on (infinite: none) [m/s]
   Interval energy;  ///< kinetic energy of these [J]
 };
 
 /// The boundaries at the masses of a map's first cells.
 [[nodiscard]] std::vector<CapacityBoundary> boundaries_of(const CapacityStudy& study, const HeightMap& map);
 
-/// How much one energy for all masses is wrong at least: the largest energy up to which rocks of a mass are stopped,
-/// over the smallest with which those of another mass are not; 1 if they are equal within their intervals.
+/// How much one energy for all masses is wrong: the largest energy up to which rocks of a mass are stopped, over the
+/// smallest with which those of another mass are not (failed and undecided runs count as not stopped); 1 if they are
+/// equal within their intervals.
 [[nodiscard]] double energy_factor(const std::vector<CapacityBoundary>& boundaries);
 
 /// Every node with trials as a line of CSV: height, mass, speed, kinetic energy, trials by their end, probability of

@@ -55,7 +55,7 @@ std::array<std::size_t, 6> RockTrials::ends() const {
 std::vector<double> RockTrials::values(std::size_t output) const {
   std::vector<double> values;
   for (const RockTrial& trial : trials)
-    if (!trial.outputs.empty()) values.push_back(trial.outputs[output]);
+    if (trial.end != RockEnd::failed) values.push_back(trial.outputs[output]);
   return values;
 }
 
@@ -69,7 +69,7 @@ CapacityStudy::CapacityStudy(const CapacityFile& file, const SweepFolder& folder
   }
   const std::vector<double> heights = file.heights.empty() ? std::vector{rocks.own().height} : file.heights;
   for (const double height : heights) {
-    HeightMap map{height, CapacityMap{file.map}, {}, {}, 0, 0};
+    HeightMap map{height, CapacityMap{file.map}, {}, {}, {}, 0};
     map.nodes.resize(static_cast<std::size_t>(map.map.side()) * static_cast<std::size_t>(map.map.side()));
     maps_.push_back(std::move(map));
   }
@@ -154,14 +154,14 @@ bool CapacityStudy::audit(HeightMap& map) {
     nodes.push_back(without[static_cast<std::size_t>(fraction * static_cast<double>(without.size()))]);
     requests.push_back({rock_at(map, nodes.back()), {for_audit, trial, 1}});
   }
-  const std::optional<std::vector<RockTrial>> trials = executed(requests);
+  std::optional<std::vector<RockTrial>> trials = executed(requests);
   if (!trials) return false;
   for (std::size_t i = 0; i < nodes.size(); ++i) {
     const auto row = static_cast<std::size_t>(nodes[i].j) * static_cast<std::size_t>(map.map.side());
     const MapState state = map.states[row + static_cast<std::size_t>(nodes[i].i)];
     if (state == MapState::open) continue;
-    ++map.audited;
     map.contradicted += ((*trials)[i].end == RockEnd::stopped) != (state == MapState::above) ? 1 : 0;
+    map.audit.trials.push_back(std::move((*trials)[i]));
   }
   return true;
 }

@@ -39,7 +39,7 @@ struct RockTrials {
 
   [[nodiscard]] std::array<std::size_t, 6> ends() const;  ///< number of trials by RockEnd
   [[nodiscard]] std::size_t stopped() const { return ends()[static_cast<std::size_t>(RockEnd::stopped)]; }
-  /// Values of an output in those trials that have it.
+  /// Values of an output in those trials that did not fail.
   [[nodiscard]] std::vector<double> values(std::size_t output) const;
 };
 
@@ -47,9 +47,10 @@ struct RockTrials {
 struct HeightMap {
   double height{};  ///< [m]
   CapacityMap map;
-  std::vector<RockTrials> nodes;          ///< of each node, row by row (mass changes first)
-  std::vector<MapState> states;           ///< likewise
-  std::size_t audited{}, contradicted{};  ///< trials at nodes without any, and those that contradict their state
+  std::vector<RockTrials> nodes;  ///< of each node, row by row (mass changes first)
+  std::vector<MapState> states;   ///< likewise
+  RockTrials audit;               ///< at nodes without any that are not open
+  std::size_t contradicted{};     ///< number of these that ended otherwise than the state says
 };
 
 /// All runs that a capacity file asks for. Results are kept in the folder at once; a study that was ended at any time

@@ -63,8 +63,10 @@ SweptRun RockRuns::run(const Rock& rock, const std::array<double, 4>& numbers) c
   const double size = std::cbrt(rock.mass / own_.mass);
   const double speed = rock.speed * (1.0 + changes_.speed * numbers[0]);
   const double height = rock.height + changes_.height * numbers[1];
-  // As far from the fence as the base's rock, whatever its orientation.
-  const double away = -std::copysign(1.0, own.velocity.x) * (size - 1.0) * std::max(own.a, own.b) * length;
+  // At least as far from the fence as the base's rock: outlines are between an ellipse and a rectangle.
+  const double of_a = std::abs(own.a * std::cos(own.angle)), of_b = std::abs(own.b * std::sin(own.angle));
+  const double width = size > 1.0 ? of_a + of_b : std::hypot(of_a, of_b);
+  const double away = -std::copysign(1.0, own.velocity.x) * (size - 1.0) * width * length;
   double up = height - own_.height;
   for (int correction = 0; correction < 8; ++correction)  // the ground may be inclined or uneven
     up += height - height_at({away, up});

@@ -11,7 +11,8 @@
 namespace talus::app {
 
 /// The runs of a fence with other rocks in place of the base's. A rock of another mass has the density and the
-/// proportions of the base's; it starts as far from the fence, in the same direction, with the same angle and spin.
+/// proportions of the base's; it starts at least as far from the fence, in the same direction, with the same angle and
+/// spin.
 class RockRuns {
  public:
   /// `text`: the base, TOML. Errors: InputError for a base that is no fence, has no rock or several, or whose rock does

@@ -126,6 +126,9 @@ SweepFolder SweepFolder::part(std::size_t number, std::size_t of) && {
 }
 
 void write_sweep_folder(const SweepFolder& sweep) {
+  if (fs::exists(sweep.folder / base_name) && !fs::exists(sweep.folder / description_name))
+    throw InputError{
+        fmt::format("{}: found {} of something else; give another folder", sweep.folder.string(), base_name)};
   make_folder(sweep.folder / results_name);
   check_results(sweep);
   std::string manifest;

@@ -73,6 +73,19 @@ BOOST_AUTO_TEST_CASE(trials_are_doubled_while_a_node_is_open_and_have_consecutiv
   BOOST_TEST(map.trials({1, 1}) == 4U);
 }
 
+// A tongue between two of the first nodes, found where it crosses a cell that is divided anyway.
+BOOST_AUTO_TEST_CASE(a_tongue_is_followed_into_a_cell_whose_corners_are_equal) {
+  CapacityMap map{{.cells = 16, .first_cells = 2, .trials = 20, .few = 4}};
+  const auto is_hit = [](MapNode node, std::size_t) {
+    return node.j > 10 || (node.i >= 3 && node.i <= 5 && node.j > 2);
+  };
+  complete(map, is_hit);
+  const std::vector<MapState> states = map.states();
+  for (int j = 0; j < map.side(); ++j)
+    for (int i = 0; i < map.side(); ++i)
+      BOOST_TEST((states[static_cast<std::size_t>(j * map.side() + i)] == MapState::above) == is_hit({i, j}, 0));
+}
+
 BOOST_AUTO_TEST_CASE(wrong_rules_are_refused) {
   const auto message = [](const MapRules& rules) {
     try {

@@ -49,7 +49,8 @@ BOOST_AUTO_TEST_CASE(all_fields_are_read_and_all_but_three_have_defaults) {
   const CapacityFile all = read_capacity(
       "title = \"T\"\n" + head +
           "height = [\"1 m\", \"250 cm\"]\nset = { \"fence.duration\" = \"2 s\" }\nseed = 7\n[map]\ncells = 24\n"
-          "first_cells = 3\nruns = 3\naudit = 0\n[changes]\nspeed = 0.5\nheight = \"1 cm\"\nangle = \"180 deg\"\n"
+          "first_cells = 3\nruns = 5\nfew_runs = 2\naudit = 0\n[changes]\nspeed = 0.5\nheight = \"1 cm\"\nangle = "
+          "\"180 deg\"\n"
           "spin = \"2 rad/s\"\n[hazard]\ntable = \"rocks.csv\"\nruns = 9\n[limits]\nevaluations = 8\n",
       folder.path / "c.toml");
   BOOST_TEST(all.title == "T");
@@ -58,8 +59,8 @@ BOOST_AUTO_TEST_CASE(all_fields_are_read_and_all_but_three_have_defaults) {
   BOOST_TEST(all.seed == 7);
   BOOST_TEST(all.map.cells == 24);
   BOOST_TEST(all.map.first_cells == 3);
-  BOOST_TEST(all.map.trials == 3U);
-  BOOST_TEST(all.map.few == 3U);  // not more than `runs`
+  BOOST_TEST(all.map.trials == 5U);
+  BOOST_TEST(all.map.few == 2U);
   BOOST_TEST(all.audit == 0U);
   BOOST_TEST(all.changes.speed == 0.5);
   BOOST_TEST(all.changes.height == 0.01);
@@ -97,6 +98,12 @@ BOOST_AUTO_TEST_CASE(wrong_files_are_refused_by_key) {
       {head + "set = 3\n", "c.toml:4: set: it must be a table of fields of the base with their values"},
       {head + "[map]\ncells = 24\nfirst_cells = 5\n",
        "c.toml:5: map: cells: found 24 cells, 5 at first; the first must be a power of two times the second"},
+      {head + "set = { \"fence.column.held\" = [\"x\"] }\n",
+       "c.toml:4: set: fence.column.held: found [\"x\"]; it must be a number, a text, true or false"},
+      {head + "[changes]\nspeed = 0.0\n",
+       "c.toml:4: changes: all are 0, so that the runs of a node would be the same; give one that is > 0"},
+      {head + "[limits]\ntime = \"1 s\"\n",
+       "c.toml:5: limits: time: results would depend on the machine; give `evaluations`"},
       {head + "[map]\nfew_runs = 21\n", "c.toml:5: map: few_runs: found 21; it must be at most the runs of a node, 20"},
       {head + "[hazard]\nmass = \"1 kg\"\nheight = \"1 m\"\nspeed = { p95 = \"2 m/s\", p99 = \"1 m/s\" }\n",
        "c.toml:7: hazard: speed: p99: found 1 m/s, less than the percentile of 95 %, 2 m/s; it must be at least that"},
