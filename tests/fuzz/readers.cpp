@@ -194,7 +194,7 @@ void add_sweep_readers(std::vector<Reader>& readers) {
                      .corpus = {read_text(cases / "capacity/table_2.toml"),
                                 "base = \"a.toml\"\nmass = [\"1 kg\", \"2 kg\"]\nspeed = [\"1 m/s\", \"2 "
                                 "m/s\"]\nheight = [\"1 m\", \"2 ft\"]\n"
-                                "set = { \"a.b\" = [1, true] }\nseed = 3\n[map]\ncells = 8\nfirst_cells = 2\nruns = "
+                                "set = { \"a.b\" = 1 }\nseed = 3\n[map]\ncells = 8\nfirst_cells = 2\nruns = "
                                 "9\nfew_runs = 2\naudit = "
                                 "4\n[changes]\nangle = \"1 deg\"\nspin = \"1 rad/s\"\n[limits]\ntime = \"3 s\"\n"},
                      .read = only([](const fs::path& file) { return app::read_capacity(read_text(file), file); })});
