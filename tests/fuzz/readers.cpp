@@ -196,7 +196,7 @@ void add_sweep_readers(std::vector<Reader>& readers) {
                                 "m/s\"]\nheight = [\"1 m\", \"2 ft\"]\n"
                                 "set = { \"a.b\" = 1 }\nseed = 3\n[map]\ncells = 8\nfirst_cells = 2\nruns = "
                                 "9\nfew_runs = 2\naudit = "
-                                "4\n[changes]\nangle = \"1 deg\"\nspin = \"1 rad/s\"\n[limits]\ntime = \"3 s\"\n"},
+                                "4\n[changes]\nangle = \"1 deg\"\nspin = \"1 rad/s\"\n[limits]\nevaluations = 3\n"},
                      .read = only([](const fs::path& file) { return app::read_capacity(read_text(file), file); })});
   readers.push_back({.name = "sweep_run",
                      .file = "run.json",
