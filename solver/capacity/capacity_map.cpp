@@ -36,7 +36,7 @@ CapacityMap::CapacityMap(const MapRules& rules) : rules_{rules} {
 }
 
 void CapacityMap::add(MapNode node, bool hit) {
-  Count& count = counts_[index(node)];
+  Count& count = counts_[number(node)];
   ++count.trials;
   count.hits += hit ? 1 : 0;
 }
@@ -68,7 +68,7 @@ bool CapacityMap::is_uniform(const Cell& cell) const {
 void CapacityMap::visit(const Cell& cell, std::vector<std::size_t>& wanted) const {
   bool is_tried = true;
   const auto want = [&](MapNode node, std::size_t trials) {
-    wanted[index(node)] = std::max(wanted[index(node)], trials);
+    wanted[number(node)] = std::max(wanted[number(node)], trials);
     is_tried = is_tried && at(node).trials >= trials;
   };
   const std::array<MapNode, 4> nodes = corners(cell.corner, cell.size);
@@ -97,7 +97,7 @@ std::vector<MapTrials> CapacityMap::next() const {
   for (int j = 0; j < side(); ++j) {
     for (int i = 0; i < side(); ++i) {
       const MapNode node{i, j};
-      if (wanted[index(node)] > at(node).trials) needed.push_back({node, at(node).trials, wanted[index(node)]});
+      if (wanted[number(node)] > at(node).trials) needed.push_back({node, at(node).trials, wanted[number(node)]});
     }
   }
   return needed;
@@ -108,7 +108,7 @@ void CapacityMap::fill(const Cell& cell, std::vector<MapState>& states) const {
     const MapState state_of_cell = state(cell.corner);
     for (int j = cell.corner.j; j <= cell.corner.j + cell.size; ++j)
       for (int i = cell.corner.i; i <= cell.corner.i + cell.size; ++i)
-        if (at({i, j}).trials == 0) states[index({i, j})] = state_of_cell;
+        if (at({i, j}).trials == 0) states[number({i, j})] = state_of_cell;
     return;
   }
   if (cell.size == 1) return;
@@ -121,7 +121,7 @@ std::vector<MapState> CapacityMap::states() const {
   std::vector<MapState> states(counts_.size(), MapState::open);
   for (int j = 0; j < side(); ++j)
     for (int i = 0; i < side(); ++i)
-      if (at({i, j}).trials > 0) states[index({i, j})] = state({i, j});
+      if (at({i, j}).trials > 0) states[number({i, j})] = state({i, j});
   for (const Cell& cell : first_cells())
     fill(cell, states);
   return states;
@@ -130,12 +130,12 @@ std::vector<MapState> CapacityMap::states() const {
 MapBoundary boundary_at(const CapacityMap& map, const std::vector<MapState>& states, int i) {
   MapBoundary found;
   for (int j = 0; j < map.side(); ++j) {
-    const auto node = static_cast<std::size_t>(j) * static_cast<std::size_t>(map.side()) + static_cast<std::size_t>(i);
-    if (states[node] == MapState::below) {
+    const MapState state = states[map.number({i, j})];
+    if (state == MapState::below) {
       found.first_below = j;
       break;
     }
-    if (states[node] == MapState::above) found.last_above = j;
+    if (state == MapState::above) found.last_above = j;
   }
   return found;
 }

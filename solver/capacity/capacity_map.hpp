@@ -54,13 +54,17 @@ class CapacityMap {
   const MapRules& rules() const { return rules_; }
   /// Number of nodes along an axis.
   int side() const { return rules_.cells + 1; }
+  /// Number of a node, row by row (i changes first).
+  std::size_t number(MapNode node) const {
+    return static_cast<std::size_t>(node.j) * static_cast<std::size_t>(side()) + static_cast<std::size_t>(node.i);
+  }
   std::size_t trials(MapNode node) const { return at(node).trials; }
   std::size_t hits(MapNode node) const { return at(node).hits; }
   /// Number of all trials.
   std::size_t all_trials() const;
   /// The state of a node with trials.
   [[nodiscard]] MapState state(MapNode node) const;
-  /// The state of each node of a complete map, row by row (i changes first): of a node without trials that of the cell
+  /// The state of each node of a complete map by its number: of a node without trials that of the cell
   /// that contains it.
   [[nodiscard]] std::vector<MapState> states() const;
 
@@ -74,10 +78,7 @@ class CapacityMap {
     int size{};
   };
 
-  const Count& at(MapNode node) const { return counts_[index(node)]; }
-  std::size_t index(MapNode node) const {
-    return static_cast<std::size_t>(node.j) * static_cast<std::size_t>(side()) + static_cast<std::size_t>(node.i);
-  }
+  const Count& at(MapNode node) const { return counts_[number(node)]; }
   /// Trials that a node of a cell needs next; as many as it has if that is all.
   std::size_t needed(MapNode node) const;
   bool is_uniform(const Cell& cell) const;

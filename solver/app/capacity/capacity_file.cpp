@@ -6,7 +6,6 @@
 #include <cmath>
 
 #include "solver/base/error.hpp"
-#include "solver/capacity/proportion.hpp"
 #include "solver/io/scene/scene_table.hpp"
 #include "verification/record/csv.hpp"
 #include "verification/record/error.hpp"
@@ -72,7 +71,6 @@ void read_map(SceneTable table, CapacityFile& file) {
   if (table.has("cells")) file.map.cells = static_cast<int>(table.whole_between("cells", 1, 1024));
   if (table.has("first_cells")) file.map.first_cells = static_cast<int>(table.whole_between("first_cells", 1, 64));
   if (table.has("runs")) file.map.trials = static_cast<std::size_t>(table.whole_between("runs", 4, 10'000));
-  file.map.few = std::min(file.map.few, file.map.trials);
   if (table.has("few_runs")) file.map.few = static_cast<std::size_t>(table.whole_between("few_runs", 1, 10'000));
   if (file.map.few > file.map.trials) {
     table.report("few_runs",

@@ -20,15 +20,11 @@ constexpr std::array<std::string_view, 6> output_labels{"anchor force",       "c
                                                         "hanger force",       "cable force/limit",
                                                         "hanger force/limit", "energy after the last contact"};
 
-std::size_t node_number(const HeightMap& map, MapNode node) {
-  return static_cast<std::size_t>(node.j) * static_cast<std::size_t>(map.map.side()) + static_cast<std::size_t>(node.i);
-}
-
 template <class Visit>
 void for_each_node(const HeightMap& map, Visit&& visit) {
   for (int j = 0; j < map.map.side(); ++j)
     for (int i = 0; i < map.map.side(); ++i)
-      visit(MapNode{i, j}, node_number(map, {i, j}));
+      visit(MapNode{i, j}, map.map.number({i, j}));
 }
 
 Json ends_json(const RockTrials& trials) {
@@ -65,6 +61,8 @@ RockTrials all_trials(const HeightMap& map) {
     all.trials.insert(all.trials.end(), node.trials.begin(), node.trials.end());
   return all;
 }
+
+constexpr std::size_t cable_force = 1;  // in capacity_outputs
 
 std::size_t full_grid(const HeightMap& map) { return map.nodes.size() * map.map.rules().trials; }
 
@@ -118,7 +116,7 @@ records::Figure map_figure(const CapacityStudy& study, const HeightMap& map, std
   });
   for (records::Series& series : nodes)
     if (!series.x.empty()) figure.series.push_back(std::move(series));
-  // Lines through the middle of the right side, and through halves and doubles of that energy.
+  // Lines through the middle of the right side, and of a quarter and four times that energy.
   const double energy = 0.125 * file.mass[1] * file.speed[1] * file.speed[1];
   for (const double factor : {0.25, 1.0, 4.0}) {
     records::Series line{.label = fmt::format("{:.3g} kJ", 1e-3 * factor * energy), .style = records::Style::lines};
@@ -138,7 +136,7 @@ records::Figure force_figure(const CapacityStudy& study, const HeightMap& map, s
       .name = fmt::format("cable_force_{}", number),
       .title = fmt::format("Largest cable force at a height of {:.3g} m", map.height),
       .caption =
-          "Median of the largest cable force at each node, over the kinetic energy; bars to the least and the "
+          "Median of the largest cable force at each node, over the kinetic energy; bars to the smallest and the "
           "largest of its runs. Light and heavy: the lower and the upper half of the "
           "masses. Rocks of one energy give different forces.",
       .x = {.label = "kinetic energy", .unit = "kJ"},
@@ -148,7 +146,7 @@ records::Figure force_figure(const CapacityStudy& study, const HeightMap& map, s
   for (records::Series& half : halves)
     half.style = records::Style::errorbars;
   for_each_node(map, [&](MapNode node, std::size_t at) {
-    const std::vector<double> forces = map.nodes[at].values(1);
+    const std::vector<double> forces = map.nodes[at].values(cable_force);
     if (forces.empty()) return;
     records::Series& half = halves[2 * node.i < map.map.rules().cells ? 0 : 1];
     half.add(1e-3 * study.rock_at(map, node).kinetic_energy(), 1e-3 * sample_quantile(forces, 0.5).value);
@@ -252,12 +250,13 @@ std::string capacity_json(const CapacityStudy& study, const Rock& own) {
                   {"contradictions", map.contradicted},
                   {"interval", interval_json(wilson_interval(map.contradicted, map.audit.trials.size()))}}}};
     of_map["boundary"] = Json::array();
-    for (const CapacityBoundary& boundary : boundaries_of(study, map)) {
+    const std::vector<CapacityBoundary> boundaries = boundaries_of(study, map);
+    for (const CapacityBoundary& boundary : boundaries) {
       of_map["boundary"].push_back({{"mass", boundary.mass},
                                     {"speed", interval_json(boundary.speed)},
                                     {"kinetic_energy", interval_json(boundary.energy)}});
     }
-    of_map["energy_factor"] = energy_factor(boundaries_of(study, map));
+    of_map["energy_factor"] = energy_factor(boundaries);
     json["maps"].push_back(std::move(of_map));
   }
   if (file.hazard) {
@@ -282,11 +281,12 @@ std::string capacity_text(const CapacityStudy& study) {
                         ends_text(all));
     text += failure_text(all);
     text += fmt::format("  {:>10}  {:>20}  {:>24}\n", "mass [kg]", "stopped up to [m/s]", "kinetic energy [kJ]");
-    for (const CapacityBoundary& boundary : boundaries_of(study, map)) {
+    const std::vector<CapacityBoundary> boundaries = boundaries_of(study, map);
+    for (const CapacityBoundary& boundary : boundaries) {
       text += fmt::format("  {:>10.4g}  {:>20}  {:>24}\n", boundary.mass, range_text(boundary.speed, 1.0),
                           range_text(boundary.energy, 1e3));
     }
-    if (const double factor = energy_factor(boundaries_of(study, map)); factor > 1.0)
+    if (const double factor = energy_factor(boundaries); factor > 1.0)
       text += fmt::format("  energy at the boundary differs by a factor of {:.3g} between masses\n", factor);
     if (const std::size_t audited = map.audit.trials.size(); audited > 0) {
       text += fmt::format("  audit: {} of {} runs at nodes without any ended otherwise than the map says\n",

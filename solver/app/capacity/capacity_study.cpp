@@ -133,8 +133,7 @@ bool CapacityStudy::run_map(HeightMap& map) {
     if (!trials) return false;
     for (std::size_t i = 0; i < nodes.size(); ++i) {
       map.map.add(nodes[i], (*trials)[i].end == RockEnd::stopped);
-      const auto row = static_cast<std::size_t>(nodes[i].j) * static_cast<std::size_t>(map.map.side());
-      map.nodes[row + static_cast<std::size_t>(nodes[i].i)].trials.push_back(std::move((*trials)[i]));
+      map.nodes[map.map.number(nodes[i])].trials.push_back(std::move((*trials)[i]));
     }
   }
   map.states = map.map.states();
@@ -157,8 +156,7 @@ bool CapacityStudy::audit(HeightMap& map) {
   std::optional<std::vector<RockTrial>> trials = executed(requests);
   if (!trials) return false;
   for (std::size_t i = 0; i < nodes.size(); ++i) {
-    const auto row = static_cast<std::size_t>(nodes[i].j) * static_cast<std::size_t>(map.map.side());
-    const MapState state = map.states[row + static_cast<std::size_t>(nodes[i].i)];
+    const MapState state = map.states[map.map.number(nodes[i])];
     if (state == MapState::open) continue;
     map.contradicted += ((*trials)[i].end == RockEnd::stopped) != (state == MapState::above) ? 1 : 0;
     map.audit.trials.push_back(std::move((*trials)[i]));

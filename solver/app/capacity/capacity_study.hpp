@@ -47,7 +47,7 @@ struct RockTrials {
 struct HeightMap {
   double height{};  ///< [m]
   CapacityMap map;
-  std::vector<RockTrials> nodes;  ///< of each node, row by row (mass changes first)
+  std::vector<RockTrials> nodes;  ///< by the number of the node (mass changes first)
   std::vector<MapState> states;   ///< likewise
   RockTrials audit;               ///< at nodes without any that are not open
   std::size_t contradicted{};     ///< number of these that ended otherwise than the state says

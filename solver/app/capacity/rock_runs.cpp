@@ -6,6 +6,7 @@
 #include <cmath>
 #include <random>
 
+#include "solver/app/sweep/design.hpp"
 #include "solver/base/error.hpp"
 #include "solver/io/file/toml_field.hpp"
 #include "solver/io/scene/read_scene.hpp"
@@ -98,9 +99,8 @@ std::array<double, 4> random_numbers(std::int64_t seed, const std::vector<std::u
   std::seed_seq sequence(seeds.begin(), seeds.end());
   std::mt19937_64 generator{sequence};
   std::array<double, 4> numbers{};
-  // Standard distributions differ between libraries.
   for (double& number : numbers)
-    number = std::ldexp(static_cast<double>(generator() >> 11U), -52) - 1.0;
+    number = 2.0 * unit_number(generator()) - 1.0;
   return numbers;
 }
 

@@ -17,9 +17,6 @@ namespace {
 
 using Generator = std::mt19937_64;
 
-/// The first 53 of 64 random bits as a number in [0, 1). Standard distributions differ between libraries.
-double unit_number(std::uint64_t bits) { return std::ldexp(static_cast<double>(bits >> 11U), -53); }
-
 /// A whole number below `count`, without bias.
 std::size_t below(std::size_t count, Generator& generator) {
   const std::uint64_t excess = (~std::uint64_t{0} % count + 1) % count;
@@ -62,6 +59,8 @@ void fill_latin_hypercube(std::vector<std::vector<double>>& points, std::size_t 
 }
 
 }  // namespace
+
+double unit_number(std::uint64_t bits) { return std::ldexp(static_cast<double>(bits >> 11U), -53); }
 
 std::vector<std::vector<double>> design_points(const Design& design, std::size_t axes) {
   std::vector<std::vector<double>> points(static_cast<std::size_t>(design.runs), std::vector<double>(axes));

@@ -29,6 +29,13 @@ ProgramEnd Program::end(const std::vector<std::string>& command, const Options& 
   return run_talus(folder_, with_options(command, options, *setup_));
 }
 bool Program::has(const std::string& name) const { return std::filesystem::exists(folder_.path() / name); }
+std::vector<std::string> Program::files(const std::string& name) const {
+  std::vector<std::string> names;
+  for (const std::filesystem::directory_entry& entry : std::filesystem::directory_iterator{folder_.path() / name})
+    names.push_back(entry.path().lexically_relative(folder_.path()).string());
+  std::ranges::sort(names);
+  return names;
+}
 std::string Program::read(const std::string& name) const { return has(name) ? folder_.read(name) : "missing " + name; }
 records::Json Program::file(const std::string& name) const { return records::read_json(folder_.path() / name); }
 records::Csv Program::csv(const std::string& name) const { return records::read_csv(folder_.path() / name); }

@@ -36,6 +36,8 @@ class Program {
 
   void write(const std::string& name, const std::string& text) const { folder_.write(name, text); }
   [[nodiscard]] bool has(const std::string& name) const;
+  /// Names, relative to the folder, of the files in a folder inside of it, sorted.
+  [[nodiscard]] std::vector<std::string> files(const std::string& name) const;
   /// Text of a file of the folder; "missing NAME" if there is none.
   [[nodiscard]] std::string read(const std::string& name) const;
   /// A JSON or CSV file of the folder. Throws records::FileError.

@@ -14,6 +14,7 @@
 #include "verification/record/csv.hpp"
 #include "verification/record/json_node.hpp"
 #include "verification/reference/impacts/restitution.hpp"
+#include "verification/reference/impacts/weighted_impact.hpp"
 #include "verification/reference/integration/stepped_latch.hpp"
 #include "verification/study/findings/expectations.hpp"
 #include "verification/study/program/program_run.hpp"
@@ -330,29 +331,6 @@ void check_latching(const TemporaryFolder& folder, Findings& findings, const Set
                        "as requested; 200 phases as the printed table says");
 }
 
-/// Restitution of a falling particle on a clamped linear spring and dashpot: while these push, its overlap is that of a
-/// damped oscillator about its rest under weight, m g/k; from there to the surface it is thrown up against the weight.
-/// `counts_weight`: false leaves the second part out.
-double thrown_restitution(double m, double k, double c, double g, double v0, bool counts_weight) {
-  const double rest = m * g / k, decay = 0.5 * c / m, w = std::sqrt(k / m - decay * decay);
-  const double cosine = -rest, sine = (v0 - decay * rest) / w;
-  const auto overlap = [&](double t) {
-    return rest + std::exp(-decay * t) * (cosine * std::cos(w * t) + sine * std::sin(w * t));
-  };
-  const auto speed = [&](double t) {
-    return std::exp(-decay * t) *
-           ((w * sine - decay * cosine) * std::cos(w * t) - (w * cosine + decay * sine) * std::sin(w * t));
-  };
-  const auto force = [&](double t) { return k * overlap(t) + c * speed(t); };
-  double pushing = 0.5 * std::numbers::pi / w, free = 1.5 * std::numbers::pi / w;
-  for (int halving = 0; halving < 60; ++halving) {
-    const double middle = 0.5 * (pushing + free);
-    (force(middle) > 0.0 ? pushing : free) = middle;
-  }
-  const double v1 = speed(free), thrown = counts_weight ? 2.0 * g * overlap(free) : 0.0;
-  return std::sqrt(v1 * v1 - thrown) / v0;
-}
-
 /// A contact of a scene with weight, calibrated by runs of it: the rebound is that of the surfaces, as a run lists it.
 void check_weight(const TemporaryFolder& folder, Findings& findings, const Setup& setup) {
   constexpr double m = 400.0, k = 2e6, g = 9.81, v0 = 6.0, gap = 0.01, step = 1e-5;
@@ -376,7 +354,8 @@ run = {{ step = "{} s", end = "0.1 s" }}
     const Json found = Json::parse(talus_output(
         folder, {"calibrate", "falling.toml", "--contact", "bounce", "--restitution", fmt::format("{}", e), "--json"}));
     const double damping = found.at("damping").get<double>();
-    keep_worst(closed, thrown_restitution(m, k, damping, g, v0, !setup.has("speed_at_the_end_of_force")) - e);
+    const reference::WeightedRebound exact = reference::weighted_rebound({m, k, damping, g, v0}, EndRule::clamped);
+    keep_worst(closed, (setup.has("speed_at_the_end_of_force") ? exact.release_speed / v0 : exact.restitution) - e);
     folder.write("falling.toml", scene(damping));
     static_cast<void>(talus_output(folder, {"run", "falling.toml", "--impacts", "--out", "fallen"}));
     const records::Csv impacts = records::read_csv(folder.path() / "fallen/impacts.csv");

@@ -96,7 +96,7 @@ void check_coverage(Findings& findings, const Setup& setup) {
   }
   findings.expect("Wilson intervals: coverage over 1,000 seeds, largest deviation from the exact one", worst, 0.0,
                   Tolerance::model(4.0,
-                                   "in standard deviations of 1,000 trials: four of six independent numbers; the "
+                                   "in standard deviations of 1,000 trials: one of six is beyond with 4e-4; the "
                                    "exact coverage is that of the score test, which the interval inverts"));
   findings.table({.name = "coverage",
                   .caption = "Coverage of intervals of 95 % for a probability, counted over 1,000 seeds, and exact.",
@@ -167,10 +167,10 @@ void check_maps(Findings& findings, const Setup& setup) {
                                    "outcomes"));
   findings.expect_between("maps: trials over those of the full grid, largest", share, 0.01, 0.1,
                           "nodes are tried along a line of some 64 cells: a tenth is allowed");
-  findings.expect_between("maps: lines on which the exact point of one half is not within the boundary, share",
-                          off / lines, 0.0, 0.15,
-                          "each of the two ends is wrong with at most 2.5 % at the nodes next to the line, where the "
-                          "probability is near one half, and with few trials at several of them");
+  findings.expect_between(
+      "maps: lines on which the exact point of one half is not within the boundary, share", off / lines, 0.0, 0.15,
+      "at one half a node is decided to the wrong side with 10 %, as 20 % are decided at all; of the two nodes beside "
+      "the line half of that on average over their distance, and as much for the deviation of 195 lines");
 }
 
 }  // namespace talus::verification::problems::fence_capacity

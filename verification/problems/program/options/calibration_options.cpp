@@ -2,13 +2,11 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <cmath>
-#include <numbers>
 
 #include "verification/reference/impacts/restitution.hpp"
+#include "verification/reference/impacts/weighted_impact.hpp"
 #include "verification/reference/integration/stepped_latch.hpp"
-#include "verification/reference/motion/damped_oscillator.hpp"
 #include "verification/study/findings/expectations.hpp"
 
 namespace talus::verification::problems::calculation_options {
@@ -18,44 +16,18 @@ using records::Json;
 
 constexpr double drop_mass = 2.0, drop_radius = 0.5, drop_stiffness = 2e4;
 
-/// Impact of the dropped disc.
-struct DroppedImpact {
-  double contact_time{};  ///< [s]
-  double restitution{};
-};
-
-/// The impact with this damping: the force ends when it no longer pushes (clamped), or when the disc leaves the ground.
-/// The contact is an oscillator about the overlap m g/k at rest; what overlap is left when the force ends, the disc is
-/// thrown up against gravity.
-DroppedImpact dropped_impact(double damping, bool clamped) {
-  const double frequency = std::sqrt(drop_stiffness / drop_mass), rest = drop_mass * gravity / drop_stiffness;
+/// The impact of the dropped disc with this damping.
+reference::WeightedRebound dropped_impact(double damping, reference::EndRule end) {
   const double speed = std::sqrt(2.0 * gravity * (drop.position - drop_radius));
-  const auto at = [&](double t) {
-    const double xi = damping / (2.0 * std::sqrt(drop_stiffness * drop_mass));
-    return reference::state_at({frequency, xi, -rest, speed}, t);
-  };
-  const auto pushes = [&](double t) {
-    const reference::OscillatorState state = at(t);
-    const double overlap = rest + state.displacement;
-    return (clamped ? drop_stiffness * overlap + damping * state.velocity : overlap) > 0.0;
-  };
-  // The largest overlap is before a half period, and the end before a whole one.
-  double before = std::numbers::pi / (2.0 * frequency), after = 2.0 * std::numbers::pi / frequency;
-  for (int n = 0; n < 60; ++n) {
-    const double t = 0.5 * (before + after);
-    (pushes(t) ? before : after) = t;
-  }
-  const reference::OscillatorState end = at(before);
-  const double thrown = 2.0 * gravity * (rest + end.displacement), square = end.velocity * end.velocity - thrown;
-  return {before, std::sqrt(std::max(square, 0.0)) / speed};
+  return reference::weighted_rebound({drop_mass, drop_stiffness, damping, gravity, speed}, end);
 }
 
 /// The damping that gives the dropped disc this restitution, by bisection.
-double dropped_damping(double restitution, bool clamped) {
+double dropped_damping(double restitution, reference::EndRule end) {
   double low = 0.0, high = 200.0;
   for (int n = 0; n < 60; ++n) {
     const double c = 0.5 * (low + high);
-    (dropped_impact(c, clamped).restitution > restitution ? low : high) = c;
+    (dropped_impact(c, end).restitution > restitution ? low : high) = c;
   }
   return low;
 }
@@ -146,7 +118,9 @@ void check_calibration(const Program& program, Findings& findings, Differences& 
   Options contact_in_json = of_contact;
   contact_in_json.push_back({"--json", {}});
   const Json scene = program.json({"calibrate", "drop.toml"}, contact_in_json);
-  const double damping = dropped_damping(0.6, !program.setup().has("pulling_contact"));
+  const reference::EndRule end =
+      program.setup().has("pulling_contact") ? reference::EndRule::attractive : reference::EndRule::clamped;
+  const double damping = dropped_damping(0.6, end);
   constexpr double drop_step = 1e-4;
   findings.expect("talus calibrate --contact: damping of a dropped disc over the exact one, deviation from 1",
                   scene.at("damping").get<double>() / damping - 1.0, 0.0,
@@ -155,8 +129,7 @@ void check_calibration(const Program& program, Findings& findings, Differences& 
                       "the first kick with c v is up to half a step early or late: c h/(2 m) of the speed, and "
                       "as e = exp(-const c), this over ln(1/e) of the damping; gravity is in the exact solution"));
   const long contact_steps = scene.at("contact_steps").get<long>();
-  const double excess = static_cast<double>(contact_steps) -
-                        dropped_impact(damping, !program.setup().has("pulling_contact")).contact_time / drop_step;
+  const double excess = static_cast<double>(contact_steps) - dropped_impact(damping, end).force_time / drop_step;
   findings.expect_between("talus calibrate --contact: steps of the contact, more than the exact time over the step",
                           excess, 0.0, 2.0,
                           "counted from the last step before the contact to the first one after it: up to a step more "

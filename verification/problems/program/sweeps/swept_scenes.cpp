@@ -331,17 +331,6 @@ void check_failures(const Program& program, Differences& differ) {
 }
 
 /// The files of results of a sweep.
-std::vector<fs::path> result_files(const Program& program, const std::string& name) {
-  std::vector<fs::path> files;
-  for (const auto& entry : fs::directory_iterator{program.folder().path() / name / "results"})
-    files.push_back(entry.path());
-  return files;
-}
-
-std::string relative(const Program& program, const fs::path& file) {
-  return file.lexically_relative(program.folder().path()).string();
-}
-
 /// The same bytes for parts in any order, threads, and after lost, cut and repeated results.
 void check_bytes(const Program& program, Findings& findings, Differences& differ) {
   const Setup& setup = program.setup();
@@ -376,9 +365,10 @@ void check_bytes(const Program& program, Findings& findings, Differences& differ
     return;
   }
   // A process that was killed: the last line has no end; the run is done again.
-  const std::vector<fs::path> files = result_files(program, "parts");
+  const std::vector<std::string> files = program.files("parts/results");
   differ.compare("a file of results for each process", files.size(), std::size_t{3});
-  const std::string cut = relative(program, files.front()), text = program.read(cut);
+  const std::string& cut = files.front();
+  const std::string text = program.read(cut);
   program.write(cut, text.substr(0, text.size() - 30));
   const ProgramEnd refused = program.end({"sweep", "collect", "parts"}, {});
   differ.compare("a missing run is refused",
@@ -389,10 +379,10 @@ void check_bytes(const Program& program, Findings& findings, Differences& differ
   differ.compare("rows without the missing one", program.csv("parts/results.csv").rows(), std::size_t{15});
   static_cast<void>(program.run({"sweep", "run", "parts"}, {}));
   compare("parts");
-  differ.compare("only the missing run is done", result_files(program, "parts").size(), std::size_t{4});
+  differ.compare("only the missing run is done", program.files("parts/results").size(), std::size_t{4});
   static_cast<void>(program.run({"sweep", "run", "parts"}, {}));
-  differ.compare("nothing is done again", result_files(program, "parts").size(), std::size_t{4});
-  program.write("parts/results/copy.jsonl", program.read(relative(program, result_files(program, "whole").front())));
+  differ.compare("nothing is done again", program.files("parts/results").size(), std::size_t{4});
+  program.write("parts/results/copy.jsonl", program.read(program.files("whole/results").front()));
   const ProgramEnd doubled = program.end({"sweep", "collect", "parts"}, {});
   differ.compare(
       "repeated results are refused",
