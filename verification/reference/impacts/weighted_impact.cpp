@@ -20,12 +20,16 @@ WeightedRebound weighted_rebound(const WeightedImpact& impact, EndRule end) {
   };
   // A clamped force ends at the earliest (critical damping) at 2/frequency; each before a whole period.
   const double period = 2.0 * std::numbers::pi / (frequency * std::sqrt(1.0 - std::pow(oscillator.damping_ratio, 2)));
-  double before = 0.5 * std::numbers::pi / frequency, after = period;
+  double before = 0.5 * std::numbers::pi / frequency, after = before;
+  // A weight soon closes the contact again: the first end is looked for in small parts of the period.
+  while (acts(after)) {
+    before = after, after += period / 4096.0;
+    if (after > period) throw std::invalid_argument{"weighted_rebound: the force does not end"};
+  }
   for (int halving = 0; halving < 60; ++halving) {
     const double t = 0.5 * (before + after);
     (acts(t) ? before : after) = t;
   }
-  if (!(before < 0.999 * period)) throw std::invalid_argument{"weighted_rebound: the force does not end"};
   const OscillatorState released = state_at(oscillator, before);
   const double square = released.velocity * released.velocity - 2.0 * gravity * (rest + released.displacement);
   return {before, -released.velocity, std::sqrt(std::max(square, 0.0)) / speed};
