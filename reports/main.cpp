@@ -41,7 +41,8 @@ void describe(CLI::App& app, Options& options) {
                "do not write the report, but check the one in REPORT: each of its numbers must be in VERIFY");
   app.add_option("--plot", options.plot, "a run's folder: draw the figures of its plot.json");
   app.add_option("--to", options.to, "folder for the pictures, sketches or site; of --plot default its plots/");
-  app.add_option("--sheet", options.sheet, "a fence run's folder: make sheet.pdf and sheet.html from its sheet.json");
+  app.add_option("--sheet", options.sheet,
+                 "folder of a fence's run or capacity: make sheet.pdf and sheet.html, or capacity.pdf and .html");
   app.add_option("--site", options.site, "Markdown files, the first page first: make a site of linked pages in --to");
   app.add_option("--sketches", options.sketches, "pages of cases (Markdown): draw their sketches in --to");
   app.add_option("--title", options.title, "title of the site; default the first page's");

@@ -50,9 +50,10 @@ Made make_pictures(Pictures pictures, const std::filesystem::path& target, const
 Made make_plots(const std::filesystem::path& run, const std::filesystem::path& target,
                 const std::set<std::string>& formats, const ToolPaths& tools);
 
-/// Makes run/sheet.pdf and run/sheet.html, one page each, from run/sheet.json; without gnuplot both have no pictures,
-/// without pdflatex only the HTML is made. Throws as make_report() does.
-Made make_sheet(const std::filesystem::path& run, const ToolPaths& tools);
+/// Makes sheet.pdf and sheet.html, one page each, from sheet.json in the folder of a run; without gnuplot both have no
+/// pictures, without pdflatex only the HTML is made. In a folder of `talus capacity` it makes capacity.pdf and
+/// capacity.html, from capacity.json and the figures in plots/. Throws as make_report() does.
+Made make_sheet(const std::filesystem::path& folder, const ToolPaths& tools);
 
 /// Draws the sketches of pages of cases (see sketch.hpp) as target/NAME-sketch-1.<format> ... from each NAME.md, for
 /// the authors of pages. Throws RecordError with the file's name as page_sketches() does, and when a file has no

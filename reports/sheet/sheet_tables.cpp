@@ -20,47 +20,30 @@ using Row = std::vector<std::string>;
 std::string seconds(double value) { return fmt::format("{:.4f}", value); }
 std::string per_cent(double fraction) { return fmt::format("{:.1f}", 100.0 * fraction); }
 
-/// A quantity in both unit systems, the scene's first: "213 (47.9)".
-std::string both(const SheetRecord& record, double value, const SheetUnits& units) {
-  const std::string si = digits(value / units.si), us = digits(value / units.us);
-  return record.us_units ? fmt::format("{} ({})", us, si) : fmt::format("{} ({})", si, us);
-}
-/// Head of a column of such quantities.
-SheetHead head(const SheetRecord& record, std::string group, const SheetUnits& units) {
-  return {std::move(group), record.us_units ? fmt::format("{} ({})", units.us_name, units.si_name)
-                                            : fmt::format("{} ({})", units.si_name, units.us_name)};
-}
 void add_blank(Row& row, std::size_t count) { row.insert(row.end(), count, ""); }
-
-void cut(SheetTable& table, std::size_t maximum) {
-  if (table.rows.size() <= maximum) return;
-  table.note +=
-      fmt::format("{}{} more are in sheet.json. ", table.note.empty() ? "" : " ", table.rows.size() - maximum);
-  table.rows.resize(maximum);
-}
 
 SheetTable hanger_table(const SheetRecord& record) {
   SheetTable table{"Hangers (top joints) and cable segments outwards of them: peaks",
                    SheetTable::Location::page,
                    {{"", "column"},
-                    head(record, "hanger", force_units),
+                    head("hanger", record.us_units, force_units),
                     {"hanger", "at s"},
                     {"hanger", "% limit"},
                     {"hanger", "deg"},
-                    head(record, "hanger", impulse_units),
-                    head(record, "top segment", force_units),
+                    head("hanger", record.us_units, impulse_units),
+                    head("top segment", record.us_units, force_units),
                     {"top segment", "at s"},
                     {"top segment", "% limit"},
-                    head(record, "bottom segment", force_units),
+                    head("bottom segment", record.us_units, force_units),
                     {"bottom segment", "at s"},
                     {"bottom segment", "% limit"}},
                    {}};
   for (const SheetColumn& column : record.columns) {
     const SheetForce& hanger = column.hanger;
-    Row row{column.name, both(record, hanger.peak, force_units), seconds(hanger.peak_time)};
+    Row row{column.name, both(record.us_units, hanger.peak, force_units), seconds(hanger.peak_time)};
     row.push_back(column.margin > 0.0 ? per_cent(column.margin) : "none");
     row.push_back(fmt::format("{:.0f}", std::atan2(hanger.at_peak[1], hanger.at_peak[0]) * 180.0 / std::numbers::pi));
-    row.push_back(both(record, size(hanger.impulse), impulse_units));
+    row.push_back(both(record.us_units, size(hanger.impulse), impulse_units));
     for (const char* cable : {"top", "bottom"}) {
       std::string name = column.name;
       name.replace(name.find("column"), 6, cable);
@@ -74,13 +57,13 @@ SheetTable hanger_table(const SheetRecord& record) {
         row.insert(row.end(), {"slack", "", ""});
         continue;
       }
-      row.insert(row.end(), {both(record, segment->peak, force_units), seconds(segment->peak_time)});
+      row.insert(row.end(), {both(record.us_units, segment->peak, force_units), seconds(segment->peak_time)});
       row.push_back(per_cent(segment->margin));
     }
     table.rows.push_back(std::move(row));
   }
   table.note = "Hanger: the top cable's pull on the column; deg from +x, up positive; impulse over the whole run.";
-  cut(table, longest_together - std::min(longest, record.rocks.size()));
+  cut(table, longest_together - std::min(longest, record.rocks.size()), "sheet.json");
   return table;
 }
 
@@ -88,24 +71,24 @@ SheetTable anchor_table(const SheetRecord& record) {
   SheetTable table{"Anchors: force of the cables on them",
                    SheetTable::Location::left,
                    {{"", "layer, z"},
-                    head(record, "peak", force_units),
+                    head("peak", record.us_units, force_units),
                     {"peak", "at s"},
                     {"direction", "x"},
                     {"direction", "y"},
                     {"direction", "z"},
-                    head(record, "impulse", impulse_units)},
+                    head("impulse", record.us_units, impulse_units)},
                    {}};
   for (const SheetAnchor& anchor : record.anchors) {
     const SheetForce& force = anchor.force;
-    Row row{fmt::format("{}, {:.3g} m", anchor.layer, anchor.position[2]), both(record, force.peak, force_units),
-            seconds(force.peak_time)};
+    Row row{fmt::format("{}, {:.3g} m", anchor.layer, anchor.position[2]),
+            both(record.us_units, force.peak, force_units), seconds(force.peak_time)};
     for (const double part : force.at_peak)
       row.push_back(fmt::format("{:.2f}", force.peak > 0.0 ? part / force.peak : 0.0));
-    row.push_back(both(record, size(force.impulse), impulse_units));
+    row.push_back(both(record.us_units, size(force.impulse), impulse_units));
     table.rows.push_back(std::move(row));
   }
   if (record.half_model) table.note = "The half model: the other side's are the same with -z. ";
-  cut(table, longest);
+  cut(table, longest, "sheet.json");
   return table;
 }
 
@@ -113,22 +96,23 @@ SheetTable height_table(const SheetRecord& record) {
   SheetTable table{"Heights over the ground, and the largest displacement of a column",
                    SheetTable::Location::page,
                    {{"", ""},
-                    head(record, "start", length_units),
-                    head(record, "extreme", length_units),
+                    head("start", record.us_units, length_units),
+                    head("extreme", record.us_units, length_units),
                     {"extreme", "at s"},
-                    head(record, "end", length_units)},
+                    head("end", record.us_units, length_units)},
                    {}};
   const auto line = [&](const std::string& label, const SheetHeight& height) {
-    table.rows.push_back({label, both(record, height.start, length_units), both(record, height.extreme, length_units),
-                          seconds(height.extreme_time), both(record, height.end, length_units)});
+    table.rows.push_back({label, both(record.us_units, height.start, length_units),
+                          both(record.us_units, height.extreme, length_units), seconds(height.extreme_time),
+                          both(record.us_units, height.end, length_units)});
   };
   for (std::size_t i = 0; i < record.heights.size(); ++i) {
     const std::string layer = record.heights.size() > 1 ? fmt::format("layer {}: ", i + 1) : "";
     line(layer + "lowest top joint (minimum)", record.heights[i].top);
     line(layer + "gap below the columns (maximum)", record.heights[i].bottom);
   }
-  table.rows.push_back({"displacement of a column along x (maximum)", "", both(record, record.travel, length_units),
-                        seconds(record.travel_time), ""});
+  table.rows.push_back({"displacement of a column along x (maximum)", "",
+                        both(record.us_units, record.travel, length_units), seconds(record.travel_time), ""});
   return table;
 }
 
@@ -156,48 +140,42 @@ SheetTable event_table(const SheetRecord& record) {
     table.rows.push_back({"", "none", ""});
     table.note = nearest_to_limit(record);
   }
-  constexpr std::size_t maximum = 4;
-  if (table.rows.size() > maximum) {
-    table.note = fmt::format("{} more are in sheet.json.", table.rows.size() - maximum);
-    table.rows.resize(maximum);
-  }
+  cut(table, 4, "sheet.json");
   return table;
 }
 
 SheetTable energy_table(const SheetRecord& record) {
-  SheetTable table{
-      "Energy of rocks and fence", SheetTable::Location::right, {{"", ""}, head(record, "", energy_units)}, {}};
+  SheetTable table{"Energy of rocks and fence",
+                   SheetTable::Location::right,
+                   {{"", ""}, head("", record.us_units, energy_units)},
+                   {}};
   for (const SheetEnergy& line : record.energies)
-    table.rows.push_back({line.name, both(record, line.value, energy_units)});
+    table.rows.push_back({line.name, both(record.us_units, line.value, energy_units)});
   if (record.energies.empty()) table.note = "The run kept no energy balance.";
   return table;
 }
 
 }  // namespace
 
-std::string digits(double value) {
-  if (value != 0.0 && std::abs(value) >= 1e4 && std::abs(value) < 1e7) return fmt::format("{:.0f}", value);
-  return fmt::format("{:.4g}", value);
-}
-
 SheetTable rock_table(const SheetRecord& record) {
   SheetTable table{"Rocks",
-                   SheetTable::Location::page,
+                   SheetTable::Location::top,
                    {{"", "rock"},
-                    head(record, "mass", mass_units),
-                    head(record, "before", speed_units),
-                    head(record, "before", energy_units),
+                    head("mass", record.us_units, mass_units),
+                    head("before", record.us_units, speed_units),
+                    head("before", record.us_units, energy_units),
                     {"contact", "from s"},
                     {"contact", "to s"},
-                    head(record, "after", speed_units),
-                    head(record, "after", energy_units),
+                    head("after", record.us_units, speed_units),
+                    head("after", record.us_units, energy_units),
                     {"taken", "%"},
                     {"braking", "s"},
-                    head(record, "advance", length_units)},
+                    head("advance", record.us_units, length_units)},
                    {}};
   for (const SheetRock& rock : record.rocks) {
-    Row row{rock.name, both(record, rock.mass, mass_units), both(record, size(rock.approach_velocity), speed_units),
-            both(record, rock.approach_energy, energy_units)};
+    Row row{rock.name, both(record.us_units, rock.mass, mass_units),
+            both(record.us_units, size(rock.approach_velocity), speed_units),
+            both(record.us_units, rock.approach_energy, energy_units)};
     if (!rock.touched) {
       row.push_back("never");
       add_blank(row, 6);
@@ -205,21 +183,22 @@ SheetTable rock_table(const SheetRecord& record) {
       continue;
     }
     row.insert(row.end(), {seconds(rock.touch_time), seconds(rock.exit_time)});
-    row.push_back(both(record, size(rock.exit_velocity), speed_units));
-    row.push_back(both(record, rock.exit_energy, energy_units));
+    row.push_back(both(record.us_units, size(rock.exit_velocity), speed_units));
+    row.push_back(both(record.us_units, rock.exit_energy, energy_units));
     row.insert(row.end(), {per_cent(rock.energy_loss_fraction), seconds(rock.braking_time)});
-    row.push_back(both(record, rock.travel, length_units));
+    row.push_back(both(record.us_units, rock.travel, length_units));
     table.rows.push_back(std::move(row));
   }
   table.note =
       "After: when the last contact with a column ends. Braking: until the rock no longer advances, at most until "
       "then.";
-  cut(table, longest);
+  cut(table, longest, "sheet.json");
   return table;
 }
 
 std::vector<SheetTable> fence_tables(const SheetRecord& record) {
-  return {hanger_table(record), height_table(record), anchor_table(record), event_table(record), energy_table(record)};
+  return {rock_table(record),   hanger_table(record), height_table(record),
+          anchor_table(record), event_table(record),  energy_table(record)};
 }
 
 }  // namespace talus::reports

@@ -1,4 +1,4 @@
-/// Units on a fence's sheet: each quantity in SI and in US units.
+/// Units on a sheet: each quantity in SI and in US units.
 #pragma once
 
 #include <string>
@@ -23,6 +23,12 @@ inline constexpr SheetUnits mass_units{1.0, pound, "kg", "lb"};
 inline constexpr SheetUnits force_units{1e3, kip, "kN", "kip"};
 inline constexpr SheetUnits impulse_units{1e3, kip, "kN s", "kip s"};
 inline constexpr SheetUnits energy_units{1e3, foot* kip, "kJ", "kip ft"};
+
+/// Quantities in both unit systems, those of the scene first: "213 (47.9)", with units "213 kN (47.9 kip)"; names of
+/// the units alone: "kN (kip)".
+[[nodiscard]] std::string both(bool us_first, double value, const SheetUnits& units);
+[[nodiscard]] std::string with_units(bool us_first, double value, const SheetUnits& units);
+[[nodiscard]] std::string unit_names(bool us_first, const SheetUnits& units);
 
 /// Number with four digits, without an exponent where that is shorter.
 [[nodiscard]] std::string digits(double value);

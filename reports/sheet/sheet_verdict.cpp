@@ -24,13 +24,6 @@ std::string colour(const std::string& verdict) {
 std::string as_per_cent(double ratio) { return fmt::format("{:.3g} %", 100.0 * ratio); }
 std::string at(double time) { return fmt::format("at {:.4f} s", time); }
 
-/// A quantity in the scene's units, followed by the other units in brackets.
-std::string with_units(const SheetRecord& record, double value, const SheetUnits& units) {
-  const bool us = record.us_units;
-  return fmt::format("{} {} ({} {})", digits(value / (us ? units.us : units.si)), us ? units.us_name : units.si_name,
-                     digits(value / (us ? units.si : units.us)), us ? units.si_name : units.us_name);
-}
-
 std::string margin(double ratio) { return ratio > 0.0 ? as_per_cent(ratio) + " of its limit" : "no limit"; }
 
 std::string passage(const SheetRecord& record, const SheetRock& rock) {
@@ -40,10 +33,11 @@ std::string passage(const SheetRecord& record, const SheetRock& rock) {
   const double speed = size(rock.left ? rock.exit_velocity : rock.end_velocity);
   const double energy = rock.left ? rock.exit_energy : rock.end_energy;
   text += rock.left ? fmt::format("; after its last contact {} ", at(rock.exit_time)) : "; still touching at the end: ";
-  text += fmt::format("{}, {}, {} of its energy", with_units(record, speed, speed_units),
-                      with_units(record, energy, energy_units), as_per_cent(energy / rock.approach_energy));
+  text += fmt::format("{}, {}, {} of its energy", with_units(record.us_units, speed, speed_units),
+                      with_units(record.us_units, energy, energy_units), as_per_cent(energy / rock.approach_energy));
   if (rock.verdict == "undecided")
-    text += fmt::format("; it still advances at {}", with_units(record, std::abs(rock.end_velocity[0]), speed_units));
+    text += fmt::format("; it still advances at {}",
+                        with_units(record.us_units, std::abs(rock.end_velocity[0]), speed_units));
   return text;
 }
 
@@ -73,18 +67,19 @@ std::vector<SheetFact> facts(const SheetRecord& record) {
   const auto largest = [](const auto& list, const auto& value) { return std::ranges::max_element(list, {}, value); };
   if (const auto anchor = largest(record.anchors, [](const SheetAnchor& a) { return size(a.force.at_peak); });
       anchor != record.anchors.end())
-    found.push_back(
-        {"anchor force", with_units(record, anchor->force.peak, force_units) + " " + at(anchor->force.peak_time)});
+    found.push_back({"anchor force",
+                     with_units(record.us_units, anchor->force.peak, force_units) + " " + at(anchor->force.peak_time)});
   if (const auto cable = largest(record.segments, &SheetSegment::peak); cable != record.segments.end()) {
-    found.push_back({"cable force", fmt::format("{} {}, {}: {}", with_units(record, cable->peak, force_units),
+    found.push_back({"cable force", fmt::format("{} {}, {}: {}", with_units(record.us_units, cable->peak, force_units),
                                                 at(cable->peak_time), cable->name, margin(cable->margin)) +
                                         closest(record.segments, *cable)});
   }
   if (const auto hanger = largest(record.columns, [](const SheetColumn& c) { return c.hanger.peak; });
       hanger != record.columns.end()) {
-    found.push_back({"hanger force", fmt::format("{} {}, {}: {}", with_units(record, hanger->hanger.peak, force_units),
-                                                 at(hanger->hanger.peak_time), hanger->name, margin(hanger->margin)) +
-                                         closest(record.columns, *hanger)});
+    found.push_back(
+        {"hanger force", fmt::format("{} {}, {}: {}", with_units(record.us_units, hanger->hanger.peak, force_units),
+                                     at(hanger->hanger.peak_time), hanger->name, margin(hanger->margin)) +
+                             closest(record.columns, *hanger)});
   }
   return found;
 }
@@ -119,14 +114,11 @@ std::vector<SheetFact> quality_facts(const SheetRecord& record) {
 
 }  // namespace
 
-SheetVerdict sheet_verdict(const SheetRecord& record) {
+std::array<SheetBox, 2> sheet_boxes(const SheetRecord& record) {
   const bool usable = record.quality.usable;
-  return {verdict_text(record.verdict),
-          usable ? colour(record.verdict) : "red",
-          facts(record),
-          usable ? "usable" : "NOT USABLE",
-          usable ? "green" : "red",
-          quality_facts(record)};
+  return {
+      SheetBox{"Verdict: " + verdict_text(record.verdict), usable ? colour(record.verdict) : "red", facts(record)},
+      SheetBox{usable ? "Quality: usable" : "Quality: NOT USABLE", usable ? "green" : "red", quality_facts(record)}};
 }
 
 }  // namespace talus::reports

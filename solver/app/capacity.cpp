@@ -26,11 +26,13 @@ struct CapacityOptions {
   unsigned threads{std::max(1U, std::thread::hardware_concurrency())};
   bool json{false};
   bool draws{true};
+  bool sheet{false};
 };
 
 int capacity(const CapacityOptions& options, const DrawingSink& sink) {
   const fs::path name{options.file};
   const CapacityFile file = read_capacity(read_text(name), name);
+  if (options.sheet) find_sheet_tools();
   SweepFolder folder;
   folder.folder = options.folder.empty() ? name.stem() : fs::path{options.folder};
   folder.title = file.title, folder.limits = file.limits;
@@ -43,7 +45,7 @@ int capacity(const CapacityOptions& options, const DrawingSink& sink) {
   const FolderLock lock{folder.folder};
   CapacityStudy study{file, folder, base, rocks, options.threads};
   // Those of an earlier question.
-  for (const char* const result : {"capacity.csv", "capacity.json"})
+  for (const char* const result : {"capacity.csv", "capacity.json", "capacity.pdf", "capacity.html"})
     fs::remove(folder.folder / result);
   Interruption interruption;
   Progress line;
@@ -59,7 +61,7 @@ int capacity(const CapacityOptions& options, const DrawingSink& sink) {
     return 128 + interruption.signal();
   }
   write_whole(folder.folder / "capacity.csv", capacity_csv(study));
-  const std::string json = capacity_json(study, rocks.own());
+  const std::string json = capacity_json(study, rocks);
   write_whole(folder.folder / "capacity.json", json);
   fmt::print("{}", options.json ? json : capacity_text(study));
   if (options.draws)
@@ -67,12 +69,13 @@ int capacity(const CapacityOptions& options, const DrawingSink& sink) {
           .target = folder.folder / "plots",
           .formats = {"svg", "pdf"},
           .lists_files = !options.json});
+  if (options.sheet) draw_sheet(folder.folder / "capacity.json");
   std::size_t failed = 0, all = 0;
   const auto count = [&](const RockTrials& trials) {
     all += trials.trials.size();
     failed += trials.ends()[static_cast<std::size_t>(RockEnd::failed)];
   };
-  for (const HeightMap& map : study.maps()) {
+  for (const RockMap& map : study.maps()) {
     std::ranges::for_each(map.nodes, count);
     count(map.audit);
   }
@@ -92,10 +95,11 @@ Command add_capacity(CLI::App& talus, const DrawingSink& sink) {
   app->add_option("--threads", options->threads, "default: all; results do not depend on it")
       ->check(CLI::Range(1U, 1024U));
   app->add_flag("--json", options->json, "print JSON");
-  app->add_flag("!--no-plots", options->draws, "draw no figures");
+  CLI::Option* const no_plots = app->add_flag("!--no-plots", options->draws, "draw no figures");
+  app->add_flag("--sheet", options->sheet, "also a page to print: capacity.pdf and capacity.html")->excludes(no_plots);
   app->footer(
       "Examples:\n"
-      "  talus capacity cases/capacity/table_2.toml --out capacity\n"
+      "  talus capacity cases/capacity/table_2.toml --out capacity --sheet\n"
       "  talus sweep collect capacity                 each run as a row\n"
       "It can be stopped at any time and started again. Exit statuses: 6 some runs failed, 3 all did.");
   return {app, [=] { return capacity(*options, sink); }};

@@ -84,7 +84,7 @@ class RequestedScene final : public ResumableRun {
 
   void write() override { run_.write(record_); }
   void draw() const override {
-    if (request_->sheet) draw_sheet(request_->run.folder);
+    if (request_->sheet) draw_sheet(request_->run.folder / "sheet.json");
   }
   std::vector<std::string> file_names() const override { return run_.file_names(); }
   std::string files_of_out() const override {

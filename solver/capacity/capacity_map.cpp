@@ -129,14 +129,10 @@ std::vector<MapState> CapacityMap::states() const {
 
 MapBoundary boundary_at(const CapacityMap& map, const std::vector<MapState>& states, int i) {
   MapBoundary found;
-  for (int j = 0; j < map.side(); ++j) {
-    const MapState state = states[map.number({i, j})];
-    if (state == MapState::below) {
-      found.first_below = j;
-      break;
-    }
-    if (state == MapState::above) found.last_above = j;
-  }
+  for (int j = 0; j < map.side() && states[map.number({i, j})] == MapState::above; ++j)
+    found.last_above = j;
+  for (int j = map.side() - 1; j >= 0 && states[map.number({i, j})] == MapState::below; --j)
+    found.first_below = j;
   return found;
 }
 

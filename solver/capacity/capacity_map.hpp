@@ -90,11 +90,11 @@ class CapacityMap {
   std::vector<Count> counts_;
 };
 
-/// Where the state along a line of nodes changes first: from the last node above one half to the first below, which are
-/// neighbours unless open ones lie between them.
+/// Where the state along a line of nodes changes: up to one node all are above one half, from the other on all are
+/// below. They are neighbours unless open nodes, or nodes of both states in any order, lie between them.
 struct MapBoundary {
   int last_above{-1};   ///< -1: the first node is not above
-  int first_below{-1};  ///< -1: no node is below
+  int first_below{-1};  ///< -1: the last node is not below
 };
 /// The boundary along j at this i.
 [[nodiscard]] MapBoundary boundary_at(const CapacityMap& map, const std::vector<MapState>& states, int i);

@@ -98,14 +98,14 @@ void draw(DrawingRequest request) {
   throw_unmade(made);
 }
 
-void draw_sheet(const fs::path& run) {
+void draw_sheet(const fs::path& file) {
   try {
-    const reports::Made made = with_own_errors([&] { return reports::make_sheet(run, workplace()); });
+    const reports::Made made = with_own_errors([&] { return reports::make_sheet(file.parent_path(), workplace()); });
     print_warnings(made.warnings);
     throw_unmade(made);
   } catch (const std::runtime_error& error) {
     throw IoError{fmt::format("{}: the sheet is not complete; talus_report --sheet makes it from this file: {}",
-                              (run / "sheet.json").string(), error.what())};
+                              file.string(), error.what())};
   }
 }
 

@@ -52,8 +52,8 @@ using DrawingSink = std::function<void(DrawingRequest)>;
 /// be drawn; IoError if gnuplot is missing or fails, or if a file cannot be written; no file is left partially written.
 void draw(DrawingRequest request);
 
-/// Makes sheet.pdf and sheet.html in the folder of a run from its sheet.json. Errors: IoError.
-void draw_sheet(const std::filesystem::path& run);
+/// Makes the sheet of a run, or of a capacity, from the JSON file in its folder. Errors: IoError, which names the file.
+void draw_sheet(const std::filesystem::path& file);
 
 /// Checks that the tools that draw_sheet() needs exist. Errors: IoError naming the missing tool.
 void find_sheet_tools();

@@ -42,7 +42,7 @@ std::string replaced(std::string text, const std::string& what, const std::strin
 
 BOOST_AUTO_TEST_CASE(numbers_in_both_systems) {
   const SheetRecord record = read_sheet(record_file);
-  const SheetTable rocks = rock_table(record);
+  const SheetTable rocks = table(record, "Rocks");
   // 1000 lb; 13 m/s = 42.65 ft/s; 1 kJ = 737.56 ft lbf; exit 5 m/s.
   BOOST_TEST((rocks.rows.at(0) == Row{"rock", "453.6 (1000)", "13 (42.65)", "1 (0.7376)", "0.1000", "0.3000",
                                       "5 (16.4)", "0.25 (0.1844)", "75.0", "0.2000", "0.3048 (1)"}));
@@ -69,8 +69,8 @@ BOOST_AUTO_TEST_CASE(numbers_in_both_systems) {
   // A scene in US units has US units first.
   SheetRecord us = record;
   us.us_units = true;
-  BOOST_TEST(rock_table(us).rows.at(0).at(1) == "1000 (453.6)");
-  BOOST_TEST(rock_table(us).heads.at(1).unit == "lb (kg)");
+  BOOST_TEST(table(us, "Rocks").rows.at(0).at(1) == "1000 (453.6)");
+  BOOST_TEST(table(us, "Rocks").heads.at(1).unit == "lb (kg)");
 }
 
 BOOST_AUTO_TEST_CASE(the_verdict_and_its_quality) {
@@ -79,8 +79,8 @@ BOOST_AUTO_TEST_CASE(the_verdict_and_its_quality) {
     const auto found = std::ranges::find(facts, name, &SheetFact::name);
     return found == facts.end() ? std::string{"none"} : found->text;
   };
-  const SheetVerdict passed = sheet_verdict(record);
-  BOOST_TEST(passed.text == "passed under");
+  const auto [passed, quality] = sheet_boxes(record);
+  BOOST_TEST(passed.heading == "Verdict: passed under");
   BOOST_TEST(passed.colour == "red");
   BOOST_TEST(fact(passed.facts, "rocks") == "1 passed under, 1 undecided at the end");
   BOOST_TEST(fact(passed.facts, "rock") ==
@@ -89,29 +89,31 @@ BOOST_AUTO_TEST_CASE(the_verdict_and_its_quality) {
   BOOST_TEST(fact(passed.facts, "anchor force") == "5 kN (1.124 kip) at 0.2200 s");
   BOOST_TEST(fact(passed.facts, "cable force") == "44.48 kN (10 kip) at 0.2100 s, top1: 89 % of its limit");
   BOOST_TEST(fact(passed.facts, "hanger force") == "4.448 kN (1 kip) at 0.2000 s, column1: 50 % of its limit");
-  BOOST_TEST(passed.quality == "usable");
-  BOOST_TEST(fact(passed.quality_facts, "energy balance") == "within 0.2 %");
-  BOOST_TEST(fact(passed.quality_facts, "steps") == "step 0.1 times its linear limit; 55 in the shortest contact");
-  BOOST_TEST(fact(passed.quality_facts, "at the end") == "rock-ground still touches");
-  BOOST_TEST(fact(passed.quality_facts, "sensitivity") ==
+  BOOST_TEST(quality.heading == "Quality: usable");
+  BOOST_TEST(quality.colour == "green");
+  BOOST_TEST(fact(quality.facts, "energy balance") == "within 0.2 %");
+  BOOST_TEST(fact(quality.facts, "steps") == "step 0.1 times its linear limit; 55 in the shortest contact");
+  BOOST_TEST(fact(quality.facts, "at the end") == "rock-ground still touches");
+  BOOST_TEST(fact(quality.facts, "sensitivity") ==
              "with 1.001 times the speed the verdict is unchanged; largest cable force -1.2 %");
   record.quality.repeat->verdict = "stopped";
-  BOOST_TEST(contains(fact(sheet_verdict(record).quality_facts, "sensitivity"), "the verdict becomes: stopped"));
+  BOOST_TEST(contains(fact(sheet_boxes(record)[1].facts, "sensitivity"), "the verdict becomes: stopped"));
   record.rocks.resize(1);
   record.verdict = record.rocks.front().verdict = "stopped";
-  BOOST_TEST(sheet_verdict(record).colour == "green");
-  BOOST_TEST(fact(sheet_verdict(record).facts, "rocks") == "none");
+  BOOST_TEST(sheet_boxes(record)[0].colour == "green");
+  BOOST_TEST(fact(sheet_boxes(record)[0].facts, "rocks") == "none");
   record.quality.usable = false;
   record.quality.flaw = "the energy balance is off by 18 %";
   record.quality.repair = SheetQuality::Repair{"--integrator auto", "", "stopped", 1e-5};
-  const SheetVerdict flawed = sheet_verdict(record);
+  const auto [verdict, flawed] = sheet_boxes(record);
+  BOOST_TEST(verdict.colour == "red");
+  BOOST_TEST(flawed.heading == "Quality: NOT USABLE");
   BOOST_TEST(flawed.colour == "red");
-  BOOST_TEST(flawed.quality == "NOT USABLE");
-  BOOST_TEST(fact(flawed.quality_facts, "reason") == "the energy balance is off by 18 %");
-  BOOST_TEST(fact(flawed.quality_facts, "repair") ==
+  BOOST_TEST(fact(flawed.facts, "reason") == "the energy balance is off by 18 %");
+  BOOST_TEST(fact(flawed.facts, "repair") ==
              "--integrator auto was tried and repairs it: stopped, energy balance within 0.001 %");
   record.quality.repair->flaw = "it diverged";
-  BOOST_TEST(fact(sheet_verdict(record).quality_facts, "repair") ==
+  BOOST_TEST(fact(sheet_boxes(record)[1].facts, "repair") ==
              "--integrator auto was tried and does not help: it diverged");
 }
 

@@ -33,37 +33,31 @@ std::array<double, 2> ends_of(SceneTable& table, std::string_view key, Dimension
   return ends;
 }
 
-/// One length or an array of them, each > 0.
-std::vector<double> heights_of(SceneTable& table) {
-  if (table.is_text("height")) return {table.quantity("height", dimension::length, Range::positive)};
-  std::vector<double> heights;
+/// Two ends, the first at most the second, or one quantity that is both; nothing if the key is missing.
+std::optional<std::array<double, 2>> range_of(SceneTable& table, std::string_view key, Dimension dimension) {
+  if (!table.has(key)) return {};
+  std::array<double, 2> ends{};
+  if (table.is_text(key)) {
+    ends.fill(table.quantity(key, dimension));
+    return ends;
+  }
   table.guard([&] {
-    const TomlValue& value = *table.value("height");
-    const auto* const array = std::get_if<TomlArray>(&value.data);
-    constexpr std::size_t maximum = 12;
-    if (array == nullptr || array->empty() || array->size() > maximum)
-      table.fail("height",
-                 fmt::format("found {}; it must be a length, or an array of 1 to {} lengths", found(value), maximum));
-    for (const TomlValue& element : *array) {
-      const auto* const text = std::get_if<std::string>(&element.data);
-      if (text == nullptr) table.fail("height", fmt::format("found {}; it must be a length", found(element)));
-      try {
-        heights.push_back(parse_quantity(*text, dimension::length, si));
-      } catch (const InputError& error) {
-        table.fail("height", error.what());
-      }
-      if (!(heights.back() > 0.0)) table.fail("height", fmt::format("found {}; it must be > 0", found(element)));
-    }
+    const std::vector<double> read = table.quantities(key, dimension, 2, 2);
+    if (read.size() != 2) return;  // reported
+    if (!(read[0] <= read[1]))
+      table.fail(key, fmt::format("found {}; the first must be at most the second", found(*table.value(key))));
+    ends = {read[0], read[1]};
   });
-  return heights;
+  return ends;
 }
 
 void read_changes(SceneTable table, RockChanges& changes) {
-  table.allow({"speed", "height", "angle", "spin"});
+  table.allow({"speed", "height", "angle", "spin", "along"});
   if (table.has("speed")) changes.speed = table.number("speed", Range::fraction);
   changes.height = table.quantity_or("height", dimension::length, 0.0, Range::non_negative);
   changes.angle = table.quantity_or("angle", dimension::angle, 0.0, Range::non_negative);
   changes.spin = table.quantity_or("spin", dimension::angular_velocity, 0.0, Range::non_negative);
+  changes.along = table.quantity_or("along", dimension::length, 0.0, Range::non_negative);
 }
 
 void read_map(SceneTable table, CapacityFile& file) {
@@ -106,41 +100,51 @@ RockNumber read_number(SceneTable& table, std::string_view key, Dimension dimens
   return number;
 }
 
-std::vector<Rock> read_rocks(SceneTable& table, const fs::path& file) {
-  std::vector<Rock> rocks;
+/// Reads the table of a hazard, with the columns for spin and place that it may have.
+void read_rocks(SceneTable& table, const fs::path& file, RockHazard& hazard) {
   try {
     const records::Csv csv = records::read_csv(file);
+    const auto has = [&](const char* heading) {
+      return std::ranges::find(csv.header(), heading) != csv.header().end();
+    };
     for (const char* const heading : {"mass [kg]", "speed [m/s]", "height [m]"}) {
-      if (std::ranges::find(csv.header(), heading) == csv.header().end())
+      if (!has(heading))
         table.fail("table", fmt::format("{}: the column \"{}\" is missing; give it", file.string(), heading));
     }
     const std::size_t mass = csv.column("mass [kg]"), speed = csv.column("speed [m/s]"),
                       height = csv.column("height [m]");
+    hazard.table_has_spin = has("spin [rad/s]"), hazard.table_has_along = has("along [m]");
     for (std::size_t row = 0; row < csv.rows(); ++row) {
-      const Rock rock{csv.number(row, mass), csv.number(row, speed), csv.number(row, height)};
-      if (!(rock.mass > 0.0 && rock.speed > 0.0 && std::isfinite(rock.height)))
+      Rock rock{csv.number(row, mass), csv.number(row, speed), csv.number(row, height)};
+      if (hazard.table_has_spin) rock.spin = csv.number(row, csv.column("spin [rad/s]"));
+      if (hazard.table_has_along) rock.along = csv.number(row, csv.column("along [m]"));
+      if (!(rock.mass > 0.0 && rock.speed > 0.0))
         table.fail("table", fmt::format("{}:{}: mass and speed must be > 0", file.string(), csv.line(row)));
-      rocks.push_back(rock);
+      hazard.table.push_back(rock);
     }
   } catch (const records::FileError& error) {
     throw IoError{error.what()};
   } catch (const records::RecordError& error) {
     throw InputError{error.what()};
   }
-  if (rocks.empty())
+  if (hazard.table.empty())
     table.fail("table",
                fmt::format("{}: found no line below the header; there must be one for each rock", file.string()));
-  return rocks;
 }
 
 RockHazard read_hazard(SceneTable table, const fs::path& folder) {
-  table.allow({"mass", "speed", "height", "table", "runs"});
+  table.allow({"mass", "speed", "height", "spin", "along", "table", "runs"});
   RockHazard hazard;
   if (table.has("runs")) hazard.runs = static_cast<std::size_t>(table.whole_between("runs", 1, 1'000'000));
+  hazard.spin = range_of(table, "spin", dimension::angular_velocity);
+  hazard.along = range_of(table, "along", dimension::length);
   if (table.has("table")) {
+    constexpr const char* reason = "the rows of the table give it";
     for (const char* other : {"mass", "speed", "height"})
-      table.refuse(other, "the rows of the table give it");
-    hazard.table = read_rocks(table, folder / table.text("table"));
+      table.refuse(other, reason);
+    read_rocks(table, folder / table.text("table"), hazard);
+    if (hazard.table_has_spin) table.refuse("spin", reason);
+    if (hazard.table_has_along) table.refuse("along", reason);
     return hazard;
   }
   hazard.mass = read_number(table, "mass", dimension::mass);
@@ -165,12 +169,20 @@ CapacityFile read_capacity(std::string_view text, const fs::path& name) {
   CapacityFile made;
   source.collect();
   try {
-    file.allow({"title", "base", "mass", "speed", "height", "set", "map", "changes", "seed", "hazard", "limits"});
+    file.allow({"title", "base", "mass", "speed", "height", "spin", "along", "set", "map", "changes", "seed", "hazard",
+                "limits"});
     made.title = file.title();
     made.base = folder / file.text("base");
     made.mass = ends_of(file, "mass", dimension::mass);
     made.speed = ends_of(file, "speed", dimension::velocity);
-    if (file.has("height")) made.heights = heights_of(file);
+    if (file.has("height")) made.heights = file.quantities_or_one("height", dimension::length, Range::positive);
+    if (file.has("spin")) made.spins = file.quantities_or_one("spin", dimension::angular_velocity);
+    if (file.has("along")) made.places = file.quantities_or_one("along", dimension::length);
+    constexpr std::size_t most_maps = 100;
+    const auto count = [](const std::vector<double>& list) { return std::max<std::size_t>(1, list.size()); };
+    if (const std::size_t maps = count(made.heights) * count(made.spins) * count(made.places); maps > most_maps)
+      file.report("height",
+                  fmt::format("with `spin` and `along` there are {} maps; there may be at most {}", maps, most_maps));
     if (const TomlValue* const fields = file.value("set")) {
       const auto* const table = std::get_if<TomlTable>(&fields->data);
       if (table == nullptr) file.fail("set", "it must be a table of fields of the base with their values");
@@ -183,7 +195,8 @@ CapacityFile read_capacity(std::string_view text, const fs::path& name) {
     }
     if (file.has("map")) read_map(file.table("map"), made);
     if (file.has("changes")) read_changes(file.table("changes"), made.changes);
-    if (const RockChanges& of = made.changes; !(of.speed > 0.0 || of.height > 0.0 || of.angle > 0.0 || of.spin > 0.0))
+    if (const RockChanges& of = made.changes;
+        !(of.speed > 0.0 || of.height > 0.0 || of.angle > 0.0 || of.spin > 0.0 || of.along > 0.0))
       file.report("changes", "all are 0, so that the runs of a node would be the same; give one that is > 0");
     if (file.has("seed")) made.seed = file.whole_between("seed", 0, 1'000'000'000);
     if (file.has("hazard")) made.hazard = read_hazard(file.table("hazard"), folder);

@@ -19,6 +19,8 @@ struct Rock {
   double mass{};    ///< [kg]
   double speed{};   ///< at the start [m/s]
   double height{};  ///< of its centre above the ground, at the start [m]
+  double spin{};    ///< counter-clockwise positive [rad/s]
+  double along{};   ///< position along the fence, 0 at mid-span [m]
 
   double kinetic_energy() const { return 0.5 * mass * speed * speed; }
 };
@@ -29,6 +31,7 @@ struct RockChanges {
   double height{};     ///< [m]
   double angle{};      ///< [rad]
   double spin{};       ///< [rad/s]
+  double along{};      ///< [m]
 };
 
 /// A random number: a fixed value, or a lognormal distribution through two of its percentiles.
@@ -43,6 +46,9 @@ struct RockNumber {
 struct RockHazard {
   RockNumber mass, speed, height;  ///< independent; not with a table
   std::vector<Rock> table;         ///< equally probable rocks; empty: the distributions
+  /// Ends between which they are uniform [rad/s], [m]; else those of the base's rock, or columns of the table.
+  std::optional<std::array<double, 2>> spin, along;
+  bool table_has_spin{}, table_has_along{};
   std::size_t runs{1000};
 };
 
@@ -52,7 +58,8 @@ struct CapacityFile {
   std::filesystem::path base;                             ///< relative to the current folder
   std::vector<std::pair<std::string, TomlValue>> fields;  ///< of the base, set in all runs
   std::array<double, 2> mass{}, speed{};                  ///< ends of the maps [kg], [m/s]
-  std::vector<double> heights;                            ///< a map for each [m]
+  /// A map for each of their combinations [m], [rad/s], [m]; those of the base's rock where a list is empty.
+  std::vector<double> heights, spins, places;
   MapRules map;
   std::size_t audit{50};  ///< number of trials at nodes without any
   RockChanges changes;

@@ -12,7 +12,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-constexpr int schema = 1;
+constexpr int schema = 2;
 constexpr std::array<std::string_view, 3> state_names{"stopped", "not stopped", "open"};
 /// Of capacity_outputs: units, and labels of the text.
 constexpr std::array<std::string_view, 6> output_units{"N", "N", "N", "1", "1", "J"};
@@ -21,7 +21,7 @@ constexpr std::array<std::string_view, 6> output_labels{"anchor force",       "c
                                                         "hanger force/limit", "energy after the last contact"};
 
 template <class Visit>
-void for_each_node(const HeightMap& map, Visit&& visit) {
+void for_each_node(const RockMap& map, Visit&& visit) {
   for (int j = 0; j < map.map.side(); ++j)
     for (int i = 0; i < map.map.side(); ++i)
       visit(MapNode{i, j}, map.map.number({i, j}));
@@ -55,16 +55,31 @@ Json outputs_json(const RockTrials& trials) {
   return json;
 }
 
-RockTrials all_trials(const HeightMap& map) {
+/// Ends and outputs of the trials at one node; null without them.
+Json trials_json(const RockTrials* trials) {
+  if (trials == nullptr) return nullptr;
+  return {{"ends", ends_json(*trials)}, {"outputs", outputs_json(*trials)}};
+}
+
+RockTrials all_trials(const RockMap& map) {
   RockTrials all;
   for (const RockTrials& node : map.nodes)
     all.trials.insert(all.trials.end(), node.trials.begin(), node.trials.end());
   return all;
 }
 
-constexpr std::size_t cable_force = 1;  // in capacity_outputs
+/// Places in capacity_outputs.
+constexpr std::size_t anchor_force = 0, cable_force = 1, hanger_force = 2, exit_energy = 5;
 
-std::size_t full_grid(const HeightMap& map) { return map.nodes.size() * map.map.rules().trials; }
+/// "height 1.37 m", with spin and place if the file gives them.
+std::string name_of(const CapacityStudy& study, const Rock& rock, int digits) {
+  std::string name = fmt::format("height {:.{}g} m", rock.height, digits);
+  if (!study.file().spins.empty()) name += fmt::format(", spin {:.{}g} rad/s", rock.spin, digits);
+  if (!study.file().places.empty()) name += fmt::format(", place {:.{}g} m", rock.along, digits);
+  return name;
+}
+
+std::size_t full_grid(const RockMap& map) { return map.nodes.size() * map.map.rules().trials; }
 
 std::string ends_text(const RockTrials& trials) {
   std::string text;
@@ -92,11 +107,17 @@ std::string range_text(const Interval& interval, double unit) {
   return fmt::format("{:.4g} to {:.4g}", interval.low / unit, interval.high / unit);
 }
 
-records::Figure map_figure(const CapacityStudy& study, const HeightMap& map, std::size_t number) {
+/// A percentile of an output; "" if there is none.
+std::string quantile_text(const RockTrials* trials, std::size_t output, double probability, double unit) {
+  const std::vector<double> values = trials == nullptr ? std::vector<double>{} : trials->values(output);
+  return values.empty() ? "" : fmt::format("{:.4g}", sample_quantile(values, probability).value / unit);
+}
+
+records::Figure map_figure(const CapacityStudy& study, const RockMap& map, std::size_t number) {
   const CapacityFile& file = study.file();
   records::Figure figure{
       .name = fmt::format("envelope_{}", number),
-      .title = fmt::format("Rocks stopped at a height of {:.3g} m", map.height),
+      .title = fmt::format("Rocks stopped: {}", name_of(study, map.rock, 3)),
       .caption =
           "Rocks that are stopped, and that are not, by mass and speed at the start. A node is drawn where runs "
           "were executed; it is open if the interval of 95 % of its probability contains one half. Thin lines: "
@@ -131,10 +152,10 @@ records::Figure map_figure(const CapacityStudy& study, const HeightMap& map, std
   return figure;
 }
 
-records::Figure force_figure(const CapacityStudy& study, const HeightMap& map, std::size_t number) {
+records::Figure force_figure(const CapacityStudy& study, const RockMap& map, std::size_t number) {
   records::Figure figure{
       .name = fmt::format("cable_force_{}", number),
-      .title = fmt::format("Largest cable force at a height of {:.3g} m", map.height),
+      .title = fmt::format("Largest cable force: {}", name_of(study, map.rock, 3)),
       .caption =
           "Median of the largest cable force at each node, over the kinetic energy; bars to the smallest and the "
           "largest of its runs. Light and heavy: the lower and the upper half of the "
@@ -158,11 +179,67 @@ records::Figure force_figure(const CapacityStudy& study, const HeightMap& map, s
   return figure;
 }
 
+/// Adds the median of an output, with bars to the smallest and largest of its trials.
+void add_quantiles(records::Series& series, double at, const RockTrials* trials, std::size_t output, double unit) {
+  const std::vector<double> values = trials == nullptr ? std::vector<double>{} : trials->values(output);
+  if (values.empty()) return;
+  series.add(at, sample_quantile(values, 0.5).value / unit);
+  series.y_low.push_back(std::ranges::min(values) / unit);
+  series.y_high.push_back(std::ranges::max(values) / unit);
+}
+
+records::Figure boundary_force_figure(const CapacityStudy& study, const RockMap& map, std::size_t number) {
+  records::Figure figure{
+      .name = fmt::format("boundary_forces_{}", number),
+      .title = fmt::format("Forces at the boundary: {}", name_of(study, map.rock, 3)),
+      .caption =
+          "Largest forces at the speed up to which rocks of each mass are stopped: medians, with bars to the "
+          "smallest and the largest of the runs.",
+      .x = {.label = "mass", .unit = "kg"},
+      .y = {.label = "largest force", .unit = "kN", .min = 0.0}};
+  for (const auto& [label, output] :
+       {std::pair{"anchor", anchor_force}, std::pair{"cable", cable_force}, std::pair{"hanger", hanger_force}}) {
+    records::Series series{.label = label, .style = records::Style::errorbars};
+    for (const CapacityBoundary& boundary : boundaries_of(study, map, 1))
+      add_quantiles(series, boundary.mass, boundary.stopped, output, 1e3);
+    if (!series.x.empty()) figure.series.push_back(std::move(series));
+  }
+  return figure;
+}
+
+records::Figure boundary_energy_figure(const CapacityStudy& study, const RockMap& map, std::size_t number) {
+  records::Figure figure{
+      .name = fmt::format("boundary_energy_{}", number),
+      .title = fmt::format("Energy at the boundary: {}", name_of(study, map.rock, 3)),
+      .caption =
+          "Translational and rotational kinetic energy at the speed from which rocks of each mass are not stopped, "
+          "at the start and after the last contact: medians, with bars to the smallest and the largest of the "
+          "runs.",
+      .x = {.label = "mass", .unit = "kg"},
+      .y = {.label = "energy", .unit = "kJ", .min = 0.0}};
+  records::Series before{.label = "at the start", .style = records::Style::linespoints},
+      after{.label = "after the last contact", .style = records::Style::errorbars};
+  for (const CapacityBoundary& boundary : boundaries_of(study, map, 1)) {
+    if (boundary.passed == nullptr) continue;
+    Rock rock = map.rock;
+    rock.mass = boundary.mass, rock.speed = boundary.speed.high;
+    before.add(boundary.mass, 1e-3 * study.start_energy(rock));
+    add_quantiles(after, boundary.mass, boundary.passed, exit_energy, 1e3);
+  }
+  for (records::Series* const series : {&before, &after})
+    if (!series->x.empty()) figure.series.push_back(std::move(*series));
+  return figure;
+}
+
 }  // namespace
 
-std::vector<CapacityBoundary> boundaries_of(const CapacityStudy& study, const HeightMap& map) {
+std::vector<CapacityBoundary> boundaries_of(const CapacityStudy& study, const RockMap& map, int stride) {
   std::vector<CapacityBoundary> boundaries;
-  const int stride = map.map.rules().cells / map.map.rules().first_cells;
+  if (stride == 0) stride = map.map.rules().cells / map.map.rules().first_cells;
+  const auto trials_at = [&](MapNode node) -> const RockTrials* {
+    if (node.j < 0 || map.map.trials(node) == 0) return nullptr;
+    return &map.nodes[map.map.number(node)];
+  };
   for (int i = 0; i < map.map.side(); i += stride) {
     const MapBoundary at = boundary_at(map.map, map.states, i);
     CapacityBoundary found;
@@ -172,6 +249,7 @@ std::vector<CapacityBoundary> boundaries_of(const CapacityStudy& study, const He
         at.first_below < 0 ? std::numeric_limits<double>::infinity() : study.rock_at(map, {i, at.first_below}).speed};
     const auto energy = [&](double speed) { return 0.5 * found.mass * speed * speed; };
     found.energy = {energy(found.speed.low), energy(found.speed.high)};
+    found.stopped = trials_at({i, at.last_above}), found.passed = trials_at({i, at.first_below});
     boundaries.push_back(found);
   }
   return boundaries;
@@ -187,7 +265,7 @@ double energy_factor(const std::vector<CapacityBoundary>& boundaries) {
 }
 
 std::string capacity_csv(const CapacityStudy& study) {
-  std::string text = "height [m],mass [kg],speed [m/s],kinetic_energy [J],runs";
+  std::string text = "height [m],spin [rad/s],along [m],mass [kg],speed [m/s],kinetic_energy [J],runs";
   for (const std::string_view end : Names<RockEnd>::list)
     text += fmt::format(",{}", end);
   text += ",probability,probability_low,probability_high,state";
@@ -196,12 +274,13 @@ std::string capacity_csv(const CapacityStudy& study) {
       text += fmt::format(",{}.{} [{}]", capacity_outputs[i], of, output_units[i]);
   }
   text += '\n';
-  for (const HeightMap& map : study.maps()) {
+  for (const RockMap& map : study.maps()) {
     for_each_node(map, [&](MapNode node, std::size_t at) {
       const std::size_t trials = map.map.trials(node);
       if (trials == 0) return;
       const Rock rock = study.rock_at(map, node);
-      text += fmt::format("{},{},{},{},{}", rock.height, rock.mass, rock.speed, rock.kinetic_energy(), trials);
+      text += fmt::format("{},{},{},{},{},{},{}", rock.height, rock.spin, rock.along, rock.mass, rock.speed,
+                          rock.kinetic_energy(), trials);
       for (const std::size_t count : map.nodes[at].ends())
         text += fmt::format(",{}", count);
       const Interval interval = wilson_interval(map.map.hits(node), trials);
@@ -218,29 +297,36 @@ std::string capacity_csv(const CapacityStudy& study) {
   return text;
 }
 
-std::string capacity_json(const CapacityStudy& study, const Rock& own) {
+std::string capacity_json(const CapacityStudy& study, const RockRuns& rocks) {
+  const Rock& own = rocks.own();
   const CapacityFile& file = study.file();
-  Json json{{"schema", schema},
-            {"title", file.title},
-            {"units", "SI"},
-            {"base", file.base.filename().string()},
-            {"mass", file.mass},
-            {"speed", file.speed},
-            {"rock", {{"mass", own.mass}, {"speed", own.speed}, {"height", own.height}}},
-            {"seed", file.seed},
-            {"cells", file.map.cells},
-            {"first_cells", file.map.first_cells},
-            {"runs_of_a_node", file.map.trials},
-            {"few_runs", file.map.few},
-            {"changes",
-             {{"speed", file.changes.speed},
-              {"height", file.changes.height},
-              {"angle", file.changes.angle},
-              {"spin", file.changes.spin}}}};
+  Json json{
+      {"schema", schema},
+      {"title", file.title},
+      {"units", "SI"},
+      {"base", file.base.filename().string()},
+      {"scene_units", rocks.units().name},
+      {"mass", file.mass},
+      {"speed", file.speed},
+      {"rock",
+       {{"mass", own.mass}, {"speed", own.speed}, {"height", own.height}, {"spin", own.spin}, {"along", own.along}}},
+      {"seed", file.seed},
+      {"cells", file.map.cells},
+      {"first_cells", file.map.first_cells},
+      {"runs_of_a_node", file.map.trials},
+      {"few_runs", file.map.few},
+      {"changes",
+       {{"speed", file.changes.speed},
+        {"height", file.changes.height},
+        {"angle", file.changes.angle},
+        {"spin", file.changes.spin},
+        {"along", file.changes.along}}}};
   json["maps"] = Json::array();
-  for (const HeightMap& map : study.maps()) {
+  for (const RockMap& map : study.maps()) {
     const RockTrials all = all_trials(map);
-    Json of_map{{"height", map.height},
+    Json of_map{{"height", map.rock.height},
+                {"spin", map.rock.spin},
+                {"along", map.rock.along},
                 {"runs", all.trials.size()},
                 {"full_grid_runs", full_grid(map)},
                 {"ends", ends_json(all)},
@@ -254,7 +340,9 @@ std::string capacity_json(const CapacityStudy& study, const Rock& own) {
     for (const CapacityBoundary& boundary : boundaries) {
       of_map["boundary"].push_back({{"mass", boundary.mass},
                                     {"speed", interval_json(boundary.speed)},
-                                    {"kinetic_energy", interval_json(boundary.energy)}});
+                                    {"kinetic_energy", interval_json(boundary.energy)},
+                                    {"stopped", trials_json(boundary.stopped)},
+                                    {"not_stopped", trials_json(boundary.passed)}});
     }
     of_map["energy_factor"] = energy_factor(boundaries);
     json["maps"].push_back(std::move(of_map));
@@ -274,17 +362,20 @@ std::string capacity_json(const CapacityStudy& study, const Rock& own) {
 std::string capacity_text(const CapacityStudy& study) {
   const CapacityFile& file = study.file();
   std::string text;
-  for (const HeightMap& map : study.maps()) {
+  for (const RockMap& map : study.maps()) {
     const RockTrials all = all_trials(map);
-    text += fmt::format("height {:.4g} m: {} runs ({:.3g} % of the full grid): {}\n", map.height, all.trials.size(),
+    text += fmt::format("{}: {} runs ({:.3g} % of the full grid): {}\n", name_of(study, map.rock, 4), all.trials.size(),
                         100.0 * static_cast<double>(all.trials.size()) / static_cast<double>(full_grid(map)),
                         ends_text(all));
     text += failure_text(all);
-    text += fmt::format("  {:>10}  {:>20}  {:>24}\n", "mass [kg]", "stopped up to [m/s]", "kinetic energy [kJ]");
+    text += fmt::format("  {:>9}  {:>19}  {:>19}  {:>17}  {:>17}\n", "mass [kg]", "stopped up to [m/s]",
+                        "kinetic energy [kJ]", "anchor force [kN]", "energy after [kJ]");
     const std::vector<CapacityBoundary> boundaries = boundaries_of(study, map);
     for (const CapacityBoundary& boundary : boundaries) {
-      text += fmt::format("  {:>10.4g}  {:>20}  {:>24}\n", boundary.mass, range_text(boundary.speed, 1.0),
-                          range_text(boundary.energy, 1e3));
+      text +=
+          fmt::format("  {:>9.4g}  {:>19}  {:>19}  {:>17}  {:>17}\n", boundary.mass, range_text(boundary.speed, 1.0),
+                      range_text(boundary.energy, 1e3), quantile_text(boundary.stopped, anchor_force, 0.95, 1e3),
+                      quantile_text(boundary.passed, exit_energy, 0.5, 1e3));
     }
     if (const double factor = energy_factor(boundaries); factor > 1.0)
       text += fmt::format("  energy at the boundary differs by a factor of {:.3g} between masses\n", factor);
@@ -303,9 +394,9 @@ std::string capacity_text(const CapacityStudy& study) {
     for (std::size_t output = 0; output < capacity_outputs.size(); ++output) {
       const std::vector<double> values = hazard.values(output);
       if (values.empty()) continue;
-      text += fmt::format("  {:<30} median {:>10.4g}, 95th percentile {:>10.4g} {}\n", output_labels[output],
+      text += fmt::format("  {:<30} median {:>10.4g}, 95th percentile {:>10.4g}{}\n", output_labels[output],
                           sample_quantile(values, 0.5).value, sample_quantile(values, 0.95).value,
-                          output_units[output] == "1" ? "" : output_units[output]);
+                          output_units[output] == "1" ? "" : fmt::format(" {}", output_units[output]));
     }
   }
   return text;
@@ -314,10 +405,12 @@ std::string capacity_text(const CapacityStudy& study) {
 std::vector<records::Figure> capacity_figures(const CapacityStudy& study) {
   std::vector<records::Figure> figures;
   std::size_t number = 0;
-  for (const HeightMap& map : study.maps()) {
+  for (const RockMap& map : study.maps()) {
     figures.push_back(map_figure(study, map, ++number));
-    if (records::Figure forces = force_figure(study, map, number); !forces.series.empty())
-      figures.push_back(std::move(forces));
+    for (records::Figure& of_forces :
+         std::array{force_figure(study, map, number), boundary_force_figure(study, map, number),
+                    boundary_energy_figure(study, map, number)})
+      if (!of_forces.series.empty()) figures.push_back(std::move(of_forces));
   }
   return figures;
 }

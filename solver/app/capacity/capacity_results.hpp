@@ -9,32 +9,36 @@
 
 namespace talus::app {
 
-/// The speed up to which rocks of one mass are stopped.
+/// The speeds up to which rocks of one mass are stopped.
 struct CapacityBoundary {
   double mass{};    ///< [kg]
-  Interval speed;   ///< stopped up to the first (0: none in the map), not from the second on (infinite: none) [m/s]
+  Interval speed;   ///< stopped at all up to the first (0: at none), at none from the second on (infinite: none) [m/s]
   Interval energy;  ///< kinetic energy of these [J]
+  /// Trials at these two speeds; null: none in the map, or none were executed there.
+  const RockTrials *stopped{}, *passed{};
 };
 
-/// The boundaries at the masses of a map's first cells.
-[[nodiscard]] std::vector<CapacityBoundary> boundaries_of(const CapacityStudy& study, const HeightMap& map);
+/// The boundaries at every `stride`-th mass of a map's grid; without stride at those of its first cells.
+[[nodiscard]] std::vector<CapacityBoundary> boundaries_of(const CapacityStudy& study, const RockMap& map,
+                                                          int stride = 0);
 
 /// How much one energy for all masses is wrong: the largest energy up to which rocks of a mass are stopped, over the
-/// smallest with which those of another mass are not (failed and undecided runs count as not stopped); 1 if they are
+/// smallest from which those of another mass are not (failed and undecided runs count as not stopped); 1 if they are
 /// equal within their intervals.
 [[nodiscard]] double energy_factor(const std::vector<CapacityBoundary>& boundaries);
 
-/// Every node with trials as a line of CSV: height, mass, speed, kinetic energy, trials by their end, probability of
-/// being stopped with its interval, state, and of each output the median and the 95th percentile.
+/// Every node with trials as a line of CSV: height, spin, place, mass, speed, kinetic energy, trials by their end,
+/// probability of being stopped with its interval, state, and of each output the median and the 95th percentile.
 [[nodiscard]] std::string capacity_csv(const CapacityStudy& study);
 
 /// Rules, boundaries, audits and the hazard as JSON, in SI units.
-[[nodiscard]] std::string capacity_json(const CapacityStudy& study, const Rock& own);
+[[nodiscard]] std::string capacity_json(const CapacityStudy& study, const RockRuns& rocks);
 
 /// The results as text for a terminal.
 [[nodiscard]] std::string capacity_text(const CapacityStudy& study);
 
-/// The map of each height, with lines of equal kinetic energy; and the largest cable force over the kinetic energy.
+/// Of each map: its nodes with lines of equal kinetic energy; the largest cable force over the kinetic energy; and
+/// along the boundary the forces of the fastest rocks that are stopped and the energies of the slowest that are not.
 [[nodiscard]] std::vector<records::Figure> capacity_figures(const CapacityStudy& study);
 
 }  // namespace talus::app

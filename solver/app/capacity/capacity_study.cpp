@@ -23,13 +23,15 @@ RockEnd end_of(const SweepResult& result) {
   return static_cast<RockEnd>(std::ranges::find(verdicts, result.verdict) - verdicts.begin());
 }
 
-/// What the random numbers of a trial are for: place and height of its node, which a finer map and a map of other
-/// heights share, so that their runs count there, too.
-std::vector<std::uint32_t> purpose_of(const HeightMap& map, MapNode node, std::size_t trial) {
+/// What the random numbers of a trial are for: place of its node, and height, spin and place of its rocks, which a
+/// finer map and a question about more rocks share, so that their runs count there, too.
+std::vector<std::uint32_t> purpose_of(const RockMap& map, MapNode node, std::size_t trial) {
   const int cells = map.map.rules().cells, i = std::gcd(node.i, cells), j = std::gcd(node.j, cells);
-  const auto height = std::bit_cast<std::uint64_t>(map.height);
-  std::vector<std::uint32_t> purpose{for_trials, static_cast<std::uint32_t>(height >> 32U),
-                                     static_cast<std::uint32_t>(height)};
+  std::vector<std::uint32_t> purpose{for_trials};
+  for (const double number : {map.rock.height, map.rock.spin, map.rock.along}) {
+    const auto bits = std::bit_cast<std::uint64_t>(number);
+    purpose.insert(purpose.end(), {static_cast<std::uint32_t>(bits >> 32U), static_cast<std::uint32_t>(bits)});
+  }
   for (const int word : {node.i / i, cells / i, node.j / j, cells / j})
     purpose.push_back(static_cast<std::uint32_t>(word));
   purpose.push_back(static_cast<std::uint32_t>(trial));
@@ -67,18 +69,26 @@ CapacityStudy::CapacityStudy(const CapacityFile& file, const SweepFolder& folder
     std::string id = result.id;
     known_.emplace(std::move(id), std::move(result));
   }
-  const std::vector<double> heights = file.heights.empty() ? std::vector{rocks.own().height} : file.heights;
-  for (const double height : heights) {
-    HeightMap map{height, CapacityMap{file.map}, {}, {}, {}, 0};
-    map.nodes.resize(static_cast<std::size_t>(map.map.side()) * static_cast<std::size_t>(map.map.side()));
-    maps_.push_back(std::move(map));
+  const auto or_own = [](const std::vector<double>& list, double own) {
+    return list.empty() ? std::vector{own} : list;
+  };
+  for (const double height : or_own(file.heights, rocks.own().height)) {
+    for (const double spin : or_own(file.spins, rocks.own().spin)) {
+      for (const double along : or_own(file.places, rocks.own().along)) {
+        RockMap map{{.height = height, .spin = spin, .along = along}, CapacityMap{file.map}, {}, {}, {}, 0};
+        map.nodes.resize(static_cast<std::size_t>(map.map.side()) * static_cast<std::size_t>(map.map.side()));
+        maps_.push_back(std::move(map));
+      }
+    }
   }
 }
 
-Rock CapacityStudy::rock_at(const HeightMap& map, MapNode node) const {
+Rock CapacityStudy::rock_at(const RockMap& map, MapNode node) const {
   const double count = map.map.rules().cells;
-  return {std::lerp(file_->mass[0], file_->mass[1], node.i / count),
-          std::lerp(file_->speed[0], file_->speed[1], node.j / count), map.height};
+  Rock rock = map.rock;
+  rock.mass = std::lerp(file_->mass[0], file_->mass[1], node.i / count);
+  rock.speed = std::lerp(file_->speed[0], file_->speed[1], node.j / count);
+  return rock;
 }
 
 std::optional<std::vector<RockTrial>> CapacityStudy::executed(const std::vector<Request>& requests) {
@@ -119,7 +129,7 @@ std::optional<std::vector<RockTrial>> CapacityStudy::executed(const std::vector<
   return trials;
 }
 
-bool CapacityStudy::run_map(HeightMap& map) {
+bool CapacityStudy::run_map(RockMap& map) {
   for (std::vector<MapTrials> wanted = map.map.next(); !wanted.empty(); wanted = map.map.next()) {
     std::vector<Request> requests;
     std::vector<MapNode> nodes;
@@ -140,7 +150,7 @@ bool CapacityStudy::run_map(HeightMap& map) {
   return true;
 }
 
-bool CapacityStudy::audit(HeightMap& map) {
+bool CapacityStudy::audit(RockMap& map) {
   std::vector<MapNode> without;
   for (int j = 0; j < map.map.side(); ++j)
     for (int i = 0; i < map.map.side(); ++i)
@@ -169,13 +179,18 @@ bool CapacityStudy::run_hazard() {
   const RockHazard& hazard = *file_->hazard;
   std::vector<Request> requests;
   for (std::uint32_t trial = 0; trial < hazard.runs; ++trial) {
-    const std::array<double, 4> numbers = random_numbers(file_->seed, {for_rock, trial});
+    const std::array<double, 5> numbers = random_numbers(file_->seed, {for_rock, trial});
     Rock rock{hazard.mass.at(normal_of(numbers[0])), hazard.speed.at(normal_of(numbers[1])),
-              hazard.height.at(normal_of(numbers[2]))};
+              hazard.height.at(normal_of(numbers[2])), 0.0, 0.0};
     if (!hazard.table.empty()) {
       const double row = (0.5 + 0.5 * numbers[0]) * static_cast<double>(hazard.table.size());
       rock = hazard.table[static_cast<std::size_t>(row)];
     }
+    const auto uniform = [](const std::optional<std::array<double, 2>>& ends, double number, double own) {
+      return ends ? std::lerp((*ends)[0], (*ends)[1], 0.5 + 0.5 * number) : own;
+    };
+    if (!hazard.table_has_spin) rock.spin = uniform(hazard.spin, numbers[3], rocks_->own().spin);
+    if (!hazard.table_has_along) rock.along = uniform(hazard.along, numbers[4], rocks_->own().along);
     requests.push_back({rock, {for_hazard, trial}});
   }
   std::optional<std::vector<RockTrial>> trials = executed(requests);
@@ -186,7 +201,7 @@ bool CapacityStudy::run_hazard() {
 
 bool CapacityStudy::run(const std::function<bool()>& interrupted, const std::function<void(std::size_t)>& progress) {
   interrupted_ = interrupted, progress_ = progress;
-  for (HeightMap& map : maps_)
+  for (RockMap& map : maps_)
     if (!run_map(map) || !audit(map)) return false;
   return run_hazard();
 }

@@ -43,9 +43,10 @@ struct RockTrials {
   [[nodiscard]] std::vector<double> values(std::size_t output) const;
 };
 
-/// The map of one height. Its outcome is that the rock is stopped: undecided and failed runs count as not stopped.
-struct HeightMap {
-  double height{};  ///< [m]
+/// The map of rocks of one height, spin and place. Its outcome is that the rock is stopped: undecided and failed runs
+/// count as not stopped.
+struct RockMap {
+  Rock rock;  ///< its height, spin and place; its mass and speed have no meaning
   CapacityMap map;
   std::vector<RockTrials> nodes;  ///< by the number of the node (mass changes first)
   std::vector<MapState> states;   ///< likewise
@@ -66,10 +67,12 @@ class CapacityStudy {
   [[nodiscard]] bool run(const std::function<bool()>& interrupted, const std::function<void(std::size_t)>& progress);
 
   const CapacityFile& file() const { return *file_; }
-  const std::vector<HeightMap>& maps() const { return maps_; }
+  const std::vector<RockMap>& maps() const { return maps_; }
   const RockTrials& hazard() const { return hazard_; }
   /// The rock at a node.
-  [[nodiscard]] Rock rock_at(const HeightMap& map, MapNode node) const;
+  [[nodiscard]] Rock rock_at(const RockMap& map, MapNode node) const;
+  /// Translational and rotational kinetic energy of a rock at its start [J].
+  [[nodiscard]] double start_energy(const Rock& rock) const { return rocks_->start_energy(rock); }
   /// Every run that was requested, once.
   const std::vector<SweptRun>& runs() const { return runs_; }
 
@@ -81,8 +84,8 @@ class CapacityStudy {
   };
   /// Trials of these rocks, in their order; nothing if it was interrupted.
   std::optional<std::vector<RockTrial>> executed(const std::vector<Request>& requests);
-  bool run_map(HeightMap& map);
-  bool audit(HeightMap& map);
+  bool run_map(RockMap& map);
+  bool audit(RockMap& map);
   bool run_hazard();
 
   const CapacityFile* file_;
@@ -93,7 +96,7 @@ class CapacityStudy {
   std::function<bool()> interrupted_;
   std::function<void(std::size_t)> progress_;
   std::map<std::string, SweepResult> known_;
-  std::vector<HeightMap> maps_;
+  std::vector<RockMap> maps_;
   RockTrials hazard_;
   std::vector<SweptRun> runs_;
   std::map<std::string, std::size_t> numbers_;  ///< in runs_, by id

@@ -39,13 +39,28 @@ SceneFile read_base(const std::string& text, const std::string& name, const Capa
 
 RockRuns::RockRuns(const std::string& text, const std::string& name, const CapacityFile& file)
     : base_{read_base(text, name, file, gives_mass_)}, fields_{file.fields}, changes_{file.changes} {
-  const UnitSystem& units = base_.scene.model.units;
+  const UnitSystem& units = this->units();
   const scenes::FenceElement& rock = base_.fence->fence.rocks.front();
   if (rock.velocity.x == 0.0)
     throw InputError{fmt::format("{}: rock: velocity: found none along x; it must move towards the fence", name)};
   own_.mass = scenes::mass_properties(rock).mass * si_size(units, dimension::mass);
   own_.speed = norm(rock.velocity) * si_size(units, dimension::velocity);
   own_.height = height_at({});
+  own_.spin = rock.spin * si_size(units, dimension::angular_velocity);
+  own_.along = rock.along * si_size(units, dimension::length);
+  sets_spin_ = !file.spins.empty() || file.changes.spin > 0.0 ||
+               (file.hazard && (file.hazard->spin || file.hazard->table_has_spin));
+  sets_along_ = !file.places.empty() || file.changes.along > 0.0 ||
+                (file.hazard && (file.hazard->along || file.hazard->table_has_along));
+  if (sets_along_ && base_.fence->fence.options.symmetry == scenes::FenceSymmetry::half)
+    throw InputError{fmt::format(
+        "{}: [fence.options]: symmetry: found \"half\"; rocks at places along the fence need \"full\"", name)};
+}
+
+double RockRuns::start_energy(const Rock& rock) const {
+  const double inertia =
+      scenes::mass_properties(base_.fence->fence.rocks.front()).inertia * si_size(units(), dimension::inertia);
+  return rock.kinetic_energy() + 0.5 * inertia * std::pow(rock.mass / own_.mass, 5.0 / 3.0) * rock.spin * rock.spin;
 }
 
 double RockRuns::height_at(Vec2 shift) const {
@@ -57,8 +72,8 @@ double RockRuns::height_at(Vec2 shift) const {
                                       pose(base_.scene.model, base_.scene.initial, ground), position);
 }
 
-SweptRun RockRuns::run(const Rock& rock, const std::array<double, 4>& numbers) const {
-  const UnitSystem& units = base_.scene.model.units;
+SweptRun RockRuns::run(const Rock& rock, const std::array<double, 5>& numbers) const {
+  const UnitSystem& units = this->units();
   const double length = si_size(units, dimension::length);
   const scenes::FenceElement& own = base_.fence->fence.rocks.front();
   const double size = std::cbrt(rock.mass / own_.mass);
@@ -87,18 +102,18 @@ SweptRun RockRuns::run(const Rock& rock, const std::array<double, 4>& numbers) c
   set("velocity[0]", quantity(direction.x * speed, "m/s"));
   set("velocity[1]", quantity(direction.y * speed, "m/s"));
   if (changes_.angle > 0.0) set("angle", quantity(own.angle + changes_.angle * numbers[2], "rad"));
-  if (changes_.spin > 0.0)
-    set("spin", quantity(own.spin * si_size(units, dimension::angular_velocity) + changes_.spin * numbers[3], "rad/s"));
+  if (sets_spin_) set("spin", quantity(rock.spin + changes_.spin * numbers[3], "rad/s"));
+  if (sets_along_) set("along", quantity(rock.along + changes_.along * numbers[4], "m"));
   run.id = id_of(run);
   return run;
 }
 
-std::array<double, 4> random_numbers(std::int64_t seed, const std::vector<std::uint32_t>& purpose) {
+std::array<double, 5> random_numbers(std::int64_t seed, const std::vector<std::uint32_t>& purpose) {
   std::vector<std::uint32_t> seeds{static_cast<std::uint32_t>(seed)};
   seeds.insert(seeds.end(), purpose.begin(), purpose.end());
   std::seed_seq sequence(seeds.begin(), seeds.end());
   std::mt19937_64 generator{sequence};
-  std::array<double, 4> numbers{};
+  std::array<double, 5> numbers{};
   for (double& number : numbers)
     number = 2.0 * unit_number(generator()) - 1.0;
   return numbers;

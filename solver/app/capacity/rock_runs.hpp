@@ -11,24 +11,28 @@
 namespace talus::app {
 
 /// The runs of a fence with other rocks in place of the base's. A rock of another mass has the density and the
-/// proportions of the base's; it starts at least as far from the fence, in the same direction, with the same angle and
-/// spin.
+/// proportions of the base's; it starts at least as far from the fence, in the same direction, with the same angle.
 class RockRuns {
  public:
   /// `text`: the base, TOML. Errors: InputError for a base that is no fence, has no rock or several, or whose rock does
-  /// not move along x.
+  /// not move along x; and if the file has places along the fence and the base is a half model.
   RockRuns(const std::string& text, const std::string& name, const CapacityFile& file);
 
   /// The rock of the base.
   const Rock& own() const { return own_; }
-  /// The run of one rock with small changes, which `numbers` in [-1, 1) choose: of speed, height, angle and spin.
-  [[nodiscard]] SweptRun run(const Rock& rock, const std::array<double, 4>& numbers) const;
+  /// Translational and rotational kinetic energy of a rock at its start [J].
+  [[nodiscard]] double start_energy(const Rock& rock) const;
+  /// Units of the base.
+  const UnitSystem& units() const { return base_.scene.model.units; }
+  /// The run of one rock with small changes, which `numbers` in [-1, 1) choose: of speed, height, angle, spin, place.
+  [[nodiscard]] SweptRun run(const Rock& rock, const std::array<double, 5>& numbers) const;
 
  private:
   /// Height of the base's rock's centre, at this distance from its place, above the ground [m].
   double height_at(Vec2 shift) const;
 
-  bool gives_mass_{};  ///< the base gives its rock's mass, not the density; found while the base is read
+  bool gives_mass_{};                ///< the base gives its rock's mass, not the density; found while the base is read
+  bool sets_spin_{}, sets_along_{};  ///< the file asks for spins or places other than the base's
   SceneFile base_;
   std::vector<std::pair<std::string, TomlValue>> fields_;
   RockChanges changes_;
@@ -36,6 +40,6 @@ class RockRuns {
 };
 
 /// Numbers in [-1, 1) that follow from a seed and what they are for.
-[[nodiscard]] std::array<double, 4> random_numbers(std::int64_t seed, const std::vector<std::uint32_t>& purpose);
+[[nodiscard]] std::array<double, 5> random_numbers(std::int64_t seed, const std::vector<std::uint32_t>& purpose);
 
 }  // namespace talus::app

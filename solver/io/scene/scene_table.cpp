@@ -178,6 +178,18 @@ std::vector<double> SceneTable::quantities(std::string_view key, Dimension dimen
   return result;
 }
 
+std::vector<double> SceneTable::quantities_or_one(std::string_view key, Dimension dimension, Range range) {
+  const TomlValue* const value = demand(key);
+  if (value == nullptr) return {};
+  const auto* const elements = std::get_if<TomlArray>(&value->data);
+  if (elements == nullptr) return {quantity_of(key, *value, dimension, range)};
+  if (elements->empty()) report_at(value->line, key, "found []; it must have a quantity");
+  std::vector<double> result;
+  for (std::size_t i = 0; i < elements->size(); ++i)
+    result.push_back(quantity_of(fmt::format("{}[{}]", key, i), (*elements)[i], dimension, range));
+  return result;
+}
+
 Vec2 SceneTable::vector(std::string_view key, Dimension dimension) {
   const std::vector<double> components = quantities(key, dimension, 2, 2);
   return {components[0], components[1]};

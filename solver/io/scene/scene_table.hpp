@@ -89,6 +89,9 @@ class SceneTable {
   /// An array of `minimum` to `maximum` quantities of one dimension.
   [[nodiscard]] std::vector<double> quantities(std::string_view key, Dimension dimension, std::size_t minimum,
                                                std::size_t maximum);
+  /// A quantity, or a non-empty array of them.
+  [[nodiscard]] std::vector<double> quantities_or_one(std::string_view key, Dimension dimension,
+                                                      Range range = Range::any);
   [[nodiscard]] Vec2 vector(std::string_view key, Dimension dimension);
   [[nodiscard]] Vec2 vector_or(std::string_view key, Dimension dimension, Vec2 absent);
   /// A pure number, written without quotes.

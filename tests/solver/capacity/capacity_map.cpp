@@ -56,6 +56,18 @@ BOOST_AUTO_TEST_CASE(an_outcome_everywhere_needs_the_first_nodes_alone) {
   }
 }
 
+BOOST_AUTO_TEST_CASE(a_boundary_contains_islands) {
+  CapacityMap map{{.cells = 8, .first_cells = 8, .trials = 4, .few = 4}};
+  complete(map, [](MapNode node, std::size_t) { return node.j < 3 || node.j == 5; });
+  const MapBoundary boundary = boundary_at(map, map.states(), 2);
+  BOOST_TEST(boundary.last_above == 2);
+  BOOST_TEST(boundary.first_below == 6);
+  CapacityMap ends_above{{.cells = 4, .first_cells = 4, .trials = 4, .few = 4}};
+  complete(ends_above, [](MapNode node, std::size_t) { return node.j != 2; });
+  BOOST_TEST(boundary_at(ends_above, ends_above.states(), 0).last_above == 1);
+  BOOST_TEST(boundary_at(ends_above, ends_above.states(), 0).first_below == -1);
+}
+
 BOOST_AUTO_TEST_CASE(trials_are_doubled_while_a_node_is_open_and_have_consecutive_numbers) {
   CapacityMap map{{.cells = 1, .first_cells = 1, .trials = 20, .few = 4}};
   std::vector<std::size_t> lasts;

@@ -48,10 +48,12 @@ BOOST_AUTO_TEST_CASE(all_fields_are_read_and_all_but_three_have_defaults) {
   folder.file("rocks.csv", "speed [m/s],height [m],mass [kg]\n3,1,200\n4,2,100\n");
   const CapacityFile all = read_capacity(
       "title = \"T\"\n" + head +
-          "height = [\"1 m\", \"250 cm\"]\nset = { \"fence.duration\" = \"2 s\" }\nseed = 7\n[map]\ncells = 24\n"
+          "height = [\"1 m\", \"250 cm\"]\nspin = \"-4 rad/s\"\nalong = [\"-1 cm\"]\nset = { \"fence.duration\" = \"2 "
+          "s\" }\nseed = 7\n[map]\ncells = 24\n"
           "first_cells = 3\nruns = 5\nfew_runs = 2\naudit = 0\n[changes]\nspeed = 0.5\nheight = \"1 cm\"\nangle = "
           "\"180 deg\"\n"
-          "spin = \"2 rad/s\"\n[hazard]\ntable = \"rocks.csv\"\nruns = 9\n[limits]\nevaluations = 8\n",
+          "spin = \"2 rad/s\"\nalong = \"3 cm\"\n[hazard]\nspin = [\"1 rad/s\", \"2 rad/s\"]\ntable = "
+          "\"rocks.csv\"\nruns = 9\n[limits]\nevaluations = 8\n",
       folder.path / "c.toml");
   BOOST_TEST(all.title == "T");
   BOOST_TEST(all.heights == (std::vector<double>{1.0, 2.5}), boost::test_tools::per_element());
@@ -66,12 +68,24 @@ BOOST_AUTO_TEST_CASE(all_fields_are_read_and_all_but_three_have_defaults) {
   BOOST_TEST(all.changes.height == 0.01);
   BOOST_TEST(all.changes.angle == 3.141592653589793);
   BOOST_TEST(all.changes.spin == 2.0);
+  BOOST_TEST(all.changes.along == 0.03);
+  BOOST_TEST(all.spins == (std::vector<double>{-4.0}), boost::test_tools::per_element());
+  BOOST_TEST(all.places == (std::vector<double>{-0.01}), boost::test_tools::per_element());
+  BOOST_TEST((all.hazard->spin == std::array{1.0, 2.0}));
+  BOOST_TEST(!all.hazard->along);
+  BOOST_TEST(!all.hazard->table_has_spin);
   BOOST_TEST(all.hazard->runs == 9U);
   BOOST_TEST(all.hazard->table.at(1).mass == 100.0);
   BOOST_TEST(all.hazard->table.at(1).height == 2.0);
   BOOST_TEST(all.limits.evaluations == 8);
   BOOST_TEST(read_capacity(head + "height = \"2 m\"\n", "c.toml").heights == (std::vector<double>{2.0}),
              boost::test_tools::per_element());
+  folder.file("places.csv", "along [m],speed [m/s],height [m],mass [kg],spin [rad/s]\n-2,3,1,200,8\n");
+  const RockHazard places = *read_capacity(head + "[hazard]\ntable = \"places.csv\"\n", folder.path / "c.toml").hazard;
+  BOOST_TEST(places.table_has_spin);
+  BOOST_TEST(places.table_has_along);
+  BOOST_TEST(places.table.at(0).spin == 8.0);
+  BOOST_TEST(places.table.at(0).along == -2.0);
 }
 
 BOOST_AUTO_TEST_CASE(a_lognormal_number_has_its_percentiles) {
@@ -87,14 +101,22 @@ BOOST_AUTO_TEST_CASE(wrong_files_are_refused_by_key) {
   folder.file("zero.csv", "mass [kg],speed [m/s],height [m]\n1,1,1\n0,1,1\n");
   folder.file("good.csv", "mass [kg],speed [m/s],height [m]\n1,1,1\n");
   folder.file("empty.csv", "mass [kg],speed [m/s],height [m]\n");
+  std::string spins = "\"0 rad/s\"";
+  for (int i = 1; i <= 100; ++i)
+    spins += ", \"1 rad/s\"";
   const std::vector<std::pair<std::string, std::string>> wrong{
       {"base = \"f.toml\"\n" + speed, "c.toml:1: mass: it is missing"},
       {"base = \"f.toml\"\nmass = [\"2 kg\", \"1 kg\"]\n" + speed,
        "c.toml:2: mass: found [\"2 kg\", \"1 kg\"]; both must be > 0, the first less than the second"},
-      {head + "height = []\n", "c.toml:4: height: found []; it must be a length, or an array of 1 to 12 lengths"},
-      {head + "height = [3]\n", "c.toml:4: height: found 3; it must be a length"},
-      {head + "height = [\"1 400\"]\n", "c.toml:4: height: found \"1 400\"; '400' is not a unit; write e.g. \"1 m\""},
-      {head + "height = [\"-1 m\"]\n", "c.toml:4: height: found \"-1 m\"; it must be > 0"},
+      {head + "height = []\n", "c.toml:4: height: found []; it must have a quantity"},
+      {head + "height = [3]\n", "c.toml:4: height[0]: found 3; the unit is missing; write e.g. \"3 m\""},
+      {head + "height = [\"1 400\"]\n",
+       "c.toml:4: height[0]: found \"1 400\"; '400' is not a unit; write e.g. \"1 m\""},
+      {head + "height = [\"-1 m\"]\n", "c.toml:4: height[0]: found \"-1 m\"; it must be > 0"},
+      {head + "height = \"1 m\"\nspin = [" + spins + "]\n",
+       "c.toml:4: height: with `spin` and `along` there are 101 maps; there may be at most 100"},
+      {head + "[hazard]\ntable = \"good.csv\"\nalong = [\"1 m\"]\n",
+       "c.toml:6: hazard: along: found 1 components; it must have 2"},
       {head + "set = 3\n", "c.toml:4: set: it must be a table of fields of the base with their values"},
       {head + "[map]\ncells = 24\nfirst_cells = 5\n",
        "c.toml:5: map: cells: found 24 cells, 5 at first; the first must be a power of two times the second"},

@@ -11,6 +11,7 @@
 #include "verification/problems/program/capacity/capacity_statistics.hpp"
 #include "verification/record/csv.hpp"
 #include "verification/record/json_node.hpp"
+#include "verification/record/whole_file.hpp"
 #include "verification/study/findings/expectations.hpp"
 #include "verification/study/program/program_options.hpp"
 #include "verification/study/program/program_run.hpp"
@@ -27,7 +28,8 @@ constexpr double half_span = 5.0, area = 1e-4, young = 1e11, strength = 1e5, col
 
 constexpr const char* guided = "held = [\"y\", \"rotation\"]\n";
 
-std::string fence(const std::string& of_rock) {
+/// `more`: further fields of [fence.options].
+std::string fence(const std::string& of_rock, const std::string& more = "") {
   return fmt::format(R"(title = "One column on one cable"
 units = "SI"
 
@@ -71,8 +73,8 @@ velocity = ["-5 m/s", "0 m/s"]
 {}
 [fence.options]
 strength_top = "1 N"
-)",
-                     2.0 * half_span, young, area, column_mass, own_radius, own_radius, own_mass, own_x, of_rock);
+{})",
+                     2.0 * half_span, young, area, column_mass, own_radius, own_radius, own_mass, own_x, of_rock, more);
 }
 
 /// Kinetic energy with which the cable breaks: that of both halves at their strength.
@@ -110,6 +112,26 @@ void check_boundary(const Program& program, Findings& findings, Differences& dif
                    std::abs(line.at("kinetic_energy").at(0).get<double>() / (0.5 * mass * low * low) - 1.0) < 1e-12,
                    true);
   }
+  // At the boundary: the force is that of the cable which takes up the energy; beyond it the rock keeps the rest.
+  double forces = 0.0, energies = 0.0;
+  for (const Json& line : map.at("boundary")) {
+    const double mass = line.at("mass").get<double>(), low = line.at("speed").at(0).get<double>(),
+                 high = line.at("speed").at(1).get<double>();
+    const double share = mass * low * low / (2.0 * breaking_energy(setup));
+    const Json &stopped = line.at("stopped"), &passed = line.at("not_stopped");
+    keep_worst(forces, stopped.at("outputs").at("fence.cable_force").at("median").at("value").get<double>() /
+                               (strength * std::sqrt(share)) -
+                           1.0);
+    keep_worst(energies, (passed.at("outputs").at("fence.exit_energy").at("median").at("value").get<double>() -
+                          0.5 * mass * high * high + breaking_energy(setup)) /
+                             (0.5 * mass * high * high));
+    differ.compare("runs at the boundary",
+                   stopped.at("ends").at("stopped").get<int>() > passed.at("ends").at("stopped").get<int>(), true);
+  }
+  findings.expect("one column: cable force at the boundary over the closed form, largest deviation from 1", forces, 0.0,
+                  Tolerance::model(0.012, "the column has at most 1 % of the rock's mass, speeds change by 0.2 %"));
+  findings.expect("one column: energy beyond the boundary, largest deviation from the closed form over the energy",
+                  energies, 0.0, Tolerance::model(0.024, "twice these of the speed"));
   findings.expect(
       "one column: speeds at which the cable breaks outside of the boundary, number", outside, 0.0,
       Tolerance::exact("energy of the rock = energy of both halves of the cable; the column of 1 kg adds at "
@@ -283,6 +305,83 @@ void check_changes(const Program& program, Differences& differ) {
                  other.exit_code == 2 && other.messages.find("other limits") != std::string::npos, true);
 }
 
+/// Spins, and places along the fence in the full model: a map for each combination, expected rocks between two ends.
+void check_places(const Program& program, Differences& differ) {
+  program.write("full.toml", fence("", "symmetry = \"full\"\n"));
+  program.write("places.toml",
+                "base = \"full.toml\"\nmass = [\"100 kg\", \"800 kg\"]\nspeed = [\"2 m/s\", \"4 m/s\"]\n"
+                "spin = [\"-1 rad/s\", \"3 rad/s\"]\nalong = [\"-0.25 m\", \"0.125 m\"]\n[map]\ncells = 1\n"
+                "first_cells = 1\nruns = 4\naudit = 0\n[changes]\nalong = \"0.0625 m\"\n[hazard]\nmass = \"150 kg\"\n"
+                "speed = \"3 m/s\"\nheight = \"4.5 m\"\nspin = [\"5 rad/s\", \"7 rad/s\"]\n"
+                "along = [\"-0.3 m\", \"0.3 m\"]\nruns = 200\n");
+  const std::string of_places = program.run({"capacity", "places.toml"}, {{"--sheet", {}}});
+  for (const char* const name :
+       {"height 4.5 m, spin -1 rad/s, place -0.25 m: 16 runs", "height 4.5 m, spin 3 rad/s, place 0.125 m: 16 runs"})
+    differ.compare(fmt::format("map of {}", name), of_places.find(name) != std::string::npos, true);
+  static_cast<void>(program.run({"sweep", "collect", "places"}, {}));
+  const records::Csv placed = program.csv("places/results.csv"), maps = program.csv("places/capacity.csv");
+  double place = 0.0, farthest = 0.0, mean_spin = 0.0, widest_place = 0.0;
+  std::size_t expected = 0;
+  for (std::size_t row = 0; row < placed.rows(); ++row) {
+    const auto number = [&](const std::string& head) { return placed.number(row, placed.column(head)); };
+    const double along = number("fence.rock[0].along [m]"), turning = number("fence.rock[0].spin [rad/s]");
+    if (turning > 4.0) {
+      ++expected, mean_spin += turning, widest_place = std::max(widest_place, std::abs(along));
+      differ.compare("spin of an expected rock", turning >= 5.0 && turning <= 7.0, true);
+      continue;
+    }
+    const double change = std::min(std::abs(along + 0.25), std::abs(along - 0.125));
+    place = std::max(place, change), farthest = std::max(farthest, std::abs(along));
+    differ.compare("spin of a map", turning == -1.0 || turning == 3.0, true);
+  }
+  differ.compare("expected rocks", expected, std::size_t{200});
+  differ.compare("mean spin of the expected rocks", std::abs(mean_spin / 200.0 - 6.0) < 4.0 * 0.5774 / std::sqrt(200.0),
+                 true);
+  differ.compare("places of the expected rocks", widest_place > 0.3 && widest_place <= 0.3625, true);
+  differ.compare("places of the maps", place > 0.05 && place <= 0.0625 && farthest > 0.27, true);
+  differ.compare("rows of four maps", maps.rows(), std::size_t{16});
+  differ.compare(
+      "spin and place of a node",
+      maps.number(0, maps.column("spin [rad/s]")) == -1.0 && maps.number(4, maps.column("along [m]")) == 0.125, true);
+  const std::string sheet = program.read("places/capacity.html");
+  differ.compare("page to print",
+                 program.has("places/capacity.pdf") &&
+                     sheet.find("Probability of failure per impact: ") != std::string::npos &&
+                     sheet.find("4.5 m, 3 rad/s, at 0.125 m") != std::string::npos,
+                 true);
+}
+
+/// A base in US units that gives the density, on an inclined ground.
+void check_us_base(const Program& program, Differences& differ) {
+  std::string inclined = records::read_whole(fs::path{TALUS_CASES} / "capacity" / "fence.toml");
+  inclined.replace(inclined.find("duration = \"2 s\""), 16, "duration = \"0.01 s\"");
+  inclined.replace(inclined.find("position = [\"0 ft\", \"-5 ft\"]"), 28,
+                   "angle = \"10 deg\"\nposition = [\"0 ft\", \"-5 ft\"]");
+  program.write("inclined.toml", inclined);
+  program.write("us.toml",
+                "base = \"inclined.toml\"\nmass = [\"600 lb\", \"2400 lb\"]\nspeed = [\"20 ft/s\", \"100 ft/s\"]\n"
+                "height = \"6 ft\"\n[map]\ncells = 1\nfirst_cells = 1\nruns = 4\naudit = 0\n");
+  static_cast<void>(program.run({"capacity", "us.toml"}, {{"--no-plots", {}}}));
+  static_cast<void>(program.run({"sweep", "collect", "us"}, {}));
+  const records::Csv steep = program.csv("us/results.csv");
+  double raised = 0.0, sized = 0.0;
+  constexpr double foot = 0.3048, own_half = 0.953951 * foot, slope = 10.0 * std::numbers::pi / 180.0;
+  const double heavy = own_half * std::cbrt(2400.0 * 0.45359237 /
+                                            (5.127408 * 14.593902937206365 / (foot * foot * foot) * 4.0 / 3.0 *
+                                             std::numbers::pi * own_half * own_half * own_half));
+  for (std::size_t row = 0; row < steep.rows(); ++row) {
+    const auto number = [&](const std::string& head) { return steep.number(row, steep.column(head)); };
+    const double x = number("fence.rock[0].position[0] [m]"), y = number("fence.rock[0].position[1] [m]");
+    // The surface passes through the middle of the block's upper side; heights are perpendicular to it.
+    const double surface =
+        -5.0 * foot + 0.5 * foot * std::cos(slope) + std::tan(slope) * (x + 0.5 * foot * std::sin(slope));
+    keep_worst(raised, (y - surface) * std::cos(slope) - 6.0 * foot);
+    sized = std::max(sized, number("fence.rock[0].a [m]"));
+  }
+  differ.compare("height above an inclined ground", std::abs(raised) < 1e-9, true);
+  differ.compare("size of a rock of another mass", std::abs(sized / heavy - 1.0) < 1e-9, true);
+}
+
 void check_refusals(const Program& program, Differences& differ) {
   program.write("fence.toml", fence(guided));
   program.write("ball.toml", program.run({"new", "scene"}, {}));
@@ -291,6 +390,8 @@ void check_refusals(const Program& program, Differences& differ) {
   program.write("falling.toml", falling);
   program.write("bad.csv", "mass [kg],speed [m/s]\n1,1\n");
   program.write("zero.csv", "mass [kg],speed [m/s],height [m]\n1,0,1\n");
+  program.write("places.csv", "mass [kg],speed [m/s],height [m],along [m]\n1,1,1,1\n");
+  program.write("infinite.csv", "mass [kg],speed [m/s],height [m]\n1,1,inf\n");
   program.write("empty.csv", "mass [kg],speed [m/s],height [m]\n");
   const std::string mass = "mass = [\"1 kg\", \"2 kg\"]\n", speed = "speed = [\"1 m/s\", \"2 m/s\"]\n",
                     good = "base = \"fence.toml\"\n" + mass + speed;
@@ -309,9 +410,19 @@ void check_refusals(const Program& program, Differences& differ) {
       {"base = \"fence.toml\"\nmass = [\"2 kg\", \"1 kg\"]\n" + speed,
        "wrong.toml:2: mass: found [\"2 kg\", \"1 kg\"]; both must be > 0"},
       {"base = \"fence.toml\"\nmass = [\"1 kg\", \"2 m\"]\n" + speed, "wrong.toml:2: mass: "},
-      {good + "height = []\n", "wrong.toml:4: height: found []; it must be a length, or an array of 1 to 12 lengths"},
-      {good + "height = [\"-1 m\"]\n", "wrong.toml:4: height: found \"-1 m\"; it must be > 0"},
-      {good + "height = [3]\n", "wrong.toml:4: height: found 3; it must be a length"},
+      {good + "height = []\n", "wrong.toml:4: height: found []; it must have a quantity"},
+      {good + "height = [\"-1 m\"]\n", "wrong.toml:4: height[0]: found \"-1 m\"; it must be > 0"},
+      {good + "height = [3]\n", "wrong.toml:4: height[0]: found 3; the unit is missing"},
+      {good + "spin = [\"1 m\"]\n", "wrong.toml:4: spin[0]: "},
+      {good + "along = \"1 m\"\n",
+       "fence.toml: [fence.options]: symmetry: found \"half\"; rocks at places along the fence need \"full\""},
+      {good + "[changes]\nalong = \"1 m\"\n", "places along the fence need"},
+      {good + "[hazard]\ntable = \"places.csv\"\n", "places along the fence need"},
+      {good + "[hazard]\ntable = \"places.csv\"\nalong = \"1 m\"\n", "hazard: along: the rows of the table give it"},
+      {good + "[hazard]\ntable = \"infinite.csv\"\n",
+       "infinite.csv:2: column 'height [m]': found 'inf'; it must be a finite number"},
+      {good + "[hazard]\nmass = \"1 kg\"\nspeed = \"1 m/s\"\nheight = \"1 m\"\nspin = [\"2 rad/s\", \"1 rad/s\"]\n",
+       "hazard: spin: found [\"2 rad/s\", \"1 rad/s\"]; the first must be at most the second"},
       {good + "heigth = \"1 m\"\n", "wrong.toml:4: heigth: "},
       {good + "set = 3\n", "wrong.toml:4: set: it must be a table of fields"},
       {good + "set = { \"fence.colums\" = 3 }\n", "colums"},
@@ -360,6 +471,8 @@ void run(Findings& findings, const Setup& setup) {
   if (setup.needs("differ in a byte")) check_bytes(program, findings, differ);
   if (setup.needs("outputs that differ")) {
     check_changes(program, differ);
+    check_places(program, differ);
+    check_us_base(program, differ);
     check_refusals(program, differ);
   }
   differ.expect_none(findings, "outputs that differ from the request", "numbers, texts, files and refusals");

@@ -1,0 +1,128 @@
+#include "reports/sheet/capacity_page.hpp"
+
+#include <boost/test/unit_test.hpp>
+#include <string>
+
+#include "reports/base/error.hpp"
+#include "reports/base/process.hpp"
+#include "tests/reports/scratch.hpp"
+#include "verification/record/error.hpp"
+#include "verification/record/whole_file.hpp"
+
+BOOST_AUTO_TEST_SUITE(capacity_page_tests)
+
+using namespace talus::reports;
+using talus::records::read_whole;
+using talus::records::write_whole;
+namespace fs = std::filesystem;
+
+namespace {
+
+const std::string ends = R"({"stopped": 6, "undecided": 0, "passed_under": 2, "passed_over": 0, "broke_through": 0,
+ "failed": 0})",
+                  outputs = R"({"fence.anchor_force": {"runs": 8, "median": {"value": 1000, "interval": [null, 2000]},
+ "p95": {"value": 4448.2216152605, "interval": [3000, null]}},
+ "fence.exit_energy": {"runs": 8, "median": {"value": 1000, "interval": [1, 2]},
+ "p95": {"value": 2000, "interval": [1500, 2500]}}})";
+
+std::string line(const std::string& speed, const std::string& energy) {
+  const std::string node = "{\"ends\": " + ends + ", \"outputs\": " + outputs + "}";
+  return "{\"mass\": 453.59237, \"speed\": " + speed + ", \"kinetic_energy\": " + energy + ", \"stopped\": " + node +
+         ", \"not_stopped\": null}";
+}
+
+std::string map(const std::string& height, const std::string& lines) {
+  return "{\"height\": " + height + R"(, "spin": 0, "along": 0, "runs": 8, "full_grid_runs": 80, "ends": )" + ends +
+         R"(, "audit": {"runs": 8, "ends": )" + ends +
+         R"(, "contradictions": 1, "interval": [0, 1]}, "energy_factor": 2.5, "boundary": [)" + lines + "]}";
+}
+
+std::string record(const std::string& maps, const std::string& more = "") {
+  return R"({"schema": 2, "title": "A & B_1", "units": "SI", "base": "f_1.toml", "scene_units": "US",
+ "mass": [453.59237, 907.18474], "speed": [0.3048, 3.048], "seed": 3,
+ "changes": {"speed": 0.01, "height": 0.5, "angle": 0, "spin": 0, "along": 0}, "maps": [)" +
+         maps + "]" + more + "}";
+}
+
+const std::string hazard = R"(, "hazard": {"runs": 8, "ends": )" + ends +
+                           R"(, "probability_of_failure": 0.25, "interval": [0.07, 0.6], "outputs": )" + outputs + "}";
+
+std::string fact(const SheetBox& box, const std::string& name) {
+  const auto found = std::ranges::find(box.facts, name, &SheetFact::name);
+  return found == box.facts.end() ? std::string{"none"} : found->text;
+}
+
+SheetPage page_of(const std::string& text) {
+  const Scratch scratch("capacity_page");
+  write_whole(scratch.folder / "capacity.json", text);
+  return capacity_page(read_capacity_record(scratch.folder / "capacity.json"));
+}
+
+}  // namespace
+
+BOOST_AUTO_TEST_CASE(boundaries_and_expected_rocks_in_the_units_of_the_base) {
+  const SheetPage page = page_of(
+      record(map("1.5", line("[0.3048, 0.6096]", "[1355.817948, 2711.635896]") + "," +
+                            line("[0, 0.6096]", "[0, 2711.635896]") + "," + line("[3.048, null]", "[5e3, null]")),
+             hazard));
+  BOOST_TEST(page.title == "A & B_1");
+  BOOST_TEST(page.lines[0] == "Rocks that the fence of f_1.toml stops: 1000 lb (453.6 kg) to 2000 lb (907.2 kg)");
+  BOOST_TEST(page.boxes[0].heading == "Probability of failure per impact: 0.25");
+  BOOST_TEST(fact(page.boxes[0], "95 %") == "0.07 to 0.6");
+  BOOST_TEST(fact(page.boxes[0], "expected rocks") == "8 runs: 6 stopped, 2 passed under");
+  BOOST_TEST(fact(page.boxes[0], "energy") ==
+             "at some mass no energy of the map is stopped; at some mass rocks are stopped up to the end of the map");
+  BOOST_TEST(fact(page.boxes[0], "one energy") == "misjudges masses by a factor of up to 2.5");
+  BOOST_TEST(page.boxes[1].heading == "Audit: 1 of 8 runs contradict the map");
+  BOOST_TEST(page.boxes[1].colour == "amber");
+  BOOST_TEST(fact(page.boxes[1], "runs") == "8, 10 % of the full grid");
+  BOOST_TEST(fact(page.boxes[1], "random") == "speed +-1 %, height +-0.5 m; seed 3");
+  using Row = std::vector<std::string>;
+  BOOST_TEST(
+      (page.tables.at(0).rows.at(0) == Row{"1.5 m", "1000 (453.6)", "1 to 2", "1 to 2", "1 (4.448)", "", "", ""}));
+  BOOST_TEST(page.tables.at(0).rows.at(1).at(2) == "below 2");
+  BOOST_TEST(page.tables.at(0).rows.at(2).at(2) == "above 10");
+  BOOST_TEST((page.tables.at(1).rows.at(0) == Row{"anchor force", "kip", "0.2248", "1", "0.6744 to unknown"}));
+  BOOST_TEST((page.tables.at(2).rows.at(2) == Row{"passed under", "2", "2", "2"}));
+}
+
+BOOST_AUTO_TEST_CASE(several_heights_and_energies_of_all_masses) {
+  const std::string same = line("[0.3048, 0.6096]", "[1355.817948, 2711.635896]");
+  const SheetPage page = page_of(record(map("1.5", same) + "," + map("2", same)));
+  BOOST_TEST(page.boxes[0].heading == "Capacity");
+  BOOST_TEST(fact(page.boxes[0], "energy") ==
+             "every mass is stopped up to 1 kip ft (1.356 kJ); none is from 2 kip ft (2.712 kJ) on");
+  BOOST_TEST(page.boxes[1].heading == "Audit: 2 of 16 runs contradict the map");
+  BOOST_TEST(page.tables.at(0).rows.at(1).at(0) == "2 m");
+  BOOST_TEST(page.tables.size() == 2U);
+  std::string lines = same;
+  for (int i = 0; i < 19; ++i)
+    lines += "," + same;
+  const SheetPage cut = page_of(record(map("1.5", lines)));
+  BOOST_TEST(cut.tables.at(0).rows.size() == 14U);
+  BOOST_TEST(cut.tables.at(0).note.find("6 more are in capacity.json") != std::string::npos);
+}
+
+BOOST_AUTO_TEST_CASE(the_program_makes_the_page_and_names_a_missing_figure) {
+  const Scratch scratch("capacity_page");
+  const std::string text =
+      record(map("1.5", line("[1, 2]", "[3, 4]")) + "," + map("2", line("[1, 2]", "[3, 4]")), hazard);
+  write_whole(scratch.folder / "capacity.json", text);
+  const Finished made = run({TALUS_REPORT_PROGRAM, {"--sheet", scratch.folder.string()}, {}, {}});
+  BOOST_TEST(made.status == 4);
+  BOOST_TEST(made.messages.find("envelope_1.svg: it is missing; talus capacity draws it") != std::string::npos,
+             made.messages);
+  BOOST_TEST(fs::exists(scratch.folder / "capacity.pdf"));
+  BOOST_TEST(read_whole(scratch.folder / "capacity.html").find("<h1>A &amp; B_1</h1>") != std::string::npos);
+  for (const auto& [wrong, message] :
+       {std::pair{std::string{"{\"schema\": 1}"}, "schema: must be 2, found 1: start talus capacity again"},
+        std::pair{record(""), "maps: must have a map"},
+        std::pair{record(map("1.5", line("[1]", "[1, 2]"))), "speed: must be 2 numbers, found 1"}}) {
+    write_whole(scratch.folder / "capacity.json", wrong);
+    const Finished refused = run({TALUS_REPORT_PROGRAM, {"--sheet", scratch.folder.string()}, {}, {}});
+    BOOST_TEST(refused.status == 2);
+    BOOST_TEST(refused.messages.find(message) != std::string::npos, refused.messages);
+  }
+}
+
+BOOST_AUTO_TEST_SUITE_END()
