@@ -20,7 +20,7 @@ using records::Node;
 constexpr int capacity_schema = 2;
 
 /// Maximum rows of the table of boundaries, so that the page is one.
-constexpr std::size_t most_boundaries = 14;
+constexpr std::size_t maximum_boundaries = 14;
 
 CapacityInterval interval(const Node& node) {
   const std::vector<Node> ends = node.list();
@@ -132,7 +132,7 @@ SheetTable boundary_table(const CapacityRecord& record) {
   table.note =
       "Stopped: with a probability above one half. Forces: 95th percentile at the first speed. Energy after: median "
       "after the last contact at the second. ";
-  cut(table, most_boundaries, "capacity.json");
+  cut(table, maximum_boundaries, "capacity.json");
   return table;
 }
 

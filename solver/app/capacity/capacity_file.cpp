@@ -100,7 +100,7 @@ RockNumber read_number(SceneTable& table, std::string_view key, Dimension dimens
   return number;
 }
 
-/// Reads the table of a hazard, with the columns for spin and place that it may have.
+/// Reads the table of a hazard, with the columns for spin and position that it may have.
 void read_rocks(SceneTable& table, const fs::path& file, RockHazard& hazard) {
   try {
     const records::Csv csv = records::read_csv(file);
@@ -177,12 +177,12 @@ CapacityFile read_capacity(std::string_view text, const fs::path& name) {
     made.speed = ends_of(file, "speed", dimension::velocity);
     if (file.has("height")) made.heights = file.quantities_or_one("height", dimension::length, Range::positive);
     if (file.has("spin")) made.spins = file.quantities_or_one("spin", dimension::angular_velocity);
-    if (file.has("along")) made.places = file.quantities_or_one("along", dimension::length);
-    constexpr std::size_t most_maps = 100;
+    if (file.has("along")) made.positions = file.quantities_or_one("along", dimension::length);
+    constexpr std::size_t maximum_maps = 100;
     const auto count = [](const std::vector<double>& list) { return std::max<std::size_t>(1, list.size()); };
-    if (const std::size_t maps = count(made.heights) * count(made.spins) * count(made.places); maps > most_maps)
-      file.report("height",
-                  fmt::format("with `spin` and `along` there are {} maps; there may be at most {}", maps, most_maps));
+    if (const std::size_t maps = count(made.heights) * count(made.spins) * count(made.positions); maps > maximum_maps)
+      file.report("height", fmt::format("with `spin` and `along` there are {} maps; there may be at most {}", maps,
+                                        maximum_maps));
     if (const TomlValue* const fields = file.value("set")) {
       const auto* const table = std::get_if<TomlTable>(&fields->data);
       if (table == nullptr) file.fail("set", "it must be a table of fields of the base with their values");

@@ -59,7 +59,7 @@ struct CapacityFile {
   std::vector<std::pair<std::string, TomlValue>> fields;  ///< of the base, set in all runs
   std::array<double, 2> mass{}, speed{};                  ///< ends of the maps [kg], [m/s]
   /// A map for each of their combinations [m], [rad/s], [m]; those of the base's rock where a list is empty.
-  std::vector<double> heights, spins, places;
+  std::vector<double> heights, spins, positions;
   MapRules map;
   std::size_t audit{50};  ///< number of trials at nodes without any
   RockChanges changes;

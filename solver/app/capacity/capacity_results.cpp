@@ -71,11 +71,11 @@ RockTrials all_trials(const RockMap& map) {
 /// Places in capacity_outputs.
 constexpr std::size_t anchor_force = 0, cable_force = 1, hanger_force = 2, exit_energy = 5;
 
-/// "height 1.37 m", with spin and place if the file gives them.
+/// "height 1.37 m", with spin and position if the file gives them.
 std::string name_of(const CapacityStudy& study, const Rock& rock, int digits) {
   std::string name = fmt::format("height {:.{}g} m", rock.height, digits);
   if (!study.file().spins.empty()) name += fmt::format(", spin {:.{}g} rad/s", rock.spin, digits);
-  if (!study.file().places.empty()) name += fmt::format(", place {:.{}g} m", rock.along, digits);
+  if (!study.file().positions.empty()) name += fmt::format(", along {:.{}g} m", rock.along, digits);
   return name;
 }
 

@@ -27,7 +27,7 @@ struct CapacityBoundary {
 /// equal within their intervals.
 [[nodiscard]] double energy_factor(const std::vector<CapacityBoundary>& boundaries);
 
-/// Every node with trials as a line of CSV: height, spin, place, mass, speed, kinetic energy, trials by their end,
+/// Every node with trials as a line of CSV: height, spin, position, mass, speed, kinetic energy, trials by their end,
 /// probability of being stopped with its interval, state, and of each output the median and the 95th percentile.
 [[nodiscard]] std::string capacity_csv(const CapacityStudy& study);
 

@@ -23,7 +23,7 @@ RockEnd end_of(const SweepResult& result) {
   return static_cast<RockEnd>(std::ranges::find(verdicts, result.verdict) - verdicts.begin());
 }
 
-/// What the random numbers of a trial are for: place of its node, and height, spin and place of its rocks, which a
+/// What the random numbers of a trial are for: place of its node, and height, spin and position of its rocks, which a
 /// finer map and a question about more rocks share, so that their runs count there, too.
 std::vector<std::uint32_t> purpose_of(const RockMap& map, MapNode node, std::size_t trial) {
   const int cells = map.map.rules().cells, i = std::gcd(node.i, cells), j = std::gcd(node.j, cells);
@@ -74,7 +74,7 @@ CapacityStudy::CapacityStudy(const CapacityFile& file, const SweepFolder& folder
   };
   for (const double height : or_own(file.heights, rocks.own().height)) {
     for (const double spin : or_own(file.spins, rocks.own().spin)) {
-      for (const double along : or_own(file.places, rocks.own().along)) {
+      for (const double along : or_own(file.positions, rocks.own().along)) {
         RockMap map{{.height = height, .spin = spin, .along = along}, CapacityMap{file.map}, {}, {}, {}, 0};
         map.nodes.resize(static_cast<std::size_t>(map.map.side()) * static_cast<std::size_t>(map.map.side()));
         maps_.push_back(std::move(map));

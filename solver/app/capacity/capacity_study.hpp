@@ -43,10 +43,10 @@ struct RockTrials {
   [[nodiscard]] std::vector<double> values(std::size_t output) const;
 };
 
-/// The map of rocks of one height, spin and place. Its outcome is that the rock is stopped: undecided and failed runs
-/// count as not stopped.
+/// The map of rocks of one height, spin and position. Its outcome is that the rock is stopped: undecided and failed
+/// runs count as not stopped.
 struct RockMap {
-  Rock rock;  ///< its height, spin and place; its mass and speed have no meaning
+  Rock rock;  ///< its height, spin and position; its mass and speed have no meaning
   CapacityMap map;
   std::vector<RockTrials> nodes;  ///< by the number of the node (mass changes first)
   std::vector<MapState> states;   ///< likewise

@@ -50,11 +50,11 @@ RockRuns::RockRuns(const std::string& text, const std::string& name, const Capac
   own_.along = rock.along * si_size(units, dimension::length);
   sets_spin_ = !file.spins.empty() || file.changes.spin > 0.0 ||
                (file.hazard && (file.hazard->spin || file.hazard->table_has_spin));
-  sets_along_ = !file.places.empty() || file.changes.along > 0.0 ||
+  sets_along_ = !file.positions.empty() || file.changes.along > 0.0 ||
                 (file.hazard && (file.hazard->along || file.hazard->table_has_along));
   if (sets_along_ && base_.fence->fence.options.symmetry == scenes::FenceSymmetry::half)
-    throw InputError{fmt::format(
-        "{}: [fence.options]: symmetry: found \"half\"; rocks at places along the fence need \"full\"", name)};
+    throw InputError{
+        fmt::format("{}: [fence.options]: symmetry: found \"half\"; positions along the fence need \"full\"", name)};
 }
 
 double RockRuns::start_energy(const Rock& rock) const {

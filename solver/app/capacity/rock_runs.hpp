@@ -15,7 +15,7 @@ namespace talus::app {
 class RockRuns {
  public:
   /// `text`: the base, TOML. Errors: InputError for a base that is no fence, has no rock or several, or whose rock does
-  /// not move along x; and if the file has places along the fence and the base is a half model.
+  /// not move along x; and if the file has positions along the fence and the base is a half model.
   RockRuns(const std::string& text, const std::string& name, const CapacityFile& file);
 
   /// The rock of the base.
@@ -24,7 +24,7 @@ class RockRuns {
   [[nodiscard]] double start_energy(const Rock& rock) const;
   /// Units of the base.
   const UnitSystem& units() const { return base_.scene.model.units; }
-  /// The run of one rock with small changes, which `numbers` in [-1, 1) choose: of speed, height, angle, spin, place.
+  /// The run of one rock with small changes, which `numbers` in [-1, 1) choose: speed, height, angle, spin, position.
   [[nodiscard]] SweptRun run(const Rock& rock, const std::array<double, 5>& numbers) const;
 
  private:
@@ -32,7 +32,7 @@ class RockRuns {
   double height_at(Vec2 shift) const;
 
   bool gives_mass_{};                ///< the base gives its rock's mass, not the density; found while the base is read
-  bool sets_spin_{}, sets_along_{};  ///< the file asks for spins or places other than the base's
+  bool sets_spin_{}, sets_along_{};  ///< the file asks for spins or positions other than the base's
   SceneFile base_;
   std::vector<std::pair<std::string, TomlValue>> fields_;
   RockChanges changes_;

@@ -70,7 +70,7 @@ BOOST_AUTO_TEST_CASE(all_fields_are_read_and_all_but_three_have_defaults) {
   BOOST_TEST(all.changes.spin == 2.0);
   BOOST_TEST(all.changes.along == 0.03);
   BOOST_TEST(all.spins == (std::vector<double>{-4.0}), boost::test_tools::per_element());
-  BOOST_TEST(all.places == (std::vector<double>{-0.01}), boost::test_tools::per_element());
+  BOOST_TEST(all.positions == (std::vector<double>{-0.01}), boost::test_tools::per_element());
   BOOST_TEST((all.hazard->spin == std::array{1.0, 2.0}));
   BOOST_TEST(!all.hazard->along);
   BOOST_TEST(!all.hazard->table_has_spin);
@@ -80,12 +80,13 @@ BOOST_AUTO_TEST_CASE(all_fields_are_read_and_all_but_three_have_defaults) {
   BOOST_TEST(all.limits.evaluations == 8);
   BOOST_TEST(read_capacity(head + "height = \"2 m\"\n", "c.toml").heights == (std::vector<double>{2.0}),
              boost::test_tools::per_element());
-  folder.file("places.csv", "along [m],speed [m/s],height [m],mass [kg],spin [rad/s]\n-2,3,1,200,8\n");
-  const RockHazard places = *read_capacity(head + "[hazard]\ntable = \"places.csv\"\n", folder.path / "c.toml").hazard;
-  BOOST_TEST(places.table_has_spin);
-  BOOST_TEST(places.table_has_along);
-  BOOST_TEST(places.table.at(0).spin == 8.0);
-  BOOST_TEST(places.table.at(0).along == -2.0);
+  folder.file("positions.csv", "along [m],speed [m/s],height [m],mass [kg],spin [rad/s]\n-2,3,1,200,8\n");
+  const RockHazard positions =
+      *read_capacity(head + "[hazard]\ntable = \"positions.csv\"\n", folder.path / "c.toml").hazard;
+  BOOST_TEST(positions.table_has_spin);
+  BOOST_TEST(positions.table_has_along);
+  BOOST_TEST(positions.table.at(0).spin == 8.0);
+  BOOST_TEST(positions.table.at(0).along == -2.0);
 }
 
 BOOST_AUTO_TEST_CASE(a_lognormal_number_has_its_percentiles) {

@@ -305,47 +305,47 @@ void check_changes(const Program& program, Differences& differ) {
                  other.exit_code == 2 && other.messages.find("other limits") != std::string::npos, true);
 }
 
-/// Spins, and places along the fence in the full model: a map for each combination, expected rocks between two ends.
-void check_places(const Program& program, Differences& differ) {
+/// Spins, and positions along the fence in the full model: a map for each combination, expected rocks between two ends.
+void check_positions(const Program& program, Differences& differ) {
   program.write("full.toml", fence("", "symmetry = \"full\"\n"));
-  program.write("places.toml",
+  program.write("positions.toml",
                 "base = \"full.toml\"\nmass = [\"100 kg\", \"800 kg\"]\nspeed = [\"2 m/s\", \"4 m/s\"]\n"
                 "spin = [\"-1 rad/s\", \"3 rad/s\"]\nalong = [\"-0.25 m\", \"0.125 m\"]\n[map]\ncells = 1\n"
                 "first_cells = 1\nruns = 4\naudit = 0\n[changes]\nalong = \"0.0625 m\"\n[hazard]\nmass = \"150 kg\"\n"
                 "speed = \"3 m/s\"\nheight = \"4.5 m\"\nspin = [\"5 rad/s\", \"7 rad/s\"]\n"
                 "along = [\"-0.3 m\", \"0.3 m\"]\nruns = 200\n");
-  const std::string of_places = program.run({"capacity", "places.toml"}, {{"--sheet", {}}});
+  const std::string text = program.run({"capacity", "positions.toml"}, {{"--sheet", {}}});
   for (const char* const name :
-       {"height 4.5 m, spin -1 rad/s, place -0.25 m: 16 runs", "height 4.5 m, spin 3 rad/s, place 0.125 m: 16 runs"})
-    differ.compare(fmt::format("map of {}", name), of_places.find(name) != std::string::npos, true);
-  static_cast<void>(program.run({"sweep", "collect", "places"}, {}));
-  const records::Csv placed = program.csv("places/results.csv"), maps = program.csv("places/capacity.csv");
-  double place = 0.0, farthest = 0.0, mean_spin = 0.0, widest_place = 0.0;
+       {"height 4.5 m, spin -1 rad/s, along -0.25 m: 16 runs", "height 4.5 m, spin 3 rad/s, along 0.125 m: 16 runs"})
+    differ.compare(fmt::format("map of {}", name), text.find(name) != std::string::npos, true);
+  static_cast<void>(program.run({"sweep", "collect", "positions"}, {}));
+  const records::Csv placed = program.csv("positions/results.csv"), maps = program.csv("positions/capacity.csv");
+  double shift = 0.0, farthest = 0.0, mean_spin = 0.0, widest = 0.0;
   std::size_t expected = 0;
   for (std::size_t row = 0; row < placed.rows(); ++row) {
     const auto number = [&](const std::string& head) { return placed.number(row, placed.column(head)); };
     const double along = number("fence.rock[0].along [m]"), turning = number("fence.rock[0].spin [rad/s]");
     if (turning > 4.0) {
-      ++expected, mean_spin += turning, widest_place = std::max(widest_place, std::abs(along));
+      ++expected, mean_spin += turning, widest = std::max(widest, std::abs(along));
       differ.compare("spin of an expected rock", turning >= 5.0 && turning <= 7.0, true);
       continue;
     }
     const double change = std::min(std::abs(along + 0.25), std::abs(along - 0.125));
-    place = std::max(place, change), farthest = std::max(farthest, std::abs(along));
+    shift = std::max(shift, change), farthest = std::max(farthest, std::abs(along));
     differ.compare("spin of a map", turning == -1.0 || turning == 3.0, true);
   }
   differ.compare("expected rocks", expected, std::size_t{200});
   differ.compare("mean spin of the expected rocks", std::abs(mean_spin / 200.0 - 6.0) < 4.0 * 0.5774 / std::sqrt(200.0),
                  true);
-  differ.compare("places of the expected rocks", widest_place > 0.3 && widest_place <= 0.3625, true);
-  differ.compare("places of the maps", place > 0.05 && place <= 0.0625 && farthest > 0.27, true);
+  differ.compare("positions of the expected rocks", widest > 0.3 && widest <= 0.3625, true);
+  differ.compare("positions of the maps", shift > 0.05 && shift <= 0.0625 && farthest > 0.27, true);
   differ.compare("rows of four maps", maps.rows(), std::size_t{16});
   differ.compare(
-      "spin and place of a node",
+      "spin and position of a node",
       maps.number(0, maps.column("spin [rad/s]")) == -1.0 && maps.number(4, maps.column("along [m]")) == 0.125, true);
-  const std::string sheet = program.read("places/capacity.html");
+  const std::string sheet = program.read("positions/capacity.html");
   differ.compare("page to print",
-                 program.has("places/capacity.pdf") &&
+                 program.has("positions/capacity.pdf") &&
                      sheet.find("Probability of failure per impact: ") != std::string::npos &&
                      sheet.find("4.5 m, 3 rad/s, at 0.125 m") != std::string::npos,
                  true);
@@ -390,7 +390,7 @@ void check_refusals(const Program& program, Differences& differ) {
   program.write("falling.toml", falling);
   program.write("bad.csv", "mass [kg],speed [m/s]\n1,1\n");
   program.write("zero.csv", "mass [kg],speed [m/s],height [m]\n1,0,1\n");
-  program.write("places.csv", "mass [kg],speed [m/s],height [m],along [m]\n1,1,1,1\n");
+  program.write("positions.csv", "mass [kg],speed [m/s],height [m],along [m]\n1,1,1,1\n");
   program.write("infinite.csv", "mass [kg],speed [m/s],height [m]\n1,1,inf\n");
   program.write("empty.csv", "mass [kg],speed [m/s],height [m]\n");
   const std::string mass = "mass = [\"1 kg\", \"2 kg\"]\n", speed = "speed = [\"1 m/s\", \"2 m/s\"]\n",
@@ -415,10 +415,10 @@ void check_refusals(const Program& program, Differences& differ) {
       {good + "height = [3]\n", "wrong.toml:4: height[0]: found 3; the unit is missing"},
       {good + "spin = [\"1 m\"]\n", "wrong.toml:4: spin[0]: "},
       {good + "along = \"1 m\"\n",
-       "fence.toml: [fence.options]: symmetry: found \"half\"; rocks at places along the fence need \"full\""},
-      {good + "[changes]\nalong = \"1 m\"\n", "places along the fence need"},
-      {good + "[hazard]\ntable = \"places.csv\"\n", "places along the fence need"},
-      {good + "[hazard]\ntable = \"places.csv\"\nalong = \"1 m\"\n", "hazard: along: the rows of the table give it"},
+       "fence.toml: [fence.options]: symmetry: found \"half\"; positions along the fence need \"full\""},
+      {good + "[changes]\nalong = \"1 m\"\n", "positions along the fence need"},
+      {good + "[hazard]\ntable = \"positions.csv\"\n", "positions along the fence need"},
+      {good + "[hazard]\ntable = \"positions.csv\"\nalong = \"1 m\"\n", "hazard: along: the rows of the table give it"},
       {good + "[hazard]\ntable = \"infinite.csv\"\n",
        "infinite.csv:2: column 'height [m]': found 'inf'; it must be a finite number"},
       {good + "[hazard]\nmass = \"1 kg\"\nspeed = \"1 m/s\"\nheight = \"1 m\"\nspin = [\"2 rad/s\", \"1 rad/s\"]\n",
@@ -471,7 +471,7 @@ void run(Findings& findings, const Setup& setup) {
   if (setup.needs("differ in a byte")) check_bytes(program, findings, differ);
   if (setup.needs("outputs that differ")) {
     check_changes(program, differ);
-    check_places(program, differ);
+    check_positions(program, differ);
     check_us_base(program, differ);
     check_refusals(program, differ);
   }
