@@ -1,5 +1,8 @@
 #include <fmt/format.h>
 
+#include <functional>
+
+#include "reports/base/error.hpp"
 #include "reports/base/file.hpp"
 #include "reports/base/process.hpp"
 #include "reports/figures/drawing.hpp"
@@ -9,6 +12,7 @@
 #include "reports/sheet/sheet_page.hpp"
 #include "reports/sheet/sheet_tables.hpp"
 #include "reports/sheet/sheet_verdict.hpp"
+#include "reports/text/document.hpp"
 #include "verification/record/whole_file.hpp"
 
 namespace talus::reports {
@@ -29,6 +33,45 @@ SheetPage page_of(const SheetRecord& record) {
   page.tables = fence_tables(record);
   page.is_unusable = !record.quality.usable;
   return page;
+}
+
+/// Makes `name`.pdf and `name`.html in a folder; without pdflatex the HTML alone. `draw` makes the pictures in a
+/// staging folder and returns them; if it throws OutputError, the page has no pictures. Throws FileError, OutputError.
+Made make_page(const fs::path& folder, const std::string& name, const SheetPage& page,
+               const std::function<SheetPictures(const fs::path&, Made&)>& draw, const ToolPaths& tools) {
+  const StagingFolder staging(folder);
+  Made made;
+  const auto attempt = [&](auto&& make) {
+    try {
+      make();
+      return true;
+    } catch (const OutputError& wrong) {
+      made.unmade += fmt::format("{}\n", wrong.what());
+      return false;
+    }
+  };
+  SheetPictures pictures;
+  attempt([&] { pictures = draw(staging.folder(), made); });
+  const fs::path templates = tools.resources / "templates";
+  records::write_whole(staging.folder() / (name + ".html"), sheet_html(page, pictures, templates));
+  const std::string latex = sheet_latex(page, pictures, templates);
+  records::write_whole(staging.folder() / (name + ".tex"),
+                       printable(latex, records::read_whole(tools.resources / "pandoc" / "header.tex")));
+  const bool has_pdf = attempt([&] {
+    make_pdf({.folder = staging.folder(),
+              .stem = name,
+              .title = page.title,
+              .resources = tools.resources,
+              .epoch = 0,
+              .has_contents = false});
+  });
+  fs::remove(folder / (name + ".pdf"));  // an earlier one, in case this one could not be made
+  for (const char* const format : {".html", ".pdf"}) {
+    if (!has_pdf && std::string{format} == ".pdf") continue;
+    staging.publish(name + format);
+    made.files.push_back(folder / (name + format));
+  }
+  return made;
 }
 
 Made make_fence_sheet(const fs::path& run, const ToolPaths& tools) {

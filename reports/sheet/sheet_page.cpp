@@ -6,9 +6,6 @@
 #include <kainjow/mustache.hpp>
 #include <map>
 
-#include "reports/base/error.hpp"
-#include "reports/base/file.hpp"
-#include "reports/text/document.hpp"
 #include "verification/record/whole_file.hpp"
 
 namespace talus::reports {
@@ -207,43 +204,12 @@ void cut(SheetTable& table, std::size_t maximum, const char* file) {
   table.rows.resize(maximum);
 }
 
-Made make_page(const fs::path& folder, const std::string& name, const SheetPage& page,
-               const std::function<SheetPictures(const fs::path&, Made&)>& draw, const ToolPaths& tools) {
-  const StagingFolder staging(folder);
-  Made made;
-  const auto attempt = [&](auto&& make) {
-    try {
-      make();
-      return true;
-    } catch (const OutputError& wrong) {
-      made.unmade += fmt::format("{}\n", wrong.what());
-      return false;
-    }
-  };
-  SheetPictures pictures;
-  attempt([&] { pictures = draw(staging.folder(), made); });
-  const fs::path templates = tools.resources / "templates";
-  records::write_whole(staging.folder() / (name + ".html"), rendered(templates / "sheet.html.mustache", page, html_text,
-                                                                     html_table, pictures.html, pictures.phone_html));
-  const std::string latex =
-      rendered(templates / "sheet.tex.mustache", page, latex_text, latex_table, pictures.latex, "");
-  records::write_whole(staging.folder() / (name + ".tex"),
-                       printable(latex, records::read_whole(tools.resources / "pandoc" / "header.tex")));
-  const bool has_pdf = attempt([&] {
-    make_pdf({.folder = staging.folder(),
-              .stem = name,
-              .title = page.title,
-              .resources = tools.resources,
-              .epoch = 0,
-              .has_contents = false});
-  });
-  fs::remove(folder / (name + ".pdf"));  // an earlier one, in case this one could not be made
-  for (const char* const format : {".html", ".pdf"}) {
-    if (!has_pdf && std::string{format} == ".pdf") continue;
-    staging.publish(name + format);
-    made.files.push_back(folder / (name + format));
-  }
-  return made;
+std::string sheet_html(const SheetPage& page, const SheetPictures& pictures, const fs::path& templates) {
+  return rendered(templates / "sheet.html.mustache", page, html_text, html_table, pictures.html, pictures.phone_html);
+}
+
+std::string sheet_latex(const SheetPage& page, const SheetPictures& pictures, const fs::path& templates) {
+  return rendered(templates / "sheet.tex.mustache", page, latex_text, latex_table, pictures.latex, "");
 }
 
 }  // namespace talus::reports

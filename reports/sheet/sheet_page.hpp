@@ -3,11 +3,9 @@
 
 #include <array>
 #include <filesystem>
-#include <functional>
 #include <string>
 #include <vector>
 
-#include "reports/report.hpp"
 #include "reports/sheet/sheet_units.hpp"
 
 namespace talus::reports {
@@ -61,10 +59,10 @@ struct SheetPictures {
   std::string latex, html, phone_html;  ///< the last one for narrow screens
 };
 
-/// Makes `name`.pdf and `name`.html in a folder; without pdflatex the HTML alone. `draw` makes the pictures in a
-/// staging folder and returns them; if it throws OutputError, the sheet has no pictures. Throws FileError, OutputError.
-Made make_page(const std::filesystem::path& folder, const std::string& name, const SheetPage& page,
-               const std::function<SheetPictures(const std::filesystem::path& staging, Made& made)>& draw,
-               const ToolPaths& tools);
+/// The page as HTML and as LaTeX, from templates/sheet.html.mustache and sheet.tex.mustache. Throws FileError.
+[[nodiscard]] std::string sheet_html(const SheetPage& page, const SheetPictures& pictures,
+                                     const std::filesystem::path& templates);
+[[nodiscard]] std::string sheet_latex(const SheetPage& page, const SheetPictures& pictures,
+                                      const std::filesystem::path& templates);
 
 }  // namespace talus::reports
