@@ -201,6 +201,34 @@ void check_boundary(const Program& program, Findings& findings, Differences& dif
                   0.0, Tolerance::round_off(1e-12, "sums of whole numbers, and three products"));
 }
 
+/// The nodes of the map of one column with the closed form.
+void draw_boundary(const Program& program, Findings& findings) {
+  const records::Csv nodes = program.csv("map/capacity.csv");
+  std::array<records::Series, 3> states;
+  constexpr std::array<const char*, 3> names{"stopped", "not stopped", "open"};
+  for (std::size_t i = 0; i < states.size(); ++i)
+    states[i].label = names[i], states[i].style = i == 1 ? records::Style::crosses : records::Style::points;
+  for (std::size_t row = 0; row < nodes.rows(); ++row) {
+    const auto number = [&](const char* head) { return nodes.number(row, nodes.column(head)); };
+    const auto state = std::ranges::find(names, nodes.cell(row, nodes.column("state")));
+    states[static_cast<std::size_t>(state - names.begin())].add(number("mass [kg]"), number("speed [m/s]"));
+  }
+  records::Series exact{.label = "closed form", .style = records::Style::lines};
+  for (double mass = 100.0; mass <= 800.0; mass += 5.0)
+    exact.add(mass, std::sqrt(2.0 * breaking_energy(program.setup()) / mass));
+  records::Figure figure{.name = "one_column",
+                         .title = "Rocks that a fence of one column stops",
+                         .caption =
+                             "Nodes of the map where runs were executed, and the speed at which the kinetic "
+                             "energy breaks both halves of the cable (line).",
+                         .x = {.label = "mass", .unit = "kg"},
+                         .y = {.label = "speed", .unit = "m/s"},
+                         .series = {exact}};
+  for (records::Series& series : states)
+    if (!series.x.empty()) figure.series.push_back(std::move(series));
+  findings.figure(std::move(figure));
+}
+
 /// The same bytes for any number of threads, and after results were lost.
 void check_bytes(const Program& program, Findings& findings, Differences& differ) {
   program.write("bytes.toml", question(8, ""));
@@ -465,8 +493,10 @@ void run(Findings& findings, const Setup& setup) {
   Differences differ;
   if (setup.needs("Wilson") || setup.needs("quantiles")) check_coverage(findings, setup);
   if (setup.needs("maps")) check_maps(findings, setup);
-  if (setup.needs("one column") || setup.needs("fields") || setup.needs("outputs"))
+  if (setup.needs("one column") || setup.needs("fields") || setup.needs("outputs")) {
     check_boundary(program, findings, differ);
+    draw_boundary(program, findings);
+  }
   if (setup.needs("expected rocks")) check_hazard(program, findings, differ);
   if (setup.needs("differ in a byte")) check_bytes(program, findings, differ);
   if (setup.needs("outputs that differ")) {
