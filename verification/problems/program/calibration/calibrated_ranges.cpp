@@ -199,8 +199,8 @@ std::vector<double> member(const Json& json, const std::string& name) {
 /// 0 for equal numbers, of which both may be zero.
 double relative_error(double found, double exact) { return found == exact ? 0.0 : found / exact - 1.0; }
 
-/// Worst errors over all ranges.
-struct Worst {
+/// WorstRange errors over all ranges.
+struct WorstRange {
   double mass{}, damping{}, restitution{}, deviation{}, undamped{}, minimax{}, search{}, given{}, printed{}, csv{},
       drawn{}, run{}, finer{}, coarser{1.0}, row{1.0};
 };
@@ -227,7 +227,7 @@ std::vector<TableColumn> columns_of(const Range& range) {
 }
 
 /// Compares the members of the JSON output with the request and the references.
-void compare_json(const Range& range, const Json& json, const Setup& setup, Worst& worst, Differences& differ) {
+void compare_json(const Range& range, const Json& json, const Setup& setup, WorstRange& worst, Differences& differ) {
   const ImpactRequest& common = range.common;
   const std::string parameter = common.parameter();
   const std::size_t pairs = json.at("pairs").size();
@@ -294,7 +294,8 @@ void compare_json(const Range& range, const Json& json, const Setup& setup, Wors
 }
 
 /// Compares the printed table and lines, in US units, with the JSON output.
-void compare_text(const Range& range, const std::string& printed, const Json& json, Worst& worst, Differences& differ) {
+void compare_text(const Range& range, const std::string& printed, const Json& json, WorstRange& worst,
+                  Differences& differ) {
   const std::vector<TableColumn> columns = columns_of(range);
   std::vector<std::string> names, units;
   for (const TableColumn& column : columns) {
@@ -349,7 +350,8 @@ void compare_text(const Range& range, const std::string& printed, const Json& js
 }
 
 /// Compares the table of the folder, in US units, with the JSON output.
-void compare_csv(const Range& range, const records::Csv& csv, const Json& json, Worst& worst, Differences& differ) {
+void compare_csv(const Range& range, const records::Csv& csv, const Json& json, WorstRange& worst,
+                 Differences& differ) {
   const std::vector<TableColumn> columns = columns_of(range);
   std::vector<std::string> heads;
   for (const TableColumn& column : columns)
@@ -365,7 +367,7 @@ void compare_csv(const Range& range, const records::Csv& csv, const Json& json, 
 }
 
 /// Compares the drawing with the JSON output: a panel for each column whose values differ.
-void compare_drawing(const Range& range, const std::string& script, const Json& json, Worst& worst,
+void compare_drawing(const Range& range, const std::string& script, const Json& json, WorstRange& worst,
                      Differences& differ) {
   const picture_options::Picture picture = picture_options::read_picture(script);
   const std::vector<double> restitution = member(json, "restitution");
@@ -397,7 +399,7 @@ void compare_drawing(const Range& range, const std::string& script, const Json& 
 
 /// With a given dashpot: its restitutions beside the minimax dashpot.
 void compare_given(const Range& range, const Program& program, const Environment& recorded, const Json& minimax,
-                   Worst& worst, Differences& differ) {
+                   WorstRange& worst, Differences& differ) {
   const std::string parameter = range.common.parameter();
   const double given = exact_of(range.pairs.front()).damping;
   Options options = range.options;
@@ -436,7 +438,8 @@ std::string lines_of_pair(const std::string& printed, const ImpactRequest& pair)
 
 /// The step for all pairs: with it, runs of the pairs with the printed lines give the restitutions of the table; it is
 /// as long as that of the pair that needs the shortest one when it is calibrated alone.
-void compare_step(const Range& range, const Program& program, const std::string& text, const Json& json, Worst& worst) {
+void compare_step(const Range& range, const Program& program, const std::string& text, const Json& json,
+                  WorstRange& worst) {
   const std::string parameter = range.common.parameter();
   const double used = json.at(parameter).get<double>(), step = json.at("step").get<double>();
   const std::vector<double> restitution = member(json, "restitution");
@@ -463,7 +466,7 @@ void compare_step(const Range& range, const Program& program, const std::string&
 }
 
 /// Wrong ranges, each with the end of its message.
-void compare_refusals(const Program& program, Differences& differ) {
+void compare_range_refusals(const Program& program, Differences& differ) {
   const Options hertz{{"--law", {"hertz"}}, {"--restitution", {"0.7"}}, {"--modulus", {"1 GPa"}}};
   const Option masses{"--masses", {"1 kg"}}, speeds{"--speeds", {"1 m/s", "2 m/s", "3"}},
       axis{"--masses", {"1 kg", "2 kg", "3"}}, radii{"--radii", {"1 mm", "2 mm", "3"}},
@@ -521,10 +524,9 @@ void compare_refusals(const Program& program, Differences& differ) {
 void check_ranges(const Program& program, Findings& findings) {
   const Setup& setup = program.setup();
   Differences differ;
-  Worst worst;
+  WorstRange worst;
   ImpactDraw draw;
-  const char* const path = std::getenv("PATH");
-  const Environment recorded{{"PATH", fmt::format("{}:{}", TALUS_RECORDER, path != nullptr ? path : "")}};
+  const Environment recorded = picture_options::recorded_pictures();
   const std::size_t count = setup.tier == Tier::full ? 30 : setup.coarse ? 5 : 20;
   for (std::size_t number = 0; number < count; ++number) {
     const ImpactRequest common = draw.request(number);
@@ -551,7 +553,7 @@ void check_ranges(const Program& program, Findings& findings) {
     }
     if (kind == 0) compare_given(range, program, recorded, json, worst, differ);
   }
-  compare_refusals(program, differ);
+  compare_range_refusals(program, differ);
   findings.expect("ranges: effective masses over the exact ones, largest deviation from 1", worst.mass, 0.0,
                   Tolerance::round_off(6e-15,
                                        "some ten operations on both sides; radii are spaced by powers here, by "

@@ -139,8 +139,7 @@ void compare_table(const Program& program, const ObliqueRequest& request, Worst&
   const Setup& setup = program.setup();
   constexpr std::size_t count = 7;
   constexpr double first = 8.0, last = 71.0;
-  const char* const path = std::getenv("PATH");
-  const Environment recorded{{"PATH", fmt::format("{}:{}", TALUS_RECORDER, path != nullptr ? path : "")}};
+  const Environment recorded = picture_options::recorded_pictures();
   const Options options =
       joined(options_of(request, {"angle"}),
              {{"--angles", {fmt::format("{} deg", first), fmt::format("{} deg", last), fmt::format("{}", count)}},

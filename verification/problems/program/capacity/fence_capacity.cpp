@@ -9,6 +9,7 @@
 
 #include "verification/check/case.hpp"
 #include "verification/problems/program/capacity/capacity_statistics.hpp"
+#include "verification/problems/program/pictures/picture_script.hpp"
 #include "verification/record/csv.hpp"
 #include "verification/record/json_node.hpp"
 #include "verification/record/whole_file.hpp"
@@ -227,6 +228,48 @@ void draw_boundary(const Program& program, Findings& findings) {
   for (records::Series& series : states)
     if (!series.x.empty()) figure.series.push_back(std::move(series));
   findings.figure(std::move(figure));
+}
+
+/// The figures of the boundary, as gnuplot is asked to draw them, beside capacity.json.
+void check_figures(const Program& program, Differences& differ) {
+  constexpr double spin = 30.0;
+  program.write("fence.toml", fence(fmt::format("spin = \"{} rad/s\"\n", spin)));
+  program.write("drawn.toml", question(16, ""));
+  static_cast<void>(talus_output(program.folder(), {"capacity", "drawn.toml", "--out", "drawn"},
+                                 picture_options::recorded_pictures()));
+  const Json map = Json::parse(program.read("drawn/capacity.json")).at("maps").at(0);
+  const auto median = [](const Json& line, const char* of, const char* output) {
+    return 1e-3 * line.at(of).at("outputs").at(output).at("median").at("value").get<double>();
+  };
+  /// Whether a curve has the point; numbers are drawn with six digits.
+  const auto has = [](const picture_options::Curve& curve, double x, double y) {
+    for (const auto& line : curve.lines)
+      for (const picture_options::Point& point : line)
+        if (std::abs(point[0] / x - 1.0) < 1e-5 && std::abs(point[1] / y - 1.0) < 1e-5) return true;
+    return false;
+  };
+  const auto curves = [&](const char* file, std::size_t count) {
+    const picture_options::Picture picture = picture_options::read_picture(program.read(file));
+    std::vector<picture_options::Curve> found;
+    for (const picture_options::Panel& panel : picture.panels)
+      found.insert(found.end(), panel.curves.begin(), panel.curves.end());
+    differ.compare(fmt::format("curves of {}", file), found.size(), count);
+    found.resize(count);
+    return found;
+  };
+  const std::vector<picture_options::Curve> forces = curves("drawn/plots/boundary_forces_1.svg", 3),
+                                            energies = curves("drawn/plots/boundary_energy_1.svg", 2);
+  for (const Json& line : map.at("boundary")) {
+    const double mass = line.at("mass").get<double>(), high = line.at("speed").at(1).get<double>();
+    differ.compare("drawn anchor force", has(forces[0], mass, median(line, "stopped", "fence.anchor_force")), true);
+    differ.compare("drawn cable force", has(forces[1], mass, median(line, "stopped", "fence.cable_force")), true);
+    differ.compare("drawn hanger force", has(forces[2], mass, median(line, "stopped", "fence.hanger_force")), true);
+    const double radius = own_radius * std::cbrt(mass / own_mass), turning = 0.4 * mass * radius * radius;
+    differ.compare("drawn energy at the start",
+                   has(energies[0], mass, 0.5e-3 * (mass * high * high + turning * spin * spin)), true);
+    differ.compare("drawn energy after", has(energies[1], mass, median(line, "not_stopped", "fence.exit_energy")),
+                   true);
+  }
 }
 
 /// The same bytes for any number of threads, and after results were lost.
@@ -501,6 +544,7 @@ void run(Findings& findings, const Setup& setup) {
   if (setup.needs("differ in a byte")) check_bytes(program, findings, differ);
   if (setup.needs("outputs that differ")) {
     check_changes(program, differ);
+    check_figures(program, differ);
     check_positions(program, differ);
     check_us_base(program, differ);
     check_refusals(program, differ);

@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <cstdlib>
 #include <filesystem>
 #include <map>
 #include <set>
@@ -114,10 +113,7 @@ std::set<std::string> files_of(const fs::path& folder) {
 /// The program in a folder with a run of the discs in `out` and of a cell in `flow`.
 class Pictures {
  public:
-  explicit Pictures(const Setup& setup) : setup_{&setup} {
-    // In the build tree, where programs can be executed; the folder of temporary files may be mounted without that.
-    const char* const path = std::getenv("PATH");
-    environment_["PATH"] = fmt::format("{}:{}", TALUS_RECORDER, path != nullptr ? path : "");
+  explicit Pictures(const Setup& setup) : setup_{&setup}, environment_{recorded_pictures()} {
     folder_.write("scene.toml", scene_text());
     (void)talus_output(folder_, {"run", "scene.toml", "--out", "out", "--frames", fmt::format("{}", steps)});
   }

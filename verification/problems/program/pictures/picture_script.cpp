@@ -1,6 +1,9 @@
 #include "verification/problems/program/pictures/picture_script.hpp"
 
+#include <fmt/format.h>
+
 #include <cmath>
+#include <cstdlib>
 #include <iterator>
 #include <sstream>
 
@@ -49,6 +52,12 @@ double ColourBar::value_at(double position) const {
   if (numbers.size() < 2) return std::nan("");
   const Point &first = numbers.front(), &last = numbers.back();
   return first[1] + (position - first[0]) * (last[1] - first[1]) / (last[0] - first[0]);
+}
+
+std::map<std::string, std::string> recorded_pictures() {
+  // In the build tree, where programs can be executed; the folder of temporary files may be mounted without that.
+  const char* const path = std::getenv("PATH");
+  return {{"PATH", fmt::format("{}:{}", TALUS_RECORDER, path != nullptr ? path : "")}};
 }
 
 std::string between(const std::string& text, const std::string& before, const std::string& after) {

@@ -47,6 +47,9 @@ struct Picture {
   std::vector<Panel> panels{};
 };
 
+/// Environment in which the program finds the recorder in place of gnuplot: pictures are then their commands.
+[[nodiscard]] std::map<std::string, std::string> recorded_pictures();
+
 /// Text between the first `before` and the next `after`; empty if there is none.
 [[nodiscard]] std::string between(const std::string& text, const std::string& before, const std::string& after);
 
