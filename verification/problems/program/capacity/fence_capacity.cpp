@@ -230,7 +230,7 @@ void draw_boundary(const Program& program, Findings& findings) {
   findings.figure(std::move(figure));
 }
 
-/// The figures of the boundary, as gnuplot is asked to draw them, beside capacity.json.
+/// The figures of the boundary, as gnuplot has to draw them, beside capacity.json.
 void check_figures(const Program& program, Differences& differ) {
   constexpr double spin = 30.0;
   program.write("fence.toml", fence(fmt::format("spin = \"{} rad/s\"\n", spin)));
@@ -414,6 +414,22 @@ void check_positions(const Program& program, Differences& differ) {
   differ.compare(
       "spin and position of a node",
       maps.number(0, maps.column("spin [rad/s]")) == -1.0 && maps.number(4, maps.column("along [m]")) == 0.125, true);
+  // Rocks of a table with their spin and position.
+  program.write("spinning.csv", "along [m],mass [kg],spin [rad/s],speed [m/s],height [m]\n0.2,150,6,3,4.5\n");
+  program.write("table.toml",
+                "base = \"full.toml\"\nmass = [\"100 kg\", \"800 kg\"]\nspeed = [\"2 m/s\", \"4 m/s\"]\n[map]\n"
+                "cells = 1\nfirst_cells = 1\nruns = 4\naudit = 0\n[hazard]\ntable = \"spinning.csv\"\nruns = 3\n");
+  static_cast<void>(program.run({"capacity", "table.toml"}, {{"--no-plots", {}}, {"--out", {"spinning"}}}));
+  static_cast<void>(program.run({"sweep", "collect", "spinning"}, {}));
+  const records::Csv spinning = program.csv("spinning/results.csv");
+  std::size_t of_table = 0;
+  for (std::size_t row = 0; row < spinning.rows(); ++row) {
+    of_table += spinning.number(row, spinning.column("fence.rock[0].along [m]")) == 0.2 &&
+                        spinning.number(row, spinning.column("fence.rock[0].spin [rad/s]")) == 6.0
+                    ? 1
+                    : 0;
+  }
+  differ.compare("rocks of a table with spin and position", of_table, std::size_t{3});
   const std::string sheet = program.read("positions/capacity.html");
   differ.compare("page to print",
                  program.has("positions/capacity.pdf") &&
