@@ -11,7 +11,7 @@ foreach(shell file IN ZIP_LISTS shells completions)
   add_custom_command(OUTPUT ${file} COMMAND talus completion ${shell} > ${file} DEPENDS talus VERBATIM)
 endforeach()
 set(manual)
-foreach(name talus talus-run talus-check talus-advise talus-calibrate talus-capacity talus-cell talus-completion talus-convert
+foreach(name talus talus-run talus-check talus-advise talus-calibrate talus-capacity talus-cell talus-completion talus-convert talus-fit
              talus-export talus-plot talus-snapshot talus-animate talus-study talus-sweep talus-sweep-plan talus-sweep-run talus-sweep-submit
              talus-sweep-status talus-sweep-collect talus-list talus-new)
   add_custom_command(OUTPUT ${made}/${name}.1

@@ -85,6 +85,7 @@ int parse_and_work(const std::string& version, int count, const char* const* arg
                                       add_completion(talus),
                                       add_convert(talus),
                                       add_export(talus),
+                                      add_fit(talus, draw),
                                       add_plot(talus, draw),
                                       add_snapshot(talus, draw),
                                       add_animate(talus, draw),

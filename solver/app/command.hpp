@@ -35,6 +35,7 @@ struct Command {
 /// Add a subcommand that draws, and sends its DrawingRequest to the sink.
 [[nodiscard]] Command add_calibrate(CLI::App& talus, const DrawingSink& sink);
 [[nodiscard]] Command add_capacity(CLI::App& talus, const DrawingSink& sink);
+[[nodiscard]] Command add_fit(CLI::App& talus, const DrawingSink& sink);
 [[nodiscard]] Command add_plot(CLI::App& talus, const DrawingSink& sink);
 [[nodiscard]] Command add_snapshot(CLI::App& talus, const DrawingSink& sink);
 [[nodiscard]] Command add_animate(CLI::App& talus, const DrawingSink& sink);

@@ -3,7 +3,7 @@
 #include <cstddef>
 #include <vector>
 
-#include "solver/capacity/proportion.hpp"
+#include "solver/statistics/proportion.hpp"
 
 namespace talus {
 

@@ -12,6 +12,7 @@
 #include "reports/figures/plot.hpp"
 #include "reports/sheet/sheet_record.hpp"
 #include "solver/app/capacity/capacity_file.hpp"
+#include "solver/app/fit/fit_file.hpp"
 #include "solver/app/life_cycle.hpp"
 #include "solver/app/sweep/sweep_file.hpp"
 #include "solver/app/sweep/sweep_result.hpp"
@@ -189,15 +190,25 @@ void add_sweep_readers(std::vector<Reader>& readers) {
          // Many runs take long to list, as they should.
          return runs > 1000 ? app::SweptRuns{} : named(file, [&] { return app::swept_runs(sweep); });
        })});
-  readers.push_back({.name = "capacity",
-                     .file = "capacity.toml",
-                     .corpus = {read_text(cases / "capacity/table_2.toml"),
-                                "base = \"a.toml\"\nmass = [\"1 kg\", \"2 kg\"]\nspeed = [\"1 m/s\", \"2 "
-                                "m/s\"]\nheight = [\"1 m\", \"2 ft\"]\n"
-                                "set = { \"a.b\" = 1 }\nseed = 3\n[map]\ncells = 8\nfirst_cells = 2\nruns = "
-                                "9\nfew_runs = 2\naudit = "
-                                "4\n[changes]\nangle = \"1 deg\"\nspin = \"1 rad/s\"\n[limits]\nevaluations = 3\n"},
-                     .read = only([](const fs::path& file) { return app::read_capacity(read_text(file), file); })});
+  readers.push_back(
+      {.name = "capacity",
+       .file = "capacity.toml",
+       .corpus =
+           {read_text(cases / "capacity/table_2.toml"),
+            "base = \"a.toml\"\nmass = [\"1 kg\", \"2 kg\"]\nspeed = [\"1 m/s\", \"2 "
+            "m/s\"]\nheight = [\"1 m\", \"2 ft\"]\n"
+            "set = { \"a.b\" = 1 }\nseed = 3\n[map]\ncells = 8\nfirst_cells = 2\nruns = "
+            "9\nfew_runs = 2\naudit = "
+            "4\n[changes]\nangle = \"1 deg\"\nspin = \"1 rad/s\"\nalong = \"1 m\"\n[hazard]\nmass = \"1 kg\"\nspeed = "
+            "\"1 m/s\"\nheight = \"1 m\"\nspin = [\"1 rad/s\", \"2 rad/s\"]\n[limits]\nevaluations = 3\n"},
+       .read = only([](const fs::path& file) { return app::read_capacity(read_text(file), file); })});
+  std::string fit = read_text(cases / "measured/rebound.fit.toml");
+  fit.replace(fit.find("rebound.csv"), 11, (cases / "measured/rebound.csv").string());
+  readers.push_back(
+      {.name = "fit",
+       .file = "fit.toml",
+       .corpus = {fit + "start = \"8 MN/m\"\n[bootstrap]\nsamples = 9\nseed = 2\n[limits]\nevaluations = 3\n"},
+       .read = only([](const fs::path& file) { return app::read_fit(read_text(file), file); })});
   readers.push_back({.name = "sweep_run",
                      .file = "run.json",
                      .corpus = {R"({"id":"b163a6a19d49fbb8","parameters":{"fence.steps":20000,"run.a[0]":"-1 ft"}})"},

@@ -36,7 +36,7 @@ BOOST_AUTO_TEST_CASE(wrong_command_lines) {
   const std::vector<std::pair<std::vector<std::string>, std::string>> wrong{
       {{},
        "talus: a command is missing; known: run, check, advise, calibrate, capacity, cell, completion, convert, "
-       "export, plot, "
+       "export, fit, plot, "
        "snapshot, "
        "animate, "
        "study, sweep, list, new\nhelp: talus "
@@ -45,7 +45,7 @@ BOOST_AUTO_TEST_CASE(wrong_command_lines) {
        "talus: command 'rnu' is not known; nearest: run; known: run, check, advise, calibrate, capacity, cell, "
        "completion, "
        "convert, export, "
-       "plot, "
+       "fit, plot, "
        "snapshot, animate, study, sweep, list, new\n"
        "help: talus --help\n"},
       {{"run"}, "talus: SCENE is required, or --resume DIR\nhelp: talus run --help\n"},

@@ -1,4 +1,4 @@
-#include "solver/capacity/proportion.hpp"
+#include "solver/statistics/proportion.hpp"
 
 #include <algorithm>
 #include <cmath>

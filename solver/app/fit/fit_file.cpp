@@ -1,0 +1,193 @@
+#include "solver/app/fit/fit_file.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+#include <set>
+
+#include "solver/base/error.hpp"
+#include "solver/io/scene/scene_table.hpp"
+#include "verification/record/csv.hpp"
+#include "verification/record/error.hpp"
+
+namespace talus::app {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// The unit in brackets at the end of a heading; empty if there is none.
+std::string unit_of(const std::string& heading) {
+  const std::size_t open = heading.rfind('[');
+  if (open == std::string::npos || !heading.ends_with(']')) return {};
+  return heading.substr(open + 1, heading.size() - open - 2);
+}
+
+/// The numbers of a column. Errors: InputError for a heading that the data do not have.
+std::vector<double> column(SceneTable& table, const records::Csv& data, std::string_view key,
+                           const std::string& heading) {
+  if (std::ranges::find(data.header(), heading) == data.header().end()) {
+    table.fail(key, fmt::format("found \"{}\"; the data {} have the columns \"{}\"", heading, data.file().string(),
+                                fmt::join(data.header(), "\", \"")));
+  }
+  std::vector<double> values;
+  const std::size_t at = data.column(heading);
+  for (std::size_t row = 0; row < data.rows(); ++row)
+    values.push_back(data.number(row, at));
+  return values;
+}
+
+/// A number, in quotes with its unit.
+WrittenNumber number_of(SceneTable& table, std::string_view key, const TomlValue& value) {
+  try {
+    return written_number(value);
+  } catch (const InputError& error) {
+    table.fail(key, error.what());
+  }
+}
+
+FitInput read_input(SceneTable& table, const records::Csv& data) {
+  table.allow({"column", "field"});
+  FitInput input;
+  input.heading = table.text("column");
+  input.field = table.text("field");
+  input.unit = unit_of(input.heading);
+  input.values = column(table, data, "column", input.heading);
+  return input;
+}
+
+FitQuantity read_quantity(SceneTable& table, const records::Csv& data) {
+  table.allow({"name", "column", "result", "divided_by", "uncertainty"});
+  FitQuantity quantity;
+  quantity.heading = table.text("column");
+  quantity.name = table.has("name") ? table.text("name") : quantity.heading;
+  quantity.unit = unit_of(quantity.heading);
+  quantity.result = table.text("result");
+  if (table.has("divided_by")) {
+    const std::string heading = table.text("divided_by");
+    quantity.divisor_unit = unit_of(heading);
+    quantity.divisors = column(table, data, "divided_by", heading);
+    if (std::ranges::find(quantity.divisors, 0.0) != quantity.divisors.end())
+      table.fail("divided_by", fmt::format("found 0 in \"{}\"; results cannot be divided by it", heading));
+  }
+  if (const TomlValue* const uncertainty = table.value("uncertainty")) {
+    const WrittenNumber written = number_of(table, "uncertainty", *uncertainty);
+    if (written.unit != quantity.unit || !(written.value > 0.0)) {
+      table.fail("uncertainty", fmt::format("found {}; it must be > 0, in the unit of the column, {}",
+                                            found(*uncertainty), quantity.unit.empty() ? "none" : quantity.unit));
+    }
+    quantity.uncertainty = written.value;
+  }
+  quantity.values = column(table, data, "column", quantity.heading);
+  return quantity;
+}
+
+FittedField read_parameter(SceneTable& table) {
+  table.allow({"field", "range", "start", "spacing"});
+  FittedField fitted;
+  fitted.field = table.text("field");
+  const TomlValue* const range = table.value("range");
+  const auto* const ends = range == nullptr ? nullptr : std::get_if<TomlArray>(&range->data);
+  if (ends == nullptr || ends->size() != 2)
+    table.fail("range", "it must be two bounds, e.g. [\"1 N s/m\", \"100 N s/m\"] or [0.0, 1.0]");
+  const WrittenNumber lower = number_of(table, "range", (*ends)[0]), upper = number_of(table, "range", (*ends)[1]);
+  FitParameter& parameter = fitted.parameter;
+  parameter.lower = lower.value, parameter.upper = upper.value, fitted.unit = lower.unit;
+  if (lower.unit != upper.unit)
+    table.fail("range", fmt::format("found {}; both ends must have the same unit", found(*range)));
+  if (!(lower.value < upper.value))
+    table.fail("range", fmt::format("found {}; the first must be less than the second", found(*range)));
+  if (table.has("spacing")) parameter.logarithmic = table.choice("spacing", {"even", "logarithmic"}) == "logarithmic";
+  if (parameter.logarithmic && !(lower.value > 0.0))
+    table.fail("range", fmt::format("found {}; with spacing = \"logarithmic\" both ends must be > 0", found(*range)));
+  parameter.start =
+      parameter.logarithmic ? std::sqrt(lower.value * upper.value) : std::midpoint(lower.value, upper.value);
+  if (const TomlValue* const start = table.value("start")) {
+    const WrittenNumber written = number_of(table, "start", *start);
+    if (written.unit != fitted.unit || !(written.value >= lower.value && written.value <= upper.value))
+      table.fail("start", fmt::format("found {}; it must be within {}, in its unit", found(*start), found(*range)));
+    parameter.start = written.value;
+  }
+  return fitted;
+}
+
+/// The errors that no table has alone.
+void check(SceneTable& file, const FitFile& made) {
+  if (made.quantities.empty()) file.report("quantity", "it is missing; give at least one [[quantity]]");
+  if (made.parameters.empty()) file.report("parameter", "it is missing; give at least one [[parameter]]");
+  constexpr std::size_t maximum = 8;
+  if (made.parameters.size() > maximum)
+    file.report("parameter", fmt::format("found {}; there may be at most {}", made.parameters.size(), maximum));
+  const auto given =
+      std::ranges::count_if(made.quantities, [](const FitQuantity& of) { return of.uncertainty.has_value(); });
+  if (given != 0 && static_cast<std::size_t>(given) != made.quantities.size())
+    file.report("quantity", "some have an uncertainty, others not; give all of them, or none");
+  if (given == 0 && made.quantities.size() > 1)
+    file.report("quantity", "several quantities need an uncertainty each, by which their deviations are compared");
+  std::set<std::string> fields;
+  const auto add = [&](const std::string& field) {
+    if (!fields.insert(field).second) file.report("parameter", fmt::format("the field '{}' is set twice", field));
+  };
+  for (const FitInput& input : made.inputs)
+    add(input.field);
+  for (const FittedField& parameter : made.parameters)
+    add(parameter.field);
+}
+
+}  // namespace
+
+FitFile read_fit(std::string_view text, const fs::path& name) {
+  const TomlValue document = parse_toml(text, name.string());
+  SceneSource source{name.string(), si};
+  SceneTable file{source, document, ""};
+  const fs::path folder = name.parent_path();
+  FitFile made;
+  source.collect();
+  try {
+    file.allow({"title", "scene", "data", "input", "quantity", "parameter", "bootstrap", "limits"});
+    made.title = file.title();
+    made.scene = folder / file.text("scene");
+    made.data = folder / file.text("data");
+    if (!file.has("data")) {
+      source.check();
+      return made;
+    }
+    const records::Csv data = records::read_csv(made.data);
+    made.rows = data.rows();
+    if (made.rows == 0)
+      file.fail("data", fmt::format("{}: found no line below the header; there must be one for each experiment",
+                                    made.data.string()));
+    for (SceneTable& table : file.numbered_tables("input"))
+      table.guard([&] { made.inputs.push_back(read_input(table, data)); });
+    for (SceneTable& table : file.numbered_tables("quantity"))
+      table.guard([&] { made.quantities.push_back(read_quantity(table, data)); });
+    for (SceneTable& table : file.numbered_tables("parameter"))
+      table.guard([&] { made.parameters.push_back(read_parameter(table)); });
+    check(file, made);
+    if (file.has("bootstrap")) {
+      SceneTable bootstrap = file.table("bootstrap");
+      bootstrap.allow({"samples", "seed"});
+      if (bootstrap.has("samples"))
+        made.samples = static_cast<std::size_t>(bootstrap.whole_between("samples", 0, 100'000));
+      if (bootstrap.has("seed")) made.seed = bootstrap.whole_between("seed", 0, 1'000'000'000);
+    }
+    if (file.has("limits")) {
+      SceneTable limits = file.table("limits");
+      limits.refuse("time", "results would depend on the machine; give `evaluations`");
+      made.limits = read_limits(limits);
+    }
+  } catch (const SceneSource::Collected&) {
+    source.check();
+    throw;
+  } catch (const records::FileError& error) {
+    throw IoError{error.what()};
+  } catch (const records::RecordError& error) {
+    source.check();
+    throw InputError{error.what()};
+  }
+  source.check();
+  return made;
+}
+
+}  // namespace talus::app

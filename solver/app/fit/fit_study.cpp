@@ -1,0 +1,130 @@
+#include "solver/app/fit/fit_study.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <limits>
+#include <mutex>
+#include <numeric>
+
+#include "solver/base/error.hpp"
+#include "solver/io/fence_file.hpp"
+#include "solver/threads/parallel_for.hpp"
+
+namespace talus::app {
+namespace {
+
+std::vector<std::string> outputs_of(const FitFile& file) {
+  std::vector<std::string> outputs;
+  for (const FitQuantity& quantity : file.quantities)
+    outputs.push_back(quantity.result);
+  return outputs;
+}
+
+TomlValue written(double value, const std::string& unit) {
+  return unit.empty() ? TomlValue{value} : TomlValue{fmt::format("{} {}", value, unit)};
+}
+
+/// Dimension and SI size of a unit; a pure number without one.
+AnyQuantity size_of(const std::string& unit, const std::string& heading) {
+  if (unit.empty()) return {1.0, dimension::number};
+  try {
+    return parse_any_quantity("1 " + unit, si);
+  } catch (const InputError&) {
+    throw InputError{fmt::format("column \"{}\": '{}' is not a unit", heading, unit)};
+  }
+}
+
+}  // namespace
+
+FitStudy::FitStudy(const FitFile& file, unsigned threads)
+    : file_{&file}, threads_{threads}, base_{base_text(file.scene), file.scene.string(), outputs_of(file)} {
+  for (std::size_t i = 0; i < file.quantities.size(); ++i) {
+    const FitQuantity& quantity = file.quantities[i];
+    const SweepOutput& output = base_.outputs()[i];
+    const AnyQuantity column = size_of(quantity.unit, quantity.heading),
+                      divisor = size_of(quantity.divisor_unit, "divided_by");
+    const Dimension expected = quantity.divisors.empty() ? output.dimension : output.dimension / divisor.dimension;
+    if (!(column.dimension == expected)) {
+      throw InputError{
+          fmt::format("quantity '{}': {} is in {}, the column \"{}\" in {}; give the column in the unit of "
+                      "the result",
+                      quantity.name, quantity.result, symbol(si, expected), quantity.heading,
+                      quantity.unit.empty() ? "no unit" : quantity.unit)};
+    }
+    sources_.push_back({i, si_size(base_.units(), output.dimension) / divisor.value / column.value});
+  }
+  // The first row's scene shows errors of fields and units before anything is run.
+  std::vector<double> start;
+  for (const FittedField& field : file.parameters)
+    start.push_back(field.parameter.start);
+  static_cast<void>(base_.scene(run(start, 0)));
+}
+
+SweptRun FitStudy::run(const std::vector<double>& parameters, std::size_t row) const {
+  SweptRun run;
+  for (const FitInput& input : file_->inputs)
+    run.parameters.emplace_back(input.field, written(input.values[row], input.unit));
+  for (std::size_t i = 0; i < parameters.size(); ++i)
+    run.parameters.emplace_back(file_->parameters[i].field, written(parameters[i], file_->parameters[i].unit));
+  run.id = id_of(run);
+  return run;
+}
+
+std::vector<double> FitStudy::results(const std::vector<double>& parameters, const std::vector<std::size_t>& rows) {
+  const std::size_t width = sources_.size();
+  std::vector<double> found(rows.size() * width, std::numeric_limits<double>::quiet_NaN());
+  std::vector<std::string> reasons(rows.size());
+  parallel_for(rows.size(), threads_, [&](std::size_t i) {
+    if (interrupted_()) return;
+    const SweepResult result = base_.result(run(parameters, rows[i]), file_->limits, interrupted_);
+    if (result.values.empty()) {
+      reasons[i] = result.reason;
+      return;
+    }
+    for (std::size_t k = 0; k < width; ++k) {
+      const std::vector<double>& divisors = file_->quantities[k].divisors;
+      found[i * width + k] =
+          result.values[sources_[k].output] * sources_[k].factor / (divisors.empty() ? 1.0 : divisors[rows[i]]);
+    }
+  });
+  if (interrupted_()) throw Interrupted{};
+  for (std::size_t i = 0; i < rows.size() && failure_.empty(); ++i)
+    if (!reasons[i].empty()) failure_ = fmt::format("row {}: {}", rows[i] + 1, reasons[i]);
+  runs_ += rows.size();
+  progress_(runs_);
+  return found;
+}
+
+std::vector<double> FitStudy::results(const std::vector<double>& parameters) {
+  std::vector<std::size_t> rows(file_->rows);
+  std::iota(rows.begin(), rows.end(), std::size_t{0});
+  return results(parameters, rows);
+}
+
+Fit FitStudy::fitted(const std::function<bool()>& interrupted, const std::function<void(std::size_t)>& progress) {
+  interrupted_ = interrupted, progress_ = progress;
+  std::vector<FitParameter> parameters;
+  for (const FittedField& field : file_->parameters)
+    parameters.push_back(field.parameter);
+  const std::size_t width = sources_.size();
+  const FitModel deviations = [&](const std::vector<double>& values, const std::vector<std::size_t>& rows) {
+    std::vector<double> found = results(values, rows);
+    for (std::size_t i = 0; i < rows.size(); ++i) {
+      for (std::size_t k = 0; k < width; ++k) {
+        const FitQuantity& quantity = file_->quantities[k];
+        found[i * width + k] = (found[i * width + k] - quantity.values[rows[i]]) / quantity.uncertainty.value_or(1.0);
+      }
+    }
+    return found;
+  };
+  try {
+    return fit(parameters, deviations, {.rows = file_->rows, .samples = file_->samples, .seed = file_->seed},
+               file_->has_uncertainties());
+  } catch (const InputError& error) {
+    throw InputError{fmt::format("{}: {}{}", file_->scene.string(), error.what(),
+                                 failure_.empty() ? "" : fmt::format("; first failure: {}", failure_))};
+  }
+}
+
+}  // namespace talus::app

@@ -1,0 +1,314 @@
+#include "solver/fit/least_squares.hpp"
+
+#include <fmt/format.h>
+#include <nlopt.h>
+
+#include <algorithm>
+#include <cmath>
+#include <exception>
+#include <limits>
+#include <memory>
+#include <numeric>
+#include <optional>
+#include <random>
+
+#include "solver/base/error.hpp"
+#include "solver/statistics/proportion.hpp"
+
+namespace talus {
+namespace {
+
+using Vector = Eigen::VectorXd;
+using Matrix = Eigen::MatrixXd;
+
+/// The problem in coordinates from 0 to 1.
+class UnitProblem {
+ public:
+  UnitProblem(const std::vector<FitParameter>& parameters, const FitModel& model, std::size_t rows)
+      : parameters_{&parameters}, model_{&model}, all_(rows) {
+    std::iota(all_.begin(), all_.end(), std::size_t{0});
+  }
+
+  std::size_t size() const { return parameters_->size(); }
+  const std::vector<std::size_t>& all_rows() const { return all_; }
+  std::size_t evaluations() const { return evaluations_; }
+
+  double coordinate(std::size_t i) const {
+    const FitParameter& p = (*parameters_)[i];
+    return p.logarithmic ? std::log(p.start / p.lower) / std::log(p.upper / p.lower)
+                         : (p.start - p.lower) / (p.upper - p.lower);
+  }
+  std::vector<double> values(const Vector& u) const {
+    std::vector<double> found(size());
+    for (std::size_t i = 0; i < size(); ++i) {
+      const FitParameter& p = (*parameters_)[i];
+      const double at = std::clamp(u[static_cast<Eigen::Index>(i)], 0.0, 1.0);
+      // The ends themselves, without rounding.
+      if (at == 0.0 || at == 1.0) {
+        found[i] = at == 0.0 ? p.lower : p.upper;
+      } else {
+        found[i] = p.logarithmic ? p.lower * std::pow(p.upper / p.lower, at) : std::lerp(p.lower, p.upper, at);
+      }
+    }
+    return found;
+  }
+  /// Change of a value over that of its coordinate.
+  double slope(std::size_t i, double value) const {
+    const FitParameter& p = (*parameters_)[i];
+    return p.logarithmic ? value * std::log(p.upper / p.lower) : p.upper - p.lower;
+  }
+
+  Vector deviations(const Vector& u, const std::vector<std::size_t>& rows) {
+    evaluations_ += rows.size();
+    const std::vector<double> found = (*model_)(values(u), rows);
+    return Eigen::Map<const Vector>(found.data(), static_cast<Eigen::Index>(found.size()));
+  }
+
+ private:
+  const std::vector<FitParameter>* parameters_;
+  const FitModel* model_;
+  std::vector<std::size_t> all_;
+  std::size_t evaluations_{};
+};
+
+/// Larger than every sum of a model that has results, and finite, so that a search continues.
+constexpr double no_result = 1e100;
+
+double sum_of(const Vector& deviations) {
+  const double sum = deviations.squaredNorm();
+  return std::isfinite(sum) ? sum : no_result;
+}
+
+Vector clamped(const Vector& u) { return u.cwiseMax(0.0).cwiseMin(1.0); }
+
+/// Derivatives of the deviations by differences of the width `widths[i]`, one-sided at a bound.
+Matrix jacobian(UnitProblem& problem, const Vector& u, const Vector& at, const Vector& widths) {
+  Matrix found(at.size(), u.size());
+  for (Eigen::Index i = 0; i < u.size(); ++i) {
+    Vector below = u, above = u;
+    below[i] = std::max(0.0, u[i] - widths[i]);
+    above[i] = std::min(1.0, u[i] + widths[i]);
+    const Vector low = below[i] == u[i] ? at : problem.deviations(below, problem.all_rows());
+    const Vector high = above[i] == u[i] ? at : problem.deviations(above, problem.all_rows());
+    found.col(i) = (high - low) / (above[i] - below[i]);
+  }
+  return found;
+}
+
+/// The step of Gauss and Newton, without the coordinates that it would carry through a bound.
+Vector gauss_newton(const Matrix& jacobian, const Vector& deviations, const Vector& u) {
+  std::vector<Eigen::Index> moving(static_cast<std::size_t>(u.size()));
+  std::iota(moving.begin(), moving.end(), Eigen::Index{0});
+  Vector step = Vector::Zero(u.size());
+  while (!moving.empty()) {
+    Matrix part(jacobian.rows(), static_cast<Eigen::Index>(moving.size()));
+    for (std::size_t k = 0; k < moving.size(); ++k)
+      part.col(static_cast<Eigen::Index>(k)) = jacobian.col(moving[k]);
+    const Vector found = part.colPivHouseholderQr().solve(-deviations);
+    step.setZero();
+    for (std::size_t k = 0; k < moving.size(); ++k)
+      step[moving[k]] = found[static_cast<Eigen::Index>(k)];
+    const auto leaves = [&](Eigen::Index i) {
+      return (u[i] == 0.0 && step[i] < 0.0) || (u[i] == 1.0 && step[i] > 0.0);
+    };
+    if (std::erase_if(moving, leaves) == 0) break;
+  }
+  return moving.empty() ? Vector::Zero(u.size()) : step;
+}
+
+/// Element of the Halton sequence (Halton 1960): in [0, 1), evenly spread.
+double halton(std::size_t index, std::size_t base) {
+  double fraction = 1.0, value = 0.0;
+  for (; index > 0; index /= base) {
+    fraction /= static_cast<double>(base);
+    value += fraction * static_cast<double>(index % base);
+  }
+  return value;
+}
+
+/// The best of the start and some points of the whole range.
+Vector best_start(UnitProblem& problem) {
+  constexpr std::array<std::size_t, 8> bases{2, 3, 5, 7, 11, 13, 17, 19};
+  Vector best(static_cast<Eigen::Index>(problem.size()));
+  for (std::size_t i = 0; i < problem.size(); ++i)
+    best[static_cast<Eigen::Index>(i)] = problem.coordinate(i);
+  double smallest = sum_of(problem.deviations(best, problem.all_rows()));
+  for (std::size_t k = 1; k <= 8 * problem.size(); ++k) {
+    Vector u(best.size());
+    for (std::size_t i = 0; i < problem.size(); ++i)
+      u[static_cast<Eigen::Index>(i)] = halton(k, bases[i]);
+    if (const double sum = sum_of(problem.deviations(u, problem.all_rows())); sum < smallest) smallest = sum, best = u;
+  }
+  if (smallest >= no_result) throw InputError{"no run has a result, neither at the start nor at other parameters"};
+  return best;
+}
+
+/// The search as NLopt calls it. An exception must not leave its C code: it ends the search and is kept.
+struct Objective {
+  UnitProblem* problem{};
+  nlopt_opt search{};
+  std::exception_ptr error{};
+
+  static double value(unsigned count, const double* at, double* /*gradient*/, void* data) {
+    auto& of = *static_cast<Objective*>(data);
+    try {
+      const Vector u = Eigen::Map<const Vector>(at, static_cast<Eigen::Index>(count));
+      return sum_of(of.problem->deviations(u, of.problem->all_rows()));
+    } catch (...) {
+      of.error = std::current_exception();
+      nlopt_force_stop(of.search);
+      return no_result;
+    }
+  }
+};
+
+Vector searched(UnitProblem& problem, Vector start, int maximum) {
+  const std::unique_ptr<nlopt_opt_s, decltype(&nlopt_destroy)> search{
+      nlopt_create(NLOPT_LN_SBPLX, static_cast<unsigned>(problem.size())), &nlopt_destroy};
+  Objective objective{&problem, search.get()};
+  nlopt_set_min_objective(search.get(), &Objective::value, &objective);
+  nlopt_set_lower_bounds1(search.get(), 0.0);
+  nlopt_set_upper_bounds1(search.get(), 1.0);
+  nlopt_set_initial_step1(search.get(), 0.1);
+  nlopt_set_xtol_abs1(search.get(), 1e-6);
+  nlopt_set_ftol_rel(search.get(), 1e-10);
+  nlopt_set_maxeval(search.get(), maximum);
+  double sum = 0.0;
+  // Whatever ends the search, its best point is the result.
+  static_cast<void>(nlopt_optimize(search.get(), start.data(), &sum));
+  if (objective.error) std::rethrow_exception(objective.error);
+  return clamped(start);
+}
+
+/// Standard errors in coordinates, and the correlation.
+struct Spread {
+  Vector errors;
+  Matrix correlation;
+};
+
+Spread spread_of(const Matrix& jacobian, double variance) {
+  const Eigen::Index count = jacobian.cols();
+  // Directions of which the deviations do not depend have an error that exceeds every range.
+  const Eigen::JacobiSVD<Matrix> parts{jacobian, Eigen::ComputeThinV};
+  const Vector& singular = parts.singularValues();
+  Matrix covariance = Matrix::Zero(count, count);
+  for (Eigen::Index k = 0; k < singular.size(); ++k) {
+    const double deviation = std::min(1e3, std::sqrt(variance) / std::max(singular[k], 1e-300));
+    covariance += deviation * deviation * parts.matrixV().col(k) * parts.matrixV().col(k).transpose();
+  }
+  Spread spread{covariance.diagonal().cwiseSqrt(), Matrix::Identity(count, count)};
+  for (Eigen::Index i = 0; i < count; ++i)
+    for (Eigen::Index j = 0; j < count; ++j)
+      if (i != j && spread.errors[i] > 0.0 && spread.errors[j] > 0.0)
+        spread.correlation(i, j) = covariance(i, j) / (spread.errors[i] * spread.errors[j]);
+  return spread;
+}
+
+/// Counts of the rows in a sample with replacement.
+std::vector<std::size_t> drawn_rows(std::mt19937_64& generator, std::size_t rows) {
+  std::vector<std::size_t> counts(rows);
+  for (std::size_t i = 0; i < rows; ++i)  // standard distributions differ between libraries
+    ++counts[static_cast<std::size_t>(static_cast<double>(generator() >> 11U) * 0x1p-53 * static_cast<double>(rows))];
+  return counts;
+}
+
+/// The fit of a sample by steps with the derivatives of the whole fit; nothing if they do not converge.
+std::optional<Vector> sample_fit(UnitProblem& problem, const Vector& start, const Matrix& slopes, const Vector& errors,
+                                 const std::vector<std::size_t>& counts) {
+  std::vector<std::size_t> rows;
+  for (std::size_t row = 0; row < counts.size(); ++row)
+    if (counts[row] > 0) rows.push_back(row);
+  const Eigen::Index width = slopes.rows() / static_cast<Eigen::Index>(counts.size());
+  Matrix weighted(static_cast<Eigen::Index>(rows.size()) * width, slopes.cols());
+  Vector weights(weighted.rows());
+  for (std::size_t k = 0; k < rows.size(); ++k) {
+    const Eigen::Index to = static_cast<Eigen::Index>(k) * width, from = static_cast<Eigen::Index>(rows[k]) * width;
+    const double weight = std::sqrt(static_cast<double>(counts[rows[k]]));
+    weights.segment(to, width).setConstant(weight);
+    weighted.middleRows(to, width) = weight * slopes.middleRows(from, width);
+  }
+  Vector u = start;
+  constexpr int maximum_steps = 12;
+  for (int step = 0; step < maximum_steps; ++step) {
+    const Vector deviations = weights.cwiseProduct(problem.deviations(u, rows));
+    if (!deviations.allFinite()) return {};
+    const Vector next = clamped(u + gauss_newton(weighted, deviations, u));
+    const double change = (next - u).cwiseQuotient(errors.cwiseMax(1e-12)).cwiseAbs().maxCoeff();
+    u = next;
+    if (change < 0.02) return u;
+  }
+  return {};
+}
+
+}  // namespace
+
+double Fit::degrees_of_freedom() const {
+  return static_cast<double>(deviations.size()) - static_cast<double>(values.size());
+}
+
+Fit fit(const std::vector<FitParameter>& parameters, const FitModel& model, const FitRules& rules, bool is_absolute) {
+  UnitProblem problem{parameters, model, rules.rows};
+  Vector u = searched(problem, best_start(problem), rules.maximum_searches);
+  Vector deviations = problem.deviations(u, problem.all_rows());
+  if (deviations.size() <= u.size()) {
+    throw InputError{fmt::format("{} measured values for {} parameters; there must be more values than parameters",
+                                 deviations.size(), u.size())};
+  }
+  const auto variance = [&] {
+    return is_absolute ? 1.0 : deviations.squaredNorm() / static_cast<double>(deviations.size() - u.size());
+  };
+  // Differences as wide as the values are uncertain: those of rounding and of the phase of steps are small then.
+  Vector widths = Vector::Constant(u.size(), 1e-3);
+  Matrix slopes;
+  Spread spread;
+  constexpr int maximum_steps = 6;
+  for (int step = 0; step < maximum_steps; ++step) {
+    slopes = jacobian(problem, u, deviations, widths);
+    if (!slopes.allFinite()) throw InputError{"runs with slightly different parameters have no result"};
+    spread = spread_of(slopes, variance());
+    widths = (0.3 * spread.errors).cwiseMax(1e-4).cwiseMin(0.02);
+    const Vector next = clamped(u + gauss_newton(slopes, deviations, u));
+    const Vector changed = problem.deviations(next, problem.all_rows());
+    if (!(sum_of(changed) < sum_of(deviations))) break;
+    const double change = (next - u).cwiseQuotient(spread.errors.cwiseMax(1e-12)).cwiseAbs().maxCoeff();
+    u = next, deviations = changed;
+    if (change < 1e-4) break;
+  }
+
+  Fit found;
+  found.values = problem.values(u);
+  found.deviations.assign(deviations.data(), deviations.data() + deviations.size());
+  found.sum = deviations.squaredNorm();
+  found.correlation = spread.correlation;
+  for (std::size_t i = 0; i < parameters.size(); ++i) {
+    const auto at = static_cast<Eigen::Index>(i);
+    found.errors.push_back(spread.errors[at] * problem.slope(i, found.values[i]));
+    found.at_bound.push_back(u[at] == 0.0 || u[at] == 1.0);
+    found.undetermined.push_back(spread.errors[at] > 0.5);
+  }
+  if (rules.samples > 0) {
+    const double rows = static_cast<double>(rules.rows), freedom = rows - static_cast<double>(parameters.size());
+    const double widening = freedom > 0.0 ? std::sqrt(rows / freedom) : 1.0;
+    std::mt19937_64 generator{static_cast<std::uint64_t>(rules.seed)};
+    for (std::size_t sample = 0; sample < rules.samples; ++sample) {
+      const std::optional<Vector> of = sample_fit(problem, u, slopes, spread.errors, drawn_rows(generator, rules.rows));
+      if (!of) {
+        ++found.skipped;
+        continue;
+      }
+      found.samples.push_back(problem.values(clamped(u + widening * (*of - u))));
+    }
+    if (!found.samples.empty()) {
+      for (std::size_t i = 0; i < parameters.size(); ++i) {
+        std::vector<double> values;
+        for (const std::vector<double>& sample : found.samples)
+          values.push_back(sample[i]);
+        found.intervals.push_back({sample_quantile(values, 0.025).value, sample_quantile(values, 0.975).value});
+      }
+    }
+  }
+  found.evaluations = problem.evaluations();
+  return found;
+}
+
+}  // namespace talus

@@ -1,0 +1,61 @@
+#pragma once
+
+#include <Eigen/Dense>
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <functional>
+#include <vector>
+
+namespace talus {
+
+/// A parameter that is fitted, between two bounds.
+struct FitParameter {
+  double lower{}, upper{};
+  double start{};      ///< where the search begins, within the bounds
+  bool logarithmic{};  ///< fitted by its logarithm; the bounds are > 0 then
+};
+
+/// Deviations of a model from observations, each over its uncertainty: for the parameters, those of the given rows of
+/// data, row by row, as many for each. NaN where the model has no result.
+using FitModel =
+    std::function<std::vector<double>(const std::vector<double>& parameters, const std::vector<std::size_t>& rows)>;
+
+struct FitRules {
+  std::size_t rows{};          ///< number of rows of data, > 0
+  std::size_t samples{200};    ///< of the bootstrap; 0: no intervals
+  std::int64_t seed{1};        ///< of the bootstrap
+  int maximum_searches{2000};  ///< evaluations of the model for the search
+};
+
+/// A fit by least squares.
+struct Fit {
+  std::vector<double> values;
+  double sum{};                                  ///< of the squared deviations
+  std::vector<double> deviations;                ///< at these values, row by row
+  std::vector<double> errors;                    ///< standard error of each value, from the linearized model
+  Eigen::MatrixXd correlation;                   ///< of the values, likewise
+  std::vector<bool> at_bound;                    ///< the value is that of a bound
+  std::vector<bool> undetermined;                ///< its standard error exceeds half of its range
+  std::vector<std::vector<double>> samples;      ///< values of each sample of the bootstrap
+  std::vector<std::array<double, 2>> intervals;  ///< of 95 %; empty without samples
+  std::size_t skipped{};                         ///< samples that have no fit
+  std::size_t evaluations{};                     ///< rows for which the model was evaluated
+
+  /// Number of deviations minus that of the parameters.
+  [[nodiscard]] double degrees_of_freedom() const;
+};
+
+/// Fits the parameters: the best of some points of the whole range begins a search without derivatives (Rowan 1990,
+/// Subplex, of NLopt), which Gauss-Newton steps complete. `is_absolute`: the uncertainties are known, so that standard
+/// errors are theirs; else they follow from the scatter of the deviations.
+///
+/// Intervals are those of a bootstrap over the rows (Efron 1979): percentiles of the values that samples of as many
+/// rows, drawn with replacement, give. Deviations from the fit are widened by sqrt(rows/(rows - parameters)), since a
+/// fit is closer to its data than the truth (Davison & Hinkley 1997, section 6.3). Results depend on the rules alone.
+///
+/// Errors: InputError if there are not more deviations than parameters, or the model has no result near the start.
+[[nodiscard]] Fit fit(const std::vector<FitParameter>& parameters, const FitModel& model, const FitRules& rules,
+                      bool is_absolute);
+
+}  // namespace talus

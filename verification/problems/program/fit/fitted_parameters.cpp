@@ -1,0 +1,388 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <random>
+#include <string>
+#include <vector>
+
+#include "verification/check/case.hpp"
+#include "verification/problems/program/fit/fit_statistics.hpp"
+#include "verification/record/csv.hpp"
+#include "verification/record/json_node.hpp"
+#include "verification/reference/impacts/damped_bounce.hpp"
+#include "verification/reference/impacts/restitution.hpp"
+#include "verification/study/findings/expectations.hpp"
+#include "verification/study/program/program_options.hpp"
+#include "verification/study/program/program_run.hpp"
+
+namespace talus::verification::problems::fitted_parameters {
+namespace {
+
+namespace fs = std::filesystem;
+using records::Json;
+
+constexpr double mass = 2.0, radius = 0.1, stiffness = 2e4, damping = 40.0, gravity = 9.81, drop = 0.2;
+
+/// A ball that falls on a floor, or hits it at once without weight.
+std::string ball(const std::string& more_of_contact, bool falls) {
+  return fmt::format(R"(title = "Ball on a floor"
+units = "SI"
+gravity = ["0 m/s^2", "{} m/s^2"]
+
+[[body]]
+name = "floor"
+mobility = "fixed"
+position = ["0 m", "0 m"]
+shape = {{ kind = "half_plane" }}
+
+[[body]]
+name = "ball"
+mobility = "free"
+mass = "{} kg"
+inertia = "{} kg m^2"
+position = ["0 m", "{} m"]
+velocity = ["0 m/s", "{} m/s"]
+shape = {{ kind = "circle", radius = "{} m" }}
+
+[[contact]]
+name = "hit"
+between = ["ball", "floor"]
+law = "linear_spring_dashpot"
+stiffness = "{} N/m"
+damping = "10 N s/m"
+end_rule = "attractive"
+{}
+[run]
+integrator = "velocity_verlet"
+step = "0.05 ms"
+end = "0.1 s"
+interval = "1 ms"
+watch = "off"
+)",
+                     falls ? -gravity : 0.0, mass, 0.4 * mass * radius * radius, falls ? radius + drop : radius,
+                     falls ? 0.0 : -1.0, radius, stiffness, more_of_contact);
+}
+
+std::string parameter(const std::string& field, const std::string& range, const std::string& more = "") {
+  return fmt::format("[[parameter]]\nfield = \"{}\"\nrange = {}\n{}", field, range, more);
+}
+
+constexpr const char* heading = "title = \"Ball\"\nscene = \"ball.toml\"\ndata = \"data.csv\"\n";
+constexpr const char* of_height =
+    "[[input]]\ncolumn = \"time [s]\"\nfield = \"run.end\"\n[[quantity]]\nname = \"height\"\ncolumn = \"y [mm]\"\n"
+    "result = \"ball.y.end\"\n";
+constexpr const char* of_speed =
+    "[[input]]\ncolumn = \"vy [m/s]\"\nfield = \"body.ball.velocity[1]\"\n[[quantity]]\ncolumn = \"rebound [m/s]\"\n"
+    "result = \"ball.vy.end\"\n";
+
+/// Heights of a ball that bounces, with noise of this standard deviation.
+std::string heights(const Setup& setup, double noise) {
+  reference::DampedBounce bounce{.frequency = std::sqrt(stiffness / mass),
+                                 .damping_ratio = damping / (2.0 * std::sqrt(stiffness * mass)),
+                                 .gravity = gravity,
+                                 .gap = drop,
+                                 .speed = 0.0,
+                                 .end = EndRule::attractive};
+  if (setup.has("more_damping")) bounce.damping_ratio *= 1.02;
+  std::vector<double> times;
+  for (int i = 1; i <= 18; ++i)
+    times.push_back(0.05 * i);
+  const std::vector<reference::BounceState> states = reference::bounce_states(bounce, times);
+  std::mt19937_64 generator{7};
+  std::string text = "time [s],y [mm]\n";
+  for (std::size_t i = 0; i < times.size(); ++i) {
+    // Sum of twelve uniform numbers: nearly normal, with the variance 1.
+    double sum = -6.0;
+    for (int k = 0; k < 12; ++k)
+      sum += std::ldexp(static_cast<double>(generator() >> 11U), -53);
+    text += fmt::format("{},{}\n", times[i], 1e3 * (radius + states[i].gap + noise * sum));
+  }
+  return text;
+}
+
+const Json& found(const Json& fit, std::size_t parameter) { return fit.at("parameters").at(parameter); }
+
+/// Stiffness and damping of a bouncing ball from its heights, beside those of the closed form.
+void check_bounce(const Program& program, Findings& findings, Differences& differ) {
+  const Setup& setup = program.setup();
+  const std::string both =
+      parameter("contact.hit.stiffness", "[\"5 kN/m\", \"100 kN/m\"]", "spacing = \"logarithmic\"\n") +
+      parameter("contact.hit.damping", "[\"1 N s/m\", \"200 N s/m\"]", "start = \"100 N s/m\"\n");
+  program.write("ball.toml", ball("", true));
+  program.write("data.csv", heights(setup, 0.0));
+  program.write("exact.toml",
+                std::string{heading} + of_height + "uncertainty = \"1 mm\"\n" + both + "[bootstrap]\nsamples = 0\n");
+  const Json exact = program.json({"fit", "exact.toml"}, {{"--json", {}}});
+  findings.expect("bouncing ball: stiffness fitted to exact heights over that of the closed form, deviation from 1",
+                  found(exact, 0).at("value").get<double>() / (1e-3 * stiffness) - 1.0, 0.0,
+                  Tolerance::model(2e-4, "second order of the step: (w h)^2/24 of a contact, 1e-6, and its phase"));
+  findings.expect("bouncing ball: damping fitted to exact heights over that of the closed form, deviation from 1",
+                  found(exact, 1).at("value").get<double>() / damping - 1.0, 0.0,
+                  Tolerance::model(1e-3,
+                                   "the contact ends at a step: h over the contact time, 0.2 %, of one impact; "
+                                   "a quarter of it over four"));
+  differ.compare("no interval without samples", found(exact, 0).at("interval").is_null(), true);
+  differ.compare("no warning", exact.at("warnings").size(), std::size_t{0});
+  differ.compare("unit of the range", found(exact, 0).at("unit").get<std::string>(), std::string{"kN/m"});
+
+  // With noise of the given uncertainty.
+  const double noise = 1e-3;
+  program.write("data.csv", heights(setup, noise));
+  program.write("noisy.toml", std::string{heading} + of_height + "uncertainty = \"1 mm\"\n" + both +
+                                  "[bootstrap]\nsamples = 60\nseed = 4\n");
+  const Json noisy = program.json({"fit", "noisy.toml"}, {{"--json", {}}, {"--out", {"noisy"}}, {"--threads", {"2"}}});
+  const std::array truth{1e-3 * stiffness, damping};
+  double deviation = 0.0;
+  for (std::size_t i = 0; i < truth.size(); ++i)
+    keep_worst(deviation, (found(noisy, i).at("value").get<double>() - truth[i]) /
+                              found(noisy, i).at("standard_error").get<double>());
+  findings.expect("bouncing ball with noise: values less the true ones over their standard error, largest", deviation,
+                  0.0, Tolerance::model(3.5, "normal deviations of two parameters"));
+  const double spread = noisy.at("sum_of_squares").get<double>() / noisy.at("degrees_of_freedom").get<double>();
+  findings.expect_between("bouncing ball with noise: variance of the deviations over that of the noise", spread, 0.25,
+                          2.2, "chi-squared with 16 degrees of freedom: 99.9 %");
+  differ.compare("degrees of freedom", noisy.at("degrees_of_freedom").get<double>(), 16.0);
+  differ.compare("file of the fit", program.read("noisy/fit.json") == noisy.dump(2) + "\n", true);
+  const Json alone = program.json({"fit", "noisy.toml"}, {{"--json", {}}, {"--threads", {"1"}}});
+  differ.compare("one thread", alone == noisy, true);
+
+  // The files: rows, differences and their sum of squares; samples and their percentiles.
+  const records::Csv rows = program.csv("noisy/fit.csv"), data = program.csv("data.csv"),
+                     samples = program.csv("noisy/bootstrap.csv");
+  double sum = 0.0, errors = 0.0;
+  differ.compare("rows", rows.rows(), data.rows());
+  for (std::size_t row = 0; row < rows.rows(); ++row) {
+    const auto number = [&](const char* head) { return rows.number(row, rows.column(head)); };
+    differ.compare("input of a row", number("time [s]") == data.number(row, 0), true);
+    differ.compare("measured value of a row", number("height, measured [mm]") == data.number(row, 1), true);
+    keep_worst(errors,
+               number("height, fitted [mm]") - number("height, measured [mm]") - number("height, difference [mm]"));
+    sum += std::pow(number("height, difference [mm]"), 2);
+  }
+  keep_worst(errors, sum / noisy.at("sum_of_squares").get<double>() - 1.0);
+  keep_worst(errors, noisy.at("quantities").at(0).at("root_mean_square").get<double>() / std::sqrt(sum / 18.0) - 1.0);
+  differ.compare("samples", samples.rows(), std::size_t{60});
+  for (std::size_t i = 0; i < 2; ++i) {
+    std::vector<double> values;
+    for (std::size_t row = 0; row < samples.rows(); ++row)
+      values.push_back(samples.number(row, i));
+    std::ranges::sort(values);
+    for (const std::size_t end : {std::size_t{0}, std::size_t{1}}) {
+      const double rank = (end == 0 ? 0.025 : 0.975) * static_cast<double>(values.size() - 1);
+      const auto below = static_cast<std::size_t>(rank);
+      const double quantile =
+          std::lerp(values[below], values[std::min(below + 1, values.size() - 1)], rank - static_cast<double>(below));
+      keep_worst(errors, found(noisy, i).at("interval").at(end).get<double>() / quantile - 1.0);
+    }
+  }
+  findings.expect("files of a fit: differences, sums and percentiles, largest error", errors, 0.0,
+                  Tolerance::round_off(1e-9, "differences of numbers of 300 that agree to 1 %, sums of 18"));
+  for (const char* const figure : {"quantity_1.svg", "parameters_1.pdf"})
+    differ.compare("figure", program.has(fmt::format("noisy/plots/{}", figure)), true);
+
+  records::Series measured{.label = "with noise", .style = records::Style::points},
+      fitted{.label = "fitted", .style = records::Style::lines};
+  for (std::size_t row = 0; row < rows.rows(); ++row) {
+    measured.add(rows.number(row, 0), rows.number(row, 1));
+    fitted.add(rows.number(row, 0), rows.number(row, 2));
+  }
+  findings.figure({.name = "heights",
+                   .title = "A ball that bounces",
+                   .caption =
+                       "Heights by the closed form with noise of 1 mm, and of runs with the fitted stiffness and "
+                       "damping.",
+                   .x = {.label = "time", .unit = "s"},
+                   .y = {.label = "height of the centre", .unit = "mm"},
+                   .series = {measured, fitted}});
+}
+
+/// Friction from tangential restitution where a sphere slides throughout: 1 - mu (1 + e) |vy|/vx.
+void check_friction(const Program& program, Findings& findings) {
+  const double friction = program.setup().has("more_friction") ? 0.105 : 0.1, e = 0.9;
+  std::string scene = ball(fmt::format("friction = 0.3\nshear_stiffness = \"{} N/m\"\n", stiffness), false);
+  scene.replace(scene.find("damping = \"10 N s/m\""), 20, "restitution = 0.9");
+  program.write("ball.toml", scene);
+  std::string data = "vx [m/s],vy [m/s],ratio\n";
+  for (const auto& [vx, vy] : {std::pair{3.0, -1.0}, std::pair{4.0, -1.5}, std::pair{2.0, -1.0}, std::pair{5.0, -1.0}})
+    data += fmt::format("{},{},{}\n", vx, vy, 1.0 + friction * (1.0 + e) * vy / vx);
+  program.write("data.csv", data);
+  program.write("friction.toml",
+                std::string{heading} +
+                    "[[input]]\ncolumn = \"vx [m/s]\"\nfield = \"body.ball.velocity[0]\"\n[[input]]\ncolumn = \"vy "
+                    "[m/s]\"\nfield = \"body.ball.velocity[1]\"\n[[quantity]]\ncolumn = \"ratio\"\nresult = "
+                    "\"ball.vx.end\"\ndivided_by = \"vx [m/s]\"\n" +
+                    parameter("contact.hit.friction", "[0.0, 1.0]") + "[bootstrap]\nsamples = 0\n");
+  const Json fit = program.json({"fit", "friction.toml"}, {{"--json", {}}});
+  findings.expect("sliding sphere: fitted friction over that of the closed form, deviation from 1",
+                  found(fit, 0).at("value").get<double>() / 0.1 - 1.0, 0.0,
+                  Tolerance::model(2e-3, "restitution of a step of 1/600 of the contact"));
+}
+
+/// What a fit must say: parameters that cannot be distinguished, one at its bound, a wrong model, text and fields.
+void check_warnings(const Program& program, Differences& differ) {
+  program.write("ball.toml", ball("", false));
+  // Restitution depends on c/sqrt(k) alone.
+  const double e = reference::restitution(damping / (2.0 * std::sqrt(stiffness * mass)), EndRule::attractive);
+  std::string data = "vy [m/s],rebound [m/s]\n";
+  for (const double speed : {0.5, 1.0, 1.5, 2.0, 3.0, 4.0})
+    data += fmt::format("{},{}\n", -speed, e * speed * (1.0 + 0.001 * std::sin(20.0 * speed)));
+  program.write("data.csv", data);
+  const std::string of_damping = parameter("contact.hit.damping", "[\"1 N s/m\", \"200 N s/m\"]");
+  const std::string few = "[bootstrap]\nsamples = 20\n";
+  program.write("both.toml", std::string{heading} + of_speed + of_damping +
+                                 parameter("contact.hit.stiffness", "[\"5 kN/m\", \"100 kN/m\"]") + few);
+  const auto message = [&](const std::string& name) { return program.end({"fit", name}, {}); };
+  const ProgramEnd both = message("both.toml");
+  differ.compare(
+      "parameters that cannot be distinguished",
+      both.exit_code == 0 &&
+          both.messages.find(
+              "contact.hit.damping and contact.hit.stiffness cannot be distinguished by these data: correlation") !=
+              std::string::npos,
+      true);
+  program.write("alone.toml", std::string{heading} + of_speed + of_damping + few);
+  const ProgramEnd alone = message("alone.toml");
+  const double value = number_after(squeezed(alone.output), "contact.hit.damping [N s/m]");
+  differ.compare("damping of a restitution", std::abs(value / damping - 1.0) < 0.01, true);
+  differ.compare("no warning", alone.messages, std::string{});
+  differ.compare("line for the scene",
+                 alone.output.find("in the scene:\n  contact.hit.damping = \"") != std::string::npos, true);
+  program.write("bound.toml", std::string{heading} + of_speed +
+                                  parameter("contact.hit.damping", "[\"60 N s/m\", \"200 N s/m\"]") + few);
+  const ProgramEnd bound = message("bound.toml");
+  differ.compare("value at a bound",
+                 bound.messages.find("contact.hit.damping is at a bound") != std::string::npos &&
+                     number_after(squeezed(bound.output), "contact.hit.damping [N s/m]") == 60.0,
+                 true);
+  std::string certain = of_speed;
+  program.write("certain.toml", std::string{heading} + of_speed + "uncertainty = \"1e-5 m/s\"\n" + of_damping + few);
+  differ.compare("a model that does not describe the data",
+                 message("certain.toml").messages.find("the model does not describe the data") != std::string::npos,
+                 true);
+  // The rebound does not depend on the position along the floor.
+  program.write("free.toml", std::string{heading} + of_speed + of_damping +
+                                 parameter("body.ball.position[0]", "[\"-1 m\", \"1 m\"]") + few);
+  differ.compare(
+      "a parameter that the data do not determine",
+      message("free.toml").messages.find("body.ball.position[0] is not determined by these data") != std::string::npos,
+      true);
+  program.write("limited.toml", std::string{heading} + of_speed + of_damping + few + "[limits]\nevaluations = 10\n");
+  const ProgramEnd limited = message("limited.toml");
+  differ.compare(
+      "runs without a result",
+      limited.exit_code == 2 && limited.messages.find("no run has a result, neither at the start nor at other "
+                                                      "parameters; first failure: row 1: limit of 10 "
+                                                      "evaluations") != std::string::npos,
+      true);
+}
+
+void check_refusals(const Program& program, Differences& differ) {
+  program.write("ball.toml", ball("", false));
+  program.write("data.csv", "vy [m/s],rebound [m/s],zero [m/s],odd [furlong]\n-1,0.5,0,1\n-2,1,1,1\n-3,1.5,1,1\n");
+  program.write("empty.csv", "vy [m/s],rebound [m/s]\n");
+  const std::string input = "[[input]]\ncolumn = \"vy [m/s]\"\nfield = \"body.ball.velocity[1]\"\n",
+                    quantity = "[[quantity]]\ncolumn = \"rebound [m/s]\"\nresult = \"ball.vy.end\"\n",
+                    of_damping = parameter("contact.hit.damping", "[\"1 N s/m\", \"200 N s/m\"]"),
+                    good = std::string{heading} + input + quantity;
+  struct Wrong {
+    std::string text, message;
+    int exit_code{2};
+  };
+  const auto with_range = [&](const std::string& range, const std::string& more = "") {
+    return good + parameter("contact.hit.damping", range, more);
+  };
+  const std::vector<Wrong> wrong{
+      {"scene = ", "wrong.toml:1: not TOML"},
+      {"scene = \"ball.toml\"\n", "data: it is missing"},
+      {"scene = \"none.toml\"\ndata = \"data.csv\"\n" + input + quantity + of_damping, "none.toml: No such file", 4},
+      {"scene = \"ball.toml\"\ndata = \"none.csv\"\n" + input + quantity + of_damping, "none.csv", 4},
+      {"scene = \"ball.toml\"\ndata = \"empty.csv\"\n" + quantity + of_damping, "found no line below the header"},
+      {std::string{heading} + input + of_damping, "quantity: it is missing"},
+      {good, "parameter: it is missing"},
+      {good + of_damping + "[fit]\nx = 1\n", "fit: "},
+      {std::string{heading} + "[[input]]\ncolumn = \"v [m/s]\"\nfield = \"run.end\"\n" + quantity + of_damping,
+       "found \"v [m/s]\"; the data data.csv have the columns \"vy [m/s]\", \"rebound [m/s]\""},
+      {std::string{heading} + "[[input]]\ncolumn = \"vy [m/s]\"\nfield = \"body.bell.mass\"\n" + quantity + of_damping,
+       "bell"},
+      {std::string{heading} + input + "[[quantity]]\ncolumn = \"rebound [m/s]\"\nresult = \"ball.vz.end\"\n" +
+           of_damping,
+       "vz"},
+      {std::string{heading} + input + "[[quantity]]\ncolumn = \"rebound [m/s]\"\nresult = \"ball.y.end\"\n" +
+           of_damping,
+       "ball.y.end is in m, the column \"rebound [m/s]\" in m/s; give the column in the unit of the result"},
+      {std::string{heading} + input + "[[quantity]]\ncolumn = \"odd [furlong]\"\nresult = \"ball.y.end\"\n" +
+           of_damping,
+       "column \"odd [furlong]\": 'furlong' is not a unit"},
+      {good + "divided_by = \"zero [m/s]\"\n" + of_damping,
+       "found 0 in \"zero [m/s]\"; results cannot be divided by it"},
+      {good + "uncertainty = \"1 mm/s\"\n" + of_damping,
+       "uncertainty: found \"1 mm/s\"; it must be > 0, in the unit of the column, m/s"},
+      {good + "uncertainty = \"0 m/s\"\n" + of_damping, "it must be > 0, in the unit of the column, m/s"},
+      {good + quantity + of_damping, "several quantities need an uncertainty each"},
+      {good + "uncertainty = \"1 m/s\"\n" + quantity + of_damping, "some have an uncertainty, others not"},
+      {with_range("[\"2 N s/m\", \"1 N s/m\"]"), "the first must be less than the second"},
+      {with_range("[\"1 N s/m\", 2.0]"), "both ends must have the same unit"},
+      {with_range("[\"1 N s/m\"]"), "it must be two bounds"},
+      {with_range("[\"0 N s/m\", \"1 N s/m\"]", "spacing = \"logarithmic\"\n"),
+       "with spacing = \"logarithmic\" both ends must be > 0"},
+      {with_range("[\"1 N s/m\", \"2 N s/m\"]", "start = \"3 N s/m\"\n"),
+       "start: found \"3 N s/m\"; it must be within"},
+      {with_range("[\"1 N s/m\", \"2 N s/m\"]", "spacing = \"cubic\"\n"), "cubic"},
+      {with_range("[\"1 kg\", \"2 kg\"]"), "damping"},
+      {good + of_damping + of_damping, "the field 'contact.hit.damping' is set twice"},
+      {good + of_damping + "[bootstrap]\nsamples = -1\n", "samples: found -1"},
+      {good + of_damping + "[limits]\ntime = \"1 s\"\n", "limits: time: results would depend on the machine"}};
+  for (const Wrong& of : wrong) {
+    program.write("wrong.toml", of.text);
+    const ProgramEnd end = program.end({"fit", "wrong.toml"}, {{"--out", {"wrong"}}});
+    differ.compare("refusal: " + of.message,
+                   end.exit_code == of.exit_code && end.messages.find(of.message) != std::string::npos, true);
+  }
+  differ.compare("nothing is written of a wrong fit", program.has("wrong"), false);
+  program.write("few.csv", "vy [m/s],rebound [m/s]\n-1,0.5\n");
+  program.write("wrong.toml", "scene = \"ball.toml\"\ndata = \"few.csv\"\n" + input + quantity + of_damping);
+  differ.compare("as many parameters as values",
+                 program.end({"fit", "wrong.toml"}, {})
+                         .messages.find("1 measured values for 1 parameters; there must be "
+                                        "more values than parameters") != std::string::npos,
+                 true);
+}
+
+void run(Findings& findings, const Setup& setup) {
+  const auto group = findings.in("fit");
+  const Program program{setup};
+  Differences differ;
+  if (setup.needs("bootstrap")) check_coverage(findings, setup);
+  if (setup.needs("bouncing") || setup.needs("files") || setup.needs("outputs"))
+    check_bounce(program, findings, differ);
+  if (setup.needs("sliding")) check_friction(program, findings);
+  if (setup.needs("outputs that differ")) {
+    check_warnings(program, differ);
+    check_refusals(program, differ);
+  }
+  differ.expect_none(findings, "outputs that differ from the request", "numbers, texts, files and refusals");
+}
+
+}  // namespace
+
+Case definition() {
+  const std::string of_damping =
+                        "bouncing ball: damping fitted to exact heights over that of the closed form, deviation from 1",
+                    friction = "sliding sphere: fitted friction over that of the closed form, deviation from 1",
+                    coverage = "bootstrap: fraction of intervals with the true value, largest deviation from 95 %";
+  return {.id = "fitted_parameters",
+          .title = "Parameters fitted to measurements",
+          .requirements = {{"G17", {"fit"}}},
+          .main_checks = {of_damping, friction, coverage, "outputs that differ from the request"},
+          .source = "Efron 1979",
+          .faults = {{"more_damping", "heights of a ball with 1.02 times the damping", of_damping},
+                     {"more_friction", "restitution with 1.05 times the friction", friction},
+                     {"half_interval", "intervals of half the width", coverage}},
+          .seconds = 15.0,
+          .time_limit = 240.0,
+          .run = run};
+}
+
+}  // namespace talus::verification::problems::fitted_parameters
