@@ -52,7 +52,7 @@ set(CPACK_COMPONENT_PROGRAM_DESCRIPTION "${PROJECT_DESCRIPTION}\nThe programs ta
 set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_NAME libtalus-dev)
 set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_SECTION libdevel)
 set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_DEPENDS
-    "libboost-dev (>= 1.74), libeigen3-dev (>= 3.4), libfmt-dev, nlohmann-json3-dev, libtomlplusplus-dev, libpugixml-dev, libsleef-dev")
+    "libboost-dev (>= 1.74), libeigen3-dev (>= 3.4), libfmt-dev, libnlopt-dev, nlohmann-json3-dev, libtomlplusplus-dev, libpugixml-dev, libsleef-dev")
 set(CPACK_COMPONENT_DEVELOPMENT_DESCRIPTION "${PROJECT_DESCRIPTION}\nHeaders and static libraries of the solver.")
 set(CPACK_DEBIAN_DOCUMENTATION_PACKAGE_NAME talus-doc)
 set(CPACK_DEBIAN_DOCUMENTATION_PACKAGE_SECTION doc)

@@ -3,7 +3,7 @@
 #include <cstddef>
 #include <vector>
 
-#include "solver/statistics/proportion.hpp"
+#include "solver/capacity/proportion.hpp"
 
 namespace talus {
 

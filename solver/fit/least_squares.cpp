@@ -3,7 +3,10 @@
 #include <fmt/format.h>
 #include <nlopt.h>
 
+#include <Eigen/Dense>
 #include <algorithm>
+#include <boost/math/distributions/normal.hpp>
+#include <boost/math/distributions/students_t.hpp>
 #include <cmath>
 #include <exception>
 #include <limits>
@@ -13,7 +16,6 @@
 #include <random>
 
 #include "solver/base/error.hpp"
-#include "solver/statistics/proportion.hpp"
 
 namespace talus {
 namespace {
@@ -139,13 +141,30 @@ Vector best_start(UnitProblem& problem) {
       u[static_cast<Eigen::Index>(i)] = halton(k, bases[i]);
     if (const double sum = sum_of(problem.deviations(u, problem.all_rows())); sum < smallest) smallest = sum, best = u;
   }
-  if (smallest >= no_result) throw InputError{"no run has a result, neither at the start nor at other parameters"};
+  if (smallest >= no_result)
+    throw InputError{"no run has a result, at the start and elsewhere; give ranges with which the scene can be run"};
   return best;
+}
+
+/// Rows of data with the number of times that each counts.
+struct Sample {
+  std::vector<std::size_t> rows;
+  std::vector<double> counts;
+};
+
+/// The deviations of a sample, each times the root of its count.
+Vector weighted(UnitProblem& problem, const Vector& u, const Sample& sample) {
+  Vector found = problem.deviations(u, sample.rows);
+  const Eigen::Index width = found.size() / static_cast<Eigen::Index>(sample.rows.size());
+  for (std::size_t k = 0; k < sample.rows.size(); ++k)
+    found.segment(static_cast<Eigen::Index>(k) * width, width) *= std::sqrt(sample.counts[k]);
+  return found;
 }
 
 /// The search as NLopt calls it. An exception must not leave its C code: it ends the search and is kept.
 struct Objective {
   UnitProblem* problem{};
+  const Sample* sample{};
   nlopt_opt search{};
   std::exception_ptr error{};
 
@@ -153,7 +172,7 @@ struct Objective {
     auto& of = *static_cast<Objective*>(data);
     try {
       const Vector u = Eigen::Map<const Vector>(at, static_cast<Eigen::Index>(count));
-      return sum_of(of.problem->deviations(u, of.problem->all_rows()));
+      return sum_of(weighted(*of.problem, u, *of.sample));
     } catch (...) {
       of.error = std::current_exception();
       nlopt_force_stop(of.search);
@@ -162,10 +181,10 @@ struct Objective {
   }
 };
 
-Vector searched(UnitProblem& problem, Vector start, int maximum) {
+Vector searched(UnitProblem& problem, const Sample& sample, Vector start, int maximum) {
   const std::unique_ptr<nlopt_opt_s, decltype(&nlopt_destroy)> search{
       nlopt_create(NLOPT_LN_SBPLX, static_cast<unsigned>(problem.size())), &nlopt_destroy};
-  Objective objective{&problem, search.get()};
+  Objective objective{&problem, &sample, search.get()};
   nlopt_set_min_objective(search.get(), &Objective::value, &objective);
   nlopt_set_lower_bounds1(search.get(), 0.0);
   nlopt_set_upper_bounds1(search.get(), 1.0);
@@ -204,40 +223,47 @@ Spread spread_of(const Matrix& jacobian, double variance) {
   return spread;
 }
 
-/// Counts of the rows in a sample with replacement.
-std::vector<std::size_t> drawn_rows(std::mt19937_64& generator, std::size_t rows) {
-  std::vector<std::size_t> counts(rows);
+/// A sample of as many rows, drawn with replacement.
+Sample drawn_sample(std::mt19937_64& generator, std::size_t rows) {
+  std::vector<double> counts(rows);
   for (std::size_t i = 0; i < rows; ++i)  // standard distributions differ between libraries
     ++counts[static_cast<std::size_t>(static_cast<double>(generator() >> 11U) * 0x1p-53 * static_cast<double>(rows))];
-  return counts;
+  Sample sample;
+  for (std::size_t row = 0; row < rows; ++row) {
+    if (counts[row] == 0.0) continue;
+    sample.rows.push_back(row);
+    sample.counts.push_back(counts[row]);
+  }
+  return sample;
 }
 
-/// The fit of a sample by steps with the derivatives of the whole fit; nothing if they do not converge.
-std::optional<Vector> sample_fit(UnitProblem& problem, const Vector& start, const Matrix& slopes, const Vector& errors,
-                                 const std::vector<std::size_t>& counts) {
-  std::vector<std::size_t> rows;
-  for (std::size_t row = 0; row < counts.size(); ++row)
-    if (counts[row] > 0) rows.push_back(row);
-  const Eigen::Index width = slopes.rows() / static_cast<Eigen::Index>(counts.size());
-  Matrix weighted(static_cast<Eigen::Index>(rows.size()) * width, slopes.cols());
-  Vector weights(weighted.rows());
-  for (std::size_t k = 0; k < rows.size(); ++k) {
-    const Eigen::Index to = static_cast<Eigen::Index>(k) * width, from = static_cast<Eigen::Index>(rows[k]) * width;
-    const double weight = std::sqrt(static_cast<double>(counts[rows[k]]));
-    weights.segment(to, width).setConstant(weight);
-    weighted.middleRows(to, width) = weight * slopes.middleRows(from, width);
-  }
+/// The fit of a sample: steps with the derivatives of the whole fit, and a search if they do not converge.
+Vector sample_fit(UnitProblem& problem, const Vector& start, const Matrix& slopes, const Vector& errors,
+                  const Sample& sample, const FitRules& rules) {
+  const Eigen::Index width = slopes.rows() / static_cast<Eigen::Index>(rules.rows);
+  Matrix of_sample(static_cast<Eigen::Index>(sample.rows.size()) * width, slopes.cols());
+  for (std::size_t k = 0; k < sample.rows.size(); ++k)
+    of_sample.middleRows(static_cast<Eigen::Index>(k) * width, width) =
+        std::sqrt(sample.counts[k]) * slopes.middleRows(static_cast<Eigen::Index>(sample.rows[k]) * width, width);
   Vector u = start;
   constexpr int maximum_steps = 12;
   for (int step = 0; step < maximum_steps; ++step) {
-    const Vector deviations = weights.cwiseProduct(problem.deviations(u, rows));
-    if (!deviations.allFinite()) return {};
-    const Vector next = clamped(u + gauss_newton(weighted, deviations, u));
+    const Vector deviations = weighted(problem, u, sample);
+    if (!deviations.allFinite()) break;
+    const Vector next = clamped(u + gauss_newton(of_sample, deviations, u));
     const double change = (next - u).cwiseQuotient(errors.cwiseMax(1e-12)).cwiseAbs().maxCoeff();
     u = next;
     if (change < 0.02) return u;
   }
-  return {};
+  return searched(problem, sample, start, rules.maximum_searches);
+}
+
+/// Cumulative probability of the lower end of an interval of 95 %, widened for few rows (Hesterberg 2015, section 5).
+double lower_probability(const FitRules& rules, std::size_t parameters) {
+  const double rows = static_cast<double>(rules.rows), freedom = rows - static_cast<double>(parameters);
+  if (freedom < 1.0) return 0.0;
+  const double t = boost::math::quantile(boost::math::students_t{freedom}, 0.975);
+  return boost::math::cdf(boost::math::normal{}, -std::sqrt(rows / freedom) * t);
 }
 
 }  // namespace
@@ -248,7 +274,8 @@ double Fit::degrees_of_freedom() const {
 
 Fit fit(const std::vector<FitParameter>& parameters, const FitModel& model, const FitRules& rules, bool is_absolute) {
   UnitProblem problem{parameters, model, rules.rows};
-  Vector u = searched(problem, best_start(problem), rules.maximum_searches);
+  const Sample all{problem.all_rows(), std::vector<double>(rules.rows, 1.0)};
+  Vector u = searched(problem, all, best_start(problem), rules.maximum_searches);
   Vector deviations = problem.deviations(u, problem.all_rows());
   if (deviations.size() <= u.size()) {
     throw InputError{fmt::format("{} measured values for {} parameters; there must be more values than parameters",
@@ -279,33 +306,31 @@ Fit fit(const std::vector<FitParameter>& parameters, const FitModel& model, cons
   found.values = problem.values(u);
   found.deviations.assign(deviations.data(), deviations.data() + deviations.size());
   found.sum = deviations.squaredNorm();
-  found.correlation = spread.correlation;
   for (std::size_t i = 0; i < parameters.size(); ++i) {
     const auto at = static_cast<Eigen::Index>(i);
     found.errors.push_back(spread.errors[at] * problem.slope(i, found.values[i]));
     found.at_bound.push_back(u[at] == 0.0 || u[at] == 1.0);
     found.undetermined.push_back(spread.errors[at] > 0.5);
+    const Vector row = spread.correlation.row(at);
+    found.correlation.emplace_back(row.data(), row.data() + row.size());
   }
-  if (rules.samples > 0) {
-    const double rows = static_cast<double>(rules.rows), freedom = rows - static_cast<double>(parameters.size());
-    const double widening = freedom > 0.0 ? std::sqrt(rows / freedom) : 1.0;
-    std::mt19937_64 generator{static_cast<std::uint64_t>(rules.seed)};
-    for (std::size_t sample = 0; sample < rules.samples; ++sample) {
-      const std::optional<Vector> of = sample_fit(problem, u, slopes, spread.errors, drawn_rows(generator, rules.rows));
-      if (!of) {
-        ++found.skipped;
-        continue;
-      }
-      found.samples.push_back(problem.values(clamped(u + widening * (*of - u))));
-    }
-    if (!found.samples.empty()) {
-      for (std::size_t i = 0; i < parameters.size(); ++i) {
-        std::vector<double> values;
-        for (const std::vector<double>& sample : found.samples)
-          values.push_back(sample[i]);
-        found.intervals.push_back({sample_quantile(values, 0.025).value, sample_quantile(values, 0.975).value});
-      }
-    }
+  std::mt19937_64 generator{static_cast<std::uint64_t>(rules.seed)};
+  for (std::size_t sample = 0; sample < rules.samples; ++sample) {
+    found.samples.push_back(
+        problem.values(sample_fit(problem, u, slopes, spread.errors, drawn_sample(generator, rules.rows), rules)));
+  }
+  const double low = lower_probability(rules, parameters.size());
+  for (std::size_t i = 0; i < parameters.size() && rules.samples > 0; ++i) {
+    std::vector<double> values;
+    for (const std::vector<double>& sample : found.samples)
+      values.push_back(sample[i]);
+    std::ranges::sort(values);
+    const auto at = [&](double probability) {
+      const double rank = probability * static_cast<double>(values.size() - 1);
+      const auto below = static_cast<std::size_t>(rank);
+      return std::lerp(values[below], values[std::min(below + 1, values.size() - 1)], rank - std::floor(rank));
+    };
+    found.intervals.push_back({at(low), at(1.0 - low)});
   }
   found.evaluations = problem.evaluations();
   return found;

@@ -1,6 +1,5 @@
 #pragma once
 
-#include <Eigen/Dense>
 #include <array>
 #include <cstddef>
 #include <cstdint>
@@ -34,12 +33,11 @@ struct Fit {
   double sum{};                                  ///< of the squared deviations
   std::vector<double> deviations;                ///< at these values, row by row
   std::vector<double> errors;                    ///< standard error of each value, from the linearized model
-  Eigen::MatrixXd correlation;                   ///< of the values, likewise
+  std::vector<std::vector<double>> correlation;  ///< of the values, row by row, likewise
   std::vector<bool> at_bound;                    ///< the value is that of a bound
   std::vector<bool> undetermined;                ///< its standard error exceeds half of its range
   std::vector<std::vector<double>> samples;      ///< values of each sample of the bootstrap
   std::vector<std::array<double, 2>> intervals;  ///< of 95 %; empty without samples
-  std::size_t skipped{};                         ///< samples that have no fit
   std::size_t evaluations{};                     ///< rows for which the model was evaluated
 
   /// Number of deviations minus that of the parameters.
@@ -50,9 +48,9 @@ struct Fit {
 /// Subplex, of NLopt), which Gauss-Newton steps complete. `is_absolute`: the uncertainties are known, so that standard
 /// errors are theirs; else they follow from the scatter of the deviations.
 ///
-/// Intervals are those of a bootstrap over the rows (Efron 1979): percentiles of the values that samples of as many
-/// rows, drawn with replacement, give. Deviations from the fit are widened by sqrt(rows/(rows - parameters)), since a
-/// fit is closer to its data than the truth (Davison & Hinkley 1997, section 6.3). Results depend on the rules alone.
+/// Intervals are those of a bootstrap over the rows (Efron 1979): percentiles of the values that fit samples of as many
+/// rows, drawn with replacement. For few rows they are wider, by Student's distribution (Hesterberg 2015, section 5).
+/// Results depend on the rules alone.
 ///
 /// Errors: InputError if there are not more deviations than parameters, or the model has no result near the start.
 [[nodiscard]] Fit fit(const std::vector<FitParameter>& parameters, const FitModel& model, const FitRules& rules,

@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "solver/app/capacity/capacity_study.hpp"
-#include "solver/statistics/proportion.hpp"
+#include "solver/capacity/proportion.hpp"
 #include "verification/record/figure.hpp"
 
 namespace talus::app {

@@ -28,7 +28,7 @@ std::string unit_of(const std::string& heading) {
 std::vector<double> column(SceneTable& table, const records::Csv& data, std::string_view key,
                            const std::string& heading) {
   if (std::ranges::find(data.header(), heading) == data.header().end()) {
-    table.fail(key, fmt::format("found \"{}\"; the data {} have the columns \"{}\"", heading, data.file().string(),
+    table.fail(key, fmt::format("found \"{}\"; it must be a column of {}: \"{}\"", heading, data.file().string(),
                                 fmt::join(data.header(), "\", \"")));
   }
   std::vector<double> values;
@@ -114,8 +114,8 @@ FittedField read_parameter(SceneTable& table) {
 
 /// The errors that no table has alone.
 void check(SceneTable& file, const FitFile& made) {
-  if (made.quantities.empty()) file.report("quantity", "it is missing; give at least one [[quantity]]");
-  if (made.parameters.empty()) file.report("parameter", "it is missing; give at least one [[parameter]]");
+  if (!file.has("quantity")) file.report("quantity", "it is missing; give at least one [[quantity]]");
+  if (!file.has("parameter")) file.report("parameter", "it is missing; give at least one [[parameter]]");
   constexpr std::size_t maximum = 8;
   if (made.parameters.size() > maximum)
     file.report("parameter", fmt::format("found {}; there may be at most {}", made.parameters.size(), maximum));

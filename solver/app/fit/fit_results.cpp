@@ -52,7 +52,7 @@ std::vector<std::string> fit_warnings(const FitFile& file, const Fit& fit) {
   }
   for (std::size_t i = 0; i < count; ++i) {
     for (std::size_t j = i + 1; j < count; ++j) {
-      const double correlation = fit.correlation(static_cast<Eigen::Index>(i), static_cast<Eigen::Index>(j));
+      const double correlation = fit.correlation[i][j];
       if (std::abs(correlation) > inseparable) {
         warnings.push_back(fmt::format("{} and {} cannot be distinguished by these data: correlation {:.4f}",
                                        file.parameters[i].field, file.parameters[j].field, correlation));
@@ -64,10 +64,6 @@ std::vector<std::string> fit_warnings(const FitFile& file, const Fit& fit) {
         fmt::format("the model does not describe the data within their uncertainty: the root mean square of the "
                     "deviations is {:.3g} uncertainties; the intervals are those of a wrong model",
                     root_mean_square(fit)));
-  }
-  if (fit.skipped > 0) {
-    warnings.push_back(
-        fmt::format("{} of {} samples of the bootstrap have no fit and are left out", fit.skipped, file.samples));
   }
   return warnings;
 }
@@ -125,10 +121,10 @@ std::string fit_json(const FitFile& file, const Fit& fit, const std::vector<doub
     json["parameters"].push_back(std::move(parameter));
   }
   json["correlation"] = Json::array();
-  for (Eigen::Index i = 0; i < fit.correlation.rows(); ++i) {
+  for (const std::vector<double>& correlations : fit.correlation) {
     Json row = Json::array();
-    for (Eigen::Index j = 0; j < fit.correlation.cols(); ++j)
-      row.push_back(number_json(fit.correlation(i, j)));
+    for (const double correlation : correlations)
+      row.push_back(number_json(correlation));
     json["correlation"].push_back(std::move(row));
   }
   json["quantities"] = Json::array();
@@ -139,7 +135,7 @@ std::string fit_json(const FitFile& file, const Fit& fit, const std::vector<doub
                                   {"uncertainty", quantity.uncertainty ? Json(*quantity.uncertainty) : Json(nullptr)},
                                   {"root_mean_square", number_json(root_mean_square(file, k, results))}});
   }
-  json["bootstrap"] = {{"samples", file.samples}, {"seed", file.seed}, {"skipped", fit.skipped}};
+  json["bootstrap"] = {{"samples", file.samples}, {"seed", file.seed}};
   json["warnings"] = fit_warnings(file, fit);
   return json.dump(2) + "\n";
 }

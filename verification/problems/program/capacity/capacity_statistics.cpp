@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "solver/capacity/capacity_map.hpp"
-#include "solver/statistics/proportion.hpp"
+#include "solver/capacity/proportion.hpp"
 #include "verification/study/findings/expectations.hpp"
 
 namespace talus::verification::problems::fence_capacity {

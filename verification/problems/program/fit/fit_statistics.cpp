@@ -69,11 +69,10 @@ void check_coverage(Findings& findings, const Setup& setup) {
                        fmt::format("{:.1f}", 100.0 * by_error[i] / static_cast<double>(seeds))});
     }
   }
-  findings.expect(
-      "bootstrap: fraction of intervals with the true value, largest deviation from 95 %", worst, 0.0,
-      Tolerance::model(setup.coarse ? 0.055 : 0.035,
-                       "percentiles of samples of 20 rows contain it 1 to 2 % less often (Davison & Hinkley "
-                       "1997, section 5.3), and as much is two standard deviations of these seeds"));
+  findings.expect("bootstrap: fraction of intervals with the true value, largest deviation from 95 %", worst, 0.0,
+                  Tolerance::model(setup.coarse ? 0.055 : 0.035,
+                                   "percentiles of samples of 20 rows contain it 1 to 2 % less often (Hesterberg "
+                                   "2015), and as much is two standard deviations of these seeds"));
   findings.table({.name = "coverage",
                   .caption = "How often intervals of 95 % contain the true value, of 20 measured values, in per cent.",
                   .columns = {"parameter", "uncertainty", "bootstrap", "1.96 standard errors"},

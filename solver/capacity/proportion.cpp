@@ -1,4 +1,4 @@
-#include "solver/statistics/proportion.hpp"
+#include "solver/capacity/proportion.hpp"
 
 #include <algorithm>
 #include <cmath>
