@@ -152,11 +152,9 @@ std::vector<ReportPage> report_pages(const Results& results, const Trials& trial
   for (const std::string& name : results.families)
     family(name);
   family("");
-  for (const char* name :
-       {"formulas", "peers", "margins", "mutants", "interface", "rounding", "traceability", "references"})
+  for (const char* name : {"formulas", "peers", "margins", "mutants", "interface", "rounding", "traceability",
+                           "references", "provenance", "colophon"})
     chapter(name, values, Volume::details);
-  for (const char* name : {"provenance", "colophon"})
-    chapter(name, values, Volume::main);
   return pages;
 }
 

@@ -218,13 +218,12 @@ BOOST_AUTO_TEST_CASE(the_summary_comes_first_and_the_long_tables_in_a_volume_of_
       before = offset;
     }
   };
-  in_order(read_whole(report / "verification.md"),
-           {"**Verified.**", "**Not verified.**", "\n## Findings", "\n## Cases", "\n# Coverage", "\n# Errata",
-            "\n# two\\_cable", "\n# pendulum", "\n# Provenance", "\n# Colophon"});
+  in_order(read_whole(report / "verification.md"), {"**Verified.**", "**Not verified.**", "\n## Findings", "\n## Cases",
+                                                    "\n# Coverage", "\n# Errata", "\n# two\\_cable", "\n# pendulum"});
   const std::string details = read_whole(report / "verification-details.md");
   in_order(details, {"# Talus verification: details", "\n## Details of two\\_cable", "\n## Details of pendulum",
                      "\n# Common formulas", "\n# Checks of other codes", "\n# Margins", "\n# Mutants", "\n# Interface",
-                     "\n# Rounding", "\n# Traceability", "\n# References"});
+                     "\n# Rounding", "\n# Traceability", "\n# References", "\n# Provenance", "\n# Colophon"});
   // One round-off check has used more than half of its bound.
   BOOST_TEST(contains(details, "| round\\_off | 2 | 1 | 1 |"));
   BOOST_TEST(contains(details, "| **all** | 13 | 12 | 1 |"));
@@ -337,7 +336,7 @@ BOOST_AUTO_TEST_CASE(a_missing_tool_costs_only_what_needs_it) {
     const std::string text = read_whole(report / "verification.md");
     BOOST_TEST(contains(text, "is not drawn: gnuplot: cannot be started") == (missing == tools[0]));
     BOOST_TEST(contains(text, "](figures/") == (missing != tools[0]));
-    BOOST_TEST(contains(text, std::string("no ") + missing), "the colophon");
+    BOOST_TEST(contains(read_whole(report / "verification-details.md"), std::string("no ") + missing), "the colophon");
   }
 }
 
