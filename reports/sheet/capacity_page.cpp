@@ -213,7 +213,7 @@ std::string changes_text(const CapacityRecord& record) {
 }
 
 std::array<SheetBox, 2> boxes(const CapacityRecord& record) {
-  SheetBox left{"Capacity", "green", {}};
+  SheetBox left{"Capacity", "amber", {}};
   if (record.hazard) {
     const CapacityRuns& hazard = *record.hazard;
     const std::size_t failures = hazard.count() - count_of(hazard, "stopped");
@@ -231,7 +231,8 @@ std::array<SheetBox, 2> boxes(const CapacityRecord& record) {
 
   std::size_t all = 0, full = 0, failed = 0, audited = 0, wrong = 0;
   for (const CapacityMapRecord& map : record.maps) {
-    all += map.runs.count(), full += map.full_grid, failed += count_of(map.runs, "failed");
+    all += map.runs.count(), full += map.full_grid,
+        failed += count_of(map.runs, "failed") + count_of(map.audit, "failed");
     audited += map.audit.count(), wrong += map.contradictions;
   }
   if (record.hazard) failed += count_of(*record.hazard, "failed");

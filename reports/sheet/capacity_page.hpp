@@ -60,7 +60,7 @@ struct CapacityRecord {
 [[nodiscard]] SheetPage capacity_page(const CapacityRecord& record);
 
 /// Copies the figures that the page shows from `plots` to `staging`: of one map all, of several their envelopes, at
-/// most four. Throws OutputError if one is missing.
+/// most four. A figure of several maps that is missing throws OutputError; one of a single map is left out.
 [[nodiscard]] SheetPictures capacity_pictures(const CapacityRecord& record, const std::filesystem::path& plots,
                                               const std::filesystem::path& staging);
 

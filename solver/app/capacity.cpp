@@ -47,18 +47,25 @@ int capacity(const CapacityOptions& options, const DrawingSink& sink) {
   // Those of an earlier question.
   for (const char* const result : {"capacity.csv", "capacity.json", "capacity.pdf", "capacity.html"})
     fs::remove(folder.folder / result);
-  Interruption interruption;
-  Progress line;
-  const bool is_complete = study.run([&] { return interruption.signal() != 0; },
-                                     [&](std::size_t runs) {
-                                       if (line.due()) line.show(fmt::format("{} runs", runs));
-                                     });
+  remove_figures(folder.folder / "plots", {"envelope_", "cable_force_", "boundary_"});
+  int signal = 0;
+  std::string signal_name;
+  bool is_complete = false;
+  {
+    Interruption interruption;
+    Progress line;
+    is_complete = study.run([&] { return interruption.signal() != 0; },
+                            [&](std::size_t runs) {
+                              if (line.due()) line.show(fmt::format("{} runs", runs));
+                            });
+    if (!is_complete) signal = interruption.signal(), signal_name = interruption.name();
+  }
   // For `talus sweep status` and `collect`, which writes each run as a row.
   folder.runs = study.runs();
   write_sweep_folder(folder);
   if (!is_complete) {
-    print_failure(fmt::format("{}: the same command continues", interruption.name()));
-    return 128 + interruption.signal();
+    print_failure(fmt::format("{}: the same command continues", signal_name));
+    return 128 + signal;
   }
   write_whole(folder.folder / "capacity.csv", capacity_csv(study));
   const std::string json = capacity_json(study, rocks);

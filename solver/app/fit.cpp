@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <filesystem>
 #include <memory>
+#include <optional>
 #include <thread>
 
 #include "solver/app/command.hpp"
@@ -33,19 +34,27 @@ int fit_command(const FitOptions& options, const DrawingSink& sink) {
   const fs::path name{options.file};
   const FitFile file = read_fit(read_text(name), name);
   FitStudy study{file, options.threads};
-  Interruption interruption;
-  Progress line;
+  const fs::path folder{options.folder};
+  std::optional<FolderLock> lock;
+  if (!options.folder.empty()) {
+    make_folder(folder);
+    lock.emplace(folder);
+  }
   Fit fit;
   std::vector<double> results;
-  try {
-    fit = study.fitted([&] { return interruption.signal() != 0; },
-                       [&](std::size_t runs) {
-                         if (line.due()) line.show(fmt::format("{} runs", runs));
-                       });
-    results = study.results(fit.values);
-  } catch (const FitStudy::Interrupted&) {
-    print_failure(fmt::format("{}: nothing is written", interruption.name()));
-    return 128 + interruption.signal();
+  {
+    Interruption interruption;
+    Progress line;
+    try {
+      fit = study.fitted([&] { return interruption.signal() != 0; },
+                         [&](std::size_t runs) {
+                           if (line.due()) line.show(fmt::format("{} runs", runs));
+                         });
+      results = study.results(fit.values);
+    } catch (const FitStudy::Interrupted&) {
+      print_failure(fmt::format("{}: nothing is written", interruption.name()));
+      return 128 + interruption.signal();
+    }
   }
   const std::string json = fit_json(file, fit, results);
   fmt::print("{}", options.json ? json : fit_text(file, fit));
@@ -53,9 +62,9 @@ int fit_command(const FitOptions& options, const DrawingSink& sink) {
   for (const std::string& warning : fit_warnings(file, fit))
     print_failure(fmt::format("warning: {}", warning));
   if (options.folder.empty()) return ok;
-  const fs::path folder{options.folder};
-  make_folder(folder);
-  const FolderLock lock{folder};
+  // Those of an earlier fit.
+  fs::remove(folder / "bootstrap.csv");
+  remove_figures(folder / "plots", {"quantity_", "parameters_"});
   write_whole(folder / "fit.json", json);
   write_whole(folder / "fit.csv", fit_csv(file, results));
   if (!fit.samples.empty()) write_whole(folder / "bootstrap.csv", bootstrap_csv(file, fit));

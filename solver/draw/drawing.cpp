@@ -98,6 +98,21 @@ void draw(DrawingRequest request) {
   throw_unmade(made);
 }
 
+void remove_figures(const fs::path& folder, const std::vector<std::string>& beginnings) {
+  if (!fs::is_directory(folder)) return;
+  with_own_errors([&] {
+    std::vector<fs::path> found;
+    for (const fs::directory_entry& entry : fs::directory_iterator{folder}) {
+      const std::string name = entry.path().filename().string(), format = entry.path().extension().string();
+      const bool is_figure = format == ".svg" || format == ".pdf";
+      if (is_figure && std::ranges::any_of(beginnings, [&](const std::string& of) { return name.starts_with(of); }))
+        found.push_back(entry.path());
+    }
+    for (const fs::path& figure : found)
+      fs::remove(figure);
+  });
+}
+
 void draw_sheet(const fs::path& file) {
   try {
     const reports::Made made = with_own_errors([&] { return reports::make_sheet(file.parent_path(), workplace()); });

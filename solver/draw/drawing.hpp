@@ -52,6 +52,9 @@ using DrawingSink = std::function<void(DrawingRequest)>;
 /// be drawn; IoError if gnuplot is missing or fails, or if a file cannot be written; no file is left partially written.
 void draw(DrawingRequest request);
 
+/// Removes the figures of an earlier command from a folder: SVG and PDF files whose names begin so. Errors: IoError.
+void remove_figures(const std::filesystem::path& folder, const std::vector<std::string>& beginnings);
+
 /// Makes the sheet of a run, or of a capacity, from the JSON file in its folder. Errors: IoError, which names the file.
 void draw_sheet(const std::filesystem::path& file);
 

@@ -14,6 +14,7 @@
 #include <numeric>
 #include <optional>
 #include <random>
+#include <utility>
 
 #include "solver/base/error.hpp"
 
@@ -142,7 +143,7 @@ Vector best_start(UnitProblem& problem) {
     if (const double sum = sum_of(problem.deviations(u, problem.all_rows())); sum < smallest) smallest = sum, best = u;
   }
   if (smallest >= no_result)
-    throw InputError{"no run has a result, at the start and elsewhere; give ranges with which the scene can be run"};
+    throw InputError{"no values of the parameters were found with which all rows have a result; give other ranges"};
   return best;
 }
 
@@ -181,7 +182,8 @@ struct Objective {
   }
 };
 
-Vector searched(UnitProblem& problem, const Sample& sample, Vector start, int maximum) {
+/// Where the search ended, and whether that was its limit of evaluations.
+std::pair<Vector, bool> searched(UnitProblem& problem, const Sample& sample, Vector start, int maximum) {
   const std::unique_ptr<nlopt_opt_s, decltype(&nlopt_destroy)> search{
       nlopt_create(NLOPT_LN_SBPLX, static_cast<unsigned>(problem.size())), &nlopt_destroy};
   Objective objective{&problem, &sample, search.get()};
@@ -193,10 +195,10 @@ Vector searched(UnitProblem& problem, const Sample& sample, Vector start, int ma
   nlopt_set_ftol_rel(search.get(), 1e-10);
   nlopt_set_maxeval(search.get(), maximum);
   double sum = 0.0;
-  // Whatever ends the search, its best point is the result.
-  static_cast<void>(nlopt_optimize(search.get(), start.data(), &sum));
+  const nlopt_result end = nlopt_optimize(search.get(), start.data(), &sum);
   if (objective.error) std::rethrow_exception(objective.error);
-  return clamped(start);
+  TALUS_DEMAND(end != NLOPT_INVALID_ARGS && end != NLOPT_OUT_OF_MEMORY);
+  return {clamped(start), end == NLOPT_MAXEVAL_REACHED};
 }
 
 /// Standard errors in coordinates, and the correlation.
@@ -212,7 +214,8 @@ Spread spread_of(const Matrix& jacobian, double variance) {
   const Vector& singular = parts.singularValues();
   Matrix covariance = Matrix::Zero(count, count);
   for (Eigen::Index k = 0; k < singular.size(); ++k) {
-    const double deviation = std::min(1e3, std::sqrt(variance) / std::max(singular[k], 1e-300));
+    const bool has_effect = singular[k] > 1e-12 * singular[0];
+    const double deviation = has_effect ? std::min(1e3, std::sqrt(variance) / singular[k]) : 1e3;
     covariance += deviation * deviation * parts.matrixV().col(k) * parts.matrixV().col(k).transpose();
   }
   Spread spread{covariance.diagonal().cwiseSqrt(), Matrix::Identity(count, count)};
@@ -238,8 +241,8 @@ Sample drawn_sample(std::mt19937_64& generator, std::size_t rows) {
 }
 
 /// The fit of a sample: steps with the derivatives of the whole fit, and a search if they do not converge.
-Vector sample_fit(UnitProblem& problem, const Vector& start, const Matrix& slopes, const Vector& errors,
-                  const Sample& sample, const FitRules& rules) {
+std::pair<Vector, bool> sample_fit(UnitProblem& problem, const Vector& start, const Matrix& slopes,
+                                   const Vector& errors, const Sample& sample, const FitRules& rules) {
   const Eigen::Index width = slopes.rows() / static_cast<Eigen::Index>(rules.rows);
   Matrix of_sample(static_cast<Eigen::Index>(sample.rows.size()) * width, slopes.cols());
   for (std::size_t k = 0; k < sample.rows.size(); ++k)
@@ -253,7 +256,7 @@ Vector sample_fit(UnitProblem& problem, const Vector& start, const Matrix& slope
     const Vector next = clamped(u + gauss_newton(of_sample, deviations, u));
     const double change = (next - u).cwiseQuotient(errors.cwiseMax(1e-12)).cwiseAbs().maxCoeff();
     u = next;
-    if (change < 0.02) return u;
+    if (change < 0.02) return {u, false};
   }
   return searched(problem, sample, start, rules.maximum_searches);
 }
@@ -275,7 +278,7 @@ double Fit::degrees_of_freedom() const {
 Fit fit(const std::vector<FitParameter>& parameters, const FitModel& model, const FitRules& rules, bool is_absolute) {
   UnitProblem problem{parameters, model, rules.rows};
   const Sample all{problem.all_rows(), std::vector<double>(rules.rows, 1.0)};
-  Vector u = searched(problem, all, best_start(problem), rules.maximum_searches);
+  Vector u = searched(problem, all, best_start(problem), rules.maximum_searches).first;
   Vector deviations = problem.deviations(u, problem.all_rows());
   if (deviations.size() <= u.size()) {
     throw InputError{fmt::format("{} measured values for {} parameters; there must be more values than parameters",
@@ -285,24 +288,31 @@ Fit fit(const std::vector<FitParameter>& parameters, const FitModel& model, cons
     return is_absolute ? 1.0 : deviations.squaredNorm() / static_cast<double>(deviations.size() - u.size());
   };
   // Differences as wide as the values are uncertain: those of rounding and of the phase of steps are small then.
-  Vector widths = Vector::Constant(u.size(), 1e-3);
-  Matrix slopes;
-  Spread spread;
+  const auto slopes_of = [&](const Vector& widths) {
+    Matrix found = jacobian(problem, u, deviations, widths);
+    if (!found.allFinite())
+      throw InputError{"runs with slightly different parameters have no result; give other ranges"};
+    return found;
+  };
+  const auto widths_of = [](const Spread& spread) -> Vector {
+    return (0.3 * spread.errors).cwiseMax(1e-4).cwiseMin(0.02);
+  };
+  Matrix slopes = slopes_of(Vector::Constant(u.size(), 1e-3));
+  Spread spread = spread_of(slopes, variance());
+  Fit found;
   constexpr int maximum_steps = 6;
   for (int step = 0; step < maximum_steps; ++step) {
-    slopes = jacobian(problem, u, deviations, widths);
-    if (!slopes.allFinite()) throw InputError{"runs with slightly different parameters have no result"};
+    slopes = slopes_of(widths_of(spread));
     spread = spread_of(slopes, variance());
-    widths = (0.3 * spread.errors).cwiseMax(1e-4).cwiseMin(0.02);
     const Vector next = clamped(u + gauss_newton(slopes, deviations, u));
+    const double change = (next - u).cwiseQuotient(spread.errors.cwiseMax(1e-12)).cwiseAbs().maxCoeff();
+    found.converged = change < 0.01 || (next - u).cwiseAbs().maxCoeff() < 1e-7;
     const Vector changed = problem.deviations(next, problem.all_rows());
     if (!(sum_of(changed) < sum_of(deviations))) break;
-    const double change = (next - u).cwiseQuotient(spread.errors.cwiseMax(1e-12)).cwiseAbs().maxCoeff();
     u = next, deviations = changed;
     if (change < 1e-4) break;
   }
 
-  Fit found;
   found.values = problem.values(u);
   found.deviations.assign(deviations.data(), deviations.data() + deviations.size());
   found.sum = deviations.squaredNorm();
@@ -316,10 +326,12 @@ Fit fit(const std::vector<FitParameter>& parameters, const FitModel& model, cons
   }
   std::mt19937_64 generator{static_cast<std::uint64_t>(rules.seed)};
   for (std::size_t sample = 0; sample < rules.samples; ++sample) {
-    found.samples.push_back(
-        problem.values(sample_fit(problem, u, slopes, spread.errors, drawn_sample(generator, rules.rows), rules)));
+    const auto [of, is_limited] =
+        sample_fit(problem, u, slopes, spread.errors, drawn_sample(generator, rules.rows), rules);
+    found.samples.push_back(problem.values(of));
+    found.unconverged += is_limited ? 1 : 0;
   }
-  const double low = lower_probability(rules, parameters.size());
+  found.tail = lower_probability(rules, parameters.size());
   for (std::size_t i = 0; i < parameters.size() && rules.samples > 0; ++i) {
     std::vector<double> values;
     for (const std::vector<double>& sample : found.samples)
@@ -330,7 +342,7 @@ Fit fit(const std::vector<FitParameter>& parameters, const FitModel& model, cons
       const auto below = static_cast<std::size_t>(rank);
       return std::lerp(values[below], values[std::min(below + 1, values.size() - 1)], rank - std::floor(rank));
     };
-    found.intervals.push_back({at(low), at(1.0 - low)});
+    found.intervals.push_back({at(found.tail), at(1.0 - found.tail)});
   }
   found.evaluations = problem.evaluations();
   return found;

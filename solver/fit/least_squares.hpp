@@ -35,9 +35,12 @@ struct Fit {
   std::vector<double> errors;                    ///< standard error of each value, from the linearized model
   std::vector<std::vector<double>> correlation;  ///< of the values, row by row, likewise
   std::vector<bool> at_bound;                    ///< the value is that of a bound
+  bool converged{};                              ///< the last step was at most a hundredth of each standard error
   std::vector<bool> undetermined;                ///< its standard error exceeds half of its range
   std::vector<std::vector<double>> samples;      ///< values of each sample of the bootstrap
   std::vector<std::array<double, 2>> intervals;  ///< of 95 %; empty without samples
+  std::size_t unconverged{};                     ///< samples whose search reached its limit
+  double tail{};                                 ///< cumulative probability of the lower ends of the intervals
   std::size_t evaluations{};                     ///< rows for which the model was evaluated
 
   /// Number of deviations minus that of the parameters.
@@ -52,7 +55,8 @@ struct Fit {
 /// rows, drawn with replacement. For few rows they are wider, by Student's distribution (Hesterberg 2015, section 5).
 /// Results depend on the rules alone.
 ///
-/// Errors: InputError if there are not more deviations than parameters, or the model has no result near the start.
+/// Errors: InputError if there are not more deviations than parameters, or no parameters are found with which all rows
+/// have a result.
 [[nodiscard]] Fit fit(const std::vector<FitParameter>& parameters, const FitModel& model, const FitRules& rules,
                       bool is_absolute);
 

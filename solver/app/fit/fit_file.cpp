@@ -31,6 +31,9 @@ std::vector<double> column(SceneTable& table, const records::Csv& data, std::str
     table.fail(key, fmt::format("found \"{}\"; it must be a column of {}: \"{}\"", heading, data.file().string(),
                                 fmt::join(data.header(), "\", \"")));
   }
+  if (std::ranges::count(data.header(), heading) > 1)
+    table.fail(key, fmt::format("found \"{}\", which {} has twice; give columns different headings", heading,
+                                data.file().string()));
   std::vector<double> values;
   const std::size_t at = data.column(heading);
   for (std::size_t row = 0; row < data.rows(); ++row)
@@ -45,6 +48,11 @@ WrittenNumber number_of(SceneTable& table, std::string_view key, const TomlValue
   } catch (const InputError& error) {
     table.fail(key, error.what());
   }
+}
+
+/// "f.toml:7: input 1", for errors that are found later.
+std::string where(const SceneTable& table, const char* kind, std::size_t number) {
+  return fmt::format("{}:{}: {} {}", table.source().file, table.line(), kind, number);
 }
 
 FitInput read_input(SceneTable& table, const records::Csv& data) {
@@ -114,8 +122,16 @@ FittedField read_parameter(SceneTable& table) {
 
 /// The errors that no table has alone.
 void check(SceneTable& file, const FitFile& made) {
-  if (!file.has("quantity")) file.report("quantity", "it is missing; give at least one [[quantity]]");
-  if (!file.has("parameter")) file.report("parameter", "it is missing; give at least one [[parameter]]");
+  for (const char* const key : {"quantity", "parameter"}) {
+    const TomlValue* const value = file.value(key);
+    const auto* const list = value == nullptr ? nullptr : std::get_if<TomlArray>(&value->data);
+    if (value == nullptr || (list != nullptr && list->empty()))
+      file.report(key, fmt::format("it is missing; give at least one [[{}]]", key));
+  }
+  if (const std::size_t values = made.rows * made.quantities.size(); values > 0 && values <= made.parameters.size()) {
+    file.report("parameter", fmt::format("found {} for {} measured values; there must be more values than parameters",
+                                         made.parameters.size(), values));
+  }
   constexpr std::size_t maximum = 8;
   if (made.parameters.size() > maximum)
     file.report("parameter", fmt::format("found {}; there may be at most {}", made.parameters.size(), maximum));
@@ -149,27 +165,33 @@ FitFile read_fit(std::string_view text, const fs::path& name) {
     made.title = file.title();
     made.scene = folder / file.text("scene");
     made.data = folder / file.text("data");
-    if (!file.has("data")) {
-      source.check();
-      return made;
-    }
     const records::Csv data = records::read_csv(made.data);
     made.rows = data.rows();
     if (made.rows == 0)
       file.fail("data", fmt::format("{}: found no line below the header; there must be one for each experiment",
                                     made.data.string()));
-    for (SceneTable& table : file.numbered_tables("input"))
-      table.guard([&] { made.inputs.push_back(read_input(table, data)); });
-    for (SceneTable& table : file.numbered_tables("quantity"))
-      table.guard([&] { made.quantities.push_back(read_quantity(table, data)); });
-    for (SceneTable& table : file.numbered_tables("parameter"))
-      table.guard([&] { made.parameters.push_back(read_parameter(table)); });
+    const auto read_all = [&](const char* kind, auto& list, auto&& read) {
+      std::size_t number = 0;
+      for (SceneTable& table : file.numbered_tables(kind)) {
+        ++number;
+        table.guard([&] {
+          list.push_back(read(table));
+          list.back().where = where(table, kind, number);
+        });
+      }
+    };
+    read_all("input", made.inputs, [&](SceneTable& table) { return read_input(table, data); });
+    read_all("quantity", made.quantities, [&](SceneTable& table) { return read_quantity(table, data); });
+    read_all("parameter", made.parameters, read_parameter);
     check(file, made);
     if (file.has("bootstrap")) {
       SceneTable bootstrap = file.table("bootstrap");
       bootstrap.allow({"samples", "seed"});
       if (bootstrap.has("samples"))
         made.samples = static_cast<std::size_t>(bootstrap.whole_between("samples", 0, 100'000));
+      constexpr std::size_t fewest = 40;
+      if (made.samples > 0 && made.samples < fewest)
+        bootstrap.report("samples", fmt::format("found {}; it must be 0, or at least {}", made.samples, fewest));
       if (bootstrap.has("seed")) made.seed = bootstrap.whole_between("seed", 0, 1'000'000'000);
     }
     if (file.has("limits")) {
@@ -181,6 +203,7 @@ FitFile read_fit(std::string_view text, const fs::path& name) {
     source.check();
     throw;
   } catch (const records::FileError& error) {
+    source.check();
     throw IoError{error.what()};
   } catch (const records::RecordError& error) {
     source.check();

@@ -14,6 +14,7 @@ namespace talus::app {
 
 /// A column of the data that sets a field of the scene.
 struct FitInput {
+  std::string where;  ///< file, line and table, for errors
   std::string heading, field;
   std::string unit;            ///< of the heading; empty: a pure number
   std::vector<double> values;  ///< of each row, in this unit
@@ -21,6 +22,7 @@ struct FitInput {
 
 /// A column of the data that a run is compared with.
 struct FitQuantity {
+  std::string where;  ///< file, line and table, for errors
   std::string name;
   std::string heading;
   std::string result;                 ///< name of an output of a run
@@ -33,6 +35,7 @@ struct FitQuantity {
 
 /// A field of the scene that is fitted.
 struct FittedField {
+  std::string where;  ///< file, line and table, for errors
   std::string field;
   std::string unit;        ///< of the bounds; empty: a pure number
   FitParameter parameter;  ///< in this unit

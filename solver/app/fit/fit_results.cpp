@@ -59,11 +59,21 @@ std::vector<std::string> fit_warnings(const FitFile& file, const Fit& fit) {
       }
     }
   }
-  if (file.has_uncertainties() && root_mean_square(fit) > misfit) {
+  if (file.has_uncertainties() && std::sqrt(fit.sum / fit.degrees_of_freedom()) > misfit) {
     warnings.push_back(
         fmt::format("the model does not describe the data within their uncertainty: the root mean square of the "
                     "deviations is {:.3g} uncertainties; the intervals are those of a wrong model",
                     root_mean_square(fit)));
+  }
+  if (!fit.converged) warnings.emplace_back("the search has not converged; give another start or narrower ranges");
+  if (fit.unconverged > 0) {
+    warnings.push_back(fmt::format("the search of {} of {} samples of the bootstrap has not converged", fit.unconverged,
+                                   fit.samples.size()));
+  }
+  if (!fit.samples.empty() && fit.tail * static_cast<double>(fit.samples.size() - 1) < 1.0) {
+    warnings.push_back(
+        fmt::format("intervals are the whole range of the samples: {} rows and {} samples are too few for 95 %",
+                    file.rows, fit.samples.size()));
   }
   return warnings;
 }
@@ -105,7 +115,8 @@ std::string fit_json(const FitFile& file, const Fit& fit, const std::vector<doub
             {"runs", fit.evaluations},
             {"uncertainties", file.has_uncertainties()},
             {"sum_of_squares", fit.sum},
-            {"degrees_of_freedom", fit.degrees_of_freedom()}};
+            {"degrees_of_freedom", fit.degrees_of_freedom()},
+            {"converged", fit.converged}};
   json["parameters"] = Json::array();
   for (std::size_t i = 0; i < file.parameters.size(); ++i) {
     const FittedField& field = file.parameters[i];
@@ -135,7 +146,7 @@ std::string fit_json(const FitFile& file, const Fit& fit, const std::vector<doub
                                   {"uncertainty", quantity.uncertainty ? Json(*quantity.uncertainty) : Json(nullptr)},
                                   {"root_mean_square", number_json(root_mean_square(file, k, results))}});
   }
-  json["bootstrap"] = {{"samples", file.samples}, {"seed", file.seed}};
+  json["bootstrap"] = {{"samples", file.samples}, {"seed", file.seed}, {"unconverged", fit.unconverged}};
   json["warnings"] = fit_warnings(file, fit);
   return json.dump(2) + "\n";
 }

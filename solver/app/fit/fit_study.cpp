@@ -2,10 +2,12 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <limits>
-#include <mutex>
 #include <numeric>
+#include <string_view>
 
 #include "solver/base/error.hpp"
 #include "solver/io/fence_file.hpp"
@@ -14,50 +16,76 @@
 namespace talus::app {
 namespace {
 
-std::vector<std::string> outputs_of(const FitFile& file) {
+/// The scene with the results as outputs. Errors: InputError, of a result with its place in the file.
+SweepBase base_of(const FitFile& file) {
+  const std::string text = base_text(file.scene), name = file.scene.string();
+  static_cast<void>(SweepBase{text, name, {}});
   std::vector<std::string> outputs;
-  for (const FitQuantity& quantity : file.quantities)
+  for (const FitQuantity& quantity : file.quantities) {
     outputs.push_back(quantity.result);
-  return outputs;
+    try {
+      static_cast<void>(SweepBase{text, name, {quantity.result}});
+    } catch (const InputError& error) {
+      constexpr std::string_view prefix = "outputs: ";
+      const std::string message = error.what();
+      throw InputError{fmt::format("{}: result: {}", quantity.where,
+                                   message.starts_with(prefix) ? message.substr(prefix.size()) : message)};
+    }
+  }
+  return {text, name, outputs};
 }
 
+/// A number as it is written in a scene; whole ones stay whole, as some fields need.
 TomlValue written(double value, const std::string& unit) {
-  return unit.empty() ? TomlValue{value} : TomlValue{fmt::format("{} {}", value, unit)};
+  constexpr double largest = 9007199254740992.0;  // 2^53: above, not all whole numbers are doubles
+  if (!unit.empty()) return TomlValue{fmt::format("{} {}", value, unit)};
+  if (value == std::floor(value) && std::abs(value) <= largest) return TomlValue{static_cast<std::int64_t>(value)};
+  return TomlValue{value};
 }
 
 /// Dimension and SI size of a unit; a pure number without one.
-AnyQuantity size_of(const std::string& unit, const std::string& heading) {
+AnyQuantity size_of(const std::string& unit, const std::string& where) {
   if (unit.empty()) return {1.0, dimension::number};
   try {
     return parse_any_quantity("1 " + unit, si);
   } catch (const InputError&) {
-    throw InputError{fmt::format("column \"{}\": '{}' is not a unit", heading, unit)};
+    throw InputError{fmt::format("{}: column: '{}' is not a unit", where, unit)};
   }
 }
 
 }  // namespace
 
-FitStudy::FitStudy(const FitFile& file, unsigned threads)
-    : file_{&file}, threads_{threads}, base_{base_text(file.scene), file.scene.string(), outputs_of(file)} {
+FitStudy::FitStudy(const FitFile& file, unsigned threads) : file_{&file}, threads_{threads}, base_{base_of(file)} {
   for (std::size_t i = 0; i < file.quantities.size(); ++i) {
     const FitQuantity& quantity = file.quantities[i];
     const SweepOutput& output = base_.outputs()[i];
-    const AnyQuantity column = size_of(quantity.unit, quantity.heading),
-                      divisor = size_of(quantity.divisor_unit, "divided_by");
+    const AnyQuantity column = size_of(quantity.unit, quantity.where),
+                      divisor = size_of(quantity.divisor_unit, quantity.where);
     const Dimension expected = quantity.divisors.empty() ? output.dimension : output.dimension / divisor.dimension;
     if (!(column.dimension == expected)) {
-      throw InputError{
-          fmt::format("quantity '{}': {} is in {}, the column \"{}\" in {}; give the column in the unit of "
-                      "the result",
-                      quantity.name, quantity.result, symbol(si, expected), quantity.heading,
-                      quantity.unit.empty() ? "no unit" : quantity.unit)};
+      throw InputError{fmt::format(
+          "{}: column: {} is in {}, the column \"{}\" in {}; give the column in the unit of the result", quantity.where,
+          quantity.result, symbol(si, expected), quantity.heading, quantity.unit.empty() ? "no unit" : quantity.unit)};
     }
     sources_.push_back({i, si_size(base_.units(), output.dimension) / divisor.value / column.value});
   }
-  // The first row's scene shows errors of fields and units before anything is run.
+  // Each field alone, and the first row's scene, show errors before anything is run.
+  const auto try_field = [&](const std::string& where, const std::string& field, const TomlValue& value) {
+    try {
+      SweptRun run;
+      run.parameters.emplace_back(field, value);
+      static_cast<void>(base_.scene(run));
+    } catch (const InputError& error) {
+      throw InputError{fmt::format("{}: field: {}", where, error.what())};
+    }
+  };
+  for (const FitInput& input : file.inputs)
+    try_field(input.where, input.field, written(input.values.front(), input.unit));
   std::vector<double> start;
-  for (const FittedField& field : file.parameters)
+  for (const FittedField& field : file.parameters) {
     start.push_back(field.parameter.start);
+    try_field(field.where, field.field, written(start.back(), field.unit));
+  }
   static_cast<void>(base_.scene(run(start, 0)));
 }
 
@@ -78,7 +106,8 @@ std::vector<double> FitStudy::results(const std::vector<double>& parameters, con
   parallel_for(rows.size(), threads_, [&](std::size_t i) {
     if (interrupted_()) return;
     const SweepResult result = base_.result(run(parameters, rows[i]), file_->limits, interrupted_);
-    if (result.values.empty()) {
+    // Also a run that is not usable has no result.
+    if (result.end != SweepEnd::finished) {
       reasons[i] = result.reason;
       return;
     }
@@ -89,8 +118,9 @@ std::vector<double> FitStudy::results(const std::vector<double>& parameters, con
     }
   });
   if (interrupted_()) throw Interrupted{};
-  for (std::size_t i = 0; i < rows.size() && failure_.empty(); ++i)
-    if (!reasons[i].empty()) failure_ = fmt::format("row {}: {}", rows[i] + 1, reasons[i]);
+  const auto failed = std::ranges::find_if(reasons, [](const std::string& reason) { return !reason.empty(); });
+  if (failed != reasons.end())
+    failure_ = fmt::format("row {}: {}", rows[static_cast<std::size_t>(failed - reasons.begin())] + 1, *failed);
   runs_ += rows.size();
   progress_(runs_);
   return found;
@@ -123,7 +153,7 @@ Fit FitStudy::fitted(const std::function<bool()>& interrupted, const std::functi
                file_->has_uncertainties());
   } catch (const InputError& error) {
     throw InputError{fmt::format("{}: {}{}", file_->scene.string(), error.what(),
-                                 failure_.empty() ? "" : fmt::format("; first failure: {}", failure_))};
+                                 failure_.empty() ? "" : fmt::format("; last failure: {}", failure_))};
   }
 }
 

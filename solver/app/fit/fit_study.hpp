@@ -21,10 +21,11 @@ class FitStudy {
   struct Interrupted {};
 
   /// The fit. Throws Interrupted once `interrupted` is true; `progress` gets the number of runs. Errors: InputError if
-  /// no run has a result.
+  /// no parameters are found with which all rows have a result.
   [[nodiscard]] Fit fitted(const std::function<bool()>& interrupted, const std::function<void(std::size_t)>& progress);
 
-  /// Results of all rows' runs, row by row, for each quantity in the unit of its column; NaN without a result.
+  /// Results of all rows' runs, row by row, for each quantity in the unit of its column; NaN without a result. After
+  /// fitted().
   [[nodiscard]] std::vector<double> results(const std::vector<double>& parameters);
   /// Number of runs.
   std::size_t runs() const { return runs_; }
@@ -47,7 +48,7 @@ class FitStudy {
   std::function<bool()> interrupted_;
   std::function<void(std::size_t)> progress_;
   std::size_t runs_{};
-  std::string failure_;  ///< reason why the first run without a result has none
+  std::string failure_;  ///< why a run of the last evaluation with failures has no result
 };
 
 }  // namespace talus::app

@@ -22,10 +22,10 @@ const std::string head = "scene = \"s.toml\"\ndata = \"d.csv\"\n",
 
 BOOST_AUTO_TEST_CASE(all_fields_are_read_and_most_have_defaults) {
   const Folder folder;
-  folder.file("d.csv", "t [s],y [mm],n\n1,20,3\n2,30,4\n");
+  folder.file("d.csv", "t [s],y [mm],n\n1,20,3\n2,30,4\n3,40,5\n");
   const FitFile defaults = read_fit(head + quantity + parameter, folder.path / "f.toml");
   BOOST_TEST(defaults.scene == folder.path / "s.toml");
-  BOOST_TEST(defaults.rows == 2U);
+  BOOST_TEST(defaults.rows == 3U);
   BOOST_TEST(defaults.inputs.empty());
   BOOST_TEST(defaults.quantities.at(0).name == "y [mm]");
   BOOST_TEST(defaults.quantities.at(0).unit == "mm");
@@ -39,22 +39,22 @@ BOOST_AUTO_TEST_CASE(all_fields_are_read_and_most_have_defaults) {
       "title = \"T\"\n" + head + "[[input]]\ncolumn = \"t [s]\"\nfield = \"run.end\"\n" + quantity +
           "name = \"height\"\ndivided_by = \"n\"\nuncertainty = \"2 mm\"\n" + parameter +
           "spacing = \"logarithmic\"\n[[parameter]]\nfield = \"a.c\"\nrange = [\"-1 m\", \"3 m\"]\nstart = \"2 m\"\n"
-          "[bootstrap]\nsamples = 7\nseed = 9\n[limits]\nevaluations = 5\n",
+          "[bootstrap]\nsamples = 70\nseed = 9\n[limits]\nevaluations = 5\n",
       folder.path / "f.toml");
   BOOST_TEST(all.title == "T");
   BOOST_TEST(all.inputs.at(0).field == "run.end");
   BOOST_TEST(all.inputs.at(0).unit == "s");
-  BOOST_TEST(all.inputs.at(0).values == (std::vector<double>{1.0, 2.0}), boost::test_tools::per_element());
+  BOOST_TEST(all.inputs.at(0).values == (std::vector<double>{1.0, 2.0, 3.0}), boost::test_tools::per_element());
   BOOST_TEST(all.quantities.at(0).name == "height");
-  BOOST_TEST(all.quantities.at(0).values == (std::vector<double>{20.0, 30.0}), boost::test_tools::per_element());
-  BOOST_TEST(all.quantities.at(0).divisors == (std::vector<double>{3.0, 4.0}), boost::test_tools::per_element());
+  BOOST_TEST(all.quantities.at(0).values == (std::vector<double>{20.0, 30.0, 40.0}), boost::test_tools::per_element());
+  BOOST_TEST(all.quantities.at(0).divisors == (std::vector<double>{3.0, 4.0, 5.0}), boost::test_tools::per_element());
   BOOST_TEST(all.quantities.at(0).uncertainty.value() == 2.0);
   BOOST_TEST(all.parameters.at(0).parameter.start == 2.0);  // sqrt(1 * 4)
   BOOST_TEST(all.parameters.at(0).parameter.logarithmic);
   BOOST_TEST(all.parameters.at(1).unit == "m");
   BOOST_TEST(all.parameters.at(1).parameter.lower == -1.0);
   BOOST_TEST(all.parameters.at(1).parameter.start == 2.0);
-  BOOST_TEST(all.samples == 7U);
+  BOOST_TEST(all.samples == 70U);
   BOOST_TEST(all.seed == 9);
   BOOST_TEST(all.limits.evaluations == 5);
 }
