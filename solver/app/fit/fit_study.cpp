@@ -106,6 +106,7 @@ std::vector<double> FitStudy::results(const std::vector<double>& parameters, con
   parallel_for(rows.size(), threads_, [&](std::size_t i) {
     if (interrupted_()) return;
     const SweepResult result = base_.result(run(parameters, rows[i]), file_->limits, interrupted_);
+    if (result.id.empty()) return;  // interrupted
     // Also a run that is not usable has no result.
     if (result.end != SweepEnd::finished) {
       reasons[i] = result.reason;
