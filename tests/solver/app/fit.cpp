@@ -21,13 +21,13 @@ std::string long_fit(const Folder& folder) {
       .file("long.toml", "scene = \"" + scene("two_cable.toml") +
                              "\"\ndata = \"data.csv\"\n[[input]]\ncolumn = \"step [s]\"\nfield = \"run.step\"\n"
                              "[[quantity]]\ncolumn = \"x [m]\"\nresult = \"particle.x.max\"\n[[parameter]]\n"
-                             "field = \"body.particle.velocity[0]\"\nrange = [\"1 m/s\", \"2 m/s\"]\n")
+                             "field = \"body.particle.mass\"\nrange = [\"1 kg\", \"2 kg\"]\n")
       .string();
 }
 
 /// Starts a fit and waits until it runs: its folder is locked.
 void wait_for(const fs::path& out) {
-  while (!fs::exists(out) || fs::is_empty(out))
+  for (int i = 0; i < 2000 && (!fs::exists(out) || fs::is_empty(out)); ++i)
     std::this_thread::sleep_for(std::chrono::milliseconds{5});
   std::this_thread::sleep_for(std::chrono::milliseconds{300});
 }
