@@ -8,7 +8,7 @@
 #include "tests/solver/app/program.hpp"
 #include "tests/solver/io/folder.hpp"
 
-BOOST_AUTO_TEST_SUITE(fit_command_tests)
+BOOST_AUTO_TEST_SUITE(fit_tests)
 
 using namespace talus;
 
