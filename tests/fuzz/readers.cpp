@@ -207,7 +207,7 @@ void add_sweep_readers(std::vector<Reader>& readers) {
   readers.push_back(
       {.name = "fit",
        .file = "fit.toml",
-       .corpus = {fit + "start = \"8 MN/m\"\n[bootstrap]\nsamples = 9\nseed = 2\n[limits]\nevaluations = 3\n"},
+       .corpus = {fit + "start = \"8 MN/m\"\n[bootstrap]\nsamples = 90\nseed = 2\n[limits]\nevaluations = 3\n"},
        .read = only([](const fs::path& file) { return app::read_fit(read_text(file), file); })});
   readers.push_back({.name = "sweep_run",
                      .file = "run.json",
