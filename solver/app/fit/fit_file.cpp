@@ -204,10 +204,10 @@ FitFile read_fit(std::string_view text, const fs::path& name) {
     throw;
   } catch (const records::FileError& error) {
     source.check();
-    throw IoError{error.what()};
+    throw IoError{fmt::format("{}: data: {}", name.string(), error.what())};
   } catch (const records::RecordError& error) {
     source.check();
-    throw InputError{error.what()};
+    throw InputError{fmt::format("{}: data: {}", name.string(), error.what())};
   }
   source.check();
   return made;
