@@ -193,8 +193,9 @@ std::string energies_text(const CapacityRecord& record) {
     }
   }
   const auto text = [&](double energy) { return with_units(record.us_units, energy, energy_units); };
-  std::string found = all > 0.0 && std::isfinite(all) ? fmt::format("every mass is stopped up to {}", text(all))
-                                                      : "at some mass no energy of the map is stopped";
+  std::string found = all > 0.0 && std::isfinite(all)
+                          ? fmt::format("every mass of the table is stopped up to {}", text(all))
+                          : "at some mass no energy of the map is stopped";
   found += std::isfinite(none) && none > 0.0 ? fmt::format("; none is from {} on", text(none))
                                              : "; at some mass rocks are stopped up to the end of the map";
   return found;

@@ -9,10 +9,8 @@
 #include <boost/math/distributions/students_t.hpp>
 #include <cmath>
 #include <exception>
-#include <limits>
 #include <memory>
 #include <numeric>
-#include <optional>
 #include <random>
 #include <utility>
 

@@ -91,7 +91,7 @@ BOOST_AUTO_TEST_CASE(several_heights_and_energies_of_all_masses) {
   const SheetPage page = page_of(record(map("1.5", same) + "," + map("2", same)));
   BOOST_TEST(page.boxes[0].heading == "Capacity");
   BOOST_TEST(fact(page.boxes[0], "energy") ==
-             "every mass is stopped up to 1 kip ft (1.356 kJ); none is from 2 kip ft (2.712 kJ) on");
+             "every mass of the table is stopped up to 1 kip ft (1.356 kJ); none is from 2 kip ft (2.712 kJ) on");
   BOOST_TEST(page.boxes[1].heading == "Audit: 2 of 16 runs contradict the map");
   BOOST_TEST(page.tables.at(0).rows.at(1).at(0) == "2 m");
   BOOST_TEST(page.tables.size() == 2U);

@@ -200,11 +200,7 @@ CapacityFile read_capacity(std::string_view text, const fs::path& name) {
       file.report("changes", "all are 0, so that the runs of a node would be the same; give one that is > 0");
     if (file.has("seed")) made.seed = file.whole_between("seed", 0, 1'000'000'000);
     if (file.has("hazard")) made.hazard = read_hazard(file.table("hazard"), folder);
-    if (file.has("limits")) {
-      SceneTable limits = file.table("limits");
-      limits.refuse("time", "results would depend on the machine; give `evaluations`");
-      made.limits = read_limits(limits);
-    }
+    if (file.has("limits")) made.limits = read_evaluation_limit(file.table("limits"));
   } catch (const SceneSource::Collected&) {
     source.check();
     throw;

@@ -194,11 +194,7 @@ FitFile read_fit(std::string_view text, const fs::path& name) {
         bootstrap.report("samples", fmt::format("found {}; it must be 0, or at least {}", made.samples, fewest));
       if (bootstrap.has("seed")) made.seed = bootstrap.whole_between("seed", 0, 1'000'000'000);
     }
-    if (file.has("limits")) {
-      SceneTable limits = file.table("limits");
-      limits.refuse("time", "results would depend on the machine; give `evaluations`");
-      made.limits = read_limits(limits);
-    }
+    if (file.has("limits")) made.limits = read_evaluation_limit(file.table("limits"));
   } catch (const SceneSource::Collected&) {
     source.check();
     throw;

@@ -265,6 +265,11 @@ SweepLimits read_limits(SceneTable table) {
   return limits;
 }
 
+SweepLimits read_evaluation_limit(SceneTable table) {
+  table.refuse("time", "results would depend on the machine; give `evaluations`");
+  return read_limits(std::move(table));
+}
+
 double Continuous::at(double probability) const {
   const auto after = std::ranges::upper_bound(quantiles, probability, {}, &std::pair<double, double>::first);
   const auto& [p1, x1] = after == quantiles.end() ? quantiles.back() : *after;

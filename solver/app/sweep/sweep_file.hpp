@@ -92,6 +92,8 @@ struct SweepFile {
 
 /// The limits of each run in a table with `time` and `evaluations`. Errors: InputError.
 [[nodiscard]] SweepLimits read_limits(SceneTable table);
+/// The same with `evaluations` alone, where results must not depend on the machine.
+[[nodiscard]] SweepLimits read_evaluation_limit(SceneTable table);
 
 /// A number with its unit, of a TOML number or a text such as "600 lb". Errors: InputError.
 [[nodiscard]] WrittenNumber written_number(const TomlValue& value);

@@ -198,8 +198,9 @@ void check_boundary(const Program& program, Findings& findings, Differences& dif
   differ.compare("stopped runs",
                  counted <= static_cast<double>(stopped) && counted == map.at("ends").at("stopped").get<double>(),
                  true);
-  findings.expect("nodes: ends, energies and probabilities, largest deviation", std::max(std::abs(sums), intervals),
-                  0.0, Tolerance::round_off(1e-12, "sums of whole numbers, and three products"));
+  findings.expect("maps: ends, energies and probabilities of nodes, largest deviation",
+                  std::max(std::abs(sums), intervals), 0.0,
+                  Tolerance::round_off(1e-12, "sums of whole numbers, and three products"));
 }
 
 /// The nodes of the map of one column with the closed form.
@@ -334,7 +335,7 @@ void check_hazard(const Program& program, Findings& findings, Differences& diffe
   program.write("rocks.csv", "height [m],mass [kg],speed [m/s]\n4.5,200,4\n4.5,200,11\n");
   program.write("table.toml", question(4, "[hazard]\ntable = \"rocks.csv\"\nruns = 200\n"));
   const Json table = program.json({"capacity", "table.toml"}, {{"--no-plots", {}}, {"--json", {}}}).at("hazard");
-  findings.expect("rocks of a table: probability of failure, deviation from one half",
+  findings.expect("expected rocks: probability of failure of a table, deviation from one half",
                   (table.at("probability_of_failure").get<double>() - 0.5) / std::sqrt(0.25 / 200.0), 0.0,
                   Tolerance::model(4.0, "in standard deviations of 200 runs"));
   const Json& forces = table.at("outputs").at("fence.cable_force");

@@ -140,13 +140,13 @@ void check_bounce(const Program& program, Findings& findings, Differences& diffe
   for (std::size_t i = 0; i < truth.size(); ++i)
     keep_worst(deviation, (found(noisy, i).at("value").get<double>() - truth[i]) /
                               found(noisy, i).at("standard_error").get<double>());
-  findings.expect("bouncing ball with noise: values less the true ones over their standard error, largest", deviation,
-                  0.0, Tolerance::model(3.5, "normal deviations of two parameters"));
+  findings.expect("bouncing ball: values of noisy heights less the true ones over their standard error, largest",
+                  deviation, 0.0, Tolerance::model(3.5, "normal deviations of two parameters"));
   // Ends of an interval for 18 rows and two parameters: Student's 97.5 % with 16 degrees of freedom is 2.1199.
   const double level = 0.5 * std::erfc(std::sqrt(18.0 / 16.0) * 2.1199052992 / std::sqrt(2.0));
   const double spread = noisy.at("sum_of_squares").get<double>() / noisy.at("degrees_of_freedom").get<double>();
-  findings.expect_between("bouncing ball with noise: variance of the deviations over that of the noise", spread, 0.25,
-                          2.2, "chi-squared with 16 degrees of freedom: 99.9 %");
+  findings.expect_between("bouncing ball: variance of the deviations over that of the noise", spread, 0.25, 2.2,
+                          "chi-squared with 16 degrees of freedom: 99.9 %");
   differ.compare("degrees of freedom", noisy.at("degrees_of_freedom").get<double>(), 16.0);
   differ.compare("file of the fit", program.read("noisy/fit.json") == noisy.dump(2) + "\n", true);
   const Json alone = program.json({"fit", "noisy.toml"}, {{"--json", {}}, {"--threads", {"1"}}});
