@@ -5,24 +5,21 @@
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
-#include <limits>
 #include <memory>
 #include <span>
 #include <vector>
 
 #include "solver/app/cell/cell_summary.hpp"
+#include "solver/app/check/scene_check.hpp"
 #include "solver/app/command.hpp"
 #include "solver/app/outputs/output_size.hpp"
-#include "solver/app/run/start_warnings.hpp"
 #include "solver/base/error.hpp"
 #include "solver/base/progress.hpp"
-#include "solver/command_line/shell_word.hpp"
 #include "solver/dynamics/rigid_body_system.hpp"
 #include "solver/integrate/integrator_list.hpp"
 #include "solver/io/cell/read_cell.hpp"
 #include "solver/io/read_scene_file.hpp"
 #include "solver/run/simulate.hpp"
-#include "solver/run/snapshot.hpp"
 #include "solver/stability/contact_range.hpp"
 #include "solver/stability/missing_contacts.hpp"
 #include "solver/stability/start_overlaps.hpp"
@@ -30,9 +27,6 @@
 
 namespace talus::app {
 namespace {
-
-/// Maximum number of coordinates for which frequencies are evaluated: this many take 2 s; the time grows with the cube.
-constexpr std::size_t maximum_coordinates = 1000;
 
 std::string_view mobility_name(const Body& body) {
   return Names<Mobility>::list[static_cast<std::size_t>(body.mobility)];
@@ -106,31 +100,6 @@ void print_springs(const Scene& scene, const StepAdvice& advice) {
   print_rest(advice.springs.size());
 }
 
-/// Step over the linear limit of the scene's method for a contact with its smallest effective mass alone; zero if no
-/// limit is known.
-double step_over_limit(const Scene& scene, const ContactRange& range) {
-  const auto limit = step_limit({{range.highest_frequency, range.damping_ratio}}, name(scene.integrator));
-  return limit && !chooses_steps(scene.integrator) ? scene.plan.step / limit->step : 0.0;
-}
-
-/// Contacts whose effective mass can differ by more than 1 % from that in the position of the start, on the side of
-/// shorter contacts: first the one whose step is farthest beyond its limit, then the shortest contacts.
-std::vector<ContactRange> lighter_contacts(const Scene& scene, const Dynamics& dynamics, const StepAdvice& advice) {
-  std::vector<ContactRange> lighter;
-  std::size_t instance = 0;
-  for (const ContactRange& range : contact_ranges(dynamics)) {
-    double minimum = std::numeric_limits<double>::infinity();
-    for (std::size_t i = 0; i < dynamics.layout().contact_instances[index(range.contact)]; ++i)
-      minimum = std::min(minimum, advice.springs[instance++].spring.effective_mass);
-    if (range.smallest_mass < 0.99 * minimum) lighter.push_back(range);
-  }
-  std::ranges::stable_sort(lighter, {}, &ContactRange::shortest_time);
-  const auto worst =
-      std::ranges::max_element(lighter, {}, [&](const ContactRange& range) { return step_over_limit(scene, range); });
-  if (worst != lighter.end()) std::rotate(lighter.begin(), worst, worst + 1);
-  return lighter;
-}
-
 void print_lighter_contacts(const Scene& scene, const std::vector<ContactRange>& lighter) {
   if (lighter.empty()) return;
   const UnitSystem& units = scene.model.units;
@@ -150,20 +119,8 @@ void print_lighter_contacts(const Scene& scene, const std::vector<ContactRange>&
   print_rest(lighter.size());
 }
 
-/// Adds the warning about a step that is within its linear limit at the start, but not for a contact with its smallest
-/// effective mass: the first of `lighter`.
-void warn_of_lighter_contacts(const Scene& scene, const std::vector<ContactRange>& lighter,
-                              std::vector<std::string>& warnings) {
-  if (lighter.empty() || !(step_over_limit(scene, lighter.front()) > 1.0)) return;
-  const ContactRange& worst = lighter.front();
-  warnings.push_back(fmt::format(
-      "contact '{}' can act with an effective mass of {:.4g} {}, less than at the start: the step is then {:.3g} times "
-      "the linear limit of {}",
-      scene.model.contacts[index(worst.contact)].name, worst.smallest_mass, symbol(scene.model.units, dimension::mass),
-      step_over_limit(scene, worst), name(scene.integrator)));
-}
-
-void print_step(const Scene& scene, const StepAdvice& advice, const std::vector<ContactRange>& lighter) {
+void print_step(const Scene& scene, const SceneCheck& found) {
+  const StepAdvice& advice = *found.advice;
   const std::string time = symbol(scene.model.units, dimension::time);
   const double step = scene.plan.step;
   fmt::print("step {:.6g} {} with {}\n", step, time, name(scene.integrator));
@@ -173,7 +130,7 @@ void print_step(const Scene& scene, const StepAdvice& advice, const std::vector<
   fmt::print("  highest frequency of the scene, all contacts closed and all cables taut: {:.6g} {}, xi {:.4g}\n",
              advice.highest_frequency(), per_time, advice.modes.back().damping_ratio);
   fmt::print("  step x highest frequency: {:.4g}\n", step * advice.highest_frequency());
-  if (const auto limit = step_limit(advice.modes, name(scene.integrator))) {
+  if (const auto& limit = found.limit) {
     fmt::print(
         "  linear limit of the method: {:.4g}, a step of {:.6g} {}, by the mode of {:.6g} {} with xi {:.4g}; the step "
         "is "
@@ -183,9 +140,7 @@ void print_step(const Scene& scene, const StepAdvice& advice, const std::vector<
   } else {
     fmt::print("  the method has no limit in closed form here; with a tolerance, or exact, it chooses its own steps\n");
   }
-  double shortest = advice.shortest_contact;
-  for (const ContactRange& range : lighter)
-    shortest = std::min(shortest, range.shortest_time);
+  const double shortest = found.shortest_contact;
   if (std::isfinite(shortest) && !located_events(scene.integrator)) {
     fmt::print("  shortest contact: {:.6g} {}, {:.4g} steps; one-sided contacts need some 50 for 1 % in restitution\n",
                shortest, time, shortest / step);
@@ -270,21 +225,6 @@ void print_output(const SceneFile& file, const Dynamics& dynamics, const std::fi
   }
 }
 
-/// Adds the warning that a run prints about its step, if the step is beyond the linear limit. Returns whether it is.
-bool warn_of_step(const Scene& scene, const StepAdvice& advice, const std::string& file,
-                  std::vector<std::string>& warnings) {
-  const auto verdict = step_verdict(scene, advice);
-  if (!verdict || !verdict->is_beyond) return false;
-  warnings.push_back(step_warning(verdict->text, fmt::format("talus run {} --integrator auto", shell_word(file))));
-  if (scene.initial.q.size() > maximum_watched_coordinates) {
-    warnings.push_back(
-        fmt::format("talus run does not give that warning: it computes frequencies up to {} degrees of "
-                    "freedom, here are {}",
-                    maximum_watched_coordinates, scene.initial.q.size()));
-  }
-  return true;
-}
-
 int check(const std::string& file) {
   const std::filesystem::path path{file};
   if (describes_cell(path)) {
@@ -294,36 +234,26 @@ int check(const std::string& file) {
   const SceneFile read = read_scene_file(path);
   const Scene& scene = read.scene;
   const Dynamics dynamics{scene.model};
-  std::vector<std::string> warnings;
-  bool is_beyond = false;
+  SceneCheck found = [&] {
+    const ElapsedTime elapsed{"evaluating the frequencies"};
+    return check_scene(read, dynamics, file);
+  }();
   fmt::print("{}\n", scene.title);
   print_bodies(scene, dynamics);
   print_overlaps(scene, dynamics);
-  if (scene.initial.q.size() <= maximum_coordinates) {
-    const StepAdvice advice = [&] {
-      const ElapsedTime elapsed{"evaluating the frequencies"};
-      return advise_step(dynamics, scene.initial);
-    }();
-    print_springs(scene, advice);
-    const std::vector<ContactRange> lighter = lighter_contacts(scene, dynamics, advice);
-    print_lighter_contacts(scene, lighter);
-    print_step(scene, advice, lighter);
-    is_beyond = warn_of_step(scene, advice, file, warnings);
-    if (!is_beyond) warn_of_lighter_contacts(scene, lighter, warnings);
+  if (found.advice) {
+    print_springs(scene, *found.advice);
+    print_lighter_contacts(scene, found.lighter);
+    print_step(scene, found);
   } else {
     fmt::print("step {:.6g} {} with {}; frequencies are evaluated up to {} degrees of freedom\n", scene.plan.step,
-               symbol(scene.model.units, dimension::time), name(scene.integrator), maximum_coordinates);
+               symbol(scene.model.units, dimension::time), name(scene.integrator), maximum_checked_coordinates);
   }
   print_cost(scene, dynamics);
-  print_output(read, dynamics, path, warnings);
-  const std::vector<std::string> missing = missing_contact_warnings(scene, dynamics);
-  for (const auto& found : {start_warnings(read, dynamics), missing, geometry_warnings(read)})
-    warnings.insert(warnings.end(), found.begin(), found.end());
-  for (const std::string& warning : warnings)
+  print_output(read, dynamics, path, found.warnings);
+  for (const std::string& warning : found.warnings)
     print_failure(fmt::format("warning: {}", warning));
-  const MonitorRules& rules = scene.plan.watch;
-  const bool ends_at_start = !missing.empty() && rules.missing_contacts == CheckAction::error;
-  return ends_at_start || (is_beyond && rules.quality == CheckAction::error) ? unusable : ok;
+  return found.is_unusable ? unusable : ok;
 }
 
 }  // namespace

@@ -56,20 +56,16 @@ class RequestedScene final : public ResumableRun {
 
   Outcome advance(const Condition& pause, Progress& progress) override {
     const double until = run_.run_state().start + static_cast<double>(last_step_) * scene().plan.step;
-    const auto stop = [&](const Snapshot& seen) {
-      ends_early_ = scene().early_end && reached(*scene().early_end, scene().model, seen.state());
-      return ends_early_ || seen.state().t >= until || (pause && pause());
-    };
+    const auto stop = [&](const Snapshot& seen) { return seen.state().t >= until || (pause && pause()); };
     return run_.proceed(stop, &progress);
   }
   bool finish(Outcome& outcome, const Condition& interrupted) override {
-    if (ends_early_) outcome.kind = Outcome::Kind::finished;
     const RunMonitor& watch = run_.watch();
     if (!outcome && watch.violation().empty() && !watch.step_ratio().empty())
       outcome.message += fmt::format("; {}", watch.step_ratio());
     record_ = run_.record(outcome);
     const bool stopped = outcome.kind == Outcome::Kind::stopped;
-    const bool resumable = !ends_early_ && (stopped || (outcome && !options_->until.empty()));
+    const bool resumable = !run_.ends_early() && (stopped || (outcome && !options_->until.empty()));
     if (record_.fence && !resumable) run_again([&](const Snapshot&) { return interrupted(); });
     return resumable;
   }
@@ -112,8 +108,7 @@ class RequestedScene final : public ResumableRun {
   SceneRun run_;
   long last_step_;
   bool beyond_at_start_{run_.watch().step_is_beyond()};  ///< the step is beyond the linear limit at the start
-  bool ends_early_{false};
-  RunRecord record_;  ///< of the finished run
+  RunRecord record_;                                     ///< of the finished run
 };
 
 int run(const SceneOptions& options) {

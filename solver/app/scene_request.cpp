@@ -37,8 +37,32 @@ void change_end(SceneFile& file, double end) {
   plan.interval = static_cast<double>(fence.history_every) * plan.step;
 }
 
-/// Applies the options to the scene of a new run.
-void apply(const SceneOptions& options, SceneFile& file) {
+/// Whether the interrupted run of a checkpoint was started with --sheet.
+bool holds_sheet(const ArchiveItems& memory) {
+  const auto item = memory.find("sheet");
+  if (item == memory.end()) return false;
+  const auto* numbers = std::get_if<std::vector<double>>(&item->second);
+  return numbers && *numbers == std::vector{1.0};
+}
+
+/// Whether the interrupted run of a checkpoint was started with --impacts: it then has a part for this output.
+bool holds_impacts(const ArchiveItems& memory) {
+  const std::string part = fmt::format("outputs.{}.", ImpactOutput::name);
+  const auto item = memory.lower_bound(part);
+  return item != memory.end() && item->first.starts_with(part);
+}
+
+}  // namespace
+
+GivenOptions SceneOptions::kept() const {
+  return {{"--end", !end.empty()},
+          {"--step", !step.empty()},
+          {"--integrator", !integrator.empty()},
+          {"--tolerance", tolerance != 0.0},
+          {"--frames", frames != 0}};
+}
+
+void apply_options(const SceneOptions& options, SceneFile& file) {
   Scene& scene = file.scene;
   const UnitSystem& units = scene.model.units;
   if (!options.end.empty()) change_end(file, option_quantity("--end", options.end, dimension::time, units));
@@ -66,31 +90,6 @@ void apply(const SceneOptions& options, SceneFile& file) {
   if (!file.fence) scene.plan.interval = std::max(scene.plan.interval, scene.plan.step);
 }
 
-/// Whether the interrupted run of a checkpoint was started with --sheet.
-bool holds_sheet(const ArchiveItems& memory) {
-  const auto item = memory.find("sheet");
-  if (item == memory.end()) return false;
-  const auto* numbers = std::get_if<std::vector<double>>(&item->second);
-  return numbers && *numbers == std::vector{1.0};
-}
-
-/// Whether the interrupted run of a checkpoint was started with --impacts: it then has a part for this output.
-bool holds_impacts(const ArchiveItems& memory) {
-  const std::string part = fmt::format("outputs.{}.", ImpactOutput::name);
-  const auto item = memory.lower_bound(part);
-  return item != memory.end() && item->first.starts_with(part);
-}
-
-}  // namespace
-
-GivenOptions SceneOptions::kept() const {
-  return {{"--end", !end.empty()},
-          {"--step", !step.empty()},
-          {"--integrator", !integrator.empty()},
-          {"--tolerance", tolerance != 0.0},
-          {"--frames", frames != 0}};
-}
-
 SceneRequest scene_request(const SceneOptions& options) {
   if (options.resume.empty() && !options.until.empty() && options.folder.empty())
     throw InputError{"--until: it requires --out, the folder in which the run is saved"};
@@ -105,7 +104,7 @@ SceneRequest scene_request(const SceneOptions& options) {
       throw InputError{"--sheet: it requires a fence (a deck or a scene with [fence]) and --out"};
     if (options.impacts && options.folder.empty())
       throw InputError{"--impacts: it requires --out, the folder in which impacts.csv is written"};
-    apply(options, request.file);
+    apply_options(options, request.file);
   } else {
     const Checkpoint& saved = request.run.saved;
     request.sheet = holds_sheet(saved.memory);

@@ -24,6 +24,9 @@ struct SceneOptions : RunOptions {
   GivenOptions kept() const;
 };
 
+/// Applies --end, --step, --integrator and --tolerance to the scene of a new run. Errors: InputError naming the option.
+void apply_options(const SceneOptions& options, SceneFile& file);
+
 /// A scene's run requested on the command line.
 struct SceneRequest {
   RunRequest run;

@@ -17,10 +17,13 @@ struct CalibrateOptions {
   std::optional<double> restitution;
   std::string law{"linear_spring_dashpot"};
   std::vector<std::string> masses;
-  std::map<std::string, std::string> parameters;  ///< of the law, by their names in scenes; empty: not given
-  std::string end_rule{"clamped"};                ///< default as in scenes
-  std::string dashpot{"tsuji"};                   ///< default as in scenes
-  std::optional<double> poisson_ratio;            ///< of the material of both bodies
+  /// Of the laws, by their names in scenes; empty: not given.
+  std::map<std::string, std::string> parameters{{"stiffness", ""},         {"modulus", ""},  {"radius", ""},
+                                                {"reference_overlap", ""}, {"exponent", ""}, {"damping", ""},
+                                                {"hysteresis", ""}};
+  std::string end_rule{"clamped"};      ///< default as in scenes
+  std::string dashpot{"tsuji"};         ///< default as in scenes
+  std::optional<double> poisson_ratio;  ///< of the material of both bodies
   std::vector<std::string> pivot;
   std::vector<std::string> offset;
   std::string speed{"1 m/s"};

@@ -37,7 +37,6 @@ struct ImpactCalibration {
 };
 
 ImpactCalibration calibrated(const CalibrateOptions& options) {
-  const ElapsedTime elapsed{"calibrating"};
   ImpactCalibration found;
   const ContactLaw law = law_of_options(options);
   if (options.masses.empty())
@@ -72,7 +71,7 @@ std::optional<double> damping_ratio_of(const ImpactCalibration& found) {
       found.law);
 }
 
-void print_json(const ImpactCalibration& found, const CalibrateOptions& options) {
+nlohmann::ordered_json json_of(const ImpactCalibration& found, const CalibrateOptions& options) {
   nlohmann::ordered_json json{{"law", options.law}};
   for (const LawParameter& parameter : parameters_of(found.law))
     json[parameter.name] = parameter.value;
@@ -90,7 +89,7 @@ void print_json(const ImpactCalibration& found, const CalibrateOptions& options)
   json["restitution_error"] = found.step.largest_error;
   add_rayleigh_time(json, found.rayleigh);
   json["units"] = "SI";
-  fmt::print("{}\n", json.dump(2));
+  return json;
 }
 
 void print_text(const ImpactCalibration& found, const CalibrateOptions& options) {
@@ -156,11 +155,18 @@ ContactLaw damped_law(const CalibrateOptions& options, ContactLaw law, double ef
   return with_dissipation(law, exact_dissipation({law, effective_mass, speed}, *options.restitution));
 }
 
+nlohmann::ordered_json impact_calibration(const CalibrateOptions& options) {
+  return json_of(calibrated(options), options);
+}
+
 int calibrate_impact(const CalibrateOptions& options) {
   static_cast<void>(unit_system(options.units));
-  const ImpactCalibration found = calibrated(options);
+  const ImpactCalibration found = [&] {
+    const ElapsedTime elapsed{"calibrating"};
+    return calibrated(options);
+  }();
   if (options.json) {
-    print_json(found, options);
+    fmt::print("{}\n", json_of(found, options).dump(2));
   } else {
     print_text(found, options);
   }

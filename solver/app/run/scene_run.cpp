@@ -110,7 +110,8 @@ Outcome SceneRun::proceed(const StopCondition& stop, Progress* progress) {
   }
   const StopCondition stops = [&](const Snapshot& seen) {
     look(seen, ++step);
-    return broken() || (stop && stop(seen));
+    ends_early_ = scene_->early_end && reached(*scene_->early_end, scene_->model, seen.state());
+    return broken() || ends_early_ || (stop && stop(seen));
   };
   Outcome outcome = simulate(system_, run_state_, scene_->plan, observers, stops, &seen_);
   parts_.ended(static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC, run_state_.step - first,
@@ -118,6 +119,7 @@ Outcome SceneRun::proceed(const StopCondition& stop, Progress* progress) {
   // simulate() does not call the stop condition after the last step, so that step is checked here.
   if (outcome.kind == Outcome::Kind::finished) look(seen_, ++step);
   if (outcome && broken()) return {Outcome::Kind::diverged, outcome.time, watch_.violation()};
+  if (outcome && ends_early_) outcome.kind = Outcome::Kind::finished;
   return outcome;
 }
 

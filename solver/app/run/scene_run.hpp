@@ -31,9 +31,11 @@ class SceneRun {
   /// Copies the files written so far from the folder of the interrupted run; called after restoring. Errors: IoError.
   void bring_files(const std::filesystem::path& from);
 
-  /// Advances the run to its plan's end or until `stop`, and shows the progress, if there is a line for it. Errors:
-  /// IoError.
+  /// Advances the run to its plan's end, to the early end of the scene or until `stop`, and shows the progress, if
+  /// there is a line for it. Errors: IoError.
   Outcome proceed(const StopCondition& stop, Progress* progress);
+  /// Whether the run has reached the early end of its scene.
+  bool ends_early() const { return ends_early_; }
   /// The monitor of the run, with its results so far.
   const RunMonitor& watch() const { return watch_; }
   /// Warnings about a start that is probably not intended; the first warnings of the record.
@@ -73,6 +75,7 @@ class SceneRun {
   RunOutputs outputs_;
   std::optional<scenes::FenceMonitor> fence_;  ///< only for a fence
   bool sheet_{};
+  bool ends_early_{};
   StepParts parts_;
 };
 

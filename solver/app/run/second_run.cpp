@@ -13,16 +13,13 @@ constexpr const char* interrupted = "it was interrupted";
 /// The record of a run without files; nothing if `stop` ended it. The run is aborted after `maximum` evaluations.
 std::optional<RunRecord> record_of(const SceneFile& file, long maximum, const StopCondition& stop) {
   SceneRun run{file, {}, {}, {}};
-  const Scene& scene = file.scene;
-  bool there = false, given_up = false;
+  bool given_up = false;
   Progress progress;
   const auto ends = [&](const Snapshot& seen) {
-    there = scene.early_end && reached(*scene.early_end, scene.model, seen.state());
     given_up = run.run_state().evaluations > maximum;
-    return there || given_up || (stop && stop(seen));
+    return given_up || (stop && stop(seen));
   };
   Outcome outcome = run.proceed(ends, &progress);
-  if (there) outcome.kind = Outcome::Kind::finished;
   if (given_up)
     outcome = {Outcome::Kind::diverged, outcome.time, fmt::format("given up after {} evaluations", maximum)};
   if (outcome.kind == Outcome::Kind::stopped) return std::nullopt;

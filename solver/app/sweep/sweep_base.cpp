@@ -65,7 +65,10 @@ void drop_history(SceneFile& file) { file.scene.plan.interval = file.scene.plan.
 }  // namespace
 
 SweepBase::SweepBase(std::string_view text, std::string name, std::vector<std::string> outputs)
-    : name_{std::move(name)}, document_{parse_toml(text, name_)}, names_{std::move(outputs)} {
+    : SweepBase{parse_toml(text, name), name, std::move(outputs)} {}
+
+SweepBase::SweepBase(TomlValue document, std::string name, std::vector<std::string> outputs)
+    : name_{std::move(name)}, document_{std::move(document)}, names_{std::move(outputs)} {
   const SceneFile file = read_scene_file(document_, name_);
   outputs_ = outputs_named(file, names_);
   units_ = file.scene.model.units;

@@ -27,6 +27,8 @@ class SweepBase {
   /// `text`: TOML; `name` is the file named in errors. Errors: InputError for a scene that is wrong, or outputs that it
   /// does not have.
   SweepBase(std::string_view text, std::string name, std::vector<std::string> outputs);
+  /// The same of a parsed TOML text.
+  SweepBase(TomlValue document, std::string name, std::vector<std::string> outputs);
 
   /// The outputs of the base, with names and dimensions.
   const std::vector<SweepOutput>& outputs() const { return outputs_; }

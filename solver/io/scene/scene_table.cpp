@@ -91,7 +91,10 @@ const TomlValue& SceneTable::demand_at_once(std::string_view key) {
   return *value;
 }
 
-std::string SceneTable::location(int line) const { return fmt::format("{}:{}: ", source_->file, line); }
+std::string SceneTable::location(int line) const {
+  // A document that was not read from a text has no lines.
+  return line > 0 ? fmt::format("{}:{}: ", source_->file, line) : source_->file + ": ";
+}
 
 std::string SceneTable::full_message(int line, std::string_view key, std::string_view message) const {
   const std::string noun = noun_.empty() ? "" : noun_ + ": ";

@@ -238,11 +238,20 @@ void check_table(const Program& program, Worst& worst, Differences& differ) {
 
 /// A run of the sweep is that of `talus run` with the same fields, bit by bit; a fence has a verdict.
 void check_fence(const Program& program, Differences& differ) {
-  program.write("fence.toml", program.run({"new", "fence"}, {}));
-  const records::Csv csv = collected(program, "speeds",
-                                     "base = \"fence.toml\"\noutputs = [\"rock.vx.end\", \"energy.kinetic.max\"]\n" +
-                                         axis("fence.rock[0].velocity[0]", "values = [\"-5 m/s\", \"-25 m/s\"]") +
-                                         axis("fence.columns", "range = [5, 9]\ncount = 3"));
+  // The fence of the template, whose run ends when the rock passes a position: long before its time.
+  std::string fence = program.run({"new", "fence"}, {});
+  const auto write_line = [&](const std::string& template_line, const std::string& line) {
+    const std::size_t at = fence.find("\n# " + template_line) + 1;
+    fence.replace(at, fence.find('\n', at) - at, line);
+  };
+  write_line("end = ", "end = \"exit\"");
+  write_line("exit_x = ", "exit_x = \"0.7 m\"");
+  program.write("fence.toml", fence);
+  const records::Csv csv =
+      collected(program, "speeds",
+                "base = \"fence.toml\"\noutputs = [\"rock.vx.end\", \"energy.kinetic.max\", \"rock.x.min\"]\n" +
+                    axis("fence.rock[0].velocity[0]", "values = [\"-5 m/s\", \"-25 m/s\"]") +
+                    axis("fence.columns", "range = [5, 9]\ncount = 3"));
   differ.compare("runs of a fence", csv.rows(), std::size_t{6});
   const std::string scene = program.read("fence.toml");
   for (std::size_t row = 0; row < csv.rows(); ++row) {
@@ -259,6 +268,8 @@ void check_fence(const Program& program, Differences& differ) {
     changed.replace(line, comma - line, fmt::format("velocity = [\"{} m/s\"", speed));
     program.write("changed.toml", changed);
     const Json summary = program.json({"run", "changed.toml"}, {{"--json", {}}});
+    differ.compare("early end", csv.number(row, csv.column("time [s]")), summary.at("outcome").at("time").get<double>());
+    differ.compare("the rock has passed", csv.number(row, csv.column("rock.x.min [m]")) < 0.7, true);
     differ.compare("verdict", std::string{csv.cell(row, csv.column("verdict"))},
                    summary.at("verdict").at("fence").get<std::string>());
     differ.compare("evaluations", std::string{csv.cell(row, csv.column("evaluations"))},

@@ -1,0 +1,112 @@
+#include "solver/python/python_values.hpp"
+
+#include <fmt/format.h>
+
+#include <nlohmann/json.hpp>
+#include <string>
+#include <utility>
+#include <variant>
+
+#include "solver/base/error.hpp"
+
+namespace talus::python {
+namespace {
+
+namespace py = pybind11;
+
+std::string text_of(py::handle value) { return py::cast<std::string>(py::str(value)); }
+
+InputError wrong_type(py::handle value, const std::string& path) {
+  const std::string where = path.empty() ? "" : path + ": ";
+  return InputError{fmt::format("{}found an object of type {}; it must be a text, a number, a list or a dict", where,
+                                text_of(py::type::of(value).attr("__name__")))};
+}
+
+}  // namespace
+
+py::object to_python(const TomlValue& value) {
+  if (const auto* text = std::get_if<std::string>(&value.data)) return py::str(*text);
+  if (const auto* number = std::get_if<double>(&value.data)) return py::float_(*number);
+  if (const auto* whole = std::get_if<std::int64_t>(&value.data)) return py::int_(*whole);
+  if (const auto* flag = std::get_if<bool>(&value.data)) return py::bool_(*flag);
+  if (const auto* array = std::get_if<TomlArray>(&value.data)) {
+    py::list list;
+    for (const TomlValue& element : *array)
+      list.append(to_python(element));
+    return list;
+  }
+  const auto* const table = std::get_if<TomlTable>(&value.data);
+  if (table == nullptr) throw InputError{"found a date or time; no field has one"};
+  py::dict dict;
+  for (const TomlEntry& entry : *table)
+    dict[py::str(entry.key)] = to_python(entry.value);
+  return dict;
+}
+
+py::object to_python(const nlohmann::ordered_json& json) {
+  if (json.is_null()) return py::none();
+  if (json.is_boolean()) return py::bool_(json.get<bool>());
+  if (json.is_number_integer()) return py::int_(json.get<std::int64_t>());
+  if (json.is_number()) return py::float_(json.get<double>());
+  if (json.is_string()) return py::str(json.get<std::string>());
+  if (json.is_array()) {
+    py::list list;
+    for (const nlohmann::ordered_json& element : json)
+      list.append(to_python(element));
+    return list;
+  }
+  py::dict dict;
+  for (const auto& [key, value] : json.items())
+    dict[py::str(key)] = to_python(value);
+  return dict;
+}
+
+TomlValue to_document(py::handle value, const std::string& path, int depth) {
+  // A list can contain itself.
+  constexpr int maximum_depth = 100;
+  if (depth > maximum_depth)
+    throw InputError{fmt::format("found more than {} levels of lists and dicts in each other", maximum_depth)};
+  TomlValue made;
+  // A bool is an int of Python, and comes first.
+  if (py::isinstance<py::bool_>(value)) {
+    made.data = py::cast<bool>(value);
+  } else if (py::isinstance<py::str>(value)) {
+    made.data = py::cast<std::string>(value);
+  } else if (py::isinstance<py::float_>(value)) {
+    made.data = py::cast<double>(value);
+  } else if (PyIndex_Check(value.ptr()) != 0 && !py::isinstance<py::array>(value)) {
+    try {
+      made.data = py::cast<std::int64_t>(py::reinterpret_steal<py::object>(PyNumber_Index(value.ptr())));
+    } catch (const py::cast_error&) {
+      throw InputError{fmt::format("{}: found {}; a whole number must have at most 63 bits", path, text_of(value))};
+    }
+  } else if (PyMapping_Check(value.ptr()) != 0 && py::hasattr(value, "items")) {
+    TomlTable table;
+    for (const py::handle item : value.attr("items")()) {
+      const auto pair = py::cast<py::tuple>(item);
+      if (!py::isinstance<py::str>(pair[0]))
+        throw InputError{fmt::format("found the key {}; it must be a text", text_of(py::repr(pair[0])))};
+      auto key = py::cast<std::string>(pair[0]);
+      TomlValue entry = to_document(pair[1], path.empty() ? key : path + "." + key, depth + 1);
+      table.push_back({std::move(key), std::move(entry)});
+    }
+    made.data = std::move(table);
+  } else if (PySequence_Check(value.ptr()) != 0 && !py::isinstance<py::bytes>(value)) {
+    TomlArray array;
+    std::size_t i = 0;
+    for (const py::handle element : value)
+      array.push_back(to_document(element, fmt::format("{}[{}]", path, i++), depth + 1));
+    made.data = std::move(array);
+  } else {
+    throw wrong_type(value, path);
+  }
+  return made;
+}
+
+py::array_t<double> view(std::span<const double> numbers, py::handle owner) {
+  py::array_t<double> array{static_cast<py::ssize_t>(numbers.size()), numbers.data(), owner};
+  array.attr("setflags")(py::arg("write") = false);
+  return array;
+}
+
+}  // namespace talus::python

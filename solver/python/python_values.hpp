@@ -1,0 +1,28 @@
+#pragma once
+
+#include <pybind11/numpy.h>
+#include <pybind11/pybind11.h>
+
+#include <nlohmann/json_fwd.hpp>
+#include <span>
+#include <string>
+
+#include "solver/io/file/toml_document.hpp"
+
+/// The module `talus` for Python: scenes, runs and studies as objects of a script.
+namespace talus::python {
+
+/// A value of a scene file as Python objects: dict, list, str, float, int or bool.
+[[nodiscard]] pybind11::object to_python(const TomlValue& value);
+/// A JSON value, likewise; null is None.
+[[nodiscard]] pybind11::object to_python(const nlohmann::ordered_json& json);
+
+/// A value of a scene file from Python objects: mappings, sequences, texts and numbers, also those of numpy. `path` is
+/// named in errors. Errors: InputError for an object of another type, a key that is no text, or deeper nesting than any
+/// scene has.
+[[nodiscard]] TomlValue to_document(pybind11::handle value, const std::string& path = {}, int depth = 0);
+
+/// Numbers that `owner` holds, as an array of numpy that cannot be written and is no copy.
+[[nodiscard]] pybind11::array_t<double> view(std::span<const double> numbers, pybind11::handle owner);
+
+}  // namespace talus::python

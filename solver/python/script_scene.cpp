@@ -1,0 +1,45 @@
+#include "solver/python/script_scene.hpp"
+
+#include <string_view>
+
+#include "solver/app/scene_request.hpp"
+#include "solver/app/sweep/sweep_base.hpp"
+#include "solver/base/error.hpp"
+#include "solver/io/file/toml_field.hpp"
+#include "solver/io/scene/read_scene.hpp"
+
+namespace talus::python {
+
+ScriptScene::ScriptScene(TomlValue document, std::string name)
+    : document_{std::move(document)}, name_{std::move(name)}, file_{read_scene_file(document_, name_)} {}
+
+ScriptScene ScriptScene::with(const FieldValues& fields) const {
+  TomlValue document = document_;
+  for (const auto& [field, value] : fields)
+    set_field(document, field, value);
+  return {std::move(document), name_};
+}
+
+ScriptScene read_script_scene(const std::string& file) {
+  const std::string text = app::base_text(file);
+  return {parse_toml(text, file), file};
+}
+
+SceneFile with_method(const ScriptScene& scene, const MethodArguments& arguments) {
+  app::SceneOptions options;
+  options.end = arguments.end, options.step = arguments.step;
+  options.integrator = arguments.integrator, options.tolerance = arguments.tolerance;
+  SceneFile file = scene.file();
+  try {
+    app::apply_options(options, file);
+    check_step_count(file.scene.plan);
+  } catch (const InputError& error) {
+    // Arguments have the names of the options, without their hyphens.
+    std::string_view message = error.what();
+    if (message.starts_with("--")) message.remove_prefix(2);
+    throw InputError{std::string{message}};
+  }
+  return file;
+}
+
+}  // namespace talus::python

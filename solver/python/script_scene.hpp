@@ -1,0 +1,50 @@
+#pragma once
+
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "solver/io/file/toml_document.hpp"
+#include "solver/io/scene/scene_file.hpp"
+
+namespace talus::python {
+
+/// A field of a scene by its path, and a value for it.
+using FieldValues = std::vector<std::pair<std::string, TomlValue>>;
+
+/// A scene of a script: the document, and the scene that the reader makes of it. It is never changed.
+class ScriptScene {
+ public:
+  /// `name` is named in errors. Errors: InputError with all errors of the document.
+  ScriptScene(TomlValue document, std::string name);
+
+  /// The scene with other values of some fields, set in the document as a sweep does. Errors: InputError for a field
+  /// that is not there, or a wrong value.
+  [[nodiscard]] ScriptScene with(const FieldValues& fields) const;
+
+  const TomlValue& document() const { return document_; }
+  const std::string& name() const { return name_; }
+  const SceneFile& file() const { return file_; }
+
+ private:
+  TomlValue document_;
+  std::string name_;
+  SceneFile file_;
+};
+
+/// A scene or deck from a file. Errors: IoError; InputError with file, line and field, also for a shear cell.
+[[nodiscard]] ScriptScene read_script_scene(const std::string& file);
+
+/// Changes of a scene's method by the arguments of a run; empty or 0 if not given.
+struct MethodArguments {
+  std::string end;
+  std::string step;
+  std::string integrator;
+  double tolerance{};
+};
+
+/// The file of a scene with these changes, as the options of `talus run` make them. Errors: InputError naming the
+/// argument.
+[[nodiscard]] SceneFile with_method(const ScriptScene& scene, const MethodArguments& arguments);
+
+}  // namespace talus::python

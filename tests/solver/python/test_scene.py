@@ -1,0 +1,141 @@
+"""Scenes from files, texts and dicts: what they hold, and errors of input."""
+
+import pickle
+import tempfile
+import unittest
+from types import MappingProxyType
+
+import numpy as np
+
+import talus
+from program import BALL, CASES, text_file
+
+
+def ball():
+    """The scene of BALL as a dict."""
+    return {
+        "title": "Ball",
+        "units": "SI",
+        "gravity": ["0 m/s^2", "-9.81 m/s^2"],
+        "body": [
+            talus.Table(name="ball", mobility="particle", mass="2 kg", position=("0 m", "0.3 m"),
+                        shape={"kind": "circle", "radius": "0.1 m"}),
+            MappingProxyType({"name": "floor", "mobility": "fixed", "shape": {"kind": "half_plane"},
+                              "position": ["0 m", "0 m"]}),
+        ],
+        "contact": [{"name": "impact", "between": ["ball", "floor"], "law": "linear_spring_dashpot",
+                     "stiffness": "20 kN/m", "restitution": np.float64(0.5)}],
+        "run": {"end": "1 s", "step": "0.2 ms", "interval": "10 ms", "integrator": "velocity_verlet"},
+    }
+
+
+class Scenes(unittest.TestCase):
+    def test_a_dict_is_the_scene_of_its_text(self):
+        of_text, of_dict = talus.Scene.parse(BALL), talus.Scene(ball())
+        self.assertEqual(of_text.document, of_dict.document)
+        np.testing.assert_array_equal(of_text.run().history, of_dict.run().history)
+
+    def test_what_a_scene_says_of_itself(self):
+        scene = talus.Scene.read(str(CASES / "two_cable.toml"))
+        self.assertEqual(scene.units, "SI")
+        self.assertEqual(talus.Scene.read(str(CASES / "fence/table_2.toml")).units, "US")
+        self.assertEqual(scene.bodies, ["particle", "striker"])
+        self.assertEqual(scene.cables, ["upper", "lower"])
+        self.assertEqual(scene.contacts, ["impact"])
+        self.assertEqual(scene.name, "cases/two_cable.toml")
+        self.assertIn(scene.integrator, talus.integrators())
+        self.assertIn("two_cable", scene.name)
+        self.assertTrue(repr(scene).startswith("<talus.Scene '"))
+        scene = talus.Scene.parse(BALL)
+        self.assertEqual((scene.title, scene.units, scene.step, scene.end), ("Ball", "SI", 0.2e-3, 1.0))
+        self.assertEqual((scene.bodies, scene.contacts), (["ball", "floor"], ["impact"]))
+
+    def test_whole_numbers_of_numpy_are_whole(self):
+        fence = talus.Scene.read(str(CASES / "fence/table_2.toml"))
+        columns = fence.document["fence"]["columns"]
+        same = fence.changed({"fence.columns": np.int64(columns)})
+        self.assertEqual(same.document, fence.document)
+
+    def test_changes_make_another_scene(self):
+        scene = talus.Scene.parse(BALL)
+        heavy = scene.changed({"body.ball.mass": "4 kg", "gravity[1]": "-1.62 m/s^2", "run.ledger": "off"})
+        self.assertEqual(heavy.document["body"][0]["mass"], "4 kg")
+        self.assertEqual(heavy.document["gravity"], ["0 m/s^2", "-1.62 m/s^2"])
+        self.assertEqual(scene.document["body"][0]["mass"], "2 kg")
+        self.assertFalse(any(name.startswith("energy.") for name in heavy.run().columns))
+
+    def test_a_deck_of_1993_is_a_fence(self):
+        scene = talus.Scene.read(str(CASES / "fence/sample2.DAT"))
+        self.assertIn("fence", scene.document)
+
+    def test_scenes_pickle(self):
+        for scene in (talus.Scene.parse(BALL, "ball.toml"), talus.Scene(ball()),
+                      talus.Scene.read(str(CASES / "fence/table_2.toml"))):
+            copy = pickle.loads(pickle.dumps(scene))
+            self.assertEqual((copy.document, copy.name), (scene.document, scene.name))
+
+    def test_errors_have_file_line_and_field(self):
+        wrong = BALL.replace('mass = "2 kg"', 'mass = "-2 kg"').replace('"20 kN/m"', '"20 kg"')
+        with self.assertRaises(talus.InputError) as raised:
+            talus.Scene.parse(wrong, "ball.toml")
+        first, second = raised.exception.problems
+        self.assertEqual(first, ("ball.toml", 8, "body 'ball': mass", 'found "-2 kg"; it must be > 0'))
+        self.assertEqual((second.file, second.line, second.field), ("ball.toml", 20, "contact 'impact': stiffness"))
+        error = raised.exception
+        self.assertEqual((error.file, error.line, error.field), first[:3])
+        self.assertIsInstance(error, ValueError)
+        self.assertIn("ball.toml:8: body 'ball': mass: found", str(error))
+
+    def test_errors_of_a_dict_have_no_line(self):
+        wrong = ball()
+        wrong["body"][0].mass = "-2 kg"
+        with self.assertRaises(talus.InputError) as raised:
+            talus.Scene(wrong, "script")
+        self.assertEqual(raised.exception.problems,
+                         [("script", None, "body 'ball': mass", 'found "-2 kg"; it must be > 0')])
+
+    def test_objects_that_are_no_values(self):
+        for field, value in (("mass", 2j), ("mass", None), ("mass", b"2 kg"), ("mass", 1 << 64)):
+            wrong = ball()
+            wrong["body"][0][field] = value
+            with self.assertRaisesRegex(talus.InputError, r"body\[0\]\.mass: found "):
+                talus.Scene(wrong)
+        with self.assertRaisesRegex(talus.InputError, "the key 3; it must be a text"):
+            talus.Scene({3: "x"})
+        endless = []
+        endless.append(endless)
+        with self.assertRaisesRegex(talus.InputError, "more than 100 levels"):
+            talus.Scene({"body": endless})
+        with self.assertRaisesRegex(talus.InputError, "it must be an array of 2 texts"):
+            talus.Scene({**ball(), "contact": [{**ball()["contact"][0], "between": np.zeros(2)}]})
+
+    def test_wrong_changes(self):
+        scene = talus.Scene.parse(BALL)
+        with self.assertRaisesRegex(talus.InputError, "bal"):
+            scene.changed({"body.bal.mass": "3 kg"})
+        with self.assertRaisesRegex(talus.InputError, "mass: found \"3 m\""):
+            scene.changed({"body.ball.mass": "3 m"})
+
+    def test_files_that_cannot_be_read(self):
+        with self.assertRaisesRegex(talus.IoError, "no_such.toml"):
+            talus.Scene.read("no_such.toml")
+        self.assertTrue(issubclass(talus.IoError, OSError))
+        with tempfile.TemporaryDirectory() as folder:
+            with self.assertRaisesRegex(talus.InputError, "not TOML"):
+                talus.Scene.read(text_file(folder, "wrong.toml", "a = [1"))
+        with self.assertRaisesRegex(talus.InputError, "talus cell"):
+            talus.Scene.read(str(next(iter((CASES / "cell").glob("*.toml")))))
+
+
+class Tables(unittest.TestCase):
+    def test_fields_are_attributes(self):
+        table = talus.Table(name="ball")
+        table.mass = "2 kg"
+        self.assertEqual(table, {"name": "ball", "mass": "2 kg"})
+        self.assertEqual(table.mass, "2 kg")
+        with self.assertRaises(AttributeError):
+            table.radius
+
+
+if __name__ == "__main__":
+    unittest.main()

@@ -1,0 +1,174 @@
+"""Runs that are advanced step by step: the states of the program, observed quantities, restarts, cost."""
+
+import pickle
+import time
+import unittest
+
+import numpy as np
+
+import talus
+from program import BALL, CASES
+
+
+def simulations():
+    """Scenes with contacts, friction, cables and located events."""
+    names = ["two_cable.toml", "damped_disc.toml", "rolling_disc.toml", "pivoted_cylinder.toml", "fence/table_2.toml"]
+    return [talus.Scene.parse(BALL)] + [talus.Scene.read(str(CASES / name)) for name in names]
+
+
+class Simulations(unittest.TestCase):
+    def test_each_step_is_that_of_the_run(self):
+        for scene in simulations():
+            with self.subTest(scene.name):
+                run = scene.run()
+                simulation = talus.Simulation(scene)
+                times = run["time"]
+                every = max(1, round((times[1] - times[0]) / scene.step))
+                moving = [name for name in scene.bodies if f"{name}.x" in run]
+                index = [scene.bodies.index(name) for name in moving]
+                rows = []
+
+                def add(seen):
+                    rows.append([seen.time]
+                                + [a[i] for i in index for a in (seen.x, seen.y, seen.vx, seen.vy)]
+                                + list(seen.overlaps) + list(seen.contact_forces)
+                                + list(seen.elongations) + list(seen.tensions)
+                                + [seen.energies[e] for e in ("kinetic", "gravity", "contacts", "cables")]
+                                + [seen.energies["dissipated.friction"], seen.energies["dissipated.contact_damping"]])
+
+                add(simulation)
+                simulation.run(add, every=every)
+                columns = (["time"]
+                           + [f"{name}.{a}" for name in moving for a in ("x", "y", "vx", "vy")]
+                           + [f"{name}.overlap" for name in scene.contacts]
+                           + [f"{name}.force" for name in scene.contacts]
+                           + [f"{name}.elongation" for name in scene.cables]
+                           + [f"{name}.tension" for name in scene.cables]
+                           + [f"energy.{e}" for e in ("kinetic", "gravity", "contacts", "cables")]
+                           + ["dissipated.friction", "dissipated.contact_damping"])
+                np.testing.assert_array_equal(np.array(rows), np.column_stack([run[c] for c in columns]))
+                self.assertEqual(simulation.outcome, run.outcome)
+                self.assertEqual(simulation.evaluations, run.summary["evaluations"])
+                self.assertEqual(simulation.steps, run.summary["steps"])
+
+    def test_angles_and_spins(self):
+        scene = talus.Scene.read(str(CASES / "rolling_disc.toml"))
+        run, simulation = scene.run(), talus.Simulation(scene)
+        simulation.run()
+        disc = scene.bodies.index("disc")
+        self.assertEqual(simulation.angle[disc], run["disc.angle"][-1])
+        self.assertEqual(simulation.spin[disc], run["disc.spin"][-1])
+        self.assertNotEqual(simulation.spin[disc], 0.0)
+
+    def test_coordinates_are_those_of_the_bodies(self):
+        simulation = talus.Simulation(talus.Scene.parse(BALL))
+        self.assertEqual(simulation.coordinates, ["ball.x", "ball.y"])
+        simulation.advance(100)
+        self.assertEqual((simulation.q[0], simulation.q[1]), (simulation.x[0], simulation.y[0]))
+        self.assertEqual(simulation.v[1], simulation.vy[0])
+
+    def test_steps_one_by_one_are_steps_together(self):
+        for scene in simulations():
+            with self.subTest(scene.name):
+                one, many = talus.Simulation(scene), talus.Simulation(scene)
+                for _ in range(150):
+                    self.assertTrue(one.advance())
+                self.assertTrue(many.advance(150))
+                self.assertEqual((one.time, one.steps, one.evaluations), (many.time, many.steps, many.evaluations))
+                np.testing.assert_array_equal(one.q, many.q)
+                np.testing.assert_array_equal(one.v, many.v)
+
+    def test_the_end(self):
+        simulation = talus.Simulation(talus.Scene.parse(BALL), end="10 ms")
+        self.assertIsNone(simulation.outcome)
+        self.assertTrue(simulation.advance(49))
+        self.assertFalse(simulation.advance(10**18))
+        self.assertEqual((simulation.steps, simulation.time, simulation.outcome), (50, 0.01, "finished"))
+        before = simulation.y.copy()
+        self.assertFalse(simulation.advance())
+        np.testing.assert_array_equal(before, simulation.y)
+        self.assertIn("t = 0.01 s, 50 steps", repr(simulation))
+
+    def test_a_callback_stops_the_run(self):
+        simulation = talus.Simulation(talus.Scene.parse(BALL))
+        times = []
+        simulation.run(lambda seen: times.append(seen.time) or (False if seen.y[0] < 0.2 else None), every=7)
+        self.assertEqual(simulation.steps, 7 * len(times))
+        self.assertLess(simulation.y[0], 0.2)
+        with self.assertRaisesRegex(ZeroDivisionError, "division"):
+            simulation.run(lambda seen: 1 / 0)
+
+    def test_a_fence_ends_early(self):
+        fence = talus.Scene.read(str(CASES / "fence/table_2.toml"))
+        until = fence.changed({"fence.options": {"end": "rest"}})
+        simulation, run = talus.Simulation(until), until.run()
+        simulation.run(every=1000)
+        self.assertEqual((simulation.time, simulation.outcome), (run["time"][-1], run.outcome))
+
+    def test_a_run_that_diverges(self):
+        simulation = talus.Simulation(talus.Scene.parse(BALL), step="1e200 s", end="1e203 s")
+        self.assertFalse(simulation.advance(10))
+        self.assertEqual(simulation.outcome, "diverged")
+        self.assertRegex(simulation.message, "diverged at t = .* 'ball.x' is not finite")
+
+    def test_restarts(self):
+        scene = talus.Scene.parse(BALL)
+        simulation = talus.Simulation(scene)
+        simulation.run()
+        simulation.restart()
+        self.assertEqual((simulation.time, simulation.steps, simulation.outcome), (0.0, 0, None))
+        simulation.advance(1200)
+        other = talus.Simulation(scene)
+        other.advance(1200)
+        np.testing.assert_array_equal(simulation.q, other.q)
+        # Elsewhere: pressed into the floor by 1 mm, at rest.
+        simulation.restart(q=[0.0, 0.099], v=np.zeros(2))
+        self.assertAlmostEqual(simulation.overlaps[0], 1e-3, delta=1e-15)
+        self.assertAlmostEqual(simulation.contact_forces[0], 20.0, delta=1e-10)
+        self.assertAlmostEqual(simulation.energies["contacts"], 0.01, delta=1e-13)
+        self.assertTrue(simulation.advance())
+        for wrong, message in (({"q": [0.0]}, "q: found 1 numbers; it must be 2"),
+                               ({"v": [0.0, float("nan")]}, r"v\[1\]: found nan; it must be finite")):
+            with self.assertRaisesRegex(talus.InputError, message):
+                simulation.restart(**wrong)
+
+    def test_wrong_counts(self):
+        simulation = talus.Simulation(talus.Scene.parse(BALL))
+        with self.assertRaisesRegex(talus.InputError, "steps: found -1; it must be >= 0"):
+            simulation.advance(-1)
+        with self.assertRaisesRegex(talus.InputError, "every: found 0; it must be >= 1"):
+            simulation.run(every=0)
+        self.assertTrue(simulation.advance(0))
+        self.assertEqual(simulation.steps, 0)
+
+    def test_arrays_show_the_state(self):
+        simulation = talus.Simulation(talus.Scene.parse(BALL))
+        q = simulation.q
+        start = q.copy()
+        simulation.advance(100)
+        self.assertTrue(np.shares_memory(q, simulation.q))
+        self.assertNotEqual(q[1], start[1])
+        with self.assertRaises(ValueError):
+            q[0] = 1.0
+        del simulation
+        self.assertEqual(q.shape, (2,))
+
+    def test_simulations_pickle_between_two_steps(self):
+        for scene in simulations():
+            with self.subTest(scene.name):
+                simulation = talus.Simulation(scene)
+                simulation.advance(137)
+                copy = pickle.loads(pickle.dumps(simulation))
+                self.assertEqual(copy.time, simulation.time)
+                np.testing.assert_array_equal(copy.tensions, simulation.tensions)
+                self.assertEqual(copy.advance(200), simulation.advance(200))
+                np.testing.assert_array_equal(copy.q, simulation.q)
+                self.assertEqual(copy.energies, simulation.energies)
+        ended = talus.Simulation(talus.Scene.parse(BALL), end="10 ms", step="1 ms", integrator="rk4")
+        ended.run()
+        copy = pickle.loads(pickle.dumps(ended))
+        self.assertEqual((copy.outcome, copy.steps, copy.time), ("finished", 10, 0.01))
+
+
+if __name__ == "__main__":
+    unittest.main()
