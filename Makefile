@@ -31,7 +31,7 @@ fuzz:  ## mutated files for every reader, with the sanitizers; an hour (scripts/
 guide:  ## build/guide/index.html and guide.pdf from README.md and docs/
 	@scripts/guide
 
-packages:  ## build/packages/*.deb: program, library and guide for Debian 12
+packages:  ## build/packages/*.deb: program, library, Python module and guide for Debian 12
 	@scripts/packages
 
 bench:  ## microseconds per step and work-precision tables

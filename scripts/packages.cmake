@@ -1,5 +1,5 @@
-# Debian packages: talus (programs, man pages, completion by shells), libtalus-dev (the solver as a library) and
-# talus-doc (the guide). Included with TALUS_PACKAGES; scripts/packages builds and tries them.
+# Debian packages: talus (programs, man pages, completion by shells), libtalus-dev (the solver as a library),
+# python3-talus (the module) and talus-doc (the guide). Included with TALUS_PACKAGES; scripts/packages builds and tries them.
 find_program(TALUS_HELP2MAN help2man REQUIRED)
 
 # --- Completion and man pages, from the program -------------------------------------------------
@@ -28,8 +28,8 @@ install(FILES ${made}/talus.fish DESTINATION ${CMAKE_INSTALL_DATADIR}/fish/vendo
 install(FILES ${manual} DESTINATION ${CMAKE_INSTALL_MANDIR}/man1 COMPONENT program)
 install(DIRECTORY cases DESTINATION ${CMAKE_INSTALL_DOCDIR} COMPONENT program)
 install(FILES README.md CHANGELOG.md CITATION.cff DESTINATION ${CMAKE_INSTALL_DOCDIR} COMPONENT program)
-set(packages talus libtalus-dev talus-doc)
-set(components program development documentation)
+set(packages talus libtalus-dev python3-talus talus-doc)
+set(components program development python documentation)
 foreach(package component IN ZIP_LISTS packages components)
   install(FILES LICENSE DESTINATION ${CMAKE_INSTALL_DATADIR}/doc/${package} RENAME copyright COMPONENT ${component})
 endforeach()
@@ -38,7 +38,7 @@ install(DIRECTORY docs DESTINATION ${CMAKE_INSTALL_DATADIR}/doc/talus-doc COMPON
 # --- The packages -------------------------------------------------------------------------------
 set(CPACK_GENERATOR DEB)
 set(CPACK_PACKAGING_INSTALL_PREFIX /usr)
-set(CPACK_COMPONENTS_ALL program development documentation)
+set(CPACK_COMPONENTS_ALL ${components})
 set(CPACK_DEB_COMPONENT_INSTALL ON)
 set(CPACK_PACKAGE_CONTACT "The Talus project <talus@localhost>")
 set(CPACK_STRIP_FILES ON)
@@ -54,6 +54,14 @@ set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_SECTION libdevel)
 set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_DEPENDS
     "libboost-dev (>= 1.74), libeigen3-dev (>= 3.4), libfmt-dev, libnlopt-dev, nlohmann-json3-dev, libtomlplusplus-dev, libpugixml-dev, libsleef-dev")
 set(CPACK_COMPONENT_DEVELOPMENT_DESCRIPTION "${PROJECT_DESCRIPTION}\nHeaders and static libraries of the solver.")
+set(CPACK_DEBIAN_PYTHON_PACKAGE_NAME python3-talus)
+set(CPACK_DEBIAN_PYTHON_PACKAGE_SECTION python)
+set(CPACK_DEBIAN_PYTHON_PACKAGE_SHLIBDEPS ON)
+# The extension is of one version of Python.
+math(EXPR next_minor "${Python3_VERSION_MINOR} + 1")
+set(CPACK_DEBIAN_PYTHON_PACKAGE_DEPENDS
+    "python3 (>= 3.${Python3_VERSION_MINOR}), python3 (<< 3.${next_minor}), python3-numpy")
+set(CPACK_COMPONENT_PYTHON_DESCRIPTION "${PROJECT_DESCRIPTION}\nThe module talus for Python.")
 set(CPACK_DEBIAN_DOCUMENTATION_PACKAGE_NAME talus-doc)
 set(CPACK_DEBIAN_DOCUMENTATION_PACKAGE_SECTION doc)
 set(CPACK_DEBIAN_DOCUMENTATION_PACKAGE_ARCHITECTURE all)
