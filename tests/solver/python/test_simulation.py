@@ -26,6 +26,8 @@ class Simulations(unittest.TestCase):
                 every = max(1, round((times[1] - times[0]) / scene.step))
                 moving = [name for name in scene.bodies if f"{name}.x" in run]
                 index = [scene.bodies.index(name) for name in moving]
+                energies = [name.removeprefix("energy.") for name in run.columns
+                            if name.startswith(("energy.", "dissipated."))]
                 rows = []
 
                 def add(seen):
@@ -33,8 +35,7 @@ class Simulations(unittest.TestCase):
                                 + [a[i] for i in index for a in (seen.x, seen.y, seen.vx, seen.vy)]
                                 + list(seen.overlaps) + list(seen.contact_forces)
                                 + list(seen.elongations) + list(seen.tensions)
-                                + [seen.energies[e] for e in ("kinetic", "gravity", "contacts", "cables")]
-                                + [seen.energies["dissipated.friction"], seen.energies["dissipated.contact_damping"]])
+                                + [seen.energies[name] for name in energies])
 
                 add(simulation)
                 simulation.run(add, every=every)
@@ -44,12 +45,23 @@ class Simulations(unittest.TestCase):
                            + [f"{name}.force" for name in scene.contacts]
                            + [f"{name}.elongation" for name in scene.cables]
                            + [f"{name}.tension" for name in scene.cables]
-                           + [f"energy.{e}" for e in ("kinetic", "gravity", "contacts", "cables")]
-                           + ["dissipated.friction", "dissipated.contact_damping"])
+                           + [f"energy.{name}" if f"energy.{name}" in run else name for name in energies])
                 np.testing.assert_array_equal(np.array(rows), np.column_stack([run[c] for c in columns]))
                 self.assertEqual(simulation.outcome, run.outcome)
                 self.assertEqual(simulation.evaluations, run.summary["evaluations"])
                 self.assertEqual(simulation.steps, run.summary["steps"])
+                parts = ("kinetic", "gravity", "applied", "contacts", "cables")
+                self.assertEqual(simulation.energies["total"], sum(simulation.energies[part] for part in parts))
+
+    def test_arguments_are_those_of_a_run(self):
+        scene = talus.Scene.parse(BALL)
+        for arguments in ({"integrator": "odeint_dopri5", "tolerance": 1e-5}, {"integrator": "rk4", "step": "1 ms"},
+                          {"end": "0.5 s"}):
+            simulation, run = talus.Simulation(scene, **arguments), scene.run(**arguments)
+            simulation.run()
+            self.assertEqual(simulation.time, run["time"][-1])
+            self.assertEqual(simulation.evaluations, run.summary["evaluations"])
+            self.assertEqual(simulation.y[0], run["ball.y"][-1])
 
     def test_angles_and_spins(self):
         scene = talus.Scene.read(str(CASES / "rolling_disc.toml"))
@@ -127,6 +139,8 @@ class Simulations(unittest.TestCase):
         self.assertAlmostEqual(simulation.contact_forces[0], 20.0, delta=1e-10)
         self.assertAlmostEqual(simulation.energies["contacts"], 0.01, delta=1e-13)
         self.assertTrue(simulation.advance())
+        simulation.restart(v=[3.0, -2.0])
+        self.assertEqual((simulation.vx[0], simulation.vy[0], simulation.y[0]), (3.0, -2.0, 0.3))
         for wrong, message in (({"q": [0.0]}, "q: found 1 numbers; it must be 2"),
                                ({"v": [0.0, float("nan")]}, r"v\[1\]: found nan; it must be finite")):
             with self.assertRaisesRegex(talus.InputError, message):

@@ -58,6 +58,18 @@ class Advice(unittest.TestCase):
                                                      among=["velocity_verlet", "rk4"])
         self.assertEqual(advice, printed)
 
+    def test_warnings_are_allowed_on_request(self):
+        scene, request = CASES / "damped_disc.toml", ("--accuracy", "0.2", "--of", "disc.y.max")
+        for option, allowed in (([], False), (["--allow-warnings"], True)):
+            with tempfile.TemporaryDirectory() as folder:
+                printed = json.loads(program("advise", scene, *request, *option, "--out", Path(folder) / "x.toml",
+                                             "--among", "velocity_verlet", "--json"))
+            advice = talus.Scene.read(str(scene)).advise("disc.y.max", accuracy=0.2, among=["velocity_verlet"],
+                                                         allow_warnings=allowed)
+            self.assertEqual(advice, printed)
+            tried = advice["tried"] if not allowed else tried
+        self.assertNotEqual(advice["tried"], tried)
+
     def test_a_refusal_has_a_reason(self):
         advice = talus.Scene.parse(BALL).advise("ball.vx.max", accuracy=1e-3)
         self.assertEqual(advice["refusal"]["kind"], "vanishing")
