@@ -1,5 +1,5 @@
 # Thin: each goal is a script, and the scripts install what is missing.
-.PHONY: help verify verify-full test fuzz faults mutants interface nightly guide packages bench bench-discs format clean
+.PHONY: help verify verify-full test fuzz faults mutants interface nightly guide packages bench bench-discs bench-python format clean
 
 help:  ## this list
 	@sed -n 's/^\([a-z-]*\):.*## /  make \1\t/p' Makefile
@@ -39,6 +39,9 @@ bench:  ## microseconds per step and work-precision tables
 
 bench-discs:  ## discs beside LAMMPS: nanoseconds a disc-step of both from the same start
 	@scripts/bench discs
+
+bench-python:  ## microseconds a step from Python, one step and many in a call
+	@scripts/bench python
 
 format:  ## format the C++ sources
 	@scripts/format
