@@ -268,7 +268,8 @@ void check_fence(const Program& program, Differences& differ) {
     changed.replace(line, comma - line, fmt::format("velocity = [\"{} m/s\"", speed));
     program.write("changed.toml", changed);
     const Json summary = program.json({"run", "changed.toml"}, {{"--json", {}}});
-    differ.compare("early end", csv.number(row, csv.column("time [s]")), summary.at("outcome").at("time").get<double>());
+    differ.compare("early end", csv.number(row, csv.column("time [s]")),
+                   summary.at("outcome").at("time").get<double>());
     differ.compare("the rock has passed", csv.number(row, csv.column("rock.x.min [m]")) < 0.7, true);
     differ.compare("verdict", std::string{csv.cell(row, csv.column("verdict"))},
                    summary.at("verdict").at("fence").get<std::string>());
