@@ -3,7 +3,12 @@
 #include <pybind11/numpy.h>
 #include <pybind11/pybind11.h>
 #include <pybind11/stl.h>
+#include <pybind11/stl/filesystem.h>
 
+#include <algorithm>
+#include <filesystem>
+#include <limits>
+#include <map>
 #include <memory>
 #include <nlohmann/json.hpp>
 
@@ -13,6 +18,7 @@
 #include "solver/base/error.hpp"
 #include "solver/integrate/integrator_list.hpp"
 #include "solver/io/output/write_advice.hpp"
+#include "solver/laws/latching_spring.hpp"
 #include "solver/python/python_signals.hpp"
 #include "solver/python/python_values.hpp"
 #include "solver/python/script_run.hpp"
@@ -27,11 +33,13 @@ namespace {
 namespace py = pybind11;
 using namespace py::literals;
 
-/// Raises the classes of talus/errors.py, which take the message apart.
+/// Raises the classes of talus/errors.py, which take the message apart. Arguments have the names of the options of the
+/// commands, without their hyphens.
 void translate(std::exception_ptr thrown) {
-  const auto raise = [](const char* name, const char* message) {
+  const auto raise = [](const char* name, std::string_view message) {
+    if (message.starts_with("--")) message.remove_prefix(2);
     const py::object type = py::module_::import("talus.errors").attr(name);
-    PyErr_SetObject(type.ptr(), py::str(message).ptr());
+    PyErr_SetObject(type.ptr(), py::str(std::string{message}).ptr());
   };
   try {
     if (thrown) std::rethrow_exception(thrown);
@@ -53,7 +61,7 @@ std::vector<std::string> names_of(const std::vector<Item>& items) {
 FieldValues fields_of(const py::dict& changes) {
   FieldValues fields;
   for (const auto& [field, value] : changes) {
-    auto path = py::cast<std::string>(py::str(field));
+    std::string path = key_of(field);
     TomlValue made = to_document(value, path);
     fields.emplace_back(std::move(path), std::move(made));
   }
@@ -138,8 +146,9 @@ void bind_scene(py::module_& module) {
            "document"_a, "name"_a = "scene",
            "Scene from a dict with the names and quantities of a scene file, e.g. {'body': [{'name': 'ball', 'mass': "
            "'2 kg', ...}], ...}. `name` is named in errors. Raises InputError with all errors.")
-      .def_static("read", &read_script_scene, "file"_a,
-                  "Scene from a scene file (.toml) or a deck of 1993 (.DAT). Raises IoError, InputError.")
+      .def_static(
+          "read", [](const std::filesystem::path& file) { return read_script_scene(file.string()); }, "file"_a,
+          "Scene from a scene file (.toml) or a deck of 1993 (.DAT). Raises IoError, InputError.")
       .def_static(
           "parse",
           [](const std::string& text, const std::string& name) {
@@ -442,13 +451,16 @@ void bind_simulation(py::module_& module) {
 // --- Studies --------------------------------------------------------------------------------------
 
 py::dict sweep(const ScriptScene& scene, const std::vector<py::dict>& runs, const std::vector<std::string>& outputs,
-               unsigned threads, long evaluations, double time) {
+               long threads, long evaluations, double time) {
+  constexpr long maximum_threads = 1024;
+  if (threads < 0 || threads > maximum_threads)
+    throw InputError{fmt::format("threads: found {}; it must be between 0 and {}", threads, maximum_threads)};
   if (evaluations < 0) throw InputError{fmt::format("evaluations: found {}; it must be >= 0", evaluations)};
   if (!(time >= 0.0)) throw InputError{fmt::format("time: found {}; it must be >= 0", time)};
   std::vector<FieldValues> changes;
   for (const py::dict& run : runs)
     changes.push_back(fields_of(run));
-  const ScriptSweep swept = sweep_scene(scene, changes, {outputs, {time, evaluations}, threads});
+  const ScriptSweep swept = sweep_scene(scene, changes, {outputs, {time, evaluations}, static_cast<unsigned>(threads)});
   const auto count = static_cast<py::ssize_t>(runs.size());
   py::list ends, reasons, verdicts;
   py::array_t<double> times{count};
@@ -471,8 +483,8 @@ py::dict sweep(const ScriptScene& scene, const std::vector<py::dict>& runs, cons
   return table;
 }
 
-py::dict planned(const std::string& file) {
-  const PlannedSweep sweep = plan_sweep(file);
+py::dict planned(const std::filesystem::path& file) {
+  const PlannedSweep sweep = plan_sweep(file.string());
   py::list runs;
   for (const app::SweptRun& run : sweep.runs) {
     py::dict fields;
@@ -489,6 +501,16 @@ py::object calibrate(std::optional<double> restitution, const std::vector<std::s
                      const std::string& end_rule, const std::vector<std::string>& pivot,
                      const std::vector<std::string>& offset, const std::string& speed, double bound,
                      const std::string& integrator) {
+  // The command line has the same limits.
+  if (law == LatchingSpring::name)
+    throw InputError{"law: latching_spring is calibrated at a step, by `talus calibrate --law latching_spring`"};
+  if (masses.size() > 2)
+    throw InputError{fmt::format("masses: found {}; it must be one or two, of body 1 and body 2", masses.size())};
+  for (const auto& [name, given] : {std::pair{"pivot", &pivot}, std::pair{"offset", &offset}}) {
+    if (!given->empty() && given->size() != 2)
+      throw InputError{fmt::format("{}: found {} texts; it must be an inertia and an arm", name, given->size())};
+  }
+  if (!pivot.empty() && !offset.empty()) throw InputError{"pivot: found both pivot and offset; give one of the two"};
   app::CalibrateOptions options;
   for (const auto& [name, value] : parameters) {
     const auto found = options.parameters.find(name);
@@ -513,7 +535,7 @@ py::object calibrate(std::optional<double> restitution, const std::vector<std::s
 
 void bind_studies(py::module_& module) {
   module.def(
-      "sweep", &sweep, "scene"_a, "runs"_a, "outputs"_a, py::kw_only(), "threads"_a = 0U, "evaluations"_a = 0L,
+      "sweep", &sweep, "scene"_a, "runs"_a, "outputs"_a, py::kw_only(), "threads"_a = 0L, "evaluations"_a = 0L,
       "time"_a = 0.0,
       "Runs a scene once for each dict of fields in `runs`, on threads (0: all of the machine), as `talus sweep` "
       "does. Returns a dict of columns, one value for each run: 'end' (finished, unusable, diverged, refused, "

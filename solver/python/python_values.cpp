@@ -14,12 +14,23 @@ namespace {
 
 namespace py = pybind11;
 
-std::string text_of(py::handle value) { return py::cast<std::string>(py::str(value)); }
+std::string text_of(py::handle value) {
+  return py::cast<std::string>(py::str(value).attr("encode")("utf-8", "replace").attr("decode")());
+}
 
 InputError wrong_type(py::handle value, const std::string& path) {
   const std::string where = path.empty() ? "" : path + ": ";
   return InputError{fmt::format("{}found an object of type {}; it must be a text, a number, a list or a dict", where,
                                 text_of(py::type::of(value).attr("__name__")))};
+}
+
+/// Errors: InputError for one half of a surrogate pair, which UTF-8 cannot express.
+std::string text(py::handle value, const std::string& path) {
+  try {
+    return py::cast<std::string>(value);
+  } catch (const py::cast_error&) {
+    throw InputError{fmt::format("{}: found a text that is not Unicode: {}", path, text_of(value))};
+  }
 }
 
 }  // namespace
@@ -61,6 +72,12 @@ py::object to_python(const nlohmann::ordered_json& json) {
   return dict;
 }
 
+std::string key_of(py::handle key) {
+  if (!py::isinstance<py::str>(key))
+    throw InputError{fmt::format("found the key {}; it must be a text", text_of(py::repr(key)))};
+  return text(key, "");
+}
+
 TomlValue to_document(py::handle value, const std::string& path, int depth) {
   // A list can contain itself.
   constexpr int maximum_depth = 100;
@@ -71,7 +88,7 @@ TomlValue to_document(py::handle value, const std::string& path, int depth) {
   if (py::isinstance<py::bool_>(value)) {
     made.data = py::cast<bool>(value);
   } else if (py::isinstance<py::str>(value)) {
-    made.data = py::cast<std::string>(value);
+    made.data = text(value, path);
   } else if (py::isinstance<py::float_>(value)) {
     made.data = py::cast<double>(value);
   } else if (PyIndex_Check(value.ptr()) != 0 && !py::isinstance<py::array>(value)) {
@@ -84,9 +101,7 @@ TomlValue to_document(py::handle value, const std::string& path, int depth) {
     TomlTable table;
     for (const py::handle item : value.attr("items")()) {
       const auto pair = py::cast<py::tuple>(item);
-      if (!py::isinstance<py::str>(pair[0]))
-        throw InputError{fmt::format("found the key {}; it must be a text", text_of(py::repr(pair[0])))};
-      auto key = py::cast<std::string>(pair[0]);
+      auto key = key_of(pair[0]);
       TomlValue entry = to_document(pair[1], path.empty() ? key : path + "." + key, depth + 1);
       table.push_back({std::move(key), std::move(entry)});
     }

@@ -22,6 +22,9 @@ namespace talus::python {
 /// scene has.
 [[nodiscard]] TomlValue to_document(pybind11::handle value, const std::string& path = {}, int depth = 0);
 
+/// The key of a dict. Errors: InputError if it is no text.
+[[nodiscard]] std::string key_of(pybind11::handle key);
+
 /// Numbers that `owner` holds, as an array of numpy that cannot be written and is no copy.
 [[nodiscard]] pybind11::array_t<double> view(std::span<const double> numbers, pybind11::handle owner);
 

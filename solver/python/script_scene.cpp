@@ -1,10 +1,7 @@
 #include "solver/python/script_scene.hpp"
 
-#include <string_view>
-
 #include "solver/app/scene_request.hpp"
 #include "solver/app/sweep/sweep_base.hpp"
-#include "solver/base/error.hpp"
 #include "solver/io/file/toml_field.hpp"
 #include "solver/io/scene/read_scene.hpp"
 
@@ -30,15 +27,8 @@ SceneFile with_method(const ScriptScene& scene, const MethodArguments& arguments
   options.end = arguments.end, options.step = arguments.step;
   options.integrator = arguments.integrator, options.tolerance = arguments.tolerance;
   SceneFile file = scene.file();
-  try {
-    app::apply_options(options, file);
-    check_step_count(file.scene.plan);
-  } catch (const InputError& error) {
-    // Arguments have the names of the options, without their hyphens.
-    std::string_view message = error.what();
-    if (message.starts_with("--")) message.remove_prefix(2);
-    throw InputError{std::string{message}};
-  }
+  app::apply_options(options, file);
+  check_step_count(file.scene.plan);
   return file;
 }
 

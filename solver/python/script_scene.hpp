@@ -44,7 +44,7 @@ struct MethodArguments {
 };
 
 /// The file of a scene with these changes, as the options of `talus run` make them. Errors: InputError naming the
-/// argument.
+/// option.
 [[nodiscard]] SceneFile with_method(const ScriptScene& scene, const MethodArguments& arguments);
 
 }  // namespace talus::python

@@ -19,9 +19,11 @@ _field = re.compile(r"(?P<field>.+?): (?P<message>(?:found|it is|is not|not) .*)
 
 def _problem(text):
     place = _place.fullmatch(text)
+    if not place["line"] and not _field.fullmatch(place["rest"]) and _field.fullmatch(text):
+        place = re.fullmatch("(?P<file>)?(?P<line>)?(?P<rest>.*)", text, re.DOTALL)  # "end: found ..."
     field = _field.fullmatch(place["rest"])
     return Problem(
-        file=place["file"],
+        file=place["file"] or None,
         line=int(place["line"]) if place["line"] else None,
         field=field["field"] if field else None,
         message=field["message"] if field else place["rest"],

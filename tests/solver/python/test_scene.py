@@ -65,7 +65,7 @@ class Scenes(unittest.TestCase):
         self.assertFalse(any(name.startswith("energy.") for name in heavy.run().columns))
 
     def test_a_deck_of_1993_is_a_fence(self):
-        scene = talus.Scene.read(str(CASES / "fence/sample2.DAT"))
+        scene = talus.Scene.read(CASES / "fence/sample2.DAT")
         self.assertIn("fence", scene.document)
 
     def test_scenes_pickle(self):
@@ -86,6 +86,21 @@ class Scenes(unittest.TestCase):
         self.assertIsInstance(error, ValueError)
         self.assertIn("ball.toml:8: body 'ball': mass: found", str(error))
 
+    def test_errors_are_taken_apart(self):
+        scene = talus.Scene.parse(BALL)
+        for made, problem in (
+            (lambda: scene.run(end="x"), (None, None, "end", 'found "x"; it must be a number with a unit, e.g. "1 s"')),
+            (lambda: talus.Scene({"units": "SI", "run": {"end": "1 s"}, "title": "x"}),
+             ("scene", None, None, "the scene has no body; it needs at least one")),
+            (lambda: talus.Scene({**ball(), "units": 3}, "a script"),
+             ("a script", None, "units", "found 3; it must be a text in quotes")),
+        ):
+            with self.assertRaises(talus.InputError) as raised:
+                made()
+            self.assertEqual(raised.exception.problems, [problem])
+            copy = pickle.loads(pickle.dumps(raised.exception))
+            self.assertEqual((copy.problems, str(copy)), ([problem], str(raised.exception)))
+
     def test_errors_of_a_dict_have_no_line(self):
         wrong = ball()
         wrong["body"][0].mass = "-2 kg"
@@ -100,8 +115,11 @@ class Scenes(unittest.TestCase):
             wrong["body"][0][field] = value
             with self.assertRaisesRegex(talus.InputError, r"body\[0\]\.mass: found "):
                 talus.Scene(wrong)
-        with self.assertRaisesRegex(talus.InputError, "the key 3; it must be a text"):
-            talus.Scene({3: "x"})
+        for made in (lambda: talus.Scene({3: "x"}), lambda: talus.Scene.parse(BALL).changed({3: "x"})):
+            with self.assertRaisesRegex(talus.InputError, "the key 3; it must be a text"):
+                made()
+        with self.assertRaisesRegex(talus.InputError, r"title: found a text that is not Unicode: a\?"):
+            talus.Scene({**ball(), "title": "a\ud800"})
         endless = []
         endless.append(endless)
         with self.assertRaisesRegex(talus.InputError, "more than 100 levels"):

@@ -44,8 +44,18 @@ class Calibrations(unittest.TestCase):
             talus.Scene.parse(BALL).calibrate("impct", restitution=0.5)
         with self.assertRaisesRegex(talus.InputError, "stiffness"):
             talus.calibrate(restitution=0.5, masses="2 kg")
-        with self.assertRaisesRegex(talus.InputError, "stifness"):
+        with self.assertRaisesRegex(talus.InputError, "parameter 'stifness' is not known; nearest: stiffness"):
             talus.calibrate(restitution=0.5, masses="2 kg", stifness="1 MN/m")
+        for wrong, message in ((dict(law="latching_spring"), "^law: latching_spring is calibrated at a step"),
+                               (dict(masses=[]), "^masses: it is missing"),
+                               (dict(masses=["1 kg"] * 3), "^masses: found 3; it must be one or two"),
+                               (dict(pivot=["1 kg m^2"]), "^pivot: found 1 texts; it must be an inertia and an arm"),
+                               (dict(offset=["1 kg m^2"] * 3), "^offset: found 3 texts"),
+                               (dict(pivot=["1 kg m^2", "1 m"], offset=["1 kg m^2", "1 m"]), "^pivot: found both"),
+                               (dict(restitution=None), "^restitution: found none"),
+                               (dict(restitution=2.0), "it must be in"), (dict(bound=-1.0), "it must be > 0")):
+            with self.assertRaisesRegex(talus.InputError, message):
+                talus.calibrate(**{**dict(restitution=0.5, masses="2 kg", stiffness="1 MN/m"), **wrong})
 
 
 class Advice(unittest.TestCase):
@@ -184,6 +194,9 @@ evaluations = 8000
             talus.sweep(scene, [{}], ["ball.z.end"])
         with self.assertRaisesRegex(talus.InputError, "evaluations: found -1"):
             talus.sweep(scene, [{}], [], evaluations=-1)
+        for threads in (-1, 2000):
+            with self.assertRaisesRegex(talus.InputError, f"threads: found {threads}; it must be between 0 and 1024"):
+                talus.sweep(scene, [{}], [], threads=threads)
         with self.assertRaisesRegex(talus.InputError, "time: found -1"):
             talus.sweep(scene, [{}], [], time=-1)
         with self.assertRaises(talus.IoError):
