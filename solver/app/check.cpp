@@ -15,6 +15,7 @@
 #include "solver/app/outputs/output_size.hpp"
 #include "solver/base/error.hpp"
 #include "solver/base/progress.hpp"
+#include "solver/command_line/shell_word.hpp"
 #include "solver/dynamics/rigid_body_system.hpp"
 #include "solver/integrate/integrator_list.hpp"
 #include "solver/io/cell/read_cell.hpp"
@@ -236,7 +237,7 @@ int check(const std::string& file) {
   const Dynamics dynamics{scene.model};
   SceneCheck found = [&] {
     const ElapsedTime elapsed{"evaluating the frequencies"};
-    return check_scene(read, dynamics, file);
+    return check_scene(read, dynamics, fmt::format("talus run {} --integrator auto", shell_word(file)));
   }();
   fmt::print("{}\n", scene.title);
   print_bodies(scene, dynamics);

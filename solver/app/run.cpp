@@ -3,6 +3,7 @@
 #include <CLI/CLI.hpp>
 #include <filesystem>
 #include <memory>
+#include <utility>
 
 #include "solver/app/command.hpp"
 #include "solver/app/life_cycle.hpp"
@@ -60,9 +61,7 @@ class RequestedScene final : public ResumableRun {
     return run_.proceed(stop, &progress);
   }
   bool finish(Outcome& outcome, const Condition& interrupted) override {
-    const RunMonitor& watch = run_.watch();
-    if (!outcome && watch.violation().empty() && !watch.step_ratio().empty())
-      outcome.message += fmt::format("; {}", watch.step_ratio());
+    outcome = run_.explained(std::move(outcome));
     record_ = run_.record(outcome);
     const bool stopped = outcome.kind == Outcome::Kind::stopped;
     const bool resumable = !run_.ends_early() && (stopped || (outcome && !options_->until.empty()));

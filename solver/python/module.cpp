@@ -36,17 +36,23 @@ using namespace py::literals;
 /// Raises the classes of talus/errors.py, which take the message apart. Arguments have the names of the options of the
 /// commands, without their hyphens.
 void translate(std::exception_ptr thrown) {
-  const auto raise = [](const char* name, std::string_view message) {
-    if (message.starts_with("--")) message.remove_prefix(2);
+  const auto raise = [](const char* name, std::string message, const py::object& scene) {
+    if (message.starts_with("--")) {
+      message.erase(0, 2);
+      std::replace(message.begin(), message.begin() + static_cast<long>(std::min(message.find(':'), message.size())),
+                   '-', '_');
+    }
     const py::object type = py::module_::import("talus.errors").attr(name);
-    PyErr_SetObject(type.ptr(), py::str(std::string{message}).ptr());
+    PyErr_SetObject(type.ptr(), type(message, scene).ptr());
   };
   try {
     if (thrown) std::rethrow_exception(thrown);
+  } catch (const SceneInputError& error) {
+    raise("InputError", error.what(), py::str(error.scene()));
   } catch (const InputError& error) {
-    raise("InputError", error.what());
+    raise("InputError", error.what(), py::none());
   } catch (const IoError& error) {
-    raise("IoError", error.what());
+    raise("IoError", error.what(), py::none());
   }
 }
 
@@ -58,22 +64,30 @@ std::vector<std::string> names_of(const std::vector<Item>& items) {
   return names;
 }
 
-FieldValues fields_of(const py::dict& changes) {
+/// The table that a mapping is.
+TomlTable table_of(const py::object& mapping, const char* name) {
+  TomlValue made = to_document(mapping);
+  auto* const table = std::get_if<TomlTable>(&made.data);
+  if (table == nullptr) throw InputError{fmt::format("{}: found {}; it must be a dict", name, found(made))};
+  return std::move(*table);
+}
+
+FieldValues fields_of(const py::object& changes) {
   FieldValues fields;
-  for (const auto& [field, value] : changes) {
-    std::string path = key_of(field);
-    TomlValue made = to_document(value, path);
-    fields.emplace_back(std::move(path), std::move(made));
-  }
+  for (TomlEntry& entry : table_of(changes, "fields"))
+    fields.emplace_back(std::move(entry.key), std::move(entry.value));
   return fields;
 }
 
-/// A quantity of an argument: a text with its unit. None: not given.
-std::string text_or_empty(const std::optional<std::string>& text) { return text.value_or(""); }
+/// An argument that is a text; empty if it is not given. Errors: InputError for a text that is empty.
+std::string given(const char* name, const std::optional<std::string>& text) {
+  if (text && text->empty()) throw InputError{fmt::format("{}: found \"\"; leave it out, or give a text", name)};
+  return text.value_or("");
+}
 
 MethodArguments method_of(const std::optional<std::string>& end, const std::optional<std::string>& step,
                           const std::optional<std::string>& integrator, double tolerance) {
-  return {text_or_empty(end), text_or_empty(step), text_or_empty(integrator), tolerance};
+  return {given("end", end), given("step", step), given("integrator", integrator), tolerance};
 }
 
 // --- Scene ----------------------------------------------------------------------------------------
@@ -82,8 +96,8 @@ py::dict check(const ScriptScene& scene) {
   const Scene& checked = scene.file().scene;
   const Dynamics dynamics{checked.model};
   const app::SceneCheck found = [&] {
-    const py::gil_scoped_release unlocked;
-    return app::check_scene(scene.file(), dynamics, scene.name());
+    const Unlocked unlocked;
+    return app::check_scene(scene.file(), dynamics, "scene.run(integrator='auto')");
   }();
   py::dict result;
   result["usable"] = !found.is_unusable;
@@ -120,7 +134,7 @@ py::object advise(const ScriptScene& scene, const std::string& of, double accura
   };
   nlohmann::ordered_json json;
   try {
-    const py::gil_scoped_release unlocked;
+    const Unlocked unlocked;
     json = advice_json(advised, quantity, rules, advise_method(advised, quantity, rules));
   } catch (const Interrupted&) {
   }
@@ -131,7 +145,7 @@ py::object advise(const ScriptScene& scene, const std::string& of, double accura
 py::object calibrate_scene(const ScriptScene& scene, const std::string& contact, double restitution) {
   nlohmann::ordered_json json;
   {
-    const py::gil_scoped_release unlocked;
+    const Unlocked unlocked;
     json = app::scene_calibration(scene.file().scene, contact, restitution);
   }
   return to_python(json);
@@ -140,8 +154,8 @@ py::object calibrate_scene(const ScriptScene& scene, const std::string& contact,
 void bind_scene(py::module_& module) {
   py::class_<ScriptScene>(
       module, "Scene", "A scene: bodies, contacts, cables and a plan. It is never changed; changes make another one.")
-      .def(py::init([](const py::dict& document, const std::string& name) {
-             return ScriptScene{to_document(document), name};
+      .def(py::init([](const py::object& document, const std::string& name) {
+             return ScriptScene{TomlValue{table_of(document, "document")}, name};
            }),
            "document"_a, "name"_a = "scene",
            "Scene from a dict with the names and quantities of a scene file, e.g. {'body': [{'name': 'ball', 'mass': "
@@ -149,14 +163,10 @@ void bind_scene(py::module_& module) {
       .def_static(
           "read", [](const std::filesystem::path& file) { return read_script_scene(file.string()); }, "file"_a,
           "Scene from a scene file (.toml) or a deck of 1993 (.DAT). Raises IoError, InputError.")
-      .def_static(
-          "parse",
-          [](const std::string& text, const std::string& name) {
-            return ScriptScene{parse_toml(text, name), name};
-          },
-          "text"_a, "name"_a = "scene.toml", "Scene from the text of a scene file. Raises InputError.")
+      .def_static("parse", &parse_script_scene, "text"_a, "name"_a = "scene.toml",
+                  "Scene from the text of a scene file. Raises InputError.")
       .def(
-          "changed", [](const ScriptScene& scene, const py::dict& fields) { return scene.with(fields_of(fields)); },
+          "changed", [](const ScriptScene& scene, const py::object& fields) { return scene.with(fields_of(fields)); },
           "fields"_a,
           "Scene with other values of fields, by their paths as in a sweep: {'body.ball.mass': '3 kg', "
           "'gravity[1]': '-9.81 m/s^2'}. Raises InputError.")
@@ -164,12 +174,14 @@ void bind_scene(py::module_& module) {
           "document", [](const ScriptScene& scene) { return to_python(scene.document()); },
           "The scene as a dict; of a deck of 1993, the scene file that it is converted to.")
       .def_property_readonly("name", &ScriptScene::name, "File or name of the scene, as in errors.")
-      .def_property_readonly("title", [](const ScriptScene& scene) { return scene.file().scene.title; })
+      .def_property_readonly(
+          "title", [](const ScriptScene& scene) { return scene.file().scene.title; }, "Title.")
       .def_property_readonly(
           "units", [](const ScriptScene& scene) { return std::string{scene.file().scene.model.units.name}; },
           "'SI' or 'US': the consistent units of all numbers of its runs.")
-      .def_property_readonly("integrator",
-                             [](const ScriptScene& scene) { return std::string{name(scene.file().scene.integrator)}; })
+      .def_property_readonly(
+          "integrator", [](const ScriptScene& scene) { return std::string{name(scene.file().scene.integrator)}; },
+          "Name of the integrator.")
       .def_property_readonly(
           "step", [](const ScriptScene& scene) { return scene.file().scene.plan.step; }, "[T]")
       .def_property_readonly(
@@ -224,6 +236,9 @@ void bind_run(py::module_& module) {
   py::class_<ScriptRun>(module, "Run", "The results of a run, in the consistent units of its scene.")
       .def_readonly("columns", &ScriptRun::columns, "Names of the columns of the history; the first one is 'time'.")
       .def(
+          "keys", [](const ScriptRun& run) { return run.columns; }, "The same, so that dict(run) has all columns.")
+      .def("__iter__", [](const ScriptRun& run) { return py::iter(py::cast(run.columns)); })
+      .def(
           "unit", [](const ScriptRun& run, const std::string& column) { return run.units[column_named(run, column)]; },
           "column"_a, "Unit of a column, e.g. 'ft/s'. Raises InputError for an unknown column, with the nearest one.")
       .def(
@@ -234,10 +249,13 @@ void bind_run(py::module_& module) {
           },
           "column"_a, "A column of the history, e.g. run['rock.vx'], without a copy; it cannot be written.")
       .def("__contains__",
-           [](const ScriptRun& run, const std::string& column) {
-             return std::ranges::find(run.columns, column) != run.columns.end();
+           [](const ScriptRun& run, const py::object& column) {
+             return py::isinstance<py::str>(column) &&
+                    std::ranges::find(run.columns, py::cast<std::string>(column)) != run.columns.end();
            })
-      .def("__len__", &ScriptRun::rows, "Rows of the history.")
+      .def(
+          "__len__", [](const ScriptRun& run) { return run.columns.size(); }, "Number of columns.")
+      .def_property_readonly("rows", &ScriptRun::rows, "Number of rows of the history.")
       .def_property_readonly(
           "history",
           [](const py::object& self) {
@@ -256,7 +274,7 @@ void bind_run(py::module_& module) {
       .def_property_readonly(
           "outcome", [](const ScriptRun& run) { return to_python(run.summary.at("outcome").at("kind")); },
           "'finished' or 'diverged'.")
-      .def_readonly("warnings", &ScriptRun::warnings)
+      .def_readonly("warnings", &ScriptRun::warnings, "What the program would print as warnings.")
       .def_property_readonly(
           "usable", [](const ScriptRun& run) { return to_python(run.summary.at("quality").at("usable")); },
           "False if the results are NOT USABLE; summary['quality'] has the reason.")
@@ -268,7 +286,8 @@ void bind_run(py::module_& module) {
            })
       .def(py::pickle(
           [](const ScriptRun& run) {
-            return py::make_tuple(run.columns, run.units, run.numbers, run.summary.dump(), run.warnings);
+            return py::make_tuple(run.columns, run.units, py::array(py::cast(run.numbers)), run.summary.dump(),
+                                  run.warnings);
           },
           [](const py::tuple& saved) {
             return ScriptRun{py::cast<std::vector<std::string>>(saved[0]), py::cast<std::vector<std::string>>(saved[1]),
@@ -284,7 +303,7 @@ void bind_run(py::module_& module) {
 template <class Numbers>
 py::cpp_function viewed(Numbers numbers) {
   return py::cpp_function{[numbers](const py::object& self) {
-    return view(std::span<const double>{numbers(py::cast<const ScriptSimulation&>(self))}, self);
+    return view(std::span<const double>{numbers(py::cast<const ScriptSimulation&>(self).idle())}, self);
   }};
 }
 py::cpp_function pose_row(Row Poses::*row) {
@@ -293,32 +312,39 @@ py::cpp_function pose_row(Row Poses::*row) {
   });
 }
 
+/// The simulation of a property, while no step is taken.
+const ScriptSimulation& read(const ScriptSimulation& simulation) { return simulation.idle(); }
+
 bool advance(ScriptSimulation& simulation, long steps) {
   if (steps < 0) throw InputError{fmt::format("steps: found {}; it must be >= 0", steps)};
   if (steps == 1) return simulation.advance(1);
   PythonSignals signals;
   bool continues = false;
   {
-    const py::gil_scoped_release unlocked;
+    const Unlocked unlocked;
     continues = simulation.advance(steps, [&] { return signals.pending(); });
   }
   signals.rethrow();
   return continues;
 }
 
-/// Calls back after each `every` steps and at the end; a callback that returns False stops the run.
+/// Calls back after each `every` steps and at the end; a callback that returns something false but None stops the run.
 void run_simulation(const py::object& self, const py::object& callback, long every) {
   if (every < 1) throw InputError{fmt::format("every: found {}; it must be >= 1", every)};
   auto& simulation = py::cast<ScriptSimulation&>(self);
-  bool continues = !simulation.outcome();
-  while (continues) {
-    continues = advance(simulation, every);
-    if (!callback.is_none() && callback(self).is(py::bool_(false))) return;
+  if (callback.is_none()) return static_cast<void>(advance(simulation, std::numeric_limits<long>::max()));
+  while (!simulation.idle().outcome()) {
+    advance(simulation, every);
+    const py::object answer = callback(self);
+    if (answer.is_none()) continue;
+    const int is_true = PyObject_IsTrue(answer.ptr());
+    if (is_true < 0) throw py::error_already_set{};
+    if (is_true == 0) return;
   }
 }
 
 py::dict energies(const ScriptSimulation& simulation) {
-  const Energies& energies = simulation.seen().energies();
+  const Energies& energies = read(simulation).seen().energies();
   py::dict found("kinetic"_a = energies.kinetic, "gravity"_a = energies.gravity, "applied"_a = energies.applied,
                  "contacts"_a = energies.contacts, "cables"_a = energies.cables, "total"_a = energies.total());
   const State& state = simulation.seen().state();
@@ -355,6 +381,7 @@ std::unique_ptr<ScriptSimulation> restored(const py::tuple& saved) {
   }
   Archive archive{items};
   simulation->serialize(archive);
+  if (!archive.left_over().empty()) throw InputError{"the saved simulation is of another version of Talus"};
   return simulation;
 }
 
@@ -379,23 +406,29 @@ void bind_simulation(py::module_& module) {
       .def("restart", &ScriptSimulation::restart, py::kw_only(), "q"_a = py::none(), "v"_a = py::none(),
            "Back to the time of the start, with other coordinates [L or rad] and velocities if they are given. Raises "
            "InputError for lists of another length, or numbers that are not finite.")
-      .def_property_readonly("scene", &ScriptSimulation::scene, py::return_value_policy::reference_internal)
+      .def_property_readonly("scene", &ScriptSimulation::scene, py::return_value_policy::reference_internal,
+                             "The scene that was given; the other arguments do not change it.")
       .def_property_readonly(
-          "time", [](const ScriptSimulation& run) { return run.seen().state().t; }, "[T]")
+          "step", [](const ScriptSimulation& run) { return run.plan().step; }, "[T]")
       .def_property_readonly(
-          "steps", [](const ScriptSimulation& run) { return run.run_state().step; }, "Steps done.")
+          "end", [](const ScriptSimulation& run) { return run.plan().end; }, "[T]")
       .def_property_readonly(
-          "evaluations", [](const ScriptSimulation& run) { return run.run_state().evaluations; },
+          "time", [](const ScriptSimulation& run) { return read(run).seen().state().t; }, "[T]")
+      .def_property_readonly(
+          "steps", [](const ScriptSimulation& run) { return read(run).run_state().step; }, "Steps done.")
+      .def_property_readonly(
+          "evaluations", [](const ScriptSimulation& run) { return read(run).run_state().evaluations; },
           "Force evaluations done.")
       .def_property_readonly(
           "outcome",
           [](const ScriptSimulation& run) -> py::object {
-            if (!run.outcome()) return py::none();
+            if (!read(run).outcome()) return py::none();
             return py::str(*run.outcome() ? "finished" : "diverged");
           },
           "None while steps are left, then 'finished' or 'diverged'.")
       .def_property_readonly(
-          "message", [](const ScriptSimulation& run) { return run.outcome() ? run.outcome()->message : std::string{}; },
+          "message",
+          [](const ScriptSimulation& run) { return read(run).outcome() ? run.outcome()->message : std::string{}; },
           "Why the run diverged.")
       .def_property_readonly(
           "coordinates",
@@ -418,7 +451,7 @@ void bind_simulation(py::module_& module) {
       .def_property_readonly("spin", pose_row(&Poses::w),
                              "Angular velocity of each body [rad/T], counter-clockwise > 0.")
       .def_property_readonly(
-          "angle", [](const ScriptSimulation& run) { return py::array(py::cast(run.angles())); },
+          "angle", [](const ScriptSimulation& run) { return py::array(py::cast(read(run).angles())); },
           "Angle of each body [rad], counter-clockwise > 0.")
       .def_property_readonly("overlaps",
                              viewed([](const ScriptSimulation& run) { return std::span{run.seen().depths()}; }),
@@ -430,14 +463,15 @@ void bind_simulation(py::module_& module) {
           "tensions", viewed([](const ScriptSimulation& run) { return std::span{run.seen().forces().tensions}; }),
           "Tension of each cable [F].")
       .def_property_readonly(
-          "elongations", [](const ScriptSimulation& run) { return py::array(py::cast(run.elongations())); },
+          "elongations", [](const ScriptSimulation& run) { return py::array(py::cast(read(run).elongations())); },
           "Elongation of each cable [L]; negative while slack.")
       .def_property_readonly("energies", &energies,
                              "Mechanical energy by its form, and energy dissipated by each mechanism [F L].")
       .def("__repr__",
            [](const ScriptSimulation& run) {
              return fmt::format("<talus.Simulation '{}': t = {:.6g} {}, {} steps>", run.scene().file().scene.title,
-                                run.seen().state().t, symbol(run.model().units, dimension::time), run.run_state().step);
+                                read(run).seen().state().t, symbol(run.model().units, dimension::time),
+                                run.run_state().step);
            })
       .def(py::pickle(
           [](const ScriptSimulation& run) {
@@ -450,7 +484,7 @@ void bind_simulation(py::module_& module) {
 
 // --- Studies --------------------------------------------------------------------------------------
 
-py::dict sweep(const ScriptScene& scene, const std::vector<py::dict>& runs, const std::vector<std::string>& outputs,
+py::dict sweep(const ScriptScene& scene, const std::vector<py::object>& runs, const std::vector<std::string>& outputs,
                long threads, long evaluations, double time) {
   constexpr long maximum_threads = 1024;
   if (threads < 0 || threads > maximum_threads)
@@ -458,7 +492,7 @@ py::dict sweep(const ScriptScene& scene, const std::vector<py::dict>& runs, cons
   if (evaluations < 0) throw InputError{fmt::format("evaluations: found {}; it must be >= 0", evaluations)};
   if (!(time >= 0.0)) throw InputError{fmt::format("time: found {}; it must be >= 0", time)};
   std::vector<FieldValues> changes;
-  for (const py::dict& run : runs)
+  for (const py::object& run : runs)
     changes.push_back(fields_of(run));
   const ScriptSweep swept = sweep_scene(scene, changes, {outputs, {time, evaluations}, static_cast<unsigned>(threads)});
   const auto count = static_cast<py::ssize_t>(runs.size());
@@ -497,9 +531,9 @@ py::dict planned(const std::filesystem::path& file) {
 }
 
 py::object calibrate(std::optional<double> restitution, const std::vector<std::string>& masses, const std::string& law,
-                     const std::map<std::string, std::string>& parameters, const std::string& dashpot,
-                     const std::string& end_rule, const std::vector<std::string>& pivot,
-                     const std::vector<std::string>& offset, const std::string& speed, double bound,
+                     const std::map<std::string, std::string>& parameters, const std::optional<std::string>& dashpot,
+                     const std::optional<std::string>& end_rule, const std::vector<std::string>& pivot,
+                     const std::vector<std::string>& offset, const std::optional<std::string>& speed, double bound,
                      const std::string& integrator) {
   // The command line has the same limits.
   if (law == LatchingSpring::name)
@@ -523,11 +557,19 @@ py::object calibrate(std::optional<double> restitution, const std::vector<std::s
     found->second = value;
   }
   options.restitution = restitution, options.masses = masses, options.law = law;
-  options.dashpot = dashpot, options.end_rule = end_rule, options.pivot = pivot, options.offset = offset;
-  options.speed = speed, options.bound = bound, options.integrator = integrator;
+  options.pivot = pivot, options.offset = offset, options.bound = bound, options.integrator = integrator;
+  // Options that not every law has are refused only if they are given.
+  const auto take = [&](const char* option, const std::optional<std::string>& value, std::string& into) {
+    if (!value) return;
+    options.own_to_impact.emplace_back(option);
+    into = *value;
+  };
+  take("--dashpot", dashpot, options.dashpot);
+  take("--end-rule", end_rule, options.end_rule);
+  take("--speed", speed, options.speed);
   nlohmann::ordered_json json;
   {
-    const py::gil_scoped_release unlocked;
+    const Unlocked unlocked;
     json = app::impact_calibration(options);
   }
   return to_python(json);
@@ -562,4 +604,5 @@ PYBIND11_MODULE(_talus, module) {
   bind_run(module);
   bind_simulation(module);
   bind_studies(module);
+  pybind11::module_::import("atexit").attr("register")(pybind11::cpp_function{&end_computations});
 }

@@ -1,11 +1,36 @@
 #include "solver/python/python_signals.hpp"
 
-#include <pybind11/pybind11.h>
+#include <atomic>
+#include <stdexcept>
 
 namespace talus::python {
+namespace {
+
+std::atomic<int> running{0};
+std::atomic<bool> is_ending{false};
+
+}  // namespace
+
+Unlocked::Unlocked() { ++running; }
+// The member takes the lock after this; end_computations() waits until the lock is free again.
+Unlocked::~Unlocked() { --running; }
+
+void end_computations() {
+  is_ending = true;
+  const pybind11::gil_scoped_release unlocked;
+  while (running > 0)
+    std::this_thread::sleep_for(std::chrono::milliseconds{5});
+  // Threads that have just ended their computation get the lock first.
+  std::this_thread::sleep_for(std::chrono::milliseconds{20});
+}
+
+PythonSignals::PythonSignals()
+    : is_main_{pybind11::module_::import("threading").attr("main_thread")().attr("ident").cast<unsigned long>() ==
+               PyThread_get_thread_ident()} {}
 
 bool PythonSignals::pending() {
-  if (std::this_thread::get_id() != caller_) return false;
+  if (is_ending) return true;
+  if (!is_main_ || std::this_thread::get_id() != caller_) return false;
   if (raised_) return true;
   const Clock::time_point now = Clock::now();
   if (now < next_) return false;
@@ -18,6 +43,7 @@ bool PythonSignals::pending() {
 
 void PythonSignals::rethrow() const {
   if (raised_) std::rethrow_exception(raised_);
+  if (is_ending) throw std::runtime_error{"the interpreter ends"};
 }
 
 }  // namespace talus::python

@@ -83,6 +83,11 @@ TomlValue to_document(py::handle value, const std::string& path, int depth) {
   constexpr int maximum_depth = 100;
   if (depth > maximum_depth)
     throw InputError{fmt::format("found more than {} levels of lists and dicts in each other", maximum_depth)};
+  // Scalars of numpy, and arrays without dimensions, are what they hold.
+  if (py::hasattr(value, "dtype") && py::hasattr(value, "item") && py::cast<int>(value.attr("ndim")) == 0) {
+    const py::object item = value.attr("item")();
+    if (!item.is(value) && !py::hasattr(item, "dtype")) return to_document(item, path, depth);
+  }
   TomlValue made;
   // A bool is an int of Python, and comes first.
   if (py::isinstance<py::bool_>(value)) {
@@ -92,8 +97,10 @@ TomlValue to_document(py::handle value, const std::string& path, int depth) {
   } else if (py::isinstance<py::float_>(value)) {
     made.data = py::cast<double>(value);
   } else if (PyIndex_Check(value.ptr()) != 0 && !py::isinstance<py::array>(value)) {
+    const auto index = py::reinterpret_steal<py::object>(PyNumber_Index(value.ptr()));
+    if (!index) throw py::error_already_set{};
     try {
-      made.data = py::cast<std::int64_t>(py::reinterpret_steal<py::object>(PyNumber_Index(value.ptr())));
+      made.data = py::cast<std::int64_t>(index);
     } catch (const py::cast_error&) {
       throw InputError{fmt::format("{}: found {}; a whole number must have at most 63 bits", path, text_of(value))};
     }
@@ -101,6 +108,7 @@ TomlValue to_document(py::handle value, const std::string& path, int depth) {
     TomlTable table;
     for (const py::handle item : value.attr("items")()) {
       const auto pair = py::cast<py::tuple>(item);
+      if (pair.size() != 2) throw InputError{fmt::format("{}: found items that are not pairs of key and value", path)};
       auto key = key_of(pair[0]);
       TomlValue entry = to_document(pair[1], path.empty() ? key : path + "." + key, depth + 1);
       table.push_back({std::move(key), std::move(entry)});
@@ -112,6 +120,10 @@ TomlValue to_document(py::handle value, const std::string& path, int depth) {
     for (const py::handle element : value)
       array.push_back(to_document(element, fmt::format("{}[{}]", path, i++), depth + 1));
     made.data = std::move(array);
+  } else if (py::hasattr(value, "__float__") && PyComplex_Check(value.ptr()) == 0) {
+    const double number = PyFloat_AsDouble(value.ptr());
+    if (PyErr_Occurred() != nullptr) throw py::error_already_set{};
+    made.data = number;
   } else {
     throw wrong_type(value, path);
   }

@@ -1,7 +1,5 @@
 #include "solver/python/script_run.hpp"
 
-#include <pybind11/pybind11.h>
-
 #include "solver/app/run/scene_run.hpp"
 #include "solver/app/run/start_warnings.hpp"
 #include "solver/io/output/write_summary.hpp"
@@ -34,11 +32,11 @@ ScriptRun run_scene(const ScriptScene& scene, const MethodArguments& arguments) 
   PythonSignals signals;
   ScriptRun kept_run;
   {
-    const pybind11::gil_scoped_release unlocked;
+    const Unlocked unlocked;
     app::SceneRun run{file, {}, scene.name(), {}};
     const bool is_beyond = run.watch().step_is_beyond();
     const Outcome outcome = run.proceed([&](const Snapshot&) { return signals.pending(); }, nullptr);
-    kept_run = kept(run.record(outcome));
+    kept_run = kept(run.record(run.explained(outcome)));
     if (is_beyond) {
       kept_run.warnings.insert(kept_run.warnings.begin(),
                                app::step_warning(run.watch().step_ratio(), "scene.run(integrator='auto')"));

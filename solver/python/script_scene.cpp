@@ -6,9 +6,24 @@
 #include "solver/io/scene/read_scene.hpp"
 
 namespace talus::python {
+namespace {
+
+/// What `read` returns; its errors get the name of the scene.
+template <class Read>
+auto of_scene(const std::string& name, Read&& read) {
+  try {
+    return read();
+  } catch (const InputError& error) {
+    throw SceneInputError{error.what(), name};
+  }
+}
+
+}  // namespace
 
 ScriptScene::ScriptScene(TomlValue document, std::string name)
-    : document_{std::move(document)}, name_{std::move(name)}, file_{read_scene_file(document_, name_)} {}
+    : document_{std::move(document)}, name_{std::move(name)}, file_{of_scene(name_, [&] {
+        return read_scene_file(document_, name_);
+      })} {}
 
 ScriptScene ScriptScene::with(const FieldValues& fields) const {
   TomlValue document = document_;
@@ -17,9 +32,12 @@ ScriptScene ScriptScene::with(const FieldValues& fields) const {
   return {std::move(document), name_};
 }
 
+ScriptScene parse_script_scene(const std::string& text, const std::string& name) {
+  return {of_scene(name, [&] { return parse_toml(text, name); }), name};
+}
+
 ScriptScene read_script_scene(const std::string& file) {
-  const std::string text = app::base_text(file);
-  return {parse_toml(text, file), file};
+  return parse_script_scene(of_scene(file, [&] { return app::base_text(file); }), file);
 }
 
 SceneFile with_method(const ScriptScene& scene, const MethodArguments& arguments) {

@@ -4,6 +4,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <stdexcept>
+#include <utility>
 
 #include "solver/base/error.hpp"
 #include "solver/run/simulate.hpp"
@@ -23,6 +25,18 @@ void set_numbers(std::vector<double>& numbers, const std::vector<double>& given,
   numbers = given;
 }
 
+/// A step is taken during the lifetime of the object.
+class Advancing {
+ public:
+  explicit Advancing(std::atomic<bool>& flag) : flag_{flag} { flag_ = true; }
+  Advancing(const Advancing&) = delete;
+  Advancing& operator=(const Advancing&) = delete;
+  ~Advancing() { flag_ = false; }
+
+ private:
+  std::atomic<bool>& flag_;
+};
+
 }  // namespace
 
 ScriptSimulation::ScriptSimulation(const ScriptScene& scene, const MethodArguments& arguments)
@@ -40,11 +54,35 @@ State ScriptSimulation::started(State state) {
   return state;
 }
 
+const ScriptSimulation& ScriptSimulation::idle() const {
+  if (is_advancing_)
+    throw std::runtime_error{"the simulation is advancing: another thread, or a handler of a signal, cannot use it"};
+  return *this;
+}
+
 bool ScriptSimulation::advance(long steps, const std::function<bool()>& interrupted) {
-  if (outcome_ || steps <= 0) return !outcome_;
-  const Scene& scene = file_.scene;
+  if (idle().outcome_ || steps <= 0) return !outcome_;
+  const Advancing advancing{is_advancing_};
   const long until = steps < steps_ - run_state_.step ? run_state_.step + steps : steps_;
+  // One step leaves the last finite state as it is.
+  std::optional<RunState> before;
+  if (until > run_state_.step + 1) before = run_state_;
   bool ends_early = false;
+  Outcome outcome = take(until, interrupted, ends_early);
+  if (outcome.kind == Outcome::Kind::stopped && !ends_early) return true;
+  if (outcome.kind == Outcome::Kind::diverged && before) {
+    // The run is repeated to the state before the step that diverged.
+    const RunState last = std::exchange(run_state_, *before);
+    if (last.step > run_state_.step) static_cast<void>(take(last.step, {}, ends_early));
+    run_state_ = last;
+  }
+  outcome_ = std::move(outcome);
+  if (ends_early) outcome_->kind = Outcome::Kind::finished;
+  return false;
+}
+
+Outcome ScriptSimulation::take(long until, const std::function<bool()>& interrupted, bool& ends_early) {
+  const Scene& scene = file_.scene;
   const StopCondition stop = [&](const Snapshot& seen) {
     ends_early = scene.early_end && reached(*scene.early_end, scene.model, seen.state());
     return ends_early || run_state_.step >= until || (interrupted && interrupted());
@@ -53,15 +91,12 @@ bool ScriptSimulation::advance(long steps, const std::function<bool()>& interrup
   const Observer last = [](const Snapshot& seen, const StepInfo& info) {
     if (info.last) static_cast<void>(seen.state());
   };
-  Outcome outcome = simulate(system_, run_state_, scene.plan, {&last, 1}, stop, &seen_);
-  if (outcome.kind == Outcome::Kind::stopped && !ends_early) return true;
-  outcome_ = std::move(outcome);
-  if (ends_early) outcome_->kind = Outcome::Kind::finished;
-  return false;
+  return simulate(system_, run_state_, scene.plan, {&last, 1}, stop, &seen_);
 }
 
 void ScriptSimulation::restart(const std::optional<std::vector<double>>& q,
                                const std::optional<std::vector<double>>& v) {
+  static_cast<void>(idle());
   State state = file_.scene.initial;
   if (q) set_numbers(state.q, *q, "q");
   if (v) set_numbers(state.v, *v, "v");
@@ -72,6 +107,15 @@ void ScriptSimulation::restart(const std::optional<std::vector<double>>& q,
 }
 
 void ScriptSimulation::serialize(Archive& archive) {
+  static_cast<void>(idle());
+  // Before its first step a method holds nothing.
+  bool is_started = run_state_.step > 0;
+  archive.flag("started", is_started);
+  if (!is_started) {
+    archive.scope("state", [&] { talus::serialize(archive, run_state_.state); });
+    if (archive.is_loading()) seen_.set(run_state_.state);
+    return;
+  }
   archive.scope("run", [&] { run_state_.serialize(archive); });
   State seen = seen_.state();
   archive.scope("seen", [&] { talus::serialize(archive, seen); });

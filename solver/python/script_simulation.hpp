@@ -1,5 +1,6 @@
 #pragma once
 
+#include <atomic>
 #include <functional>
 #include <optional>
 #include <string>
@@ -23,11 +24,15 @@ class ScriptSimulation {
   ScriptSimulation(const ScriptSimulation&) = delete;
   ScriptSimulation& operator=(const ScriptSimulation&) = delete;
 
+  /// This object. Errors: std::runtime_error while a step is taken: another thread, or a handler of a signal, must not
+  /// use it then.
+  const ScriptSimulation& idle() const;
+
   /// Takes up to `steps` steps, fewer if `interrupted` returns true after one; false if none is left: the run has ended
-  /// or diverged.
+  /// or diverged, and the state is the last one whose numbers are finite. Errors: as idle().
   bool advance(long steps, const std::function<bool()>& interrupted = {});
   /// Puts the run back to the time of its start, with other coordinates and velocities if they are given. Errors:
-  /// InputError for a list of another length than the scene has coordinates, or numbers that are not finite.
+  /// InputError for a list of another length than the scene has coordinates, or numbers that are not finite; as idle().
   void restart(const std::optional<std::vector<double>>& q, const std::optional<std::vector<double>>& v);
 
   /// Saves or restores the run between two steps.
@@ -50,6 +55,7 @@ class ScriptSimulation {
 
  private:
   State started(State state);
+  Outcome take(long until, const std::function<bool()>& interrupted, bool& ends_early);
 
   ScriptScene scene_;
   MethodArguments arguments_;
@@ -60,6 +66,7 @@ class ScriptSimulation {
   Snapshot seen_;
   long steps_{};  ///< of the whole run
   std::optional<Outcome> outcome_;
+  std::atomic<bool> is_advancing_{false};
 };
 
 }  // namespace talus::python

@@ -1,11 +1,11 @@
 #include "solver/python/script_sweep.hpp"
 
 #include <fmt/format.h>
-#include <pybind11/pybind11.h>
 
 #include <algorithm>
 #include <atomic>
-#include <string_view>
+#include <chrono>
+#include <future>
 #include <thread>
 #include <utility>
 
@@ -20,10 +20,10 @@ PlannedSweep plan_sweep(const std::string& file) {
   try {
     return {read_script_scene(described.base.string()), app::swept_runs(described).runs, std::move(described.outputs),
             described.limits};
+  } catch (const SceneInputError&) {
+    throw;
   } catch (const InputError& error) {
-    const std::string_view message = error.what();
-    if (message.starts_with(described.base.string())) throw;
-    throw InputError{fmt::format("{}: {}", file, message)};
+    throw SceneInputError{fmt::format("{}: {}", file, error.what()), file};
   }
 }
 
@@ -31,25 +31,26 @@ ScriptSweep sweep_scene(const ScriptScene& scene, const std::vector<FieldValues>
                         const SweepArguments& arguments) {
   const app::SweepBase base{scene.document(), scene.name(), arguments.outputs};
   ScriptSweep sweep;
-  for (const app::SweepOutput& output : base.outputs()) {
+  for (const app::SweepOutput& output : base.outputs())
     sweep.outputs.push_back(output.name);
-    sweep.units.push_back(symbol(base.units(), output.dimension));
-  }
   sweep.is_fence = base.is_fence();
   sweep.results.resize(runs.size());
   PythonSignals signals;
   std::atomic<bool> is_interrupted{false};
-  const auto interrupted = [&] {
-    if (signals.pending()) is_interrupted = true;
-    return is_interrupted.load();
-  };
+  const auto interrupted = [&] { return is_interrupted.load(); };
   {
-    const pybind11::gil_scoped_release unlocked;
+    const Unlocked unlocked;
     const unsigned threads =
         arguments.threads > 0 ? arguments.threads : std::max(1U, std::thread::hardware_concurrency());
-    parallel_for(runs.size(), threads, [&](std::size_t i) {
-      if (!interrupted()) sweep.results[i] = base.result({{}, runs[i]}, arguments.limits, interrupted);
+    std::future<void> all = std::async(std::launch::async, [&] {
+      parallel_for(runs.size(), threads, [&](std::size_t i) {
+        if (!interrupted()) sweep.results[i] = base.result({{}, runs[i]}, arguments.limits, interrupted);
+      });
     });
+    // This thread sees signals, also when it would have no run left.
+    while (all.wait_for(std::chrono::milliseconds{20}) != std::future_status::ready)
+      if (signals.pending()) is_interrupted = true;
+    all.get();
   }
   signals.rethrow();
   return sweep;

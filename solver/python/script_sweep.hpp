@@ -28,7 +28,6 @@ struct SweepArguments {
 /// The results of a sweep, one for each run, in their order.
 struct ScriptSweep {
   std::vector<std::string> outputs;
-  std::vector<std::string> units;  ///< of the outputs
   bool is_fence{};
   std::vector<app::SweepResult> results;
 };

@@ -6,7 +6,6 @@
 #include <limits>
 
 #include "solver/app/run/start_warnings.hpp"
-#include "solver/command_line/shell_word.hpp"
 #include "solver/integrate/integrator_list.hpp"
 #include "solver/run/run_plan.hpp"
 
@@ -52,11 +51,11 @@ void warn_of_lighter_contacts(const Scene& scene, const std::vector<ContactRange
 }
 
 /// Adds the warning that a run prints about its step, if the step is beyond the linear limit. Returns whether it is.
-bool warn_of_step(const Scene& scene, const StepAdvice& advice, const std::string& file,
+bool warn_of_step(const Scene& scene, const StepAdvice& advice, const std::string& command,
                   std::vector<std::string>& warnings) {
   const auto verdict = step_verdict(scene, advice);
   if (!verdict || !verdict->is_beyond) return false;
-  warnings.push_back(step_warning(verdict->text, fmt::format("talus run {} --integrator auto", shell_word(file))));
+  warnings.push_back(step_warning(verdict->text, command));
   if (scene.initial.q.size() > maximum_watched_coordinates) {
     warnings.push_back(
         fmt::format("talus run does not give that warning: it computes frequencies up to {} degrees of "
@@ -68,18 +67,18 @@ bool warn_of_step(const Scene& scene, const StepAdvice& advice, const std::strin
 
 }  // namespace
 
-SceneCheck check_scene(const SceneFile& file, const Dynamics& dynamics, const std::string& name) {
+SceneCheck check_scene(const SceneFile& file, const Dynamics& dynamics, const std::string& command) {
   const Scene& scene = file.scene;
   SceneCheck found;
   bool is_beyond = false;
   if (scene.initial.q.size() <= maximum_checked_coordinates) {
     const StepAdvice& advice = found.advice.emplace(advise_step(dynamics, scene.initial));
     found.lighter = lighter_contacts(scene, dynamics, advice);
-    found.limit = step_limit(advice.modes, talus::name(scene.integrator));
+    found.limit = step_limit(advice.modes, name(scene.integrator));
     found.shortest_contact = advice.shortest_contact;
     for (const ContactRange& range : found.lighter)
       found.shortest_contact = std::min(found.shortest_contact, range.shortest_time);
-    is_beyond = warn_of_step(scene, advice, name, found.warnings);
+    is_beyond = warn_of_step(scene, advice, command, found.warnings);
     if (!is_beyond) warn_of_lighter_contacts(scene, found.lighter, found.warnings);
   }
   const std::vector<std::string> missing = missing_contact_warnings(scene, dynamics);

@@ -27,7 +27,8 @@ struct SceneCheck {
   bool is_unusable{};  ///< `talus check` ends with exit status 7
 };
 
-/// Checks a scene, `name` in its warnings. The Dynamics is that of the scene.
-[[nodiscard]] SceneCheck check_scene(const SceneFile& file, const Dynamics& dynamics, const std::string& name);
+/// Checks a scene. The Dynamics is that of the scene; `command`: the command of the same run by a method that chooses
+/// its steps, for a warning.
+[[nodiscard]] SceneCheck check_scene(const SceneFile& file, const Dynamics& dynamics, const std::string& command);
 
 }  // namespace talus::app

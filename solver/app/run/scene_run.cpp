@@ -123,6 +123,12 @@ Outcome SceneRun::proceed(const StopCondition& stop, Progress* progress) {
   return outcome;
 }
 
+Outcome SceneRun::explained(Outcome outcome) const {
+  if (!outcome && watch_.violation().empty() && !watch_.step_ratio().empty())
+    outcome.message += fmt::format("; {}", watch_.step_ratio());
+  return outcome;
+}
+
 RunQuality SceneRun::quality(const Outcome& outcome) const {
   RunQuality found;
   found.enforced = scene_->plan.watch.quality == CheckAction::error;

@@ -34,6 +34,8 @@ class SceneRun {
   /// Advances the run to its plan's end, to the early end of the scene or until `stop`, and shows the progress, if
   /// there is a line for it. Errors: IoError.
   Outcome proceed(const StopCondition& stop, Progress* progress);
+  /// The outcome; of a run that diverged with its step over the linear limit, where the monitor has not said so.
+  [[nodiscard]] Outcome explained(Outcome outcome) const;
   /// Whether the run has reached the early end of its scene.
   bool ends_early() const { return ends_early_; }
   /// The monitor of the run, with its results so far.

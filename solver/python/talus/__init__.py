@@ -48,21 +48,22 @@ def calibrate(
     masses,
     restitution=None,
     law="linear_spring_dashpot",
-    dashpot="tsuji",
-    end_rule="clamped",
+    dashpot=None,
+    end_rule=None,
     pivot=(),
     offset=(),
-    speed="1 m/s",
+    speed=None,
     bound=1e-3,
     integrator="velocity_verlet",
     **parameters,
 ):
     """The damping that gives a single impact its restitution, and a step for it.
 
-    The arguments are the options of `talus calibrate`, the result is the dict that its --json
-    prints, in SI units. `masses`: of body 1 and body 2; a single one hits a fixed body.
-    `parameters`: those of the law, e.g. stiffness="1 MN/m"; with damping="3 kN s/m" in place of
-    `restitution`, the restitution that this dashpot gives. Raises InputError.
+    The arguments are those options of `talus calibrate` which describe one impact along the
+    normal, the result is the dict that its --json prints, in SI units. `masses`: of body 1 and
+    body 2; a single one hits a fixed body. `parameters`: those of the law, e.g.
+    stiffness="1 MN/m"; with damping="3 kN s/m" in place of `restitution`, the restitution that
+    this dashpot gives. Raises InputError.
     """
     if isinstance(masses, str):
         masses = [masses]

@@ -5,7 +5,7 @@ from typing import NamedTuple, Optional
 
 
 class Problem(NamedTuple):
-    """One error of an input, taken apart."""
+    """One error of an input, taken apart as far as its message has these parts."""
 
     file: Optional[str]  #: file or name of the scene
     line: Optional[int]  #: counted from 1; None for a scene that is no text
@@ -13,29 +13,45 @@ class Problem(NamedTuple):
     message: str  #: what was found and what is allowed
 
 
-_place = re.compile(r"(?:(?P<file>[^:]+(?:\.\w+)?):(?:(?P<line>\d+):)? )?(?P<rest>.*)", re.DOTALL)
-_field = re.compile(r"(?P<field>.+?): (?P<message>(?:found|it is|is not|not) .*)", re.DOTALL)
+_lines = re.compile(r"(?P<file>.+?):(?P<line>\d+): (?P<rest>.*)", re.DOTALL)
+# A table with its name or number, and a key; or one of both; or a path in quotes.
+_field = re.compile(r"(?P<field>(?:[a-z_]+ (?:'[^']*'|\d+)(?:: [a-z_][\w.\[\]]*)?)|[a-z_][\w.\[\]]*|'[^']*'): (?P<rest>.*)",
+                    re.DOTALL)
 
 
-def _problem(text):
-    place = _place.fullmatch(text)
-    if not place["line"] and not _field.fullmatch(place["rest"]) and _field.fullmatch(text):
-        place = re.fullmatch("(?P<file>)?(?P<line>)?(?P<rest>.*)", text, re.DOTALL)  # "end: found ..."
-    field = _field.fullmatch(place["rest"])
-    return Problem(
-        file=place["file"] or None,
-        line=int(place["line"]) if place["line"] else None,
-        field=field["field"] if field else None,
-        message=field["message"] if field else place["rest"],
-    )
+def _problem(text, scene):
+    file = line = None
+    if scene is not None and text.startswith(scene + ":"):
+        file, text = scene, text[len(scene) + 1 :]
+        number = re.match(r"(\d+): ", text)
+        line = int(number[1]) if number else None
+        text = text[number.end() :] if number else text.lstrip()
+    elif place := _lines.fullmatch(text):
+        file, line, text = place["file"], int(place["line"]), place["rest"]
+    field = _field.fullmatch(text)
+    return Problem(file, line, field["field"] if field else None, field["rest"] if field else text)
+
+
+def _problems(message, scene):
+    """The problems of a message: a line each; a found text can have lines, too."""
+    texts = []
+    for text in message.split("\n"):
+        if texts and scene is not None and not text.startswith(scene + ":"):
+            texts[-1] += "\n" + text
+        else:
+            texts.append(text)
+    return [_problem(text, scene) for text in texts]
 
 
 class InputError(ValueError):
     """Wrong input; `problems` lists all that were found, `file`, `line` and `field` are of the first."""
 
-    def __init__(self, message):
-        super().__init__(message)
-        self.problems = [_problem(line) for line in message.split("\n")]
+    def __init__(self, message, scene=None):
+        super().__init__(message, scene)
+        self.problems = _problems(str(message), scene)
+
+    def __str__(self):
+        return str(self.args[0])
 
     @property
     def file(self):
@@ -52,3 +68,6 @@ class InputError(ValueError):
 
 class IoError(OSError):
     """A file that cannot be read."""
+
+    def __init__(self, message, scene=None):
+        super().__init__(message)

@@ -4,6 +4,9 @@ import json
 import os
 import pickle
 import signal
+import subprocess
+import sys
+import tempfile
 import threading
 import time
 import unittest
@@ -11,7 +14,7 @@ import unittest
 import numpy as np
 
 import talus
-from program import BALL, CASES, history_of, talus as program
+from program import BALL, CASES, history_of, talus as program, text_file
 
 SCENES = ["two_cable.toml", "damped_disc.toml", "rolling_disc.toml", "fence/table_2.toml", "fence/sample2.DAT"]
 
@@ -47,7 +50,7 @@ class Runs(unittest.TestCase):
     def test_arrays_are_views(self):
         run = talus.Scene.parse(BALL).run()
         height, history = run["ball.y"], run.history
-        self.assertEqual(history.shape, (len(run), len(run.columns)))
+        self.assertEqual(history.shape, (run.rows, len(run.columns)))
         self.assertTrue(np.shares_memory(height, history))
         np.testing.assert_array_equal(history[:, run.columns.index("ball.y")], height)
         with self.assertRaises(ValueError):
@@ -61,7 +64,12 @@ class Runs(unittest.TestCase):
         run = talus.Scene.parse(BALL).run()
         self.assertIn("ball.y", run)
         self.assertNotIn("ball.z", run)
-        self.assertEqual(len(run), 101)
+        self.assertNotIn(3, run)
+        self.assertEqual((run.rows, len(run)), (101, len(run.columns)))
+        self.assertEqual(list(run), run.columns)
+        columns = dict(run)
+        self.assertEqual(list(columns), run.columns)
+        self.assertEqual(columns["ball.y"][0], 0.3)
         with self.assertRaisesRegex(talus.InputError, "column 'bal.y' is not known; nearest: ball.y"):
             run["bal.y"]
         with self.assertRaisesRegex(talus.InputError, "column 'y' is not known"):
@@ -76,6 +84,14 @@ class Runs(unittest.TestCase):
         self.assertFalse(run.usable)
         self.assertTrue(run.summary["quality"]["flaw"])
         self.assertTrue(run.warnings)
+        with tempfile.TemporaryDirectory() as folder:
+            text = BALL.replace('"0.2 ms"', '"1e200 s"').replace('"10 ms"', '"1e200 s"').replace('"1 s"', '"1e203 s"')
+            file = text_file(folder, "ball.toml", text)
+            _, summary = history_of(file, code=3)
+            run = talus.Scene.read(file).run()
+        for part in ("outcome", "quality"):
+            self.assertEqual(run.summary[part], summary[part])
+        self.assertIn("the linear limit of velocity_verlet", run.summary["outcome"]["message"])
 
     def test_runs_pickle(self):
         run = talus.Scene.parse(BALL).run()
@@ -91,6 +107,7 @@ class Runs(unittest.TestCase):
             ({"step": "-1 s"}, '^step: found "-1 s"'),
             ({"integrator": "verlet"}, "integrator 'verlet' is not known; nearest: velocity_verlet"),
             ({"tolerance": 1e-6}, "tolerance"),
+            ({"step": ""}, '^step: found ""; leave it out'),
         ):
             with self.assertRaisesRegex(talus.InputError, message):
                 scene.run(**arguments)
@@ -111,14 +128,26 @@ class Runs(unittest.TestCase):
     def test_an_interrupt_ends_a_run(self):
         scene = talus.Scene.parse(BALL).changed({"run.end": "100000 s", "run.interval": "1000 s"})
         simulation = talus.Simulation(scene)
-        for work in (scene.run, lambda: simulation.advance(10**9),
-                     lambda: talus.sweep(scene, [{}] * 4, ["ball.y.end"], threads=2)):
+        # Of the last one, the calling thread would have the short run.
+        for work in (scene.run, lambda: simulation.advance(10**9), simulation.run,
+                     lambda: talus.sweep(scene, [{}] * 4, ["ball.y.end"], threads=2),
+                     lambda: talus.sweep(scene, [{"run.end": "1000 s"}, {}], ["ball.y.end"], threads=2)):
             threading.Timer(0.3, os.kill, (os.getpid(), signal.SIGINT)).start()
             start = time.monotonic()
             with self.assertRaises(KeyboardInterrupt):
                 work()
             self.assertLess(time.monotonic() - start, 20.0)
         self.assertGreater(simulation.steps, 0)
+
+    def test_the_interpreter_ends_while_a_run_does_not(self):
+        script = ("import threading, time, talus\nfrom program import BALL\n"
+                  "scene = talus.Scene.parse(BALL).changed({'run.end': '100000 s', 'run.interval': '1000 s'})\n"
+                  "for work in (scene.run, talus.Simulation(scene).run, lambda: talus.sweep(scene, [{}], [])):\n"
+                  "    threading.Thread(target=work, daemon=True).start()\n"
+                  "time.sleep(0.2)\n")
+        ended = subprocess.run([sys.executable, "-c", script], capture_output=True, text=True, timeout=60,
+                               cwd=os.path.dirname(__file__))
+        self.assertEqual(ended.returncode, 0, ended.stderr)
 
     def test_the_version_is_that_of_the_program(self):
         self.assertIn(f"talus {talus.__version__}\n", program("--version"))

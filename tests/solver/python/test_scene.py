@@ -3,6 +3,8 @@
 import pickle
 import tempfile
 import unittest
+import unittest.mock
+from decimal import Decimal
 from types import MappingProxyType
 
 import numpy as np
@@ -56,6 +58,39 @@ class Scenes(unittest.TestCase):
         same = fence.changed({"fence.columns": np.int64(columns)})
         self.assertEqual(same.document, fence.document)
 
+    def test_numbers_of_all_kinds(self):
+        scene = talus.Scene.parse(BALL)
+        for half in (0.5, np.float32(0.5), np.float64(0.5), np.longdouble(0.5), np.array(0.5), Decimal("0.5")):
+            changed = scene.changed({"contact.impact.restitution": half})
+            self.assertEqual(changed.document["contact"][0]["restitution"], 0.5)
+            self.assertIs(type(changed.document["contact"][0]["restitution"]), float)
+        for flag in (True, np.bool_(True), np.array(True)):
+            with self.assertRaisesRegex(talus.InputError, "found true"):
+                scene.changed({"body.ball.mass": flag})
+
+        class Broken:
+            def __index__(self):
+                raise ZeroDivisionError("broken")
+
+        with self.assertRaisesRegex(ZeroDivisionError, "broken"):
+            scene.changed({"body.ball.mass": Broken()})
+
+    def test_any_mapping_is_a_table(self):
+        scene = talus.Scene(MappingProxyType(ball()))
+        self.assertEqual(scene.document, talus.Scene(ball()).document)
+        same = scene.changed(MappingProxyType({"title": "Other"}))
+        self.assertEqual(same.title, "Other")
+        for wrong in ([], "x", 3):
+            with self.assertRaisesRegex(talus.InputError, "document: found .* it must be a dict"):
+                talus.Scene(wrong)
+
+        class NoPairs(dict):
+            def items(self):
+                return [("a",)]
+
+        with self.assertRaisesRegex(talus.InputError, "not pairs of key and value"):
+            talus.Scene(NoPairs())
+
     def test_changes_make_another_scene(self):
         scene = talus.Scene.parse(BALL)
         heavy = scene.changed({"body.ball.mass": "4 kg", "gravity[1]": "-1.62 m/s^2", "run.ledger": "off"})
@@ -92,6 +127,17 @@ class Scenes(unittest.TestCase):
             (lambda: scene.run(end="x"), (None, None, "end", 'found "x"; it must be a number with a unit, e.g. "1 s"')),
             (lambda: talus.Scene({"units": "SI", "run": {"end": "1 s"}, "title": "x"}),
              ("scene", None, None, "the scene has no body; it needs at least one")),
+            (lambda: scene.run(integrator="verlet"), (None, None, None, unittest.mock.ANY)),
+            (lambda: scene.run(end="1e300 s"), (None, None, "run", unittest.mock.ANY)),
+            (lambda: scene.changed({"body.bal.mass": "1 kg"}), (None, None, "'body.bal.mass'", unittest.mock.ANY)),
+            (lambda: scene.calibrate("impct", restitution=0.5), (None, None, "contact", unittest.mock.ANY)),
+            (lambda: talus.Scene.parse(BALL.replace("mass =", "masss ="), "C:\\x.toml"),
+             ("C:\\x.toml", 8, "body 'ball': masss", unittest.mock.ANY)),
+            (lambda: talus.Scene.parse(BALL.replace('"floor"]', '"flor"]'), "/a:8/b: c.toml"),
+             ("/a:8/b: c.toml", 18, "contact 'impact': between", unittest.mock.ANY)),
+            (lambda: talus.Scene({**ball(), "units": "S\nI"}), ("scene", None, "units", unittest.mock.ANY)),
+            (lambda: talus.calibrate(masses="1 kg", restitution=0.5, stiffness="1 N/m", end_rule="x"),
+             (None, None, "end_rule", unittest.mock.ANY)),
             (lambda: talus.Scene({**ball(), "units": 3}, "a script"),
              ("a script", None, "units", "found 3; it must be a text in quotes")),
         ):

@@ -1,7 +1,9 @@
 """Runs that are advanced step by step: the states of the program, observed quantities, restarts, cost."""
 
+import copy
+import multiprocessing
 import pickle
-import time
+import signal
 import unittest
 
 import numpy as np
@@ -14,6 +16,12 @@ def simulations():
     """Scenes with contacts, friction, cables and located events."""
     names = ["two_cable.toml", "damped_disc.toml", "rolling_disc.toml", "pivoted_cylinder.toml", "fence/table_2.toml"]
     return [talus.Scene.parse(BALL)] + [talus.Scene.read(str(CASES / name)) for name in names]
+
+
+def last_height(simulation):
+    """In another process."""
+    simulation.run()
+    return float(simulation.y[0])
 
 
 class Simulations(unittest.TestCase):
@@ -109,19 +117,73 @@ class Simulations(unittest.TestCase):
         self.assertLess(simulation.y[0], 0.2)
         with self.assertRaisesRegex(ZeroDivisionError, "division"):
             simulation.run(lambda seen: 1 / 0)
+        simulation.restart()
+        simulation.run(lambda seen: seen.y[0] > 0.2)
+        self.assertLess(simulation.y[0], 0.2)
+        self.assertIsNone(simulation.outcome)
+        # A callback of the last step can start again.
+        simulation = talus.Simulation(talus.Scene.parse(BALL), end="1 ms")
+        starts = []
+        simulation.run(lambda seen: starts.append(seen.restart()) if seen.outcome and len(starts) < 2 else None)
+        self.assertEqual((len(starts), simulation.steps, simulation.outcome), (2, 5, "finished"))
 
     def test_a_fence_ends_early(self):
         fence = talus.Scene.read(str(CASES / "fence/table_2.toml"))
-        until = fence.changed({"fence.options": {"end": "rest"}})
+        whole = talus.Simulation(fence)
+        rock = next(i for i, name in enumerate(fence.bodies) if name.startswith("rock"))
+        until = fence.changed({"fence.options": {"end": "exit", "exit_x": f"{whole.x[rock] - 0.5!r} ft"}})
         simulation, run = talus.Simulation(until), until.run()
-        simulation.run(every=1000)
-        self.assertEqual((simulation.time, simulation.outcome), (run["time"][-1], run.outcome))
+        simulation.run()
+        self.assertEqual((simulation.time, simulation.outcome), (run["time"][-1], "finished"))
+        self.assertEqual(run.outcome, "finished")
+        self.assertLess(simulation.time, until.end)
+        self.assertLess(simulation.x[rock], whole.x[rock] - 0.5)
 
     def test_a_run_that_diverges(self):
         simulation = talus.Simulation(talus.Scene.parse(BALL), step="1e200 s", end="1e203 s")
         self.assertFalse(simulation.advance(10))
         self.assertEqual(simulation.outcome, "diverged")
+        self.assertEqual((simulation.time, simulation.steps), (0.0, 0))
         self.assertRegex(simulation.message, "diverged at t = .* 'ball.x' is not finite")
+
+    def test_the_last_finite_state_stays(self):
+        scene = talus.Scene.read(CASES / "two_cable.toml")
+        for integrator in ("euler", "velocity_verlet", "rk4"):
+            ends = []
+            for steps in (1, 7, 10**9):
+                simulation = talus.Simulation(scene, integrator=integrator, step="20 s", end="1e6 s")
+                while simulation.advance(steps):
+                    pass
+                ends.append((simulation.time, simulation.steps, simulation.evaluations, list(simulation.q),
+                             list(simulation.v), simulation.outcome, simulation.message))
+            self.assertEqual(ends[0], ends[1])
+            self.assertEqual(ends[0], ends[2])
+            self.assertEqual(ends[0][5], "diverged")
+            self.assertEqual(ends[0][0], 20.0 * ends[0][1])
+
+    def test_no_use_within_a_step(self):
+        simulation = talus.Simulation(talus.Scene.parse(BALL), end="100000 s")
+        found = []
+
+        def handler(number, frame):
+            for use in (simulation.advance, simulation.restart, lambda: simulation.y, lambda: simulation.energies,
+                        lambda: simulation.time, lambda: pickle.dumps(simulation), lambda: repr(simulation)):
+                try:
+                    use()
+                except RuntimeError as error:
+                    found.append(str(error))
+            raise KeyboardInterrupt
+
+        before = signal.signal(signal.SIGALRM, handler)
+        try:
+            signal.setitimer(signal.ITIMER_REAL, 0.1)
+            with self.assertRaises(KeyboardInterrupt):
+                simulation.advance(10**9)
+        finally:
+            signal.signal(signal.SIGALRM, before)
+        self.assertEqual(len(found), 7)
+        self.assertIn("the simulation is advancing", found[0])
+        self.assertTrue(simulation.advance())
 
     def test_restarts(self):
         scene = talus.Scene.parse(BALL)
@@ -172,16 +234,32 @@ class Simulations(unittest.TestCase):
             with self.subTest(scene.name):
                 simulation = talus.Simulation(scene)
                 simulation.advance(137)
-                copy = pickle.loads(pickle.dumps(simulation))
-                self.assertEqual(copy.time, simulation.time)
-                np.testing.assert_array_equal(copy.tensions, simulation.tensions)
-                self.assertEqual(copy.advance(200), simulation.advance(200))
-                np.testing.assert_array_equal(copy.q, simulation.q)
-                self.assertEqual(copy.energies, simulation.energies)
+                loaded = pickle.loads(pickle.dumps(simulation))
+                self.assertEqual(loaded.time, simulation.time)
+                np.testing.assert_array_equal(loaded.tensions, simulation.tensions)
+                self.assertEqual(loaded.advance(200), simulation.advance(200))
+                np.testing.assert_array_equal(loaded.q, simulation.q)
+                self.assertEqual(loaded.energies, simulation.energies)
+        disc = talus.Scene.read(CASES / "damped_disc.toml")
+        for integrator in talus.integrators():
+            for steps in (0, 1, 2):
+                with self.subTest(integrator=integrator, steps=steps):
+                    tolerance = 1e-6 if integrator.startswith(("odeint_", "stormer")) and integrator != "odeint_abm8" else 0
+                    simulation = talus.Simulation(disc, integrator=integrator, tolerance=tolerance, step="1 ms")
+                    simulation.advance(steps)
+                    copied = copy.deepcopy(simulation)
+                    simulation.advance(100), copied.advance(100)
+                    self.assertEqual(list(copied.q), list(simulation.q))
+                    self.assertEqual((copied.step, copied.end, copied.evaluations),
+                                     (simulation.step, simulation.end, simulation.evaluations))
+        with multiprocessing.get_context("spawn").Pool(2) as pool:
+            scenes = [talus.Scene.parse(BALL), talus.Scene.parse(BALL).changed({"body.ball.mass": "4 kg"})]
+            heights = pool.map(last_height, [talus.Simulation(scene) for scene in scenes])
+        self.assertEqual(heights, [scene.run()["ball.y"][-1] for scene in scenes])
         ended = talus.Simulation(talus.Scene.parse(BALL), end="10 ms", step="1 ms", integrator="rk4")
         ended.run()
-        copy = pickle.loads(pickle.dumps(ended))
-        self.assertEqual((copy.outcome, copy.steps, copy.time), ("finished", 10, 0.01))
+        loaded = pickle.loads(pickle.dumps(ended))
+        self.assertEqual((loaded.outcome, loaded.steps, loaded.time), ("finished", 10, 0.01))
 
 
 if __name__ == "__main__":

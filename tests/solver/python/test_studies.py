@@ -52,6 +52,7 @@ class Calibrations(unittest.TestCase):
                                (dict(pivot=["1 kg m^2"]), "^pivot: found 1 texts; it must be an inertia and an arm"),
                                (dict(offset=["1 kg m^2"] * 3), "^offset: found 3 texts"),
                                (dict(pivot=["1 kg m^2", "1 m"], offset=["1 kg m^2", "1 m"]), "^pivot: found both"),
+                               (dict(dashpot="tsuji"), "^dashpot: the law 'linear_spring_dashpot' does not use"),
                                (dict(restitution=None), "^restitution: found none"),
                                (dict(restitution=2.0), "it must be in"), (dict(bound=-1.0), "it must be > 0")):
             with self.assertRaisesRegex(talus.InputError, message):
@@ -118,6 +119,7 @@ class Checks(unittest.TestCase):
         found = talus.Scene.parse(BALL).changed({"run.step": "50 ms", "run.interval": "50 ms"}).check()
         self.assertFalse(found["usable"])
         self.assertIn("the linear limit of velocity_verlet", found["warnings"][0])
+        self.assertIn("`scene.run(integrator='auto')` chooses its own steps", found["warnings"][0])
 
     def test_warnings_are_those_of_the_program(self):
         text = BALL.replace('"0.3 m"', '"0.09 m"')
