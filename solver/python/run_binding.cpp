@@ -81,8 +81,9 @@ void bind_run(py::module_& module) {
            })
       .def(py::pickle(
           [](const ScriptRun& run) {
-            return py::make_tuple(run.columns, run.units, py::array_t<double>{static_cast<py::ssize_t>(run.numbers.size()), run.numbers.data()}, run.summary.dump(),
-                                  run.warnings);
+            return py::make_tuple(run.columns, run.units,
+                                  py::array_t<double>{static_cast<py::ssize_t>(run.numbers.size()), run.numbers.data()},
+                                  run.summary.dump(), run.warnings);
           },
           [](const py::tuple& saved) {
             const auto numbers = py::cast<py::array_t<double>>(saved[2]);
