@@ -63,6 +63,11 @@ end = "0.2 s"
                      -gravity, drop_mass, drop_radius, drop.position, drop_stiffness);
 }
 
+std::string in_us_units(std::string text) {
+  const std::string si = "units = \"SI\"";
+  return text.replace(text.find(si), si.size(), "units = \"US\"");
+}
+
 void check_calibration(const Program& program, Findings& findings, Differences& differ) {
   constexpr double restitution = 0.6, stiffness = 1e5, mass = 0.75, bound = 0.01, foot = 0.3048, speed = 3.0 * foot,
                    pound = 4.4482216152605, slug = pound / foot;
@@ -141,6 +146,13 @@ void check_calibration(const Program& program, Findings& findings, Differences& 
   const double touch = std::sqrt(2.0 * gravity * (drop.position - drop_radius));
   findings.expect_between("talus calibrate --contact: speed of approach less the exact one",
                           scene.at("speed").get<double>() - touch, -gravity * drop_step, 1e-12, "the fall in one step");
+  // JSON is in SI units also of a scene in others; the search ends within 1e-6 of the restitution.
+  program.write("us_drop.toml", in_us_units(program.read("drop.toml")));
+  const Json in_us = program.json({"calibrate", "us_drop.toml"}, contact_in_json);
+  for (const char* member : {"damping", "speed", "contact_time", "largest_overlap", "step", "restitution"}) {
+    differ.compare(fmt::format("calibrate: {} of the scene in US units", member),
+                   std::abs(in_us.at(member).get<double>() / scene.at(member).get<double>() - 1.0) < 1e-5, true);
+  }
   const std::string contact_text = program.run({"calibrate", "drop.toml"}, of_contact);
   differ.compare(
       "calibrate: contact and number of runs printed",

@@ -14,6 +14,9 @@ constexpr reference::ConstantForce drop{0.6, 0.0, -gravity};
 /// Scene of a disc that falls on the ground.
 [[nodiscard]] std::string drop_text();
 
+/// The scene of a text in SI units in US units; its quantities have their units.
+[[nodiscard]] std::string in_us_units(std::string text);
+
 /// Compares calibrations of a pair of masses, of a latching spring and of a contact of the scene drop.toml with the
 /// exact impacts, and the printed numbers with those of JSON.
 void check_calibration(const Program& program, Findings& findings, Differences& differ);

@@ -265,9 +265,13 @@ std::string beams_text() {
   return text + "[run]\nintegrator = \"velocity_verlet\"\nstep = \"1 ms\"\nend = \"2 ms\"\n";
 }
 
-/// Highest frequency in the first row of the table of bounds that `check` prints for the beams [rad/s]; NaN if this row
-/// is not that of the last beam.
-double first_bound(const TemporaryFolder& folder) {
+/// What `check` prints of the beams: highest frequency in the first row of the table of bounds [rad/s], NaN if this row
+/// is not that of the last beam; and the shortest contact over all positions [s].
+struct Bounds {
+  double frequency{std::numeric_limits<double>::quiet_NaN()};
+  double shortest_contact{std::numeric_limits<double>::quiet_NaN()};
+};
+Bounds bounds_of_beams(const TemporaryFolder& folder) {
   folder.write("beams.toml", beams_text());
   std::istringstream lines{talus_output(folder, {"check", "beams.toml"})};
   std::string line;
@@ -278,9 +282,16 @@ double first_bound(const TemporaryFolder& folder) {
     std::getline(lines, line);
   std::istringstream row{line};
   std::string name, minimum, maximum;
-  double frequency = std::numeric_limits<double>::quiet_NaN();
+  Bounds found;
+  double frequency = 0.0;
   row >> name >> minimum >> maximum >> frequency;
-  return name == fmt::format("ball{0}-beam{0}", beams) ? frequency : std::numeric_limits<double>::quiet_NaN();
+  if (name == fmt::format("ball{0}-beam{0}", beams)) found.frequency = frequency;
+  const std::string shortest = "shortest contact: ";
+  while (std::getline(lines, line)) {
+    if (const std::size_t at = line.find(shortest); at != std::string::npos)
+      found.shortest_contact = std::stod(line.substr(at + shortest.size()));
+  }
+  return found;
 }
 
 void draw_growth(const TemporaryFolder& folder, const std::vector<Vibrating>& scenes, const Method& method,
@@ -377,10 +388,15 @@ void run(Findings& findings, const Setup& setup) {
       "linear motion would grow without bound; bodies that lose contact or slip end the growth, measured at no less "
       "than 1.2e3 times the disturbance. Below the limit the growth stays under 12.3");
   const double lever = setup.has("lever_of_the_start") ? 0.0 : beam_half_width;
+  const Bounds bounds = bounds_of_beams(folder);
+  const double worst = std::sqrt(beam_stiffness * (1.0 / ball_mass + lever * lever / beam_inertia));
   findings.expect(
       "highest frequency of the first of 102 contacts in the table of bounds, over that of the worst: deviation from 1",
-      first_bound(folder) / std::sqrt(beam_stiffness * (1.0 / ball_mass + lever * lever / beam_inertia)) - 1.0, 0.0,
+      bounds.frequency / worst - 1.0, 0.0,
       Tolerance::model(5.1e-5, "five digits are printed: half a unit of the last one, and round-off"));
+  findings.expect("shortest of 102 contacts over all positions, over half the period of the worst: deviation from 1",
+                  bounds.shortest_contact / (std::numbers::pi / worst) - 1.0, 0.0,
+                  Tolerance::model(5.1e-6, "six digits are printed: half a unit of the last one, and round-off"));
   findings.table(std::move(table));
   if (!setup.coarse) draw_growth(folder, scenes, methods.front(), findings);
 }
