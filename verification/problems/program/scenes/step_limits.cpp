@@ -380,21 +380,20 @@ void run(Findings& findings, const Setup& setup) {
       "runs terminated at 0.999 of the limit, or not terminated at 1.001", wrong_runs, 0.0,
       Tolerance::exact("exit status 3 of `talus run` and a message with the time and its unit, or another status"));
   findings.expect_between(
-      "growth in 400 steps at 0.99 of the limit: maximum", stable, 0.0, 12.3,
+      "growth in 400 steps: at 0.99 of the limit, maximum", stable, 0.0, 12.3,
       "a leapfrog mode grows to at most 1/sqrt(1 - 0.99^2) = 7.1 times its disturbance; three orthogonal modes of "
       "three equal discs, disturbed alike, add up to sqrt(3) times that for one disc");
   findings.expect_between(
-      "growth in 400 steps at 1.01 of the limit: minimum, in powers of ten", std::log10(unstable), 2.0, 9.0,
+      "growth in 400 steps: at 1.01 of the limit, minimum, in powers of ten", std::log10(unstable), 2.0, 9.0,
       "linear motion would grow without bound; bodies that lose contact or slip end the growth, measured at no less "
       "than 1.2e3 times the disturbance. Below the limit the growth stays under 12.3");
   const double lever = setup.has("lever_of_the_start") ? 0.0 : beam_half_width;
   const Bounds bounds = bounds_of_beams(folder);
   const double worst = std::sqrt(beam_stiffness * (1.0 / ball_mass + lever * lever / beam_inertia));
-  findings.expect(
-      "highest frequency of the first of 102 contacts in the table of bounds, over that of the worst: deviation from 1",
-      bounds.frequency / worst - 1.0, 0.0,
-      Tolerance::model(5.1e-5, "five digits are printed: half a unit of the last one, and round-off"));
-  findings.expect("shortest of 102 contacts over all positions, over half the period of the worst: deviation from 1",
+  findings.expect("bounds of 102 contacts: highest frequency in the first row over that of the worst, deviation from 1",
+                  bounds.frequency / worst - 1.0, 0.0,
+                  Tolerance::model(5.1e-5, "five digits are printed: half a unit of the last one, and round-off"));
+  findings.expect("bounds of 102 contacts: shortest contact over half the period of the worst, deviation from 1",
                   bounds.shortest_contact / (std::numbers::pi / worst) - 1.0, 0.0,
                   Tolerance::model(5.1e-6, "six digits are printed: half a unit of the last one, and round-off"));
   findings.table(std::move(table));
@@ -404,27 +403,26 @@ void run(Findings& findings, const Setup& setup) {
 }  // namespace
 
 Case definition() {
-  return {
-      .id = "step_limits",
-      .title = "Step limits reported by `talus check`",
-      .requirements = {{"G2", {"limits"}}},
-      .main_checks = {"wrong verdicts of `talus check` at 0.999 and 1.001 of the limit",
-                      "growth in 400 steps at 1.01 of the limit: minimum, in powers of ten"},
-      .source = "Linear stability of the methods, as in case `stability_maps`",
-      .faults = {{"slowest_mode_alone", "only the slowest of the three modes",
-                  "wrong verdicts of `talus check` at 0.999 and 1.001 of the limit"},
-                 {"secant_stiffness", "secant instead of tangent stiffness of the Hertzian contact",
-                  "wrong verdicts of `talus check` at 0.999 and 1.001 of the limit"},
-                 {"light_mass_alone", "the lighter mass instead of the effective mass",
-                  "runs terminated at 0.999 of the limit, or not terminated at 1.001"},
-                 {"lever_of_the_start", "the stiffest contact with the effective mass at the start",
-                  "highest frequency of the first of 102 contacts in the table of bounds, over that of the worst: "
-                  "deviation from 1"},
-                 {"no_friction_spring", "friction spring omitted", "growth in 400 steps at 0.99 of the limit: maximum"},
-                 {"method_forgotten", "a method of the program omitted from the comparison",
-                  "methods for which `talus check` prints a limit that is not compared"}},
-      .seconds = 4.0,
-      .run = run};
+  return {.id = "step_limits",
+          .title = "Step limits reported by `talus check`",
+          .requirements = {{"G2", {"limits"}}},
+          .main_checks = {"wrong verdicts of `talus check` at 0.999 and 1.001 of the limit",
+                          "growth in 400 steps: at 1.01 of the limit, minimum, in powers of ten"},
+          .source = "Linear stability of the methods, as in case `stability_maps`",
+          .faults =
+              {{"slowest_mode_alone", "only the slowest of the three modes",
+                "wrong verdicts of `talus check` at 0.999 and 1.001 of the limit"},
+               {"secant_stiffness", "secant instead of tangent stiffness of the Hertzian contact",
+                "wrong verdicts of `talus check` at 0.999 and 1.001 of the limit"},
+               {"light_mass_alone", "the lighter mass instead of the effective mass",
+                "runs terminated at 0.999 of the limit, or not terminated at 1.001"},
+               {"lever_of_the_start", "the stiffest contact with the effective mass at the start",
+                "bounds of 102 contacts: highest frequency in the first row over that of the worst, deviation from 1"},
+               {"no_friction_spring", "friction spring omitted", "growth in 400 steps: at 0.99 of the limit, maximum"},
+               {"method_forgotten", "a method of the program omitted from the comparison",
+                "methods for which `talus check` prints a limit that is not compared"}},
+          .seconds = 4.0,
+          .run = run};
 }
 
 }  // namespace talus::verification::problems::step_limits
