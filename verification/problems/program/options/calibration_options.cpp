@@ -146,7 +146,8 @@ void check_calibration(const Program& program, Findings& findings, Differences& 
   const double touch = std::sqrt(2.0 * gravity * (drop.position - drop_radius));
   findings.expect_between("talus calibrate --contact: speed of approach less the exact one",
                           scene.at("speed").get<double>() - touch, -gravity * drop_step, 1e-12, "the fall in one step");
-  // JSON is in SI units also of a scene in others; the search ends within 1e-6 of the restitution.
+  // JSON is in SI units also of a scene in others. Each search ends within 1e-6 of e, which is 1e-6/(e ln(1/e)) =
+  // 3.3e-6 of the damping.
   program.write("us_drop.toml", in_us_units(program.read("drop.toml")));
   const Json in_us = program.json({"calibrate", "us_drop.toml"}, contact_in_json);
   for (const char* member : {"damping", "speed", "contact_time", "largest_overlap", "step", "restitution"}) {
