@@ -5,7 +5,6 @@
 #include <charconv>
 #include <chrono>
 #include <filesystem>
-#include <map>
 #include <memory>
 #include <mutex>
 #include <nlohmann/json.hpp>
@@ -25,7 +24,6 @@
 #include "solver/io/fence_file.hpp"
 #include "solver/io/file/atomic_file.hpp"
 #include "solver/io/file/folder_lock.hpp"
-#include "solver/io/file/toml_field.hpp"
 #include "solver/threads/parallel_for.hpp"
 
 namespace talus::app {
@@ -124,19 +122,6 @@ auto of_file(const fs::path& file, Action&& action) {
   }
 }
 
-/// Errors: InputError for a field that the base cannot have, or that two axes change by different paths.
-void check_fields(const SweepFolder& sweep, const std::string& base_name) {
-  TomlValue document = parse_toml(sweep.base_text, base_name);
-  const auto& parameters = sweep.runs.front().parameters;
-  for (const auto& [field, value] : parameters)
-    set_field(document, field, value);
-  std::map<const TomlValue*, std::string> fields;
-  for (const auto& [field, value] : parameters) {
-    const auto [other, is_new] = fields.emplace(&field_at(document, field), field);
-    if (!is_new) throw InputError{fmt::format("axis: '{}' and '{}' are the same field", other->second, field)};
-  }
-}
-
 int plan(const SweepOptions& options) {
   const fs::path file{options.file};
   const SweepFile described = read_sweep(read_text(file), file);
@@ -150,7 +135,7 @@ int plan(const SweepOptions& options) {
   const SweepBase base = of_file(file, [&] { return SweepBase{sweep.base_text, base_name, sweep.outputs}; });
   SweptRuns made = of_file(file, [&] { return swept_runs(described); });
   sweep.runs = std::move(made.runs);
-  of_file(file, [&] { check_fields(sweep, base_name); });
+  of_file(file, [&] { check_fields(parse_toml(sweep.base_text, base_name), sweep.runs.front()); });
   const std::vector<Sample> samples = samples_of(sweep, base);
   if (std::ranges::all_of(samples, [](const Sample& of) { return of.result.end == SweepEnd::refused; })) {
     throw InputError{fmt::format("{}: run {} is refused, as are all that were tried: {}", file.string(),

@@ -18,8 +18,10 @@ namespace talus::python {
 PlannedSweep plan_sweep(const std::string& file) {
   app::SweepFile described = app::read_sweep(read_text(file), file);
   try {
-    return {read_script_scene(described.base.string()), app::swept_runs(described).runs, std::move(described.outputs),
-            described.limits};
+    ScriptScene base = read_script_scene(described.base.string());
+    std::vector<app::SweptRun> runs = app::swept_runs(described).runs;
+    app::check_fields(base.document(), runs.front());
+    return {std::move(base), std::move(runs), std::move(described.outputs), described.limits};
   } catch (const SceneInputError&) {
     throw;
   } catch (const InputError& error) {

@@ -12,6 +12,7 @@
 #include "solver/app/sweep/design.hpp"
 #include "solver/base/error.hpp"
 #include "solver/base/units.hpp"
+#include "solver/io/file/toml_field.hpp"
 #include "solver/io/output/checkpoint.hpp"
 
 namespace talus::app {
@@ -161,6 +162,16 @@ SweptRuns swept_runs(const SweepFile& sweep) {
   made.left_out = points - made.runs.size();
   set_ids(made.runs);
   return made;
+}
+
+void check_fields(TomlValue base, const SweptRun& run) {
+  for (const auto& [field, value] : run.parameters)
+    set_field(base, field, value);
+  std::map<const TomlValue*, std::string> fields;
+  for (const auto& [field, value] : run.parameters) {
+    const auto [other, is_new] = fields.emplace(&field_at(base, field), field);
+    if (!is_new) throw InputError{fmt::format("axis: '{}' and '{}' are the same field", other->second, field)};
+  }
 }
 
 std::string id_of(const SweptRun& run) { return fnv1a(parameters_json(run).dump()); }

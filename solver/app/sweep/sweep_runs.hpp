@@ -26,6 +26,10 @@ struct SweptRuns {
 /// satisfies the constraints, or a constraint compares values of different dimensions.
 [[nodiscard]] SweptRuns swept_runs(const SweepFile& sweep);
 
+/// Checks the fields of a run, which are those of all runs of a sweep. Errors: InputError for a field that the base
+/// cannot have, or that two axes change by different paths.
+void check_fields(TomlValue base, const SweptRun& run);
+
 /// The id of a run with these parameters of which there is one.
 [[nodiscard]] std::string id_of(const SweptRun& run);
 

@@ -203,6 +203,16 @@ evaluations = 8000
             talus.sweep(scene, [{}], [], time=-1)
         with self.assertRaises(talus.IoError):
             talus.read_sweep("no_such.toml")
+        with tempfile.TemporaryDirectory() as folder:
+            text_file(folder, "ball.toml", BALL)
+            for field, message in (("body[0].mass", "'body.ball.mass' and 'body\\[0\\].mass' are the same field"),
+                                   ("body.bal.mass", "'body.bal.mass'")):
+                axes = "".join(f'[[axis]]\nfield = "{name}"\nvalues = ["1 kg"]\n'
+                               for name in ("body.ball.mass", field))
+                file = text_file(folder, "same.toml", f'base = "ball.toml"\noutputs = ["ball.y.end"]\n{axes}')
+                with self.assertRaisesRegex(talus.InputError, message) as raised:
+                    talus.read_sweep(file)
+                self.assertEqual(raised.exception.file, file)
 
     def test_no_runs(self):
         table = talus.sweep(talus.Scene.parse(BALL), [], ["ball.y.end"])
