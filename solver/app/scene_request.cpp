@@ -62,7 +62,7 @@ GivenOptions SceneOptions::kept() const {
           {"--frames", frames != 0}};
 }
 
-void apply_options(const SceneOptions& options, SceneFile& file) {
+void apply_options(const MethodOptions& options, SceneFile& file) {
   Scene& scene = file.scene;
   const UnitSystem& units = scene.model.units;
   if (!options.end.empty()) change_end(file, option_quantity("--end", options.end, dimension::time, units));

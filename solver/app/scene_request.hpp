@@ -8,13 +8,17 @@
 
 namespace talus::app {
 
-/// Options of `talus run`; empty if not given.
-struct SceneOptions : RunOptions {
-  std::string until;
+/// Options that change the method of a scene; empty or 0 if not given.
+struct MethodOptions {
   std::string end;
   std::string step;
   std::string integrator;
   double tolerance{};
+};
+
+/// Options of `talus run`; empty if not given.
+struct SceneOptions : RunOptions, MethodOptions {
+  std::string until;
   bool all{false};      ///< print all tables of the summary
   bool sheet{false};    ///< make the engineer's sheet
   bool impacts{false};  ///< make the table of impacts
@@ -24,8 +28,8 @@ struct SceneOptions : RunOptions {
   GivenOptions kept() const;
 };
 
-/// Applies --end, --step, --integrator and --tolerance to the scene of a new run. Errors: InputError naming the option.
-void apply_options(const SceneOptions& options, SceneFile& file);
+/// Applies these options to the scene of a new run. Errors: InputError naming the option.
+void apply_options(const MethodOptions& options, SceneFile& file);
 
 /// A scene's run requested on the command line.
 struct SceneRequest {

@@ -20,7 +20,8 @@ void bind_studies(pybind11::module_& module);
 [[nodiscard]] FieldValues fields_of(const pybind11::object& changes);
 
 /// The method that the arguments of a run or a simulation describe. Errors: InputError for a text that is empty.
-[[nodiscard]] MethodArguments method_of(const std::optional<std::string>& end, const std::optional<std::string>& step,
-                                        const std::optional<std::string>& integrator, double tolerance);
+[[nodiscard]] app::MethodOptions method_of(const std::optional<std::string>& end,
+                                           const std::optional<std::string>& step,
+                                           const std::optional<std::string>& integrator, double tolerance);
 
 }  // namespace talus::python

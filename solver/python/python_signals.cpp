@@ -11,17 +11,14 @@ std::atomic<bool> is_ending{false};
 
 }  // namespace
 
-Unlocked::Unlocked() { ++running; }
-// The member takes the lock after this; end_computations() waits until the lock is free again.
-Unlocked::~Unlocked() { --running; }
+Unlocked::Counted::Counted() { ++running; }
+Unlocked::Counted::~Counted() { --running; }
 
 void end_computations() {
   is_ending = true;
   const pybind11::gil_scoped_release unlocked;
   while (running > 0)
     std::this_thread::sleep_for(std::chrono::milliseconds{5});
-  // Threads that have just ended their computation get the lock first.
-  std::this_thread::sleep_for(std::chrono::milliseconds{20});
 }
 
 PythonSignals::PythonSignals()

@@ -12,13 +12,18 @@ namespace talus::python {
 /// such computation runs: taking the lock later would end the process.
 class Unlocked {
  public:
-  Unlocked();
+  Unlocked() = default;
   Unlocked(const Unlocked&) = delete;
   Unlocked& operator=(const Unlocked&) = delete;
-  ~Unlocked();
 
  private:
-  pybind11::gil_scoped_release released_;
+  /// Counts the computations, until each has the lock again.
+  struct Counted {
+    Counted();
+    ~Counted();
+  };
+  Counted counted_;
+  pybind11::gil_scoped_release released_;  ///< destroyed first
 };
 
 /// Asks all computations to stop and waits for them; called when the interpreter ends.

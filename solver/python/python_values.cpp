@@ -2,7 +2,6 @@
 
 #include <fmt/format.h>
 
-#include <nlohmann/json.hpp>
 #include <string>
 #include <utility>
 #include <variant>
@@ -18,10 +17,9 @@ std::string text_of(py::handle value) {
   return py::cast<std::string>(py::str(value).attr("encode")("utf-8", "replace").attr("decode")());
 }
 
-InputError wrong_type(py::handle value, const std::string& path) {
-  const std::string where = path.empty() ? "" : path + ": ";
-  return InputError{fmt::format("{}found an object of type {}; it must be a text, a number, a list or a dict", where,
-                                text_of(py::type::of(value).attr("__name__")))};
+/// The error of a value at this path.
+InputError error_at(const std::string& path, const std::string& message) {
+  return InputError{path.empty() ? message : path + ": " + message};
 }
 
 /// Errors: InputError for one half of a surrogate pair, which UTF-8 cannot express.
@@ -29,7 +27,7 @@ std::string text(py::handle value, const std::string& path) {
   try {
     return py::cast<std::string>(value);
   } catch (const py::cast_error&) {
-    throw InputError{fmt::format("{}: found a text that is not Unicode: {}", path, text_of(value))};
+    throw error_at(path, "found a text that is not Unicode: " + text_of(value));
   }
 }
 
@@ -54,23 +52,7 @@ py::object to_python(const TomlValue& value) {
   return dict;
 }
 
-py::object to_python(const nlohmann::ordered_json& json) {
-  if (json.is_null()) return py::none();
-  if (json.is_boolean()) return py::bool_(json.get<bool>());
-  if (json.is_number_integer()) return py::int_(json.get<std::int64_t>());
-  if (json.is_number()) return py::float_(json.get<double>());
-  if (json.is_string()) return py::str(json.get<std::string>());
-  if (json.is_array()) {
-    py::list list;
-    for (const nlohmann::ordered_json& element : json)
-      list.append(to_python(element));
-    return list;
-  }
-  py::dict dict;
-  for (const auto& [key, value] : json.items())
-    dict[py::str(key)] = to_python(value);
-  return dict;
-}
+py::object to_python(const std::string& json) { return py::module_::import("json").attr("loads")(json); }
 
 std::string key_of(py::handle key) {
   if (!py::isinstance<py::str>(key))
@@ -102,13 +84,13 @@ TomlValue to_document(py::handle value, const std::string& path, int depth) {
     try {
       made.data = py::cast<std::int64_t>(index);
     } catch (const py::cast_error&) {
-      throw InputError{fmt::format("{}: found {}; a whole number must have at most 63 bits", path, text_of(value))};
+      throw error_at(path, fmt::format("found {}; a whole number must have at most 63 bits", text_of(value)));
     }
   } else if (PyMapping_Check(value.ptr()) != 0 && py::hasattr(value, "items")) {
     TomlTable table;
     for (const py::handle item : value.attr("items")()) {
       const auto pair = py::cast<py::tuple>(item);
-      if (pair.size() != 2) throw InputError{fmt::format("{}: found items that are not pairs of key and value", path)};
+      if (pair.size() != 2) throw error_at(path, "found items that are not pairs of key and value");
       auto key = key_of(pair[0]);
       TomlValue entry = to_document(pair[1], path.empty() ? key : path + "." + key, depth + 1);
       table.push_back({std::move(key), std::move(entry)});
@@ -125,7 +107,8 @@ TomlValue to_document(py::handle value, const std::string& path, int depth) {
     if (PyErr_Occurred() != nullptr) throw py::error_already_set{};
     made.data = number;
   } else {
-    throw wrong_type(value, path);
+    throw error_at(path, fmt::format("found an object of type {}; it must be a text, a number, a list or a dict",
+                                     text_of(py::type::of(value).attr("__name__"))));
   }
   return made;
 }

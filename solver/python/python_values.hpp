@@ -3,7 +3,6 @@
 #include <pybind11/numpy.h>
 #include <pybind11/pybind11.h>
 
-#include <nlohmann/json_fwd.hpp>
 #include <span>
 #include <string>
 
@@ -14,8 +13,8 @@ namespace talus::python {
 
 /// A value of a scene file as Python objects: dict, list, str, float, int or bool.
 [[nodiscard]] pybind11::object to_python(const TomlValue& value);
-/// A JSON value, likewise; null is None.
-[[nodiscard]] pybind11::object to_python(const nlohmann::ordered_json& json);
+/// A text of JSON, likewise.
+[[nodiscard]] pybind11::object to_python(const std::string& json);
 
 /// A value of a scene file from Python objects: mappings, sequences, texts and numbers, also those of numpy. `path` is
 /// named in errors. Errors: InputError for an object of another type, a key that is no text, or deeper nesting than any

@@ -5,7 +5,6 @@
 #include <pybind11/stl.h>
 
 #include <algorithm>
-#include <nlohmann/json.hpp>
 #include <span>
 #include <vector>
 
@@ -66,31 +65,29 @@ void bind_run(py::module_& module) {
       .def_property_readonly(
           "summary", [](const ScriptRun& run) { return to_python(run.summary); },
           "What `talus run --json` prints, as a dict; without the second run of a fence and the command to resume.")
-      .def_property_readonly(
-          "outcome", [](const ScriptRun& run) { return to_python(run.summary.at("outcome").at("kind")); },
-          "'finished' or 'diverged'.")
+      .def_readonly("outcome", &ScriptRun::outcome, "'finished' or 'diverged'.")
       .def_readonly("warnings", &ScriptRun::warnings, "What the program would print as warnings.")
-      .def_property_readonly(
-          "usable", [](const ScriptRun& run) { return to_python(run.summary.at("quality").at("usable")); },
-          "False if the results are NOT USABLE; summary['quality'] has the reason.")
+      .def_readonly("usable", &ScriptRun::usable,
+                    "False if the results are NOT USABLE; summary['quality'] has the reason.")
       .def("__repr__",
            [](const ScriptRun& run) {
-             return fmt::format("<talus.Run: {}, {} columns, {} rows>",
-                                run.summary.at("outcome").at("kind").get<std::string>(), run.columns.size(),
-                                run.rows());
+             return fmt::format("<talus.Run: {}, {} columns, {} rows>", run.outcome, run.columns.size(), run.rows());
            })
       .def(py::pickle(
           [](const ScriptRun& run) {
             return py::make_tuple(run.columns, run.units,
                                   py::array_t<double>{static_cast<py::ssize_t>(run.numbers.size()), run.numbers.data()},
-                                  run.summary.dump(), run.warnings);
+                                  run.summary, run.outcome, run.usable, run.warnings);
           },
           [](const py::tuple& saved) {
             const auto numbers = py::cast<py::array_t<double>>(saved[2]);
-            return ScriptRun{py::cast<std::vector<std::string>>(saved[0]), py::cast<std::vector<std::string>>(saved[1]),
+            return ScriptRun{py::cast<std::vector<std::string>>(saved[0]),
+                             py::cast<std::vector<std::string>>(saved[1]),
                              std::vector<double>(numbers.data(), numbers.data() + numbers.size()),
-                             nlohmann::ordered_json::parse(py::cast<std::string>(saved[3])),
-                             py::cast<std::vector<std::string>>(saved[4])};
+                             py::cast<std::string>(saved[3]),
+                             py::cast<std::string>(saved[4]),
+                             py::cast<bool>(saved[5]),
+                             py::cast<std::vector<std::string>>(saved[6])};
           }));
 }
 

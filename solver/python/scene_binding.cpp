@@ -94,7 +94,7 @@ py::object advise(const ScriptScene& scene, const std::string& of, double accura
   } catch (const Interrupted&) {
   }
   signals.rethrow();
-  return to_python(json);
+  return to_python(json.dump());
 }
 
 py::object calibrate_scene(const ScriptScene& scene, const std::string& contact, double restitution) {
@@ -103,7 +103,7 @@ py::object calibrate_scene(const ScriptScene& scene, const std::string& contact,
     const Unlocked unlocked;
     json = app::scene_calibration(scene.file().scene, contact, restitution);
   }
-  return to_python(json);
+  return to_python(json.dump());
 }
 
 }  // namespace
@@ -115,8 +115,8 @@ FieldValues fields_of(const py::object& changes) {
   return fields;
 }
 
-MethodArguments method_of(const std::optional<std::string>& end, const std::optional<std::string>& step,
-                          const std::optional<std::string>& integrator, double tolerance) {
+app::MethodOptions method_of(const std::optional<std::string>& end, const std::optional<std::string>& step,
+                             const std::optional<std::string>& integrator, double tolerance) {
   return {given("end", end), given("step", step), given("integrator", integrator), tolerance};
 }
 

@@ -20,15 +20,17 @@ ScriptRun kept(const RunRecord& record) {
   for (std::size_t row = 0; row < rows; ++row)
     for (std::size_t column = 0; column < run.columns.size(); ++column)
       run.numbers[column * rows + row] = history.rows[row][column];
-  run.summary = nlohmann::ordered_json::parse(summary_json(record));
+  run.summary = summary_json(record);
+  run.outcome = record.outcome ? "finished" : "diverged";
+  run.usable = record.quality.flaw.empty();
   run.warnings = record.warnings;
   return run;
 }
 
 }  // namespace
 
-ScriptRun run_scene(const ScriptScene& scene, const MethodArguments& arguments) {
-  const SceneFile file = with_method(scene, arguments);
+ScriptRun run_scene(const ScriptScene& scene, const app::MethodOptions& method) {
+  const SceneFile file = with_method(scene, method);
   PythonSignals signals;
   ScriptRun kept_run;
   {

@@ -1,6 +1,5 @@
 #pragma once
 
-#include <nlohmann/json.hpp>
 #include <string>
 #include <vector>
 
@@ -13,7 +12,9 @@ struct ScriptRun {
   std::vector<std::string> columns;   ///< of the history
   std::vector<std::string> units;     ///< of these columns
   std::vector<double> numbers;        ///< of the history, column by column
-  nlohmann::ordered_json summary;     ///< as summary.json
+  std::string summary;                ///< text of summary.json
+  std::string outcome;                ///< "finished" or "diverged"
+  bool usable{};                      ///< the results can be used
   std::vector<std::string> warnings;  ///< those that `talus run` prints
 
   std::size_t rows() const { return columns.empty() ? 0 : numbers.size() / columns.size(); }
@@ -21,6 +22,6 @@ struct ScriptRun {
 
 /// Runs a scene as `talus run` does, without files and without the second run of a fence. Without the interpreter's
 /// lock; Ctrl-C raises KeyboardInterrupt. Errors: InputError naming the argument.
-[[nodiscard]] ScriptRun run_scene(const ScriptScene& scene, const MethodArguments& arguments);
+[[nodiscard]] ScriptRun run_scene(const ScriptScene& scene, const app::MethodOptions& method);
 
 }  // namespace talus::python

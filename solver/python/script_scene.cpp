@@ -1,6 +1,5 @@
 #include "solver/python/script_scene.hpp"
 
-#include "solver/app/scene_request.hpp"
 #include "solver/app/sweep/sweep_base.hpp"
 #include "solver/io/file/toml_field.hpp"
 #include "solver/io/scene/read_scene.hpp"
@@ -40,10 +39,7 @@ ScriptScene read_script_scene(const std::string& file) {
   return parse_script_scene(of_scene(file, [&] { return app::base_text(file); }), file);
 }
 
-SceneFile with_method(const ScriptScene& scene, const MethodArguments& arguments) {
-  app::SceneOptions options;
-  options.end = arguments.end, options.step = arguments.step;
-  options.integrator = arguments.integrator, options.tolerance = arguments.tolerance;
+SceneFile with_method(const ScriptScene& scene, const app::MethodOptions& options) {
   SceneFile file = scene.file();
   app::apply_options(options, file);
   check_step_count(file.scene.plan);

@@ -4,6 +4,7 @@
 #include <utility>
 #include <vector>
 
+#include "solver/app/scene_request.hpp"
 #include "solver/base/error.hpp"
 #include "solver/io/file/toml_document.hpp"
 #include "solver/io/scene/scene_file.hpp"
@@ -49,16 +50,7 @@ class ScriptScene {
 /// A scene or deck from a file. Errors: IoError; SceneInputError, also for a shear cell.
 [[nodiscard]] ScriptScene read_script_scene(const std::string& file);
 
-/// Changes of a scene's method by the arguments of a run; empty or 0 if not given.
-struct MethodArguments {
-  std::string end;
-  std::string step;
-  std::string integrator;
-  double tolerance{};
-};
-
-/// The file of a scene with these changes, as the options of `talus run` make them. Errors: InputError naming the
-/// option.
-[[nodiscard]] SceneFile with_method(const ScriptScene& scene, const MethodArguments& arguments);
+/// The file of a scene with the changes that these options of `talus run` make. Errors: InputError naming the option.
+[[nodiscard]] SceneFile with_method(const ScriptScene& scene, const app::MethodOptions& options);
 
 }  // namespace talus::python

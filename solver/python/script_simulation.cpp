@@ -39,10 +39,10 @@ class Advancing {
 
 }  // namespace
 
-ScriptSimulation::ScriptSimulation(const ScriptScene& scene, const MethodArguments& arguments)
+ScriptSimulation::ScriptSimulation(const ScriptScene& scene, const app::MethodOptions& method)
     : scene_{scene},
-      arguments_{arguments},
-      file_{with_method(scene, arguments)},
+      method_{method},
+      file_{with_method(scene, method)},
       dynamics_{file_.scene.model},
       system_{dynamics_, file_.scene.plan.ledger},
       run_state_{initial_run_state(file_.scene.integrator, started(file_.scene.initial))},
@@ -67,22 +67,21 @@ bool ScriptSimulation::advance(long steps, const std::function<bool()>& interrup
   // One step leaves the last finite state as it is.
   std::optional<RunState> before;
   if (until > run_state_.step + 1) before = run_state_;
-  bool ends_early = false;
-  Outcome outcome = take(until, interrupted, ends_early);
-  if (outcome.kind == Outcome::Kind::stopped && !ends_early) return true;
+  Outcome outcome = take(until, interrupted);
+  if (outcome.kind == Outcome::Kind::stopped) return true;
   if (outcome.kind == Outcome::Kind::diverged && before) {
     // The run is repeated to the state before the step that diverged.
     const RunState last = std::exchange(run_state_, *before);
-    if (last.step > run_state_.step) static_cast<void>(take(last.step, {}, ends_early));
+    if (last.step > run_state_.step) static_cast<void>(take(last.step, {}));
     run_state_ = last;
   }
   outcome_ = std::move(outcome);
-  if (ends_early) outcome_->kind = Outcome::Kind::finished;
   return false;
 }
 
-Outcome ScriptSimulation::take(long until, const std::function<bool()>& interrupted, bool& ends_early) {
+Outcome ScriptSimulation::take(long until, const std::function<bool()>& interrupted) {
   const Scene& scene = file_.scene;
+  bool ends_early = false;
   const StopCondition stop = [&](const Snapshot& seen) {
     ends_early = scene.early_end && reached(*scene.early_end, scene.model, seen.state());
     return ends_early || run_state_.step >= until || (interrupted && interrupted());
@@ -91,7 +90,9 @@ Outcome ScriptSimulation::take(long until, const std::function<bool()>& interrup
   const Observer last = [](const Snapshot& seen, const StepInfo& info) {
     if (info.last) static_cast<void>(seen.state());
   };
-  return simulate(system_, run_state_, scene.plan, {&last, 1}, stop, &seen_);
+  Outcome outcome = simulate(system_, run_state_, scene.plan, {&last, 1}, stop, &seen_);
+  if (outcome && ends_early) outcome.kind = Outcome::Kind::finished;
+  return outcome;
 }
 
 void ScriptSimulation::restart(const std::optional<std::vector<double>>& q,

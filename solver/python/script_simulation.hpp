@@ -20,7 +20,7 @@ namespace talus::python {
 class ScriptSimulation {
  public:
   /// At the start of the scene. Errors: InputError naming the argument.
-  ScriptSimulation(const ScriptScene& scene, const MethodArguments& arguments);
+  ScriptSimulation(const ScriptScene& scene, const app::MethodOptions& method);
   ScriptSimulation(const ScriptSimulation&) = delete;
   ScriptSimulation& operator=(const ScriptSimulation&) = delete;
 
@@ -39,7 +39,7 @@ class ScriptSimulation {
   void serialize(Archive& archive);
 
   const ScriptScene& scene() const { return scene_; }
-  const MethodArguments& arguments() const { return arguments_; }
+  const app::MethodOptions& method() const { return method_; }
   const Model& model() const { return file_.scene.model; }
   const RunPlan& plan() const { return file_.scene.plan; }
   const Dynamics& dynamics() const { return dynamics_; }
@@ -55,11 +55,11 @@ class ScriptSimulation {
 
  private:
   State started(State state);
-  Outcome take(long until, const std::function<bool()>& interrupted, bool& ends_early);
+  Outcome take(long until, const std::function<bool()>& interrupted);
 
   ScriptScene scene_;
-  MethodArguments arguments_;
-  SceneFile file_;  ///< with the method of the arguments
+  app::MethodOptions method_;
+  SceneFile file_;  ///< with this method
   Dynamics dynamics_;
   RigidBodySystem system_;
   RunState run_state_;

@@ -34,9 +34,6 @@ py::cpp_function pose_row(Row Poses::*row) {
   });
 }
 
-/// The simulation of a property, while no step is taken.
-const ScriptSimulation& read(const ScriptSimulation& simulation) { return simulation.idle(); }
-
 bool advance(ScriptSimulation& simulation, long steps) {
   if (steps < 0) throw InputError{fmt::format("steps: found {}; it must be >= 0", steps)};
   if (steps == 1) return simulation.advance(1);
@@ -66,7 +63,7 @@ void run_simulation(const py::object& self, const py::object& callback, long eve
 }
 
 py::dict energies(const ScriptSimulation& simulation) {
-  const Energies& energies = read(simulation).seen().energies();
+  const Energies& energies = simulation.idle().seen().energies();
   py::dict found("kinetic"_a = energies.kinetic, "gravity"_a = energies.gravity, "applied"_a = energies.applied,
                  "contacts"_a = energies.contacts, "cables"_a = energies.cables, "total"_a = energies.total());
   const State& state = simulation.seen().state();
@@ -76,10 +73,9 @@ py::dict energies(const ScriptSimulation& simulation) {
 }
 
 /// The run between two steps, as objects that pickle.
-py::dict saved(const ScriptSimulation& simulation) {
+py::dict saved(ScriptSimulation& simulation) {
   Archive archive;
-  // Saving changes nothing; the same function restores.
-  const_cast<ScriptSimulation&>(simulation).serialize(archive);
+  simulation.serialize(archive);
   py::dict items;
   for (const auto& [name, item] : archive.items())
     std::visit([&](const auto& value) { items[py::str(name)] = value; }, item);
@@ -90,8 +86,8 @@ std::unique_ptr<ScriptSimulation> restored(const py::tuple& saved) {
   const auto arguments = py::cast<py::tuple>(saved[1]);
   auto simulation = std::make_unique<ScriptSimulation>(
       py::cast<const ScriptScene&>(saved[0]),
-      MethodArguments{py::cast<std::string>(arguments[0]), py::cast<std::string>(arguments[1]),
-                      py::cast<std::string>(arguments[2]), py::cast<double>(arguments[3])});
+      app::MethodOptions{py::cast<std::string>(arguments[0]), py::cast<std::string>(arguments[1]),
+                         py::cast<std::string>(arguments[2]), py::cast<double>(arguments[3])});
   ArchiveItems items;
   for (const auto& [name, item] : py::cast<py::dict>(saved[2])) {
     auto& kept = items[py::cast<std::string>(name)];
@@ -137,22 +133,22 @@ void bind_simulation(py::module_& module) {
       .def_property_readonly(
           "end", [](const ScriptSimulation& run) { return run.plan().end; }, "[T]")
       .def_property_readonly(
-          "time", [](const ScriptSimulation& run) { return read(run).seen().state().t; }, "[T]")
+          "time", [](const ScriptSimulation& run) { return run.idle().seen().state().t; }, "[T]")
       .def_property_readonly(
-          "steps", [](const ScriptSimulation& run) { return read(run).run_state().step; }, "Steps done.")
+          "steps", [](const ScriptSimulation& run) { return run.idle().run_state().step; }, "Steps done.")
       .def_property_readonly(
-          "evaluations", [](const ScriptSimulation& run) { return read(run).run_state().evaluations; },
+          "evaluations", [](const ScriptSimulation& run) { return run.idle().run_state().evaluations; },
           "Force evaluations done.")
       .def_property_readonly(
           "outcome",
           [](const ScriptSimulation& run) -> py::object {
-            if (!read(run).outcome()) return py::none();
+            if (!run.idle().outcome()) return py::none();
             return py::str(*run.outcome() ? "finished" : "diverged");
           },
           "None while steps are left, then 'finished' or 'diverged'.")
       .def_property_readonly(
           "message",
-          [](const ScriptSimulation& run) { return read(run).outcome() ? run.outcome()->message : std::string{}; },
+          [](const ScriptSimulation& run) { return run.idle().outcome() ? run.outcome()->message : std::string{}; },
           "Why the run diverged.")
       .def_property_readonly(
           "coordinates",
@@ -175,7 +171,7 @@ void bind_simulation(py::module_& module) {
       .def_property_readonly("spin", pose_row(&Poses::w),
                              "Angular velocity of each body [rad/T], counter-clockwise > 0.")
       .def_property_readonly(
-          "angle", [](const ScriptSimulation& run) { return py::array(py::cast(read(run).angles())); },
+          "angle", [](const ScriptSimulation& run) { return py::array(py::cast(run.idle().angles())); },
           "Angle of each body [rad], counter-clockwise > 0.")
       .def_property_readonly("overlaps",
                              viewed([](const ScriptSimulation& run) { return std::span{run.seen().depths()}; }),
@@ -187,19 +183,19 @@ void bind_simulation(py::module_& module) {
           "tensions", viewed([](const ScriptSimulation& run) { return std::span{run.seen().forces().tensions}; }),
           "Tension of each cable [F].")
       .def_property_readonly(
-          "elongations", [](const ScriptSimulation& run) { return py::array(py::cast(read(run).elongations())); },
+          "elongations", [](const ScriptSimulation& run) { return py::array(py::cast(run.idle().elongations())); },
           "Elongation of each cable [L]; negative while slack.")
       .def_property_readonly("energies", &energies,
                              "Mechanical energy by its form, and energy dissipated by each mechanism [F L].")
       .def("__repr__",
            [](const ScriptSimulation& run) {
              return fmt::format("<talus.Simulation '{}': t = {:.6g} {}, {} steps>", run.scene().file().scene.title,
-                                read(run).seen().state().t, symbol(run.model().units, dimension::time),
+                                run.idle().seen().state().t, symbol(run.model().units, dimension::time),
                                 run.run_state().step);
            })
       .def(py::pickle(
-          [](const ScriptSimulation& run) {
-            const MethodArguments& method = run.arguments();
+          [](ScriptSimulation& run) {
+            const app::MethodOptions& method = run.method();
             return py::make_tuple(
                 run.scene(), py::make_tuple(method.end, method.step, method.integrator, method.tolerance), saved(run));
           },

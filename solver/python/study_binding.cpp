@@ -113,7 +113,7 @@ py::object calibrate(std::optional<double> restitution, const std::vector<std::s
     const Unlocked unlocked;
     json = app::impact_calibration(options);
   }
-  return to_python(json);
+  return to_python(json.dump());
 }
 
 }  // namespace

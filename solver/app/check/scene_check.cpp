@@ -19,8 +19,7 @@ double step_over_limit(const Scene& scene, const ContactRange& range) {
   return limit && !chooses_steps(scene.integrator) ? scene.plan.step / limit->step : 0.0;
 }
 
-/// Contacts whose effective mass can differ by more than 1 % from that in the position of the start, on the side of
-/// shorter contacts: first the one whose step is farthest beyond its limit, then the shortest contacts.
+/// SceneCheck::lighter.
 std::vector<ContactRange> lighter_contacts(const Scene& scene, const Dynamics& dynamics, const StepAdvice& advice) {
   std::vector<ContactRange> lighter;
   std::size_t instance = 0;

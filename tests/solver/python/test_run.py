@@ -83,6 +83,9 @@ class Runs(unittest.TestCase):
         self.assertEqual(run.outcome, "diverged")
         self.assertFalse(run.usable)
         self.assertTrue(run.summary["quality"]["flaw"])
+        self.assertEqual(run.outcome, run.summary["outcome"]["kind"])
+        copy = pickle.loads(pickle.dumps(run))
+        self.assertEqual((copy.outcome, copy.usable), ("diverged", False))
         self.assertTrue(run.warnings)
         with tempfile.TemporaryDirectory() as folder:
             text = BALL.replace('"0.2 ms"', '"1e200 s"').replace('"10 ms"', '"1e200 s"').replace('"1 s"', '"1e203 s"')
@@ -98,6 +101,7 @@ class Runs(unittest.TestCase):
         copy = pickle.loads(pickle.dumps(run))
         np.testing.assert_array_equal(copy.history, run.history)
         self.assertEqual((copy.columns, copy.summary, copy.warnings), (run.columns, run.summary, run.warnings))
+        self.assertEqual((copy.outcome, copy.usable), (run.outcome, run.usable))
         self.assertEqual(copy.unit("ball.vy"), "m/s")
 
     def test_wrong_arguments(self):
