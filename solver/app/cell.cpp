@@ -2,9 +2,11 @@
 #include <fmt/ranges.h>
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <chrono>
 #include <cmath>
 #include <filesystem>
+#include <iterator>
 #include <memory>
 #include <optional>
 #include <sstream>
@@ -140,7 +142,7 @@ class RequestedCell final : public ResumableRun {
   bool finish(Outcome& outcome, const Condition&) override {
     outcome.time = run_.discs().t;
     outcome_ = {outcome.kind == Outcome::Kind::finished, outcome.message, request_->warnings};
-    judge();
+    std::ranges::move(cell_warnings(request_->scene, run_), std::back_inserter(outcome_.warnings));
     return outcome.kind == Outcome::Kind::stopped;
   }
   std::vector<std::string> warnings() const override {
@@ -169,27 +171,6 @@ class RequestedCell final : public ResumableRun {
     progress.show(fmt::format("t {:.4g} of {:.4g}, {:.3g} steps/s, {} left",
                               static_cast<double>(run_.steps()) * run_.plan().step, run_.plan().end, rate,
                               duration_text(static_cast<double>(run_.last_step() - run_.steps()) / rate)));
-  }
-
-  /// Adds the warnings of the finished run.
-  void judge() {
-    const CellScene& scene = request_->scene;
-    if (run_.largest_overlap() > CellRun::deepest * scene.cell.diameter || run_.largest_fraction() > CellRun::fullest) {
-      outcome_.warnings.push_back(fmt::format(
-          "the largest overlap is {:.3g} diameters, the largest solid fraction {:.4g}; beyond {} and {} "
-          "discs do not behave as hard ones: stiffer contacts, or less speed or load",
-          run_.largest_overlap() / scene.cell.diameter, run_.largest_fraction(), CellRun::deepest, CellRun::fullest));
-    }
-    // Checked only once the work exceeds the energy held: before, momentary values dominate the ratio.
-    const CellRun::Ledger ledger = run_.ledger();
-    const double balance_error = ledger.relative_balance_error();
-    if (!scene.plan.historical && run_.failure().empty() && ledger.work() > ledger.held() &&
-        std::abs(balance_error) > CellRun::maximum_balance_error) {
-      outcome_.warnings.push_back(
-          fmt::format("{:.2g} of the work is unaccounted for, more than {}: the step is too long, or the integrator "
-                      "adds or takes energy",
-                      balance_error, CellRun::maximum_balance_error));
-    }
   }
 
   /// Computing time of the steps of this process. It is not written to files, so that these are reproducible.

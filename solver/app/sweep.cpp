@@ -101,7 +101,7 @@ std::vector<Sample> samples_of(const SweepFolder& sweep, const SweepBase& base) 
     const bool is_of_sweep = is_short || (limits.evaluations > 0 && sample.result.evaluations >= limits.evaluations);
     if (sample.result.end == SweepEnd::limited && sample.result.time > 0.0 && !is_of_sweep) {
       // The run ends at its end, or at a limit of the sweep.
-      double whole = base.scene(sweep.runs[i]).scene.plan.end / sample.result.time;
+      double whole = base.end(sweep.runs[i]) / sample.result.time;
       if (limits.evaluations > 0) whole = std::min(whole, static_cast<double>(limits.evaluations) / evaluations);
       if (sweep.limits.time > 0.0) whole = std::min(whole, sweep.limits.time / sample.seconds);
       sample.seconds *= whole;

@@ -9,7 +9,7 @@
 #include <cstdint>
 #include <limits>
 #include <numbers>
-#include <ranges>
+#include <span>
 #include <utility>
 #include <variant>
 
@@ -237,7 +237,7 @@ class TangentialSearch {
       values.push_back(span.smallest * std::pow(span.largest / span.smallest, static_cast<double>(i) / count));
     if (!span.has_zero) std::ranges::reverse(values);
     samples_ = {{values.front(), restitution(values.front())}};
-    for (const double value : values | std::views::drop(1)) {
+    for (const double value : std::span{values}.subspan(1)) {
       const Simulated found = located(with(value), contact_time_);
       if (!std::holds_alternative<ObliqueRebound>(found)) break;
       samples_.emplace_back(value, std::get<ObliqueRebound>(found).tangential_restitution);

@@ -8,7 +8,7 @@
 #include <cmath>
 #include <cstdio>
 #include <cstdlib>
-#include <ranges>
+#include <span>
 #include <utility>
 
 #include "verification/record/failed_cases.hpp"
@@ -97,7 +97,7 @@ void Terminal::report(const Record& record, const std::vector<std::string>& runn
              record.controls.size(), reused ? "as before" : fmt::format("{:.2f} s", record.seconds), margin);
   if (!pass) fmt::print("         {}: {}\n", record.id, record.message);
   for (const auto& [of, checks] : records::failed_cases({&record, 1})) {
-    for (const Check* check : checks | std::views::take(maximum_lines))
+    for (const Check* check : std::span{checks}.first(std::min(checks.size(), maximum_lines)))
       fmt::print("         {}{}\n", sentence(of->id, *check), rounding_text());
     if (checks.size() > maximum_lines)
       fmt::print("         and {} more, in its record\n", checks.size() - maximum_lines);
@@ -139,7 +139,7 @@ void Terminal::summarise(const Results& results, const std::string& results_file
       unselected == 0 ? "" : fmt::format("; {} registered but not selected", unselected), pass ? "" : rounding_text());
   if (const auto failed = records::failed_cases(results.records); counts.checks_failed > 1) {
     fmt::print("read first: {}\n", sentence(failed.front().record->id, *failed.front().checks.front()));
-    for (const auto& [record, checks] : failed | std::views::drop(1)) {
+    for (const auto& [record, checks] : std::span{failed}.subspan(1)) {
       const Check& first = *checks.front();
       fmt::print("then: {}.{}: error/bound {}\n", record->id, first.name,
                  records::margin_text(first.margin, first.pass, 3));

@@ -9,6 +9,7 @@
 #include <numeric>
 
 #include "solver/base/error.hpp"
+#include "solver/scenes/fence_summary.hpp"
 #include "solver/threads/parallel_for.hpp"
 
 namespace talus::app {

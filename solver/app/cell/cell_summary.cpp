@@ -86,6 +86,27 @@ std::string cell_summary(const CellScene& scene, CellRun& run, const CellOutcome
   return text;
 }
 
+std::vector<std::string> cell_warnings(const CellScene& scene, CellRun& run) {
+  std::vector<std::string> warnings;
+  const double overlap = run.largest_overlap() / scene.cell.diameter;
+  if (overlap > CellRun::deepest || run.largest_fraction() > CellRun::fullest) {
+    warnings.push_back(
+        fmt::format("the largest overlap is {:.3g} diameters, the largest solid fraction {:.4g}; beyond {} and {} "
+                    "discs do not behave as hard ones: stiffer contacts, or less speed or load",
+                    overlap, run.largest_fraction(), CellRun::deepest, CellRun::fullest));
+  }
+  const CellRun::Ledger ledger = run.ledger();
+  const double balance_error = ledger.relative_balance_error();
+  if (!scene.plan.historical && run.failure().empty() && ledger.work() > ledger.held() &&
+      std::abs(balance_error) > CellRun::maximum_balance_error) {
+    warnings.push_back(
+        fmt::format("{:.2g} of the work is unaccounted for, more than {}: the step is too long, or the integrator "
+                    "adds or takes energy",
+                    balance_error, CellRun::maximum_balance_error));
+  }
+  return warnings;
+}
+
 std::string cell_check(const CellScene& scene) {
   CellRun run{scene.cell, scene.plan};
   const ShearCell& cell = scene.cell;

@@ -79,8 +79,9 @@ std::vector<std::string> fit_warnings(const FitFile& file, const Fit& fit) {
 }
 
 std::string fit_text(const FitFile& file, const Fit& fit) {
-  std::string text = fmt::format("{} parameters fitted to {} values of {} rows, {} runs\n", file.parameters.size(),
-                                 fit.deviations.size(), file.rows, fit.evaluations);
+  std::string text =
+      fmt::format("{} parameter{} fitted to {} values of {} rows, {} runs\n", file.parameters.size(),
+                  file.parameters.size() == 1 ? "" : "s", fit.deviations.size(), file.rows, fit.evaluations);
   std::size_t width = 9;
   for (const FittedField& field : file.parameters)
     width = std::max(width, head(field.field, field.unit).size());

@@ -74,7 +74,7 @@ FitStudy::FitStudy(const FitFile& file, unsigned threads) : file_{&file}, thread
     try {
       SweptRun run;
       run.parameters.emplace_back(field, value);
-      static_cast<void>(base_.scene(run));
+      static_cast<void>(base_.end(run));
     } catch (const InputError& error) {
       throw InputError{fmt::format("{}: field: {}", where, error.what())};
     }
@@ -86,7 +86,7 @@ FitStudy::FitStudy(const FitFile& file, unsigned threads) : file_{&file}, thread
     start.push_back(field.parameter.start);
     try_field(field.where, field.field, written(start.back(), field.unit));
   }
-  static_cast<void>(base_.scene(run(start, 0)));
+  static_cast<void>(base_.end(run(start, 0)));
 }
 
 SweptRun FitStudy::run(const std::vector<double>& parameters, std::size_t row) const {

@@ -3,56 +3,43 @@
 #include <filesystem>
 #include <functional>
 #include <string>
+#include <string_view>
 #include <variant>
 #include <vector>
 
-#include "solver/app/sweep/sweep_result.hpp"
-#include "solver/app/sweep/sweep_runs.hpp"
-#include "solver/io/scene/scene_file.hpp"
-#include "solver/run/quantity.hpp"
-#include "solver/scenes/fence_output.hpp"
+#include "solver/app/sweep/swept_cell.hpp"
+#include "solver/app/sweep/swept_scene.hpp"
 
 namespace talus::app {
 
-/// A number that is read of each run: a column of its history, reduced, or a number of a fence's summary.
-struct SweepOutput {
-  std::string name;
-  Dimension dimension{};
-  std::variant<Quantity, scenes::FenceOutput> source;
-};
-
-/// The scene that the runs of a sweep change, and what is read of each run.
+/// What the runs of a sweep change, a scene of bodies or a shear cell, and the numbers that are read of each run.
 class SweepBase {
  public:
-  /// `text`: TOML; `name` is the file named in errors. Errors: InputError for a scene that is wrong, or outputs that it
-  /// does not have.
-  SweepBase(std::string_view text, std::string name, std::vector<std::string> outputs);
+  /// `text`: TOML; `name` is the file named in errors. Errors: InputError for a scene or cell that is wrong, or outputs
+  /// that it does not have.
+  SweepBase(std::string_view text, const std::string& name, std::vector<std::string> outputs);
   /// The same of a parsed TOML text.
   SweepBase(TomlValue document, std::string name, std::vector<std::string> outputs);
 
   /// The outputs of the base, with names and dimensions.
-  const std::vector<SweepOutput>& outputs() const { return outputs_; }
-  const UnitSystem& units() const { return units_; }
-  bool is_fence() const { return is_fence_; }
+  const std::vector<SweepOutput>& outputs() const;
+  const UnitSystem& units() const;
+  bool is_fence() const;
 
-  /// The scene of one run. Errors: InputError for a wrong field or value.
-  [[nodiscard]] SceneFile scene(const SweptRun& run) const;
+  /// Time at which a run is planned to end [T]. Errors: InputError for a wrong field or value.
+  [[nodiscard]] double end(const SweptRun& run) const;
 
-  /// Executes a run as `talus run` does, without files. `interrupted` is called every 128 steps; if it is
-  /// true, the run has no result, and its id is empty.
+  /// Executes a run as `talus run` or `talus cell` does, without files. `interrupted` is called at intervals of at most
+  /// 128 steps of a scene, or of half a contact of a cell; if it is true, the run has no result, and its id is empty.
   [[nodiscard]] SweepResult result(const SweptRun& run, const SweepLimits& limits,
                                    const std::function<bool()>& interrupted) const;
 
  private:
-  std::string name_;
-  TomlValue document_;
-  std::vector<std::string> names_;
-  std::vector<SweepOutput> outputs_;
-  UnitSystem units_;
-  bool is_fence_{};
+  std::variant<SweptScene, SweptCell> swept_;
 };
 
-/// The text of a scene or deck as TOML. Errors: IoError; InputError for a shear cell or a wrong deck.
+/// The text of a scene, cell or deck of 1993 as TOML. Errors: IoError; InputError for a wrong deck, or for CNTRL.DAT,
+/// which has no units.
 [[nodiscard]] std::string base_text(const std::filesystem::path& file);
 
 }  // namespace talus::app

@@ -8,6 +8,7 @@
 #include <limits>
 #include <map>
 #include <nlohmann/json.hpp>
+#include <utility>
 
 #include "solver/app/sweep/design.hpp"
 #include "solver/base/error.hpp"
@@ -164,9 +165,14 @@ SweptRuns swept_runs(const SweepFile& sweep) {
   return made;
 }
 
-void check_fields(TomlValue base, const SweptRun& run) {
+TomlValue with_parameters(TomlValue base, const SweptRun& run) {
   for (const auto& [field, value] : run.parameters)
     set_field(base, field, value);
+  return base;
+}
+
+void check_fields(TomlValue base, const SweptRun& run) {
+  base = with_parameters(std::move(base), run);
   std::map<const TomlValue*, std::string> fields;
   for (const auto& [field, value] : run.parameters) {
     const auto [other, is_new] = fields.emplace(&field_at(base, field), field);

@@ -26,6 +26,9 @@ struct SweptRuns {
 /// satisfies the constraints, or a constraint compares values of different dimensions.
 [[nodiscard]] SweptRuns swept_runs(const SweepFile& sweep);
 
+/// The base with the fields of a run. Errors: InputError for a field that the base cannot have.
+[[nodiscard]] TomlValue with_parameters(TomlValue base, const SweptRun& run);
+
 /// Checks the fields of a run, which are those of all runs of a sweep. Errors: InputError for a field that the base
 /// cannot have, or that two axes change by different paths.
 void check_fields(TomlValue base, const SweptRun& run);

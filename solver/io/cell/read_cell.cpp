@@ -343,8 +343,7 @@ void check_whole(const CellScene& scene, const CellChoices& choices, const Scene
   }
 }
 
-CellScene read_toml(std::string_view text, std::string_view name, const CellChoices& choices) {
-  const TomlValue document = parse_toml(text, name);
+CellScene read_toml(const TomlValue& document, std::string_view name, const CellChoices& choices) {
   SceneSource source{std::string{name}, si};
   SceneTable file{source, document, ""};
   if (choices.units) throw InputError{fmt::format("{}: a unit system is named in the file already", name)};
@@ -371,16 +370,23 @@ CellScene read_toml(std::string_view text, std::string_view name, const CellChoi
 }  // namespace
 
 CellScene read_cell(std::string_view text, std::string_view name, const CellChoices& choices) {
-  return is_deck(name) ? read_control(text, name, choices) : read_toml(text, name, choices);
+  return is_deck(name) ? read_control(text, name, choices) : read_toml(parse_toml(text, name), name, choices);
+}
+
+CellScene read_cell(const TomlValue& document, std::string_view name, const CellChoices& choices) {
+  return read_toml(document, name, choices);
+}
+
+bool describes_cell(const TomlValue& document) {
+  const auto& table = std::get<TomlTable>(document.data);
+  return std::ranges::any_of(table, [](const TomlEntry& entry) { return entry.key == "cell"; });
 }
 
 bool describes_cell(const std::filesystem::path& file) {
   const std::string text = read_text(file);
   if (!is_deck(file.string())) {
     if (text.find("cell") == std::string::npos) return false;  // avoids parsing a long scene twice
-    const TomlValue document = parse_toml(text, file.string());
-    const auto& table = std::get<TomlTable>(document.data);
-    return std::any_of(table.begin(), table.end(), [](const TomlEntry& entry) { return entry.key == "cell"; });
+    return describes_cell(parse_toml(text, file.string()));
   }
   if (file.filename() == "CNTRL.DAT") return true;
   std::istringstream tokens{std::string{without_mark(text)}};

@@ -8,6 +8,7 @@
 
 #include "solver/base/units.hpp"
 #include "solver/cell/cell_plan.hpp"
+#include "solver/io/file/toml_document.hpp"
 
 namespace talus {
 
@@ -47,9 +48,13 @@ struct CellChoices {
 [[nodiscard]] CellScene read_cell(const std::filesystem::path& file, const CellChoices& choices);
 /// The same from a text; `name` is the file named in errors.
 [[nodiscard]] CellScene read_cell(std::string_view text, std::string_view name, const CellChoices& choices);
+/// The same from a parsed TOML text.
+[[nodiscard]] CellScene read_cell(const TomlValue& document, std::string_view name, const CellChoices& choices);
 
 /// Whether a file describes a cell and not bodies: a TOML file with [cell], a file named CNTRL.DAT, or a .DAT file of
 /// 15 numbers and nothing else. Errors: IoError; InputError for a text that is not TOML.
 [[nodiscard]] bool describes_cell(const std::filesystem::path& file);
+/// The same of a parsed TOML text.
+[[nodiscard]] bool describes_cell(const TomlValue& document);
 
 }  // namespace talus

@@ -119,8 +119,6 @@ void check_refusals(const Program& program, Differences& differ) {
                    end.exit_code == expected && end.messages.find(wrong.message) != std::string::npos, true);
   }
   differ.compare("nothing is written of a wrong sweep", program.has("wrong/sweep.json"), false);
-  program.write("cell.toml", "base = \"cell_base.toml\"\noutputs = [\"ball.vx.end\"]\n" + good);
-  program.write("cell_base.toml", program.run({"new", "cell"}, {}));
   struct WrongCommand {
     std::vector<std::string> command;
     Options options;
@@ -129,7 +127,6 @@ void check_refusals(const Program& program, Differences& differ) {
   };
   const std::vector<WrongCommand> commands{
       {{"sweep"}, {}, "a command is missing; known: plan, run, status, submit, collect"},
-      {{"sweep", "plan", "cell.toml"}, {}, "a shear cell is run by `talus cell`"},
       {{"sweep", "run", "grid"}, {{"--shard", {"0/2"}}}, "--shard: found \"0/2\"; it must be I/N"},
       {{"sweep", "run", "grid"}, {{"--shard", {"3/2"}}}, "--shard: found \"3/2\"; it must be I/N"},
       {{"sweep", "run", "grid"}, {{"--shard", {"1:2"}}}, "--shard: found \"1:2\"; it must be I/N"},

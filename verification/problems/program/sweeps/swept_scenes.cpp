@@ -10,6 +10,7 @@
 
 #include "verification/check/case.hpp"
 #include "verification/problems/program/sweeps/sweep_refusals.hpp"
+#include "verification/problems/program/sweeps/swept_cells.hpp"
 #include "verification/record/csv.hpp"
 #include "verification/record/json_node.hpp"
 #include "verification/reference/impacts/restitution.hpp"
@@ -482,6 +483,7 @@ void run(Findings& findings, const Setup& setup) {
   check_table(program, worst, differ);
   if (setup.needs("outputs that differ")) {
     check_fence(program, differ);
+    check_cells(program, differ);
     check_failures(program, differ);
     check_engines(program, differ);
     check_units(program, differ);

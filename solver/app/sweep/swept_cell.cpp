@@ -1,0 +1,97 @@
+#include "solver/app/sweep/swept_cell.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <optional>
+#include <utility>
+
+#include "solver/app/cell/cell_summary.hpp"
+#include "solver/app/sweep/run_limits.hpp"
+#include "solver/base/error.hpp"
+#include "solver/io/cell/write_cell.hpp"
+
+namespace talus::app {
+namespace {
+
+/// Groups and means of a run, those with an error followed by it.
+std::vector<std::pair<SweepOutput, double>> numbers_of_cell(const CellScene& scene, CellRun& run) {
+  std::vector<std::pair<SweepOutput, double>> numbers;
+  const auto add = [&](const std::vector<CellNumber>& of) {
+    for (const CellNumber& number : of) {
+      numbers.push_back({{"cell." + number.name, number.dimension}, number.estimate.value});
+      numbers.push_back({{"cell." + number.name + ".error", number.dimension}, number.estimate.error});
+    }
+  };
+  add(cell_groups(scene, run));
+  add(cell_results(run));
+  numbers.push_back({{"cell.balance_error", dimension::number}, run.ledger().relative_balance_error()});
+  return numbers;
+}
+
+/// The numbers with these names. Errors: InputError for one that the cell does not have.
+std::vector<std::pair<SweepOutput, double>> cell_numbers_named(const CellScene& scene, CellRun& run,
+                                                               const std::vector<std::string>& names) {
+  const std::vector<std::pair<SweepOutput, double>> all = numbers_of_cell(scene, run);
+  std::vector<std::pair<SweepOutput, double>> named;
+  for (const std::string& name : names) {
+    const auto found = std::ranges::find(all, name, [](const auto& of) { return of.first.name; });
+    if (found == all.end()) {
+      std::vector<std::string> known;
+      for (const auto& [output, value] : all)
+        known.push_back(output.name);
+      throw InputError{fmt::format("outputs: {}", unknown_name("number of a cell", name, known).what())};
+    }
+    named.push_back(*found);
+  }
+  return named;
+}
+
+}  // namespace
+
+SweptCell::SweptCell(TomlValue document, std::string name, std::vector<std::string> outputs)
+    : name_{std::move(name)}, document_{std::move(document)}, names_{std::move(outputs)} {
+  const CellScene scene = read_cell(document_, name_, {});
+  CellRun run{scene.cell, scene.plan};
+  for (auto& [output, value] : cell_numbers_named(scene, run, names_))
+    outputs_.push_back(output);
+  units_ = *scene.units;
+}
+
+CellScene SweptCell::cell(const SweptRun& run) const { return read_cell(with_parameters(document_, run), name_, {}); }
+
+SweepResult SweptCell::result(const SweptRun& run, const SweepLimits& limits,
+                              const std::function<bool()>& interrupted) const {
+  SweepResult result{run.id, SweepEnd::finished, {}, 0.0, 0, {}, {}};
+  std::optional<CellScene> scene;
+  std::optional<CellRun> cell_run;
+  try {
+    scene.emplace(cell(run));
+    cell_run.emplace(scene->cell, scene->plan);
+    static_cast<void>(cell_numbers_named(*scene, *cell_run, names_));
+  } catch (const InputError& error) {
+    result.end = SweepEnd::refused, result.reason = error.what();
+    return result;
+  }
+  RunLimits end{limits, interrupted, 1};
+  while (!cell_run->finished() && cell_run->failure().empty() && !end.reached(cell_run->evaluations()))
+    cell_run->advance();
+  if (end.is_interrupted()) return {};
+  result.time = cell_run->discs().t;
+  result.evaluations = cell_run->evaluations();
+  if (!cell_run->failure().empty()) {
+    result.end = SweepEnd::diverged, result.reason = cell_run->failure();
+    return result;
+  }
+  if (!cell_run->finished()) {
+    result.end = SweepEnd::limited, result.reason = end.reason();
+    return result;
+  }
+  result.reason = fmt::format("{}", fmt::join(cell_warnings(*scene, *cell_run), "; "));
+  for (const auto& [output, value] : cell_numbers_named(*scene, *cell_run, names_))
+    result.values.push_back(value * si_size(*scene->units, output.dimension) / si_size(units_, output.dimension));
+  return result;
+}
+
+}  // namespace talus::app

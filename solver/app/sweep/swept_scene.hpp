@@ -1,0 +1,45 @@
+#pragma once
+
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "solver/app/sweep/sweep_result.hpp"
+#include "solver/app/sweep/sweep_runs.hpp"
+#include "solver/io/scene/scene_file.hpp"
+
+namespace talus::app {
+
+/// A number that is read of each run, with its unit.
+struct SweepOutput {
+  std::string name;
+  Dimension dimension{};
+};
+
+/// A scene of bodies as the base of a sweep. Outputs: columns of its history, reduced, or numbers of a fence's summary.
+class SweptScene {
+ public:
+  /// Errors: InputError for a scene that is wrong, or outputs that it does not have.
+  SweptScene(TomlValue document, std::string name, std::vector<std::string> outputs);
+
+  const std::vector<SweepOutput>& outputs() const { return outputs_; }
+  const UnitSystem& units() const { return units_; }
+  bool is_fence() const { return is_fence_; }
+  /// Time at which a run is planned to end [T]. Errors: InputError for a wrong field or value.
+  [[nodiscard]] double end(const SweptRun& run) const { return scene(run).scene.plan.end; }
+  /// See SweepBase::result().
+  [[nodiscard]] SweepResult result(const SweptRun& run, const SweepLimits& limits,
+                                   const std::function<bool()>& interrupted) const;
+
+ private:
+  [[nodiscard]] SceneFile scene(const SweptRun& run) const;
+
+  std::string name_;
+  TomlValue document_;
+  std::vector<std::string> names_;
+  std::vector<SweepOutput> outputs_;
+  UnitSystem units_;
+  bool is_fence_{};
+};
+
+}  // namespace talus::app

@@ -1,0 +1,185 @@
+#include "verification/problems/program/sweeps/swept_cells.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <numbers>
+#include <string>
+#include <vector>
+
+#include "verification/record/csv.hpp"
+#include "verification/record/json_node.hpp"
+
+namespace talus::verification::problems::swept_scenes {
+namespace {
+
+using records::Json;
+
+constexpr double disc_stiffness = 1.7e4, diameter = 1e-3, disc_mass = 7.2e-7, cell_step = 4e-7;
+
+/// A small cell; `fields` of [cell] beside the fixed ones.
+std::string cell_text(const std::string& fields, const std::string& end) {
+  return fmt::format(
+      "title = \"Cell\"\nunits = \"SI\"\n[cell]\nstiffness = \"{} N/m\"\ndiameter = \"{} m\"\nmass = \"{} kg\"\n"
+      "gravity = \"9.81 m/s^2\"\nrows = 4\ncolumns = 5\nwall_discs = 6\nblock_speed = \"3 m/s\"\n{}"
+      "[run]\nstep = \"{} s\"\nevery = \"5 ms\"\nend = \"{}\"\n",
+      disc_stiffness, diameter, disc_mass, fields, cell_step, end);
+}
+
+/// Plans, runs and collects a sweep whose text is the base and `more`; returns the exit status of the run.
+int swept(const Program& program, const std::string& name, const std::string& base, const std::string& more) {
+  program.write(name + "_base.toml", base);
+  program.write(name + ".toml", fmt::format("base = \"{}_base.toml\"\n{}", name, more));
+  static_cast<void>(program.run({"sweep", "plan", name + ".toml"}, {}));
+  const int exit_code = program.end({"sweep", "run", name}, {}).exit_code;
+  static_cast<void>(program.end({"sweep", "collect", name}, {}));
+  return exit_code;
+}
+
+std::string axis(const std::string& field, const std::string& values) {
+  return fmt::format("[[axis]]\nfield = \"{}\"\nvalues = [{}]\n", field, values);
+}
+
+bool is_near(double value, double exact) { return std::abs(value / exact - 1.0) < 1e-12; }
+
+/// Groups of each run beside the closed forms of its fields; all numbers beside those of the changed file alone.
+void check_numbers(const Program& program, Differences& differ) {
+  const std::vector<std::string> outputs{
+      "cell.restitution", "cell.stiffness_number", "cell.contact_steps",    "cell.block_over_disc",
+      "cell.top_normal",  "cell.top_normal.error", "cell.stress_ratio_top", "cell.stress_ratio_top.error",
+      "cell.depth",       "cell.largest_overlap"};
+  std::string list;
+  for (const std::string& output : outputs)
+    list += fmt::format("\"{}\", ", output);
+  const int exit_code =
+      swept(program, "cells", cell_text("restitution = 0.5\noverburden = \"8 kPa\"\n", "30 ms"),
+            fmt::format("outputs = [{}\"cell.balance_error\"]\n", list) + axis("cell.seed", "3, 7") +
+                axis("cell.restitution", "0.6, 0.8") + axis("cell.overburden", "\"8 kPa\", \"4 kPa\""));
+  differ.compare("cells: exit status", exit_code, 0);
+  const records::Csv csv = program.csv("cells/results.csv");
+  differ.compare("cells: rows", csv.rows(), std::size_t{8});
+  const Json json = program.file("cells/results.json");
+  for (std::size_t row = 0; row < csv.rows(); ++row) {
+    const auto number = [&](const std::string& head) { return csv.number(row, csv.column(head)); };
+    const double seed = row < 4 ? 3.0 : 7.0, restitution = row / 2 % 2 == 0 ? 0.6 : 0.8,
+                 pressure = row % 2 == 0 ? 8e3 : 4e3;
+    const double half_period = std::numbers::pi * std::sqrt(0.5 * disc_mass / disc_stiffness);
+    const double block = pressure * 6.0 * diameter * diameter / 9.81;
+    differ.compare("cells: order of the rows",
+                   number("cell.seed") == seed && number("cell.restitution") == restitution &&
+                       number("cell.overburden [kPa]") == 1e-3 * pressure,
+                   true);
+    differ.compare("cells: restitution",
+                   is_near(csv.number(row, csv.header().size() - outputs.size() - 1), restitution), true);
+    differ.compare("cells: stiffness over pressure",
+                   is_near(number("cell.stiffness_number"), disc_stiffness / (pressure * diameter)), true);
+    // Loading takes a quarter of the period, unloading with K1/e^2 a quarter of a shorter one.
+    differ.compare("cells: steps in a contact",
+                   is_near(number("cell.contact_steps"), 0.5 * half_period * (1.0 + restitution) / cell_step), true);
+    differ.compare("cells: mass of the block", is_near(number("cell.block_over_disc"), block / disc_mass), true);
+    differ.compare("cells: a standard error", number("cell.top_normal.error [N/m^2]") > 0.0, true);
+    differ.compare("cells: end", number("time [s]") > 0.02999 && number("evaluations") == 75000.0, true);
+    differ.compare("cells: balance error", std::abs(number("cell.balance_error")) < 1e-3, true);
+
+    program.write("cell_alone.toml", cell_text(fmt::format("restitution = {}\noverburden = \"{} Pa\"\nseed = {}\n",
+                                                           restitution, pressure, seed),
+                                               "30 ms"));
+    const Json alone = program.json({"cell", "cell_alone.toml"}, {{"--json", {}}});
+    const Json& values = json.at("runs").at(row).at("values");
+    for (std::size_t i = 0; i < outputs.size(); ++i) {
+      std::string name = outputs[i].substr(5);
+      const bool is_error = name.ends_with(".error");
+      if (is_error) name.resize(name.size() - 6);
+      const Json& of = alone.at(alone.at("groups").contains(name) ? "groups" : "results").at(name);
+      differ.compare("cells: " + outputs[i], values.at(i).get<double>(),
+                     of.at(is_error ? "error" : "value").get<double>());
+    }
+  }
+}
+
+/// The depth of a cell in feet is one in metres in results.json.
+void check_units(const Program& program, Differences& differ) {
+  std::string base = cell_text("restitution = 0.5\noverburden = \"8 kPa\"\n", "15 ms");
+  const std::string more = "outputs = [\"cell.depth\"]\n" + axis("cell.seed", "1");
+  static_cast<void>(swept(program, "metres", base, more));
+  base.replace(base.find("\"SI\""), 4, "\"US\"");
+  static_cast<void>(swept(program, "feet", base, more));
+  const records::Csv metres = program.csv("metres/results.csv"), feet = program.csv("feet/results.csv");
+  differ.compare("cells: depth in feet", feet.header().back(), std::string{"cell.depth [ft]"});
+  // Other units round the fields differently, and the flow is chaotic: the depths differ by their fluctuations.
+  const double depth = metres.number(0, metres.header().size() - 1), last = feet.number(0, feet.header().size() - 1);
+  differ.compare("cells: depth in metres", std::abs(0.3048 * last / depth - 1.0) < 0.2, true);
+  differ.compare(
+      "cells: SI in JSON",
+      is_near(program.file("feet/results.json").at("runs").at(0).at("values").at(0).get<double>(), 0.3048 * last),
+      true);
+}
+
+/// The restitution of a cell by a fit to the steps in a contact, which have a closed form.
+void check_fit(const Program& program, Differences& differ) {
+  constexpr double restitution = 0.65;
+  const double half_period = std::numbers::pi * std::sqrt(0.5 * disc_mass / disc_stiffness),
+               steps = 0.5 * half_period * (1.0 + restitution) / cell_step;
+  program.write("fitted.csv", fmt::format("load [kPa],steps\n8,{}\n4,{}\n", steps, steps));
+  std::string scene = cell_text("restitution = 0.5\noverburden = \"8 kPa\"\n", "1 ms");
+  program.write("fitted_cell.toml", scene.replace(scene.find("\"5 ms\""), 6, "\"1 ms\""));
+  program.write("fitted.toml",
+                "scene = \"fitted_cell.toml\"\ndata = \"fitted.csv\"\n"
+                "[[input]]\ncolumn = \"load [kPa]\"\nfield = \"cell.overburden\"\n"
+                "[[quantity]]\ncolumn = \"steps\"\nresult = \"cell.contact_steps\"\nuncertainty = 0.1\n"
+                "[[parameter]]\nfield = \"cell.restitution\"\nrange = [0.2, 0.95]\n[bootstrap]\nsamples = 0\n");
+  const Json fit = program.json({"fit", "fitted.toml"}, {{"--json", {}}});
+  differ.compare("cells: fitted restitution",
+                 std::abs(fit.at("parameters").at(0).at("value").get<double>() - restitution) < 1e-6, true);
+  const std::string text = program.run({"fit", "fitted.toml"}, {});
+  differ.compare("cells: text of the fit", text.starts_with("1 parameter fitted to 2 values of 2 rows, "), true);
+}
+
+/// Runs that finish with a warning, reach a limit, are refused.
+void check_ends(const Program& program, Differences& differ) {
+  const std::string load = "restitution = 0.7\noverburden = \"8 kPa\"\n";
+  const int exit_code =
+      swept(program, "cell_ends", cell_text(load, "15 ms"),
+            "outputs = [\"cell.depth\", \"cell.stress_ratio_top\"]\n[limits]\nevaluations = 40000\n" +
+                axis("cell.block_speed", "\"3 m/s\", \"100 m/s\"") + axis("run.end", "\"15 ms\", \"20 ms\", \"-1 s\""));
+  differ.compare("cells: exit status with failed runs", exit_code, 6);
+  const records::Csv csv = program.csv("cell_ends/results.csv");
+  const auto text = [&](std::size_t row, const char* head) { return std::string{csv.cell(row, csv.column(head))}; };
+  differ.compare("cells: finished", text(0, "end") == "finished" && text(0, "reason").empty(), true);
+  differ.compare("cells: limit", text(1, "end") + ", " + text(1, "reason") + text(1, "cell.stress_ratio_top"),
+                 std::string{"limited, limit of 40000 evaluations"});
+  differ.compare("cells: time at the limit", std::abs(csv.number(1, csv.column("time [s]")) - 16e-3) < 1e-5, true);
+  differ.compare("cells: refused",
+                 text(2, "end") == "refused" &&
+                     text(2, "reason").starts_with("base.toml:17: run: end: found \"-1 s\"; it must be > 0"),
+                 true);
+  differ.compare("cells: warning",
+                 text(3, "end") == "finished" && text(3, "reason").starts_with("the largest overlap is ") &&
+                     !text(3, "cell.stress_ratio_top").empty(),
+                 true);
+  program.write("cell_output.toml",
+                "base = \"cells_base.toml\"\noutputs = [\"cell.deepth\"]\n" + axis("cell.seed", "1"));
+  const ProgramEnd output = program.end({"sweep", "plan", "cell_output.toml"}, {});
+  differ.compare("refusal: output of a cell",
+                 output.exit_code == 2 &&
+                     output.messages.find("cell_output.toml: outputs: number of a cell 'cell.deepth' is not known; "
+                                          "nearest: cell.depth") != std::string::npos,
+                 true);
+  program.write("CNTRL.DAT", "0 0\n");
+  program.write("deck_cell.toml", "base = \"CNTRL.DAT\"\noutputs = [\"cell.depth\"]\n" + axis("cell.seed", "1"));
+  const ProgramEnd deck = program.end({"sweep", "plan", "deck_cell.toml"}, {});
+  differ.compare("refusal: a cell without units",
+                 deck.exit_code == 2 && deck.messages.find("CNTRL.DAT: CNTRL.DAT has no units") != std::string::npos,
+                 true);
+}
+
+}  // namespace
+
+void check_cells(const Program& program, Differences& differ) {
+  check_numbers(program, differ);
+  check_units(program, differ);
+  check_fit(program, differ);
+  check_ends(program, differ);
+}
+
+}  // namespace talus::verification::problems::swept_scenes
