@@ -21,6 +21,7 @@
 #include "solver/io/cell/read_cell.hpp"
 #include "solver/io/read_scene_file.hpp"
 #include "solver/run/simulate.hpp"
+#include "solver/run/snapshot.hpp"
 #include "solver/stability/contact_range.hpp"
 #include "solver/stability/missing_contacts.hpp"
 #include "solver/stability/start_overlaps.hpp"

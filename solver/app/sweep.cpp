@@ -5,6 +5,7 @@
 #include <charconv>
 #include <chrono>
 #include <filesystem>
+#include <functional>
 #include <memory>
 #include <mutex>
 #include <nlohmann/json.hpp>
@@ -14,9 +15,11 @@
 #include "reports/base/error.hpp"
 #include "solver/app/command.hpp"
 #include "solver/app/interruption.hpp"
+#include "solver/app/sweep/dakota.hpp"
 #include "solver/app/sweep/engine.hpp"
 #include "solver/app/sweep/sweep_file.hpp"
 #include "solver/app/sweep/sweep_folder.hpp"
+#include "solver/app/sweep/sweep_function.hpp"
 #include "solver/app/sweep/sweep_table.hpp"
 #include "solver/base/error.hpp"
 #include "solver/base/progress.hpp"
@@ -44,6 +47,7 @@ struct SweepOptions {
   std::string hosts;
   std::vector<std::string> engine_options;
   bool waits{false};
+  std::string parameters, results;  ///< files of evaluate
 };
 
 /// Part `number` of `count` of a sweep, which has every count-th run.
@@ -110,16 +114,6 @@ std::vector<Sample> samples_of(const SweepFolder& sweep, const SweepBase& base) 
     samples.push_back(std::move(sample));
   }
   return samples;
-}
-
-/// Calls `action`; an InputError of it gets the name of the sweep's file.
-template <class Action>
-auto of_file(const fs::path& file, Action&& action) {
-  try {
-    return action();
-  } catch (const InputError& error) {
-    throw InputError{fmt::format("{}: {}", file.string(), error.what())};
-  }
 }
 
 int plan(const SweepOptions& options) {
@@ -309,6 +303,51 @@ int submit(const SweepOptions& options) {
   }
 }
 
+/// The index of the item with a name. Errors: InputError with the names that are known.
+template <class Items, class Name>
+std::size_t index_of(const Items& items, const std::string& name, const std::string& what, Name&& name_of) {
+  const auto found = std::ranges::find(items, name, name_of);
+  if (found != items.end()) return static_cast<std::size_t>(found - items.begin());
+  std::vector<std::string> known;
+  for (const auto& item : items)
+    known.push_back(std::invoke(name_of, item));
+  throw unknown_name(what, name, known);
+}
+
+int evaluate(const SweepOptions& options) {
+  const SweepFunction function{options.file};
+  const DakotaRequest request = read_dakota(read_text(options.parameters), options.parameters);
+  std::vector<std::optional<double>> numbers(function.inputs().size());
+  std::vector<std::size_t> wanted;
+  of_file(options.parameters, [&] {
+    for (const auto& [label, value] : request.variables)
+      numbers[index_of(function.inputs(), label, "variable: field of an axis", &SweepInput::field)] = value;
+    for (std::size_t i = 0; i < numbers.size(); ++i)
+      if (!numbers[i]) throw InputError{fmt::format("variable '{}': it is missing", function.inputs()[i].field)};
+    for (const auto& [label, is_requested] : request.responses)
+      wanted.push_back(index_of(function.outputs(), label, "response: output", &SweepOutput::name));
+  });
+  std::vector<double> point;
+  for (const std::optional<double>& number : numbers)
+    point.push_back(*number);
+  Interruption interruption;
+  const SweepResult result = function(point, [&] { return interruption.signal() != 0; });
+  if (result.id.empty()) {
+    print_failure(fmt::format("{}: no results were written", interruption.name()));
+    return 128 + interruption.signal();
+  }
+  // Dakota learns of a failure from the file, and decides by it.
+  const std::string failure = failure_of(result, function.outputs());
+  std::vector<double> values;
+  if (failure.empty())
+    for (const std::size_t i : wanted)
+      values.push_back(result.values[i]);
+  else
+    print_failure(failure);
+  write_whole(options.results, dakota_results(request, values, failure));
+  return ok;
+}
+
 void add_folder(CLI::App& app, SweepOptions& options) {
   app.add_option("FOLDER", options.folder, "folder of the sweep, written by `talus sweep plan`")->required();
 }
@@ -327,6 +366,7 @@ Command add_sweep(CLI::App& talus) {
       "  talus sweep run rock --shard 1/4             a quarter of the runs, e.g. on one of four machines\n"
       "  talus sweep submit rock --engine slurm --parts 100 --option=--time=1:00:00\n"
       "  talus sweep collect rock                     rock/results.csv, rock/results.json\n"
+      "  talus sweep evaluate cases/sweeps/rock.toml params.in results.out    for Dakota\n"
       "A run that diverges, is refused or reaches a limit is a row with its reason. `run` can be stopped at any time "
       "and\n"
       "started again. Exit statuses: 6 some runs failed, 3 all did.");
@@ -362,8 +402,16 @@ Command add_sweep(CLI::App& talus) {
       app->add_subcommand("collect", "Write results.csv and results.json, in the order of the plan");
   add_folder(*collect_app, *options);
   collect_app->add_flag("--partial", options->partial, "accept missing runs, and runs with several results");
+  CLI::App* const evaluate_app =
+      app->add_subcommand("evaluate", "Execute one run with the values of a parameters file of Dakota");
+  evaluate_app->add_option("SWEEP", options->file, "the sweep (.toml); fields of its axes are labels of variables")
+      ->required();
+  evaluate_app->add_option("PARAMETERS", options->parameters, "file that Dakota wrote, in its standard format")
+      ->required();
+  evaluate_app->add_option("RESULTS", options->results, "file for the outputs, or FAIL and a reason")->required();
   return {app, [=] {
             if (plan_app->parsed()) return plan(*options);
+            if (evaluate_app->parsed()) return evaluate(*options);
             if (run_app->parsed()) return run(*options);
             if (submit_app->parsed()) return submit(*options);
             return status_app->parsed() ? status(*options) : collect(*options);

@@ -35,14 +35,6 @@ SweepBase base_of(const FitFile& file) {
   return {text, name, outputs};
 }
 
-/// A number as it is written in a scene; whole ones stay whole, as some fields need.
-TomlValue written(double value, const std::string& unit) {
-  constexpr double largest = 9007199254740992.0;  // 2^53: above, not all whole numbers are doubles
-  if (!unit.empty()) return TomlValue{fmt::format("{} {}", value, unit)};
-  if (value == std::floor(value) && std::abs(value) <= largest) return TomlValue{static_cast<std::int64_t>(value)};
-  return TomlValue{value};
-}
-
 /// Dimension and SI size of a unit; a pure number without one.
 AnyQuantity size_of(const std::string& unit, const std::string& where) {
   if (unit.empty()) return {1.0, dimension::number};
@@ -80,11 +72,11 @@ FitStudy::FitStudy(const FitFile& file, unsigned threads) : file_{&file}, thread
     }
   };
   for (const FitInput& input : file.inputs)
-    try_field(input.where, input.field, written(input.values.front(), input.unit));
+    try_field(input.where, input.field, value_in(input.values.front(), input.unit));
   std::vector<double> start;
   for (const FittedField& field : file.parameters) {
     start.push_back(field.parameter.start);
-    try_field(field.where, field.field, written(start.back(), field.unit));
+    try_field(field.where, field.field, value_in(start.back(), field.unit));
   }
   static_cast<void>(base_.end(run(start, 0)));
 }
@@ -92,9 +84,9 @@ FitStudy::FitStudy(const FitFile& file, unsigned threads) : file_{&file}, thread
 SweptRun FitStudy::run(const std::vector<double>& parameters, std::size_t row) const {
   SweptRun run;
   for (const FitInput& input : file_->inputs)
-    run.parameters.emplace_back(input.field, written(input.values[row], input.unit));
+    run.parameters.emplace_back(input.field, value_in(input.values[row], input.unit));
   for (std::size_t i = 0; i < parameters.size(); ++i)
-    run.parameters.emplace_back(file_->parameters[i].field, written(parameters[i], file_->parameters[i].unit));
+    run.parameters.emplace_back(file_->parameters[i].field, value_in(parameters[i], file_->parameters[i].unit));
   run.id = id_of(run);
   return run;
 }

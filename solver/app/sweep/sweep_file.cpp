@@ -20,6 +20,8 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr std::int64_t maximum_runs = 1'000'000;
+/// 2^53: above, not all whole numbers are doubles.
+constexpr double largest_whole = 9007199254740992.0;
 
 bool is_whole(const TomlValue& value) { return std::holds_alternative<std::int64_t>(value.data); }
 
@@ -64,8 +66,7 @@ Continuous read_range(SceneTable& table, const TomlValue& value) {
     table.fail("range", fmt::format("found {}; the first value must be less than the second", found(value)));
   made.unit = *unit, made.is_range = true, made.whole = is_whole(ends[0]) && is_whole(ends[1]);
   made.quantiles = {{0.0, first}, {1.0, last}};
-  constexpr double largest = 9007199254740992.0;  // 2^53: above, not all whole numbers are doubles
-  if (made.whole && !(std::abs(first) <= largest && std::abs(last) <= largest))
+  if (made.whole && !(std::abs(first) <= largest_whole && std::abs(last) <= largest_whole))
     table.fail("range", fmt::format("found {}; whole numbers must be at most 2^53", found(value)));
   return made;
 }
@@ -294,6 +295,13 @@ TomlValue Continuous::written(double probability) const {
     made.data = fmt::format("{} {}", value, unit);
   }
   return made;
+}
+
+TomlValue value_in(double number, const std::string& unit) {
+  if (!unit.empty()) return TomlValue{fmt::format("{} {}", number, unit)};
+  if (number == std::floor(number) && std::abs(number) <= largest_whole)
+    return TomlValue{static_cast<std::int64_t>(number)};
+  return TomlValue{number};
 }
 
 WrittenNumber written_number(const TomlValue& value) {

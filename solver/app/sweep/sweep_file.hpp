@@ -8,6 +8,7 @@
 #include <utility>
 #include <vector>
 
+#include "solver/base/error.hpp"
 #include "solver/base/fields.hpp"
 #include "solver/io/file/toml_document.hpp"
 #include "solver/io/scene/scene_table.hpp"
@@ -95,8 +96,20 @@ struct SweepFile {
 /// The same with `evaluations` alone, where results must not depend on the machine.
 [[nodiscard]] SweepLimits read_evaluation_limit(SceneTable table);
 
+/// Calls `action`; an InputError of it gets the name of the file that it concerns.
+template <class Action>
+auto of_file(const std::filesystem::path& file, Action&& action) {
+  try {
+    return action();
+  } catch (const InputError& error) {
+    throw InputError{file.string() + ": " + error.what()};
+  }
+}
+
 /// A number with its unit, of a TOML number or a text such as "600 lb". Errors: InputError.
 [[nodiscard]] WrittenNumber written_number(const TomlValue& value);
+/// A number as it is written in a scene, with its unit; whole ones stay whole, as some fields need.
+[[nodiscard]] TomlValue value_in(double number, const std::string& unit);
 
 }  // namespace talus::app
 

@@ -149,20 +149,22 @@ SweptRuns swept_runs(const SweepFile& sweep) {
   SweptRuns made;
   made.runs = sweep.design.kind == DesignKind::grid ? grid(sweep) : sampled(sweep);
   const std::size_t points = made.runs.size();
-  std::erase_if(made.runs, [&](const SweptRun& run) {
-    for (std::size_t i = 0; i < sweep.constraints.size(); ++i) {
-      try {
-        if (!satisfies(run, sweep.constraints[i])) return true;
-      } catch (const InputError& error) {
-        throw InputError{fmt::format("constraint {}: {}", i + 1, error.what())};
-      }
-    }
-    return false;
-  });
+  std::erase_if(made.runs, [&](const SweptRun& run) { return broken_constraint(run, sweep.constraints).has_value(); });
   if (made.runs.empty()) throw InputError{fmt::format("constraint: none of the {} runs satisfies all", points)};
   made.left_out = points - made.runs.size();
   set_ids(made.runs);
   return made;
+}
+
+std::optional<std::size_t> broken_constraint(const SweptRun& run, const std::vector<SweepConstraint>& constraints) {
+  for (std::size_t i = 0; i < constraints.size(); ++i) {
+    try {
+      if (!satisfies(run, constraints[i])) return i;
+    } catch (const InputError& error) {
+      throw InputError{fmt::format("constraint {}: {}", i + 1, error.what())};
+    }
+  }
+  return {};
 }
 
 TomlValue with_parameters(TomlValue base, const SweptRun& run) {

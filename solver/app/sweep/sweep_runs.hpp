@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -25,6 +26,11 @@ struct SweptRuns {
 /// however many others there are: the second one with the same parameters has another. Errors: InputError if no run
 /// satisfies the constraints, or a constraint compares values of different dimensions.
 [[nodiscard]] SweptRuns swept_runs(const SweepFile& sweep);
+
+/// Index of the first constraint that a run breaks. Errors: InputError for values of different dimensions, with the
+/// number of the constraint.
+[[nodiscard]] std::optional<std::size_t> broken_constraint(const SweptRun& run,
+                                                           const std::vector<SweepConstraint>& constraints);
 
 /// The base with the fields of a run. Errors: InputError for a field that the base cannot have.
 [[nodiscard]] TomlValue with_parameters(TomlValue base, const SweptRun& run);

@@ -458,12 +458,12 @@ double check_colours(const Pictures& program, Differences& differ, const Setup& 
                                forces = disc_states(
                                    files, setup.has("speeds_as_forces") ? DiscValue::speed : DiscValue::force);
   double worst = 0.0;
-  int discs = 0;
+  int coloured = 0;
   const auto compare = [&](const Picture& picture, const std::string& label, const std::vector<DiscState>& states) {
     differ.compare("colours: label of the scale", picture.texts.contains(label), true);
     const ColourErrors errors = colour_errors(picture, states, cell_width);
     differ.compare("colours: end of the scale, to the digits of its numbers", std::abs(errors.largest) < 1e-4, true);
-    keep_worst(worst, errors.value), discs += errors.discs;
+    keep_worst(worst, errors.value), coloured += errors.discs;
   };
   const std::string speed = "speed of a disc [m/s]", force = "sum of the contact forces on a disc [N]";
   const Picture plain = program.picture("flow/plots/plain_side.svg");
@@ -482,7 +482,7 @@ double check_colours(const Pictures& program, Differences& differ, const Setup& 
     compare(read_picture(frame), force, forces);
   // At least all free discs of each panel; images at the borders are drawn, too.
   const std::size_t drawn = plain.panels.size() + by_force.panels.size() + frames.size();
-  differ.compare("colours: all discs of each picture", discs >= free_discs_of_cell * static_cast<int>(drawn), true);
+  differ.compare("colours: all discs of each picture", coloured >= free_discs_of_cell * static_cast<int>(drawn), true);
   return worst;
 }
 

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "verification/check/case.hpp"
+#include "verification/problems/program/sweeps/dakota_files.hpp"
 #include "verification/problems/program/sweeps/sweep_refusals.hpp"
 #include "verification/problems/program/sweeps/swept_cells.hpp"
 #include "verification/record/csv.hpp"
@@ -484,6 +485,7 @@ void run(Findings& findings, const Setup& setup) {
   if (setup.needs("outputs that differ")) {
     check_fence(program, differ);
     check_cells(program, differ);
+    check_dakota(program, differ);
     check_failures(program, differ);
     check_engines(program, differ);
     check_units(program, differ);
