@@ -16,7 +16,9 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 Answer error(int status, const char* type, const std::string& message) {
-  return {status, Json{{"error", {{"type", type}, {"message", message}}}}.dump()};
+  // A message can quote bytes of a request that are not UTF-8.
+  return {status,
+          Json{{"error", {{"type", type}, {"message", message}}}}.dump(-1, ' ', false, Json::error_handler_t::replace)};
 }
 
 /// The answer of `of` to a request for the model.

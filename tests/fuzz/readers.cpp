@@ -14,6 +14,7 @@
 #include "solver/app/capacity/capacity_file.hpp"
 #include "solver/app/fit/fit_file.hpp"
 #include "solver/app/life_cycle.hpp"
+#include "solver/app/sweep/dakota.hpp"
 #include "solver/app/sweep/sweep_file.hpp"
 #include "solver/app/sweep/sweep_result.hpp"
 #include "solver/app/sweep/sweep_runs.hpp"
@@ -209,6 +210,14 @@ void add_sweep_readers(std::vector<Reader>& readers) {
        .file = "fit.toml",
        .corpus = {fit + "start = \"8 MN/m\"\n[bootstrap]\nsamples = 90\nseed = 2\n[limits]\nevaluations = 3\n"},
        .read = only([](const fs::path& file) { return app::read_fit(read_text(file), file); })});
+  readers.push_back(
+      {.name = "dakota",
+       .file = "params.in",
+       .corpus = {"  2 variables\n -6.0e+01 fence.rock[0].velocity[0]\n 2.5e-01 x_2\n  2 functions\n"
+                  "  1 ASV_1:rock.vx.end\n  0 ASV_2:top1.tension.max\n  2 derivative_variables\n"
+                  "  1 DVV_1:fence.rock[0].velocity[0]\n  2 DVV_2:x_2\n  0 analysis_components\n"
+                  "  1 eval_id\n  0 metadata\n"},
+       .read = only([](const fs::path& file) { return app::read_dakota(read_text(file), file.string()); })});
   readers.push_back({.name = "sweep_run",
                      .file = "run.json",
                      .corpus = {R"({"id":"b163a6a19d49fbb8","parameters":{"fence.steps":20000,"run.a[0]":"-1 ft"}})"},

@@ -15,7 +15,7 @@ struct DakotaRequest {
   std::vector<std::pair<std::string, bool>> responses;
 };
 
-/// Reads a parameters file of Dakota in its standard format ("Variables", Dakota User's Manual 6.19): `N variables`, N
+/// Reads a parameters file of Dakota in its standard format ("Variables", Dakota User's Manual): `N variables`, N
 /// lines of value and label, `M functions`, M lines of active set and `ASV_i:label`; the rest is not used. Errors:
 /// InputError with `name`, line, what was found and what is allowed, also for requested gradients and Hessians.
 [[nodiscard]] DakotaRequest read_dakota(std::string_view text, std::string_view name);

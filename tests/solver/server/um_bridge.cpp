@@ -71,6 +71,8 @@ BOOST_AUTO_TEST_CASE(wrong_requests_are_answered_by_errors) {
   };
   BOOST_TEST(holds(evaluated("no", 400), "InvalidInput", "the request is not JSON"));
   BOOST_TEST(holds(evaluated(std::string(1000, '['), 400), "InvalidInput", "nested"));
+  BOOST_TEST(holds(evaluated("{\"name\": \"\xff\xfe\"}", 400), "InvalidInput", "the request is not JSON"));
+  BOOST_TEST(holds(evaluated(R"({"name":"forward","input":[[1e999,0]]})", 400), "InvalidInput", "not JSON"));
   BOOST_TEST(holds(evaluated("3", 400), "InvalidInput", "no name of a model"));
   BOOST_TEST(holds(evaluated(R"({"name":3})", 400), "InvalidInput", "no name of a model"));
   BOOST_TEST(holds(evaluated(R"({"name":"backward"})", 400), "ModelNotFound", "known: forward"));

@@ -12,7 +12,7 @@
 namespace talus::verification::problems::swept_scenes {
 namespace {
 
-/// A parameters file as Dakota 6.19 writes it: numbers in columns of 20 and more, with 16 digits.
+/// A parameters file as Dakota writes it: numbers in columns of 20 and more, with 16 digits.
 std::string parameters(double speed, double damping, int first_active) {
   return fmt::format(
       "{0:>40} variables\n{1:>40.15e} contact.hit.damping\n{2:>40.15e} body.ball.velocity[0]\n{0:>40} functions\n"
