@@ -111,7 +111,7 @@ Command add_calibrate(CLI::App& talus, const DrawingSink& sink) {
                   "of hertz between spheres of one material: Poisson's ratio, in [0, 0.5], for the Rayleigh time; of "
                   "mindlin it gives the shear modulus");
   parameter("reference_overlap", "of hunt_crossley: overlap at which force over overlap is the stiffness");
-  parameter("exponent", "of hunt_crossley: power of the overlap, at least 1");
+  parameter("exponent", "of hunt_crossley: power of the overlap, between 1 and 100");
   parameter("damping",
             "in place of --restitution: the restitution that this dashpot gives is printed; of many pairs beside "
             "--restitution");

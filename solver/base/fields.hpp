@@ -10,7 +10,7 @@
 namespace talus {
 
 /// Values that a numeric field may take.
-enum class Range { any, positive, non_negative, fraction, positive_fraction, at_least_one };
+enum class Range { any, positive, non_negative, fraction, positive_fraction, one_to_hundred };
 
 /// Text of an error message for a range: "it must be ...".
 constexpr std::string_view text_of(Range range) {
@@ -23,8 +23,8 @@ constexpr std::string_view text_of(Range range) {
       return "in [0, 1]";
     case Range::positive_fraction:
       return "in (0, 1]";
-    case Range::at_least_one:
-      return ">= 1";
+    case Range::one_to_hundred:
+      return "in [1, 100]";
     case Range::any:
       break;
   }
@@ -42,8 +42,8 @@ constexpr bool contains(Range range, double value) {
       return value >= 0.0 && value <= 1.0;
     case Range::positive_fraction:
       return value > 0.0 && value <= 1.0;
-    case Range::at_least_one:
-      return value >= 1.0 && value - value == 0.0;
+    case Range::one_to_hundred:
+      return value >= 1.0 && value <= 100.0;
     case Range::any:
       break;
   }

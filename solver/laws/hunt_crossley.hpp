@@ -31,7 +31,7 @@ struct HuntCrossley {
 
   double stiffness{};          ///< k [F/L] > 0: F/d at the reference overlap
   double reference_overlap{};  ///< d_r [L] > 0
-  double exponent{};           ///< n >= 1: 1 linear, 3/2 as by Hertz
+  double exponent{};           ///< n in [1, 100]: 1 linear, 3/2 as by Hertz
   double hysteresis{};         ///< a [T/L] >= 0
 
   static constexpr std::array<Field<HuntCrossley>, 4> fields() {
@@ -39,7 +39,7 @@ struct HuntCrossley {
               "force over overlap at the reference overlap"},
              {"reference_overlap", dimension::length, &HuntCrossley::reference_overlap, Range::positive,
               "overlap at which force over overlap is the stiffness, e.g. the largest expected"},
-             {"exponent", dimension::number, &HuntCrossley::exponent, Range::at_least_one,
+             {"exponent", dimension::number, &HuntCrossley::exponent, Range::one_to_hundred,
               "power of the overlap: 1 linear, 1.5 as by Hertz"},
              {"hysteresis", dimension::number / dimension::velocity, &HuntCrossley::hysteresis, Range::non_negative,
               "growth of the force for each unit of closing speed, relative to the elastic force"}}};

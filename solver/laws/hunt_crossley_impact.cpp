@@ -37,13 +37,15 @@ double log_of_end_factor(double a) {
   return log_g;
 }
 
-/// Integral over (0, last) of a function that is singular at 0.
-double integral(const auto& function, double last) {
+/// Integral of (r(y) y)^(-n/(n+1)) f(y) over (0, last). In s with y = last s^(n+1) it has no singularity at 0; in y the
+/// part below the smallest number of the rule, 1e-100, is 10^(-100/(n+1)) of the whole: a hundredth for n = 50.
+double integral(const auto& ratio, const auto& factor, double n, double last) {
   boost::math::quadrature::tanh_sinh<double> rule;
+  const double scale = 0.5 * (n + 1.0) * std::pow(last, 1.0 / (n + 1.0));
   return rule.integrate(
       [&](double x, double nearer) {
-        const double at = 0.5 * last * (x < 0.0 ? -nearer : 1.0 + x);
-        return 0.5 * last * function(at);
+        const double s = 0.5 * (x < 0.0 ? -nearer : 1.0 + x), y = last * std::pow(s, n + 1.0);
+        return scale * std::pow(ratio(y), -n / (n + 1.0)) * factor(y);
       },
       1e-12);
 }
@@ -79,14 +81,17 @@ HuntCrossleyImpact hunt_crossley_impact(double damping_number, double exponent) 
   TALUS_DEMAND(a >= 0.0 && n >= 1.0);
   // Overlap at which the spring has stored this energy, in units of m v^2.
   const auto overlap = [n](double energy) { return std::pow((n + 1.0) * std::max(energy, 0.0), 1.0 / (n + 1.0)); };
-  // Energy of the spring when the speed has fallen by `lost` from 1.
+  // Energy of the spring when the speed has fallen by `lost` from 1, over `lost`; 1/(1 + a) at its start.
   const auto loaded = [a](double lost) {
-    if (a < 1e-14) return lost * (1.0 - 0.5 * lost);
-    return lost / (1.0 + a) + excess_of_log(-a * lost / (1.0 + a)) / (a * a);
+    if (a < 1e-14) return 1.0 - 0.5 * lost;
+    const double later = a * lost / (1.0 + a);
+    return later < 1e-300 ? 1.0 / (1.0 + a) : 1.0 / (1.0 + a) + excess_of_log(-later) / (a * a * lost);
   };
   HuntCrossleyImpact found{.restitution = hunt_crossley_restitution(a), .largest_overlap = overlap(loaded(1.0))};
-  const auto loading = [&](double lost) { return std::pow(overlap(loaded(lost)), -n) / (1.0 + a * (1.0 - lost)); };
-  found.contact_time = integral(loading, 1.0);
+  // The overlap to the power -n is that of (n + 1) times the energy to the power -n/(n + 1).
+  const auto stored = [&](double lost) { return (n + 1.0) * loaded(lost); };
+  found.contact_time = integral(
+      stored, [&](double lost) { return 1.0 / (1.0 + a * (1.0 - lost)); }, n, 1.0);
   // The contact time depends on a by a relative amount of order a.
   if (a < 1e-14) {
     found.contact_time *= 2.0;
@@ -94,12 +99,14 @@ HuntCrossleyImpact hunt_crossley_impact(double damping_number, double exponent) 
   }
   // On the way back by y = ln((1 + a u)/(1 - a e)), because 1 + a u falls to 1 - a e, which may be tiny.
   const double log_g = log_of_end_factor(a), g = std::exp(log_g);
-  const auto unloading = [&](double y) {
+  const auto unloaded = [&](double y) {
+    if (y < 1e-300) return (n + 1.0) * found.restitution / a;
     // g (1 + y - exp(y)): exp(y) may be beyond all numbers where g is below them.
     const double rest = y < 1.0 ? g * excess_of_log(std::expm1(y)) : g * (1.0 + y) - std::exp(y + log_g);
-    return std::pow(overlap((a * found.restitution * y + rest) / (a * a)), -n) / a;
+    return (n + 1.0) * std::max((found.restitution + rest / (a * y)) / a, 0.0);
   };
-  found.contact_time += integral(unloading, -log_g);
+  found.contact_time += integral(
+      unloaded, [a](double) { return 1.0 / a; }, n, -log_g);
   return found;
 }
 

@@ -154,7 +154,7 @@ void add_pair_reader(std::vector<Reader>& readers) {
   const std::vector<AllowedColumn> allowed{{"mass_1", dimension::mass, Range::positive},
                                            {"mass_2", dimension::mass, Range::positive},
                                            {"speed", dimension::velocity, Range::positive},
-                                           {"exponent", dimension::number, Range::at_least_one}};
+                                           {"exponent", dimension::number, Range::one_to_hundred}};
   readers.push_back({.name = "pairs",
                      .file = "pairs.csv",
                      .corpus = {"mass_1 [kg],mass_2 [g],speed [ft/s]\n1,20,3.5\n2,1e3,0.1\n",

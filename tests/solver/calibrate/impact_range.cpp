@@ -27,7 +27,8 @@ void for_each_range(Visit&& visit) {
   ContactLaws::for_each([&]<class L>(L law) {
     if constexpr (SetsEveryRestitution<L>) {
       for (const auto& field : L::fields())
-        if (field.name != L::restitution_field.name) law.*field.member = field.range == Range::at_least_one ? 1.5 : 0.7;
+        if (field.name != L::restitution_field.name)
+          law.*field.member = field.range == Range::one_to_hundred ? 1.5 : 0.7;
       if constexpr (HasHertzDashpot<L>) {
         law.dashpot = HertzDashpot::constant;
         pairs_of(law);

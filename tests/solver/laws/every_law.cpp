@@ -6,6 +6,7 @@
 #include <array>
 #include <boost/test/unit_test.hpp>
 #include <cmath>
+#include <numbers>
 #include <vector>
 
 #include "solver/laws/mode_update.hpp"
@@ -370,6 +371,14 @@ BOOST_AUTO_TEST_CASE(impacts_have_a_duration_with_the_weakest_and_the_strongest_
   BOOST_TEST(hertz_impact(1.0, HertzDashpot::tsuji, EndRule::attractive).largest_overlap ==
                  hertz_impact(1.0, HertzDashpot::tsuji, EndRule::clamped).largest_overlap,
              close);
+  for (const double n : {1.0, 1.5, 2.3, 10.0, 50.0, 100.0}) {
+    // Without damping the contact lasts sqrt(pi) 2 d Gamma(1 + p)/Gamma(1/2 + p) at the speed 1, with p = 1/(n + 1) and
+    // the overlap d = ((n + 1)/2)^p.
+    const double p = 1.0 / (n + 1.0), overlap = std::pow(0.5 * (n + 1.0), p);
+    const double exact = 2.0 * std::sqrt(std::numbers::pi) * overlap * std::tgamma(1.0 + p) / std::tgamma(0.5 + p);
+    BOOST_TEST(hunt_crossley_impact(0.0, n).contact_time == exact, close);
+    BOOST_TEST(hunt_crossley_impact(0.0, n).largest_overlap == overlap, close);
+  }
   for (const double exponent : {1.0, 1.5, 2.3, 50.0}) {
     for (const double damping : {1e-300, 1e-200, 1e-31, 1e-14, 1e-13}) {
       const HuntCrossleyImpact weak = hunt_crossley_impact(damping, exponent);

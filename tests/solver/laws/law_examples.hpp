@@ -19,7 +19,7 @@ std::vector<L> examples() {
       for (const auto& field : L::fields()) {
         if (law.*field.member != 0.0) continue;  // a limit that is not reached
         const bool is_positive = field.range == Range::positive;
-        law.*field.member = is_positive ? positive : field.range == Range::at_least_one ? 1.5 : other;
+        law.*field.member = is_positive ? positive : field.range == Range::one_to_hundred ? 1.5 : other;
         if (is_positive) positive *= 4.0;
       }
       if constexpr (HasOrders<L>) {

@@ -1,3 +1,5 @@
+#include <cmath>
+#include <numbers>
 #include <variant>
 
 #include "solver/scenes/bouncing_disc.hpp"
@@ -132,6 +134,13 @@ void check_closed_forms(Findings& findings) {
       const auto exact = reference::hunt_crossley_events(a, n);
       compare(law, exact.restitution, exact.contact_time * own / speed, exact.largest_depth * own);
     }
+  }
+  // Without a dashpot for every n: v dt = dx/sqrt(1 - (x/d)^(n+1)), a beta function.
+  for (const double n : {5.0, 20.0, 100.0}) {
+    const double p = 1.0 / (n + 1.0), own = impact_length(hunt_crossley_factor(n), n, speed);
+    const double overlap = own * std::pow(0.5 * (n + 1.0), p);
+    compare(hunt_crossley(n), 1.0,
+            2.0 * overlap / speed * std::sqrt(std::numbers::pi) * std::tgamma(1.0 + p) / std::tgamma(0.5 + p), overlap);
   }
   const Tolerance bound = Tolerance::model(
       1e-13,

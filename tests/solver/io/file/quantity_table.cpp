@@ -15,7 +15,7 @@ namespace {
 
 const std::vector<AllowedColumn> allowed{{"mass", dimension::mass, Range::positive},
                                          {"speed", dimension::velocity, Range::any},
-                                         {"exponent", dimension::number, Range::at_least_one}};
+                                         {"exponent", dimension::number, Range::one_to_hundred}};
 
 std::vector<QuantityColumn> read(const std::string& text, const UnitSystem& units = si) {
   const Folder folder;
@@ -65,7 +65,7 @@ BOOST_AUTO_TEST_CASE(wrong_tables_are_refused) {
       {"", ": found no header; the first line must name the columns"},
       {"mass [kg]\n1\n0\n", ":3: column 'mass [kg]': found '0'; it must be > 0"},
       {"mass [kg]\nx\n", ":2: column 'mass [kg]': found 'x'; it must be a finite number"},
-      {"exponent\n0.5\n", ":2: column 'exponent': found '0.5'; it must be >= 1"},
+      {"exponent\n0.5\n", ":2: column 'exponent': found '0.5'; it must be in [1, 100]"},
       {"mass [kg]\n1,2\n", ":2: found 2 cells; the header has 1"}};
   for (const auto& [text, message] : wrong)
     BOOST_TEST(refusal(text) == message);

@@ -277,7 +277,7 @@ BOOST_AUTO_TEST_CASE(fields_of_other_contact_laws) {
   };
   BOOST_TEST(hunt_crossley("exponent = 1.5\nrestitution = 0.5\nrestitution_speed = \"1 m/s\"") == "no error");
   BOOST_TEST(hunt_crossley("exponent = 0.9\nhysteresis = \"1 s/m\"") ==
-             "s.toml:22: contact 'bounce': exponent: found 0.9; it must be >= 1");
+             "s.toml:22: contact 'bounce': exponent: found 0.9; it must be in [1, 100]");
   BOOST_TEST(hunt_crossley("exponent = 1.5\nrestitution = 0.5\nrestitution_speed = \"-1 m/s\"") ==
              "s.toml:24: contact 'bounce': restitution_speed: found \"-1 m/s\"; it must be > 0");
 }
