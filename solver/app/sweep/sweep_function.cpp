@@ -53,11 +53,16 @@ SweepFunction::SweepFunction(const std::filesystem::path& file)
         return inputs_of(sweep_);
       })} {
   of_file(file, [&] {
-    for (const SweepAxis& axis : sweep_.axes)
-      for (std::size_t field = 0; axis.rows.size() == 1 && field < axis.fields.size(); ++field)
-        fixed_.parameters.emplace_back(axis.fields[field], axis.rows.front()[field]);
     if (inputs_.empty()) throw InputError{"axis: all have one point; there is no input"};
-    check_fields(parse_toml(base_text(sweep_.base), sweep_.base.string()), swept_runs(sweep_).runs.front());
+    SweptRun first;
+    for (const SweepAxis& axis : sweep_.axes) {
+      for (std::size_t field = 0; field < axis.fields.size(); ++field) {
+        first.parameters.emplace_back(axis.fields[field],
+                                      axis.continuous ? axis.continuous->written(0.0) : axis.rows.front()[field]);
+        if (axis.rows.size() == 1) fixed_.parameters.push_back(first.parameters.back());
+      }
+    }
+    check_fields(parse_toml(base_text(sweep_.base), sweep_.base.string()), first);
   });
 }
 
