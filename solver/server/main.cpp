@@ -87,7 +87,7 @@ int serve(const ServeOptions& options) {
   const int port = options.port == 0                                 ? server.bind_to_any_port(options.host)
                    : server.bind_to_port(options.host, options.port) ? options.port
                                                                      : -1;
-  if (port < 0) throw IoError{fmt::format("{}:{}: it cannot be bound; is it in use?", options.host, options.port)};
+  if (port < 0) throw IoError{"the address cannot be bound; give --host one of this machine and --port a free one"};
   fmt::print("listening on http://{}:{}, model '{}': {} inputs, {} outputs\n", options.host, port, UmBridge::model,
              function.inputs().size(), function.outputs().size());
   std::fflush(stdout);

@@ -53,7 +53,7 @@ SweepFunction::SweepFunction(const std::filesystem::path& file)
         return inputs_of(sweep_);
       })} {
   of_file(file, [&] {
-    if (inputs_.empty()) throw InputError{"axis: all have one point; there is no input"};
+    if (inputs_.empty()) throw InputError{"axis: all have one point; give one with a range or several values"};
     SweptRun first;
     for (const SweepAxis& axis : sweep_.axes) {
       for (std::size_t field = 0; field < axis.fields.size(); ++field) {
