@@ -296,15 +296,16 @@ void check_bytes(const Program& program, Findings& findings, Differences& differ
   run("two", "2");
   if (bytes("two") != expected) differing += 1.0;
   // A finer map keeps the runs of the coarse one.
-  const std::size_t before = std::ranges::count(program.read("one/manifest.jsonl"), '\n');
+  const auto lines_of = [&](const std::string& name) { return std::ranges::count(program.read(name), '\n'); };
+  const auto before = lines_of("one/manifest.jsonl");
   program.write("bytes.toml", question(16, ""));
   run("finer", "2");
-  const std::size_t alone = std::ranges::count(program.read("finer/manifest.jsonl"), '\n');
+  const auto alone = lines_of("finer/manifest.jsonl");
   run("one", "2");
   if (bytes("one") != bytes("finer")) differing += 1.0;
-  std::size_t lines = 0;
+  std::ptrdiff_t lines = 0;
   for (const std::string& results : program.files("one/results"))
-    lines += std::ranges::count(program.read(results), '\n');
+    lines += lines_of(results);
   differ.compare("runs of a coarse map that a finer one needs again", lines < before + alone && lines >= alone, true);
   findings.expect("results that differ in a byte, by threads and lost results", differing, 0.0,
                   Tolerance::exact("random numbers follow from the seed, the node and the number of the trial"));

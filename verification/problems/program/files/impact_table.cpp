@@ -154,10 +154,11 @@ Expected expected_row(const Striker& of) {
   struct Sample {
     double time{}, depth{}, force{};
   };
-  const auto sample = [&](int n) -> Sample {
+  // Captured by names other than theirs: clang 14 refuses to capture those of a structured binding.
+  const auto sample = [&, ended = contact_time, deep = depth_at_end](int n) -> Sample {
     const double t = state_step * n, after = t - touch;
     if (after < 0.0) return {t, normal.approach_speed * after, 0.0};
-    if (after > contact_time) return {t, depth_at_end - leave * (after - contact_time), 0.0};
+    if (after > ended) return {t, deep - leave * (after - ended), 0.0};
     const reference::DepthState at = depth_at(normal, after);
     return {t, at.depth, normal.stiffness * at.depth + normal.damping * at.rate};
   };
