@@ -15,17 +15,15 @@
 namespace talus::app {
 namespace {
 
-/// Groups and means of a run, those with an error followed by it.
+/// Groups and results of a run; each result is followed by its standard error.
 std::vector<std::pair<SweepOutput, double>> numbers_of_cell(const CellScene& scene, CellRun& run) {
   std::vector<std::pair<SweepOutput, double>> numbers;
-  const auto add = [&](const std::vector<CellNumber>& of) {
-    for (const CellNumber& number : of) {
-      numbers.push_back({{"cell." + number.name, number.dimension}, number.estimate.value});
-      numbers.push_back({{"cell." + number.name + ".error", number.dimension}, number.estimate.error});
-    }
-  };
-  add(cell_groups(scene, run));
-  add(cell_results(run));
+  for (const CellNumber& group : cell_groups(scene, run))
+    numbers.push_back({{"cell." + group.name, group.dimension}, group.estimate.value});
+  for (const CellNumber& result : cell_results(run)) {
+    numbers.push_back({{"cell." + result.name, result.dimension}, result.estimate.value});
+    numbers.push_back({{"cell." + result.name + ".error", result.dimension}, result.estimate.error});
+  }
   numbers.push_back({{"cell.balance_error", dimension::number}, run.ledger().relative_balance_error()});
   return numbers;
 }

@@ -165,6 +165,9 @@ void check_ends(const Program& program, Differences& differ) {
                      output.messages.find("cell_output.toml: outputs: number of a cell 'cell.deepth' is not known; "
                                           "nearest: cell.depth") != std::string::npos,
                  true);
+  program.write("cell_error.toml",
+                "base = \"cells_base.toml\"\noutputs = [\"cell.restitution.error\"]\n" + axis("cell.seed", "1"));
+  differ.compare("refusal: error of a group", program.end({"sweep", "plan", "cell_error.toml"}, {}).exit_code, 2);
   program.write("CNTRL.DAT", "0 0\n");
   program.write("deck_cell.toml", "base = \"CNTRL.DAT\"\noutputs = [\"cell.depth\"]\n" + axis("cell.seed", "1"));
   const ProgramEnd deck = program.end({"sweep", "plan", "deck_cell.toml"}, {});

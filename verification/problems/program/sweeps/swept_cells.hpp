@@ -6,7 +6,7 @@
 namespace talus::verification::problems::swept_scenes {
 
 /// Compares the groups of swept cells with the closed forms of their fields, all numbers with those of `talus cell`,
-/// and the ends of runs with warnings, limits and wrong fields.
+/// their units, a fitted field, and the ends of runs with warnings, limits and wrong fields.
 void check_cells(const Program& program, Differences& differ);
 
 }  // namespace talus::verification::problems::swept_scenes
