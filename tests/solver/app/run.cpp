@@ -148,7 +148,7 @@ BOOST_AUTO_TEST_CASE(the_final_state_is_printed_in_the_columns_of_its_head) {
   BOOST_TEST(holds(text, fmt::format("  {:<14}{:>14}{:>14}{:>14}{:>14}{:>14}{:>14}\n", "body", "x", "y", "angle", "vx",
                                      "vy", "spin")));
   for (const auto& body : summary.at("bodies")) {
-    const auto number = [&](const char* of, int i) { return body.at(of).at(i).get<double>(); };
+    const auto number = [&](const char* of, std::size_t i) { return body.at(of).at(i).get<double>(); };
     const std::string line = fmt::format("  {:<14}{:>14.7g}{:>14.7g}{:>14.7g}{:>14.7g}{:>14.7g}{:>14.7g}\n",
                                          body.at("name").get<std::string>(), number("position", 0),
                                          number("position", 1), body.at("angle").get<double>(), number("velocity", 0),

@@ -72,7 +72,8 @@ BOOST_AUTO_TEST_CASE(numbers_of_the_two_cables_and_of_the_two_overlaps_are_in_th
                                      {"bottom cable breaking strength", fortran_g(4e5, 3)},
                                      {"Maximum overlap (rock/fence)", fortran_e(0.5, 4)},
                                      {"Maximum overlap (fence/fence)", fortran_e(0.25, 4)}}) {
-    const auto found = std::ranges::find_if(lines, [&](const std::string& line) { return line.starts_with(name); });
+    const auto found =
+        std::ranges::find_if(lines, [&, name = name](const std::string& line) { return line.starts_with(name); });
     BOOST_TEST_REQUIRE((found != lines.end()), name);
     BOOST_TEST(found->substr(found->find("= ") + 2) == number.substr(number.find_first_not_of(' ')), name);
   }
