@@ -51,10 +51,28 @@ MapState CapacityMap::state(MapNode node) const {
   return interval.low > 0.5 ? MapState::above : interval.high < 0.5 ? MapState::below : MapState::open;
 }
 
-std::size_t CapacityMap::needed(MapNode node) const {
+std::size_t CapacityMap::needed(MapNode node, const std::vector<Column>& columns) const {
   const std::size_t trials = at(node).trials;
   if (trials < rules_.few) return rules_.few;
-  return state(node) == MapState::open ? std::min(2 * trials, rules_.trials) : trials;
+  if (state(node) != MapState::open) return trials;
+  const Column& column = columns[static_cast<std::size_t>(node.i)];
+  const bool is_between = column.first_not_above < node.j && node.j < column.last_not_below;
+  return is_between ? trials : std::min(2 * trials, rules_.trials);
+}
+
+std::vector<CapacityMap::Column> CapacityMap::columns() const {
+  std::vector<Column> columns(static_cast<std::size_t>(side()), Column{.first = side(), .first_not_above = side()});
+  for (int j = 0; j < side(); ++j) {
+    for (int i = 0; i < side(); ++i) {
+      if (trials({i, j}) == 0) continue;
+      Column& column = columns[static_cast<std::size_t>(i)];
+      column.first = std::min(column.first, j), column.last = j;
+      const MapState found = state({i, j});
+      if (found != MapState::above) column.first_not_above = std::min(column.first_not_above, j);
+      if (found != MapState::below) column.last_not_below = j;
+    }
+  }
+  return columns;
 }
 
 bool CapacityMap::is_uniform(const Cell& cell) const {
@@ -65,7 +83,19 @@ bool CapacityMap::is_uniform(const Cell& cell) const {
   return true;
 }
 
-void CapacityMap::visit(const Cell& cell, std::vector<std::size_t>& wanted) const {
+bool CapacityMap::is_divided(const Cell& cell, const std::vector<Column>& columns) const {
+  if (cell.size == 1 || is_uniform(cell)) return false;
+  // Not between both ends: these are known without it, unless all nodes of a column up to the cell are above, or all
+  // from its other side on are below. Of a column without nodes there, those of the corners decide.
+  const int low = cell.corner.j, high = cell.corner.j + cell.size;
+  const auto begin = columns.begin() + cell.corner.i;
+  return std::any_of(begin, begin + cell.size + 1, [&](const Column& column) {
+    return (column.first <= low && column.first_not_above > low) ||
+           (column.last >= high && column.last_not_below < high);
+  });
+}
+
+void CapacityMap::visit(const Cell& cell, const std::vector<Column>& columns, std::vector<std::size_t>& wanted) const {
   bool is_tried = true;
   const auto want = [&](MapNode node, std::size_t trials) {
     wanted[number(node)] = std::max(wanted[number(node)], trials);
@@ -73,11 +103,11 @@ void CapacityMap::visit(const Cell& cell, std::vector<std::size_t>& wanted) cons
   };
   const std::array<MapNode, 4> nodes = corners(cell.corner, cell.size);
   for (const MapNode node : nodes)
-    want(node, needed(node));
-  if (!is_tried || is_uniform(cell) || cell.size == 1) return;
+    want(node, needed(node, columns));
+  if (!is_tried || !is_divided(cell, columns)) return;
   const int half = cell.size / 2;
   for (const MapNode corner : corners(cell.corner, half))
-    visit({corner, half}, wanted);
+    visit({corner, half}, columns, wanted);
 }
 
 std::vector<CapacityMap::Cell> CapacityMap::first_cells() const {
@@ -91,8 +121,9 @@ std::vector<CapacityMap::Cell> CapacityMap::first_cells() const {
 
 std::vector<MapTrials> CapacityMap::next() const {
   std::vector<std::size_t> wanted(counts_.size(), 0);
+  const std::vector<Column> columns = this->columns();
   for (const Cell& cell : first_cells())
-    visit(cell, wanted);
+    visit(cell, columns, wanted);
   std::vector<MapTrials> needed;
   for (int j = 0; j < side(); ++j) {
     for (int i = 0; i < side(); ++i) {
@@ -103,7 +134,7 @@ std::vector<MapTrials> CapacityMap::next() const {
   return needed;
 }
 
-void CapacityMap::fill(const Cell& cell, std::vector<MapState>& states) const {
+void CapacityMap::fill(const Cell& cell, const std::vector<Column>& columns, std::vector<MapState>& states) const {
   if (is_uniform(cell)) {
     const MapState state_of_cell = state(cell.corner);
     for (int j = cell.corner.j; j <= cell.corner.j + cell.size; ++j)
@@ -111,10 +142,10 @@ void CapacityMap::fill(const Cell& cell, std::vector<MapState>& states) const {
         if (at({i, j}).trials == 0) states[number({i, j})] = state_of_cell;
     return;
   }
-  if (cell.size == 1) return;
+  if (!is_divided(cell, columns)) return;
   const int half = cell.size / 2;
   for (const MapNode corner : corners(cell.corner, half))
-    fill({corner, half}, states);
+    fill({corner, half}, columns, states);
 }
 
 std::vector<MapState> CapacityMap::states() const {
@@ -122,8 +153,9 @@ std::vector<MapState> CapacityMap::states() const {
   for (int j = 0; j < side(); ++j)
     for (int i = 0; i < side(); ++i)
       if (at({i, j}).trials > 0) states[number({i, j})] = state({i, j});
+  const std::vector<Column> columns = this->columns();
   for (const Cell& cell : first_cells())
-    fill(cell, states);
+    fill(cell, columns, states);
   return states;
 }
 

@@ -12,7 +12,8 @@ struct MapRules {
   int cells{64};           ///< along each axis; first_cells times a power of two
   int first_cells{4};      ///< along each axis, at the beginning
   std::size_t trials{20};  ///< at most at one node
-  std::size_t few{4};      ///< at first; doubled while the node is open. With 4 equal outcomes it no longer is
+  std::size_t few{4};      ///< at first; doubled while the node is open and a boundary may depend on it. With 4 equal
+                           ///< outcomes it is no longer open
 };
 
 /// What is known of the probability at a node, compared with one half.
@@ -37,10 +38,11 @@ struct MapTrials {
 
 /// Map of the probability of an outcome over two variables, on a square grid, from random trials at its nodes.
 ///
-/// It begins with coarse cells. A cell is divided into four if the states of its nodes differ, down to the cells of
-/// the grid: nodes are tried at the edges of the band in which the probability is not beside one half, and few
-/// elsewhere. Nodes within a cell that was not divided count as its corners. An island smaller than the first cells may
-/// be missed: audit it with trials at nodes without any.
+/// It begins with coarse cells. A cell is divided into four, down to the cells of the grid, if the states of its nodes
+/// differ and it may contain an end of a boundary along j (boundary_at): nodes are tried at both edges of the band in
+/// which the state changes, and few elsewhere. Nodes without trials count as the corners of their cell if these are
+/// equal, else as open. An island smaller than the first cells may be missed: audit it with trials at nodes without
+/// any.
 class CapacityMap {
  public:
   /// Errors: InputError if `cells` is not `first_cells` times a power of two, or `few` is not in [1, trials].
@@ -64,8 +66,8 @@ class CapacityMap {
   std::size_t all_trials() const;
   /// The state of a node with trials.
   [[nodiscard]] MapState state(MapNode node) const;
-  /// The state of each node of a complete map by its number: of a node without trials that of the cell
-  /// that contains it.
+  /// The state of each node of a complete map by its number: of a node without trials that of the cell that contains
+  /// it, open if the nodes of this differ.
   [[nodiscard]] std::vector<MapState> states() const;
 
  private:
@@ -77,13 +79,22 @@ class CapacityMap {
     MapNode corner;
     int size{};
   };
+  /// What is known along j at one i: the ends of its nodes with trials, the first of these that is not above and the
+  /// last that is not below. Without any, the first is at side() and the last at -1.
+  struct Column {
+    int first{}, last{-1}, first_not_above{}, last_not_below{-1};
+  };
 
   const Count& at(MapNode node) const { return counts_[number(node)]; }
-  /// Trials that a node of a cell needs next; as many as it has if that is all.
-  std::size_t needed(MapNode node) const;
+  /// Trials that a node of a cell needs next; as many as it has if that is all: of one that is open also if it lies
+  /// between others of its column that are not above and not below, so that no boundary depends on it.
+  std::size_t needed(MapNode node, const std::vector<Column>& columns) const;
+  std::vector<Column> columns() const;
   bool is_uniform(const Cell& cell) const;
-  void visit(const Cell& cell, std::vector<std::size_t>& wanted) const;
-  void fill(const Cell& cell, std::vector<MapState>& states) const;
+  /// Whether a cell with trials at its corners is to be divided.
+  bool is_divided(const Cell& cell, const std::vector<Column>& columns) const;
+  void visit(const Cell& cell, const std::vector<Column>& columns, std::vector<std::size_t>& wanted) const;
+  void fill(const Cell& cell, const std::vector<Column>& columns, std::vector<MapState>& states) const;
   std::vector<Cell> first_cells() const;
 
   MapRules rules_;

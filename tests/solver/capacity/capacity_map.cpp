@@ -89,13 +89,56 @@ BOOST_AUTO_TEST_CASE(trials_are_doubled_while_a_node_is_open_and_have_consecutiv
 BOOST_AUTO_TEST_CASE(a_tongue_is_followed_into_a_cell_whose_corners_are_equal) {
   CapacityMap map{{.cells = 16, .first_cells = 2, .trials = 20, .few = 4}};
   const auto is_hit = [](MapNode node, std::size_t) {
-    return node.j > 10 || (node.i >= 3 && node.i <= 5 && node.j > 2);
+    return node.j < 6 || (node.i >= 3 && node.i <= 5 && node.j < 14);
   };
   complete(map, is_hit);
   const std::vector<MapState> states = map.states();
   for (int j = 0; j < map.side(); ++j)
     for (int i = 0; i < map.side(); ++i)
       BOOST_TEST((states[static_cast<std::size_t>(j * map.side() + i)] == MapState::above) == is_hit({i, j}, 0));
+}
+
+// Between both ends the states are mixed: few cells there are divided, but both ends are found at every i.
+BOOST_AUTO_TEST_CASE(a_band_is_divided_at_its_ends_alone) {
+  CapacityMap map{{.cells = 64, .first_cells = 4, .trials = 4, .few = 4}};
+  const auto first = [](int i) { return 12 + i / 8; };  // not above
+  const auto last = [](int i) { return 52 - i / 6; };   // not below
+  const auto is_hit = [&](MapNode node) {
+    const bool is_end = node.j == first(node.i), is_mixed = (7 * node.i + 5 * node.j + node.i * node.j) % 4 < 2;
+    return node.j < first(node.i) || node.j == last(node.i) || (node.j < last(node.i) && !is_end && is_mixed);
+  };
+  complete(map, [&](MapNode node, std::size_t) { return is_hit(node); });
+  const std::vector<MapState> states = map.states();
+  std::size_t inside = 0, open = 0;
+  for (int i = 0; i < map.side(); ++i) {
+    const MapBoundary boundary = boundary_at(map, states, i);
+    BOOST_TEST(boundary.last_above == first(i) - 1);
+    BOOST_TEST(boundary.first_below == last(i) + 1);
+    for (int j = first(i); j <= last(i); ++j) {
+      inside += map.trials({i, j}) > 0 ? 1 : 0;
+      open += states[map.number({i, j})] == MapState::open ? 1 : 0;
+    }
+  }
+  // Of 2,250 nodes in the band.
+  BOOST_TEST(inside < 1200U);
+  BOOST_TEST(open > 700U);
+}
+
+BOOST_AUTO_TEST_CASE(open_nodes_between_others_get_no_more_trials) {
+  CapacityMap map{{.cells = 4, .first_cells = 4, .trials = 20, .few = 4}};
+  complete(map, [](MapNode node, std::size_t trial) { return node.j == 0 || (node.j < 4 && trial % 2 == 0); });
+  for (int i = 0; i < map.side(); ++i) {
+    BOOST_TEST(map.trials({i, 1}) == 20U);
+    BOOST_TEST(map.trials({i, 2}) == 4U);
+    BOOST_TEST(map.trials({i, 3}) == 20U);
+  }
+  // The first of them is above after all: the next one decides.
+  CapacityMap later{{.cells = 4, .first_cells = 4, .trials = 20, .few = 4}};
+  complete(later, [](MapNode node, std::size_t trial) {
+    return node.j == 0 || (node.j == 1 && trial > 1) || (node.j > 1 && node.j < 4 && trial % 2 == 0);
+  });
+  BOOST_TEST((later.state({2, 1}) == MapState::above));
+  BOOST_TEST(later.trials({2, 2}) == 20U);
 }
 
 BOOST_AUTO_TEST_CASE(wrong_rules_are_refused) {
