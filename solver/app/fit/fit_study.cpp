@@ -9,6 +9,7 @@
 #include <numeric>
 #include <string_view>
 
+#include "solver/app/sweep/sweep_function.hpp"
 #include "solver/base/error.hpp"
 #include "solver/io/fence_file.hpp"
 #include "solver/threads/parallel_for.hpp"
@@ -99,11 +100,9 @@ std::vector<double> FitStudy::results(const std::vector<double>& parameters, con
     if (interrupted_()) return;
     const SweepResult result = base_.result(run(parameters, rows[i]), file_->limits, interrupted_);
     if (result.id.empty()) return;  // interrupted
-    // Also a run that is not usable has no result.
-    if (result.end != SweepEnd::finished) {
-      reasons[i] = result.reason;
-      return;
-    }
+    // Also a run that is not usable has no result, and one without a number that is compared.
+    reasons[i] = result.end == SweepEnd::finished ? failure_of(result, base_.outputs()) : result.reason;
+    if (!reasons[i].empty()) return;
     for (std::size_t k = 0; k < width; ++k) {
       const std::vector<double>& divisors = file_->quantities[k].divisors;
       found[i * width + k] =

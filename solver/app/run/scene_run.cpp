@@ -72,12 +72,13 @@ void SceneRun::serialize(Archive& archive) {
 
 void SceneRun::bring_files(const std::filesystem::path& from) { outputs_.bring_files(from); }
 
-Outcome SceneRun::proceed(const StopCondition& stop, Progress* progress) {
+Outcome SceneRun::proceed(const StopCondition& stop, Progress* progress, const Observer& more) {
   const auto observe = [&](const Snapshot& seen, const StepInfo& info) {
     recorder_(seen, info);
     failures_(seen.state(), info);
     outputs_(seen, info);
     if (fence_) (*fence_)(seen, info);
+    if (more) more(seen, info);
     if (progress != nullptr && progress->due()) {
       const double time = seen.state().t, end = scene_->plan.end;
       progress->show(fmt::format("t = {:.5g} of {:.5g}  ({:3.0f} %)", time, end, 100.0 * time / end));

@@ -32,8 +32,8 @@ class SceneRun {
   void bring_files(const std::filesystem::path& from);
 
   /// Advances the run to its plan's end, to the early end of the scene or until `stop`, and shows the progress, if
-  /// there is a line for it. Errors: IoError.
-  Outcome proceed(const StopCondition& stop, Progress* progress);
+  /// there is a line for it. `more` observes the steps after the run's own observers. Errors: IoError.
+  Outcome proceed(const StopCondition& stop, Progress* progress, const Observer& more = {});
   /// The outcome; of a run that diverged with its step over the linear limit, where the monitor has not said so.
   [[nodiscard]] Outcome explained(Outcome outcome) const;
   /// Whether the run has reached the early end of its scene.

@@ -87,7 +87,10 @@ std::string failure_of(const SweepResult& result, const std::vector<SweepOutput>
     return fmt::format("{}: {}", Names<SweepEnd>::list[static_cast<std::size_t>(result.end)], result.reason);
   }
   for (std::size_t i = 0; i < outputs.size(); ++i)
-    if (!std::isfinite(result.values[i])) return fmt::format("output '{}' has no value", outputs[i].name);
+    if (!std::isfinite(result.values[i])) {
+      return fmt::format("output '{}' has no value{}{}", outputs[i].name, result.reason.empty() ? "" : "; ",
+                         result.reason);
+    }
   return {};
 }
 

@@ -22,11 +22,12 @@ enum class SweepEnd {
 struct SweepResult {
   std::string id;
   SweepEnd end{};
-  std::string reason;          ///< empty of a finished run
+  std::string reason;          ///< of a finished run its warnings, and why an output has no value
   double time{};               ///< the last time of the run, in units of its scene
   long evaluations{};          ///< force evaluations
   std::string verdict;         ///< of a fence; empty of other scenes
-  std::vector<double> values;  ///< the outputs in units of the base; empty unless the run reached its end
+  std::vector<double> values;  ///< the outputs in units of the base, NaN of one that does not exist; empty unless the
+                               ///< run reached its end
 
   friend bool operator==(const SweepResult&, const SweepResult&) = default;
 };

@@ -4,19 +4,14 @@
 #include <string>
 #include <vector>
 
+#include "solver/app/sweep/scene_numbers.hpp"
 #include "solver/app/sweep/sweep_result.hpp"
 #include "solver/app/sweep/sweep_runs.hpp"
 #include "solver/io/scene/scene_file.hpp"
 
 namespace talus::app {
 
-/// A number that is read of each run, with its unit.
-struct SweepOutput {
-  std::string name;
-  Dimension dimension{};
-};
-
-/// A scene of bodies as the base of a sweep. Outputs: columns of its history, reduced, or numbers of a fence's summary.
+/// A scene of bodies as the base of a sweep. Outputs: see SceneNumbers.
 class SweptScene {
  public:
   /// Errors: InputError for a scene that is wrong, or outputs that it does not have.

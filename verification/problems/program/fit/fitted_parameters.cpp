@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "verification/check/case.hpp"
+#include "verification/problems/program/fit/counted_bounces.hpp"
 #include "verification/problems/program/fit/fit_statistics.hpp"
 #include "verification/record/csv.hpp"
 #include "verification/record/json_node.hpp"
@@ -365,6 +366,7 @@ void run(Findings& findings, const Setup& setup) {
   if (setup.needs("bouncing") || setup.needs("files") || setup.needs("outputs"))
     check_bounce(program, findings, differ);
   if (setup.needs("sliding")) check_friction(program, findings);
+  if (setup.needs("counted")) check_counted_bounces(program, findings, differ);
   if (setup.needs("outputs that differ")) {
     check_warnings(program, differ);
     check_refusals(program, differ);
@@ -377,14 +379,16 @@ void run(Findings& findings, const Setup& setup) {
 Case definition() {
   const std::string of_damping =
                         "bouncing ball: damping fitted to exact heights over that of the closed form, deviation from 1",
+                    counted = "counted bounces: largest difference of a fitted parameter from the true one",
                     friction = "sliding sphere: fitted friction over that of the closed form, deviation from 1",
                     coverage = "bootstrap: fraction of intervals with the true value, largest deviation from 95 %";
   return {.id = "fitted_parameters",
           .title = "Parameters fitted to measurements",
           .requirements = {{"G17", {"fit"}}},
-          .main_checks = {of_damping, friction, coverage, "outputs that differ from the request"},
+          .main_checks = {of_damping, counted, friction, coverage, "outputs that differ from the request"},
           .source = "Efron 1979",
           .faults = {{"more_damping", "heights of a ball with 1.02 times the damping", of_damping},
+                     {"late_bounces", "times of impacts that are 1 ms late", counted},
                      {"more_friction", "restitution with 1.05 times the friction", friction},
                      {"half_interval", "intervals of half the width", coverage}},
           .seconds = 15.0,

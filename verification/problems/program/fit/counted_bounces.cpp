@@ -1,0 +1,211 @@
+#include "verification/problems/program/fit/counted_bounces.hpp"
+
+#include <fmt/format.h>
+
+#include <array>
+#include <cmath>
+#include <string>
+#include <vector>
+
+#include "verification/record/csv.hpp"
+#include "verification/record/json_node.hpp"
+#include "verification/reference/impacts/damped_bounce.hpp"
+#include "verification/study/program/program_run.hpp"
+
+namespace talus::verification::problems::fitted_parameters {
+namespace {
+
+using records::Json;
+
+constexpr double mass = 2.0, radius = 0.1, stiffness = 2e4, damping = 40.0, gravity = 9.81, end = 0.9;
+constexpr std::array heights{0.25, 0.3, 0.4};  ///< of the centre at the start
+
+constexpr const char* scene = R"(title = "Ball on a floor"
+units = "SI"
+gravity = ["0 m/s^2", "-9.81 m/s^2"]
+
+[[body]]
+name = "floor"
+mobility = "fixed"
+position = ["0 m", "0 m"]
+shape = { kind = "half_plane" }
+
+[[body]]
+name = "ball"
+mobility = "particle"
+mass = "2 kg"
+position = ["0 m", "0.3 m"]
+shape = { kind = "circle", radius = "0.1 m" }
+
+[[contact]]
+name = "hit"
+between = ["ball", "floor"]
+law = "linear_spring_dashpot"
+stiffness = "20 kN/m"
+damping = "40 N s/m"
+end_rule = "attractive"
+
+[run]
+integrator = "exact"
+step = "0.25 ms"
+end = "0.9 s"
+interval = "10 ms"
+watch = "off"
+)";
+
+/// The first bounces of a ball that is dropped from a height.
+std::vector<reference::Bounce> bounces_from(double height, double factor_of_damping = 1.0) {
+  return reference::bounces({.frequency = std::sqrt(stiffness / mass),
+                             .damping_ratio = factor_of_damping * damping / (2.0 * std::sqrt(stiffness * mass)),
+                             .gravity = gravity,
+                             .gap = height - radius,
+                             .speed = 0.0,
+                             .end = reference::EndRule::attractive},
+                            3);
+}
+
+/// Impacts that begin before a run ends, of which the last may not have ended, and maxima in free flight.
+struct Counted {
+  std::size_t impacts{}, ended{}, maxima{};
+
+  explicit Counted(const std::vector<reference::Bounce>& bounces) {
+    for (const reference::Bounce& bounce : bounces) {
+      impacts += bounce.start_time < end ? 1 : 0;
+      ended += bounce.end_time < end ? 1 : 0;
+      maxima += bounce.end_time - bounce.end_velocity / gravity < end ? 1 : 0;
+    }
+  }
+};
+
+/// Each number of each bounce, and of those that the run does not have none, with the reason.
+void check_numbers(const Program& program, Findings& findings, Differences& differ) {
+  std::string outputs;
+  for (int k = 0; k < 3; ++k) {
+    for (const char* const number : {"touch_time", "separation_time", "approach_speed", "separation_speed"})
+      outputs += fmt::format("\"impact.hit[{}].{}\", ", k, number);
+    outputs += fmt::format("\"ball.y.peak[{0}]\", \"body.ball.y.peak_time[{0}]\", ", k);
+  }
+  program.write("counted.toml", scene);
+  program.write("counts.toml", "base = \"counted.toml\"\noutputs = [" + outputs +
+                                   "\"impact.hit[0].restitution\"]\n[[axis]]\nfield = \"body.ball.position[1]\"\n"
+                                   "values = [\"0.25 m\", \"0.3 m\", \"0.4 m\"]\n");
+  static_cast<void>(program.run({"sweep", "plan", "counts.toml"}, {}));
+  static_cast<void>(program.run({"sweep", "run", "counts"}, {}));
+  static_cast<void>(program.run({"sweep", "collect", "counts"}, {}));
+  const records::Csv csv = program.csv("counts/results.csv");
+  const Json json = program.file("counts/results.json");
+  double times = 0.0, speeds = 0.0, maxima = 0.0, restitutions = 0.0;
+  std::size_t missing = 0;
+  differ.compare("runs of counted bounces", csv.rows(), heights.size());
+  for (std::size_t row = 0; row < csv.rows(); ++row) {
+    const std::vector<reference::Bounce> bounces = bounces_from(heights[row]);
+    const Counted counted{bounces};
+    const auto compare = [&](double& worst, const std::string& name, const std::string& unit, bool exists,
+                             double expected) {
+      const std::size_t column = csv.column(fmt::format("{} [{}]", name, unit));
+      if (exists) keep_worst(worst, csv.number(row, column) - expected);
+      differ.compare("a number that exists: " + name, !csv.cell(row, column).empty(), exists);
+      missing += exists ? 0 : 1;
+    };
+    for (std::size_t k = 0; k < bounces.size(); ++k) {
+      const reference::Bounce& bounce = bounces[k];
+      const std::string impact = fmt::format("impact.hit[{}].", k);
+      compare(times, impact + "touch_time", "s", k < counted.impacts, bounce.start_time);
+      compare(times, impact + "separation_time", "s", k < counted.ended, bounce.end_time);
+      compare(speeds, impact + "approach_speed", "m/s", k < counted.impacts, bounce.start_speed);
+      compare(speeds, impact + "separation_speed", "m/s", k < counted.ended, -bounce.end_velocity);
+      compare(maxima, fmt::format("ball.y.peak[{}]", k), "m", k < counted.maxima, radius + bounce.apex_gap);
+      compare(maxima, fmt::format("body.ball.y.peak_time[{}]", k), "s", k < counted.maxima,
+              bounce.end_time - bounce.end_velocity / gravity);
+    }
+    keep_worst(restitutions, csv.number(row, csv.column("impact.hit[0].restitution")) -
+                                 csv.number(row, csv.column("impact.hit[0].separation_speed [m/s]")) /
+                                     csv.number(row, csv.column("impact.hit[0].approach_speed [m/s]")));
+    const std::string reason{csv.cell(row, csv.column("reason"))};
+    const auto says = [&](const std::string& text) { return reason.find(text) != std::string::npos; };
+    differ.compare("reason of a number that does not exist",
+                   counted.maxima == bounces.size()    ? reason.empty()
+                   : counted.impacts == bounces.size() ? says("the impact has not ended") || says("maxima")
+                                                       : says(fmt::format("{} impacts in the run", counted.impacts)) ||
+                                                             says("the impact has not ended") || says("maxima"),
+                   true);
+    differ.compare("a run without a number is finished", csv.cell(row, csv.column("end")) == "finished", true);
+    differ.compare("numbers of a run in results.json", json.at("runs").at(row).at("values").size(), std::size_t{19});
+  }
+  findings.expect("counted bounces: times of impacts, largest error", times, 0.0,
+                  Tolerance::model(2.5e-7, "linear between two states: (g + c v/m) h^2/(8 v) with v of 1 m/s"));
+  findings.expect("counted bounces: speeds of impacts, largest error", speeds, 0.0,
+                  Tolerance::model(1e-2, "those of the states before and after, at most h (g + 2 xi omega v) away"));
+  findings.expect("counted bounces: local maxima and their times, largest error", maxima, 0.0,
+                  Tolerance::round_off(1e-11,
+                                       "free flight is a parabola; round-off of 1e-16 over g h^2 = 1e-7, and "
+                                       "of times over g h"));
+  findings.expect("counted bounces: restitution less the ratio of its speeds", restitutions, 0.0,
+                  Tolerance::round_off(1e-15, "one division"));
+  findings.expect_between("counted bounces: numbers that do not exist", static_cast<double>(missing), 1.0, 20.0,
+                          "the run ends after two or three impacts");
+}
+
+}  // namespace
+
+void check_counted_bounces(const Program& program, Findings& findings, Differences& differ) {
+  const Setup& setup = program.setup();
+  check_numbers(program, findings, differ);
+
+  const double late = setup.has("late_bounces") ? 1e-3 : 0.0;
+  std::string data = "drop [mm],first [mm],second [cm],again [ms]\n";
+  for (const double height : heights) {
+    const std::vector<reference::Bounce> bounces = bounces_from(height);
+    data += fmt::format("{},{},{},{}\n", 1e3 * height, 1e3 * (radius + bounces[0].apex_gap),
+                        1e2 * (radius + bounces[1].apex_gap), 1e3 * (bounces[1].start_time + late));
+  }
+  program.write("data.csv", data);
+  program.write("counted.fit.toml", R"(title = "Counted bounces"
+scene = "counted.toml"
+data = "data.csv"
+[[input]]
+column = "drop [mm]"
+field = "body.ball.position[1]"
+[[quantity]]
+column = "first [mm]"
+result = "ball.y.peak[0]"
+uncertainty = "1 mm"
+[[quantity]]
+column = "second [cm]"
+result = "ball.y.peak[1]"
+uncertainty = "0.1 cm"
+[[quantity]]
+column = "again [ms]"
+result = "impact.hit[1].touch_time"
+uncertainty = "1 ms"
+[[parameter]]
+field = "contact.hit.stiffness"
+range = ["15 kN/m", "30 kN/m"]
+spacing = "logarithmic"
+[[parameter]]
+field = "contact.hit.damping"
+range = ["20 N s/m", "80 N s/m"]
+[bootstrap]
+samples = 0
+)");
+  const Json fit = program.json({"fit", "counted.fit.toml"}, {{"--json", {}}});
+  double worst = 0.0;
+  const auto value = [&](std::size_t i) { return fit.at("parameters").at(i).at("value").get<double>(); };
+  keep_worst(worst, value(0) / (1e-3 * stiffness) - 1.0);
+  keep_worst(worst, value(1) / damping - 1.0);
+  findings.expect("counted bounces: largest difference of a fitted parameter from the true one", worst, 0.0,
+                  Tolerance::model(5e-5, "times of impacts to 2e-7 s, of contacts of 0.03 s"));
+
+  // Nothing to compare with: the impact is beyond the end of the run.
+  std::string none = program.read("counted.fit.toml");
+  none.replace(none.find("impact.hit[1]"), 13, "impact.hit[9]");
+  program.write("none.fit.toml", none);
+  const ProgramEnd refused = program.end({"fit", "none.fit.toml"}, {});
+  differ.compare("a fit to an impact that no run has",
+                 refused.exit_code == 2 &&
+                     refused.messages.find("output 'impact.hit[9].touch_time' has no value; "
+                                           "impact.hit[9].touch_time: the contact has ") != std::string::npos,
+                 true);
+}
+
+}  // namespace talus::verification::problems::fitted_parameters
