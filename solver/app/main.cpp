@@ -1,11 +1,14 @@
 /// talus: the solver's command line.
 
+#include <cxxabi.h>
 #include <fcntl.h>
 #include <unistd.h>
 
 #include <csignal>
 #include <cstdlib>
 #include <exception>
+#include <new>
+#include <typeinfo>
 
 #include "solver/app/command.hpp"
 #include "solver/base/exit_code.hpp"
@@ -20,10 +23,20 @@ void occupy_closed_streams() {
     if (::fcntl(stream, F_GETFD) < 0) ::open("/dev/null", stream == STDIN_FILENO ? O_WRONLY : O_RDONLY);
 }
 
-/// Called where not even an exception can be allocated, because the reserve of the C++ library did not fit either.
+/// Whether the program ends for lack of memory: by an exception that initialisation before main() has thrown, or
+/// because not even that could be allocated, as the reserve of the C++ library did not fit either.
+bool is_without_memory() {
+  // An allocation that fails has asked the system for this much at last (glibc).
+  constexpr std::size_t reserve = 1 << 20;
+  if (const std::type_info* const thrown = abi::__cxa_current_exception_type())
+    return *thrown == typeid(std::bad_alloc);
+  // Volatile: a compiler may leave out an allocation that is not used, and take it for successful.
+  void* const volatile block = std::malloc(reserve);
+  return block == nullptr;
+}
+
 [[noreturn]] void end_without_memory() {
-  constexpr std::size_t reserve = 1 << 17;
-  if (std::current_exception() == nullptr && std::malloc(reserve) == nullptr) {
+  if (is_without_memory()) {
     constexpr char message[] = "talus: out of memory\n";
     [[maybe_unused]] const ssize_t written = ::write(STDERR_FILENO, message, sizeof message - 1);
     std::_Exit(talus::app::io_failed);
