@@ -26,7 +26,7 @@ void occupy_closed_streams() {
 /// Whether the program ends for lack of memory: by an exception that initialisation before main() has thrown, or
 /// because not even that could be allocated, as the reserve of the C++ library did not fit either.
 bool is_without_memory() {
-  // An allocation that fails has asked the system for this much at last (glibc).
+  // glibc requests this much from the system before an allocation fails.
   constexpr std::size_t reserve = 1 << 20;
   if (const std::type_info* const thrown = abi::__cxa_current_exception_type())
     return *thrown == typeid(std::bad_alloc);
