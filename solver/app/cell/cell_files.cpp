@@ -29,8 +29,8 @@ void CellFiles::write_end(CellRun& run) const {
   const auto write = [&](const char* name, const std::string& text) {
     write_whole(folder_ / name, text, Durability::later);
   };
-  write("history.csv", cell_history_csv(*scene_, run));
-  write("profile.csv", cell_profile_csv(*scene_, run));
+  write("history.csv", cell_csv(*scene_, cell_history(*scene_, run)));
+  write("profile.csv", cell_csv(*scene_, cell_profile(*scene_, run)));
   if (scene_->pictures) {
     std::vector<std::pair<double, std::string>> files;
     for (std::size_t k = 0; k < times_.size(); ++k)

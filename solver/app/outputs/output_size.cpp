@@ -137,13 +137,10 @@ OutputSize expected_output(const CellScene& scene, CellRun& run) {
       of_state += static_cast<double>(cell_state_vtp(run).size()), ++samples;
   }
   const auto outputs = static_cast<long>(scene.plan.outputs());
-  const std::string header = cell_history_csv(scene, run);
-  OutputSize size{
-      .rows = outputs,
-      .columns = 1 + static_cast<std::size_t>(std::count(
-                         header.begin(), header.begin() + static_cast<std::ptrdiff_t>(header.find('\n')), ',')),
-      .states = scene.pictures ? outputs : 0,
-      .bytes = 0.0};
+  OutputSize size{.rows = outputs,
+                  .columns = cell_history(scene, run).columns.size(),
+                  .states = scene.pictures ? outputs : 0,
+                  .bytes = 0.0};
   constexpr double number = 17.8, index_line = 70.0;
   constexpr double of_summary = 4900.0, of_plot = 5650.0, of_layer = 125.0;
   const double layers = 2.0 * run.cell().rows + 4.0;

@@ -199,61 +199,65 @@ std::vector<CellNumber> cell_results(const CellRun& run) {
   return results;
 }
 
-std::string cell_history_csv(const CellScene& scene, const CellRun& run) {
-  std::vector<std::string> names{cell_header(scene, "time", dimension::time)};
+CellTable cell_history(const CellScene& scene, const CellRun& run) {
+  CellTable table{{{"time", dimension::time}}, {}};
   for (const HistoryColumn& column : cell_columns)
-    names.push_back(cell_header(scene, column.name, column.dimension));
-  names.insert(names.end(), {"stress_ratio", "multiple_fraction"});
-  if (scene.cell.friction)
-    names.insert(names.end(), {"sliding_fraction", cell_header(scene, "spin", dimension::angular_velocity)});
-  records::CsvText csv{names};
+    table.columns.push_back({column.name, column.dimension});
+  table.columns.push_back({"stress_ratio", dimension::number});
+  table.columns.push_back({"multiple_fraction", dimension::number});
+  if (scene.cell.friction) {
+    table.columns.push_back({"sliding_fraction", dimension::number});
+    table.columns.push_back({"spin", dimension::angular_velocity});
+  }
+  std::vector<double>& numbers = table.numbers;
   for (std::size_t k = 0; k < run.intervals(); ++k) {
     if (!run.interval_seen(k)) continue;
     const auto of = [&](Q quantity) { return run.interval_mean(k, quantity); };
     const double last = run.failure().empty() ? scene.plan.end : static_cast<double>(run.steps()) * scene.plan.step;
-    csv.number(run.began() + std::min(static_cast<double>(k + 1) * scene.plan.every, last));
+    numbers.push_back(run.began() + std::min(static_cast<double>(k + 1) * scene.plan.every, last));
     for (const HistoryColumn& column : cell_columns)
-      csv.number(of(column.quantity));
-    csv.number(ratio_or_zero(of(Q::top_shear), of(Q::top_normal)));
-    csv.number(ratio_or_zero(of(Q::multiple), of(Q::contacts)));
+      numbers.push_back(of(column.quantity));
+    numbers.push_back(ratio_or_zero(of(Q::top_shear), of(Q::top_normal)));
+    numbers.push_back(ratio_or_zero(of(Q::multiple), of(Q::contacts)));
     if (scene.cell.friction) {
-      csv.number(ratio_or_zero(of(Q::sliding), of(Q::contacts)));
-      csv.number(of(Q::spin));
+      numbers.push_back(ratio_or_zero(of(Q::sliding), of(Q::contacts)));
+      numbers.push_back(of(Q::spin));
     }
-    csv.end_row();
   }
-  return std::move(csv).text();
+  return table;
 }
 
-std::vector<CellProfile::Layer> filled_layers(const CellRun& run) {
-  std::vector<CellProfile::Layer> layers = run.profile().layers();
-  std::erase_if(layers, [](const CellProfile::Layer& layer) { return layer.fraction.value == 0.0; });
-  return layers;
-}
-
-std::string cell_profile_csv(const CellScene& scene, const CellRun& run) {
-  struct Column {
-    std::string name;
-    Dimension dimension;
-    Estimate CellProfile::Layer::*of;
+CellTable cell_profile(const CellScene& scene, const CellRun& run) {
+  using Layer = CellProfile::Layer;
+  CellTable table{{{"y", dimension::length}}, {}};
+  std::vector<Estimate Layer::*> estimates;
+  const auto add = [&](const std::string& name, Dimension dimension, Estimate Layer::*of) {
+    table.columns.push_back({name, dimension}), table.columns.push_back({name + "_error", dimension});
+    estimates.push_back(of);
   };
-  std::vector<Column> columns{{"velocity", dimension::velocity, &CellProfile::Layer::velocity},
-                              {"temperature", dimension::energy, &CellProfile::Layer::temperature},
-                              {"solid_fraction", dimension::number, &CellProfile::Layer::fraction}};
-  if (scene.cell.friction) columns.push_back({"spin", dimension::angular_velocity, &CellProfile::Layer::spin});
-  std::vector<std::string> names{cell_header(scene, "y", dimension::length)};
-  for (const Column& column : columns) {
-    names.push_back(cell_header(scene, column.name, column.dimension));
-    names.push_back(cell_header(scene, column.name + "_error", column.dimension));
-  }
-  records::CsvText csv{names};
-  for (const CellProfile::Layer& layer : filled_layers(run)) {
-    csv.number(layer.y);
-    for (const Column& column : columns) {
-      csv.number((layer.*column.of).value);
-      csv.number((layer.*column.of).error);
+  add("velocity", dimension::velocity, &Layer::velocity);
+  add("temperature", dimension::energy, &Layer::temperature);
+  add("solid_fraction", dimension::number, &Layer::fraction);
+  if (scene.cell.friction) add("spin", dimension::angular_velocity, &Layer::spin);
+  for (const Layer& layer : run.profile().layers()) {
+    if (layer.fraction.value == 0.0) continue;
+    table.numbers.push_back(layer.y);
+    for (const auto of : estimates) {
+      table.numbers.push_back((layer.*of).value);
+      table.numbers.push_back((layer.*of).error);
     }
-    csv.end_row();
+  }
+  return table;
+}
+
+std::string cell_csv(const CellScene& scene, const CellTable& table) {
+  std::vector<std::string> names;
+  for (const CellTable::Column& column : table.columns)
+    names.push_back(cell_header(scene, column.name, column.dimension));
+  records::CsvText csv{names};
+  for (std::size_t i = 0; i < table.numbers.size(); ++i) {
+    csv.number(table.numbers[i]);
+    if ((i + 1) % table.columns.size() == 0) csv.end_row();
   }
   return std::move(csv).text();
 }

@@ -28,13 +28,24 @@ struct CellNumber {
 /// Header of a column of a cell's CSV files: "top_shear [Pa]", or the bare name if the scene has no units.
 [[nodiscard]] std::string cell_header(const CellScene& scene, std::string_view name, Dimension dimension);
 
-/// history.csv: the means over each LOOP, one line each; headers have units if the scene has.
-[[nodiscard]] std::string cell_history_csv(const CellScene& scene, const CellRun& run);
+/// Numbers of a cell's run, row by row.
+struct CellTable {
+  struct Column {
+    std::string name;
+    Dimension dimension{};
+  };
+  std::vector<Column> columns;
+  std::vector<double> numbers;
 
-/// The layers of the profile in which discs were; none during the start-up.
-[[nodiscard]] std::vector<CellProfile::Layer> filled_layers(const CellRun& run);
-/// profile.csv: velocity, temperature, solid fraction and, with friction, spin of these layers with their errors.
-[[nodiscard]] std::string cell_profile_csv(const CellScene& scene, const CellRun& run);
+  std::size_t rows() const { return columns.empty() ? 0 : numbers.size() / columns.size(); }
+};
+/// The means over each LOOP, a row each.
+[[nodiscard]] CellTable cell_history(const CellScene& scene, const CellRun& run);
+/// Velocity, temperature, solid fraction and, with friction, spin of the layers in which discs were, with their errors;
+/// no row during the start-up.
+[[nodiscard]] CellTable cell_profile(const CellScene& scene, const CellRun& run);
+/// history.csv and profile.csv: these tables; headers have units if the scene has.
+[[nodiscard]] std::string cell_csv(const CellScene& scene, const CellTable& table);
 
 /// Outcome of a cell run.
 struct CellOutcome {

@@ -118,9 +118,9 @@ std::string cell_plot_json(const CellScene& scene, const CellRun& run) {
   std::vector<records::Figure> figures;
   for (const Kind& kind : histories())
     if (run.intervals() > 0) figures.push_back(history_figure(scene, kind));
+  const bool has_profile = cell_profile(scene, run).rows() > 0;
   for (const Kind& kind : profiles())
-    if (!filled_layers(run).empty() && (scene.cell.friction || !kind.with_friction))
-      figures.push_back(profile_figure(scene, kind));
+    if (has_profile && (scene.cell.friction || !kind.with_friction)) figures.push_back(profile_figure(scene, kind));
   json["figures"] = records::json_of(figures);
   return json.dump(2) + "\n";
 }

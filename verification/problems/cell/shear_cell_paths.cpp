@@ -201,8 +201,8 @@ void expect_restart(Findings& findings, const Setup& setup) {
   expect_rough_restart(findings, cell, plan);
   const CellScene scene{.title = "", .units = {}, .cell = cell, .plan = plan};
   const CellOutcome outcome{.finished = true, .message = "", .warnings = {}};
-  double differ = cell_history_csv(scene, whole) == cell_history_csv(scene, rest) ? 0.0 : 1.0;
-  differ += cell_profile_csv(scene, whole) == cell_profile_csv(scene, rest) ? 0.0 : 1.0;
+  double differ = cell_csv(scene, cell_history(scene, whole)) == cell_csv(scene, cell_history(scene, rest)) ? 0.0 : 1.0;
+  differ += cell_csv(scene, cell_profile(scene, whole)) == cell_csv(scene, cell_profile(scene, rest)) ? 0.0 : 1.0;
   differ += cell_summary_json(scene, whole, outcome, "") == cell_summary_json(scene, rest, outcome, "") ? 0.0 : 1.0;
   findings.expect_exact("output files of a resumed run that differ", differ, 0.0,
                         "history, profile and summary: all accumulated sums are saved, also those that wait for the "
