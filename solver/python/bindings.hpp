@@ -11,10 +11,14 @@
 namespace talus::python {
 
 void bind_scene(pybind11::module_& module);
+void bind_cell(pybind11::module_& module);
 void bind_run(pybind11::module_& module);
 void bind_simulation(pybind11::module_& module);
 /// Sweeps and calibrations.
 void bind_studies(pybind11::module_& module);
+
+/// The document that a mapping is. Errors: InputError for another object.
+[[nodiscard]] TomlValue document_of(const pybind11::object& mapping);
 
 /// Fields and their values of a mapping. Errors: InputError for another object.
 [[nodiscard]] FieldValues fields_of(const pybind11::object& changes);

@@ -42,10 +42,11 @@ void translate(std::exception_ptr thrown) {
 
 PYBIND11_MODULE(_talus, module) {
   using namespace talus::python;
-  module.doc() = "Discrete-element runs of scenes of rigid bodies, contacts and cables.";
+  module.doc() = "Discrete-element runs of scenes of rigid bodies, contacts and cables, and of shear cells of discs.";
   module.attr("__version__") = talus::version_number;
   pybind11::register_exception_translator(&translate);
   bind_scene(module);
+  bind_cell(module);
   bind_run(module);
   bind_simulation(module);
   bind_studies(module);

@@ -1,10 +1,12 @@
 #include "solver/python/python_values.hpp"
 
 #include <fmt/format.h>
+#include <pybind11/stl.h>
 
 #include <string>
 #include <utility>
 #include <variant>
+#include <vector>
 
 #include "solver/base/error.hpp"
 
@@ -111,6 +113,26 @@ TomlValue to_document(py::handle value, const std::string& path, int depth) {
                                      text_of(py::type::of(value).attr("__name__"))));
   }
   return made;
+}
+
+py::dict to_python(const Archive& archive) {
+  py::dict items;
+  for (const auto& [name, item] : archive.items())
+    std::visit([&, &name = name](const auto& value) { items[py::str(name)] = py::cast(value); }, item);
+  return items;
+}
+
+ArchiveItems to_items(const py::dict& saved) {
+  ArchiveItems items;
+  for (const auto& [name, item] : saved) {
+    auto& kept = items[py::cast<std::string>(name)];
+    if (py::isinstance<py::str>(item)) {
+      kept = py::cast<std::string>(item);
+    } else {
+      kept = py::cast<std::vector<double>>(item);
+    }
+  }
+  return items;
 }
 
 py::array_t<double> view(std::span<const double> numbers, py::handle owner) {

@@ -6,6 +6,7 @@
 #include <span>
 #include <string>
 
+#include "solver/base/archive.hpp"
 #include "solver/io/file/toml_document.hpp"
 
 /// The module `talus` for Python: scenes, runs and studies as objects of a script.
@@ -23,6 +24,11 @@ namespace talus::python {
 
 /// The key of a dict. Errors: InputError if it is no text.
 [[nodiscard]] std::string key_of(pybind11::handle key);
+
+/// What was saved in an archive, as a dict that pickles.
+[[nodiscard]] pybind11::dict to_python(const Archive& archive);
+/// The items of such a dict, for an archive that restores them.
+[[nodiscard]] ArchiveItems to_items(const pybind11::dict& saved);
 
 /// Numbers that `owner` holds, as an array of numpy that cannot be written and is no copy.
 [[nodiscard]] pybind11::array_t<double> view(std::span<const double> numbers, pybind11::handle owner);

@@ -2,9 +2,7 @@
 
 #include <fmt/format.h>
 #include <pybind11/stl.h>
-#include <pybind11/stl/filesystem.h>
 
-#include <filesystem>
 #include <nlohmann/json.hpp>
 #include <utility>
 #include <variant>
@@ -15,6 +13,7 @@
 #include "solver/base/error.hpp"
 #include "solver/integrate/integrator_list.hpp"
 #include "solver/io/output/write_advice.hpp"
+#include "solver/python/document_binding.hpp"
 #include "solver/python/python_signals.hpp"
 #include "solver/python/python_values.hpp"
 #include "solver/python/script_run.hpp"
@@ -108,6 +107,8 @@ py::object calibrate_scene(const ScriptScene& scene, const std::string& contact,
 
 }  // namespace
 
+TomlValue document_of(const py::object& mapping) { return TomlValue{table_of(mapping, "document")}; }
+
 FieldValues fields_of(const py::object& changes) {
   FieldValues fields;
   for (TomlEntry& entry : table_of(changes, "fields"))
@@ -121,28 +122,8 @@ app::MethodOptions method_of(const std::optional<std::string>& end, const std::o
 }
 
 void bind_scene(py::module_& module) {
-  py::class_<ScriptScene>(
+  bind_document<ScriptScene>(
       module, "Scene", "A scene: bodies, contacts, cables and a plan. It is never changed; changes make another one.")
-      .def(py::init([](const py::object& document, const std::string& name) {
-             return ScriptScene{TomlValue{table_of(document, "document")}, name};
-           }),
-           "document"_a, "name"_a = "scene",
-           "Scene from a dict with the names and quantities of a scene file, e.g. {'body': [{'name': 'ball', 'mass': "
-           "'2 kg', ...}], ...}. `name` is named in errors. Raises InputError with all errors.")
-      .def_static(
-          "read", [](const std::filesystem::path& file) { return read_script_scene(file.string()); }, "file"_a,
-          "Scene from a scene file (.toml) or a deck of 1993 (.DAT). Raises IoError, InputError.")
-      .def_static("parse", &parse_script_scene, "text"_a, "name"_a = "scene.toml",
-                  "Scene from the text of a scene file. Raises InputError.")
-      .def(
-          "changed", [](const ScriptScene& scene, const py::object& fields) { return scene.with(fields_of(fields)); },
-          "fields"_a,
-          "Scene with other values of fields, by their paths as in a sweep: {'body.ball.mass': '3 kg', "
-          "'gravity[1]': '-9.81 m/s^2'}. Raises InputError.")
-      .def_property_readonly(
-          "document", [](const ScriptScene& scene) { return to_python(scene.document()); },
-          "The scene as a dict; of a deck of 1993, the scene file that it is converted to.")
-      .def_property_readonly("name", &ScriptScene::name, "File or name of the scene, as in errors.")
       .def_property_readonly(
           "title", [](const ScriptScene& scene) { return scene.file().scene.title; }, "Title.")
       .def_property_readonly(
@@ -179,18 +160,12 @@ void bind_scene(py::module_& module) {
       .def("calibrate", &calibrate_scene, "contact"_a, py::kw_only(), "restitution"_a,
            "The damping (or hysteresis) of a contact that gives its first impact this restitution, by runs of the "
            "scene: the dict that `talus calibrate SCENE --json` prints, in SI units.")
-      .def("__repr__",
-           [](const ScriptScene& scene) {
-             const Model& model = scene.file().scene.model;
-             return fmt::format("<talus.Scene '{}': {} bodies, {} contacts, {} cables, {}>", scene.file().scene.title,
-                                model.bodies.size(), model.contacts.size(), model.cables.size(),
-                                name(scene.file().scene.integrator));
-           })
-      .def(
-          py::pickle([](const ScriptScene& scene) { return py::make_tuple(to_python(scene.document()), scene.name()); },
-                     [](const py::tuple& saved) {
-                       return ScriptScene{to_document(saved[0]), py::cast<std::string>(saved[1])};
-                     }));
+      .def("__repr__", [](const ScriptScene& scene) {
+        const Model& model = scene.file().scene.model;
+        return fmt::format("<talus.Scene '{}': {} bodies, {} contacts, {} cables, {}>", scene.file().scene.title,
+                           model.bodies.size(), model.contacts.size(), model.cables.size(),
+                           name(scene.file().scene.integrator));
+      });
 }
 
 }  // namespace talus::python

@@ -4,10 +4,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <stdexcept>
 #include <utility>
 
 #include "solver/base/error.hpp"
+#include "solver/python/advancing.hpp"
 #include "solver/run/simulate.hpp"
 #include "solver/run/snapshot.hpp"
 #include "solver/state/state_archive.hpp"
@@ -24,18 +24,6 @@ void set_numbers(std::vector<double>& numbers, const std::vector<double>& given,
     throw InputError{fmt::format("{}[{}]: found {}; it must be finite", name, bad - given.begin(), *bad)};
   numbers = given;
 }
-
-/// A step is taken during the lifetime of the object.
-class Advancing {
- public:
-  explicit Advancing(std::atomic<bool>& flag) : flag_{flag} { flag_ = true; }
-  Advancing(const Advancing&) = delete;
-  Advancing& operator=(const Advancing&) = delete;
-  ~Advancing() { flag_ = false; }
-
- private:
-  std::atomic<bool>& flag_;
-};
 
 }  // namespace
 
@@ -55,8 +43,7 @@ State ScriptSimulation::started(State state) {
 }
 
 const ScriptSimulation& ScriptSimulation::idle() const {
-  if (is_advancing_)
-    throw std::runtime_error{"the simulation is advancing: another thread, or a handler of a signal, cannot use it"};
+  demand_idle(is_advancing_);
   return *this;
 }
 

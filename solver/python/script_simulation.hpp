@@ -48,6 +48,7 @@ class ScriptSimulation {
   const RunState& run_state() const { return run_state_; }
   /// Empty while steps are left.
   const std::optional<Outcome>& outcome() const { return outcome_; }
+  bool has_ended() const { return idle().outcome_.has_value(); }
   /// The angle of each body [rad], counter-clockwise > 0, not reduced to one turn.
   [[nodiscard]] std::vector<double> angles() const;
   /// The elongation of each cable [L]; negative while slack.

@@ -10,18 +10,28 @@
 #include <utility>
 
 #include "solver/base/error.hpp"
+#include "solver/io/cell/read_cell.hpp"
 #include "solver/python/python_signals.hpp"
 #include "solver/threads/parallel_for.hpp"
 
 namespace talus::python {
+namespace {
+
+std::variant<ScriptScene, ScriptCell> base_of(TomlValue document, const std::string& name) {
+  if (describes_cell(document)) return ScriptCell{std::move(document), name};
+  return ScriptScene{std::move(document), name};
+}
+
+}  // namespace
 
 PlannedSweep plan_sweep(const std::string& file) {
   app::SweepFile described = app::read_sweep(read_text(file), file);
   try {
-    ScriptScene base = read_script_scene(described.base.string());
+    const std::string name = described.base.string();
+    TomlValue document = of_scene(name, [&] { return parse_toml(script_text(name), name); });
     std::vector<app::SweptRun> runs = app::swept_runs(described).runs;
-    app::check_fields(base.document(), runs.front());
-    return {std::move(base), std::move(runs), std::move(described.outputs), described.limits};
+    app::check_fields(document, runs.front());
+    return {base_of(std::move(document), name), std::move(runs), std::move(described.outputs), described.limits};
   } catch (const SceneInputError&) {
     throw;
   } catch (const InputError& error) {
@@ -29,9 +39,9 @@ PlannedSweep plan_sweep(const std::string& file) {
   }
 }
 
-ScriptSweep sweep_scene(const ScriptScene& scene, const std::vector<FieldValues>& runs,
-                        const SweepArguments& arguments) {
-  const app::SweepBase base{scene.document(), scene.name(), arguments.outputs};
+ScriptSweep sweep_document(const TomlValue& document, const std::string& name, const std::vector<FieldValues>& runs,
+                           const SweepArguments& arguments) {
+  const app::SweepBase base{document, name, arguments.outputs};
   ScriptSweep sweep;
   for (const app::SweepOutput& output : base.outputs())
     sweep.outputs.push_back(output.name);

@@ -1,16 +1,18 @@
 #pragma once
 
 #include <string>
+#include <variant>
 #include <vector>
 
 #include "solver/app/sweep/sweep_base.hpp"
+#include "solver/python/script_cell.hpp"
 #include "solver/python/script_scene.hpp"
 
 namespace talus::python {
 
 /// The runs that a sweep's file describes.
 struct PlannedSweep {
-  ScriptScene base;
+  std::variant<ScriptScene, ScriptCell> base;
   std::vector<app::SweptRun> runs;
   std::vector<std::string> outputs;
   app::SweepLimits limits;
@@ -32,10 +34,10 @@ struct ScriptSweep {
   std::vector<app::SweepResult> results;
 };
 
-/// Runs a scene with each of these changes, as `talus sweep run` does, on threads. Without the interpreter's lock;
-/// Ctrl-C raises KeyboardInterrupt. The results are the same for any number of threads. Errors: InputError for outputs
-/// that the scene does not have; of a run they are its result.
-[[nodiscard]] ScriptSweep sweep_scene(const ScriptScene& scene, const std::vector<FieldValues>& runs,
-                                      const SweepArguments& arguments);
+/// Runs a scene or cell with each of these changes, as `talus sweep run` does, on threads. Without the interpreter's
+/// lock; Ctrl-C raises KeyboardInterrupt. The results are the same for any number of threads. Errors: InputError for
+/// outputs that the scene does not have; of a run they are its result.
+[[nodiscard]] ScriptSweep sweep_document(const TomlValue& document, const std::string& name,
+                                         const std::vector<FieldValues>& runs, const SweepArguments& arguments);
 
 }  // namespace talus::python

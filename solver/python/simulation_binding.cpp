@@ -4,14 +4,12 @@
 #include <pybind11/numpy.h>
 #include <pybind11/stl.h>
 
-#include <limits>
 #include <memory>
 #include <span>
-#include <variant>
 #include <vector>
 
 #include "solver/base/error.hpp"
-#include "solver/python/python_signals.hpp"
+#include "solver/python/advanced_run.hpp"
 #include "solver/python/python_values.hpp"
 #include "solver/python/script_simulation.hpp"
 
@@ -21,45 +19,15 @@ namespace {
 namespace py = pybind11;
 using namespace py::literals;
 
-/// A property that is a view of numbers that a simulation holds.
-template <class Numbers>
-py::cpp_function viewed(Numbers numbers) {
-  return py::cpp_function{[numbers](const py::object& self) {
-    return view(std::span<const double>{numbers(py::cast<const ScriptSimulation&>(self).idle())}, self);
-  }};
-}
 py::cpp_function pose_row(Row Poses::*row) {
-  return viewed([row](const ScriptSimulation& run) {
+  return viewed<ScriptSimulation>([row](const ScriptSimulation& run) {
     return std::span<const double>{(run.seen().geometry().poses.*row).at(0), run.model().bodies.size()};
   });
 }
 
-bool advance(ScriptSimulation& simulation, long steps) {
-  if (steps < 0) throw InputError{fmt::format("steps: found {}; it must be >= 0", steps)};
-  if (steps == 1) return simulation.advance(1);
-  PythonSignals signals;
-  bool continues = false;
-  {
-    const Unlocked unlocked;
-    continues = simulation.advance(steps, [&] { return signals.pending(); });
-  }
-  signals.rethrow();
-  return continues;
-}
-
-/// Calls back after each `every` steps and at the end; a callback that returns something false but None stops the run.
-void run_simulation(const py::object& self, const py::object& callback, long every) {
-  if (every < 1) throw InputError{fmt::format("every: found {}; it must be >= 1", every)};
-  auto& simulation = py::cast<ScriptSimulation&>(self);
-  if (callback.is_none()) return static_cast<void>(advance(simulation, std::numeric_limits<long>::max()));
-  while (!simulation.idle().outcome()) {
-    advance(simulation, every);
-    const py::object answer = callback(self);
-    if (answer.is_none()) continue;
-    const int is_true = PyObject_IsTrue(answer.ptr());
-    if (is_true < 0) throw py::error_already_set{};
-    if (is_true == 0) return;
-  }
+/// One step is too short to give up the interpreter's lock.
+bool advance_simulation(ScriptSimulation& simulation, long steps) {
+  return steps == 1 ? simulation.advance(1) : advance(simulation, steps, "steps");
 }
 
 py::dict energies(const ScriptSimulation& simulation) {
@@ -72,35 +40,11 @@ py::dict energies(const ScriptSimulation& simulation) {
   return found;
 }
 
-/// The run between two steps, as objects that pickle.
-py::dict saved(ScriptSimulation& simulation) {
-  Archive archive;
-  simulation.serialize(archive);
-  py::dict items;
-  for (const auto& [name, item] : archive.items())
-    std::visit([&](const auto& value) { items[py::str(name)] = value; }, item);
-  return items;
-}
-
 std::unique_ptr<ScriptSimulation> restored(const py::tuple& saved) {
   const auto arguments = py::cast<py::tuple>(saved[1]);
-  auto simulation = std::make_unique<ScriptSimulation>(
-      py::cast<const ScriptScene&>(saved[0]),
-      app::MethodOptions{py::cast<std::string>(arguments[0]), py::cast<std::string>(arguments[1]),
-                         py::cast<std::string>(arguments[2]), py::cast<double>(arguments[3])});
-  ArchiveItems items;
-  for (const auto& [name, item] : py::cast<py::dict>(saved[2])) {
-    auto& kept = items[py::cast<std::string>(name)];
-    if (py::isinstance<py::str>(item)) {
-      kept = py::cast<std::string>(item);
-    } else {
-      kept = py::cast<std::vector<double>>(item);
-    }
-  }
-  Archive archive{items};
-  simulation->serialize(archive);
-  if (!archive.left_over().empty()) throw InputError{"the saved simulation is of another version of Talus"};
-  return simulation;
+  const app::MethodOptions method{py::cast<std::string>(arguments[0]), py::cast<std::string>(arguments[1]),
+                                  py::cast<std::string>(arguments[2]), py::cast<double>(arguments[3])};
+  return restored_run(std::make_unique<ScriptSimulation>(py::cast<const ScriptScene&>(saved[0]), method), saved[2]);
 }
 
 }  // namespace
@@ -117,9 +61,9 @@ void bind_simulation(py::module_& module) {
            }),
            "scene"_a, py::kw_only(), "end"_a = py::none(), "step"_a = py::none(), "integrator"_a = py::none(),
            "tolerance"_a = 0.0, "At the start of a scene; the other arguments are those of Scene.run().")
-      .def("advance", &advance, "steps"_a = 1,
+      .def("advance", &advance_simulation, "steps"_a = 1,
            "Takes up to `steps` steps. True while steps are left; False: the run has ended or diverged (`outcome`).")
-      .def("run", &run_simulation, "callback"_a = py::none(), py::kw_only(), "every"_a = 1,
+      .def("run", &run_to_end<ScriptSimulation>, "callback"_a = py::none(), py::kw_only(), "every"_a = 1,
            "Advances to the end, and calls callback(simulation) after each `every` steps and at the end. A callback "
            "that "
            "returns False stops there.")
@@ -160,10 +104,11 @@ void bind_simulation(py::module_& module) {
           },
           "Names of the coordinates, e.g. 'rock.x'.")
       .def_property_readonly(
-          "q", viewed([](const ScriptSimulation& run) { return std::span{run.seen().state().q}; }),
+          "q", viewed<ScriptSimulation>([](const ScriptSimulation& run) { return std::span{run.seen().state().q}; }),
           "Generalised coordinates [L or rad]: x, y and angle of the bodies, as far as they can move.")
-      .def_property_readonly("v", viewed([](const ScriptSimulation& run) { return std::span{run.seen().state().v}; }),
-                             "Their rates [1/T of q].")
+      .def_property_readonly(
+          "v", viewed<ScriptSimulation>([](const ScriptSimulation& run) { return std::span{run.seen().state().v}; }),
+          "Their rates [1/T of q].")
       .def_property_readonly("x", pose_row(&Poses::x), "Centre of mass of each body [L].")
       .def_property_readonly("y", pose_row(&Poses::y), "Centre of mass of each body [L].")
       .def_property_readonly("vx", pose_row(&Poses::vx), "Velocity of the centre of mass of each body [L/T].")
@@ -173,15 +118,18 @@ void bind_simulation(py::module_& module) {
       .def_property_readonly(
           "angle", [](const ScriptSimulation& run) { return py::array(py::cast(run.idle().angles())); },
           "Angle of each body [rad], counter-clockwise > 0.")
-      .def_property_readonly("overlaps",
-                             viewed([](const ScriptSimulation& run) { return std::span{run.seen().depths()}; }),
+      .def_property_readonly("overlaps", viewed<ScriptSimulation>([](const ScriptSimulation& run) {
+                               return std::span{run.seen().depths()};
+                             }),
                              "Largest overlap of each contact [L]; negative while its bodies are apart.")
-      .def_property_readonly(
-          "contact_forces", viewed([](const ScriptSimulation& run) { return std::span{run.seen().forces().contacts}; }),
-          "Normal force of each contact [F], > 0 pushes apart.")
-      .def_property_readonly(
-          "tensions", viewed([](const ScriptSimulation& run) { return std::span{run.seen().forces().tensions}; }),
-          "Tension of each cable [F].")
+      .def_property_readonly("contact_forces", viewed<ScriptSimulation>([](const ScriptSimulation& run) {
+                               return std::span{run.seen().forces().contacts};
+                             }),
+                             "Normal force of each contact [F], > 0 pushes apart.")
+      .def_property_readonly("tensions", viewed<ScriptSimulation>([](const ScriptSimulation& run) {
+                               return std::span{run.seen().forces().tensions};
+                             }),
+                             "Tension of each cable [F].")
       .def_property_readonly(
           "elongations", [](const ScriptSimulation& run) { return py::array(py::cast(run.idle().elongations())); },
           "Elongation of each cable [L]; negative while slack.")
@@ -196,8 +144,9 @@ void bind_simulation(py::module_& module) {
       .def(py::pickle(
           [](ScriptSimulation& run) {
             const app::MethodOptions& method = run.method();
-            return py::make_tuple(
-                run.scene(), py::make_tuple(method.end, method.step, method.integrator, method.tolerance), saved(run));
+            return py::make_tuple(run.scene(),
+                                  py::make_tuple(method.end, method.step, method.integrator, method.tolerance),
+                                  saved_run(run));
           },
           &restored));
 }

@@ -9,6 +9,7 @@
 #include <limits>
 #include <map>
 #include <nlohmann/json.hpp>
+#include <variant>
 #include <vector>
 
 #include "solver/app/calibration/impact_calibration.hpp"
@@ -25,7 +26,8 @@ namespace {
 namespace py = pybind11;
 using namespace py::literals;
 
-py::dict sweep(const ScriptScene& scene, const std::vector<py::object>& runs, const std::vector<std::string>& outputs,
+template <class Script>
+py::dict sweep(const Script& scene, const std::vector<py::object>& runs, const std::vector<std::string>& outputs,
                long threads, long evaluations, double time) {
   constexpr long maximum_threads = 1024;
   if (threads < 0 || threads > maximum_threads)
@@ -35,7 +37,8 @@ py::dict sweep(const ScriptScene& scene, const std::vector<py::object>& runs, co
   std::vector<FieldValues> changes;
   for (const py::object& run : runs)
     changes.push_back(fields_of(run));
-  const ScriptSweep swept = sweep_scene(scene, changes, {outputs, {time, evaluations}, static_cast<unsigned>(threads)});
+  const ScriptSweep swept = sweep_document(scene.document(), scene.name(), changes,
+                                           {outputs, {time, evaluations}, static_cast<unsigned>(threads)});
   const auto count = static_cast<py::ssize_t>(runs.size());
   py::list ends, reasons, verdicts;
   py::array_t<double> times{count};
@@ -67,7 +70,8 @@ py::dict planned(const std::filesystem::path& file) {
       fields[py::str(field)] = to_python(value);
     runs.append(fields);
   }
-  return py::dict("scene"_a = sweep.base, "runs"_a = runs, "outputs"_a = sweep.outputs,
+  const py::object base = std::visit([](const auto& of) { return py::cast(of); }, sweep.base);
+  return py::dict("scene"_a = base, "runs"_a = runs, "outputs"_a = sweep.outputs,
                   "evaluations"_a = sweep.limits.evaluations, "time"_a = sweep.limits.time);
 }
 
@@ -119,13 +123,18 @@ py::object calibrate(std::optional<double> restitution, const std::vector<std::s
 }  // namespace
 
 void bind_studies(py::module_& module) {
-  module.def(
-      "sweep", &sweep, "scene"_a, "runs"_a, "outputs"_a, py::kw_only(), "threads"_a = 0L, "evaluations"_a = 0L,
-      "time"_a = 0.0,
-      "Runs a scene once for each dict of fields in `runs`, on threads (0: all of the machine), as `talus sweep` "
-      "does. Returns a dict of columns, one value for each run: 'end' (finished, unusable, diverged, refused, "
-      "limited), 'reason', 'time', 'evaluations', of a fence 'verdict', and the outputs in units of the scene, NaN "
-      "if the run did not reach its end. Limits of each run: evaluations, and time of the clock [s]; 0: none.");
+  const char* const of_sweep =
+      "Runs a scene or a shear cell once for each dict of fields in `runs`, on threads (0: all of the machine), as "
+      "`talus sweep` does. Returns a dict of columns, one value for each run: 'end' (finished, unusable, diverged, "
+      "refused, limited), 'reason', 'time', 'evaluations', of a fence 'verdict', and the outputs in units of the "
+      "scene, "
+      "NaN if the run did not reach its end or has no such number. Limits of each run: evaluations, and time of the "
+      "clock [s]; 0: none.";
+  const auto add_sweep = [&](auto function) {
+    module.def("sweep", function, "scene"_a, "runs"_a, "outputs"_a, py::kw_only(), "threads"_a = 0L,
+               "evaluations"_a = 0L, "time"_a = 0.0, of_sweep);
+  };
+  add_sweep(&sweep<ScriptScene>), add_sweep(&sweep<ScriptCell>);
   module.def("read_sweep", &planned, "file"_a,
              "The file of a sweep as arguments of sweep(): talus.sweep(**talus.read_sweep('sweep.toml')) gives what "
              "`talus sweep` collects. Raises InputError, IoError.");

@@ -1,4 +1,4 @@
-"""Talus: discrete-element runs of scenes of rigid bodies, contacts and cables.
+"""Talus: discrete-element runs of scenes of rigid bodies, contacts and cables, and of shear cells.
 
     import talus
     run = talus.Scene.read("cases/two_cable.toml").run()
@@ -9,10 +9,12 @@ texts with units ("3 kg"). The guide's page "Talus in Python" has more.
 """
 
 from . import _talus
-from ._talus import Run, Scene, Simulation, __version__, integrators, read_sweep, sweep
+from ._talus import Cell, CellRun, Run, Scene, Simulation, __version__, integrators, read_sweep, sweep
 from .errors import InputError, IoError, Problem
 
 __all__ = [
+    "Cell",
+    "CellRun",
     "InputError",
     "IoError",
     "Problem",

@@ -187,7 +187,7 @@ class Scenes(unittest.TestCase):
         with tempfile.TemporaryDirectory() as folder:
             with self.assertRaisesRegex(talus.InputError, "not TOML"):
                 talus.Scene.read(text_file(folder, "wrong.toml", "a = [1"))
-        with self.assertRaisesRegex(talus.InputError, "talus cell"):
+        with self.assertRaisesRegex(talus.InputError, "use talus.Cell"):
             talus.Scene.read(str(next(iter((CASES / "cell").glob("*.toml")))))
 
 

@@ -182,7 +182,7 @@ class Simulations(unittest.TestCase):
         finally:
             signal.signal(signal.SIGALRM, before)
         self.assertEqual(len(found), 7)
-        self.assertIn("the simulation is advancing", found[0])
+        self.assertIn("the run is advancing", found[0])
         self.assertTrue(simulation.advance())
 
     def test_restarts(self):

@@ -1,0 +1,47 @@
+#include "solver/python/script_cell.hpp"
+
+#include "solver/app/cell/cell_summary.hpp"
+#include "solver/python/advancing.hpp"
+
+namespace talus::python {
+
+CellScene read_cell_document(const TomlValue& document, const std::string& name) {
+  if (!describes_cell(document))
+    throw InputError{name + ": cell: it is missing; use talus.Scene for a scene of bodies"};
+  return read_cell(document, name, {});
+}
+
+ScriptCellRun::ScriptCellRun(const ScriptCell& cell)
+    : cell_{cell}, run_{std::make_unique<CellRun>(scene().cell, scene().plan)}, discs_{run_->discs()} {}
+
+CellRun& ScriptCellRun::idle() const {
+  demand_idle(is_advancing_);
+  return *run_;
+}
+
+bool ScriptCellRun::advance(long intervals, const std::function<bool()>& interrupted) {
+  CellRun& run = idle();
+  const Advancing advancing{is_advancing_};
+  bool is_stopped = false;
+  while (intervals > 0 && !is_stopped && !run.finished() && run.failure().empty()) {
+    run.advance();
+    if (run.due()) --intervals;
+    is_stopped = interrupted && interrupted();
+  }
+  discs_ = run.discs();
+  return !run.finished() && run.failure().empty();
+}
+
+void ScriptCellRun::serialize(Archive& archive) {
+  idle().serialize(archive);
+  if (archive.is_loading()) discs_ = run_->discs();
+}
+
+CellOutcome ScriptCellRun::outcome() const {
+  CellRun& run = idle();
+  CellOutcome outcome{run.finished(), run.failure(), {}};
+  if (has_ended()) outcome.warnings = app::cell_warnings(scene(), run);
+  return outcome;
+}
+
+}  // namespace talus::python
