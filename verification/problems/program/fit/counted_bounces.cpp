@@ -20,7 +20,10 @@ using records::Json;
 constexpr double mass = 2.0, radius = 0.1, stiffness = 2e4, damping = 40.0, gravity = 9.81, end = 0.9;
 constexpr std::array heights{0.25, 0.3, 0.4};  ///< of the centre at the start
 
-constexpr const char* scene = R"(title = "Ball on a floor"
+constexpr double other_height = 0.22;
+
+/// Two balls, so that impacts of two contacts alternate.
+constexpr const char* scene = R"(title = "Balls on a floor"
 units = "SI"
 gravity = ["0 m/s^2", "-9.81 m/s^2"]
 
@@ -36,6 +39,21 @@ mobility = "particle"
 mass = "2 kg"
 position = ["0 m", "0.3 m"]
 shape = { kind = "circle", radius = "0.1 m" }
+
+[[body]]
+name = "other"
+mobility = "particle"
+mass = "2 kg"
+position = ["1 m", "0.22 m"]
+shape = { kind = "circle", radius = "0.1 m" }
+
+[[contact]]
+name = "strike"
+between = ["other", "floor"]
+law = "linear_spring_dashpot"
+stiffness = "20 kN/m"
+damping = "40 N s/m"
+end_rule = "attractive"
 
 [[contact]]
 name = "hit"
@@ -84,6 +102,7 @@ void check_numbers(const Program& program, Findings& findings, Differences& diff
     for (const char* const number : {"touch_time", "separation_time", "approach_speed", "separation_speed"})
       outputs += fmt::format("\"impact.hit[{}].{}\", ", k, number);
     outputs += fmt::format("\"ball.y.peak[{0}]\", \"body.ball.y.peak_time[{0}]\", ", k);
+    outputs += fmt::format("\"impact.strike[{0}].touch_time\", \"other.y.peak[{0}]\", ", k);
   }
   program.write("counted.toml", scene);
   program.write("counts.toml", "base = \"counted.toml\"\noutputs = [" + outputs +
@@ -118,6 +137,11 @@ void check_numbers(const Program& program, Findings& findings, Differences& diff
       compare(maxima, fmt::format("body.ball.y.peak_time[{}]", k), "s", k < counted.maxima,
               bounce.end_time - bounce.end_velocity / gravity);
     }
+    const std::vector<reference::Bounce> others = bounces_from(other_height);
+    for (std::size_t k = 0; k < others.size(); ++k) {
+      compare(times, fmt::format("impact.strike[{}].touch_time", k), "s", true, others[k].start_time);
+      compare(maxima, fmt::format("other.y.peak[{}]", k), "m", true, radius + others[k].apex_gap);
+    }
     keep_worst(restitutions, csv.number(row, csv.column("impact.hit[0].restitution")) -
                                  csv.number(row, csv.column("impact.hit[0].separation_speed [m/s]")) /
                                      csv.number(row, csv.column("impact.hit[0].approach_speed [m/s]")));
@@ -130,7 +154,7 @@ void check_numbers(const Program& program, Findings& findings, Differences& diff
                                                              says("the impact has not ended") || says("maxima"),
                    true);
     differ.compare("a run without a number is finished", csv.cell(row, csv.column("end")) == "finished", true);
-    differ.compare("numbers of a run in results.json", json.at("runs").at(row).at("values").size(), std::size_t{19});
+    differ.compare("numbers of a run in results.json", json.at("runs").at(row).at("values").size(), std::size_t{25});
   }
   findings.expect("counted bounces: times of impacts, largest error", times, 0.0,
                   Tolerance::model(2.5e-7, "linear between two states: (g + c v/m) h^2/(8 v) with v of 1 m/s"));

@@ -391,7 +391,7 @@ Case definition() {
                      {"late_bounces", "times of impacts that are 1 ms late", counted},
                      {"more_friction", "restitution with 1.05 times the friction", friction},
                      {"half_interval", "intervals of half the width", coverage}},
-          .seconds = 15.0,
+          .seconds = 18.0,
           .time_limit = 240.0,
           .run = run};
 }
