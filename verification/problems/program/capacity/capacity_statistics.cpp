@@ -57,9 +57,12 @@ double line_probability(double x, double y) {
   return 0.5 * std::erfc((y - line_at(x)) / (std::numbers::sqrt2 * width));
 }
 
+/// Half widths of the band.
+constexpr double band_below = 0.24, band_above = 0.14;
+
 /// As of impacts that are chaotic: up to a line nearly 1, from another one on nearly 0, and between them in waves.
 double band_probability(double x, double y) {
-  const double low = line_at(x) - 0.12, high = line_at(x) + 0.06;
+  const double low = line_at(x) - band_below, high = line_at(x) + band_above;
   if (y < low || y > high) return y < low ? 0.98 : 0.02;
   return 0.5 + 0.4 * std::cos(60.0 * (y - low) + 25.0 * x);
 }
@@ -191,7 +194,8 @@ void check_maps(Findings& findings, const Setup& setup) {
       lines += 1.0;
       if (!(boundary.last_above / 64.0 <= exact && exact <= boundary.first_below / 64.0)) off += 1.0;
       // The probability is beside one half for half of a wave of 6.7 cells.
-      far = std::max({far, wide.last_above - 64.0 * (exact - 0.12), 64.0 * (exact + 0.06) - wide.first_below});
+      far = std::max(
+          {far, wide.last_above - 64.0 * (exact - band_below), 64.0 * (exact + band_above) - wide.first_below});
     }
   }
   findings.expect("maps: nodes whose state contradicts the interval of the full grid", of_lines, 0.0,
