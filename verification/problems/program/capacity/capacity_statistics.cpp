@@ -178,7 +178,7 @@ double contradicted(const CapacityMap& map, std::uint64_t seed, Probability prob
 }  // namespace
 
 void check_maps(Findings& findings, const Setup& setup) {
-  double of_lines = 0.0, of_bands = 0.0, lines = 0.0, off = 0.0, far = 0.0;
+  double of_lines = 0.0, of_bands = 0.0, lines = 0.0, off = 0.0, far = 0.0, outside = 0.0;
   std::array<double, 2> shares{};
   const double shift = setup.has("other_line") ? 0.1 : 0.0;
   for (const std::uint64_t seed : {1U, 2U, 3U}) {
@@ -196,6 +196,8 @@ void check_maps(Findings& findings, const Setup& setup) {
       // The probability is beside one half for half of a wave of 6.7 cells.
       far = std::max(
           {far, wide.last_above - 64.0 * (exact - band_below), 64.0 * (exact + band_above) - wide.first_below});
+      outside = std::max(
+          {outside, 64.0 * (exact - band_below) - wide.last_above, wide.first_below - 64.0 * (exact + band_above)});
     }
   }
   findings.expect("maps: nodes whose state contradicts the interval of the full grid", of_lines, 0.0,
@@ -210,6 +212,8 @@ void check_maps(Findings& findings, const Setup& setup) {
   findings.expect_between("maps of a band: farthest end within it, in cells", far, 0.0, 5.0,
                           "the band begins and ends with at most half a wave, 3.4 cells, on the side from which it is "
                           "entered, and chance may decide a node or two");
+  findings.expect_between("maps of a band: farthest end outside of it, in cells", outside, 0.0, 2.0,
+                          "the node beside the edge, which chance decides in one case of a thousand");
   findings.expect_between(
       "maps: lines on which the exact point of one half is not within the boundary, share", off / lines, 0.0, 0.15,
       "at one half a node is decided to the wrong side with 10 %, as 20 % are decided at all; of the two nodes beside "

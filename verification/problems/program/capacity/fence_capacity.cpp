@@ -262,6 +262,41 @@ void check_figures(const Program& program, Differences& differ) {
   };
   const std::vector<picture_options::Curve> forces = curves("drawn/plots/boundary_forces_1.svg", 3),
                                             energies = curves("drawn/plots/boundary_energy_1.svg", 2);
+  // All curves of the map and of the forces, by the nodes of capacity.csv.
+  const records::Csv nodes = program.csv("drawn/capacity.csv");
+  const auto all_curves = [&](const char* file) {
+    std::vector<picture_options::Curve> found;
+    for (const picture_options::Panel& panel : picture_options::read_picture(program.read(file)).panels)
+      found.insert(found.end(), panel.curves.begin(), panel.curves.end());
+    return found;
+  };
+  const std::vector<picture_options::Curve> of_map = all_curves("drawn/plots/envelope_1.svg"),
+                                            of_force = all_curves("drawn/plots/cable_force_1.svg");
+  const auto in_any = [&](const std::vector<picture_options::Curve>& all, double x, double y) {
+    return std::ranges::any_of(all, [&](const picture_options::Curve& curve) { return has(curve, x, y); });
+  };
+  differ.compare("curves of the forces", of_force.size(), std::size_t{2});
+  for (std::size_t row = 0; row < nodes.rows(); ++row) {
+    const auto number = [&](const char* head) { return nodes.number(row, nodes.column(head)); };
+    const double mass = number("mass [kg]"), energy = 1e-3 * number("kinetic_energy [J]");
+    differ.compare("a drawn node", in_any(of_map, mass, number("speed [m/s]")), true);
+    // Light and heavy rocks, up to and from the middle of the masses.
+    if (of_force.size() == 2)
+      differ.compare("a drawn force",
+                     has(of_force[mass < 450.0 ? 0 : 1], energy, 1e-3 * number("fence.cable_force.median [N]")), true);
+  }
+  std::size_t lines = 0;
+  for (const picture_options::Curve& curve : of_map) {
+    if (!curve.label.ends_with(" kJ")) continue;
+    ++lines;
+    const double energy = 1e3 * std::stod(curve.label);
+    for (const auto& line : curve.lines)
+      for (const picture_options::Point& point : line)
+        differ.compare("a line of equal energy", std::abs(0.5 * point[0] * point[1] * point[1] / energy - 1.0) < 6e-3,
+                       true);
+  }
+  // A quarter of the energy at the middle of the right side, and that energy; of four times as much there is one point.
+  differ.compare("lines of equal energy", lines, std::size_t{2});
   for (const Json& line : map.at("boundary")) {
     const double mass = line.at("mass").get<double>(), high = line.at("speed").at(1).get<double>();
     differ.compare("drawn anchor force", has(forces[0], mass, median(line, "stopped", "fence.anchor_force")), true);
@@ -272,6 +307,34 @@ void check_figures(const Program& program, Differences& differ) {
                    has(energies[0], mass, 0.5e-3 * (mass * high * high + turning * spin * spin)), true);
     differ.compare("drawn energy after", has(energies[1], mass, median(line, "not_stopped", "fence.exit_energy")),
                    true);
+  }
+}
+
+/// Maps that are stopped, or not, up to an end: no speed there.
+void check_ends(const Program& program, Differences& differ) {
+  const double energy = breaking_energy(program.setup());
+  program.write("fence.toml", fence(guided));
+  const auto boundary = [&](const std::string& name, const char* low, const char* high) {
+    std::string text = question(8, "");
+    text.replace(text.find("2 m/s"), 5, low);
+    text.replace(text.find("12 m/s"), 6, high);
+    program.write(name + ".toml", text);
+    return program.json({"capacity", name + ".toml"}, {{"--no-plots", {}}, {"--json", {}}})
+        .at("maps")
+        .at(0)
+        .at("boundary");
+  };
+  for (const Json& line : boundary("fast", "5 m/s", "13 m/s")) {
+    const double mass = line.at("mass").get<double>(), exact = std::sqrt(2.0 * energy / mass);
+    const bool is_below = exact < 4.9;
+    differ.compare("a mass of which none is stopped", line.at("speed").at(0) == Json(0.0), is_below);
+    differ.compare("its energy", line.at("kinetic_energy").at(0) == Json(0.0), is_below);
+    differ.compare("its runs", line.at("stopped").is_null(), is_below);
+  }
+  for (const Json& line : boundary("slow", "1 m/s", "5.5 m/s")) {
+    const bool is_above = std::sqrt(2.0 * energy / line.at("mass").get<double>()) > 5.7;
+    differ.compare("a mass of which all are stopped", line.at("speed").at(1).is_null(), is_above);
+    differ.compare("its last runs", line.at("not_stopped").is_null(), is_above);
   }
 }
 
@@ -565,6 +628,7 @@ void run(Findings& findings, const Setup& setup) {
   if (setup.needs("outputs that differ")) {
     check_changes(program, differ);
     check_figures(program, differ);
+    check_ends(program, differ);
     check_positions(program, differ);
     check_us_base(program, differ);
     check_refusals(program, differ);

@@ -10,6 +10,7 @@
 #include "verification/check/case.hpp"
 #include "verification/problems/program/fit/counted_bounces.hpp"
 #include "verification/problems/program/fit/fit_statistics.hpp"
+#include "verification/problems/program/pictures/picture_script.hpp"
 #include "verification/record/csv.hpp"
 #include "verification/record/json_node.hpp"
 #include "verification/reference/impacts/damped_bounce.hpp"
@@ -148,6 +149,10 @@ void check_bounce(const Program& program, Findings& findings, Differences& diffe
   const double spread = noisy.at("sum_of_squares").get<double>() / noisy.at("degrees_of_freedom").get<double>();
   findings.expect_between("bouncing ball: variance of the deviations over that of the noise", spread, 0.25, 2.2,
                           "chi-squared with 16 degrees of freedom: 99.9 %");
+  differ.compare("title", noisy.at("title").get<std::string>(), std::string{"Ball"});
+  const double correlation = noisy.at("correlation").at(0).at(1).get<double>();
+  differ.compare("correlations are symmetric", noisy.at("correlation").at(1).at(0).get<double>(), correlation);
+  differ.compare("correlation with itself", noisy.at("correlation").at(1).at(1).get<double>(), 1.0);
   differ.compare("degrees of freedom", noisy.at("degrees_of_freedom").get<double>(), 16.0);
   differ.compare("file of the fit", program.read("noisy/fit.json") == noisy.dump(2) + "\n", true);
   const Json alone = program.json({"fit", "noisy.toml"}, {{"--json", {}}, {"--threads", {"1"}}});
@@ -184,6 +189,15 @@ void check_bounce(const Program& program, Findings& findings, Differences& diffe
   }
   findings.expect("files of a fit: differences, sums and percentiles, largest error", errors, 0.0,
                   Tolerance::round_off(1e-9, "differences of numbers of 300 that agree to 1 %, sums of 18"));
+  double sums[5] = {};
+  for (std::size_t row = 0; row < samples.rows(); ++row) {
+    const double x = samples.number(row, 0) / truth[0] - 1.0, y = samples.number(row, 1) / truth[1] - 1.0;
+    sums[0] += x, sums[1] += y, sums[2] += x * x, sums[3] += y * y, sums[4] += x * y;
+  }
+  const double of_samples = (sums[4] - sums[0] * sums[1] / 60.0) /
+                            std::sqrt((sums[2] - sums[0] * sums[0] / 60.0) * (sums[3] - sums[1] * sums[1] / 60.0));
+  findings.expect("bouncing ball: correlation of the parameters less that of the samples", correlation - of_samples,
+                  0.0, Tolerance::model(0.4, "60 samples give a correlation to 0.13, 18 rows to 0.25"));
   for (const char* const figure : {"quantity_1.svg", "parameters_1.pdf"})
     differ.compare("figure", program.has(fmt::format("noisy/plots/{}", figure)), true);
 
@@ -241,6 +255,17 @@ void check_warnings(const Program& program, Differences& differ) {
                                  parameter("contact.hit.stiffness", "[\"5 kN/m\", \"100 kN/m\"]") + few);
   const auto message = [&](const std::string& name) { return program.end({"fit", name}, {}); };
   const ProgramEnd both = message("both.toml");
+  static_cast<void>(
+      talus_output(program.folder(), {"fit", "both.toml", "--out", "both"}, picture_options::recorded_pictures()));
+  const records::Csv drawn = program.csv("both/bootstrap.csv");
+  const auto picture = picture_options::read_picture(program.read("both/plots/parameters_1.svg"));
+  std::vector<picture_options::Point> points;
+  for (const auto& line : picture.panels.at(0).curves.at(0).lines)
+    points.insert(points.end(), line.begin(), line.end());
+  differ.compare("samples that are drawn", points.size(), drawn.rows());
+  for (std::size_t row = 0; row < drawn.rows() && row < points.size(); ++row)
+    for (const std::size_t i : {std::size_t{0}, std::size_t{1}})
+      differ.compare("a sample that is drawn", std::abs(points[row][i] / drawn.number(row, i) - 1.0) < 1e-5, true);
   differ.compare(
       "parameters that cannot be distinguished",
       both.exit_code == 0 &&
@@ -267,6 +292,38 @@ void check_warnings(const Program& program, Differences& differ) {
   differ.compare("a model that does not describe the data",
                  message("certain.toml").messages.find("the model does not describe the data") != std::string::npos,
                  true);
+  // Enough rows and samples: nothing to warn of. Without an uncertainty the size of the deviations says nothing.
+  std::string many = "vy [m/s],rebound [mm/s]\n";
+  for (int i = 1; i <= 18; ++i)
+    many += fmt::format("{},{}\n", -0.2 * i, 1e3 * e * 0.2 * i + 5.0 * std::sin(20.0 * i));
+  program.write("many.csv", many);
+  std::string of_many = std::string{heading} + of_speed + of_damping + "[bootstrap]\nsamples = 80\n";
+  of_many.replace(of_many.find("data.csv"), 8, "many.csv");
+  of_many.replace(of_many.find("rebound [m/s]"), 13, "rebound [mm/s]");
+  program.write("many.toml", of_many);
+  differ.compare("enough rows and samples", message("many.toml").messages, std::string{});
+  differ.compare(
+      "too few samples",
+      both.messages.find("intervals are the whole range of the samples: 6 rows and 40 samples are too few") !=
+          std::string::npos,
+      true);
+  // A quantity that is measured twice determines no more: the same samples.
+  const std::string certainty = "uncertainty = \"5 mm/s\"\n";
+  of_many.insert(of_many.find("[[parameter]]"), certainty);
+  program.write("once.toml", of_many);
+  of_many.insert(of_many.find("[[parameter]]"),
+                 "[[quantity]]\nname = \"again\"\ncolumn = \"rebound [mm/s]\"\nresult = \"ball.vy.end\"\n" + certainty);
+  program.write("twice.toml", of_many);
+  static_cast<void>(
+      talus_output(program.folder(), {"fit", "once.toml", "--out", "once"}, picture_options::recorded_pictures()));
+  static_cast<void>(
+      talus_output(program.folder(), {"fit", "twice.toml", "--out", "twice"}, picture_options::recorded_pictures()));
+  const records::Csv once = program.csv("once/bootstrap.csv"), twice = program.csv("twice/bootstrap.csv");
+  double moved = 0.0;
+  differ.compare("samples of two quantities", twice.rows(), once.rows());
+  for (std::size_t row = 0; row < once.rows(); ++row)
+    keep_worst(moved, twice.number(row, 0) / once.number(row, 0) - 1.0);
+  differ.compare("samples of a quantity that is measured twice", std::abs(moved) < 1e-3, true);
   // The rebound does not depend on the position along the floor.
   program.write("free.toml", std::string{heading} + of_speed + of_damping +
                                  parameter("body.ball.position[0]", "[\"-1 m\", \"1 m\"]") + few);
@@ -342,6 +399,8 @@ void check_refusals(const Program& program, Differences& differ) {
       {good + of_damping + of_damping, "the field 'contact.hit.damping' is set twice"},
       {good + of_damping + "[bootstrap]\nsamples = -1\n", "samples: found -1"},
       {good + of_damping + "[bootstrap]\nsamples = 5\n", "samples: found 5; it must be 0, or at least 40"},
+      {good + of_damping + "[bootstrap]\nsample = 40\n", "bootstrap: sample"},
+      {good + "[[parameter]]\nfield = \"contact.hit.damping\"\n", "parameter 1: range: it must be two bounds"},
       {"quantity = []\n" + std::string{heading} + input + of_damping, "quantity: it is missing"},
       {"parameter = []\n" + good, "parameter: it is missing"},
       {"scene = \"ball.toml\"\ndata = \"twice.csv\"\n" + input + quantity + of_damping,

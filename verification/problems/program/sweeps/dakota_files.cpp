@@ -75,6 +75,7 @@ void check_dakota(const Program& program, Differences& differ) {
       {"{ DAKOTA_VARS = 2 }\n", "params.in:1: found \"{ DAKOTA_VARS = 2 }\"; it must be a value and a label"},
       {"x variables\n", "params.in:1: found \"x variables\"; it must be a number"},
       {"9999999 variables\n", "params.in:1: found \"9999999 variables\"; it must be a number, at most 100000"},
+      {"2x variables\n", "params.in:1: found \"2x variables\"; it must be a number"},
       {"2 variables\n", "params.in:2: the file ends here"},
       {"1 variables\nnan contact.hit.damping\n", "params.in:2: variable 'contact.hit.damping': found nan"},
       {with("body.ball.velocity[0]", "contact.hit.damping"),

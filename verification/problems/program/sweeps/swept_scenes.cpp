@@ -202,6 +202,35 @@ void check_samples(const Program& program, Worst& worst, Differences& differ) {
   }
 }
 
+/// A field beside another one that is varied, an even range on both sides of 0, and what is written of a plan.
+void check_plans(const Program& program, Differences& differ) {
+  const std::string head = "title = \"Plan\"\nbase = \"ball.toml\"\noutputs = [\"ball.vx.end\"]\n";
+  program.write("fields.toml", head +
+                                   "[[axis]]\nfield = \"body.ball.velocity[0]\"\nvalues = [\"1 m/s\", \"2 m/s\", "
+                                   "\"3 m/s\"]\n[[axis]]\nfield = \"body.ball.velocity[1]\"\nvalues = [\"0 m/s\", "
+                                   "\"150 cm/s\", \"2.5 m/s\"]\n[[constraint]]\nfield = \"body.ball.velocity[1]\"\n"
+                                   "at_most = \"body.ball.velocity[0]\"\n");
+  differ.compare("runs within a limit that is varied",
+                 program.run({"sweep", "plan", "fields.toml"}, {})
+                     .starts_with("6 runs, without 3 that do not satisfy the constraints\n"),
+                 true);
+  const Json plan = program.file("fields/sweep.json");
+  differ.compare("sweep.json",
+                 plan.at("title").get<std::string>() == "Plan" && plan.at("runs").get<int>() == 6 &&
+                     plan.at("outputs") == Json{"ball.vx.end"} && plan.at("limits").empty(),
+                 true);
+  program.write("even.toml", head +
+                                 "[[axis]]\nfield = \"body.ball.velocity[1]\"\nrange = [\"-1 m/s\", \"1 m/s\"]\n"
+                                 "count = 3\n[limits]\nevaluations = 100000\ntime = \"2 s\"\n");
+  const records::Csv even = collected(program, "even", program.read("even.toml"));
+  for (std::size_t row = 0; row < 3; ++row)
+    differ.compare("a range on both sides of 0",
+                   even.number(row, even.column("body.ball.velocity[1] [m/s]")) == static_cast<double>(row) - 1.0,
+                   true);
+  differ.compare("limits in sweep.json", program.file("even/sweep.json").at("limits"),
+                 Json{{"time", 2.0}, {"evaluations", 100000}});
+}
+
 /// A base in US units, one run of which has SI units: the table is in US units, JSON in SI.
 void check_units(const Program& program, Differences& differ) {
   std::string scene = ball_scene("exact");
@@ -489,6 +518,7 @@ void run(Findings& findings, const Setup& setup) {
     check_failures(program, differ);
     check_engines(program, differ);
     check_units(program, differ);
+    check_plans(program, differ);
     check_refusals(program, differ);
   }
   findings.expect("velocity after the impact over the exact one, largest deviation from 1", worst.velocity, 0.0,
