@@ -105,9 +105,9 @@ bool SceneNumbers::add_peak(const std::string& name) {
   if (!reduction.starts_with("peak")) return false;
   const auto of = indexed(reduction);
   if (!of || (of->name != "peak" && of->name != "peak_time")) {
-    throw InputError{
-        fmt::format("found \"{}\"; a local maximum has its index from 0, {}.peak[0], and the time {}.peak_time[0]",
-                    name, name.substr(0, dot), name.substr(0, dot))};
+    throw InputError{fmt::format(
+        "found \"{}\"; give a local maximum with its index from 0, {}.peak[0], or its time, {}.peak_time[0]", name,
+        name.substr(0, dot), name.substr(0, dot))};
   }
   const bool is_time = of->name == "peak_time";
   // As the largest value of this column, for its place and its errors.

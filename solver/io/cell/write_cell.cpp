@@ -229,7 +229,7 @@ CellTable cell_history(const CellScene& scene, const CellRun& run) {
 
 CellTable cell_profile(const CellScene& scene, const CellRun& run) {
   using Layer = CellProfile::Layer;
-  CellTable table{{{"y", dimension::length}}, {}};
+  CellTable table{{CellTable::Column{"y", dimension::length}}, {}};
   std::vector<Estimate Layer::*> estimates;
   const auto add = [&](const std::string& name, Dimension dimension, Estimate Layer::*of) {
     table.columns.push_back({name, dimension}), table.columns.push_back({name + "_error", dimension});
