@@ -205,14 +205,15 @@ void check_maps(Findings& findings, const Setup& setup) {
                                    "outcomes"));
   findings.expect_between("maps: trials over those of the full grid, largest", shares[0], 0.01, 0.1,
                           "nodes are tried along a line of some 64 cells: a tenth is allowed");
-  findings.expect_between("maps of a band: nodes whose state contradicts the interval of the full grid", of_bands, -0.5,
-                          4.5, "of some 2,000 nodes; four equal outcomes of a probability of 0.2 come once in 600");
-  findings.expect_between("maps of a band: trials over those of the full grid, largest", shares[1], 0.01, 0.1,
+  findings.expect_between("maps: of a band: nodes whose state contradicts the interval of the full grid", of_bands,
+                          -0.5, 4.5,
+                          "of some 2,000 nodes; four equal outcomes of a probability of 0.2 come once in 600");
+  findings.expect_between("maps: of a band: trials over those of the full grid, largest", shares[1], 0.01, 0.1,
                           "nodes are tried at both edges of the band: a tenth is allowed");
-  findings.expect_between("maps of a band: farthest end within it, in cells", far, 0.0, 5.0,
+  findings.expect_between("maps: of a band: farthest end within it, in cells", far, 0.0, 5.0,
                           "the band begins and ends with at most half a wave, 3.4 cells, on the side from which it is "
                           "entered, and chance may decide a node or two");
-  findings.expect_between("maps of a band: farthest end outside of it, in cells", outside, 0.0, 2.0,
+  findings.expect_between("maps: of a band: farthest end outside of it, in cells", outside, 0.0, 2.0,
                           "the node beside the edge, which chance decides in one case of a thousand");
   findings.expect_between(
       "maps: lines on which the exact point of one half is not within the boundary, share", off / lines, 0.0, 0.15,

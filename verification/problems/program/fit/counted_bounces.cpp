@@ -156,18 +156,18 @@ void check_numbers(const Program& program, Findings& findings, Differences& diff
     differ.compare("a run without a number is finished", csv.cell(row, csv.column("end")) == "finished", true);
     differ.compare("numbers of a run in results.json", json.at("runs").at(row).at("values").size(), std::size_t{25});
   }
-  findings.expect("counted bounces: times of impacts, largest error", times, 0.0,
+  findings.expect("bouncing ball: each bounce: times of impacts, largest error", times, 0.0,
                   Tolerance::model(2.5e-7, "linear between two states: (g + c v/m) h^2/(8 v) with v of 1 m/s"));
-  findings.expect("counted bounces: speeds of impacts, largest error", speeds, 0.0,
+  findings.expect("bouncing ball: each bounce: speeds of impacts, largest error", speeds, 0.0,
                   Tolerance::model(1e-2, "those of the states before and after, at most h (g + 2 xi omega v) away"));
-  findings.expect("counted bounces: local maxima and their times, largest error", maxima, 0.0,
+  findings.expect("bouncing ball: each bounce: local maxima and their times, largest error", maxima, 0.0,
                   Tolerance::round_off(1e-11,
                                        "free flight is a parabola; round-off of 1e-16 over g h^2 = 1e-7, and "
                                        "of times over g h"));
-  findings.expect("counted bounces: restitution less the ratio of its speeds", restitutions, 0.0,
+  findings.expect("bouncing ball: each bounce: restitution less the ratio of its speeds", restitutions, 0.0,
                   Tolerance::round_off(1e-15, "one division"));
-  findings.expect_between("counted bounces: numbers that do not exist", static_cast<double>(missing), 1.0, 20.0,
-                          "the run ends after two or three impacts");
+  findings.expect_between("bouncing ball: each bounce: numbers that do not exist", static_cast<double>(missing), 1.0,
+                          20.0, "the run ends after two or three impacts");
 }
 
 }  // namespace
@@ -217,7 +217,7 @@ samples = 0
   const auto value = [&](std::size_t i) { return fit.at("parameters").at(i).at("value").get<double>(); };
   keep_worst(worst, value(0) / (1e-3 * stiffness) - 1.0);
   keep_worst(worst, value(1) / damping - 1.0);
-  findings.expect("counted bounces: largest difference of a fitted parameter from the true one", worst, 0.0,
+  findings.expect("bouncing ball: each bounce: largest difference of a fitted parameter from the true one", worst, 0.0,
                   Tolerance::model(5e-5, "times of impacts to 2e-7 s, of contacts of 0.03 s"));
 
   // Nothing to compare with: the impact is beyond the end of the run.

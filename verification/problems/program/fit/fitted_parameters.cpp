@@ -422,10 +422,10 @@ void run(Findings& findings, const Setup& setup) {
   const Program program{setup};
   Differences differ;
   if (setup.needs("bootstrap")) check_coverage(findings, setup);
-  if (setup.needs("bouncing") || setup.needs("files") || setup.needs("outputs"))
+  if (setup.needs("exact heights") || setup.needs("files") || setup.needs("outputs"))
     check_bounce(program, findings, differ);
   if (setup.needs("sliding")) check_friction(program, findings);
-  if (setup.needs("counted")) check_counted_bounces(program, findings, differ);
+  if (setup.needs("each bounce")) check_counted_bounces(program, findings, differ);
   if (setup.needs("outputs that differ")) {
     check_warnings(program, differ);
     check_refusals(program, differ);
@@ -438,7 +438,7 @@ void run(Findings& findings, const Setup& setup) {
 Case definition() {
   const std::string of_damping =
                         "bouncing ball: damping fitted to exact heights over that of the closed form, deviation from 1",
-                    counted = "counted bounces: largest difference of a fitted parameter from the true one",
+                    counted = "bouncing ball: each bounce: largest difference of a fitted parameter from the true one",
                     friction = "sliding sphere: fitted friction over that of the closed form, deviation from 1",
                     coverage = "bootstrap: fraction of intervals with the true value, largest deviation from 95 %";
   return {.id = "fitted_parameters",
