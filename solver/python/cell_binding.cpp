@@ -2,6 +2,7 @@
 #include <pybind11/numpy.h>
 #include <pybind11/stl.h>
 
+#include <algorithm>
 #include <memory>
 #include <span>
 #include <vector>
@@ -36,7 +37,7 @@ std::string unit_of(const ScriptCellRun& run, const std::string& name) {
   for (const CellTable& table : {cell_history(run.scene(), run.idle()), cell_profile(run.scene(), run.idle())}) {
     for (const CellTable::Column& column : table.columns) {
       if (column.name == name) return symbol(*run.scene().units, column.dimension);
-      known.push_back(column.name);
+      if (std::ranges::find(known, column.name) == known.end()) known.push_back(column.name);
     }
   }
   throw unknown_name("column", name, known);
@@ -144,7 +145,9 @@ void bind_cell_run(py::module_& module) {
           "contacts", &contacts_of,
           "Contacts that act, as a dict of arrays: 'discs' (two numbers from 0), 'normal' (unit vector from the first "
           "to the second), 'overlap' [L], 'force' along the normal and 'friction' [F], on the first disc along the "
-          "normal turned counter-clockwise.")
+          "normal turned counter-clockwise. They are those of the last evaluation of forces, with staggered methods "
+          "half "
+          "a step from the positions.")
       .def("__repr__",
            [](const ScriptCellRun& run) {
              return fmt::format("<talus.CellRun '{}': t = {:.6g} {}, {} steps>", run.scene().title, run.discs().t,

@@ -23,19 +23,19 @@ pybind11::class_<Script> bind_document(pybind11::module_& module, const char* na
              return Script{document_of(document), file};
            }),
            "document"_a, "name"_a = "scene",
-           "From a dict with the names and quantities of a scene file, e.g. {'body': [{'name': 'ball', 'mass': "
-           "'2 kg', ...}], ...}. `name` is named in errors. Raises InputError with all errors.")
+           "From a dict with the names and quantities of a scene file, e.g. {'title': 'Ball', 'run': {'step': '1 us', "
+           "...}, ...}. `name` is named in errors. Raises InputError with all errors.")
       .def_static(
           "read",
           [](const std::filesystem::path& file) { return Script::parse(script_text(file.string()), file.string()); },
-          "file"_a, "From a scene file (.toml) or a deck of 1993 (.DAT). Raises IoError, InputError.")
+          "file"_a, "From a scene file (.toml); a Scene also from a deck of 1993 (.DAT). Raises IoError, InputError.")
       .def_static("parse", &Script::parse, "text"_a, "name"_a = "scene.toml",
                   "From the text of a scene file. Raises InputError.")
       .def(
           "changed", [](const Script& scene, const py::object& fields) { return scene.with(fields_of(fields)); },
           "fields"_a,
-          "Another one, with other values of fields, by their paths as in a sweep: {'body.ball.mass': '3 kg', "
-          "'gravity[1]': '-9.81 m/s^2'}. Raises InputError.")
+          "Another one, with other values of fields, by their paths as in a sweep: {'run.end': '3 s', "
+          "'body.ball.mass': '3 kg'}, {'cell.seed': 2}. Raises InputError.")
       .def_property_readonly(
           "document", [](const Script& scene) { return to_python(scene.document()); },
           "The scene as a dict; of a deck of 1993, the scene file that it is converted to.")

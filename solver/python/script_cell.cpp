@@ -1,6 +1,7 @@
 #include "solver/python/script_cell.hpp"
 
 #include "solver/app/cell/cell_summary.hpp"
+#include "solver/base/error.hpp"
 #include "solver/python/advancing.hpp"
 
 namespace talus::python {
@@ -28,13 +29,20 @@ bool ScriptCellRun::advance(long intervals, const std::function<bool()>& interru
     if (run.due()) --intervals;
     is_stopped = interrupted && interrupted();
   }
-  discs_ = run.discs();
+  show(run.discs());
   return !run.finished() && run.failure().empty();
 }
 
 void ScriptCellRun::serialize(Archive& archive) {
   idle().serialize(archive);
-  if (archive.is_loading()) discs_ = run_->discs();
+  if (archive.is_loading()) show(run_->discs());
+}
+
+void ScriptCellRun::show(const Discs& discs) {
+  // Copied, so that arrays of the same size keep their place: scripts have views of them.
+  const auto* const place = discs_.x.data();
+  discs_ = discs;
+  TALUS_DEMAND(discs_.x.data() == place);
 }
 
 CellOutcome ScriptCellRun::outcome() const {

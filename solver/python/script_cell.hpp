@@ -43,6 +43,8 @@ class ScriptCellRun {
   [[nodiscard]] CellOutcome outcome() const;
 
  private:
+  void show(const Discs& discs);
+
   ScriptCell cell_;
   std::unique_ptr<CellRun> run_;
   Discs discs_;

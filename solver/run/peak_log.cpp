@@ -1,5 +1,8 @@
 #include "solver/run/peak_log.hpp"
 
+#include <algorithm>
+#include <cmath>
+
 namespace talus {
 namespace {
 
@@ -15,23 +18,28 @@ Peak vertex(const Peak& a, const Peak& b, const Peak& c) {
 }  // namespace
 
 void PeakLog::add(double time, double value) {
-  if (states_ > 0 && value == last_.value) {
-    last_ = {time, value};
-    ++states_;
-    return;
-  }
-  if (states_ > 0 && has_before_ && before_.value < last_.value && value < last_.value) {
-    if (states_ == 1) {
-      peaks_.push_back(vertex(before_, last_, {time, value}));
-    } else if (states_ == 2) {
-      peaks_.push_back(vertex(before_, first_, last_));
-    } else {
-      peaks_.push_back({0.5 * (first_.time + last_.time), last_.value});
+  constexpr double round_off = 1e-12;
+  const Peak now{time, value};
+  scale_ = std::max(scale_, std::abs(value));
+  if (!has_previous_) lowest_ = value;
+  if (!is_rising_) {
+    lowest_ = std::min(lowest_, value);
+    is_rising_ = value > lowest_ + round_off * scale_;
+    if (is_rising_) before_ = previous_, first_ = last_ = now, states_ = 1, has_after_ = false;
+  } else if (value > last_.value) {
+    before_ = previous_, first_ = last_ = now, states_ = 1, has_after_ = false;
+  } else if (value == last_.value && !has_after_) {
+    last_ = now, ++states_;
+  } else {
+    if (!has_after_) after_ = now, has_after_ = true;
+    if (value < last_.value - round_off * scale_) {
+      peaks_.push_back(states_ == 1   ? vertex(before_, last_, after_)
+                       : states_ == 2 ? vertex(before_, first_, last_)
+                                      : Peak{0.5 * (first_.time + last_.time), last_.value});
+      is_rising_ = false, lowest_ = value;
     }
   }
-  if (states_ > 0) before_ = last_, has_before_ = true;
-  first_ = last_ = {time, value};
-  states_ = 1;
+  previous_ = now, has_previous_ = true;
 }
 
 }  // namespace talus

@@ -56,7 +56,20 @@ void SceneNumbers::add(const std::string& name) {
   if (file_->fence && name.starts_with("fence.")) return add_fence_output(name);
   if (impact_parts(name)) return add_impact(name);
   if (add_peak(name)) return;
-  const Quantity quantity = quantity_named(file_->scene.model, name);
+  Quantity quantity;
+  try {
+    quantity = quantity_named(file_->scene.model, name);
+  } catch (const InputError&) {
+    for (const Contact& contact : file_->scene.model.contacts) {
+      const std::string begin = fmt::format("{}{}", impact_prefix, contact.name);
+      if (name == begin || name.starts_with(begin + ".") || name.starts_with(begin + "["))
+        throw InputError{
+            fmt::format("found \"{}\"; give an impact with its index from 0, and a number of it, e.g. "
+                        "{}[0].touch_time",
+                        name, begin)};
+    }
+    throw;
+  }
   if (quantity.ledger && !file_->scene.plan.ledger)
     throw InputError{fmt::format("'{}' needs the energy balance, which the scene switches off", name)};
   outputs_.push_back({name, quantity.dimension});
@@ -168,7 +181,7 @@ std::vector<double> SceneNumbers::values(const SceneRun& run, std::string& missi
   for (std::size_t i = 0; i < sources_.size(); ++i) {
     std::string reason;
     values.push_back(value(sources_[i], run, reason).value_or(std::numeric_limits<double>::quiet_NaN()));
-    if (missing.empty() && !reason.empty()) missing = fmt::format("{}: {}", outputs_[i].name, reason);
+    if (!reason.empty()) missing += fmt::format("{}{}: {}", missing.empty() ? "" : "; ", outputs_[i].name, reason);
   }
   return values;
 }

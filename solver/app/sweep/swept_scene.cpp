@@ -68,7 +68,7 @@ SweepResult SweptScene::result(const SweptRun& run, const SweepLimits& limits,
   if (quality.enforced && !quality.flaw.empty()) result.end = SweepEnd::unusable, result.reason = quality.flaw;
   std::string missing;
   result.values = numbers->values(scene_run, missing);
-  if (result.reason.empty()) result.reason = missing;
+  if (!missing.empty()) result.reason += (result.reason.empty() ? "" : "; ") + missing;
   for (std::size_t i = 0; i < outputs_.size(); ++i)
     result.values[i] *= si_size(units, outputs_[i].dimension) / si_size(units_, outputs_[i].dimension);
   return result;

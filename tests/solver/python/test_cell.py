@@ -127,6 +127,7 @@ class Cells(unittest.TestCase):
         run = talus.CellRun(cell())
         y, kept = run.y, run.y.copy()
         run.advance(5)
+        np.testing.assert_array_equal(y, run.y)  # a view shows the run as it is
         self.assertFalse(np.array_equal(run.y, kept))
         copied, pickled = copy.deepcopy(run), pickle.loads(pickle.dumps(run))
         for other in (copied, pickled):
@@ -145,6 +146,9 @@ class Cells(unittest.TestCase):
         self.assertEqual(run.outcome, "diverged")
         self.assertTrue(run.message)
         self.assertEqual(run.summary["outcome"]["message"], run.message)
+        copied = pickle.loads(pickle.dumps(run))
+        self.assertEqual((copied.outcome, copied.message, copied.summary), (run.outcome, run.message, run.summary))
+        self.assertFalse(copied.advance())
 
     def test_cells_are_not_changed(self):
         scene = cell()

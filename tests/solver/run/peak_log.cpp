@@ -68,4 +68,14 @@ BOOST_AUTO_TEST_CASE(the_ends_and_steps_on_the_way_up_are_no_maxima) {
   BOOST_TEST(log_of({{0.0, 0.0}, {1.0, 1.0}, {2.0, 1.0}}).peaks().empty());
 }
 
+BOOST_AUTO_TEST_CASE(round_off_makes_no_maximum) {
+  BOOST_TEST(log_of({{0.0, 0.0}, {1.0, 1.0}, {2.0, 1.0 + 1e-15}, {3.0, 1.0}, {4.0, 2.0}, {5.0, 3.0}}).peaks().empty());
+  // The wobble does not hide the maximum, nor count twice.
+  const PeakLog log =
+      log_of({{0.0, 0.0}, {1.0, 3.0}, {2.0, 3.0 - 1e-15}, {3.0, 3.0}, {4.0, 0.0}, {5.0, 1.0}, {6.0, 0.0}});
+  BOOST_REQUIRE(log.peaks().size() == 2U);
+  BOOST_TEST(std::abs(log.peaks()[0].value - 3.375) < 1e-9);  // as of two equal states
+  BOOST_TEST(log.peaks()[1].time == 5.0);
+}
+
 BOOST_AUTO_TEST_SUITE_END()

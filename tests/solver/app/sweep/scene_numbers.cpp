@@ -55,7 +55,10 @@ BOOST_AUTO_TEST_CASE(other_names_are_refused) {
              "its time, column.spin.peak_time[0]");
   BOOST_TEST(message("column.spn.peak[0]").starts_with("outputs: column 'column.spn' is not known"));
   BOOST_TEST(message("column.spin.peak[99999999999999999999]").starts_with("outputs: found "));
-  BOOST_TEST(message("impact.impact[-1].touch_time").starts_with("outputs: column "));
+  for (const char* const name : {"impact.impact.touch_time", "impact.impact[0]", "impact.impact[-1].touch_time"})
+    BOOST_TEST(message(name) == "outputs: found \"" + std::string{name} +
+                                    "\"; give an impact with its index from 0, and a number of it, e.g. "
+                                    "impact.impact[0].touch_time");
 }
 
 BOOST_AUTO_TEST_SUITE_END()
