@@ -408,7 +408,6 @@ void CellRun::serialize(Archive& archive) {
   archive.number("largest_overlap", largest_overlap_), archive.number("largest_fraction", largest_fraction_);
   archive.vector("on_block", on_block_), archive.vector("on_base", on_base_);
   archive.number("energy_at_start", energy_at_start_), archive.number("start_time", began_);
-  archive.text("failure", failure_);
 }
 
 }  // namespace talus

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <cstdint>
 #include <string>
+#include <utility>
 #include <variant>
 #include <vector>
 
@@ -154,8 +155,10 @@ class CellRun {
   Vec2 impulse_on_block() const { return on_block_; }
   Vec2 impulse_on_base() const { return on_base_; }
 
-  /// Serializes what a run carries from step to step.
+  /// Serializes what a run carries from step to step; not its failure, after which it takes none.
   void serialize(Archive& archive);
+  /// Ends the run, as one that has failed.
+  void fail(std::string why) { failure_ = std::move(why); }
 
  private:
   static constexpr std::size_t quantities = static_cast<std::size_t>(CellQuantity::count);

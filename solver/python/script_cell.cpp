@@ -1,5 +1,7 @@
 #include "solver/python/script_cell.hpp"
 
+#include <utility>
+
 #include "solver/app/cell/cell_summary.hpp"
 #include "solver/base/error.hpp"
 #include "solver/python/advancing.hpp"
@@ -34,8 +36,13 @@ bool ScriptCellRun::advance(long intervals, const std::function<bool()>& interru
 }
 
 void ScriptCellRun::serialize(Archive& archive) {
-  idle().serialize(archive);
-  if (archive.is_loading()) show(run_->discs());
+  CellRun& run = idle();
+  run.serialize(archive);
+  std::string failure = run.failure();
+  archive.text("failure", failure);
+  if (!archive.is_loading()) return;
+  run.fail(std::move(failure));
+  show(run.discs());
 }
 
 void ScriptCellRun::show(const Discs& discs) {
