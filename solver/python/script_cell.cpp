@@ -46,10 +46,10 @@ void ScriptCellRun::serialize(Archive& archive) {
 }
 
 void ScriptCellRun::show(const Discs& discs) {
-  // Copied, so that arrays of the same size keep their place: scripts have views of them.
-  const auto* const place = discs_.x.data();
+  // Copied, so that arrays of the same size keep their memory: scripts have views of them.
+  const auto* const memory = discs_.x.data();
   discs_ = discs;
-  TALUS_DEMAND(discs_.x.data() == place);
+  TALUS_DEMAND(discs_.x.data() == memory);
 }
 
 CellOutcome ScriptCellRun::outcome() const {
