@@ -146,8 +146,7 @@ void bind_cell_run(py::module_& module) {
           "Contacts that act, as a dict of arrays: 'discs' (two numbers from 0), 'normal' (unit vector from the first "
           "to the second), 'overlap' [L], 'force' along the normal and 'friction' [F], on the first disc along the "
           "normal turned counter-clockwise. They are those of the last evaluation of forces, with staggered methods "
-          "half "
-          "a step from the positions.")
+          "half a step from the positions.")
       .def("__repr__",
            [](const ScriptCellRun& run) {
              return fmt::format("<talus.CellRun '{}': t = {:.6g} {}, {} steps>", run.scene().title, run.discs().t,

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace talus {
 namespace {
@@ -21,13 +22,15 @@ void PeakLog::add(double time, double value) {
   constexpr double round_off = 1e-12;
   const Peak now{time, value};
   scale_ = std::max(scale_, std::abs(value));
-  if (!has_previous_) lowest_ = value;
-  if (!is_rising_) {
+  const Peak before = std::exchange(previous_, now);
+  const bool was_rising = is_rising_;
+  if (!was_rising) {
     lowest_ = std::min(lowest_, value);
     is_rising_ = value > lowest_ + round_off * scale_;
-    if (is_rising_) before_ = previous_, first_ = last_ = now, states_ = 1, has_after_ = false;
-  } else if (value > last_.value) {
-    before_ = previous_, first_ = last_ = now, states_ = 1, has_after_ = false;
+    if (!is_rising_) return;
+  }
+  if (!was_rising || value > last_.value) {
+    before_ = before, first_ = last_ = now, states_ = 1, has_after_ = false;
   } else if (value == last_.value && !has_after_) {
     last_ = now, ++states_;
   } else {
@@ -39,7 +42,6 @@ void PeakLog::add(double time, double value) {
       is_rising_ = false, lowest_ = value;
     }
   }
-  previous_ = now, has_previous_ = true;
 }
 
 }  // namespace talus

@@ -1,6 +1,6 @@
 #pragma once
 
-#include <array>
+#include <limits>
 #include <vector>
 
 namespace talus {
@@ -27,13 +27,12 @@ class PeakLog {
   std::vector<Peak> peaks_;
   double scale_{};         ///< largest absolute value
   bool is_rising_{false};  ///< the value has risen since the last maximum, or the start
-  double lowest_{};        ///< since then
+  double lowest_{std::numeric_limits<double>::infinity()};  ///< value since then
   /// The highest states since it rises: the one before them, the first and the last with their value, the next one.
   Peak before_, first_, last_, after_;
   int states_{};  ///< number of the highest states
   bool has_after_{};
   Peak previous_;
-  bool has_previous_{};
 };
 
 }  // namespace talus
