@@ -36,8 +36,10 @@ class Csv {
   [[nodiscard]] std::string_view cell(std::size_t row, std::size_t column) const {
     return cells_[row * header_.size() + column];
   }
+  [[nodiscard]] std::string_view cell(std::size_t row, std::string_view name) const { return cell(row, column(name)); }
   /// The number in a cell; RecordError if the cell contains anything else or a number that is not finite.
   [[nodiscard]] double number(std::size_t row, std::size_t column) const;
+  [[nodiscard]] double number(std::size_t row, std::string_view name) const { return number(row, column(name)); }
 
  private:
   std::filesystem::path file_;

@@ -67,7 +67,7 @@ Measured read_measured(const Setup& setup) {
   if (setup.has("row_lost")) found.rebound.pop_back();
   const records::Csv other = published("mfix_dem05.csv");
   for (std::size_t row = 0; row < other.rows(); ++row)
-    found.other_code.push_back({other.number(row, other.column("angle_deg")), other.number(row, other.column("e_t"))});
+    found.other_code.push_back({other.number(row, "angle_deg"), other.number(row, "e_t")});
   return found;
 }
 

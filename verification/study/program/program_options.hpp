@@ -2,6 +2,7 @@
 
 #include <map>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -30,9 +31,9 @@ class Program {
   [[nodiscard]] const TemporaryFolder& folder() const { return folder_; }
 
   /// Standard output of a run that must succeed. Throws std::runtime_error.
-  [[nodiscard]] std::string run(const std::vector<std::string>& command, const Options& options) const;
-  [[nodiscard]] records::Json json(const std::vector<std::string>& command, const Options& options) const;
-  [[nodiscard]] ProgramEnd end(const std::vector<std::string>& command, const Options& options) const;
+  std::string run(const std::vector<std::string>& command, const Options& options = {}) const;
+  [[nodiscard]] records::Json json(const std::vector<std::string>& command, const Options& options = {}) const;
+  ProgramEnd end(const std::vector<std::string>& command, const Options& options = {}) const;
 
   void write(const std::string& name, const std::string& text) const { folder_.write(name, text); }
   [[nodiscard]] bool has(const std::string& name) const;
@@ -62,6 +63,14 @@ class Differences {
   void compare(const std::string& name, const T& found, const T& expected) {
     ++compared_;
     if (!(found == expected)) ++differing_[name];
+  }
+  void holds(const std::string& name, bool condition) { compare(name, condition, true); }
+  void contains(const std::string& name, std::string_view text, std::string_view part) {
+    holds(name, text.find(part) != std::string_view::npos);
+  }
+  /// A run must have ended with this exit status, and have this text among its messages.
+  void ended(const std::string& name, const ProgramEnd& end, int exit_code, std::string_view message) {
+    holds(name, end.exit_code == exit_code && end.messages.find(message) != std::string::npos);
   }
 
   /// Checks that there are none; a red check names them. The check fails if nothing was compared: the loop that was to

@@ -45,8 +45,8 @@ using Environment = std::map<std::string, std::string>;
 
 /// Standard output of a run that must succeed. Throws std::runtime_error with the arguments and the messages if the
 /// exit status is not 0.
-[[nodiscard]] std::string talus_output(const TemporaryFolder& folder, const std::vector<std::string>& arguments,
-                                       const Environment& environment = {});
+std::string talus_output(const TemporaryFolder& folder, const std::vector<std::string>& arguments,
+                         const Environment& environment = {});
 
 /// A state of the geometry, as written by the program for ParaView.
 struct GeometryState {

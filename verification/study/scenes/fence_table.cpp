@@ -26,9 +26,9 @@ PrintedNumber printed(const records::Csv& csv, std::size_t row, const char* name
 }
 
 PrintedRow row_of(const records::Csv& csv, std::size_t row) {
-  const auto cell = [&](const char* column) { return csv.cell(row, csv.column(column)); };
-  PrintedRow made{.table = static_cast<int>(csv.number(row, csv.column("table"))),
-                  .height = csv.number(row, csv.column("yc_ft")),
+  const auto cell = [&](const char* column) { return csv.cell(row, column); };
+  PrintedRow made{.table = static_cast<int>(csv.number(row, "table")),
+                  .height = csv.number(row, "yc_ft"),
                   .bottom_cable = cell("slack_ft") != "none",
                   .plastic = cell("cable") == "elastic_plastic",
                   .joint = printed(csv, row, "joint_1e4_lb", 1e4),

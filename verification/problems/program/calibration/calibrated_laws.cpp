@@ -49,14 +49,14 @@ void run_written_scene(const Program& program, const Setup& setup, const ImpactR
   options.push_back({"--write-scene", {"impact.toml"}});
   const std::string printed = program.run({"calibrate"}, options);
   const std::string last = "to check it by a run: talus run impact.toml --impacts --out impact\n";
-  differ.compare("command for the written scene", printed.ends_with(last), true);
+  differ.holds("command for the written scene", printed.ends_with(last));
   const double arm = request.lever == Lever::none ? 0.0 : request.arm() * (setup.has("other_arm") ? 1.05 : 1.0);
   const double restitution =
       separation_of_run(program, "impact.toml", arm, {{"--impacts", {}}, {"--out", {"impact"}}}) / request.speed;
   const records::Csv impacts = program.csv("impact/impacts.csv");
   differ.compare("number of listed impacts", impacts.rows(), std::size_t{1});
   keep_worst(worst.restitution, restitution - request.restitution);
-  keep_worst(worst.listed, impacts.number(0, impacts.column("restitution")) / restitution - 1.0);
+  keep_worst(worst.listed, impacts.number(0, "restitution") / restitution - 1.0);
 }
 
 /// Calibrations of one pair.
@@ -108,13 +108,12 @@ void check_pairs(const Program& program, Findings& findings, const Setup& setup)
     differ.compare("speed", found.at("speed").get<double>(), request.speed);
     differ.compare("exact_restitution", found.at("exact_restitution").get<double>(), request.restitution);
     differ.compare("units", found.at("units").get<std::string>(), std::string{"SI"});
-    differ.compare("effective_mass",
-                   std::abs(found.at("effective_mass").get<double>() / request.effective_mass() - 1.0) < 2e-15, true);
-    differ.compare(
+    differ.holds("effective_mass",
+                 std::abs(found.at("effective_mass").get<double>() / request.effective_mass() - 1.0) < 2e-15);
+    differ.holds(
         "simulated restitution and its error",
         std::abs(found.at("restitution").get<double>() - request.restitution) <= found.at("restitution_error") &&
-            found.at("restitution_error") <= bound,
-        true);
+            found.at("restitution_error") <= bound);
     std::size_t members = 12;
     if (request.is_hertz()) {
       differ.compare("modulus", found.at("modulus").get<double>(), request.stiffness);
@@ -134,11 +133,9 @@ void check_pairs(const Program& program, Findings& findings, const Setup& setup)
       differ.compare("end_rule", found.at("end_rule").get<std::string>(), name_of(request.rule));
       members += 2;  // and the damping ratio
       if (!request.constant)
-        differ.compare("damping_ratio",
-                       std::abs(found.at("damping_ratio").get<double>() /
-                                    reference::damping_ratio(request.restitution, request.rule) -
-                                1.0) < 1e-12,
-                       true);
+        differ.holds("damping_ratio", std::abs(found.at("damping_ratio").get<double>() /
+                                                   reference::damping_ratio(request.restitution, request.rule) -
+                                               1.0) < 1e-12);
     }
     differ.compare("number of members", found.size(), members);
   }

@@ -252,10 +252,8 @@ void compare_json(const Range& range, const Json& json, const Setup& setup, Wors
   }
   keep_worst(worst.undamped,
              json.at("shortest_undamped_contact_time").get<double>() / std::ranges::min(undamped) - 1.0);
-  differ.compare(
-      "error of the advised step",
-      json.at("restitution_error").get<double>() > 0.0 && json.at("restitution_error").get<double>() <= step_bound,
-      true);
+  differ.holds("error of the advised step", json.at("restitution_error").get<double>() > 0.0 &&
+                                                json.at("restitution_error").get<double>() <= step_bound);
   keep_worst(worst.deviation, json.at("largest_deviation").get<double>() - largest);
   const auto [low, high] = std::ranges::minmax(expected);
   const double mean = std::accumulate(expected.begin(), expected.end(), 0.0) / static_cast<double>(pairs);
@@ -307,10 +305,9 @@ void compare_text(const Range& range, const std::string& printed, const Json& js
   std::string line;
   std::getline(lines, line);
   const std::string parameter = range.common.parameter();
-  differ.compare("printed heading",
-                 line.starts_with(fmt::format("one {} for a restitution of {} of {} pairs ({}", parameter,
-                                              range.common.restitution, range.pairs.size(), range.common.law)),
-                 true);
+  differ.holds("printed heading",
+               line.starts_with(fmt::format("one {} for a restitution of {} of {} pairs ({}", parameter,
+                                            range.common.restitution, range.pairs.size(), range.common.law)));
   std::getline(lines, line);
   differ.compare("printed names of columns", tokens_of(line), names);
   std::getline(lines, line);
@@ -333,20 +330,18 @@ void compare_text(const Range& range, const std::string& printed, const Json& js
   keep_worst(worst.printed, relative_error(number_after(printed, "step over shortest undamped contact time ") *
                                                json.at("shortest_undamped_contact_time").get<double>(),
                                            step));
-  differ.compare(
+  differ.holds(
       "printed method, row and bound",
       printed.find(fmt::format("with velocity_verlet; row {} requires it; ", json.at("step_row").get<int>())) !=
               std::string::npos &&
           printed.find(fmt::format("is at most {:.3g}, required {}\n", json.at("restitution_error").get<double>(),
-                                   step_bound)) != std::string::npos,
-      true);
+                                   step_bound)) != std::string::npos);
   keep_worst(worst.printed, relative_error(number_after(printed, "\n  " + parameter + " = \"") * size, used));
   const std::string every = range.common.varies() ? " at one speed" : ", whatever the bodies and the speed";
   const std::string speed = range.common.varies() ? " and restitution_speed, that speed," : "";
-  differ.compare("printed line for every impact",
-                 squeezed(printed).find(fmt::format("for every impact{}: restitution = {}{} in place of {}\n", every,
-                                                    range.common.restitution, speed, parameter)) != std::string::npos,
-                 true);
+  differ.contains("printed line for every impact", squeezed(printed),
+                  fmt::format("for every impact{}: restitution = {}{} in place of {}\n", every,
+                              range.common.restitution, speed, parameter));
 }
 
 /// Compares the table of the folder, in US units, with the JSON output.
@@ -377,13 +372,13 @@ void compare_drawing(const Range& range, const std::string& script, const Json& 
     const std::vector<double> values = member(json, columns[i].name);
     const auto [low, high] = std::ranges::minmax(values);
     if (!(low < high)) continue;
-    differ.compare("drawn panel of " + columns[i].name, panel < picture.panels.size(), true);
+    differ.holds("drawn panel of " + columns[i].name, panel < picture.panels.size());
     if (panel >= picture.panels.size()) return;
     const picture_options::Panel& drawn = picture.panels[panel++];
     std::string label = columns[i].name;
     std::ranges::replace(label, '_', ' ');
-    differ.compare("drawn abscissa", drawn.x_label.find(label) != std::string::npos, true);
-    differ.compare("drawn ordinate", drawn.y_label.find("restitution") != std::string::npos, true);
+    differ.contains("drawn abscissa", drawn.x_label, label);
+    differ.contains("drawn ordinate", drawn.y_label, "restitution");
     std::vector<picture_options::Point> points;
     for (const picture_options::Curve& curve : drawn.curves)
       for (const auto& part : curve.lines)
@@ -413,8 +408,7 @@ void compare_given(const Range& range, const Program& program, const Environment
   differ.compare("minimax beside a given dashpot", json.at("minimax_" + parameter), minimax.at("minimax_" + parameter));
   differ.compare("its deviation", json.at("minimax_deviation"), minimax.at("minimax_deviation"));
   keep_worst(worst.given, json.at("largest_deviation").get<double>() - largest_deviation(range, given));
-  differ.compare("files beside JSON", program.has("given/calibration.csv") && program.has("given/calibration.pdf"),
-                 true);
+  differ.holds("files beside JSON", program.has("given/calibration.csv") && program.has("given/calibration.pdf"));
   const std::string printed = program.run({"calibrate"}, options);
   keep_worst(worst.printed, number_after(printed, parameter + ", as given ") / given - 1.0);
   const auto deviation_on_line = [&](const std::string& start) {
@@ -514,8 +508,7 @@ void compare_range_refusals(const Program& program, Differences& differ) {
     Options options = hertz;
     options.insert(options.end(), wrong.options.begin(), wrong.options.end());
     const ProgramEnd end = program.end({"calibrate"}, options);
-    differ.compare("refusal: " + wrong.message,
-                   end.exit_code == 2 && end.messages.find(wrong.message) != std::string::npos, true);
+    differ.ended("refusal: " + wrong.message, end, 2, wrong.message);
   }
 }
 
@@ -543,9 +536,7 @@ void check_ranges(const Program& program, Findings& findings) {
     in_feet.insert(in_feet.end(), {{"--units", {"US"}}, {"--out", {out}}, {"--format", {"svg"}}});
     const std::string printed = talus_output(program.folder(), with_options({"calibrate"}, in_feet, setup), recorded);
     compare_text(range, printed, json, worst, differ);
-    differ.compare("names of files",
-                   printed.find(fmt::format("{0}/calibration.csv\n{0}/calibration.svg\n", out)) != std::string::npos,
-                   true);
+    differ.contains("names of files", printed, fmt::format("{0}/calibration.csv\n{0}/calibration.svg\n", out));
     compare_csv(range, program.csv(out + "/calibration.csv"), json, worst, differ);
     compare_drawing(range, program.read(out + "/calibration.svg"), json, worst, differ);
     if (setup.needs("ranges: step") || setup.needs("runs at the advised step")) {

@@ -85,7 +85,7 @@ void compare_calibration(const Program& program, const ObliqueRequest& request, 
     keep_worst(worst.ratio, json.at("stiffness_ratio").get<double>() / ratio - 1.0);
   }
   // The smallest value is found: not more than the one that the restitution was computed with.
-  differ.compare("smallest " + request.sought, value <= request.parameter(request.sought) * (1.0 + 0.01), true);
+  differ.holds("smallest " + request.sought, value <= request.parameter(request.sought) * (1.0 + 0.01));
   keep_worst(worst.reached, json.at("tangential_restitution").get<double>() - drawn.tangential);
   keep_worst(worst.mass, json.at("effective_mass").get<double>() / request.effective_mass() - 1.0);
   keep_worst(worst.mobility, json.at("mobility").get<double>() / request.mobility() - 1.0);
@@ -96,15 +96,14 @@ void compare_calibration(const Program& program, const ObliqueRequest& request, 
                  std::string{request.mindlin ? "mindlin" : "linear"});
   differ.compare("end_rule", json.at("end_rule").get<std::string>(), calibrated_laws::name_of(request.rule));
   differ.compare("speed", json.at("speed").get<double>(), request.speed);
-  differ.compare("angle", std::abs(json.at("angle").get<double>() - request.angle) < 1e-15, true);
-  differ.compare("approach_speed",
-                 std::abs(json.at("approach_speed").get<double>() / request.approach_speed() - 1.0) < 1e-15, true);
+  differ.holds("angle", std::abs(json.at("angle").get<double>() - request.angle) < 1e-15);
+  differ.holds("approach_speed",
+               std::abs(json.at("approach_speed").get<double>() / request.approach_speed() - 1.0) < 1e-15);
   for (const std::string& name : {std::string{"friction"}, request.stiffness_name(), std::string{"shear_damping"}})
     if (name != request.sought) differ.compare(name, json.at(name).get<double>(), request.parameter(name));
   differ.compare("units", json.at("units").get<std::string>(), std::string{"SI"});
-  differ.compare(
-      "error of the step",
-      json.at("restitution_error").get<double>() > 0.0 && json.at("restitution_error").get<double>() <= bound, true);
+  differ.holds("error of the step",
+               json.at("restitution_error").get<double>() > 0.0 && json.at("restitution_error").get<double>() <= bound);
   // Of spheres with both moduli, Poisson's ratio and the Rayleigh time (case calibrated_laws).
   differ.compare("number of members", json.size(), !request.mindlin ? 27UL : request.discs ? 29UL : 31UL);
 
@@ -170,8 +169,7 @@ void compare_table(const Program& program, const ObliqueRequest& request, Worst&
   }
   keep_worst(worst.undamped, json.at("shortest_undamped_contact_time").get<double>() / shortest - 1.0);
   const std::string printed = talus_output(program.folder(), with_options({"calibrate"}, options, setup), recorded);
-  differ.compare("names of files",
-                 printed.find("angles/calibration.csv\nangles/calibration.svg\n") != std::string::npos, true);
+  differ.contains("names of files", printed, "angles/calibration.csv\nangles/calibration.svg\n");
   const records::Csv csv = program.csv("angles/calibration.csv");
   const std::vector<std::string> heads{"angle [deg]",
                                        "approach_speed [m/s]",
@@ -212,7 +210,7 @@ void compare_table(const Program& program, const ObliqueRequest& request, Worst&
   for (std::size_t i = 0; i < std::min(picture.panels.size(), drawn.size()); ++i) {
     std::string label = names[drawn[i]];
     std::ranges::replace(label, '_', ' ');
-    differ.compare("drawn ordinate", picture.panels[i].y_label.find(label) != std::string::npos, true);
+    differ.contains("drawn ordinate", picture.panels[i].y_label, label);
     std::size_t row = 0;
     for (const picture_options::Curve& curve : picture.panels[i].curves)
       for (const auto& part : curve.lines)
@@ -239,9 +237,7 @@ void compare_reachable(const Program& program, Findings& findings, Differences& 
                         {"--angle", {fmt::format("{} deg", angle)}},
                         {"--tangential-restitution", {"0.5"}}};
   const ProgramEnd end = program.end({"calibrate"}, options);
-  differ.compare(
-      "refusal of a restitution that is not reachable",
-      end.exit_code == 2 && end.messages.find("0.5 is not reachable by shear_stiffness") != std::string::npos, true);
+  differ.ended("refusal of a restitution that is not reachable", end, 2, "0.5 is not reachable by shear_stiffness");
   findings.expect("smallest reachable tangential restitution, sliding throughout",
                   number_after(end.messages, "at this angle it must be "),
                   1.0 - friction * (1.0 + e) / std::tan(angle * degree),
@@ -293,8 +289,7 @@ void compare_refusals(const Program& program, Differences& differ) {
        "--pivot and --offset: the bodies of an oblique impact are free"}};
   for (const Wrong& wrong : all) {
     const ProgramEnd end = program.end({"calibrate"}, joined(base, wrong.options));
-    differ.compare("refusal: " + wrong.message,
-                   end.exit_code == 2 && end.messages.find(wrong.message) != std::string::npos, true);
+    differ.ended("refusal: " + wrong.message, end, 2, wrong.message);
   }
 }
 
@@ -374,8 +369,7 @@ void run(Findings& findings, const Setup& setup) {
   }
   if (setup.needs("reachable")) compare_reachable(program, findings, differ);
   if (setup.needs("outputs that differ")) compare_refusals(program, differ);
-  if (!setup.coarse)
-    differ.compare("table rows of contacts that slide nearly throughout", worst.sliding_rows > 0, true);
+  if (!setup.coarse) differ.holds("table rows of contacts that slide nearly throughout", worst.sliding_rows > 0);
   expect_all(findings, worst);
   differ.expect_none(findings, "outputs that differ from the request", "numbers, texts, files and refusals");
   if (!setup.coarse) findings.table(table);

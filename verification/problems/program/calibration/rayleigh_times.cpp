@@ -108,7 +108,7 @@ void compare_normal(const Program& program, const Spheres& spheres, double speed
     if (name == "law" || name == "dashpot" || name == "end_rule" || name == "units") {
       differ.compare(name, found.at(name).get<std::string>(), value.get<std::string>());
     } else {
-      differ.compare(name, std::abs(found.at(name).get<double>() / value.get<double>() - 1.0) < 1e-9, true);
+      differ.holds(name, std::abs(found.at(name).get<double>() / value.get<double>() - 1.0) < 1e-9);
     }
   }
   differ.compare("members of an impact", found.size(), plain.size() + 2);
@@ -140,11 +140,10 @@ void compare_oblique(const Program& program, const Spheres& spheres, double spee
     const Options other =
         with(common, {{"--shear-modulus", {fmt::format("{} Pa", factor * material.contact_shear_modulus())}}});
     const Json none = program.json({"calibrate"}, with(other, {{"--json", {}}}));
-    differ.compare("no material", none.at("rayleigh_time").is_null() && none.at("poisson_ratio").is_null(), true);
+    differ.holds("no material", none.at("rayleigh_time").is_null() && none.at("poisson_ratio").is_null());
     const std::string printed = program.run({"calibrate"}, other);
-    differ.compare("no Rayleigh time", printed.find("  no Rayleigh time: a material of both") != std::string::npos,
-                   true);
-    differ.compare("no fraction of it", printed.find("step over Rayleigh time") == std::string::npos, true);
+    differ.contains("no Rayleigh time", printed, "  no Rayleigh time: a material of both");
+    differ.holds("no fraction of it", printed.find("step over Rayleigh time") == std::string::npos);
   }
 }
 
@@ -174,8 +173,8 @@ void compare_ranges(const Program& program, const Spheres& spheres, double speed
     compare_text(program.run({"calibrate"}, options), found, worst);
   }
   const Json found = program.json({"calibrate"}, with(speeds, {{"--json", {}}}));
-  differ.compare("radius of a range of speeds",
-                 std::abs(found.at("radius").get<double>() / spheres.effective_radius() - 1.0) < 1e-14, true);
+  differ.holds("radius of a range of speeds",
+               std::abs(found.at("radius").get<double>() / spheres.effective_radius() - 1.0) < 1e-14);
 }
 
 /// Pairs of different moduli that share their spheres, and impacts that do not end.
@@ -198,10 +197,10 @@ void compare_other_ranges(const Program& program, const Spheres& spheres, Worst&
                         ratio_option(spheres.material.poisson_ratio)};
   const Json json = program.json({"calibrate"}, with(endless, {{"--json", {}}}));
   const std::string printed = program.run({"calibrate"}, endless);
-  differ.compare("no step for impacts that do not end", json.at("step").is_null(), true);
+  differ.holds("no step for impacts that do not end", json.at("step").is_null());
   keep_worst(worst.printed,
              number_after(printed, "Rayleigh time, of one material ") / json.at("rayleigh_time").get<double>() - 1.0);
-  differ.compare("no fraction without a step", printed.find("step over Rayleigh time") == std::string::npos, true);
+  differ.holds("no fraction without a step", printed.find("step over Rayleigh time") == std::string::npos);
 }
 
 /// Wrong requests, each with a part of its message.
@@ -243,8 +242,7 @@ void compare_refusals(const Program& program, Differences& differ) {
        "--poisson-ratio: the law 'latching_spring' does not use this option"}};
   for (const Wrong& wrong : all) {
     const ProgramEnd end = program.end({"calibrate"}, wrong.options);
-    differ.compare("refusal: " + wrong.message,
-                   end.exit_code == 2 && end.messages.find(wrong.message) != std::string::npos, true);
+    differ.ended("refusal: " + wrong.message, end, 2, wrong.message);
   }
 }
 

@@ -393,7 +393,7 @@ void run(Findings& findings, const Setup& setup) {
   if (setup.coarse) return;
   std::vector<double> times, forces;
   for (std::size_t row = 0; row < history.rows(); ++row)
-    times.push_back(history.number(row, 0)), forces.push_back(history.number(row, history.column("bed.force [N]")));
+    times.push_back(history.number(row, 0)), forces.push_back(history.number(row, "bed.force [N]"));
   Series exact{.label = "closed form", .style = Style::lines};
   for (double t = 0.0; t <= step * steps; t += 0.1 * step)
     exact.add(t, exact_row(t)[16]);

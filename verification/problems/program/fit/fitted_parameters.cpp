@@ -127,7 +127,7 @@ void check_bounce(const Program& program, Findings& findings, Differences& diffe
   findings.expect("bouncing ball: damping fitted to exact heights over that of the closed form, deviation from 1",
                   found(exact, 1).at("value").get<double>() / damping - 1.0, 0.0,
                   Tolerance::round_off(1e-9, "the same"));
-  differ.compare("no interval without samples", found(exact, 0).at("interval").is_null(), true);
+  differ.holds("no interval without samples", found(exact, 0).at("interval").is_null());
   differ.compare("no warning", exact.at("warnings").size(), std::size_t{0});
   differ.compare("unit of the range", found(exact, 0).at("unit").get<std::string>(), std::string{"kN/m"});
 
@@ -154,9 +154,9 @@ void check_bounce(const Program& program, Findings& findings, Differences& diffe
   differ.compare("correlations are symmetric", noisy.at("correlation").at(1).at(0).get<double>(), correlation);
   differ.compare("correlation with itself", noisy.at("correlation").at(1).at(1).get<double>(), 1.0);
   differ.compare("degrees of freedom", noisy.at("degrees_of_freedom").get<double>(), 16.0);
-  differ.compare("file of the fit", program.read("noisy/fit.json") == noisy.dump(2) + "\n", true);
+  differ.holds("file of the fit", program.read("noisy/fit.json") == noisy.dump(2) + "\n");
   const Json alone = program.json({"fit", "noisy.toml"}, {{"--json", {}}, {"--threads", {"1"}}});
-  differ.compare("one thread", alone == noisy, true);
+  differ.holds("one thread", alone == noisy);
 
   // The files: rows, differences and their sum of squares; samples and their percentiles.
   const records::Csv rows = program.csv("noisy/fit.csv"), data = program.csv("data.csv"),
@@ -164,9 +164,9 @@ void check_bounce(const Program& program, Findings& findings, Differences& diffe
   double sum = 0.0, errors = 0.0;
   differ.compare("rows", rows.rows(), data.rows());
   for (std::size_t row = 0; row < rows.rows(); ++row) {
-    const auto number = [&](const char* head) { return rows.number(row, rows.column(head)); };
-    differ.compare("input of a row", number("time [s]") == data.number(row, 0), true);
-    differ.compare("measured value of a row", number("height, measured [mm]") == data.number(row, 1), true);
+    const auto number = [&](const char* head) { return rows.number(row, head); };
+    differ.holds("input of a row", number("time [s]") == data.number(row, 0));
+    differ.holds("measured value of a row", number("height, measured [mm]") == data.number(row, 1));
     keep_worst(errors,
                number("height, fitted [mm]") - number("height, measured [mm]") - number("height, difference [mm]"));
     sum += std::pow(number("height, difference [mm]"), 2);
@@ -199,7 +199,7 @@ void check_bounce(const Program& program, Findings& findings, Differences& diffe
   findings.expect("bouncing ball: correlation of the parameters less that of the samples", correlation - of_samples,
                   0.0, Tolerance::model(0.4, "60 samples give a correlation to 0.13, 18 rows to 0.25"));
   for (const char* const figure : {"quantity_1.svg", "parameters_1.pdf"})
-    differ.compare("figure", program.has(fmt::format("noisy/plots/{}", figure)), true);
+    differ.holds("figure", program.has(fmt::format("noisy/plots/{}", figure)));
 
   records::Series measured{.label = "with noise", .style = records::Style::points},
       fitted{.label = "fitted", .style = records::Style::lines};
@@ -253,10 +253,9 @@ void check_warnings(const Program& program, Differences& differ) {
   const std::string few = "[bootstrap]\nsamples = 40\n";
   program.write("both.toml", std::string{heading} + of_speed + of_damping +
                                  parameter("contact.hit.stiffness", "[\"5 kN/m\", \"100 kN/m\"]") + few);
-  const auto message = [&](const std::string& name) { return program.end({"fit", name}, {}); };
+  const auto message = [&](const std::string& name) { return program.end({"fit", name}); };
   const ProgramEnd both = message("both.toml");
-  static_cast<void>(
-      talus_output(program.folder(), {"fit", "both.toml", "--out", "both"}, picture_options::recorded_pictures()));
+  talus_output(program.folder(), {"fit", "both.toml", "--out", "both"}, picture_options::recorded_pictures());
   const records::Csv drawn = program.csv("both/bootstrap.csv");
   const auto picture = picture_options::read_picture(program.read("both/plots/parameters_1.svg"));
   std::vector<picture_options::Point> points;
@@ -265,33 +264,28 @@ void check_warnings(const Program& program, Differences& differ) {
   differ.compare("samples that are drawn", points.size(), drawn.rows());
   for (std::size_t row = 0; row < drawn.rows() && row < points.size(); ++row)
     for (const std::size_t i : {std::size_t{0}, std::size_t{1}})
-      differ.compare("a sample that is drawn", std::abs(points[row][i] / drawn.number(row, i) - 1.0) < 1e-5, true);
-  differ.compare(
+      differ.holds("a sample that is drawn", std::abs(points[row][i] / drawn.number(row, i) - 1.0) < 1e-5);
+  differ.holds(
       "parameters that cannot be distinguished",
       both.exit_code == 0 &&
           both.messages.find(
               "contact.hit.damping and contact.hit.stiffness cannot be distinguished by these data: correlation") !=
-              std::string::npos,
-      true);
+              std::string::npos);
   program.write("alone.toml", std::string{heading} + of_speed + of_damping + "[bootstrap]\nsamples = 0\n");
   const ProgramEnd alone = message("alone.toml");
   const double value = number_after(squeezed(alone.output), "contact.hit.damping [N s/m]");
-  differ.compare("damping of a restitution", std::abs(value / damping - 1.0) < 0.01, true);
+  differ.holds("damping of a restitution", std::abs(value / damping - 1.0) < 0.01);
   differ.compare("no warning", alone.messages, std::string{});
-  differ.compare("line for the scene",
-                 alone.output.find("in the scene:\n  contact.hit.damping = \"") != std::string::npos, true);
+  differ.contains("line for the scene", alone.output, "in the scene:\n  contact.hit.damping = \"");
   program.write("bound.toml", std::string{heading} + of_speed +
                                   parameter("contact.hit.damping", "[\"60 N s/m\", \"200 N s/m\"]") + few);
   const ProgramEnd bound = message("bound.toml");
-  differ.compare("value at a bound",
-                 bound.messages.find("contact.hit.damping is at a bound") != std::string::npos &&
-                     number_after(squeezed(bound.output), "contact.hit.damping [N s/m]") == 60.0,
-                 true);
+  differ.holds("value at a bound", bound.messages.find("contact.hit.damping is at a bound") != std::string::npos &&
+                                       number_after(squeezed(bound.output), "contact.hit.damping [N s/m]") == 60.0);
   std::string certain = of_speed;
   program.write("certain.toml", std::string{heading} + of_speed + "uncertainty = \"1e-5 m/s\"\n" + of_damping + few);
-  differ.compare("a model that does not describe the data",
-                 message("certain.toml").messages.find("the model does not describe the data") != std::string::npos,
-                 true);
+  differ.contains("a model that does not describe the data", message("certain.toml").messages,
+                  "the model does not describe the data");
   // Enough rows and samples: nothing to warn of. Without an uncertainty the size of the deviations says nothing.
   std::string many = "vy [m/s],rebound [mm/s]\n";
   for (int i = 1; i <= 18; ++i)
@@ -302,11 +296,9 @@ void check_warnings(const Program& program, Differences& differ) {
   of_many.replace(of_many.find("rebound [m/s]"), 13, "rebound [mm/s]");
   program.write("many.toml", of_many);
   differ.compare("enough rows and samples", message("many.toml").messages, std::string{});
-  differ.compare(
-      "too few samples",
-      both.messages.find("intervals are the whole range of the samples: 6 rows and 40 samples are too few") !=
-          std::string::npos,
-      true);
+  differ.holds("too few samples",
+               both.messages.find("intervals are the whole range of the samples: 6 rows and 40 samples are too few") !=
+                   std::string::npos);
   // A quantity that is measured twice determines no more: the same samples.
   const std::string certainty = "uncertainty = \"5 mm/s\"\n";
   of_many.insert(of_many.find("[[parameter]]"), certainty);
@@ -314,31 +306,24 @@ void check_warnings(const Program& program, Differences& differ) {
   of_many.insert(of_many.find("[[parameter]]"),
                  "[[quantity]]\nname = \"again\"\ncolumn = \"rebound [mm/s]\"\nresult = \"ball.vy.end\"\n" + certainty);
   program.write("twice.toml", of_many);
-  static_cast<void>(
-      talus_output(program.folder(), {"fit", "once.toml", "--out", "once"}, picture_options::recorded_pictures()));
-  static_cast<void>(
-      talus_output(program.folder(), {"fit", "twice.toml", "--out", "twice"}, picture_options::recorded_pictures()));
+  talus_output(program.folder(), {"fit", "once.toml", "--out", "once"}, picture_options::recorded_pictures());
+  talus_output(program.folder(), {"fit", "twice.toml", "--out", "twice"}, picture_options::recorded_pictures());
   const records::Csv once = program.csv("once/bootstrap.csv"), twice = program.csv("twice/bootstrap.csv");
   double moved = 0.0;
   differ.compare("samples of two quantities", twice.rows(), once.rows());
   for (std::size_t row = 0; row < once.rows(); ++row)
     keep_worst(moved, twice.number(row, 0) / once.number(row, 0) - 1.0);
-  differ.compare("samples of a quantity that is measured twice", std::abs(moved) < 1e-3, true);
+  differ.holds("samples of a quantity that is measured twice", std::abs(moved) < 1e-3);
   // The rebound does not depend on the position along the floor.
   program.write("free.toml", std::string{heading} + of_speed + of_damping +
                                  parameter("body.ball.position[0]", "[\"-1 m\", \"1 m\"]") + few);
-  differ.compare(
-      "a parameter that the data do not determine",
-      message("free.toml").messages.find("body.ball.position[0] is not determined by these data") != std::string::npos,
-      true);
+  differ.contains("a parameter that the data do not determine", message("free.toml").messages,
+                  "body.ball.position[0] is not determined by these data");
   program.write("limited.toml", std::string{heading} + of_speed + of_damping + few + "[limits]\nevaluations = 10\n");
   const ProgramEnd limited = message("limited.toml");
-  differ.compare(
-      "runs without a result",
-      limited.exit_code == 2 &&
-          limited.messages.find("no values of the parameters were found with which all rows have a result; give other "
-                                "ranges; last failure: row 1: limit of 10 evaluations") != std::string::npos,
-      true);
+  differ.ended("runs without a result", limited, 2,
+               "no values of the parameters were found with which all rows have a result; give other "
+               "ranges; last failure: row 1: limit of 10 evaluations");
 }
 
 void check_refusals(const Program& program, Differences& differ) {
@@ -411,8 +396,7 @@ void check_refusals(const Program& program, Differences& differ) {
   for (const Wrong& of : wrong) {
     program.write("wrong.toml", of.text);
     const ProgramEnd end = program.end({"fit", "wrong.toml"}, {{"--out", {"wrong"}}});
-    differ.compare("refusal: " + of.message,
-                   end.exit_code == of.exit_code && end.messages.find(of.message) != std::string::npos, true);
+    differ.ended("refusal: " + of.message, end, of.exit_code, of.message);
   }
   differ.compare("nothing is written of a wrong fit", program.has("wrong"), false);
 }

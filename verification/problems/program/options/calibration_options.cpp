@@ -100,10 +100,8 @@ void check_calibration(const Program& program, Findings& findings, Differences& 
     keep_worst(worst, number_after(printed, text) * unit / found.at(member).get<double>() - 1.0);
   findings.expect("talus calibrate --units US: printed numbers over those of JSON, largest deviation from 1", worst,
                   0.0, Tolerance::model(5.1e-9, "nine digits are printed: half a unit of the last one, and round-off"));
-  differ.compare(
-      "calibrate: method and bound printed",
-      printed.find("simulated with rk4") != std::string::npos && printed.find("required 0.01") != std::string::npos,
-      true);
+  differ.holds("calibrate: method and bound printed", printed.find("simulated with rk4") != std::string::npos &&
+                                                          printed.find("required 0.01") != std::string::npos);
 
   const Json latching = program.json({"calibrate"}, {{"--law", {"latching_spring"}},
                                                      {"--restitution", {"0.7"}},
@@ -151,17 +149,15 @@ void check_calibration(const Program& program, Findings& findings, Differences& 
   program.write("us_drop.toml", in_us_units(program.read("drop.toml")));
   const Json in_us = program.json({"calibrate", "us_drop.toml"}, contact_in_json);
   for (const char* member : {"damping", "speed", "contact_time", "largest_overlap", "step", "restitution"}) {
-    differ.compare(fmt::format("calibrate: {} of the scene in US units", member),
-                   std::abs(in_us.at(member).get<double>() / scene.at(member).get<double>() - 1.0) < 1e-5, true);
+    differ.holds(fmt::format("calibrate: {} of the scene in US units", member),
+                 std::abs(in_us.at(member).get<double>() / scene.at(member).get<double>() - 1.0) < 1e-5);
   }
   const std::string contact_text = program.run({"calibrate", "drop.toml"}, of_contact);
-  differ.compare(
-      "calibrate: contact and number of runs printed",
-      contact_text.find(fmt::format("contact '{}' calibrated by {} runs", scene.at("contact").get<std::string>(),
-                                    scene.at("runs").get<int>())) != std::string::npos,
-      true);
-  differ.compare("calibrate: steps of the contact printed",
-                 contact_text.find(fmt::format(" s: {} steps, ", contact_steps)) != std::string::npos, true);
+  differ.contains("calibrate: contact and number of runs printed", contact_text,
+                  fmt::format("contact '{}' calibrated by {} runs", scene.at("contact").get<std::string>(),
+                              scene.at("runs").get<int>()));
+  differ.contains("calibrate: steps of the contact printed", contact_text,
+                  fmt::format(" s: {} steps, ", contact_steps));
 }
 
 }  // namespace talus::verification::problems::calculation_options

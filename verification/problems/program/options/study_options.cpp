@@ -79,7 +79,7 @@ void compare_printed(const std::string& printed, const Runs& runs, Differences& 
       const Mean mean = of(point, column);
       line += fmt::format(" {:.{}f} +- {:.{}f}", mean.value, digits, mean.error, digits);
     }
-    differ.compare("study: printed line of " + point, table.find(line) != std::string::npos, true);
+    differ.contains("study: printed line of " + point, table, line);
   }
   // Welch's t of the differences by which the outcomes are decided, in their order.
   const auto t_of = [&](const std::string& later, const std::string& earlier, const char* column) {
@@ -105,7 +105,7 @@ void compare_printed(const std::string& printed, const Runs& runs, Differences& 
   std::size_t at = 0;
   for (const std::string& outcome : outcomes) {
     at = printed.find(outcome, at);
-    differ.compare("study: printed outcome " + outcome, at != std::string::npos, true);
+    differ.holds("study: printed outcome " + outcome, at != std::string::npos);
     if (at == std::string::npos) break;
   }
 }
@@ -162,8 +162,8 @@ void compare_cell(const Program& program, const Runs& runs, std::size_t row, dou
         std::pair{"inertial_number", runs.number(row, "speed [D/s]") / depth * diameter *
                                          std::sqrt(density / runs.number(row, "overburden [Pa]"))},
         std::pair{"largest_overlap [D]", result("largest_overlap")}}) {
-    differ.compare(fmt::format("study: {} of a run and of talus cell", column),
-                   std::abs(runs.number(row, column) / expected - 1.0) < 1e-12, true);
+    differ.holds(fmt::format("study: {} of a run and of talus cell", column),
+                 std::abs(runs.number(row, column) / expected - 1.0) < 1e-12);
   }
 }
 
@@ -206,8 +206,7 @@ void check_study(const Program& program, Differences& differ) {
                    values);
     if (!later.contains(key)) continue;
     const auto& after = later.at(key);
-    differ.compare("study: a longer run has the larger overlap",
-                   std::stod(after[overlap]) >= std::stod(values[overlap]), true);
+    differ.holds("study: a longer run has the larger overlap", std::stod(after[overlap]) >= std::stod(values[overlap]));
     differ.compare("study: means of a longer run", after == values, false);
   }
   differ.compare("study: runs with another time", later.size(), few.size());

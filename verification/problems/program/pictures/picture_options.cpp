@@ -170,7 +170,7 @@ void check_formats(const Pictures& program, const std::string& stem, const std::
   const std::map<std::string, std::string> terminals{
       {"pdf", "pdfcairo"}, {"png", "pngcairo"}, {"ps", "epscairo"}, {"svg", "svg"}};
   const std::string content = drawn_content(program.text(stem + "." + formats.front()));
-  differ.compare("formats: a plot", content.find("\nplot ") != std::string::npos, true);
+  differ.contains("formats: a plot", content, "\nplot ");
   for (const std::string& format : formats) {
     const std::string text = program.text(stem + "." + format);
     differ.compare("formats: terminal of " + format, read_picture(text).terminal, terminals.at(format));
@@ -336,9 +336,9 @@ double check_snapshots(const Pictures& program, Differences& differ) {
                                                                 {"--out", {"states"}},
                                                                 {"--name", {"mine"}},
                                                                 {"--title", {"Mine"}}});
-  differ.compare(
+  differ.holds(
       "snapshot: printed times",
-      printed.starts_with("state drawn at t = 0.1 s\nstate drawn at t = 0.5 s, the nearest one to \"0.51 s\"\n"), true);
+      printed.starts_with("state drawn at t = 0.1 s\nstate drawn at t = 0.5 s, the nearest one to \"0.51 s\"\n"));
   differ.compare("snapshot: files", program.files("states"), Names{"mine_side.svg", "mine_along.svg"});
   double worst = 0.0;
   const std::vector<int> shown{2, 10};
@@ -347,7 +347,7 @@ double check_snapshots(const Pictures& program, Differences& differ) {
     differ.compare("snapshot: title", picture.texts, Names{"Mine"});
     differ.compare("snapshot: panels", picture.panels.size(), shown.size());
     if (picture.panels.size() != shown.size()) return std::nan("");
-    differ.compare("snapshot: side by side", picture.panels[0].left < picture.panels[1].left, true);
+    differ.holds("snapshot: side by side", picture.panels[0].left < picture.panels[1].left);
     for (std::size_t i = 0; i < shown.size(); ++i) {
       const Panel& panel = picture.panels[i];
       const double t = shown[i] * step;
@@ -378,7 +378,7 @@ double check_snapshots(const Pictures& program, Differences& differ) {
     const Picture picture = program.picture(fmt::format("out/plots/{}.svg", name));
     differ.compare("snapshot: a panel on each page", picture.panels.size(), 1UL);
     if (picture.panels.size() != 1) return std::nan("");
-    differ.compare("snapshot: grid without options", picture.panels[0].grid, true);
+    differ.holds("snapshot: grid without options", picture.panels[0].grid);
     check_state(picture.panels[0], (i - 1) * steps / 2, false, worst, differ);
   }
   differ.compare("snapshot: files of single states", files, expected);
@@ -433,8 +433,8 @@ double check_animations(const Pictures& program, Differences& differ) {
             std::ranges::find_if(history.header(), [&](const std::string& name) { return name.starts_with(head); });
         if (column == history.header().end()) return std::nan("");
         const double value = history.number(n, static_cast<std::size_t>(column - history.header().begin()));
-        differ.compare("animate: values at the cursor",
-                       std::abs(series.at("at").at(n).get<double>() - value) <= 5.1e-6 * std::abs(value), true);
+        differ.holds("animate: values at the cursor",
+                     std::abs(series.at("at").at(n).get<double>() - value) <= 5.1e-6 * std::abs(value));
       }
     }
     for (int i = 1; i <= discs; ++i) {
@@ -460,9 +460,9 @@ double check_colours(const Pictures& program, Differences& differ, const Setup& 
   double worst = 0.0;
   int coloured = 0;
   const auto compare = [&](const Picture& picture, const std::string& label, const std::vector<DiscState>& states) {
-    differ.compare("colours: label of the scale", picture.texts.contains(label), true);
+    differ.holds("colours: label of the scale", picture.texts.contains(label));
     const ColourErrors errors = colour_errors(picture, states, cell_width);
-    differ.compare("colours: end of the scale, to the digits of its numbers", std::abs(errors.largest) < 1e-4, true);
+    differ.holds("colours: end of the scale, to the digits of its numbers", std::abs(errors.largest) < 1e-4);
     keep_worst(worst, errors.value), coloured += errors.discs;
   };
   const std::string speed = "speed of a disc [m/s]", force = "sum of the contact forces on a disc [N]";
@@ -482,7 +482,7 @@ double check_colours(const Pictures& program, Differences& differ, const Setup& 
     compare(read_picture(frame), force, forces);
   // At least all free discs of each panel; images at the borders are drawn, too.
   const std::size_t drawn = plain.panels.size() + by_force.panels.size() + frames.size();
-  differ.compare("colours: all discs of each picture", coloured >= free_discs_of_cell * static_cast<int>(drawn), true);
+  differ.holds("colours: all discs of each picture", coloured >= free_discs_of_cell * static_cast<int>(drawn));
   return worst;
 }
 

@@ -196,9 +196,7 @@ void check_columns(const records::Csv& history, const std::map<std::string, doub
                    Findings& findings) {
   double last = 0.0, laws = 0.0, compared = 0.0;
   const std::size_t rows = history.rows();
-  const auto at = [&](std::size_t row, const std::string& column) {
-    return history.number(row, history.column(column));
-  };
+  const auto at = [&](std::size_t row, const std::string& column) { return history.number(row, column); };
   for (const std::string& body : of.bodies()) {
     if (body == "ground") continue;
     for (const auto& [part, unit] :

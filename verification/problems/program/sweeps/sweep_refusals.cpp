@@ -122,10 +122,9 @@ void check_refusals(const Program& program, Differences& differ) {
   program.write("bad.csv", "step [s],step [sec]\n1,1\n");
   for (const Wrong& wrong : wrong_sweeps()) {
     program.write("wrong.toml", wrong.text);
-    const ProgramEnd end = program.end({"sweep", "plan", "wrong.toml"}, {});
+    const ProgramEnd end = program.end({"sweep", "plan", "wrong.toml"});
     const int expected = wrong.message.find("No such file") != std::string::npos || wrong.message == "none.csv" ? 4 : 2;
-    differ.compare("refusal: " + wrong.message,
-                   end.exit_code == expected && end.messages.find(wrong.message) != std::string::npos, true);
+    differ.ended("refusal: " + wrong.message, end, expected, wrong.message);
   }
   differ.compare("nothing is written of a wrong sweep", program.has("wrong/sweep.json"), false);
   struct WrongCommand {
@@ -153,29 +152,23 @@ void check_refusals(const Program& program, Differences& differ) {
       {{"sweep", "status", "."}, {}, "found a folder without sweep.json; it must be the folder of a sweep", 4}};
   for (const WrongCommand& wrong : commands) {
     const ProgramEnd end = program.end(wrong.command, wrong.options);
-    differ.compare("refusal: " + wrong.message,
-                   end.exit_code == wrong.exit_code && end.messages.find(wrong.message) != std::string::npos, true);
+    differ.ended("refusal: " + wrong.message, end, wrong.exit_code, wrong.message);
   }
   const std::string manifest = program.read("grid/manifest.jsonl");
   program.write("grid/manifest.jsonl", manifest + "{\"id\": 3}\n");
-  const ProgramEnd damaged = program.end({"sweep", "status", "grid"}, {});
-  differ.compare(
+  const ProgramEnd damaged = program.end({"sweep", "status", "grid"});
+  differ.holds(
       "refusal: a damaged manifest",
       damaged.exit_code == 2 &&
           damaged.messages.find("grid/manifest.jsonl:17: not a run; remove this line and plan the sweep again: ") !=
-              std::string::npos,
-      true);
+              std::string::npos);
   program.write("grid/manifest.jsonl", manifest.substr(0, manifest.find('\n') + 1));
-  const ProgramEnd shorter = program.end({"sweep", "status", "grid"}, {});
-  differ.compare(
-      "refusal: a shorter manifest",
-      shorter.exit_code == 2 && shorter.messages.find("found 1 runs; sweep.json has 16") != std::string::npos, true);
+  const ProgramEnd shorter = program.end({"sweep", "status", "grid"});
+  differ.ended("refusal: a shorter manifest", shorter, 2, "found 1 runs; sweep.json has 16");
   program.write("grid/manifest.jsonl", manifest);
   program.write("grid/results/wrong.jsonl", "{\"id\": \"a\", \"end\": \"lost\"}\n");
-  const ProgramEnd wrong = program.end({"sweep", "status", "grid"}, {});
-  differ.compare(
-      "refusal: a wrong result",
-      wrong.exit_code == 2 && wrong.messages.find("wrong.jsonl:1: end 'lost' is not known") != std::string::npos, true);
+  const ProgramEnd wrong = program.end({"sweep", "status", "grid"});
+  differ.ended("refusal: a wrong result", wrong, 2, "wrong.jsonl:1: end 'lost' is not known");
 }
 
 }  // namespace talus::verification::problems::swept_scenes

@@ -58,9 +58,9 @@ struct Worst {
 /// Plans, runs and collects a sweep in a folder of its name.
 records::Csv collected(const Program& program, const std::string& name, const std::string& text) {
   program.write(name + ".toml", text);
-  static_cast<void>(program.run({"sweep", "plan", name + ".toml"}, {}));
-  static_cast<void>(program.run({"sweep", "run", name}, {}));
-  static_cast<void>(program.run({"sweep", "collect", name}, {}));
+  program.run({"sweep", "plan", name + ".toml"});
+  program.run({"sweep", "run", name});
+  program.run({"sweep", "collect", name});
   return program.csv(name + "/results.csv");
 }
 
@@ -82,8 +82,7 @@ void compare_rows(const Program& program, const std::string& name, const records
       if (head == "contact.hit.stiffness [N/m]") impact.stiffness = csv.number(row, column);
     }
     const reference::ImpactEvents exact = impact.events(setup);
-    const double after = csv.number(row, csv.column("ball.vx.end [m/s]")),
-                 deepest = csv.number(row, csv.column("ball.x.max [m]")) + radius;
+    const double after = csv.number(row, "ball.vx.end [m/s]"), deepest = csv.number(row, "ball.x.max [m]") + radius;
     keep_worst(worst.velocity, after / (-exact.restitution * impact.speed) - 1.0);
     keep_worst(worst.overlap, (deepest / exact.largest_depth - 1.0) / std::pow(exact.frequency * step, 2));
     const Json& object = json.at("runs").at(row);
@@ -92,8 +91,8 @@ void compare_rows(const Program& program, const std::string& name, const records
     differ.compare("number", std::string{csv.cell(row, 0)}, fmt::format("{}", row + 1));
     differ.compare("number in JSON", object.at("number").get<std::size_t>(), row + 1);
     differ.compare("id", object.at("id").get<std::string>(), std::string{csv.cell(row, 1)});
-    differ.compare("end", std::string{csv.cell(row, csv.column("end"))}, std::string{"finished"});
-    differ.compare("new id", ids.insert(std::string{csv.cell(row, 1)}).second, true);
+    differ.compare("end", std::string{csv.cell(row, "end")}, std::string{"finished"});
+    differ.holds("new id", ids.insert(std::string{csv.cell(row, 1)}).second);
   }
 }
 
@@ -132,20 +131,18 @@ void check_grid(const Program& program, Worst& worst, Differences& differ) {
   differ.compare("rows of the grid", csv.rows(), std::size_t{16});
   differ.compare("expected rows of the grid", row, std::size_t{16});
   const std::string planned = program.run({"sweep", "plan", "grid.toml"}, {{"--out", {"other"}}});
-  differ.compare("runs of the plan", planned.starts_with("16 runs, without 29 that do not satisfy the constraints\n"),
-                 true);
+  differ.holds("runs of the plan", planned.starts_with("16 runs, without 29 that do not satisfy the constraints\n"));
   const Json json = program.json({"sweep", "plan", "grid.toml"}, {{"--out", {"other"}}, {"--json", {}}});
   differ.compare("runs of the plan in JSON", json.at("runs").get<std::size_t>(), std::size_t{16});
   differ.compare("runs left out", json.at("left_out").get<std::size_t>(), std::size_t{29});
-  differ.compare("the plan's estimates",
-                 json.at("evaluations").get<double>() > 0.0 && json.at("processor_time").get<double>() > 0.0 &&
-                     json.at("bytes").get<double>() > 0.0,
-                 true);
+  differ.holds("the plan's estimates", json.at("evaluations").get<double>() > 0.0 &&
+                                           json.at("processor_time").get<double>() > 0.0 &&
+                                           json.at("bytes").get<double>() > 0.0);
   // The estimate of the bytes: results of three runs, scaled.
   double bytes = 0.0;
   for (const auto& entry : fs::directory_iterator{program.folder().path() / "grid" / "results"})
     bytes += static_cast<double>(fs::file_size(entry.path()));
-  differ.compare("estimated bytes, within a tenth", std::abs(json.at("bytes").get<double>() / bytes - 1.0) < 0.1, true);
+  differ.holds("estimated bytes, within a tenth", std::abs(json.at("bytes").get<double>() / bytes - 1.0) < 0.1);
 }
 
 /// Largest distance of the numbers of points in equal parts of [0, 1) from one.
@@ -186,8 +183,8 @@ void check_samples(const Program& program, Worst& worst, Differences& differ) {
         weak += csv.number(row, 4) == 20.0 ? 1 : 0;
       }
       differ.compare("runs of a design", csv.rows(), std::size_t{64});
-      differ.compare("different points for each design and seed",
-                     tables.insert(program.read(name + "/manifest.jsonl")).second, true);
+      differ.holds("different points for each design and seed",
+                   tables.insert(program.read(name + "/manifest.jsonl")).second);
       if (is_random) {
         // The standard error of a fraction of 64 is at most 1/16.
         keep_worst(worst.quantile, weak / 64.0 - 0.5);
@@ -210,23 +207,19 @@ void check_plans(const Program& program, Differences& differ) {
                                    "\"3 m/s\"]\n[[axis]]\nfield = \"body.ball.velocity[1]\"\nvalues = [\"0 m/s\", "
                                    "\"150 cm/s\", \"2.5 m/s\"]\n[[constraint]]\nfield = \"body.ball.velocity[1]\"\n"
                                    "at_most = \"body.ball.velocity[0]\"\n");
-  differ.compare("runs within a limit that is varied",
-                 program.run({"sweep", "plan", "fields.toml"}, {})
-                     .starts_with("6 runs, without 3 that do not satisfy the constraints\n"),
-                 true);
+  differ.holds("runs within a limit that is varied",
+               program.run({"sweep", "plan", "fields.toml"})
+                   .starts_with("6 runs, without 3 that do not satisfy the constraints\n"));
   const Json plan = program.file("fields/sweep.json");
-  differ.compare("sweep.json",
-                 plan.at("title").get<std::string>() == "Plan" && plan.at("runs").get<int>() == 6 &&
-                     plan.at("outputs") == Json{"ball.vx.end"} && plan.at("limits").empty(),
-                 true);
+  differ.holds("sweep.json", plan.at("title").get<std::string>() == "Plan" && plan.at("runs").get<int>() == 6 &&
+                                 plan.at("outputs") == Json{"ball.vx.end"} && plan.at("limits").empty());
   program.write("even.toml", head +
                                  "[[axis]]\nfield = \"body.ball.velocity[1]\"\nrange = [\"-1 m/s\", \"1 m/s\"]\n"
                                  "count = 3\n[limits]\nevaluations = 100000\ntime = \"2 s\"\n");
   const records::Csv even = collected(program, "even", program.read("even.toml"));
   for (std::size_t row = 0; row < 3; ++row)
-    differ.compare("a range on both sides of 0",
-                   even.number(row, even.column("body.ball.velocity[1] [m/s]")) == static_cast<double>(row) - 1.0,
-                   true);
+    differ.holds("a range on both sides of 0",
+                 even.number(row, "body.ball.velocity[1] [m/s]") == static_cast<double>(row) - 1.0);
   differ.compare("limits in sweep.json", program.file("even/sweep.json").at("limits"),
                  Json{{"time", 2.0}, {"evaluations", 100000}});
 }
@@ -242,11 +235,11 @@ void check_units(const Program& program, Differences& differ) {
   const Json json = program.file("units/results.json");
   constexpr double foot = 0.3048;
   for (std::size_t row = 0; row < 2; ++row) {
-    const double velocity = csv.number(row, csv.column("ball.vx.end [ft/s]")) * foot;
-    differ.compare("velocity in SI",
-                   std::abs(json.at("runs").at(row).at("values").at(0).get<double>() / velocity - 1.0) < 1e-15, true);
-    differ.compare("velocity of a run in other units",
-                   std::abs(velocity / (csv.number(0, csv.column("ball.vx.end [ft/s]")) * foot) - 1.0) < 1e-11, true);
+    const double velocity = csv.number(row, "ball.vx.end [ft/s]") * foot;
+    differ.holds("velocity in SI",
+                 std::abs(json.at("runs").at(row).at("values").at(0).get<double>() / velocity - 1.0) < 1e-15);
+    differ.holds("velocity of a run in other units",
+                 std::abs(velocity / (csv.number(0, "ball.vx.end [ft/s]") * foot) - 1.0) < 1e-11);
   }
 }
 
@@ -263,14 +256,14 @@ void check_table(const Program& program, Worst& worst, Differences& differ) {
   differ.compare("rows of a table", csv.rows(), std::size_t{3});
   if (csv.rows() != 3) return;
   const std::size_t mass = csv.column("body.ball.mass [kg]"), speed = csv.column("body.ball.velocity[0] [m/s]");
-  differ.compare("second row of the table", csv.number(1, mass) == 0.5 && csv.number(1, speed) == 1.5, true);
-  differ.compare("third row of the table", csv.number(2, mass) == 2.0 && csv.number(2, speed) == 3.0, true);
+  differ.holds("second row of the table", csv.number(1, mass) == 0.5 && csv.number(1, speed) == 1.5);
+  differ.holds("third row of the table", csv.number(2, mass) == 2.0 && csv.number(2, speed) == 3.0);
 }
 
 /// A run of the sweep is that of `talus run` with the same fields, bit by bit; a fence has a verdict.
 void check_fence(const Program& program, Differences& differ) {
   // The fence of the template, whose run ends when the rock passes a position: long before its time.
-  std::string fence = program.run({"new", "fence"}, {});
+  std::string fence = program.run({"new", "fence"});
   const auto write_line = [&](const std::string& template_line, const std::string& line) {
     const std::size_t at = fence.find("\n# " + template_line) + 1;
     fence.replace(at, fence.find('\n', at) - at, line);
@@ -299,23 +292,20 @@ void check_fence(const Program& program, Differences& differ) {
     changed.replace(line, comma - line, fmt::format("velocity = [\"{} m/s\"", speed));
     program.write("changed.toml", changed);
     const Json summary = program.json({"run", "changed.toml"}, {{"--json", {}}});
-    differ.compare("early end", csv.number(row, csv.column("time [s]")),
-                   summary.at("outcome").at("time").get<double>());
+    differ.compare("early end", csv.number(row, "time [s]"), summary.at("outcome").at("time").get<double>());
     // The states are 0.8 ms apart, at most 2 cm.
-    const double beyond = 0.7 - csv.number(row, csv.column("rock.x.end [m]"));
-    differ.compare("the run ends where the rock has passed", beyond > 0.0 && beyond < 0.021, true);
-    differ.compare("verdict", std::string{csv.cell(row, csv.column("verdict"))},
+    const double beyond = 0.7 - csv.number(row, "rock.x.end [m]");
+    differ.holds("the run ends where the rock has passed", beyond > 0.0 && beyond < 0.021);
+    differ.compare("verdict", std::string{csv.cell(row, "verdict")},
                    summary.at("verdict").at("fence").get<std::string>());
-    differ.compare("evaluations", std::string{csv.cell(row, csv.column("evaluations"))},
+    differ.compare("evaluations", std::string{csv.cell(row, "evaluations")},
                    fmt::format("{}", summary.at("evaluations").get<long>()));
     for (const Json& body : summary.at("bodies"))
       if (body.at("name").get<std::string>() == "rock")
-        differ.compare("velocity", csv.number(row, csv.column("rock.vx.end [m/s]")),
-                       body.at("velocity").at(0).get<double>());
+        differ.compare("velocity", csv.number(row, "rock.vx.end [m/s]"), body.at("velocity").at(0).get<double>());
     for (const Json& extreme : summary.at("extremes"))
       if (extreme.at("name").get<std::string>() == "energy.kinetic")
-        differ.compare("extreme", csv.number(row, csv.column("energy.kinetic.max [N m]")),
-                       extreme.at("maximum").get<double>());
+        differ.compare("extreme", csv.number(row, "energy.kinetic.max [N m]"), extreme.at("maximum").get<double>());
   }
 }
 
@@ -325,13 +315,11 @@ void check_failures(const Program& program, Differences& differ) {
   program.write("failing.toml", "base = \"steps.toml\"\noutputs = [\"ball.vx.end\"]\n[limits]\nevaluations = 5000\n" +
                                     axis("body.ball.mass", "values = [\"2 kg\", \"-1 kg\"]") +
                                     axis("run.step", "values = [\"1e-4 s\", \"2e-2 s\", \"1e-6 s\"]"));
-  static_cast<void>(program.run({"sweep", "plan", "failing.toml"}, {}));
-  const ProgramEnd ran = program.end({"sweep", "run", "failing"}, {});
+  program.run({"sweep", "plan", "failing.toml"});
+  const ProgramEnd ran = program.end({"sweep", "run", "failing"});
   differ.compare("exit status if some runs fail", ran.exit_code, 6);
-  differ.compare(
-      "counts of failures",
-      ran.output.find("6 of 6 runs done: 1 finished, 1 diverged, 3 refused, 1 limited\n") != std::string::npos, true);
-  differ.compare("exit status of collect", program.end({"sweep", "collect", "failing"}, {}).exit_code, 6);
+  differ.contains("counts of failures", ran.output, "6 of 6 runs done: 1 finished, 1 diverged, 3 refused, 1 limited\n");
+  differ.compare("exit status of collect", program.end({"sweep", "collect", "failing"}).exit_code, 6);
   const records::Csv csv = program.csv("failing/results.csv");
   const std::vector<std::pair<std::string, std::string>> ends{{"finished", ""},
                                                               {"diverged", "overlaps by"},
@@ -341,10 +329,10 @@ void check_failures(const Program& program, Differences& differ) {
                                                               {"refused", "mass"}};
   differ.compare("rows of failures", csv.rows(), ends.size());
   for (std::size_t row = 0; row < std::min(csv.rows(), ends.size()); ++row) {
-    differ.compare("end: " + ends[row].first, std::string{csv.cell(row, csv.column("end"))}, ends[row].first);
-    differ.compare("reason: " + ends[row].second,
-                   csv.cell(row, csv.column("reason")).find(ends[row].second) != std::string_view::npos, true);
-    differ.compare("no value of a failed run", csv.cell(row, csv.column("ball.vx.end [m/s]")).empty(), row > 0);
+    differ.compare("end: " + ends[row].first, std::string{csv.cell(row, "end")}, ends[row].first);
+    differ.holds("reason: " + ends[row].second,
+                 csv.cell(row, "reason").find(ends[row].second) != std::string_view::npos);
+    differ.compare("no value of a failed run", csv.cell(row, "ball.vx.end [m/s]").empty(), row > 0);
   }
   const Json status = program.json({"sweep", "status", "failing"}, {{"--json", {}}});
   for (const auto& [member, count] :
@@ -352,27 +340,26 @@ void check_failures(const Program& program, Differences& differ) {
     differ.compare(member, status.at(member).get<int>(), count);
 
   const ProgramEnd planned = program.end({"sweep", "plan", "failing.toml"}, {{"--out", {"deep/er"}}});
-  differ.compare("warning of the plan", planned.messages.find("warning: run 4 is refused: ") != std::string::npos,
-                 true);
+  differ.contains("warning of the plan", planned.messages, "warning: run 4 is refused: ");
   // Reasons do not depend on the folder, nor on the way to it.
   const fs::path deep = fs::canonical(program.folder().path() / "deep/er");
-  static_cast<void>(program.end({"sweep", "run", deep.string()}, {}));
-  static_cast<void>(program.end({"sweep", "collect", deep.string()}, {}));
+  program.end({"sweep", "run", deep.string()});
+  program.end({"sweep", "collect", deep.string()});
   differ.compare("table in another folder", program.read("deep/er/results.csv"), program.read("failing/results.csv"));
 
   program.write("none.toml", "base = \"steps.toml\"\noutputs = [\"ball.vx.end\"]\n[limits]\nevaluations = 100\n" +
                                  axis("run.step", "values = [\"1e-7 s\", \"2e-7 s\"]"));
   const Json cost = program.json({"sweep", "plan", "none.toml"}, {{"--json", {}}});
   differ.compare("estimate with a limit", cost.at("evaluations").get<double>(), 200.0);
-  differ.compare("exit status if all runs fail", program.end({"sweep", "run", "none"}, {}).exit_code, 3);
+  differ.compare("exit status if all runs fail", program.end({"sweep", "run", "none"}).exit_code, 3);
 
   program.write("slow.toml", "base = \"steps.toml\"\noutputs = [\"ball.vx.end\"]\n[limits]\ntime = \"1 ms\"\n" +
                                  axis("run.step", "values = [\"1e-9 s\"]"));
-  static_cast<void>(program.run({"sweep", "plan", "slow.toml"}, {}));
-  static_cast<void>(program.end({"sweep", "run", "slow"}, {}));
-  static_cast<void>(program.end({"sweep", "collect", "slow"}, {}));
+  program.run({"sweep", "plan", "slow.toml"});
+  program.end({"sweep", "run", "slow"});
+  program.end({"sweep", "collect", "slow"});
   const records::Csv slow = program.csv("slow/results.csv");
-  differ.compare("limit of time", std::string{slow.cell(0, slow.column("reason"))}, std::string{"limit of 0.001 s"});
+  differ.compare("limit of time", std::string{slow.cell(0, "reason")}, std::string{"limit of 0.001 s"});
 }
 
 /// The files of results of a sweep.
@@ -383,16 +370,14 @@ void check_bytes(const Program& program, Findings& findings, Differences& differ
   const auto bytes = [&](const std::string& name) {
     return program.read(name + "/results.csv") + program.read(name + "/results.json");
   };
-  const auto plan = [&](const std::string& name) {
-    static_cast<void>(program.run({"sweep", "plan", "parts.toml"}, {{"--out", {name}}}));
-  };
+  const auto plan = [&](const std::string& name) { program.run({"sweep", "plan", "parts.toml"}, {{"--out", {name}}}); };
   plan("whole");
-  static_cast<void>(program.run({"sweep", "run", "whole"}, {{"--threads", {"1"}}}));
-  static_cast<void>(program.run({"sweep", "collect", "whole"}, {}));
+  program.run({"sweep", "run", "whole"}, {{"--threads", {"1"}}});
+  program.run({"sweep", "collect", "whole"});
   const std::string expected = bytes("whole");
   double differing = 0.0;
   const auto compare = [&](const std::string& name) {
-    const ProgramEnd end = program.end({"sweep", "collect", name}, {});
+    const ProgramEnd end = program.end({"sweep", "collect", name});
     if (end.exit_code != 0 || bytes(name) != expected) differing += 1.0;
   };
 
@@ -401,7 +386,7 @@ void check_bytes(const Program& program, Findings& findings, Differences& differ
     if (setup.has("part_left_out") && std::string{shard} == "1/3") continue;
     const std::string printed = program.run({"sweep", "run", "parts"}, {{"--shard", {shard}}, {"--threads", {"2"}}});
     const std::string part = fmt::format(", part {} of 3: ", shard[0]);
-    differ.compare("part", printed.find(part) != std::string::npos, true);
+    differ.contains("part", printed, part);
   }
   compare("parts");
   if (setup.has("part_left_out")) {
@@ -415,25 +400,20 @@ void check_bytes(const Program& program, Findings& findings, Differences& differ
   const std::string& cut = files.front();
   const std::string text = program.read(cut);
   program.write(cut, text.substr(0, text.size() - 30));
-  const ProgramEnd refused = program.end({"sweep", "collect", "parts"}, {});
-  differ.compare("a missing run is refused",
-                 refused.exit_code == 2 && refused.messages.find("1 of 16 runs have no result") != std::string::npos,
-                 true);
+  const ProgramEnd refused = program.end({"sweep", "collect", "parts"});
+  differ.ended("a missing run is refused", refused, 2, "1 of 16 runs have no result");
   differ.compare("a missing run is accepted", program.end({"sweep", "collect", "parts"}, {{"--partial", {}}}).exit_code,
                  0);
   differ.compare("rows without the missing one", program.csv("parts/results.csv").rows(), std::size_t{15});
-  static_cast<void>(program.run({"sweep", "run", "parts"}, {}));
+  program.run({"sweep", "run", "parts"});
   compare("parts");
   differ.compare("only the missing run is done", program.files("parts/results").size(), std::size_t{4});
-  static_cast<void>(program.run({"sweep", "run", "parts"}, {}));
+  program.run({"sweep", "run", "parts"});
   differ.compare("nothing is done again", program.files("parts/results").size(), std::size_t{4});
   program.write("parts/results/copy.jsonl", program.read(program.files("whole/results").front()));
-  const ProgramEnd doubled = program.end({"sweep", "collect", "parts"}, {});
-  differ.compare(
-      "repeated results are refused",
-      doubled.exit_code == 2 && doubled.messages.find("has several results, as have 16 in all") != std::string::npos,
-      true);
-  static_cast<void>(program.run({"sweep", "collect", "parts"}, {{"--partial", {}}}));
+  const ProgramEnd doubled = program.end({"sweep", "collect", "parts"});
+  differ.ended("repeated results are refused", doubled, 2, "has several results, as have 16 in all");
+  program.run({"sweep", "collect", "parts"}, {{"--partial", {}}});
   if (bytes("parts") != expected) differing += 1.0;
   findings.expect("collected files that differ in a byte, by part, threads and lost results", differing, 0.0,
                   Tolerance::exact("the manifest gives parameters and order"));
@@ -447,10 +427,7 @@ void check_bytes(const Program& program, Findings& findings, Differences& differ
   differ.compare("missing after a longer axis", status.at("missing").get<int>(), 8);
   program.write("ball.toml", ball_scene("velocity_verlet"));
   const ProgramEnd other = program.end({"sweep", "plan", "parts.toml"}, {{"--out", {"whole"}}});
-  differ.compare(
-      "results of another base are refused",
-      other.exit_code == 2 && other.messages.find("found results of a sweep with another base") != std::string::npos,
-      true);
+  differ.ended("results of another base are refused", other, 2, "found results of a sweep with another base");
   program.write("ball.toml", ball_scene("exact"));
 }
 
@@ -473,13 +450,12 @@ void check_engines(const Program& program, Differences& differ) {
                                 {"SLURM_ARRAY_TASK_ID", "2"}};
   const auto submit = [&](const std::string& engine, const std::string& name, const Options& options) {
     program.write("engines.toml", grid_text());
-    static_cast<void>(program.run({"sweep", "plan", "engines.toml"}, {{"--out", {name}}}));
+    program.run({"sweep", "plan", "engines.toml"}, {{"--out", {name}}});
     const std::string printed = talus_output(
         program.folder(), with_options({"sweep", "submit", name, "--engine", engine}, options, program.setup()),
         environment);
-    differ.compare(engine + ": all runs are done",
-                   printed.find("16 of 16 runs done: 16 finished\n") != std::string::npos, true);
-    static_cast<void>(program.run({"sweep", "collect", name}, {}));
+    differ.contains(engine + ": all runs are done", printed, "16 of 16 runs done: 16 finished\n");
+    program.run({"sweep", "collect", name});
     differ.compare(engine + ": the same table", program.read(name + "/results.csv"), program.read("grid/results.csv"));
     return "\n" + program.read(engine == "slurm" ? "sbatch.txt" : "parallel.txt");
   };
@@ -490,15 +466,15 @@ void check_engines(const Program& program, Differences& differ) {
        {std::string{"--array=1-3"}, std::string{"--job-name=talus-it's slurm"}, std::string{"--wait"},
         std::string{"--mem=1G"}, "--output=" + (whole / "it's slurm/part-%a.log").string(),
         (whole / "it's slurm/part.sh").string()})
-    differ.compare("sbatch " + argument, slurm.find("\n" + argument + "\n") != std::string::npos, true);
+    differ.contains("sbatch " + argument, slurm, "\n" + argument + "\n");
   const std::string parallel =
       submit("parallel", "it's parallel", {{"--parts", {"2"}}, {"--hosts", {"h.txt"}}, {"--option", {"--bar"}}});
-  differ.compare("parallel with hosts",
-                 parallel.starts_with("\n--sshloginfile\nh.txt\n--bar\n-I\nTALUS_PART_NUMBER\n/bin/sh\n"), true);
-  differ.compare("parallel parts", parallel.ends_with("\nTALUS_PART_NUMBER\n:::\n1\n2\n"), true);
+  differ.holds("parallel with hosts",
+               parallel.starts_with("\n--sshloginfile\nh.txt\n--bar\n-I\nTALUS_PART_NUMBER\n/bin/sh\n"));
+  differ.holds("parallel parts", parallel.ends_with("\nTALUS_PART_NUMBER\n:::\n1\n2\n"));
   const std::string here = submit("parallel", "here", {{"--parts", {"40"}}});
-  differ.compare("parallel without hosts", here.starts_with("\n--jobs\n"), true);
-  differ.compare("not more parts than runs", here.ends_with("\n15\n16\n"), true);
+  differ.holds("parallel without hosts", here.starts_with("\n--jobs\n"));
+  differ.holds("not more parts than runs", here.ends_with("\n15\n16\n"));
 }
 
 void run(Findings& findings, const Setup& setup) {
