@@ -100,10 +100,16 @@ bool differ(const CapacityRecord& record, double CapacityMapRecord::*of) {
                              [&](const CapacityMapRecord& map) { return map.*of != record.maps.front().*of; });
 }
 
+std::string length_text(const CapacityRecord& record, double length, int digits) {
+  const double unit = record.us_units ? length_units.us : length_units.si;
+  return fmt::format("{:.{}g} {}", length / unit, digits,
+                     record.us_units ? length_units.us_name : length_units.si_name);
+}
+
 std::string map_name(const CapacityRecord& record, const CapacityMapRecord& map) {
-  std::string name = fmt::format("{:.4g} m", map.height);
+  std::string name = length_text(record, map.height, 4);
   if (differ(record, &CapacityMapRecord::spin)) name += fmt::format(", {:.4g} rad/s", map.spin);
-  if (differ(record, &CapacityMapRecord::along)) name += fmt::format(", at {:.4g} m", map.along);
+  if (differ(record, &CapacityMapRecord::along)) name += fmt::format(", at {}", length_text(record, map.along, 4));
   return name;
 }
 
@@ -205,10 +211,11 @@ std::string changes_text(const CapacityRecord& record) {
   std::string text;
   for (const auto& [name, change] : record.changes) {
     if (change == 0.0) continue;
-    const char* const unit = name == "angle" ? " rad" : name == "spin" ? " rad/s" : " m";
-    text +=
-        fmt::format("{}{} +-{}", text.empty() ? "" : ", ", name,
-                    name == "speed" ? fmt::format("{:.3g} %", 100.0 * change) : fmt::format("{:.3g}{}", change, unit));
+    const std::string amount = name == "speed"   ? fmt::format("{:.3g} %", 100.0 * change)
+                               : name == "angle" ? fmt::format("{:.3g} rad", change)
+                               : name == "spin"  ? fmt::format("{:.3g} rad/s", change)
+                                                 : length_text(record, change, 3);
+    text += fmt::format("{}{} +-{}", text.empty() ? "" : ", ", name, amount);
   }
   return text;
 }

@@ -62,8 +62,8 @@ SheetPage page_of(const std::string& text) {
 
 BOOST_AUTO_TEST_CASE(boundaries_and_expected_rocks_in_the_units_of_the_base) {
   const SheetPage page = page_of(
-      record(map("1.5", line("[0.3048, 0.6096]", "[1355.817948, 2711.635896]") + "," +
-                            line("[0, 0.6096]", "[0, 2711.635896]") + "," + line("[3.048, null]", "[5e3, null]")),
+      record(map("1.524", line("[0.3048, 0.6096]", "[1355.817948, 2711.635896]") + "," +
+                              line("[0, 0.6096]", "[0, 2711.635896]") + "," + line("[3.048, null]", "[5e3, null]")),
              hazard));
   BOOST_TEST(page.title == "A & B_1");
   BOOST_TEST(page.lines[0] == "Rocks that the fence of f_1.toml stops: 1000 lb (453.6 kg) to 2000 lb (907.2 kg)");
@@ -76,10 +76,10 @@ BOOST_AUTO_TEST_CASE(boundaries_and_expected_rocks_in_the_units_of_the_base) {
   BOOST_TEST(page.boxes[1].heading == "Audit: 1 of 8 runs contradict the map");
   BOOST_TEST(page.boxes[1].colour == "amber");
   BOOST_TEST(fact(page.boxes[1], "runs") == "8, 10 % of the full grid");
-  BOOST_TEST(fact(page.boxes[1], "random") == "speed +-1 %, height +-0.5 m; seed 3");
+  BOOST_TEST(fact(page.boxes[1], "random") == "speed +-1 %, height +-1.64 ft; seed 3");
   using Row = std::vector<std::string>;
   BOOST_TEST(
-      (page.tables.at(0).rows.at(0) == Row{"1.5 m", "1000 (453.6)", "1 to 2", "1 to 2", "1 (4.448)", "", "", ""}));
+      (page.tables.at(0).rows.at(0) == Row{"5 ft", "1000 (453.6)", "1 to 2", "1 to 2", "1 (4.448)", "", "", ""}));
   BOOST_TEST(page.tables.at(0).rows.at(1).at(2) == "below 2");
   BOOST_TEST(page.tables.at(0).rows.at(2).at(2) == "above 10");
   BOOST_TEST((page.tables.at(1).rows.at(0) == Row{"anchor force", "kip", "0.2248", "1", "0.6744 to unknown"}));
@@ -88,17 +88,17 @@ BOOST_AUTO_TEST_CASE(boundaries_and_expected_rocks_in_the_units_of_the_base) {
 
 BOOST_AUTO_TEST_CASE(several_heights_and_energies_of_all_masses) {
   const std::string same = line("[0.3048, 0.6096]", "[1355.817948, 2711.635896]");
-  const SheetPage page = page_of(record(map("1.5", same) + "," + map("2", same)));
+  const SheetPage page = page_of(record(map("1.524", same) + "," + map("2", same)));
   BOOST_TEST(page.boxes[0].heading == "Capacity");
   BOOST_TEST(fact(page.boxes[0], "energy") ==
              "every mass of the table is stopped up to 1 kip ft (1.356 kJ); none is from 2 kip ft (2.712 kJ) on");
   BOOST_TEST(page.boxes[1].heading == "Audit: 2 of 16 runs contradict the map");
-  BOOST_TEST(page.tables.at(0).rows.at(1).at(0) == "2 m");
+  BOOST_TEST(page.tables.at(0).rows.at(1).at(0) == "6.562 ft");
   BOOST_TEST(page.tables.size() == 2U);
   std::string lines = same;
   for (int i = 0; i < 19; ++i)
     lines += "," + same;
-  const SheetPage cut = page_of(record(map("1.5", lines)));
+  const SheetPage cut = page_of(record(map("1.524", lines)));
   BOOST_TEST(cut.tables.at(0).rows.size() == 14U);
   BOOST_TEST(cut.tables.at(0).note.find("6 more are in capacity.json") != std::string::npos);
 }
@@ -106,7 +106,7 @@ BOOST_AUTO_TEST_CASE(several_heights_and_energies_of_all_masses) {
 BOOST_AUTO_TEST_CASE(the_program_makes_the_page_and_names_a_missing_figure) {
   const Scratch scratch("capacity_page");
   const std::string text =
-      record(map("1.5", line("[1, 2]", "[3, 4]")) + "," + map("2", line("[1, 2]", "[3, 4]")), hazard);
+      record(map("1.524", line("[1, 2]", "[3, 4]")) + "," + map("2", line("[1, 2]", "[3, 4]")), hazard);
   write_whole(scratch.folder / "capacity.json", text);
   const Finished made = run({TALUS_REPORT_PROGRAM, {"--sheet", scratch.folder.string()}, {}, {}});
   BOOST_TEST(made.status == 4);
@@ -117,7 +117,7 @@ BOOST_AUTO_TEST_CASE(the_program_makes_the_page_and_names_a_missing_figure) {
   for (const auto& [wrong, message] :
        {std::pair{std::string{"{\"schema\": 1}"}, "schema: must be 2, found 1: start talus capacity again"},
         std::pair{record(""), "maps: must have a map"},
-        std::pair{record(map("1.5", line("[1]", "[1, 2]"))), "speed: must be 2 numbers, found 1"}}) {
+        std::pair{record(map("1.524", line("[1]", "[1, 2]"))), "speed: must be 2 numbers, found 1"}}) {
     write_whole(scratch.folder / "capacity.json", wrong);
     const Finished refused = run({TALUS_REPORT_PROGRAM, {"--sheet", scratch.folder.string()}, {}, {}});
     BOOST_TEST(refused.status == 2);

@@ -6,9 +6,8 @@
 #include <cmath>
 
 #include "solver/base/error.hpp"
+#include "solver/io/file/quantity_table.hpp"
 #include "solver/io/scene/scene_table.hpp"
-#include "verification/record/csv.hpp"
-#include "verification/record/error.hpp"
 
 namespace talus::app {
 namespace {
@@ -102,34 +101,32 @@ RockNumber read_number(SceneTable& table, std::string_view key, Dimension dimens
 
 /// Reads the table of a hazard, with the columns for spin and position that it may have.
 void read_rocks(SceneTable& table, const fs::path& file, RockHazard& hazard) {
+  const std::vector<AllowedColumn> allowed{{"mass", dimension::mass, Range::positive},
+                                           {"speed", dimension::velocity, Range::positive},
+                                           {"height", dimension::length},
+                                           {"spin", dimension::angular_velocity},
+                                           {"along", dimension::length}};
+  constexpr std::array<double Rock::*, 5> members{&Rock::mass, &Rock::speed, &Rock::height, &Rock::spin, &Rock::along};
+  constexpr std::size_t required = 3;
+  std::vector<QuantityColumn> columns;
   try {
-    const records::Csv csv = records::read_csv(file);
-    const auto has = [&](const char* heading) {
-      return std::ranges::find(csv.header(), heading) != csv.header().end();
-    };
-    for (const char* const heading : {"mass [kg]", "speed [m/s]", "height [m]"}) {
-      if (!has(heading))
-        table.fail("table", fmt::format("{}: the column \"{}\" is missing; give it", file.string(), heading));
-    }
-    const std::size_t mass = csv.column("mass [kg]"), speed = csv.column("speed [m/s]"),
-                      height = csv.column("height [m]");
-    hazard.table_has_spin = has("spin [rad/s]"), hazard.table_has_along = has("along [m]");
-    for (std::size_t row = 0; row < csv.rows(); ++row) {
-      Rock rock{csv.number(row, mass), csv.number(row, speed), csv.number(row, height)};
-      if (hazard.table_has_spin) rock.spin = csv.number(row, csv.column("spin [rad/s]"));
-      if (hazard.table_has_along) rock.along = csv.number(row, csv.column("along [m]"));
-      if (!(rock.mass > 0.0 && rock.speed > 0.0))
-        table.fail("table", fmt::format("{}:{}: mass and speed must be > 0", file.string(), csv.line(row)));
-      hazard.table.push_back(rock);
-    }
-  } catch (const records::FileError& error) {
-    throw IoError{error.what()};
-  } catch (const records::RecordError& error) {
-    throw InputError{error.what()};
+    columns = read_quantity_table(file, allowed, si);
+  } catch (const InputError& error) {
+    table.fail("table", error.what());
   }
-  if (hazard.table.empty())
-    table.fail("table",
-               fmt::format("{}: found no line below the header; there must be one for each rock", file.string()));
+  hazard.table.resize(columns.front().values.size());
+  for (std::size_t i = 0; i < allowed.size(); ++i) {
+    const auto column = std::ranges::find(columns, allowed[i].name, &QuantityColumn::name);
+    if (column == columns.end()) {
+      if (i < required)
+        table.fail("table", fmt::format("{}: the column {} is missing; give it", file.string(), allowed[i].name));
+      continue;
+    }
+    for (std::size_t row = 0; row < hazard.table.size(); ++row)
+      hazard.table[row].*members[i] = column->values[row];
+    hazard.table_has_spin = hazard.table_has_spin || allowed[i].name == "spin";
+    hazard.table_has_along = hazard.table_has_along || allowed[i].name == "along";
+  }
 }
 
 RockHazard read_hazard(SceneTable table, const fs::path& folder) {

@@ -14,11 +14,49 @@ using Json = nlohmann::ordered_json;
 
 constexpr int schema = 2;
 constexpr std::array<std::string_view, 3> state_names{"stopped", "not stopped", "open"};
-/// Of capacity_outputs: units, and labels of the text.
-constexpr std::array<std::string_view, 6> output_units{"N", "N", "N", "1", "1", "J"};
+/// Labels of capacity_outputs in the text.
 constexpr std::array<std::string_view, 6> output_labels{"anchor force",       "cable force",
                                                         "hanger force",       "cable force/limit",
                                                         "hanger force/limit", "energy after the last contact"};
+
+/// Places in capacity_outputs.
+constexpr std::size_t anchor_force = 0, cable_force = 1, hanger_force = 2, exit_energy = 5;
+
+struct Unit {
+  std::string_view name;
+  double size{};  ///< in SI
+
+  [[nodiscard]] double of(double value) const { return value / size; }
+};
+
+/// Units of tables, texts and figures: those of the base, as engineers write them.
+struct CapacityUnits {
+  Unit length, speed, mass, force, energy;
+  Unit thousand_force, thousand_energy;  ///< of texts and figures
+
+  /// Those of capacity_outputs.
+  [[nodiscard]] const Unit& of_output(std::size_t output) const { return of(output, force, energy); }
+  [[nodiscard]] const Unit& of_text(std::size_t output) const { return of(output, thousand_force, thousand_energy); }
+
+ private:
+  [[nodiscard]] static const Unit& of(std::size_t output, const Unit& force, const Unit& energy) {
+    static constexpr Unit one{"1", 1.0};
+    return output <= hanger_force ? force : output == exit_energy ? energy : one;
+  }
+};
+
+constexpr double kip = 1e3 * exact::pound_force_in_N;
+constexpr CapacityUnits si_units{{"m", 1.0}, {"m/s", 1.0}, {"kg", 1.0}, {"N", 1.0},
+                                 {"J", 1.0}, {"kN", 1e3},  {"kJ", 1e3}};
+constexpr CapacityUnits us_units{{"ft", exact::foot_in_m},
+                                 {"ft/s", exact::foot_in_m},
+                                 {"lb", exact::pound_in_kg},
+                                 {"lbf", exact::pound_force_in_N},
+                                 {"lbf ft", exact::pound_force_in_N* exact::foot_in_m},
+                                 {"kip", kip},
+                                 {"kip ft", kip* exact::foot_in_m}};
+
+const CapacityUnits& units_of(const CapacityStudy& study) { return study.units() == us ? us_units : si_units; }
 
 template <class Visit>
 void for_each_node(const RockMap& map, Visit&& visit) {
@@ -68,14 +106,13 @@ RockTrials all_trials(const RockMap& map) {
   return all;
 }
 
-/// Places in capacity_outputs.
-constexpr std::size_t anchor_force = 0, cable_force = 1, hanger_force = 2, exit_energy = 5;
-
 /// "height 1.37 m", with spin and position if the file gives them.
 std::string name_of(const CapacityStudy& study, const Rock& rock, int digits) {
-  std::string name = fmt::format("height {:.{}g} m", rock.height, digits);
+  const Unit& length = units_of(study).length;
+  std::string name = fmt::format("height {:.{}g} {}", length.of(rock.height), digits, length.name);
   if (!study.file().spins.empty()) name += fmt::format(", spin {:.{}g} rad/s", rock.spin, digits);
-  if (!study.file().positions.empty()) name += fmt::format(", along {:.{}g} m", rock.along, digits);
+  if (!study.file().positions.empty())
+    name += name += fmt::format(", along {:.{}g} {}", length.of(rock.along), digits, length.name);
   return name;
 }
 
@@ -100,21 +137,22 @@ std::string failure_text(const RockTrials& trials) {
 }
 
 /// "4.1 to 4.3"; where an end is not in the map, "below" or "above" the other one.
-std::string range_text(const Interval& interval, double unit) {
+std::string range_text(const Interval& interval, const Unit& unit) {
   const bool is_bounded = std::isfinite(interval.high);
-  if (!(interval.low > 0.0)) return is_bounded ? fmt::format("below {:.4g}", interval.high / unit) : "open";
-  if (!is_bounded) return fmt::format("above {:.4g}", interval.low / unit);
-  return fmt::format("{:.4g} to {:.4g}", interval.low / unit, interval.high / unit);
+  if (!(interval.low > 0.0)) return is_bounded ? fmt::format("below {:.4g}", unit.of(interval.high)) : "open";
+  if (!is_bounded) return fmt::format("above {:.4g}", unit.of(interval.low));
+  return fmt::format("{:.4g} to {:.4g}", unit.of(interval.low), unit.of(interval.high));
 }
 
 /// A percentile of an output; "" if there is none.
-std::string quantile_text(const RockTrials* trials, std::size_t output, double probability, double unit) {
+std::string quantile_text(const RockTrials* trials, std::size_t output, double probability, const Unit& unit) {
   const std::vector<double> values = trials == nullptr ? std::vector<double>{} : trials->values(output);
-  return values.empty() ? "" : fmt::format("{:.4g}", sample_quantile(values, probability).value / unit);
+  return values.empty() ? "" : fmt::format("{:.4g}", unit.of(sample_quantile(values, probability).value));
 }
 
 records::Figure map_figure(const CapacityStudy& study, const RockMap& map, std::size_t number) {
   const CapacityFile& file = study.file();
+  const CapacityUnits& units = units_of(study);
   records::Figure figure{
       .name = fmt::format("envelope_{}", number),
       .title = fmt::format("Rocks stopped: {}", name_of(study, map.rock, 3)),
@@ -122,8 +160,8 @@ records::Figure map_figure(const CapacityStudy& study, const RockMap& map, std::
           "Rocks that are stopped, and that are not, by mass and speed at the start. A node is drawn where runs "
           "were executed; it is open if the interval of 95 % of its probability contains one half. Thin lines: "
           "equal kinetic energy.",
-      .x = {.label = "mass", .unit = "kg"},
-      .y = {.label = "speed", .unit = "m/s"}};
+      .x = {.label = "mass", .unit = std::string{units.mass.name}},
+      .y = {.label = "speed", .unit = std::string{units.speed.name}}};
   constexpr std::array<const char*, 3> labels{"stopped", "not stopped", "open"};
   std::array<records::Series, 3> nodes;
   for (std::size_t state = 0; state < nodes.size(); ++state) {
@@ -133,19 +171,21 @@ records::Figure map_figure(const CapacityStudy& study, const RockMap& map, std::
   for_each_node(map, [&](MapNode node, std::size_t at) {
     if (map.map.trials(node) == 0) return;
     const Rock rock = study.rock_at(map, node);
-    nodes[static_cast<std::size_t>(map.states[at])].add(rock.mass, rock.speed);
+    nodes[static_cast<std::size_t>(map.states[at])].add(units.mass.of(rock.mass), units.speed.of(rock.speed));
   });
   for (records::Series& series : nodes)
     if (!series.x.empty()) figure.series.push_back(std::move(series));
   // Lines through the middle of the right side, and of a quarter and four times that energy.
   const double energy = 0.125 * file.mass[1] * file.speed[1] * file.speed[1];
   for (const double factor : {0.25, 1.0, 4.0}) {
-    records::Series line{.label = fmt::format("{:.3g} kJ", 1e-3 * factor * energy), .style = records::Style::lines};
+    const Unit& unit = units.thousand_energy;
+    records::Series line{.label = fmt::format("{:.3g} {}", unit.of(factor * energy), unit.name),
+                         .style = records::Style::lines};
     constexpr int points = 100;
     for (int i = 0; i <= points; ++i) {
       const double mass = std::lerp(file.mass[0], file.mass[1], i / static_cast<double>(points));
       const double speed = std::sqrt(2.0 * factor * energy / mass);
-      if (speed >= file.speed[0] && speed <= file.speed[1]) line.add(mass, speed);
+      if (speed >= file.speed[0] && speed <= file.speed[1]) line.add(units.mass.of(mass), units.speed.of(speed));
     }
     if (line.x.size() > 1) figure.series.push_back(std::move(line));
   }
@@ -153,6 +193,8 @@ records::Figure map_figure(const CapacityStudy& study, const RockMap& map, std::
 }
 
 records::Figure force_figure(const CapacityStudy& study, const RockMap& map, std::size_t number) {
+  const CapacityUnits& units = units_of(study);
+  const Unit &force = units.thousand_force, &energy = units.thousand_energy;
   records::Figure figure{
       .name = fmt::format("cable_force_{}", number),
       .title = fmt::format("Largest cable force: {}", name_of(study, map.rock, 3)),
@@ -160,8 +202,8 @@ records::Figure force_figure(const CapacityStudy& study, const RockMap& map, std
           "Median of the largest cable force at each node, over the kinetic energy; bars to the smallest and the "
           "largest of its runs. Light and heavy: the lower and the upper half of the "
           "masses. Rocks of one energy give different forces.",
-      .x = {.label = "kinetic energy", .unit = "kJ"},
-      .y = {.label = "largest cable force", .unit = "kN", .min = 0.0}};
+      .x = {.label = "kinetic energy", .unit = std::string{energy.name}},
+      .y = {.label = "largest cable force", .unit = std::string{force.name}, .min = 0.0}};
   std::array<records::Series, 2> halves;
   halves[0].label = "light rocks", halves[1].label = "heavy rocks";
   for (records::Series& half : halves)
@@ -170,9 +212,9 @@ records::Figure force_figure(const CapacityStudy& study, const RockMap& map, std
     const std::vector<double> forces = map.nodes[at].values(cable_force);
     if (forces.empty()) return;
     records::Series& half = halves[2 * node.i < map.map.rules().cells ? 0 : 1];
-    half.add(1e-3 * study.rock_at(map, node).kinetic_energy(), 1e-3 * sample_quantile(forces, 0.5).value);
-    half.y_low.push_back(1e-3 * std::ranges::min(forces));
-    half.y_high.push_back(1e-3 * std::ranges::max(forces));
+    half.add(energy.of(study.rock_at(map, node).kinetic_energy()), force.of(sample_quantile(forces, 0.5).value));
+    half.y_low.push_back(force.of(std::ranges::min(forces)));
+    half.y_high.push_back(force.of(std::ranges::max(forces)));
   });
   for (records::Series& half : halves)
     if (!half.x.empty()) figure.series.push_back(std::move(half));
@@ -180,34 +222,36 @@ records::Figure force_figure(const CapacityStudy& study, const RockMap& map, std
 }
 
 /// Adds the median of an output, with bars to the smallest and largest of its trials.
-void add_quantiles(records::Series& series, double at, const RockTrials* trials, std::size_t output, double unit) {
+void add_quantiles(records::Series& series, double at, const RockTrials* trials, std::size_t output, const Unit& unit) {
   const std::vector<double> values = trials == nullptr ? std::vector<double>{} : trials->values(output);
   if (values.empty()) return;
-  series.add(at, sample_quantile(values, 0.5).value / unit);
-  series.y_low.push_back(std::ranges::min(values) / unit);
-  series.y_high.push_back(std::ranges::max(values) / unit);
+  series.add(at, unit.of(sample_quantile(values, 0.5).value));
+  series.y_low.push_back(unit.of(std::ranges::min(values)));
+  series.y_high.push_back(unit.of(std::ranges::max(values)));
 }
 
 records::Figure boundary_force_figure(const CapacityStudy& study, const RockMap& map, std::size_t number) {
+  const CapacityUnits& units = units_of(study);
   records::Figure figure{
       .name = fmt::format("boundary_forces_{}", number),
       .title = fmt::format("Forces at the boundary: {}", name_of(study, map.rock, 3)),
       .caption =
           "Largest forces at the speed up to which rocks of each mass are stopped: medians, with bars to the "
           "smallest and the largest of the runs.",
-      .x = {.label = "mass", .unit = "kg"},
-      .y = {.label = "largest force", .unit = "kN", .min = 0.0}};
+      .x = {.label = "mass", .unit = std::string{units.mass.name}},
+      .y = {.label = "largest force", .unit = std::string{units.thousand_force.name}, .min = 0.0}};
   for (const auto& [label, output] :
        {std::pair{"anchor", anchor_force}, std::pair{"cable", cable_force}, std::pair{"hanger", hanger_force}}) {
     records::Series series{.label = label, .style = records::Style::errorbars};
     for (const CapacityBoundary& boundary : boundaries_of(study, map, 1))
-      add_quantiles(series, boundary.mass, boundary.stopped, output, 1e3);
+      add_quantiles(series, units.mass.of(boundary.mass), boundary.stopped, output, units.thousand_force);
     if (!series.x.empty()) figure.series.push_back(std::move(series));
   }
   return figure;
 }
 
 records::Figure boundary_energy_figure(const CapacityStudy& study, const RockMap& map, std::size_t number) {
+  const CapacityUnits& units = units_of(study);
   records::Figure figure{
       .name = fmt::format("boundary_energy_{}", number),
       .title = fmt::format("Energy at the boundary: {}", name_of(study, map.rock, 3)),
@@ -215,16 +259,16 @@ records::Figure boundary_energy_figure(const CapacityStudy& study, const RockMap
           "Translational and rotational kinetic energy at the speed from which rocks of each mass are not stopped, "
           "at the start and after the last contact: medians, with bars to the smallest and the largest of the "
           "runs.",
-      .x = {.label = "mass", .unit = "kg"},
-      .y = {.label = "energy", .unit = "kJ", .min = 0.0}};
+      .x = {.label = "mass", .unit = std::string{units.mass.name}},
+      .y = {.label = "energy", .unit = std::string{units.thousand_energy.name}, .min = 0.0}};
   records::Series before{.label = "at the start", .style = records::Style::linespoints},
       after{.label = "after the last contact", .style = records::Style::errorbars};
   for (const CapacityBoundary& boundary : boundaries_of(study, map, 1)) {
     if (boundary.passed == nullptr) continue;
     Rock rock = map.rock;
     rock.mass = boundary.mass, rock.speed = boundary.speed.high;
-    before.add(boundary.mass, 1e-3 * study.start_energy(rock));
-    add_quantiles(after, boundary.mass, boundary.passed, exit_energy, 1e3);
+    before.add(units.mass.of(boundary.mass), units.thousand_energy.of(study.start_energy(rock)));
+    add_quantiles(after, units.mass.of(boundary.mass), boundary.passed, exit_energy, units.thousand_energy);
   }
   for (records::Series* const series : {&before, &after})
     if (!series->x.empty()) figure.series.push_back(std::move(*series));
@@ -265,13 +309,16 @@ double energy_factor(const std::vector<CapacityBoundary>& boundaries) {
 }
 
 std::string capacity_csv(const CapacityStudy& study) {
-  std::string text = "height [m],spin [rad/s],along [m],mass [kg],speed [m/s],kinetic_energy [J],runs";
+  const CapacityUnits& units = units_of(study);
+  std::string text =
+      fmt::format("height [{0}],spin [rad/s],along [{0}],mass [{1}],speed [{2}],kinetic_energy [{3}],runs",
+                  units.length.name, units.mass.name, units.speed.name, units.energy.name);
   for (const std::string_view end : Names<RockEnd>::list)
     text += fmt::format(",{}", end);
   text += ",probability,probability_low,probability_high,state";
   for (std::size_t i = 0; i < capacity_outputs.size(); ++i) {
     for (const char* const of : {"median", "p95"})
-      text += fmt::format(",{}.{} [{}]", capacity_outputs[i], of, output_units[i]);
+      text += fmt::format(",{}.{} [{}]", capacity_outputs[i], of, units.of_output(i).name);
   }
   text += '\n';
   for (const RockMap& map : study.maps()) {
@@ -279,8 +326,9 @@ std::string capacity_csv(const CapacityStudy& study) {
       const std::size_t trials = map.map.trials(node);
       if (trials == 0) return;
       const Rock rock = study.rock_at(map, node);
-      text += fmt::format("{},{},{},{},{},{},{}", rock.height, rock.spin, rock.along, rock.mass, rock.speed,
-                          rock.kinetic_energy(), trials);
+      text += fmt::format("{},{},{},{},{},{},{}", units.length.of(rock.height), rock.spin, units.length.of(rock.along),
+                          units.mass.of(rock.mass), units.speed.of(rock.speed), units.energy.of(rock.kinetic_energy()),
+                          trials);
       for (const std::size_t count : map.nodes[at].ends())
         text += fmt::format(",{}", count);
       const Interval interval = wilson_interval(map.map.hits(node), trials);
@@ -289,7 +337,9 @@ std::string capacity_csv(const CapacityStudy& study) {
       for (std::size_t output = 0; output < capacity_outputs.size(); ++output) {
         const std::vector<double> values = map.nodes[at].values(output);
         for (const double probability : {0.5, 0.95})
-          text += values.empty() ? "," : fmt::format(",{}", sample_quantile(values, probability).value);
+          text += values.empty()
+                      ? ","
+                      : fmt::format(",{}", units.of_output(output).of(sample_quantile(values, probability).value));
       }
       text += '\n';
     });
@@ -361,6 +411,8 @@ std::string capacity_json(const CapacityStudy& study, const RockRuns& rocks) {
 
 std::string capacity_text(const CapacityStudy& study) {
   const CapacityFile& file = study.file();
+  const CapacityUnits& units = units_of(study);
+  const Unit &force = units.thousand_force, &energy = units.thousand_energy;
   std::string text;
   for (const RockMap& map : study.maps()) {
     const RockTrials all = all_trials(map);
@@ -368,14 +420,16 @@ std::string capacity_text(const CapacityStudy& study) {
                         100.0 * static_cast<double>(all.trials.size()) / static_cast<double>(full_grid(map)),
                         ends_text(all));
     text += failure_text(all);
-    text += fmt::format("  {:>9}  {:>19}  {:>19}  {:>17}  {:>17}\n", "mass [kg]", "stopped up to [m/s]",
-                        "kinetic energy [kJ]", "anchor force [kN]", "energy after [kJ]");
+    text += fmt::format("  {:>9}  {:>17}  {:>23}  {:>18}  {:>21}\n", fmt::format("mass [{}]", units.mass.name),
+                        fmt::format("stopped to [{}]", units.speed.name),
+                        fmt::format("kinetic energy [{}]", energy.name), fmt::format("anchor force [{}]", force.name),
+                        fmt::format("energy after [{}]", energy.name));
     const std::vector<CapacityBoundary> boundaries = boundaries_of(study, map);
     for (const CapacityBoundary& boundary : boundaries) {
-      text +=
-          fmt::format("  {:>9.4g}  {:>19}  {:>19}  {:>17}  {:>17}\n", boundary.mass, range_text(boundary.speed, 1.0),
-                      range_text(boundary.energy, 1e3), quantile_text(boundary.stopped, anchor_force, 0.95, 1e3),
-                      quantile_text(boundary.passed, exit_energy, 0.5, 1e3));
+      text += fmt::format("  {:>9.4g}  {:>17}  {:>23}  {:>18}  {:>21}\n", units.mass.of(boundary.mass),
+                          range_text(boundary.speed, units.speed), range_text(boundary.energy, energy),
+                          quantile_text(boundary.stopped, anchor_force, 0.95, force),
+                          quantile_text(boundary.passed, exit_energy, 0.5, energy));
     }
     if (const double factor = energy_factor(boundaries); factor > 1.0)
       text += fmt::format("  energy at the boundary differs by a factor of {:.3g} between masses\n", factor);
@@ -392,11 +446,11 @@ std::string capacity_text(const CapacityStudy& study) {
     text += fmt::format("  probability of failure per impact {:.4g}, 95 %: {:.4g} to {:.4g}\n",
                         static_cast<double>(failures) / static_cast<double>(runs), interval.low, interval.high);
     for (std::size_t output = 0; output < capacity_outputs.size(); ++output) {
-      const std::vector<double> values = hazard.values(output);
-      if (values.empty()) continue;
-      text += fmt::format("  {:<30} median {:>10.4g}, 95th percentile {:>10.4g}{}\n", output_labels[output],
-                          sample_quantile(values, 0.5).value, sample_quantile(values, 0.95).value,
-                          output_units[output] == "1" ? "" : fmt::format(" {}", output_units[output]));
+      if (hazard.values(output).empty()) continue;
+      const Unit& unit = units.of_text(output);
+      text += fmt::format("  {:<30} median {:>10}, 95th percentile {:>10}{}\n", output_labels[output],
+                          quantile_text(&hazard, output, 0.5, unit), quantile_text(&hazard, output, 0.95, unit),
+                          unit.name == "1" ? "" : fmt::format(" {}", unit.name));
     }
   }
   return text;

@@ -28,17 +28,19 @@ struct CapacityBoundary {
 [[nodiscard]] double energy_factor(const std::vector<CapacityBoundary>& boundaries);
 
 /// Every node with trials as a line of CSV: height, spin, position, mass, speed, kinetic energy, trials by their end,
-/// probability of being stopped with its interval, state, and of each output the median and the 95th percentile.
+/// probability of being stopped with its interval, state, and of each output the median and the 95th percentile; in SI
+/// units, or ft, lb, s and lbf for a base in US units.
 [[nodiscard]] std::string capacity_csv(const CapacityStudy& study);
 
 /// Rules, boundaries, audits and the hazard as JSON, in SI units.
 [[nodiscard]] std::string capacity_json(const CapacityStudy& study, const RockRuns& rocks);
 
-/// The results as text for a terminal.
+/// The results as text for a terminal, in m, kg, kN and kJ, or ft, lb, kip and kip ft for a base in US units.
 [[nodiscard]] std::string capacity_text(const CapacityStudy& study);
 
 /// Of each map: its nodes with lines of equal kinetic energy; the largest cable force over the kinetic energy; and
-/// along the boundary the forces of the fastest rocks that are stopped and the energies of the slowest that are not.
+/// along the boundary the forces of the fastest rocks that are stopped and the energies of the slowest that are not. In
+/// the units of the text.
 [[nodiscard]] std::vector<records::Figure> capacity_figures(const CapacityStudy& study);
 
 }  // namespace talus::app

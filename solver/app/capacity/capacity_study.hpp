@@ -67,6 +67,8 @@ class CapacityStudy {
   [[nodiscard]] bool run(const std::function<bool()>& interrupted, const std::function<void(std::size_t)>& progress);
 
   const CapacityFile& file() const { return *file_; }
+  /// Units of the base.
+  const UnitSystem& units() const { return rocks_->units(); }
   const std::vector<RockMap>& maps() const { return maps_; }
   const RockTrials& hazard() const { return hazard_; }
   /// The rock at a node.

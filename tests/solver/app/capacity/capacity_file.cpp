@@ -100,6 +100,7 @@ BOOST_AUTO_TEST_CASE(wrong_files_are_refused_by_key) {
   const Folder folder;
   folder.file("short.csv", "mass [kg],speed [m/s]\n1,1\n");
   folder.file("zero.csv", "mass [kg],speed [m/s],height [m]\n1,1,1\n0,1,1\n");
+  folder.file("metres.csv", "mass [m],speed [m/s],height [m]\n1,1,1\n");
   folder.file("good.csv", "mass [kg],speed [m/s],height [m]\n1,1,1\n");
   folder.file("empty.csv", "mass [kg],speed [m/s],height [m]\n");
   std::string spins = "\"0 rad/s\"";
@@ -131,10 +132,15 @@ BOOST_AUTO_TEST_CASE(wrong_files_are_refused_by_key) {
       {head + "[hazard]\nmass = \"1 kg\"\nheight = \"1 m\"\nspeed = { p95 = \"2 m/s\", p99 = \"1 m/s\" }\n",
        "c.toml:7: hazard: speed: p99: found 1 m/s, less than the percentile of 95 %, 2 m/s; it must be at least that"},
       {head + "[hazard]\ntable = \"short.csv\"\n",
-       "c.toml:5: hazard: table: short.csv: the column \"height [m]\" is missing; give it"},
-      {head + "[hazard]\ntable = \"zero.csv\"\n", "c.toml:5: hazard: table: zero.csv:3: mass and speed must be > 0"},
+       "c.toml:5: hazard: table: short.csv: the column height is missing; give it"},
+      {head + "[hazard]\ntable = \"zero.csv\"\n",
+       "c.toml:5: hazard: table: zero.csv:3: column 'mass [kg]': found '0'; it must be > 0"},
+      {head + "[hazard]\ntable = \"metres.csv\"\n",
+       "c.toml:5: hazard: table: metres.csv: column 'mass [m]': found \"1 m\"; that is a length; it must be a mass, "
+       "e.g. "
+       "\"1 kg\""},
       {head + "[hazard]\ntable = \"empty.csv\"\n",
-       "c.toml:5: hazard: table: empty.csv: found no line below the header; there must be one for each rock"},
+       "c.toml:5: hazard: table: empty.csv: found no line below the header; there must be one for each row"},
       {head + "[hazard]\ntable = \"good.csv\"\nspeed = \"1 m/s\"\n",
        "c.toml:6: hazard: speed: the rows of the table give it"}};
   for (const auto& [text, expected] : wrong)

@@ -1,0 +1,88 @@
+#include "verification/problems/program/capacity/capacity_refusals.hpp"
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "verification/problems/program/capacity/one_column.hpp"
+
+namespace talus::verification::problems::fence_capacity {
+
+namespace fs = std::filesystem;
+
+void check_refusals(const Program& program, Differences& differ) {
+  program.write("fence.toml", fence(guided));
+  program.write("ball.toml", program.run({"new", "scene"}));
+  std::string falling = fence("");
+  falling.replace(falling.find("-5 m/s\", \"0 m/s"), 15, "0 m/s\", \"-5 m/s");
+  program.write("falling.toml", falling);
+  program.write("bad.csv", "mass [kg],speed [m/s]\n1,1\n");
+  program.write("zero.csv", "mass [kg],speed [m/s],height [m]\n1,0,1\n");
+  program.write("positions.csv", "mass [kg],speed [m/s],height [m],along [m]\n1,1,1,1\n");
+  program.write("infinite.csv", "mass [kg],speed [m/s],height [m]\n1,1,inf\n");
+  program.write("empty.csv", "mass [kg],speed [m/s],height [m]\n");
+  const std::string mass = "mass = [\"1 kg\", \"2 kg\"]\n", speed = "speed = [\"1 m/s\", \"2 m/s\"]\n",
+                    good = "base = \"fence.toml\"\n" + mass + speed;
+  struct Wrong {
+    std::string text, message;
+    int exit_code{2};
+  };
+  const std::vector<Wrong> wrong{
+      {"base = ", "wrong.toml:1: not TOML"},
+      {mass + speed, "base: it is missing"},
+      {"base = \"none.toml\"\n" + mass + speed, "none.toml: No such file", 4},
+      {"base = \"ball.toml\"\n" + mass + speed, "ball.toml: it must be a fence, with a table [fence]"},
+      {"base = \"falling.toml\"\n" + mass + speed,
+       "rock: velocity: found none along x; it must move towards the fence"},
+      {"base = \"fence.toml\"\n" + speed, "mass: it is missing"},
+      {"base = \"fence.toml\"\nmass = [\"2 kg\", \"1 kg\"]\n" + speed,
+       "wrong.toml:2: mass: found [\"2 kg\", \"1 kg\"]; both must be > 0"},
+      {"base = \"fence.toml\"\nmass = [\"1 kg\", \"2 m\"]\n" + speed, "wrong.toml:2: mass: "},
+      {good + "height = []\n", "wrong.toml:4: height: found []; it must have a quantity"},
+      {good + "height = [\"-1 m\"]\n", "wrong.toml:4: height[0]: found \"-1 m\"; it must be > 0"},
+      {good + "height = [3]\n", "wrong.toml:4: height[0]: found 3; the unit is missing"},
+      {good + "spin = [\"1 m\"]\n", "wrong.toml:4: spin[0]: "},
+      {good + "along = \"1 m\"\n",
+       "fence.toml: [fence.options]: symmetry: found \"half\"; positions along the fence need \"full\""},
+      {good + "[changes]\nalong = \"1 m\"\n", "positions along the fence need"},
+      {good + "[hazard]\ntable = \"positions.csv\"\n", "positions along the fence need"},
+      {good + "[hazard]\ntable = \"positions.csv\"\nalong = \"1 m\"\n", "hazard: along: the rows of the table give it"},
+      {good + "[hazard]\ntable = \"infinite.csv\"\n",
+       "infinite.csv:2: column 'height [m]': found 'inf'; it must be a finite number"},
+      {good + "[hazard]\nmass = \"1 kg\"\nspeed = \"1 m/s\"\nheight = \"1 m\"\nspin = [\"2 rad/s\", \"1 rad/s\"]\n",
+       "hazard: spin: found [\"2 rad/s\", \"1 rad/s\"]; the first must be at most the second"},
+      {good + "heigth = \"1 m\"\n", "wrong.toml:4: heigth: "},
+      {good + "set = 3\n", "wrong.toml:4: set: it must be a table of fields"},
+      {good + "set = { \"fence.colums\" = 3 }\n", "colums"},
+      {good + "[map]\ncells = 24\nfirst_cells = 5\n",
+       "found 24 cells, 5 at first; the first must be a power of two times the second"},
+      {good + "[map]\nruns = 4\nfew_runs = 5\n",
+       "wrong.toml:6: map: few_runs: found 5; it must be at most the runs of a node, 4"},
+      {good + "[changes]\nspeed = 2\n", "changes: speed: found 2"},
+      {good + "[changes]\nangle = \"1 m\"\n", "changes: angle: "},
+      {good + "[hazard]\nmass = \"1 kg\"\nspeed = \"1 m/s\"\n", "hazard: height: it is missing"},
+      {good + "[hazard]\nmass = \"1 kg\"\nheight = \"1 m\"\nspeed = { p95 = \"2 m/s\", p99 = \"1 m/s\" }\n",
+       "less than the percentile of 95 %"},
+      {good + "[hazard]\ntable = \"bad.csv\"\n", "bad.csv: the column height is missing"},
+      {good + "[hazard]\ntable = \"zero.csv\"\n", "zero.csv:2: column 'speed [m/s]': found '0'; it must be > 0"},
+      {good + "[hazard]\ntable = \"empty.csv\"\n", "found no line below the header"},
+      {good + "[hazard]\ntable = \"none.csv\"\n", "none.csv", 4},
+      {good + "[hazard]\ntable = \"bad.csv\"\nmass = \"1 kg\"\n", "hazard: mass: the rows of the table give it"}};
+  for (const Wrong& of : wrong) {
+    program.write("wrong.toml", of.text);
+    const ProgramEnd end = program.end({"capacity", "wrong.toml"});
+    differ.ended("refusal: " + of.message, end, of.exit_code, of.message);
+  }
+  fs::create_directory(program.folder().path() / "other");
+  program.write("other/base.toml", "");
+  program.write("wrong.toml", good);
+  const ProgramEnd other = program.end({"capacity", "wrong.toml"}, {{"--out", {"other"}}});
+  differ.holds(
+      "refusal: a folder of something else",
+      other.exit_code == 2 &&
+          other.messages.find("other: found base.toml of something else; give another folder") != std::string::npos &&
+          program.read("other/base.toml").empty());
+  differ.compare("nothing is written of a wrong question", program.has("wrong/sweep.json"), false);
+}
+
+}  // namespace talus::verification::problems::fence_capacity

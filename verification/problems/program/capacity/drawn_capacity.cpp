@@ -1,0 +1,157 @@
+#include "verification/problems/program/capacity/drawn_capacity.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <string>
+#include <vector>
+
+#include "verification/problems/program/capacity/one_column.hpp"
+#include "verification/problems/program/pictures/picture_script.hpp"
+
+namespace talus::verification::problems::fence_capacity {
+
+namespace {
+
+using records::Json;
+
+/// A unit with its size in SI.
+struct Unit {
+  const char* name;
+  double size;
+};
+
+/// Units of tables and of pictures, for a base in SI or US units.
+struct ResultUnits {
+  const char* system;
+  Unit length, speed, mass, force, energy, drawn_force, drawn_energy;
+};
+
+constexpr double foot = 0.3048, pound = 0.45359237, pound_force = pound * 9.80665;
+constexpr std::array<ResultUnits, 2> all_units{
+    {{"SI", {"m", 1.0}, {"m/s", 1.0}, {"kg", 1.0}, {"N", 1.0}, {"J", 1.0}, {"kN", 1e3}, {"kJ", 1e3}},
+     {"US",
+      {"ft", foot},
+      {"ft/s", foot},
+      {"lb", pound},
+      {"lbf", pound_force},
+      {"lbf ft", pound_force* foot},
+      {"kip", 1e3 * pound_force},
+      {"kip ft", 1e3 * pound_force* foot}}}};
+
+void check_units(const Program& program, const ResultUnits& units, Differences& differ) {
+  constexpr double spin = 30.0;
+  std::string base = fence(fmt::format("spin = \"{} rad/s\"\n", spin));
+  base.replace(base.find("\"SI\""), 4, fmt::format("\"{}\"", units.system));
+  program.write("fence.toml", base);
+  program.write("drawn.toml", question(8, ""));
+  const std::string folder = fmt::format("drawn_{}", units.system);
+  const std::string text =
+      talus_output(program.folder(), {"capacity", "drawn.toml", "--out", folder}, picture_options::recorded_pictures());
+  const Json map = Json::parse(program.read(folder + "/capacity.json")).at("maps").at(0);
+  const auto median = [](const Json& line, const char* of, const char* output) {
+    return line.at(of).at("outputs").at(output).at("median").at("value").get<double>();
+  };
+  /// Whether a curve has the point; numbers are drawn with six digits.
+  const auto has = [](const picture_options::Curve& curve, double x, double y) {
+    for (const auto& line : curve.lines)
+      for (const picture_options::Point& point : line)
+        if (std::abs(point[0] / x - 1.0) < 1e-5 && std::abs(point[1] / y - 1.0) < 1e-5) return true;
+    return false;
+  };
+  /// The curves of a picture in SI units.
+  const auto all_curves = [&](const char* name, const Unit& x, const Unit& y) {
+    std::vector<picture_options::Curve> curves;
+    for (const picture_options::Panel& panel :
+         picture_options::read_picture(program.read(fmt::format("{}/plots/{}_1.svg", folder, name))).panels) {
+      differ.holds(fmt::format("units of {}", name), panel.x_label.ends_with(fmt::format(" [{}]", x.name)) &&
+                                                         panel.y_label.ends_with(fmt::format(" [{}]", y.name)));
+      curves.insert(curves.end(), panel.curves.begin(), panel.curves.end());
+    }
+    for (picture_options::Curve& curve : curves)
+      for (auto& line : curve.lines)
+        for (picture_options::Point& point : line)
+          point = {point[0] * x.size, point[1] * y.size};
+    return curves;
+  };
+  const auto curves = [&](const char* name, const Unit& x, const Unit& y, std::size_t count) {
+    std::vector<picture_options::Curve> found = all_curves(name, x, y);
+    differ.compare(fmt::format("curves of {}", name), found.size(), count);
+    found.resize(count);
+    return found;
+  };
+  const std::vector<picture_options::Curve> forces = curves("boundary_forces", units.mass, units.drawn_force, 3),
+                                            energies = curves("boundary_energy", units.mass, units.drawn_energy, 2);
+  // All curves of the map and of the forces, by the nodes of capacity.csv.
+  const records::Csv nodes = program.csv(folder + "/capacity.csv");
+  const std::vector<picture_options::Curve> of_map = all_curves("envelope", units.mass, units.speed),
+                                            of_force = all_curves("cable_force", units.drawn_energy, units.drawn_force);
+  const auto in_any = [&](const std::vector<picture_options::Curve>& all, double x, double y) {
+    return std::ranges::any_of(all, [&](const picture_options::Curve& curve) { return has(curve, x, y); });
+  };
+  differ.compare("curves of the forces", of_force.size(), std::size_t{2});
+  for (std::size_t row = 0; row < nodes.rows(); ++row) {
+    const auto number = [&](const char* name, const Unit& unit) {
+      return unit.size * nodes.number(row, fmt::format("{} [{}]", name, unit.name));
+    };
+    const double mass = number("mass", units.mass), speed = number("speed", units.speed),
+                 energy = number("kinetic_energy", units.energy);
+    differ.holds("energy of a node", std::abs(energy / (0.5 * mass * speed * speed) - 1.0) < 1e-12);
+    differ.holds("height of a node", std::abs(number("height", units.length) + ground_top) < 1e-12);
+    differ.holds("a drawn node", in_any(of_map, mass, speed));
+    // Light and heavy rocks, up to and from the middle of the masses.
+    if (of_force.size() == 2)
+      differ.holds("a drawn force",
+                   has(of_force[mass < 450.0 ? 0 : 1], energy, number("fence.cable_force.median", units.force)));
+  }
+  std::size_t lines = 0;
+  for (const picture_options::Curve& curve : of_map) {
+    if (!curve.label.ends_with(fmt::format(" {}", units.drawn_energy.name))) continue;
+    ++lines;
+    const double energy = units.drawn_energy.size * std::stod(curve.label);
+    for (const auto& line : curve.lines)
+      for (const picture_options::Point& point : line)
+        differ.holds("a line of equal energy", std::abs(0.5 * point[0] * point[1] * point[1] / energy - 1.0) < 6e-3);
+  }
+  // A quarter of the energy at the middle of the right side, and that energy; of four times as much there is one point.
+  differ.compare("lines of equal energy", lines, std::size_t{2});
+  for (const Json& line : map.at("boundary")) {
+    const double mass = line.at("mass").get<double>(), high = line.at("speed").at(1).get<double>();
+    differ.holds("drawn anchor force", has(forces[0], mass, median(line, "stopped", "fence.anchor_force")));
+    differ.holds("drawn cable force", has(forces[1], mass, median(line, "stopped", "fence.cable_force")));
+    differ.holds("drawn hanger force", has(forces[2], mass, median(line, "stopped", "fence.hanger_force")));
+    const double radius = own_radius * std::cbrt(mass / own_mass), turning = 0.4 * mass * radius * radius;
+    differ.holds("drawn energy at the start",
+                 has(energies[0], mass, 0.5 * (mass * high * high + turning * spin * spin)));
+    differ.holds("drawn energy after", has(energies[1], mass, median(line, "not_stopped", "fence.exit_energy")));
+    // The text: mass, both speeds and energies, the force at the first and the energy after the second speed.
+    const auto digits = [](double value, const Unit& unit) { return fmt::format("{:.4g}", value / unit.size); };
+    const auto range = [&](const char* of, const Unit& unit) {
+      const Json& ends = line.at(of);
+      return fmt::format("{} to {}", digits(ends.at(0).get<double>(), unit), digits(ends.at(1).get<double>(), unit));
+    };
+    const Json& anchor = line.at("stopped").at("outputs").at("fence.anchor_force").at("p95").at("value");
+    differ.contains(
+        "printed boundary", squeezed(text),
+        fmt::format(" {} {} {} {} {}", digits(mass, units.mass), range("speed", units.speed),
+                    range("kinetic_energy", units.drawn_energy), digits(anchor.get<double>(), units.drawn_force),
+                    digits(median(line, "not_stopped", "fence.exit_energy"), units.drawn_energy)));
+  }
+  differ.contains("printed height", text,
+                  fmt::format("height {:.4g} {}: ", -ground_top / units.length.size, units.length.name));
+  differ.contains("printed units", squeezed(text),
+                  fmt::format("mass [{}] stopped to [{}] kinetic energy [{}] anchor force [{}] energy after [{}]",
+                              units.mass.name, units.speed.name, units.drawn_energy.name, units.drawn_force.name,
+                              units.drawn_energy.name));
+}
+
+}  // namespace
+
+void check_figures(const Program& program, Differences& differ) {
+  for (const ResultUnits& units : all_units)
+    check_units(program, units, differ);
+}
+
+}  // namespace talus::verification::problems::fence_capacity
