@@ -1,10 +1,14 @@
 #include "solver/app/interruption.hpp"
 
+#include <atomic>
+
 namespace talus::app {
 namespace {
 
 constexpr std::array signals{SIGINT, SIGTERM, SIGHUP};
-volatile std::sig_atomic_t caught = 0;
+/// Other threads than that of the handler read it, which std::sig_atomic_t does not allow.
+std::atomic<int> caught{0};
+static_assert(std::atomic<int>::is_always_lock_free, "a signal handler may only use atomics without locks");
 
 void note(int signal) { caught = signal; }
 
@@ -29,7 +33,8 @@ Interruption::~Interruption() {
 int Interruption::signal() const { return caught; }
 
 const char* Interruption::name() const {
-  return caught == SIGINT ? "SIGINT" : caught == SIGTERM ? "SIGTERM" : "SIGHUP";
+  const int signal = caught;
+  return signal == SIGINT ? "SIGINT" : signal == SIGTERM ? "SIGTERM" : "SIGHUP";
 }
 
 }  // namespace talus::app

@@ -420,10 +420,10 @@ std::string capacity_text(const CapacityStudy& study) {
                         100.0 * static_cast<double>(all.trials.size()) / static_cast<double>(full_grid(map)),
                         ends_text(all));
     text += failure_text(all);
-    text += fmt::format("  {:>9}  {:>17}  {:>23}  {:>18}  {:>21}\n", fmt::format("mass [{}]", units.mass.name),
-                        fmt::format("stopped to [{}]", units.speed.name),
-                        fmt::format("kinetic energy [{}]", energy.name), fmt::format("anchor force [{}]", force.name),
-                        fmt::format("energy after [{}]", energy.name));
+    text +=
+        fmt::format("  {:>9}  {:>17}  {:>23}  {:>18}  {:>21}\n", fmt::format("mass [{}]", units.mass.name),
+                    fmt::format("stopped to [{}]", units.speed.name), fmt::format("kinetic energy [{}]", energy.name),
+                    fmt::format("anchor force [{}]", force.name), fmt::format("energy after [{}]", energy.name));
     const std::vector<CapacityBoundary> boundaries = boundaries_of(study, map);
     for (const CapacityBoundary& boundary : boundaries) {
       text += fmt::format("  {:>9.4g}  {:>17}  {:>23}  {:>18}  {:>21}\n", units.mass.of(boundary.mass),

@@ -7,7 +7,9 @@
 #include <csignal>
 #include <fstream>
 #include <nlohmann/json.hpp>
+#include <stdexcept>
 #include <thread>
+#include <utility>
 
 #include "tests/solver/app/program.hpp"
 #include "tests/solver/server/ball_sweep.hpp"
@@ -42,12 +44,19 @@ struct Server {
     port = std::stoi(line.substr(start.size()));
   }
 
-  Json post(const std::string& path, const Json& body, int status = 200) const {
+  /// Status and body of an answer; for threads, in which the macros of Boost.Test must not be used. Throws
+  /// std::runtime_error without an answer.
+  std::pair<int, Json> answer(const std::string& path, const Json& body) const {
     httplib::Client client{"127.0.0.1", port};
     const auto answer = client.Post(path, body.dump(), "application/json");
-    BOOST_REQUIRE(answer);
-    BOOST_TEST(answer->status == status, answer->body);
-    return Json::parse(answer->body);
+    if (!answer) throw std::runtime_error{"no answer from the server"};
+    return {answer->status, Json::parse(answer->body)};
+  }
+
+  Json post(const std::string& path, const Json& body, int expected = 200) const {
+    auto [status, json] = answer(path, body);
+    BOOST_TEST(status == expected, json);
+    return json;
   }
 };
 
@@ -85,7 +94,8 @@ BOOST_AUTO_TEST_CASE(a_client_asks_and_evaluates) {
 BOOST_AUTO_TEST_CASE(evaluations_at_a_time_are_those_one_after_the_other) {
   const Server server;
   const auto output = [&](int i) {
-    return server.post("/Evaluate", {{"name", "forward"}, {"input", {{1.0 + 0.1 * i, 10.0 * i}}}}).at("output");
+    return server.answer("/Evaluate", {{"name", "forward"}, {"input", {{1.0 + 0.1 * i, 10.0 * i}}}})
+        .second.at("output");
   };
   constexpr int count = 24;
   std::vector<Json> alone(count), together(count);
@@ -107,12 +117,13 @@ BOOST_AUTO_TEST_CASE(evaluations_at_a_time_are_those_one_after_the_other) {
 BOOST_AUTO_TEST_CASE(a_signal_ends_the_server_and_its_runs) {
   // 1e9 steps: hours.
   Server server{"[[axis]]\nfield = \"run.step\"\nvalues = [\"1e-10 s\"]\n"};
-  Json answer;
-  std::thread client{[&] { answer = server.post("/Evaluate", {{"name", "forward"}, {"input", {{3.0, 100.0}}}}, 500); }};
+  std::pair<int, Json> answer;
+  std::thread client{[&] { answer = server.answer("/Evaluate", {{"name", "forward"}, {"input", {{3.0, 100.0}}}}); }};
   std::this_thread::sleep_for(std::chrono::milliseconds{300});
   server.program.send(SIGTERM);
   client.join();
-  BOOST_TEST(answer.at("error").at("message") == "the server ends");
+  BOOST_TEST(answer.first == 500);
+  BOOST_TEST(answer.second.at("error").at("message") == "the server ends");
   BOOST_TEST(server.program.exit_code() == 128 + SIGTERM);
 }
 

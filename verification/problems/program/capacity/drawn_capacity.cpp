@@ -141,10 +141,10 @@ void check_units(const Program& program, const ResultUnits& units, Differences& 
   }
   differ.contains("printed height", text,
                   fmt::format("height {:.4g} {}: ", -ground_top / units.length.size, units.length.name));
-  differ.contains("printed units", squeezed(text),
-                  fmt::format("mass [{}] stopped to [{}] kinetic energy [{}] anchor force [{}] energy after [{}]",
-                              units.mass.name, units.speed.name, units.drawn_energy.name, units.drawn_force.name,
-                              units.drawn_energy.name));
+  differ.contains(
+      "printed units", squeezed(text),
+      fmt::format("mass [{}] stopped to [{}] kinetic energy [{}] anchor force [{}] energy after [{}]", units.mass.name,
+                  units.speed.name, units.drawn_energy.name, units.drawn_force.name, units.drawn_energy.name));
 }
 
 }  // namespace
