@@ -337,7 +337,7 @@ int evaluate(const SweepOptions& options) {
     return 128 + interruption.signal();
   }
   // Dakota learns of a failure from the file, and decides by it.
-  const std::string failure = failure_of(result, function.outputs());
+  const std::string failure = failure_of(result);
   std::vector<double> values;
   if (failure.empty())
     for (const std::size_t i : wanted)

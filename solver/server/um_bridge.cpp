@@ -93,7 +93,7 @@ Answer UmBridge::evaluate(const std::string& body, const std::function<bool()>& 
     }
     const app::SweepResult result = (*function_)(numbers, interrupted);
     if (result.id.empty()) return error(500, "InvalidOutput", "the server ends");
-    if (const std::string failure = app::failure_of(result, function_->outputs()); !failure.empty()) {
+    if (const std::string failure = app::failure_of(result); !failure.empty()) {
       if (result.end == app::SweepEnd::refused) return error(400, "InvalidInput", failure);
       return error(500, "InvalidOutput", failure);
     }

@@ -101,7 +101,7 @@ std::vector<double> FitStudy::results(const std::vector<double>& parameters, con
     const SweepResult result = base_.result(run(parameters, rows[i]), file_->limits, interrupted_);
     if (result.id.empty()) return;  // interrupted
     // Also a run that is not usable has no result, and one without a number that is compared.
-    reasons[i] = result.end == SweepEnd::finished ? failure_of(result, base_.outputs()) : result.reason;
+    reasons[i] = result.end == SweepEnd::finished ? failure_of(result) : result.reason;
     if (!reasons[i].empty()) return;
     for (std::size_t k = 0; k < width; ++k) {
       const std::vector<double>& divisors = file_->quantities[k].divisors;

@@ -3,9 +3,11 @@
 #include <fmt/format.h>
 
 #include <charconv>
+#include <cmath>
 #include <limits>
 #include <string_view>
 
+#include "solver/app/sweep/sweep_result.hpp"
 #include "solver/base/error.hpp"
 
 namespace talus::app {
@@ -181,7 +183,8 @@ std::vector<double> SceneNumbers::values(const SceneRun& run, std::string& missi
   for (std::size_t i = 0; i < sources_.size(); ++i) {
     std::string reason;
     values.push_back(value(sources_[i], run, reason).value_or(std::numeric_limits<double>::quiet_NaN()));
-    if (!reason.empty()) missing += fmt::format("{}{}: {}", missing.empty() ? "" : "; ", outputs_[i].name, reason);
+    if (reason.empty() && !std::isfinite(values.back())) reason = "it is not finite";
+    if (!reason.empty()) missing += (missing.empty() ? "" : "; ") + no_value(outputs_[i].name, reason);
   }
   return values;
 }

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <optional>
 #include <utility>
@@ -82,16 +83,12 @@ SweepResult SweepFunction::operator()(std::span<const double> numbers, const std
   return base_.result(run, sweep_.limits, interrupted);
 }
 
-std::string failure_of(const SweepResult& result, const std::vector<SweepOutput>& outputs) {
+std::string failure_of(const SweepResult& result) {
   if (result.end != SweepEnd::finished) {
     return fmt::format("{}: {}", Names<SweepEnd>::list[static_cast<std::size_t>(result.end)], result.reason);
   }
-  for (std::size_t i = 0; i < outputs.size(); ++i)
-    if (!std::isfinite(result.values[i])) {
-      return fmt::format("output '{}' has no value{}{}", outputs[i].name, result.reason.empty() ? "" : "; ",
-                         result.reason);
-    }
-  return {};
+  const bool has_all = std::ranges::all_of(result.values, [](double value) { return std::isfinite(value); });
+  return has_all ? "" : result.reason;
 }
 
 }  // namespace talus::app

@@ -42,7 +42,7 @@ class SweepFunction {
   SweptRun fixed_;  ///< values of the axes with one point
 };
 
-/// Why a result has no numbers to be used, as text; empty if it has: of a finished run all outputs are finite.
-[[nodiscard]] std::string failure_of(const SweepResult& result, const std::vector<SweepOutput>& outputs);
+/// Why a result has no numbers to be used, as text; empty if it has: the run finished, and all outputs are finite.
+[[nodiscard]] std::string failure_of(const SweepResult& result);
 
 }  // namespace talus::app

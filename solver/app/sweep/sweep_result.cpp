@@ -15,6 +15,10 @@ using Json = nlohmann::ordered_json;
 
 }  // namespace
 
+std::string no_value(std::string_view output, std::string_view reason) {
+  return fmt::format("{} has no value: {}", output, reason);
+}
+
 std::string result_line(const SweepResult& result) {
   Json json{{"id", result.id}, {"end", Names<SweepEnd>::list[static_cast<std::size_t>(result.end)]}};
   if (!result.reason.empty()) json["reason"] = result.reason;

@@ -4,6 +4,7 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <cmath>
 #include <optional>
 #include <utility>
 
@@ -86,9 +87,12 @@ SweepResult SweptCell::result(const SweptRun& run, const SweepLimits& limits,
     result.end = SweepEnd::limited, result.reason = end.reason();
     return result;
   }
-  result.reason = fmt::format("{}", fmt::join(cell_warnings(*scene, *cell_run), "; "));
-  for (const auto& [output, value] : cell_numbers_named(*scene, *cell_run, names_))
+  std::vector<std::string> reasons = cell_warnings(*scene, *cell_run);
+  for (const auto& [output, value] : cell_numbers_named(*scene, *cell_run, names_)) {
     result.values.push_back(value * si_size(*scene->units, output.dimension) / si_size(units_, output.dimension));
+    if (!std::isfinite(value)) reasons.push_back(no_value(output.name, "what it is divided by is 0 in the means"));
+  }
+  result.reason = fmt::format("{}", fmt::join(reasons, "; "));
   return result;
 }
 

@@ -98,9 +98,9 @@ void check_numbers(const Program& program, Differences& differ) {
 void check_units(const Program& program, Differences& differ) {
   std::string base = cell_text("restitution = 0.5\noverburden = \"8 kPa\"\n", "15 ms");
   const std::string more = "outputs = [\"cell.depth\"]\n" + axis("cell.seed", "1");
-  static_cast<void>(swept(program, "metres", base, more));
+  swept(program, "metres", base, more);
   base.replace(base.find("\"SI\""), 4, "\"US\"");
-  static_cast<void>(swept(program, "feet", base, more));
+  swept(program, "feet", base, more);
   const records::Csv metres = program.csv("metres/results.csv"), feet = program.csv("feet/results.csv");
   differ.compare("cells: depth in feet", feet.header().back(), std::string{"cell.depth [ft]"});
   // Other units round the fields differently, and the flow is chaotic: the depths differ by their fluctuations.
@@ -151,6 +151,16 @@ void check_ends(const Program& program, Differences& differ) {
   differ.holds("cells: warning", text(3, "end") == "finished" &&
                                      text(3, "reason").starts_with("the largest overlap is ") &&
                                      !text(3, "cell.stress_ratio_top").empty());
+  // Nothing touches the block in 0.1 ms.
+  std::string apart = cell_text(load, "0.1 ms");
+  swept(program, "cell_apart", apart.replace(apart.find("\"5 ms\""), 6, "\"4e-6 s\""),
+        "outputs = [\"cell.depth\", \"cell.stress_ratio_top\"]\n" + axis("cell.seed", "1"));
+  const records::Csv without = program.csv("cell_apart/results.csv");
+  differ.holds("cells: depth of discs apart", std::abs(without.number(0, "cell.depth [m]") - 5e-3) < 1e-7);
+  differ.compare("cells: a mean that does not exist",
+                 fmt::format("{}, {}{}", without.cell(0, "end"), without.cell(0, "reason"),
+                             without.cell(0, "cell.stress_ratio_top")),
+                 std::string{"finished, cell.stress_ratio_top has no value: what it is divided by is 0 in the means"});
   program.write("cell_output.toml",
                 "base = \"cells_base.toml\"\noutputs = [\"cell.deepth\"]\n" + axis("cell.seed", "1"));
   const ProgramEnd output = program.end({"sweep", "plan", "cell_output.toml"});
