@@ -9,6 +9,7 @@
 
 #include <array>
 #include <cerrno>
+#include <csignal>
 #include <cstdlib>
 #include <cstring>
 #include <sstream>
@@ -58,15 +59,19 @@ std::vector<char*> pointers(std::vector<std::string>& texts) {
   return result;
 }
 
-/// Reads both pipes as they fill, so that neither can block the child.
-void drain(Pipe& out, Pipe& err, Finished& finished) {
+/// Reads both pipes as they fill, so that neither can block the child, and asks `watch` for signals to it.
+void drain(Pipe& out, Pipe& err, Finished& finished, pid_t child, const std::function<int()>& watch) {
+  const int interval = watch ? 200 : -1;  // [ms]
   std::array<pollfd, 2> watched{pollfd{out.ends[0], POLLIN, 0}, pollfd{err.ends[0], POLLIN, 0}};
   std::array<std::string*, 2> sinks{&finished.output, &finished.messages};
   int open = 2;
   while (open > 0) {
-    if (poll(watched.data(), watched.size(), -1) < 0) {
-      if (errno == EINTR) continue;
-      throw OutputError(fmt::format("poll: {}", std::strerror(errno)));
+    const int ready = poll(watched.data(), watched.size(), interval);
+    const int failure = errno;
+    if (const int signal = watch ? watch() : 0; signal != 0) kill(child, signal);
+    if (ready < 0) {
+      if (failure == EINTR) continue;
+      throw OutputError(fmt::format("poll: {}", std::strerror(failure)));
     }
     for (std::size_t i = 0; i < watched.size(); ++i) {
       if (watched[i].fd < 0 || watched[i].revents == 0) continue;
@@ -121,14 +126,14 @@ pid_t start(const Command& command, Pipe& out, Pipe& err) {
 
 }  // namespace
 
-Finished run(const Command& command) {
+Finished run(const Command& command, const std::function<int()>& watch) {
   Pipe out;
   Pipe err;
   const pid_t child = start(command, out, err);
   out.close_end(1);
   err.close_end(1);
   Finished finished;
-  drain(out, err, finished);
+  drain(out, err, finished, child, watch);
   int status = 0;
   while (waitpid(child, &status, 0) < 0) {
     if (errno != EINTR) throw OutputError(fmt::format("{}: {}", command.program, std::strerror(errno)));

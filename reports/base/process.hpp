@@ -2,6 +2,7 @@
 #pragma once
 
 #include <filesystem>
+#include <functional>
 #include <map>
 #include <string>
 #include <vector>
@@ -24,9 +25,9 @@ struct Finished {
   std::string messages{};  ///< standard error
 };
 
-/// Runs the program until it ends. Throws OutputError if it cannot be started (not found, no permission, no such
-/// folder).
-[[nodiscard]] Finished run(const Command& command);
+/// Runs the program until it ends. `watch` is called about five times a second, and after output; a signal that it
+/// returns is sent to the program, 0: none. Throws OutputError if it cannot be started (not found, no permission, no such folder).
+[[nodiscard]] Finished run(const Command& command, const std::function<int()>& watch = {});
 
 /// Throws OutputError, as run() would, unless a program with that name is in PATH.
 void demand_program(const std::string& name);

@@ -264,6 +264,27 @@ Engine engine_named(const std::string& name) {
   return static_cast<Engine>(found - names.begin());
 }
 
+struct EngineEnd : reports::Finished {
+  int signal{};  ///< that ended it; 0: none
+  std::string signal_name;
+};
+
+/// Runs an engine with its progress. A signal to this process ends the engine: GNU parallel ends its parts at the
+/// second SIGTERM.
+EngineEnd run_engine(const reports::Command& command, const SweepFolder& sweep) {
+  Interruption interruption;
+  Progress line;
+  int calls = 0;
+  const auto watch = [&] {
+    // All results are read: not at each call, five times a second.
+    if (calls++ % 10 == 0 && line.due()) line.show(counts_of(sweep, read_results(sweep)).text(" done"));
+    return interruption.signal() != 0 ? SIGTERM : 0;
+  };
+  EngineEnd end{reports::run(command, watch), interruption.signal(), {}};
+  if (end.signal != 0) end.signal_name = interruption.name();
+  return end;
+}
+
 int submit(const SweepOptions& options) {
   const Engine engine = engine_named(options.engine);
   const SweepFolder sweep = read_sweep_folder(options.folder);
@@ -284,8 +305,14 @@ int submit(const SweepOptions& options) {
   try {
     reports::demand_program(command.program);
     write_whole(script, part_script(request));
-    const reports::Finished ended = reports::run(command);
+    const EngineEnd ended = run_engine(command, sweep);
     fmt::print("{}", ended.output);
+    if (ended.signal != 0) {
+      print_failure(
+          fmt::format("{}: {} was ended; {}", ended.signal_name, command.program,
+                      engine == Engine::slurm ? "its jobs continue, scancel ends them" : "the same command continues"));
+      return 128 + ended.signal;
+    }
     // Of parallel, and of sbatch with --wait, the status counts parts whose runs failed.
     if (engine == Engine::slurm && !options.waits) {
       if (ended.status != 0) throw IoError{fmt::format("{}: {}", command.program, ended.messages)};

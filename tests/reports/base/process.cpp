@@ -33,6 +33,13 @@ BOOST_AUTO_TEST_CASE(signals_differ_from_exit_codes) {
   BOOST_TEST(run({"sh", {"-c", "exit 9"}, {}, {}}).status == 9);
 }
 
+BOOST_AUTO_TEST_CASE(a_watch_sends_signals) {
+  int calls = 0;
+  const Finished finished = run({"sh", {"-c", "echo begun; exec sleep 60"}, {}, {}}, [&] { return ++calls > 2 ? 15 : 0; });
+  BOOST_TEST(finished.status == 128 + 15);
+  BOOST_TEST(finished.output == "begun\n");
+}
+
 BOOST_AUTO_TEST_CASE(standard_input_is_empty) { BOOST_TEST(run({"wc", {"-c"}, {}, {}}).output == "0\n"); }
 
 // A child that inherited the pipes of another would keep run() waiting for its own end.

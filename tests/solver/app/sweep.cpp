@@ -2,6 +2,7 @@
 
 #include <boost/test/unit_test.hpp>
 #include <chrono>
+#include <cstdlib>
 #include <string>
 #include <thread>
 
@@ -13,6 +14,24 @@ BOOST_AUTO_TEST_SUITE(sweep_tests)
 // `talus sweep run` that is killed or interrupted at any time, started again.
 
 namespace {
+
+/// Plans a sweep of one run of an hour.
+void plan_long(const Folder& folder, const std::string& out) {
+  const std::string file =
+      folder
+          .file("long.toml",
+                "base = \"" + scene("two_cable.toml") +
+                    "\"\noutputs = [\"particle.x.max\"]\n[[axis]]\nfield = \"run.step\"\nvalues = [\"1e-10 "
+                    "s\"]\n[[axis]]\nfield = \"run.integrator\"\nvalues = [\"velocity_verlet\"]\n")
+          .string();
+  BOOST_REQUIRE(talus_ran({"sweep", "plan", file, "--out", out}).code == 0);
+}
+
+/// Waits until a run has made its file of results, which is after it catches signals.
+void wait_for_start(const std::string& out) {
+  while (fs::is_empty(out + "/results"))
+    std::this_thread::sleep_for(std::chrono::milliseconds{5});
+}
 
 constexpr int run_count = 120;
 
@@ -62,24 +81,42 @@ BOOST_AUTO_TEST_CASE(a_sweep_that_is_killed_continues_to_the_same_bytes) {
 
 BOOST_AUTO_TEST_CASE(a_signal_ends_it_without_the_runs_in_flight) {
   const Folder folder;
-  // A run of an hour.
-  const std::string file =
-      folder
-          .file("long.toml",
-                "base = \"" + scene("two_cable.toml") +
-                    "\"\noutputs = [\"particle.x.max\"]\n[[axis]]\nfield = \"run.step\"\nvalues = [\"1e-10 "
-                    "s\"]\n[[axis]]\nfield = \"run.integrator\"\nvalues = [\"velocity_verlet\"]\n")
-          .string();
   for (const int signal : {SIGINT, SIGTERM}) {
     const std::string out = (folder.path / std::to_string(signal)).string();
-    BOOST_REQUIRE(talus_ran({"sweep", "plan", file, "--out", out}).code == 0);
+    plan_long(folder, out);
     StartedProgram program{TALUS_EXECUTABLE, {"sweep", "run", out, "--threads", "1"}};
-    // Its file of results is there once it catches signals.
-    while (fs::is_empty(out + "/results"))
-      std::this_thread::sleep_for(std::chrono::milliseconds{5});
+    wait_for_start(out);
     program.send(signal);
     BOOST_TEST(program.exit_code() == 128 + signal);
     BOOST_TEST(talus_ran({"sweep", "status", out}).out == "0 of 1 runs done: 0 finished\n");
+  }
+}
+
+BOOST_AUTO_TEST_CASE(a_signal_ends_the_engine_and_its_parts) {
+  const Folder folder;
+  // In place of GNU parallel: one part, which begins to end at the second signal.
+  const fs::path engine =
+      folder.file("parallel",
+                  "#!/bin/sh\nwhile [ \"$1\" != /bin/sh ]; do shift; done\neval \"/bin/sh $2 1 &\"\n"
+                  "trap 'trap \"kill $!\" TERM' TERM\nwait; wait; wait\n");
+  fs::permissions(engine, fs::perms::owner_all);
+  const std::string path = folder.path.string() + ":" + std::getenv("PATH");
+  for (const int signal : {SIGINT, SIGTERM}) {
+    const std::string out = (folder.path / std::to_string(signal)).string();
+    plan_long(folder, out);
+    const fs::path err = folder.path / ("err" + std::to_string(signal));
+    StartedProgram program{
+        TALUS_EXECUTABLE, {"sweep", "submit", out, "--engine", "parallel"}, {.err = err}, {{"PATH", path}}};
+    wait_for_start(out);
+    program.send(signal);
+    BOOST_TEST(program.exit_code() == 128 + signal);
+    BOOST_TEST(holds(talus::read_text(err), "parallel was ended; the same command continues"), talus::read_text(err));
+    // Its part has ended, too: the lock of its folder is free, and there is no result.
+    BOOST_TEST(talus_ran({"sweep", "status", out}).out == "0 of 1 runs done: 0 finished\n");
+    StartedProgram again{TALUS_EXECUTABLE, {"sweep", "run", out}, {.err = folder.path / "again"}};
+    std::this_thread::sleep_for(std::chrono::milliseconds{300});
+    again.send(SIGTERM);
+    BOOST_TEST(again.exit_code() == 128 + SIGTERM);
   }
 }
 
