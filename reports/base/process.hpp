@@ -26,7 +26,8 @@ struct Finished {
 };
 
 /// Runs the program until it ends. `watch` is called about five times a second, and after output; a signal that it
-/// returns is sent to the program, 0: none. Throws OutputError if it cannot be started (not found, no permission, no such folder).
+/// returns is sent to the program, 0: none. Throws OutputError if it cannot be started (not found, no permission, no
+/// such folder).
 [[nodiscard]] Finished run(const Command& command, const std::function<int()>& watch = {});
 
 /// Throws OutputError, as run() would, unless a program with that name is in PATH.

@@ -35,7 +35,8 @@ BOOST_AUTO_TEST_CASE(signals_differ_from_exit_codes) {
 
 BOOST_AUTO_TEST_CASE(a_watch_sends_signals) {
   int calls = 0;
-  const Finished finished = run({"sh", {"-c", "echo begun; exec sleep 60"}, {}, {}}, [&] { return ++calls > 2 ? 15 : 0; });
+  const Finished finished =
+      run({"sh", {"-c", "echo begun; exec sleep 60"}, {}, {}}, [&] { return ++calls > 2 ? 15 : 0; });
   BOOST_TEST(finished.status == 128 + 15);
   BOOST_TEST(finished.output == "begun\n");
 }
