@@ -96,8 +96,18 @@ Continuous read_quantiles(SceneTable& table, const TomlValue& value) {
   return made;
 }
 
+/// Whether a column without a unit is of texts, or of true and false: none of its cells begins a number.
+bool is_text_column(const records::Csv& csv, std::size_t column) {
+  for (std::size_t row = 0; row < csv.rows(); ++row) {
+    const std::string_view text = csv.cell(row, column);
+    double number = 0.0;
+    if (text.empty() || std::from_chars(text.data(), text.data() + text.size(), number).ec == std::errc{}) return false;
+  }
+  return true;
+}
+
 /// The number of a cell with the unit of its column; without a unit, whole numbers stay whole.
-TomlValue cell_value(const records::Csv& csv, std::size_t row, std::size_t column, const std::string& unit) {
+TomlValue number_of_cell(const records::Csv& csv, std::size_t row, std::size_t column, const std::string& unit) {
   const double number = csv.number(row, column);
   const std::string_view text = csv.cell(row, column);
   std::int64_t whole = 0;
@@ -138,8 +148,13 @@ SweepAxis read_rows(SceneTable& table, const fs::path& folder) {
       } catch (const InputError& error) {
         columns.fail(entry.key, error.what());
       }
-      for (std::size_t row = 0; row < csv.rows(); ++row)
-        axis.rows[row].push_back(cell_value(csv, row, column, unit));
+      const bool is_text = unit.empty() && is_text_column(csv, column);
+      for (std::size_t row = 0; row < csv.rows(); ++row) {
+        const std::string text{csv.cell(row, column)};
+        axis.rows[row].push_back(!is_text                            ? number_of_cell(csv, row, column, unit)
+                                 : text == "true" || text == "false" ? TomlValue{text == "true"}
+                                                                     : TomlValue{text});
+      }
     }
   } catch (const records::FileError& error) {
     throw IoError{error.what()};

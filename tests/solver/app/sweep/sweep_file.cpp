@@ -11,6 +11,7 @@
 #include "solver/app/sweep/sweep_runs.hpp"
 #include "solver/base/error.hpp"
 #include "solver/base/units.hpp"
+#include "tests/solver/io/folder.hpp"
 
 BOOST_AUTO_TEST_SUITE(sweep_file_tests)
 
@@ -35,6 +36,27 @@ BOOST_AUTO_TEST_CASE(a_range_is_written_in_its_unit) {
   BOOST_TEST(written(made.runs[0].parameters[0].second) == "\"0.1 ft\"");
   BOOST_TEST(written(made.runs[1].parameters[0].second) == "\"0.2 ft\"");
   BOOST_TEST(written(made.runs[2].parameters[0].second) == "\"0.3 ft\"");
+}
+
+BOOST_AUTO_TEST_CASE(columns_of_a_table_are_numbers_quantities_texts_or_flags) {
+  const Folder folder;
+  folder.file("t.csv", "method,h [s],count,factor,on,mixed\nrk4,1e-3,2,2.0,true,1\nexact,2e-3,3,0.5,false,two\n");
+  const auto rows_of = [&](const std::string& heading) {
+    const SweepFile sweep = read_sweep(
+        "base = \"a.toml\"\noutputs = [\"x.end\"]\n[[axis]]\ntable = \"t.csv\"\n"
+        "columns = { \"f\" = \"" +
+            heading + "\" }\n",
+        folder.path / "test.toml");
+    return written(sweep.axes[0].rows[0][0]) + ", " + written(sweep.axes[0].rows[1][0]);
+  };
+  BOOST_TEST(rows_of("method") == "\"rk4\", \"exact\"");
+  BOOST_TEST(rows_of("h [s]") == "\"0.001 s\", \"0.002 s\"");
+  BOOST_TEST(rows_of("count") == "2, 3");
+  BOOST_TEST(rows_of("factor") == "2, 0.5");
+  BOOST_TEST(rows_of("on") == "true, false");
+  BOOST_CHECK_EXCEPTION(static_cast<void>(rows_of("mixed")), InputError, [](const InputError& error) {
+    return std::string{error.what()}.ends_with("t.csv:3: column 'mixed': found 'two'; it must be a finite number");
+  });
 }
 
 BOOST_AUTO_TEST_CASE(whole_numbers_stay_whole_and_are_equally_frequent) {

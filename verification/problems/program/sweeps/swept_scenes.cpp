@@ -258,6 +258,24 @@ void check_table(const Program& program, Worst& worst, Differences& differ) {
   const std::size_t mass = csv.column("body.ball.mass [kg]"), speed = csv.column("body.ball.velocity[0] [m/s]");
   differ.holds("second row of the table", csv.number(1, mass) == 0.5 && csv.number(1, speed) == 1.5);
   differ.holds("third row of the table", csv.number(2, mass) == 2.0 && csv.number(2, speed) == 3.0);
+  // A column of texts: each row is the run of the scene with that integrator.
+  program.write("methods.csv", "method,h [s]\nrk4,1e-4\nvelocity_verlet,2e-4\n");
+  const records::Csv methods = collected(program, "methods",
+                                         "base = \"ball.toml\"\noutputs = [\"ball.vx.end\"]\n[[axis]]\n"
+                                         "table = \"methods.csv\"\ncolumns = { \"run.integrator\" = \"method\", "
+                                         "\"run.step\" = \"h [s]\" }\n");
+  const std::vector<std::pair<std::string, std::string>> expected{{"rk4", "0.0001"}, {"velocity_verlet", "0.0002"}};
+  for (std::size_t row = 0; row < expected.size(); ++row) {
+    differ.compare("a text of the table", std::string{methods.cell(row, "run.integrator")}, expected[row].first);
+    std::string scene = ball_scene(expected[row].first);
+    const std::size_t line = scene.find("\nstep = ") + 1;
+    scene.replace(line, scene.find('\n', line) - line, fmt::format("step = \"{} s\"", expected[row].second));
+    program.write("method.toml", scene);
+    for (const Json& body : program.json({"run", "method.toml"}, {{"--json", {}}}).at("bodies"))
+      if (body.at("name").get<std::string>() == "ball")
+        differ.compare("run of a text", methods.number(row, "ball.vx.end [m/s]"),
+                       body.at("velocity").at(0).get<double>());
+  }
 }
 
 /// A run of the sweep is that of `talus run` with the same fields, bit by bit; a fence has a verdict.
