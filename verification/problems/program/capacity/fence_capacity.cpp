@@ -348,7 +348,7 @@ void check_positions(const Program& program, Differences& differ) {
                                     sheet.find("4.5 m, 3 rad/s, at 0.125 m") != std::string::npos);
 }
 
-/// A base in US units that gives the density, on an inclined ground.
+/// Bases in US units: a deck, and a scene that gives the density, on an inclined ground.
 void check_us_base(const Program& program, Differences& differ) {
   std::string inclined = records::read_whole(fs::path{TALUS_CASES} / "capacity" / "fence.toml");
   inclined.replace(inclined.find("duration = \"2 s\""), 16, "duration = \"0.01 s\"");
@@ -359,6 +359,21 @@ void check_us_base(const Program& program, Differences& differ) {
                 "base = \"inclined.toml\"\nmass = [\"600 lb\", \"2400 lb\"]\nspeed = [\"20 ft/s\", \"100 ft/s\"]\n"
                 "height = \"6 ft\"\n[map]\ncells = 1\nfirst_cells = 1\nruns = 4\naudit = 0\n[hazard]\n"
                 "table = \"us.csv\"\nruns = 1\n");
+  // A deck of 1993 and the scene that it is converted to.
+  std::string deck = records::read_whole(fs::path{TALUS_CASES} / "fence" / "table_2.DAT");
+  deck.replace(deck.find("0.03418558 100000"), 17, "0.17 200");
+  program.write("deck.DAT", deck);
+  program.run({"convert", "deck.DAT", "converted.toml"});
+  for (const char* const base : {"deck.DAT", "converted.toml"}) {
+    program.write(fmt::format("of_{}.toml", base),
+                  fmt::format("base = \"{}\"\nmass = [\"600 lb\", \"2400 lb\"]\nspeed = [\"20 ft/s\", \"100 ft/s\"]\n"
+                              "[map]\ncells = 1\nfirst_cells = 1\nruns = 4\naudit = 0\n",
+                              base));
+    program.run({"capacity", fmt::format("of_{}.toml", base)}, {{"--no-plots", {}}});
+  }
+  differ.holds("nodes of a deck", program.read("of_deck.DAT/capacity.csv").starts_with("height [ft]"));
+  differ.compare("map of a deck", program.read("of_deck.DAT/capacity.csv"),
+                 program.read("of_converted.toml/capacity.csv"));
   program.write("us.csv", "mass [lb],speed [m/s],height [ft]\n2000,10,6\n");
   const std::string text = squeezed(program.run({"capacity", "us.toml"}, {{"--no-plots", {}}}));
   const Json expected = program.file("us/capacity.json").at("hazard").at("outputs");

@@ -13,6 +13,7 @@
 #include "verification/problems/program/pictures/picture_script.hpp"
 #include "verification/record/csv.hpp"
 #include "verification/record/json_node.hpp"
+#include "verification/record/whole_file.hpp"
 #include "verification/reference/impacts/damped_bounce.hpp"
 #include "verification/reference/impacts/restitution.hpp"
 #include "verification/study/findings/expectations.hpp"
@@ -131,6 +132,16 @@ void check_bounce(const Program& program, Findings& findings, Differences& diffe
   differ.compare("no warning", exact.at("warnings").size(), std::size_t{0});
   differ.compare("unit of the range", found(exact, 0).at("unit").get<std::string>(), std::string{"kN/m"});
 
+  // The same scene in US units, whose results are in ft: the data and parameters keep theirs.
+  std::string feet = ball("", true);
+  program.write("ball.toml", feet.replace(feet.find("\"SI\""), 4, "\"US\""));
+  const Json of_feet = program.json({"fit", "exact.toml"}, {{"--json", {}}});
+  for (const std::size_t i : {std::size_t{0}, std::size_t{1}})
+    differ.holds(
+        "parameter of a scene in US units",
+        std::abs(found(of_feet, i).at("value").get<double>() / found(exact, i).at("value").get<double>() - 1.0) < 1e-8);
+  program.write("ball.toml", ball("", true));
+
   // With noise of the given uncertainty.
   const double noise = 1e-3;
   program.write("data.csv", heights(setup, noise));
@@ -218,7 +229,7 @@ void check_bounce(const Program& program, Findings& findings, Differences& diffe
 }
 
 /// Friction from tangential restitution where a sphere slides throughout: 1 - mu (1 + e) |vy|/vx.
-void check_friction(const Program& program, Findings& findings) {
+void check_friction(const Program& program, Findings& findings, Differences& differ) {
   const double friction = program.setup().has("more_friction") ? 0.105 : 0.1, e = 0.9;
   std::string scene = ball(fmt::format("friction = 0.3\nshear_stiffness = \"{} N/m\"\n", stiffness), false);
   scene.replace(scene.find("damping = \"10 N s/m\""), 20, "restitution = 0.9");
@@ -234,6 +245,18 @@ void check_friction(const Program& program, Findings& findings) {
                     "\"ball.vx.end\"\ndivided_by = \"vx [m/s]\"\n" +
                     parameter("contact.hit.friction", "[0.0, 1.0]") + "[bootstrap]\nsamples = 0\n");
   const Json fit = program.json({"fit", "friction.toml"}, {{"--json", {}}});
+  // The divisor in another unit than the result.
+  data = "vx [m/s],vx [mm/s],vy [m/s],ratio\n";
+  for (const auto& [vx, vy] : {std::pair{3.0, -1.0}, std::pair{4.0, -1.5}, std::pair{2.0, -1.0}, std::pair{5.0, -1.0}})
+    data += fmt::format("{},{},{},{}\n", vx, 1e3 * vx, vy, 1.0 + friction * (1.0 + e) * vy / vx);
+  program.write("data.csv", data);
+  std::string of_millimetres = program.read("friction.toml");
+  of_millimetres.replace(of_millimetres.find("divided_by = \"vx [m/s]\""), 23, "divided_by = \"vx [mm/s]\"");
+  program.write("friction.toml", of_millimetres);
+  differ.holds("a divisor in another unit",
+               std::abs(found(program.json({"fit", "friction.toml"}, {{"--json", {}}}), 0).at("value").get<double>() /
+                            found(fit, 0).at("value").get<double>() -
+                        1.0) < 1e-9);
   findings.expect("sliding sphere: fitted friction over that of the closed form, deviation from 1",
                   found(fit, 0).at("value").get<double>() / 0.1 - 1.0, 0.0,
                   Tolerance::model(2e-3, "restitution of a step of 1/600 of the contact"));
@@ -326,6 +349,32 @@ void check_warnings(const Program& program, Differences& differ) {
                "ranges; last failure: row 1: limit of 10 evaluations");
 }
 
+/// A deck of 1993 as scene, in US units: the speed of its rock, by the results of `talus run` in SI units.
+void check_deck(const Program& program, Differences& differ) {
+  std::string deck = records::read_whole(fs::path{TALUS_CASES} / "fence" / "table_2.DAT");
+  deck.replace(deck.find("0.03418558 100000"), 17, "0.17 200");
+  constexpr double speed = -60.0, foot = 0.3048;
+  std::string data = "spin [rad/s],v [m/s]\n";
+  for (const char* const spin : {"0.0", "10.0", "20.0"}) {
+    std::string measured = deck;
+    measured.replace(measured.find("-65.0 0.0 34.0"), 14, fmt::format("-60.0 0.0 {}", spin));
+    program.write("fence.DAT", measured);
+    const Json summary = program.json({"run", "fence.DAT"}, {{"--json", {}}});
+    for (const Json& extreme : summary.at("extremes"))
+      if (extreme.at("name").get<std::string>() == "rock.vx")
+        data += fmt::format("{},{}\n", spin, foot * extreme.at("minimum").get<double>());
+  }
+  program.write("fence.DAT", deck);
+  program.write("speeds.csv", data);
+  program.write("deck.toml",
+                "scene = \"fence.DAT\"\ndata = \"speeds.csv\"\n[[input]]\ncolumn = \"spin [rad/s]\"\n"
+                "field = \"fence.rock[0].spin\"\n[[quantity]]\ncolumn = \"v [m/s]\"\nresult = \"rock.vx.min\"\n" +
+                    parameter("fence.rock[0].velocity[0]", "[\"-75 ft/s\", \"-50 ft/s\"]") +
+                    "[bootstrap]\nsamples = 0\n");
+  const Json fit = program.json({"fit", "deck.toml"}, {{"--json", {}}});
+  differ.holds("speed of a deck's rock", std::abs(found(fit, 0).at("value").get<double>() / speed - 1.0) < 1e-9);
+}
+
 void check_refusals(const Program& program, Differences& differ) {
   program.write("ball.toml", ball("", false));
   program.write("data.csv", "vy [m/s],rebound [m/s],zero [m/s],odd [furlong]\n-1,0.5,0,1\n-2,1,1,1\n-3,1.5,1,1\n");
@@ -408,10 +457,11 @@ void run(Findings& findings, const Setup& setup) {
   if (setup.needs("bootstrap")) check_coverage(findings, setup);
   if (setup.needs("exact heights") || setup.needs("files") || setup.needs("outputs"))
     check_bounce(program, findings, differ);
-  if (setup.needs("sliding")) check_friction(program, findings);
+  if (setup.needs("sliding")) check_friction(program, findings, differ);
   if (setup.needs("each bounce")) check_counted_bounces(program, findings, differ);
   if (setup.needs("outputs that differ")) {
     check_warnings(program, differ);
+    check_deck(program, differ);
     check_refusals(program, differ);
   }
   differ.expect_none(findings, "outputs that differ from the request", "numbers, texts, files and refusals");

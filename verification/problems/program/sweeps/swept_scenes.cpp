@@ -14,6 +14,7 @@
 #include "verification/problems/program/sweeps/swept_cells.hpp"
 #include "verification/record/csv.hpp"
 #include "verification/record/json_node.hpp"
+#include "verification/record/whole_file.hpp"
 #include "verification/reference/impacts/restitution.hpp"
 #include "verification/study/findings/expectations.hpp"
 #include "verification/study/program/program_options.hpp"
@@ -271,7 +272,8 @@ void check_table(const Program& program, Worst& worst, Differences& differ) {
     const std::size_t line = scene.find("\nstep = ") + 1;
     scene.replace(line, scene.find('\n', line) - line, fmt::format("step = \"{} s\"", expected[row].second));
     program.write("method.toml", scene);
-    for (const Json& body : program.json({"run", "method.toml"}, {{"--json", {}}}).at("bodies"))
+    const Json summary = program.json({"run", "method.toml"}, {{"--json", {}}});
+    for (const Json& body : summary.at("bodies"))
       if (body.at("name").get<std::string>() == "ball")
         differ.compare("run of a text", methods.number(row, "ball.vx.end [m/s]"),
                        body.at("velocity").at(0).get<double>());
@@ -324,6 +326,29 @@ void check_fence(const Program& program, Differences& differ) {
     for (const Json& extreme : summary.at("extremes"))
       if (extreme.at("name").get<std::string>() == "energy.kinetic")
         differ.compare("extreme", csv.number(row, "energy.kinetic.max [N m]"), extreme.at("maximum").get<double>());
+  }
+}
+
+/// A deck of 1993 as base: the run of `talus run` of the deck, bit by bit, and of the deck with another speed.
+void check_deck(const Program& program, Differences& differ) {
+  std::string deck = records::read_whole(fs::path{TALUS_CASES} / "fence" / "table_2.DAT");
+  deck.replace(deck.find("0.03418558 100000"), 17, "0.17 2000");
+  program.write("fence.DAT", deck);
+  const records::Csv csv = collected(program, "deck",
+                                     "base = \"fence.DAT\"\noutputs = [\"rock.vx.end\", \"rock.y.end\"]\n" +
+                                         axis("fence.rock[0].velocity[0]", "values = [\"-65 ft/s\", \"-50 ft/s\"]"));
+  differ.compare("runs of a deck", csv.rows(), std::size_t{2});
+  if (csv.rows() != 2) return;
+  for (const std::size_t row : {std::size_t{0}, std::size_t{1}}) {
+    if (row == 1) program.write("fence.DAT", deck.replace(deck.find("-65.0"), 5, "-50.0"));
+    const Json summary = program.json({"run", "fence.DAT"}, {{"--json", {}}});
+    for (const Json& body : summary.at("bodies")) {
+      if (body.at("name").get<std::string>() != "rock") continue;
+      differ.compare("velocity of a deck's rock", csv.number(row, "rock.vx.end [ft/s]"),
+                     body.at("velocity").at(0).get<double>());
+      differ.compare("position of a deck's rock", csv.number(row, "rock.y.end [ft]"),
+                     body.at("position").at(1).get<double>());
+    }
   }
 }
 
@@ -507,6 +532,7 @@ void run(Findings& findings, const Setup& setup) {
   check_table(program, worst, differ);
   if (setup.needs("outputs that differ")) {
     check_fence(program, differ);
+    check_deck(program, differ);
     check_cells(program, differ);
     check_dakota(program, differ);
     check_failures(program, differ);
