@@ -4,7 +4,7 @@
 
 #include "verification/study/program/program_options.hpp"
 
-/// A fence whose capacity has a closed form, and what is asked about it; part of the case `fence_capacity`.
+/// A fence whose capacity has a closed form, and questions about it; part of the case `fence_capacity`.
 namespace talus::verification::problems::fence_capacity {
 
 /// A cable with a column in its middle, and a rock against it. Both move along x alone.
@@ -20,7 +20,7 @@ inline constexpr const char* guided = "held = [\"y\", \"rotation\"]\n";
 /// Kinetic energy with which the cable breaks: that of both halves at their strength [J].
 [[nodiscard]] double breaking_energy(const Setup& setup);
 
-/// A map of its capacity with so many cells on a side. `more`: further fields before its tables.
+/// A map of its capacity with this number of cells on a side. `more`: further fields before its tables.
 [[nodiscard]] std::string question(int cells, const std::string& more);
 
 }  // namespace talus::verification::problems::fence_capacity
