@@ -264,25 +264,17 @@ Engine engine_named(const std::string& name) {
   return static_cast<Engine>(found - names.begin());
 }
 
-struct EngineEnd : reports::Finished {
-  int signal{};  ///< that ended it; 0: none
-  std::string signal_name;
-};
-
-/// Runs an engine with its progress. A signal to this process ends the engine: GNU parallel ends its parts at the
+/// Runs an engine with its progress, until it ends. A signal to this process ends it: GNU parallel ends its parts at the
 /// second SIGTERM.
-EngineEnd run_engine(const reports::Command& command, const SweepFolder& sweep) {
-  Interruption interruption;
+reports::Finished run_engine(const reports::Command& command, const SweepFolder& sweep,
+                             const Interruption& interruption) {
   Progress line;
   int calls = 0;
-  const auto watch = [&] {
-    // All results are read: not at each call, five times a second.
+  return reports::run(command, [&] {
+    // All results are read for it, so that it is not renewed at each call.
     if (calls++ % 10 == 0 && line.due()) line.show(counts_of(sweep, read_results(sweep)).text(" done"));
     return interruption.signal() != 0 ? SIGTERM : 0;
-  };
-  EngineEnd end{reports::run(command, watch), interruption.signal(), {}};
-  if (end.signal != 0) end.signal_name = interruption.name();
-  return end;
+  });
 }
 
 int submit(const SweepOptions& options) {
@@ -305,13 +297,14 @@ int submit(const SweepOptions& options) {
   try {
     reports::demand_program(command.program);
     write_whole(script, part_script(request));
-    const EngineEnd ended = run_engine(command, sweep);
+    const Interruption interruption;
+    const reports::Finished ended = run_engine(command, sweep, interruption);
     fmt::print("{}", ended.output);
-    if (ended.signal != 0) {
+    if (interruption.signal() != 0) {
       print_failure(
-          fmt::format("{}: {} was ended; {}", ended.signal_name, command.program,
+          fmt::format("{}: {} was ended; {}", interruption.name(), command.program,
                       engine == Engine::slurm ? "its jobs continue, scancel ends them" : "the same command continues"));
-      return 128 + ended.signal;
+      return 128 + interruption.signal();
     }
     // Of parallel, and of sbatch with --wait, the status counts parts whose runs failed.
     if (engine == Engine::slurm && !options.waits) {

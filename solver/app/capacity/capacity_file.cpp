@@ -114,9 +114,14 @@ void read_rocks(SceneTable& table, const fs::path& file, RockHazard& hazard) {
   } catch (const InputError& error) {
     table.fail("table", error.what());
   }
+  const auto column_named = [&](const std::string& name) {
+    return std::ranges::find(columns, name, &QuantityColumn::name);
+  };
+  hazard.table_has_spin = column_named("spin") != columns.end();
+  hazard.table_has_along = column_named("along") != columns.end();
   hazard.table.resize(columns.front().values.size());
   for (std::size_t i = 0; i < allowed.size(); ++i) {
-    const auto column = std::ranges::find(columns, allowed[i].name, &QuantityColumn::name);
+    const auto column = column_named(allowed[i].name);
     if (column == columns.end()) {
       if (i < required)
         table.fail("table", fmt::format("{}: the column {} is missing; give it", file.string(), allowed[i].name));
@@ -124,8 +129,6 @@ void read_rocks(SceneTable& table, const fs::path& file, RockHazard& hazard) {
     }
     for (std::size_t row = 0; row < hazard.table.size(); ++row)
       hazard.table[row].*members[i] = column->values[row];
-    hazard.table_has_spin = hazard.table_has_spin || allowed[i].name == "spin";
-    hazard.table_has_along = hazard.table_has_along || allowed[i].name == "along";
   }
 }
 

@@ -112,7 +112,7 @@ std::string name_of(const CapacityStudy& study, const Rock& rock, int digits) {
   std::string name = fmt::format("height {:.{}g} {}", length.of(rock.height), digits, length.name);
   if (!study.file().spins.empty()) name += fmt::format(", spin {:.{}g} rad/s", rock.spin, digits);
   if (!study.file().positions.empty())
-    name += name += fmt::format(", along {:.{}g} {}", length.of(rock.along), digits, length.name);
+    name += fmt::format(", along {:.{}g} {}", length.of(rock.along), digits, length.name);
   return name;
 }
 

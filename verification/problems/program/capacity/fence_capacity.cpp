@@ -299,10 +299,10 @@ void check_positions(const Program& program, Differences& differ) {
                 "first_cells = 1\nruns = 4\naudit = 0\n[changes]\nalong = \"0.0625 m\"\n[hazard]\nmass = \"150 kg\"\n"
                 "speed = \"3 m/s\"\nheight = \"4.5 m\"\nspin = [\"5 rad/s\", \"7 rad/s\"]\n"
                 "along = [\"-0.3 m\", \"0.3 m\"]\nruns = 200\n");
-  const std::string text = program.run({"capacity", "positions.toml"}, {{"--sheet", {}}});
+  const std::string text = "\n" + program.run({"capacity", "positions.toml"}, {{"--sheet", {}}});
   for (const char* const name :
        {"height 4.5 m, spin -1 rad/s, along -0.25 m: 16 runs", "height 4.5 m, spin 3 rad/s, along 0.125 m: 16 runs"})
-    differ.contains(fmt::format("map of {}", name), text, name);
+    differ.contains(fmt::format("map of {}", name), text, fmt::format("\n{}", name));
   program.run({"sweep", "collect", "positions"});
   const records::Csv placed = program.csv("positions/results.csv"), maps = program.csv("positions/capacity.csv");
   double shift = 0.0, farthest = 0.0, mean_spin = 0.0, widest = 0.0;

@@ -151,7 +151,7 @@ void check_ends(const Program& program, Differences& differ) {
   differ.holds("cells: warning", text(3, "end") == "finished" &&
                                      text(3, "reason").starts_with("the largest overlap is ") &&
                                      !text(3, "cell.stress_ratio_top").empty());
-  // Nothing touches the block in 0.1 ms.
+  // Nothing touches the block in 0.1 ms, in which it falls by 0.05 um.
   std::string apart = cell_text(load, "0.1 ms");
   swept(program, "cell_apart", apart.replace(apart.find("\"5 ms\""), 6, "\"4e-6 s\""),
         "outputs = [\"cell.depth\", \"cell.stress_ratio_top\"]\n" + axis("cell.seed", "1"));
