@@ -6,8 +6,8 @@
 namespace talus::app {
 
 /// Signal handler scope: during the lifetime of an object, the first SIGINT, SIGTERM or SIGHUP (closed terminal) is
-/// recorded instead of ending the program; a second one of the same kind ends it as usual. SIGHUP stays ignored if it
-/// was ignored before, as under nohup.
+/// recorded instead of ending the program; another one of the same kind, at least 0.2 s later, ends it as usual. (The
+/// program timeout sends its signal twice at once.) SIGHUP stays ignored if it was ignored before, as under nohup.
 class Interruption {
  public:
   Interruption();

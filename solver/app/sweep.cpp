@@ -264,8 +264,8 @@ Engine engine_named(const std::string& name) {
   return static_cast<Engine>(found - names.begin());
 }
 
-/// Runs an engine with its progress, until it ends. A signal to this process ends it: GNU parallel ends its parts at the
-/// second SIGTERM.
+/// Runs an engine with its progress, until it ends. A signal to this process ends it: GNU parallel ends its parts at
+/// the second SIGTERM.
 reports::Finished run_engine(const reports::Command& command, const SweepFolder& sweep,
                              const Interruption& interruption) {
   Progress line;
