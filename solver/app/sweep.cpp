@@ -167,6 +167,28 @@ int plan(const SweepOptions& options) {
   return ok;
 }
 
+/// The number of runs that are done, shown while threads add to it.
+class RunCounter {
+ public:
+  /// `before` of `all` runs were done before.
+  RunCounter(std::size_t before, std::size_t all) : before_{before}, all_{all} {}
+
+  void add() {
+    const std::lock_guard one{mutex_};
+    ++done_;
+    if (!line_.due()) return;
+    const double elapsed = std::chrono::duration<double>(Clock::now() - start_).count();
+    const double fraction = static_cast<double>(done_) / static_cast<double>(all_ - before_);
+    line_.show(fmt::format("{} of {} runs, {}", before_ + done_, all_, time_left_text(elapsed, fraction)));
+  }
+
+ private:
+  Progress line_;
+  std::mutex mutex_;
+  std::size_t before_, all_, done_{};
+  Clock::time_point start_{Clock::now()};
+};
+
 int run(const SweepOptions& options) {
   const Shard shard = shard_of(options.shard);
   const SweepFolder part = read_sweep_folder(options.folder).part(shard.number, shard.count);
@@ -185,22 +207,13 @@ int run(const SweepOptions& options) {
   const auto interrupted = [&] { return interruption.signal() != 0; };
   if (!missing.empty()) {
     ResultFile file{part.folder};
-    Progress line;
-    std::mutex one_at_a_time;
-    std::size_t done = 0;
-    const std::size_t before = part.runs.size() - missing.size();
-    const Clock::time_point start = Clock::now();
+    RunCounter counter{part.runs.size() - missing.size(), part.runs.size()};
     parallel_for(missing.size(), options.threads, [&](std::size_t i) {
       if (interrupted()) return;
       const SweepResult result = base.result(*missing[i], part.limits, interrupted);
       if (result.id.empty()) return;
       file.add(result);
-      const std::lock_guard one{one_at_a_time};
-      ++done;
-      if (!line.due()) return;
-      const double elapsed = std::chrono::duration<double>(Clock::now() - start).count();
-      const double fraction = static_cast<double>(done) / static_cast<double>(missing.size());
-      line.show(fmt::format("{} of {} runs, {}", before + done, part.runs.size(), time_left_text(elapsed, fraction)));
+      counter.add();
     });
     file.flush();
   }
@@ -334,37 +347,63 @@ std::size_t index_of(const Items& items, const std::string& name, const std::str
   throw unknown_name(what, name, known);
 }
 
+/// A request of Dakota in the order of a function.
+struct RequestedPoint {
+  std::vector<double> point;        ///< one number for each input
+  std::vector<std::size_t> wanted;  ///< output of each response
+};
+
+RequestedPoint requested_point(const DakotaRequest& request, const SweepFunction& function) {
+  RequestedPoint requested;
+  std::vector<std::optional<double>> numbers(function.inputs().size());
+  for (const auto& [label, value] : request.variables)
+    numbers[index_of(function.inputs(), label, "variable: field of an axis", &SweepInput::field)] = value;
+  for (std::size_t i = 0; i < numbers.size(); ++i) {
+    if (!numbers[i]) throw InputError{fmt::format("variable '{}': it is missing", function.inputs()[i].field)};
+    requested.point.push_back(*numbers[i]);
+  }
+  for (const auto& [label, is_requested] : request.responses)
+    requested.wanted.push_back(index_of(function.outputs(), label, "response: output", &SweepOutput::name));
+  return requested;
+}
+
 int evaluate(const SweepOptions& options) {
   const SweepFunction function{options.file};
-  const DakotaRequest request = read_dakota(read_text(options.parameters), options.parameters);
-  std::vector<std::optional<double>> numbers(function.inputs().size());
-  std::vector<std::size_t> wanted;
+  const std::vector<DakotaRequest> requests = read_dakota(read_text(options.parameters), options.parameters);
+  std::vector<RequestedPoint> points;
   of_file(options.parameters, [&] {
-    for (const auto& [label, value] : request.variables)
-      numbers[index_of(function.inputs(), label, "variable: field of an axis", &SweepInput::field)] = value;
-    for (std::size_t i = 0; i < numbers.size(); ++i)
-      if (!numbers[i]) throw InputError{fmt::format("variable '{}': it is missing", function.inputs()[i].field)};
-    for (const auto& [label, is_requested] : request.responses)
-      wanted.push_back(index_of(function.outputs(), label, "response: output", &SweepOutput::name));
+    for (const DakotaRequest& request : requests)
+      points.push_back(requested_point(request, function));
   });
-  std::vector<double> point;
-  for (const std::optional<double>& number : numbers)
-    point.push_back(*number);
   Interruption interruption;
-  const SweepResult result = function(point, [&] { return interruption.signal() != 0; });
-  if (result.id.empty()) {
+  const auto interrupted = [&] { return interruption.signal() != 0; };
+  std::vector<SweepResult> results(points.size());
+  {
+    RunCounter counter{0, points.size()};
+    parallel_for(points.size(), options.threads, [&](std::size_t i) {
+      if (interrupted()) return;
+      results[i] = function(points[i].point, interrupted);
+      counter.add();
+    });
+  }
+  if (std::ranges::any_of(results, [](const SweepResult& of) { return of.id.empty(); })) {
     print_failure(fmt::format("{}: no results were written", interruption.name()));
     return 128 + interruption.signal();
   }
-  // Dakota learns of a failure from the file, and decides by it.
-  const std::string failure = failure_of(result);
-  std::vector<double> values;
-  if (failure.empty())
-    for (const std::size_t i : wanted)
-      values.push_back(result.values[i]);
-  else
-    print_failure(failure);
-  write_whole(options.results, dakota_results(request, values, failure));
+  std::string text;
+  for (std::size_t i = 0; i < results.size(); ++i) {
+    // Dakota learns of a failure from the file, and decides by it.
+    const std::string failure = failure_of(results[i]);
+    std::vector<double> values;
+    if (failure.empty())
+      for (const std::size_t output : points[i].wanted)
+        values.push_back(results[i].values[output]);
+    else
+      print_failure(results.size() == 1 ? failure : fmt::format("run {}: {}", i + 1, failure));
+    if (i > 0) text += "#\n";  // between the results of a batch
+    text += dakota_results(requests[i], values, failure);
+  }
+  write_whole(options.results, text);
   return ok;
 }
 
@@ -423,12 +462,14 @@ Command add_sweep(CLI::App& talus) {
   add_folder(*collect_app, *options);
   collect_app->add_flag("--partial", options->partial, "accept missing runs, and runs with several results");
   CLI::App* const evaluate_app =
-      app->add_subcommand("evaluate", "Execute one run with the values of a parameters file of Dakota");
+      app->add_subcommand("evaluate", "Execute the run, or the batch of runs, of a parameters file of Dakota");
   evaluate_app->add_option("SWEEP", options->file, "the sweep (.toml); fields of its axes are labels of variables")
       ->required();
   evaluate_app->add_option("PARAMETERS", options->parameters, "file that Dakota wrote, in its standard format")
       ->required();
   evaluate_app->add_option("RESULTS", options->results, "file for the outputs, or FAIL and a reason")->required();
+  evaluate_app->add_option("--threads", options->threads, "of a batch; default: all; results do not depend on it")
+      ->check(CLI::Range(1U, 1024U));
   return {app, [=] {
             if (plan_app->parsed()) return plan(*options);
             if (evaluate_app->parsed()) return evaluate(*options);

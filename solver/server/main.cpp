@@ -66,6 +66,8 @@ int serve(const ServeOptions& options) {
     response.set_content(answer.body, "application/json");
   };
   server.Get("/Info", [&](const httplib::Request&, httplib::Response& response) { send(response, bridge.info()); });
+  server.Get("/Quantities",
+             [&](const httplib::Request&, httplib::Response& response) { send(response, bridge.quantities()); });
   server.Post("/ModelInfo", [&](const httplib::Request& request, httplib::Response& response) {
     send(response, bridge.model_info(request.body));
   });
@@ -80,9 +82,10 @@ int serve(const ServeOptions& options) {
     send(response, bridge.evaluate(request.body, interrupted));
   });
   for (const char* const feature : {"Gradient", "ApplyJacobian", "ApplyHessian"}) {
-    server.Post(fmt::format("/{}", feature), [&send, feature](const httplib::Request&, httplib::Response& response) {
-      send(response, UmBridge::unsupported(feature));
-    });
+    server.Post(fmt::format("/{}", feature),
+                [&, feature](const httplib::Request& request, httplib::Response& response) {
+                  send(response, bridge.unsupported(feature, request.body));
+                });
   }
   const int port = options.port == 0                                 ? server.bind_to_any_port(options.host)
                    : server.bind_to_port(options.host, options.port) ? options.port

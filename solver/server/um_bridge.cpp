@@ -49,16 +49,20 @@ Answer answer(const std::string& body, Of&& of) {
 
 Answer UmBridge::info() const { return {200, Json{{"protocolVersion", 1.0}, {"models", {model}}}.dump()}; }
 
+Answer UmBridge::quantities() const {
+  Json json{{"inputs", Json::array()}, {"outputs", Json::array()}};
+  for (const app::SweepInput& input : function_->inputs())
+    json["inputs"].push_back({{"field", input.field}, {"unit", input.unit}});
+  for (const app::SweepOutput& output : function_->outputs())
+    json["outputs"].push_back({{"name", output.name}, {"unit", function_->unit(output)}});
+  return {200, json.dump()};
+}
+
 Answer UmBridge::model_info(const std::string& body) const {
   return answer(body, [&](const Json&) -> Answer {
-    Json json{
-        {"support", {{"Evaluate", true}, {"Gradient", false}, {"ApplyJacobian", false}, {"ApplyHessian", false}}}};
-    json["inputs"] = Json::array(), json["outputs"] = Json::array();
-    for (const app::SweepInput& input : function_->inputs())
-      json["inputs"].push_back({{"field", input.field}, {"unit", input.unit}});
-    for (const app::SweepOutput& output : function_->outputs())
-      json["outputs"].push_back({{"name", output.name}, {"unit", function_->unit(output)}});
-    return {200, json.dump()};
+    return {200, Json{{"support",
+                       {{"Evaluate", true}, {"Gradient", false}, {"ApplyJacobian", false}, {"ApplyHessian", false}}}}
+                     .dump()};
   });
 }
 
@@ -101,8 +105,8 @@ Answer UmBridge::evaluate(const std::string& body, const std::function<bool()>& 
   });
 }
 
-Answer UmBridge::unsupported(const std::string& feature) {
-  return error(400, "UnsupportedFeature", feature + " is not supported");
+Answer UmBridge::unsupported(const std::string& feature, const std::string& body) const {
+  return answer(body, [&](const Json&) { return error(400, "UnsupportedFeature", feature + " is not supported"); });
 }
 
 }  // namespace talus::server

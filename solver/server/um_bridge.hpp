@@ -14,7 +14,7 @@ struct Answer {
 };
 
 /// The protocol of UM-Bridge, version 1.0 (Seelinger et al., J. Open Source Softw. 8 (2023) 4748), for one model with
-/// one vector of inputs, the fields of the axes, and one of outputs. ModelInfo has their names and units, too.
+/// one vector of inputs, the fields of the axes, and one of outputs.
 class UmBridge {
  public:
   /// Name of the model.
@@ -24,6 +24,9 @@ class UmBridge {
 
   /// Answer to GET /Info.
   [[nodiscard]] Answer info() const;
+  /// Answer to GET /Quantities, which is not of the protocol and has no room in its answers: names and units of the
+  /// inputs and outputs.
+  [[nodiscard]] Answer quantities() const;
   /// Answers to POST requests with these bodies. A wrong body, another model or a wrong input has status 400, a run
   /// that fails 500; both with an error that has a type and a message.
   [[nodiscard]] Answer model_info(const std::string& body) const;
@@ -31,8 +34,8 @@ class UmBridge {
   [[nodiscard]] Answer output_sizes(const std::string& body) const;
   /// `interrupted`: as of SweepBase::result(); a run that is interrupted fails.
   [[nodiscard]] Answer evaluate(const std::string& body, const std::function<bool()>& interrupted) const;
-  /// Answer to Gradient, ApplyJacobian and ApplyHessian.
-  [[nodiscard]] static Answer unsupported(const std::string& feature);
+  /// Answer to Gradient, ApplyJacobian and ApplyHessian, of which there is none.
+  [[nodiscard]] Answer unsupported(const std::string& feature, const std::string& body) const;
 
  private:
   const app::SweepFunction* function_;

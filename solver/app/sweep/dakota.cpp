@@ -12,23 +12,37 @@
 namespace talus::app {
 namespace {
 
-/// The lines of a parameters file, each with a value and a label.
+/// The lines of a parameters file, each with a value and a label; blank ones do not count.
 class DakotaLines {
  public:
   struct Line {
     std::string value, label;
   };
 
-  DakotaLines(std::string_view text, std::string_view name) : lines_{std::string{text}}, name_{name} {}
+  DakotaLines(std::string_view text, std::string_view name) : name_{name} {
+    std::istringstream stream{std::string{text}};
+    std::string line;
+    for (int number = 1; std::getline(stream, line); ++number)
+      if (line.find_first_not_of(" \t\r") != std::string::npos) lines_.emplace_back(number, line);
+  }
 
   [[noreturn]] void fail(std::string_view message) const {
     throw InputError{fmt::format("{}:{}: {}", name_, number_, message)};
   }
 
+  bool ended() const { return read_ == lines_.size(); }
+  /// Whether the next line has this label.
+  bool at(std::string_view label) const {
+    return !ended() && std::string_view{lines_[read_].second}.ends_with(fmt::format(" {}", label));
+  }
+
   Line next() {
-    std::string text;
-    ++number_;
-    if (!std::getline(lines_, text)) fail("the file ends here; it must be a parameters file of Dakota, whole");
+    if (ended()) {
+      ++number_;
+      fail("the file ends here; it must be a parameters file of Dakota, whole");
+    }
+    const std::string& text = lines_[read_].second;
+    number_ = lines_[read_++].first;
     std::istringstream tokens{text};
     Line line;
     std::string rest;
@@ -41,7 +55,7 @@ class DakotaLines {
     return line;
   }
 
-  /// The length of the array with this tag, which the line begins.
+  /// The length of the array with this tag, which the next line begins.
   std::size_t count(std::string_view tag) {
     const Line line = next();
     std::size_t number = 0;
@@ -57,16 +71,20 @@ class DakotaLines {
     return number;
   }
 
+  /// The beginning of an array of which there must be none: `why`.
+  void expect_none(std::string_view tag, std::string_view why) {
+    if (const std::size_t found = count(tag); found > 0)
+      fail(fmt::format("found {} {}; it must be 0: {}", found, tag, why));
+  }
+
  private:
-  std::istringstream lines_;
   std::string name_;
-  int number_{};
+  std::vector<std::pair<int, std::string>> lines_;  ///< with their numbers in the file
+  std::size_t read_{};                              ///< number of lines read
+  int number_{};                                    ///< of the last one in the file
 };
 
-}  // namespace
-
-DakotaRequest read_dakota(std::string_view text, std::string_view name) {
-  DakotaLines lines{text, name};
+DakotaRequest read_request(DakotaLines& lines) {
   DakotaRequest request;
   for (std::size_t left = lines.count("variables"); left > 0; --left) {
     const DakotaLines::Line line = lines.next();
@@ -94,7 +112,26 @@ DakotaRequest read_dakota(std::string_view text, std::string_view name) {
     }
     request.responses.emplace_back(label, line.value == "1");
   }
+  for (std::size_t left = lines.count("derivative_variables"); left > 0; --left)
+    static_cast<void>(lines.next());
+  lines.expect_none("analysis_components", "nothing would use them; remove analysis_components of the interface");
+  if (const DakotaLines::Line id = lines.next(); id.label != "eval_id")
+    lines.fail(fmt::format("found \"{} {}\"; it must be a number and \"eval_id\"", id.value, id.label));
   return request;
+}
+
+}  // namespace
+
+std::vector<DakotaRequest> read_dakota(std::string_view text, std::string_view name) {
+  DakotaLines lines{text, name};
+  std::vector<DakotaRequest> requests;
+  do {
+    requests.push_back(read_request(lines));
+    // Written by Dakota 6.16 and newer.
+    if (lines.at("metadata"))
+      lines.expect_none("metadata", "give these numbers as responses; remove metadata of the responses");
+  } while (!lines.ended());
+  return requests;
 }
 
 std::string dakota_results(const DakotaRequest& request, std::span<const double> values, const std::string& failure) {

@@ -71,6 +71,9 @@ BOOST_AUTO_TEST_CASE(a_client_asks_and_evaluates) {
   BOOST_TEST(Json::parse(info->body).at("protocolVersion") == 1.0);
   const Json of{{"name", Json::parse(info->body).at("models").at(0)}, {"config", Json::object()}};
   BOOST_TEST(server.post("/ModelInfo", of).at("support").at("Evaluate") == true);
+  const auto quantities = client.Get("/Quantities");
+  BOOST_REQUIRE(quantities);
+  BOOST_TEST(Json::parse(quantities->body).at("inputs").size() == 2);
   BOOST_TEST(server.post("/InputSizes", of).at("inputSizes") == Json::array({2}));
   BOOST_TEST(server.post("/OutputSizes", of).at("outputSizes") == Json::array({2}));
   Json request = of;
@@ -79,7 +82,8 @@ BOOST_AUTO_TEST_CASE(a_client_asks_and_evaluates) {
   // The same number as by `talus sweep evaluate`, which writes 17 digits.
   const fs::path parameters = server.folder.file("params.in",
                                                  "2 variables\n3 body.ball.velocity[0]\n100 contact.hit.damping\n"
-                                                 "1 functions\n1 ASV_1:ball.vx.end\n");
+                                                 "1 functions\n1 ASV_1:ball.vx.end\n0 derivative_variables\n"
+                                                 "0 analysis_components\n1 eval_id\n");
   const fs::path results = server.folder.path / "results.out";
   StartedProgram evaluate{
       TALUS_EXECUTABLE,

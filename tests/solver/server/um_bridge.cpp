@@ -44,12 +44,14 @@ BOOST_AUTO_TEST_CASE(the_model_has_one_vector_of_inputs_and_one_of_outputs) {
   const std::string request = R"({"name":"forward","config":{}})";
   BOOST_TEST(served.bridge.input_sizes(request).body == R"({"inputSizes":[2]})");
   BOOST_TEST(served.bridge.output_sizes(request).body == R"({"outputSizes":[2]})");
-  const Json info = Json::parse(served.bridge.model_info(request).body);
-  BOOST_TEST(info.at("support") ==
-             Json::parse(R"({"Evaluate":true,"Gradient":false,"ApplyJacobian":false,"ApplyHessian":false})"));
-  BOOST_TEST(info.at("inputs") == Json::parse(R"([{"field":"body.ball.velocity[0]","unit":"m/s"},
-                                                   {"field":"contact.hit.damping","unit":"N s/m"}])"));
-  BOOST_TEST(info.at("outputs") ==
+  // Nothing else: the conformity tests of the protocol allow no other members.
+  BOOST_TEST(
+      Json::parse(served.bridge.model_info(request).body) ==
+      Json::parse(R"({"support":{"Evaluate":true,"Gradient":false,"ApplyJacobian":false,"ApplyHessian":false}})"));
+  const Json quantities = Json::parse(served.bridge.quantities().body);
+  BOOST_TEST(quantities.at("inputs") == Json::parse(R"([{"field":"body.ball.velocity[0]","unit":"m/s"},
+                                                         {"field":"contact.hit.damping","unit":"N s/m"}])"));
+  BOOST_TEST(quantities.at("outputs") ==
              Json::parse(R"([{"name":"ball.vx.end","unit":"m/s"},{"name":"ball.x.max","unit":"m"}])"));
 }
 
@@ -85,7 +87,11 @@ BOOST_AUTO_TEST_CASE(wrong_requests_are_answered_by_errors) {
   BOOST_TEST(holds(evaluated(R"({"name":"forward","input":[[3,null]]})", 400), "InvalidInput", "found null"));
   BOOST_TEST(holds(evaluated(R"({"name":"forward","input":[[3,-1]]})", 400), "InvalidInput", "damping"));
   BOOST_TEST(holds(evaluated(R"({"name":"forward","input":[[4.6,0]]})", 400), "InvalidInput", "constraint 1"));
-  BOOST_TEST(holds(error_of(UmBridge::unsupported("Gradient"), 400), "UnsupportedFeature", "Gradient"));
+  const auto unsupported = [&](const std::string& body) {
+    return error_of(served.bridge.unsupported("Gradient", body), 400);
+  };
+  BOOST_TEST(holds(unsupported(R"({"name":"forward"})"), "UnsupportedFeature", "Gradient"));
+  BOOST_TEST(holds(unsupported(R"({"name":"backward"})"), "ModelNotFound", "forward"));
 }
 
 BOOST_AUTO_TEST_CASE(runs_that_fail_are_answered_by_errors) {

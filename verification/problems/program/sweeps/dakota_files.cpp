@@ -12,14 +12,14 @@
 namespace talus::verification::problems::swept_scenes {
 namespace {
 
-/// A parameters file as Dakota writes it: numbers in columns of 20 and more, with 16 digits.
-std::string parameters(double speed, double damping, int first_active) {
+/// A parameters file as Dakota 6.16 and newer write it: numbers in columns of 20 and more, with 16 digits.
+std::string parameters(double speed, double damping, int first_active, std::string_view id = "1") {
   return fmt::format(
       "{0:>40} variables\n{1:>40.15e} contact.hit.damping\n{2:>40.15e} body.ball.velocity[0]\n{0:>40} functions\n"
       "{3:>40} ASV_1:ball.x.max\n{4:>40} ASV_2:ball.vx.end\n{0:>40} derivative_variables\n{4:>40} "
-      "DVV_1:contact.hit.damping\n{0:>40} DVV_2:body.ball.velocity[0]\n{5:>40} analysis_components\n{4:>40} eval_id\n"
+      "DVV_1:contact.hit.damping\n{0:>40} DVV_2:body.ball.velocity[0]\n{5:>40} analysis_components\n{6:>40} eval_id\n"
       "{5:>40} metadata\n",
-      2, damping, speed, first_active, 1, 0);
+      2, damping, speed, first_active, 1, 0, id);
 }
 
 }  // namespace
@@ -53,6 +53,21 @@ void check_dakota(const Program& program, Differences& differ) {
     differ.compare("dakota: only active responses", fmt::format("{:.17g} ball.vx.end\n", velocity),
                    program.read("results.out"));
   }
+  // A batch, whose second run Talus refuses, beside its runs alone; the first one as an older Dakota writes it, without
+  // metadata. Three of them, so that two threads do not end with the last one.
+  std::string first = parameters(1.5, 250.0, 1, "4:1");
+  first.resize(first.rfind(fmt::format("{:>40} metadata", 0)));
+  const std::vector<std::string> batch{first, parameters(2.0, -10.0, 1, "4:2"), parameters(4.0, 300.0, 0, "4:3")};
+  std::string expected, together;
+  for (const std::string& of : batch) {
+    static_cast<void>(evaluated(of));
+    expected += (expected.empty() ? "" : "#\n") + program.read("results.out");
+    together += of;
+  }
+  const ProgramEnd ended = evaluated(together);
+  differ.compare("dakota: batch", program.read("results.out"), expected);
+  differ.ended("dakota: message of a run of a batch", ended, 0, "run 2: refused: ball.toml:");
+
   // A run that fails is a file that says so, by which Dakota decides.
   program.write("limited.toml", sweep + "[limits]\nevaluations = 2\n");
   const ProgramEnd limited = evaluated(parameters(2.0, 10.0, 1), "limited.toml");
@@ -81,8 +96,16 @@ void check_dakota(const Program& program, Differences& differ) {
        "params.in:3: variable 'contact.hit.damping': it is the "
        "second one with this label"},
       {with("body.ball.velocity[0]", "speed"), "params.in: variable: field of an axis 'speed' is not known"},
-      {"1 variables\n3 body.ball.velocity[0]\n1 functions\n1 ASV_1:ball.vx.end\n",
+      {"1 variables\n3 body.ball.velocity[0]\n1 functions\n1 ASV_1:ball.vx.end\n0 derivative_variables\n"
+       "0 analysis_components\n1 eval_id\n",
        "params.in: variable 'contact.hit.damping': it is missing"},
+      {with("0 analysis_components", "1 analysis_components"),
+       "params.in:10: found 1 analysis_components; it must be 0: nothing would use them"},
+      {with("0 metadata", "1 metadata"),
+       "params.in:12: found 1 metadata; it must be 0: give these numbers as responses"},
+      {with(" eval_id", " evaluation"), "params.in:11: found \"1 evaluation\"; it must be a number and \"eval_id\""},
+      {good + "\n" + with("ASV_1:ball.x.max", "ASV_1:ball.x.min"), "params.in: response: output 'ball.x.min'"},
+      {good + "\n" + good.substr(0, good.find("2 functions")), "params.in:17: the file ends here"},
       {with("ASV_1:ball.x.max", "ASV_2:ball.x.max"), "params.in:5: found \"ASV_2:ball.x.max\"; it must be ASV_1:"},
       {with("ASV_1:ball.x.max", "ASV_1:ball.x.min"), "params.in: response: output 'ball.x.min' is not known"},
       {parameters(2.0, 10.0, 3), "params.in:5: response 'ball.x.max': found the active set 3; it must be 0 or 1"}};
