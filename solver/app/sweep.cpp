@@ -258,8 +258,8 @@ int collect(const SweepOptions& options) {
   }
   if (!options.partial && !known.duplicates.empty()) {
     throw InputError{
-        fmt::format("{}: run {} has several results, as have {} in all; with --partial the first one of "
-                    "each counts, in the order of the files' names",
+        fmt::format("{}: run {} has several results, as have {} in all; give --partial to take the first "
+                    "one of each, in the order of the files' names",
                     options.folder, known.duplicates.front(), known.duplicates.size())};
   }
   if (counts.done() == 0) throw InputError{fmt::format("{}: no run has a result", options.folder)};

@@ -31,7 +31,8 @@ std::string form_of(const std::string& line) {
   // The position: segments that end in ": ", up to one of the words with which a message begins.
   static const std::regex location{
       R"(^(?:(?:[^;:]|:(?=[0-9]))*: )+?(?=(?:found|it|its|this|give|given|possible|the|a|an|no|not|neither|there|is)"
-      R"(|several) |contact by |[a-z ]+ '\.\.\.' (?:is|was|exists|belongs)|[0-9]+ cables end|line [0-9]+ joins|history [0-9]))"};
+      R"(|several|none) |contact by |[0-9]+ of [0-9]+ runs |run [0-9a-f]+ has |'\.\.\.' (?:and '|is ))"
+      R"(|[a-z ]+ '\.\.\.' (?:is|was|exists|belongs)|[0-9]+ cables end|line [0-9]+ joins|history [0-9]))"};
   static const std::regex lists{R"((nearest|known|recorded|recorded for|allowed are|known pairs): [^;]*)"};
   static const std::regex parser{
       R"((not TOML|not XML|is truncated or not JSON|it is not (?:a file written by|the final state of) [^:]*): .*$)"};
@@ -52,7 +53,7 @@ std::string form_of(const std::string& line) {
 bool names_cure(const std::string& form) {
   static const std::regex word_pattern{
       R"(\b(?:must|needs|requires|required|give|write|remove|delete|leave|choose|name (?:one|two|its)|set [A-Z]|take a|use (?:a|the))"
-      R"(|run (?:it|the)|resume (?:it|the)|known:|there is none|allowed are|at most|at least|is it installed)(?![a-z]))"};
+      R"(|run (?:it|them|the)|plan the|resume (?:it|the)|known:|there is none|allowed are|at most|at least|is it installed)(?![a-z]))"};
   return std::regex_search(form, word_pattern);
 }
 

@@ -95,7 +95,8 @@ GivenPairs pairs_of_file(const CalibrateOptions& options) {
   pairs.rows = pairs.columns.front().values.size();
   if (pairs.has("mass_1") && !pairs.has("mass_2")) {
     throw InputError{fmt::format(
-        "{}: column 'mass_2': it is missing; a single mass is that of body 2, and body 1 is fixed", options.pairs)};
+        "{}: column 'mass_2': it is missing; a single mass is that of body 2, and body 1 is fixed; give it as mass_2",
+        options.pairs)};
   }
   return pairs;
 }

@@ -53,8 +53,8 @@ RockRuns::RockRuns(const std::string& text, const std::string& name, const Capac
   sets_along_ = !file.positions.empty() || file.changes.along > 0.0 ||
                 (file.hazard && (file.hazard->along || file.hazard->table_has_along));
   if (sets_along_ && base_.fence->fence.options.symmetry == scenes::FenceSymmetry::half)
-    throw InputError{
-        fmt::format("{}: [fence.options]: symmetry: found \"half\"; positions along the fence need \"full\"", name)};
+    throw InputError{fmt::format(
+        "{}: [fence.options]: symmetry: found \"half\"; it must be \"full\" for positions along the fence", name)};
 }
 
 double RockRuns::start_energy(const Rock& rock) const {

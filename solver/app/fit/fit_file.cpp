@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <cmath>
 #include <numeric>
-#include <set>
 
 #include "solver/base/error.hpp"
 #include "solver/io/scene/scene_table.hpp"
@@ -77,7 +76,9 @@ FitQuantity read_quantity(SceneTable& table, const records::Csv& data) {
     quantity.divisor_unit = unit_of(heading);
     quantity.divisors = column(table, data, "divided_by", heading);
     if (std::ranges::find(quantity.divisors, 0.0) != quantity.divisors.end())
-      table.fail("divided_by", fmt::format("found 0 in \"{}\"; results cannot be divided by it", heading));
+      table.fail(
+          "divided_by",
+          fmt::format("found 0 in \"{}\"; results cannot be divided by it; remove the line of the data", heading));
   }
   if (const TomlValue* const uncertainty = table.value("uncertainty")) {
     const WrittenNumber written = number_of(table, "uncertainty", *uncertainty);
@@ -140,15 +141,8 @@ void check(SceneTable& file, const FitFile& made) {
   if (given != 0 && static_cast<std::size_t>(given) != made.quantities.size())
     file.report("quantity", "some have an uncertainty, others not; give all of them, or none");
   if (given == 0 && made.quantities.size() > 1)
-    file.report("quantity", "several quantities need an uncertainty each, by which their deviations are compared");
-  std::set<std::string> fields;
-  const auto add = [&](const std::string& field) {
-    if (!fields.insert(field).second) file.report("parameter", fmt::format("the field '{}' is set twice", field));
-  };
-  for (const FitInput& input : made.inputs)
-    add(input.field);
-  for (const FittedField& parameter : made.parameters)
-    add(parameter.field);
+    file.report("quantity",
+                "several quantities need an uncertainty each, by which their deviations are compared; give them");
 }
 
 }  // namespace

@@ -95,7 +95,8 @@ DakotaRequest read_request(DakotaLines& lines) {
       lines.fail(fmt::format("variable '{}': found {}; it must be a finite number", line.label, line.value));
     if (std::ranges::find(request.variables, line.label, [](const auto& of) { return of.first; }) !=
         request.variables.end())
-      lines.fail(fmt::format("variable '{}': it is the second one with this label", line.label));
+      lines.fail(
+          fmt::format("variable '{}': it is the second one with this label; give each another descriptor", line.label));
     request.variables.emplace_back(line.label, value);
   }
   for (std::size_t i = 1, count = lines.count("functions"); i <= count; ++i) {

@@ -187,7 +187,7 @@ SweepAxis read_axis(SceneTable& table, const fs::path& folder) {
       axis.rows.push_back({value});
     }
     for (const char* other : {"count", "spacing"})
-      table.refuse(other, "the values are given");
+      table.refuse(other, "the values are given; remove it");
     return axis;
   }
   Continuous& made =
@@ -201,7 +201,8 @@ SweepAxis read_axis(SceneTable& table, const fs::path& folder) {
   if (table.has("count")) made.count = table.whole_between("count", 2, maximum_runs);
   if (const double numbers = made.quantiles.back().second - made.quantiles.front().second + 1.0;
       made.whole && static_cast<double>(made.count) > numbers)
-    table.fail("count", fmt::format("found {}; there are {} whole numbers in the range", made.count, numbers));
+    table.fail("count", fmt::format("found {}; there are {} whole numbers in the range; give at most as many",
+                                    made.count, numbers));
   return axis;
 }
 
@@ -239,7 +240,7 @@ void read_design(SceneTable table, SweepFile& sweep) {
   sweep.design.kind = table.choice_or("kind", DesignKind::grid);
   if (sweep.design.kind == DesignKind::grid) {
     for (const char* other : {"runs", "seed"})
-      table.refuse(other, "a grid has every combination of the axes' points");
+      table.refuse(other, "a grid has every combination of the axes' points; remove it");
     return;
   }
   sweep.design.runs = table.whole_between("runs", 1, maximum_runs);
@@ -258,7 +259,8 @@ void check_axes(SceneTable& file, const SweepFile& sweep, std::vector<SceneTable
       } catch (const InputError& error) {
         tables[i].fail("field", error.what());
       }
-      if (!varied.insert(field).second) tables[i].fail("field", fmt::format("'{}' is varied by two axes", field));
+      if (!varied.insert(field).second)
+        tables[i].fail("field", fmt::format("'{}' is varied by two axes; remove one", field));
     }
     const bool is_grid = sweep.design.kind == DesignKind::grid;
     if (is_grid && axis.continuous && axis.continuous->count == 0)
@@ -358,7 +360,7 @@ SweepFile read_sweep(std::string_view text, const fs::path& name) {
       const auto* quantity = std::get_if<std::string>(&output.data);
       if (quantity == nullptr) file.fail("outputs", fmt::format("found {}; it must be a text", found(output)));
       if (std::ranges::find(sweep.outputs, *quantity) != sweep.outputs.end())
-        file.fail("outputs", fmt::format("found {} twice", found(output)));
+        file.fail("outputs", fmt::format("found {} twice; remove one", found(output)));
       sweep.outputs.push_back(*quantity);
     }
     if (file.has("design")) read_design(file.table("design"), sweep);

@@ -150,7 +150,9 @@ SweptRuns swept_runs(const SweepFile& sweep) {
   made.runs = sweep.design.kind == DesignKind::grid ? grid(sweep) : sampled(sweep);
   const std::size_t points = made.runs.size();
   std::erase_if(made.runs, [&](const SweptRun& run) { return broken_constraint(run, sweep.constraints).has_value(); });
-  if (made.runs.empty()) throw InputError{fmt::format("constraint: none of the {} runs satisfies all", points)};
+  if (made.runs.empty())
+    throw InputError{
+        fmt::format("constraint: none of the {} runs satisfies all; remove one, or give other axes", points)};
   made.left_out = points - made.runs.size();
   set_ids(made.runs);
   return made;
@@ -178,7 +180,7 @@ void check_fields(TomlValue base, const SweptRun& run) {
   std::map<const TomlValue*, std::string> fields;
   for (const auto& [field, value] : run.parameters) {
     const auto [other, is_new] = fields.emplace(&field_at(base, field), field);
-    if (!is_new) throw InputError{fmt::format("axis: '{}' and '{}' are the same field", other->second, field)};
+    if (!is_new) throw InputError{fmt::format("'{}' and '{}' are the same field; remove one", other->second, field)};
   }
 }
 

@@ -36,7 +36,7 @@ struct SweptRuns {
 [[nodiscard]] TomlValue with_parameters(TomlValue base, const SweptRun& run);
 
 /// Checks the fields of a run, which are those of all runs of a sweep. Errors: InputError for a field that the base
-/// cannot have, or that two axes change by different paths.
+/// cannot have, or that two of them change by equal or different paths.
 void check_fields(TomlValue base, const SweptRun& run);
 
 /// The id of a run with these parameters of which there is one.
