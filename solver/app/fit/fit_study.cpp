@@ -42,7 +42,7 @@ AnyQuantity size_of(const std::string& unit, const std::string& where) {
   try {
     return parse_any_quantity("1 " + unit, si);
   } catch (const InputError&) {
-    throw InputError{fmt::format("{}: column: '{}' is not a unit", where, unit)};
+    throw InputError{fmt::format("{}: column: '{}' is not a unit; give one, as in \"speed [m/s]\"", where, unit)};
   }
 }
 
@@ -63,11 +63,15 @@ FitStudy::FitStudy(const FitFile& file, unsigned threads) : file_{&file}, thread
     sources_.push_back({i, si_size(base_.units(), output.dimension) / divisor.value / column.value});
   }
   // Each field alone, and the first row's scene, show errors before anything is run.
+  const TomlValue scene = parse_toml(base_text(file.scene), file.scene.string());
+  SweptRun tried;
   const auto try_field = [&](const std::string& where, const std::string& field, const TomlValue& value) {
     try {
       SweptRun run;
       run.parameters.emplace_back(field, value);
       static_cast<void>(base_.end(run));
+      tried.parameters.push_back(run.parameters.front());
+      check_fields(scene, tried);
     } catch (const InputError& error) {
       throw InputError{fmt::format("{}: field: {}", where, error.what())};
     }

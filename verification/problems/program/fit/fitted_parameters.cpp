@@ -388,6 +388,7 @@ void check_refusals(const Program& program, Differences& differ) {
   const std::string input = "[[input]]\ncolumn = \"vy [m/s]\"\nfield = \"body.ball.velocity[1]\"\n",
                     quantity = "[[quantity]]\ncolumn = \"rebound [m/s]\"\nresult = \"ball.vy.end\"\n",
                     of_damping = parameter("contact.hit.damping", "[\"1 N s/m\", \"200 N s/m\"]"),
+                    of_same = parameter("contact[0].damping", "[\"1 N s/m\", \"200 N s/m\"]"),
                     good = std::string{heading} + input + quantity;
   struct Wrong {
     std::string text, message;
@@ -434,7 +435,9 @@ void check_refusals(const Program& program, Differences& differ) {
        "start: found \"3 N s/m\"; it must be within"},
       {with_range("[\"1 N s/m\", \"2 N s/m\"]", "spacing = \"cubic\"\n"), "cubic"},
       {with_range("[\"1 kg\", \"2 kg\"]"), "parameter 1: field: "},
-      {good + of_damping + of_damping, "the field 'contact.hit.damping' is set twice"},
+      {good + of_damping + of_damping,
+       "'contact.hit.damping' and 'contact.hit.damping' are the same field; remove one"},
+      {good + of_damping + of_same, "parameter 2: field: 'contact.hit.damping' and 'contact[0].damping' are the same"},
       {good + of_damping + "[bootstrap]\nsamples = -1\n", "samples: found -1"},
       {good + of_damping + "[bootstrap]\nsamples = 5\n", "samples: found 5; it must be 0, or at least 40"},
       {good + of_damping + "[bootstrap]\nsample = 40\n", "bootstrap: sample"},
