@@ -111,7 +111,8 @@ struct Followed {
   std::string why_not;
   bool stays{};  ///< the bodies met and did not part
 };
-Followed follow_impact(const Scene& scene, ContactId contact, ImpactEnd end) {
+Followed follow_impact(const Scene& scene, ContactId contact, ImpactEnd end,
+                       const std::function<void()>& progress = {}) {
   const Dynamics dynamics{scene.model};
   RigidBodySystem system{dynamics, false};
   ImpactMonitor watch{dynamics, contact, end};
@@ -125,6 +126,7 @@ Followed follow_impact(const Scene& scene, ContactId contact, ImpactEnd end) {
   const Observer observer = std::ref(watch);
   const Outcome outcome = simulate(system, integrator, state, scene.plan, {&observer, 1}, [&](const Snapshot& seen) {
     if (monitor) monitor->check(seen, ++step);
+    if (progress) progress();
     return watch.over() || (monitor && !monitor->violation().empty());
   });
   if (!outcome) return {{}, outcome.message, false};
@@ -245,13 +247,15 @@ ImpactStep advise_impact_step(const ContactLaw& law, double effective_mass, doub
   return found;
 }
 
-Calibration calibrate(const Scene& scene, ContactId contact, double e, double tolerance) {
+Calibration calibrate(const Scene& scene, ContactId contact, double e, double tolerance,
+                      const std::function<void()>& progress) {
   if (!(e > 0.0 && e <= 1.0)) throw InputError{fmt::format("restitution is {}; it must be in (0, 1]", e)};
   Calibration found;
   const std::string& name = scene.model.contacts[index(contact)].name;
   const auto excess = [&](double value) {
     ++found.runs;
-    const Followed followed = follow_impact(with_dissipation(scene, contact, value), contact, ImpactEnd::parting);
+    const Followed followed =
+        follow_impact(with_dissipation(scene, contact, value), contact, ImpactEnd::parting, progress);
     if (followed.impact) return followed.impact->restitution - e;
     // So much damping that a weight keeps the bodies together: no rebound.
     if (followed.stays && value > 0.0) return -e;

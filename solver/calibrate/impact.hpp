@@ -1,5 +1,6 @@
 #pragma once
 
+#include <functional>
 #include "solver/calibrate/impact_step.hpp"
 #include "solver/scenes/scene.hpp"
 
@@ -72,7 +73,8 @@ struct Calibration {
 /// Finds the damping or hysteresis of one contact of a scene that gives its first impact the restitution e, by
 /// simulations within a bracket: none, and a value doubled until the restitution is below e.
 /// Errors: InputError for e outside (0, 1], or if the undamped scene is already below e: the remaining loss has other
-/// causes.
-[[nodiscard]] Calibration calibrate(const Scene& scene, ContactId contact, double e, double tolerance = 1e-6);
+/// causes. `progress` is called at each step of each simulation; what it throws ends the search.
+[[nodiscard]] Calibration calibrate(const Scene& scene, ContactId contact, double e, double tolerance = 1e-6,
+                                    const std::function<void()>& progress = {});
 
 }  // namespace talus

@@ -74,35 +74,41 @@ py::dict check(const ScriptScene& scene) {
   return result;
 }
 
-py::object advise(const ScriptScene& scene, const std::string& of, double accuracy,
-                  const std::vector<std::string>& among, long evaluations, bool allow_warnings) {
-  const Scene& advised = scene.file().scene;
-  const Quantity quantity = quantity_named(advised.model, of);
+/// The JSON of a search that calls `progress` now and then, without the interpreter's lock; Ctrl-C raises
+/// KeyboardInterrupt.
+template <class Search>
+py::object searched(Search&& search) {
   PythonSignals signals;
   struct Interrupted {};
-  AdviceRules rules;
-  rules.accuracy = accuracy, rules.among = among, rules.evaluations = evaluations;
-  rules.allows_warnings = allow_warnings;
-  rules.progress = [&](long) {
+  const auto progress = [&] {
     if (signals.pending()) throw Interrupted{};
   };
   nlohmann::ordered_json json;
   try {
     const Unlocked unlocked;
-    json = advice_json(advised, quantity, rules, advise_method(advised, quantity, rules));
+    json = search(progress);
   } catch (const Interrupted&) {
   }
   signals.rethrow();
   return to_python(json.dump());
 }
 
+py::object advise(const ScriptScene& scene, const std::string& of, double accuracy,
+                  const std::vector<std::string>& among, long evaluations, bool allow_warnings) {
+  const Scene& advised = scene.file().scene;
+  const Quantity quantity = quantity_named(advised.model, of);
+  AdviceRules rules;
+  rules.accuracy = accuracy, rules.among = among, rules.evaluations = evaluations;
+  rules.allows_warnings = allow_warnings;
+  return searched([&](const auto& progress) {
+    rules.progress = [&](long) { progress(); };
+    return advice_json(advised, quantity, rules, advise_method(advised, quantity, rules));
+  });
+}
+
 py::object calibrate_scene(const ScriptScene& scene, const std::string& contact, double restitution) {
-  nlohmann::ordered_json json;
-  {
-    const Unlocked unlocked;
-    json = app::scene_calibration(scene.file().scene, contact, restitution);
-  }
-  return to_python(json.dump());
+  return searched(
+      [&](const auto& progress) { return app::scene_calibration(scene.file().scene, contact, restitution, progress); });
 }
 
 }  // namespace

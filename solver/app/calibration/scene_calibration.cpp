@@ -80,9 +80,11 @@ struct SceneCalibration {
   long contact_steps(const Scene& scene) const { return std::lround(impact.contact_time / scene.plan.step); }
 };
 
-SceneCalibration calibrated(const Scene& scene, ContactId contact, double restitution) {
+SceneCalibration calibrated(const Scene& scene, ContactId contact, double restitution,
+                            const std::function<void()>& progress = {}) {
   SceneCalibration result;
-  result.found = calibrate(scene, contact, restitution);
+  constexpr double tolerance = 1e-6;
+  result.found = calibrate(scene, contact, restitution, tolerance, progress);
   const Scene damped = with_dissipation(scene, contact, result.found.dissipation);
   result.impact = simulate_impact(damped, contact);
   result.damping_ratio = damping_ratio_of(damped, contact);
@@ -137,8 +139,9 @@ void print_text(const SceneCalibration& result, const Scene& scene, const std::s
 
 }  // namespace
 
-nlohmann::ordered_json scene_calibration(const Scene& scene, const std::string& contact, double restitution) {
-  return json_of(calibrated(scene, contact_named(scene.model, contact), restitution), scene, contact);
+nlohmann::ordered_json scene_calibration(const Scene& scene, const std::string& contact, double restitution,
+                                         const std::function<void()>& progress) {
+  return json_of(calibrated(scene, contact_named(scene.model, contact), restitution, progress), scene, contact);
 }
 
 int calibrate_scene(const CalibrateOptions& options) {

@@ -132,8 +132,12 @@ class Runs(unittest.TestCase):
     def test_an_interrupt_ends_a_run(self):
         scene = talus.Scene.parse(BALL).changed({"run.end": "100000 s", "run.interval": "1000 s"})
         simulation = talus.Simulation(scene)
+        # It meets the floor after a day.
+        slow = scene.changed({"body[0].velocity": ["0 m/s", "-1 mm/s"], "gravity[1]": "0 m/s^2",
+                              "body[0].position[1]": "100 m"})
         # Of the last one, the calling thread would have the short run.
         for work in (scene.run, lambda: simulation.advance(10**9), simulation.run,
+                     lambda: slow.calibrate("impact", restitution=0.5),
                      lambda: talus.sweep(scene, [{}] * 4, ["ball.y.end"], threads=2),
                      lambda: talus.sweep(scene, [{"run.end": "1000 s"}, {}], ["ball.y.end"], threads=2)):
             threading.Timer(0.3, os.kill, (os.getpid(), signal.SIGINT)).start()
