@@ -7,39 +7,9 @@
 #include <vector>
 
 #include "reports/figures/gnuplot_script.hpp"
+#include "reports/pages/sketch_elements.hpp"
 
 namespace talus::reports {
-
-/// Position on paper [cm], y upwards.
-struct SketchPoint {
-  double x{}, y{};
-};
-
-/// A line through points, or the outline of a filled shape.
-struct Stroke {
-  std::vector<SketchPoint> points;
-  std::string fill{};    ///< colour; empty if not filled
-  std::string colour{};  ///< of the line; empty if there is none
-  double width{1.0};     ///< of the line, relative to gnuplot's standard width
-  bool dashed{};
-};
-
-/// A label, written as gnuplot_text() accepts.
-struct SketchLabel {
-  enum class Side { centre, left, right };  ///< part of the label that is at the position
-  std::string text;
-  SketchPoint at;
-  Side side{};
-  bool boxed{};  ///< on a white ground
-  std::string colour{};
-};
-
-/// A sketch in the order of drawing; labels are above all strokes.
-struct Sketch {
-  std::vector<Stroke> strokes;
-  std::vector<SketchLabel> labels;
-  SketchPoint low, high;  ///< limits, with a margin
-};
 
 /// Reads a sketch. Each line is a keyword, its numbers [cm; degrees, counter-clockwise], flags, and a label in double
 /// quotes; empty lines and lines that begin with # are skipped. Keywords, with brackets around what may be omitted:

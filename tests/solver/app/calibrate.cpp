@@ -217,4 +217,142 @@ BOOST_AUTO_TEST_CASE(rebounds_at_several_angles_are_drawn) {
              boost::test_tools::tolerance(1e-4));
 }
 
+BOOST_AUTO_TEST_CASE(wrong_oblique_calibrations) {
+  const std::vector<std::string> base{"calibrate", "--restitution", "0.8", "--masses", "1 g", "--stiffness", "1e6 N/m"},
+      body{"--spheres", "1 cm", "--angle", "10 deg"};
+  const std::vector<std::pair<std::vector<std::string>, std::string>> wrong{
+      {{"--friction", "0.1"}, "--friction: only oblique impacts use it; give --angle or --angles"},
+      {{"--angle", "10 deg"},
+       "--spheres: it is missing; give the radius of each body, e.g. --spheres \"1 cm\", or --discs"},
+      {{"--angle", "10 deg", "--spheres", "1 cm", "2 cm"}, "--spheres: found 2 radii for 1 mass; give one for each"},
+      {{"--angle", "90 deg", "--spheres", "1 cm"}, "--angle: found 90 deg; it must be in (0, 90) deg"},
+      {{"--angle", "10 deg", "--spheres", "1 cm", "--pivot", "1 kg m^2", "1 m"},
+       "--pivot and --offset: the bodies of an oblique impact are free and hit centrally; remove them"},
+      {{"--angle", "10 deg", "--spheres", "1 cm", "--speeds", "1 m/s", "2 m/s", "2"},
+       "--speeds: it gives a range of pairs, and an oblique impact has one pair; remove one of both"},
+      {{"--angles", "10 deg", "20 deg", "2", "--spheres", "1 cm", "--tangential-restitution", "0.5"},
+       "--angle: it is missing; give the angle of --tangential-restitution, e.g. --angle \"10 deg\""},
+      {{"--out", "never"}, "--out: only the table of several angles is written to files; give --angles"},
+      {{"--tangential-restitution", "1"}, "--tangential-restitution: found 1; it must be in (-1, 1)"},
+      {{}, "--friction: it is missing; give e.g. --friction 0.3"},
+      {{"--friction", "x"}, "--friction: found \"x\"; it must be a number >= 0"},
+      {{"--friction", "0.1", "--shear-stiffness", "0 N/m"}, "--shear-stiffness: found \"0 N/m\"; it must be > 0"},
+      {{"--friction", "0.1", "--shear-modulus", "1 Pa"},
+       "--shear-modulus: the friction law 'linear' does not use this option; remove it"},
+      {{"--friction", "0.1", "--shear-law", "mindlin"},
+       "--shear-law: friction of linear_spring_dashpot 'mindlin' is not known; nearest: linear; known: linear"},
+      {{"--friction", "0.1", "--shear-stiffness", "1 N/m", "--shear-damping", "1 N s/m", "--tangential-restitution",
+        "0.5"},
+       "--shear-damping: found with --tangential-restitution and all other parameters of the friction; leave out the "
+       "one to be found"},
+      {{"--friction", "0.1", "--tangential-restitution", "-0.5"},
+       "--tangential-restitution: a tangential restitution of -0.5 is not reachable by shear_stiffness; at this angle "
+       "it must be "}};
+  for (const auto& [more, message] : wrong) {
+    std::vector<std::string> arguments = base;
+    const bool has_angle = std::ranges::any_of(more, [](const auto& text) { return text.starts_with("--angle"); });
+    if (!has_angle && message.find("only oblique") == std::string::npos)
+      arguments.insert(arguments.end(), body.begin(), body.end());
+    arguments.insert(arguments.end(), more.begin(), more.end());
+    const Ended ended = talus_ran(arguments);
+    BOOST_TEST(ended.code == 2);
+    BOOST_TEST(ended.err.starts_with("talus: " + message), ended.err);
+    BOOST_TEST(ended.out.empty());
+  }
+  const Ended modulus =
+      talus_ran({"calibrate", "--law", "hertz", "--restitution", "0.8", "--masses", "1 g", "--modulus", "1 GPa",
+                 "--spheres", "1 cm", "--angle", "10 deg", "--friction", "0.1", "--shear-law", "mindlin"});
+  BOOST_TEST(modulus.err == "talus: --shear-modulus: it is missing; give e.g. --shear-modulus \"1 N/m^2\"\n");
+}
+
+// Values of the closed forms (e = 0.5 needs xi = 0.2552756 clamped and 0.2154538 by Eq. 21), of the pivot's mass I/h^2,
+// and the simulated e.
+BOOST_AUTO_TEST_CASE(calibration_as_json) {
+  const auto two = nlohmann::json::parse(
+      talus_ran({"calibrate", "--restitution", ".5", "--masses", "3 kg", "6 kg", "--stiffness", "1e6 N/m", "--json"})
+          .out);
+  BOOST_TEST(two.at("effective_mass").get<double>() == 2.0, boost::test_tools::tolerance(1e-15));
+  BOOST_TEST(two.at("end_rule").get<std::string>() == "clamped");
+  BOOST_TEST(two.at("damping_ratio").get<double>() == 0.2552756, boost::test_tools::tolerance(1e-6));
+  BOOST_TEST(two.at("damping").get<double>() == 2.0 * 0.2552756 * std::sqrt(2e6), boost::test_tools::tolerance(1e-6));
+  BOOST_TEST(std::abs(two.at("restitution").get<double>() - 0.5) < 1e-3);
+  const auto pivot =
+      nlohmann::json::parse(talus_ran({"calibrate", "--restitution", ".5", "--masses", "1 kg", "--pivot", "8 kg m^2",
+                                       "2 m", "--stiffness", "1e6 N/m", "--end-rule", "attractive", "--json"})
+                                .out);
+  BOOST_TEST(pivot.at("effective_mass").get<double>() == 2.0, boost::test_tools::tolerance(1e-15));
+  BOOST_TEST(pivot.at("damping_ratio").get<double>() == 0.2154537620, boost::test_tools::tolerance(1e-6));
+  BOOST_TEST(pivot.at("end_rule").get<std::string>() == "attractive");
+  const auto offset =
+      nlohmann::json::parse(talus_ran({"calibrate", "--restitution", ".5", "--masses", "1 kg", "--offset", "1 kg m^2",
+                                       "1 m", "--stiffness", "1e6 N/m", "--json"})
+                                .out);
+  BOOST_TEST(offset.at("effective_mass").get<double>() == 0.5, boost::test_tools::tolerance(1e-15));
+}
+
+// The role of each body, and what its mass, inertia and arm make of it: 8 kg m^2/(2 m)^2 = 2 kg, 1/(1/6 + 16/8) kg =
+// 0.4615 kg.
+BOOST_AUTO_TEST_CASE(calibration_prints_the_roles_of_both_bodies) {
+  const auto printed = [](std::vector<std::string> more) {
+    more.insert(more.begin(), {"calibrate", "--restitution", ".5", "--stiffness", "1e6 N/m"});
+    const Ended ended = talus_ran(more);
+    BOOST_TEST(ended.code == 0, ended.err);
+    return ended.out;
+  };
+  const auto line = [](const char* what, const char* value, const char* rest) {
+    return fmt::format("  {:<32}{:>16} kg{}\n", what, value, rest);
+  };
+  const std::string first = line("body 1, free, hit centrally", "3", ": its mass");
+  const std::string wall = printed({"--masses", "3 kg"});
+  BOOST_TEST(holds(wall, "\n  body 1, fixed\n" + line("body 2, free, hit centrally", "3", ": its mass")), wall);
+  const std::string pinned = printed({"--masses", "3 kg", "6 kg", "--pivot", "8 kg m^2", "2 m"});
+  BOOST_TEST(holds(pinned, first + line("body 2, on a fixed pin", "2", ": inertia/arm^2, whatever its mass") +
+                               line("effective mass", "1.2", "")),
+             pinned);
+  const std::string offset = printed({"--masses", "3 kg", "6 kg", "--offset", "8 kg m^2", "4 m"});
+  BOOST_TEST(holds(offset, first + line("body 2, free, hit off centre", "0.461538462", ": 1/(1/mass + arm^2/inertia)")),
+             offset);
+  const std::string latching = printed(
+      {"--law", "latching_spring", "--step", "10 us", "--masses", "3 kg", "6 kg", "--pivot", "8 kg m^2", "2 m"});
+  BOOST_TEST(holds(latching, first + line("body 2, on a fixed pin", "2", ": inertia/arm^2, whatever its mass")),
+             latching);
+  const std::string help = talus_ran({"calibrate", "--help"}).out;
+  BOOST_TEST(holds(help, "a single mass is that of body 2, and body 1 is fixed"), help);
+  BOOST_TEST(holds(help, "body 2 turns about a fixed pin"), help);
+}
+
+// w1 h = sqrt(1.7e4/3.6e-7) 1e-7 = 0.021731: e of 0.45 by euler is 0.67082 exp[(pi/4) 0.021731 (1 + 1/0.67082)] =
+// 0.70001.
+BOOST_AUTO_TEST_CASE(calibration_of_a_latching_spring) {
+  const auto found = nlohmann::json::parse(talus_ran({"calibrate", "--law", "latching_spring", "--restitution", ".7",
+                                                      "--step", "1e-7", "--integrator", "euler", "--json"})
+                                               .out);
+  BOOST_TEST(found.at("default_discs").get<bool>());
+  BOOST_TEST(std::abs(found.at("loading_angle").get<double>() - 0.021731) < 1e-6);
+  BOOST_TEST(std::abs(found.at("ratio_by_formula").get<double>() - 0.45) < 5e-4);
+  BOOST_TEST(std::abs(found.at("ratio_by_simulation").get<double>() - 0.45) < 5e-4);
+  BOOST_TEST(std::abs(found.at("restitution").get<double>() - 0.7) < 1e-9);
+  const auto verlet =
+      nlohmann::json::parse(talus_ran({"calibrate", "--law", "latching_spring", "--restitution", ".7", "--step", "1 ms",
+                                       "--masses", "2 kg", "2 kg", "--stiffness", "900 N/m", "--json"})
+                                .out);
+  BOOST_TEST(verlet.at("ratio_by_formula").get<double>() == 0.49, boost::test_tools::tolerance(1e-14));
+  BOOST_TEST(std::abs(verlet.at("ratio_by_simulation").get<double>() - 0.49) < 1e-4);
+  BOOST_TEST(verlet.at("largest_overlap").get<double>() == 1.0 / 30.0, boost::test_tools::tolerance(1e-14));
+  const Ended text =
+      talus_ran({"calibrate", "--law", "latching_spring", "--restitution", ".7", "--step", "1e-7", "--units", "US"});
+  BOOST_TEST(text.code == 0);
+  BOOST_TEST(holds(text.out, "K1/K2 by simulation"));
+  BOOST_TEST(holds(text.out, "slug"));
+  BOOST_TEST(holds(text.out, "are Talus's own choice"));
+}
+
+BOOST_AUTO_TEST_CASE(calibration_of_a_scene) {
+  const auto found = nlohmann::json::parse(
+      talus_ran({"calibrate", scene("two_cable.toml"), "--contact", "impact", "--restitution", ".6", "--json"}).out);
+  BOOST_TEST(std::abs(found.at("restitution").get<double>() - 0.6) < 1e-5);
+  for (const char* key : {"damping", "damping_ratio", "contact_time", "largest_overlap", "step"})
+    BOOST_TEST(found.at(key).get<double>() > 0.0);
+}
+
 BOOST_AUTO_TEST_SUITE_END()
