@@ -11,6 +11,7 @@
 #include "solver/app/command.hpp"
 #include "solver/base/error.hpp"
 #include "solver/base/progress.hpp"
+#include "solver/command_line/completion.hpp"
 #include "solver/io/file/atomic_file.hpp"
 #include "solver/io/file/toml_document.hpp"
 #include "solver/io/output/write_advice.hpp"
@@ -149,7 +150,9 @@ Command add_advise(CLI::App& talus) {
                   "energy.kinetic.max")
       ->required();
   app->add_option("--out", options->out, "the scene with the advice; default: SCENE's name with .advised.toml");
-  app->add_option("--among", options->rules.among, "integrators to choose from; default: all")->delimiter(',');
+  const std::vector<std::string> integrators = integrator_names();
+  offer(app->add_option("--among", options->rules.among, "integrators to choose from; default: all")->delimiter(','),
+        {integrators.begin(), integrators.end()});
   app->add_option("--evaluations", options->rules.evaluations,
                   "force evaluations that the pilots may take in all; default 2000000: of a fence of ten bodies some "
                   "ten seconds");

@@ -16,6 +16,7 @@
 #include "solver/app/calibration/scene_calibration.hpp"
 #include "solver/app/command.hpp"
 #include "solver/base/error.hpp"
+#include "solver/command_line/completion.hpp"
 
 namespace talus::app {
 namespace {
@@ -93,10 +94,12 @@ Command add_calibrate(CLI::App& talus, const DrawingSink& sink) {
   app->add_option("SCENE", options->scene, "scene file: calibrate its --contact by simulation of the scene");
   app->add_option("--contact", options->contact, "name of the scene's contact");
   app->add_option("--restitution", options->restitution, "restitution wanted, in (0, 1]");
-  app->add_option(
-      "--law", options->law,
-      "linear_spring_dashpot (default), hertz or hunt_crossley; or latching_spring: K1/K2 of two discs that "
-      "are stepped by --step");
+  const std::vector<std::string> laws = ContactLaws::names(), integrators = integrator_names();
+  offer(app->add_option(
+            "--law", options->law,
+            "linear_spring_dashpot (default), hertz or hunt_crossley; or latching_spring: K1/K2 of two discs that "
+            "are stepped by --step"),
+        {laws.begin(), laws.end()});
   app->add_option("--masses", options->masses,
                   "masses of body 1 and body 2; a single mass is that of body 2, and body 1 is fixed; an axis of such "
                   "masses: the first one, the last one and their number")
@@ -116,10 +119,12 @@ Command add_calibrate(CLI::App& talus, const DrawingSink& sink) {
             "in place of --restitution: the restitution that this dashpot gives is printed; of many pairs beside "
             "--restitution");
   parameter("hysteresis", "the same for hunt_crossley");
-  app->add_option("--dashpot", options->dashpot,
-                  "of hertz: tsuji (default; the restitution is the same at every speed) or constant");
-  app->add_option("--end-rule", options->end_rule,
-                  "clamped (default, as in scenes: never pulls) or attractive (Eq. 21 of 1993)");
+  offer(app->add_option("--dashpot", options->dashpot,
+                        "of hertz: tsuji (default; the restitution is the same at every speed) or constant"),
+        {Names<HertzDashpot>::list.begin(), Names<HertzDashpot>::list.end()});
+  offer(app->add_option("--end-rule", options->end_rule,
+                        "clamped (default, as in scenes: never pulls) or attractive (Eq. 21 of 1993)"),
+        {Names<EndRule>::list.begin(), Names<EndRule>::list.end()});
   CLI::Option* pivot = app->add_option("--pivot", options->pivot,
                                        "body 2 turns about a fixed pin: its inertia about the pin, and the arm, the "
                                        "distance of the pin from the line of impact; its mass has no effect")
@@ -162,7 +167,8 @@ Command add_calibrate(CLI::App& talus, const DrawingSink& sink) {
               "tangential dashpot; default, as in scenes: c/k of a linear normal law for linear, 0 for mindlin");
   app->add_option("--bound", options->bound,
                   "error of the restitution that the step may cause, in a range that of each pair; default 0.001");
-  app->add_option("--integrator", options->integrator, "method for the step; default velocity_verlet");
+  offer(app->add_option("--integrator", options->integrator, "method for the step; default velocity_verlet"),
+        {integrators.begin(), integrators.end()});
   app->add_option("--step", options->step, "of a latching_spring: its step, e.g. \"1e-7 s\"; a bare number is in s");
   CLI::Option* speeds =
       app->add_option(
@@ -187,7 +193,7 @@ Command add_calibrate(CLI::App& talus, const DrawingSink& sink) {
   app->get_option("--format")->needs(out);
   app->add_option("--write-scene", options->written_scene,
                   "file for a scene of this impact with the dashpot and the step: run it to see the restitution");
-  app->add_option("--units", options->units, "SI or US, for the text; JSON is always SI");
+  offer(app->add_option("--units", options->units, "SI or US, for the text; JSON is always SI"), {si.name, us.name});
   app->add_flag("--json", options->json, "print JSON, in SI units");
   app->footer(
       "Examples:\n"

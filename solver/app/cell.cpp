@@ -15,6 +15,7 @@
 #include "solver/app/cell/cell_summary.hpp"
 #include "solver/app/command.hpp"
 #include "solver/app/life_cycle.hpp"
+#include "solver/command_line/completion.hpp"
 #include "solver/integrate/euler.hpp"
 #include "solver/io/cell/cell_restart.hpp"
 
@@ -212,9 +213,12 @@ Command add_cell(CLI::App& talus) {
       "--resume", options->resume,
       "folder of an interrupted run: resume it as if it had never stopped; of a run that has ended it says so "
       "and returns its exit status");
-  app->add_option("--integrator", options->integrator,
-                  fmt::format("{}; default {}", fmt::join(disc_method_names(), ", "), CellPlan{}.integrator));
-  app->add_option("--units", options->units, "unit system of CNTRL.DAT, which names none: SI or US");
+  const auto& methods = disc_method_names();
+  offer(app->add_option("--integrator", options->integrator,
+                        fmt::format("{}; default {}", fmt::join(methods, ", "), CellPlan{}.integrator)),
+        {methods.begin(), methods.end()});
+  offer(app->add_option("--units", options->units, "unit system of CNTRL.DAT, which names none: SI or US"),
+        {si.name, us.name});
   app->add_option("--seed", options->seed, "of the first velocities across the field; default the scene's, or 0")
       ->check(number_between(0, static_cast<double>(maximum_seed)));
   app->add_flag("--historical", options->historical,

@@ -32,7 +32,10 @@ int print_completion(const CLI::App& talus, const std::string& wanted) {
 Command add_completion(CLI::App& talus) {
   CLI::App* app = talus.add_subcommand("completion", "Print a script that makes a shell complete commands and options");
   const auto shell = std::make_shared<std::string>();
-  app->add_option("shell", *shell, "bash, zsh or fish")->required();
+  std::vector<std::string_view> names;
+  for (const auto& each : shells)
+    names.emplace_back(each.first);
+  offer(app->add_option("shell", *shell, "bash, zsh or fish")->required(), names);
   app->footer(
       "Example:\n"
       "  source <(talus completion bash)     in ~/.bashrc, for each shell from then on; or for all users:\n"

@@ -7,6 +7,7 @@
 #include "solver/app/field_list.hpp"
 #include "solver/base/error.hpp"
 #include "solver/base/units.hpp"
+#include "solver/command_line/completion.hpp"
 #include "solver/integrate/integrator_list.hpp"
 #include "solver/scenes/scene.hpp"
 
@@ -98,7 +99,11 @@ Command add_list(CLI::App& talus) {
   CLI::App* app =
       talus.add_subcommand("list", "What can be named in a scene: integrators, laws, shapes, units, fields");
   const auto topic = std::make_shared<std::string>();
-  app->add_option("topic", *topic, "integrators, laws, shapes, units or fields; all but the last when left out");
+  std::vector<std::string_view> names;
+  for (const auto& each : topics())
+    names.emplace_back(each.first);
+  offer(app->add_option("topic", *topic, "integrators, laws, shapes, units or fields; all but the last when left out"),
+        names);
   app->footer("Example:\n  talus list fields");
   return {app, [topic] { return list(*topic); }};
 }

@@ -5,6 +5,7 @@
 #include <memory>
 
 #include "solver/app/command.hpp"
+#include "solver/command_line/completion.hpp"
 #include "solver/io/scene/scene_template.hpp"
 
 namespace talus::app {
@@ -16,8 +17,11 @@ Command add_new(CLI::App& talus) {
   };
   CLI::App* app = talus.add_subcommand("new", "Print a commented scene file of a kind, as a start for a new one");
   const auto options = std::make_shared<Options>();
-  app->add_option("KIND", options->kind, fmt::format("{}", fmt::join(template_kinds(), ", ")))->required();
-  app->add_option("--units", options->units, "unit system of its quantities, SI or US")->capture_default_str();
+  const auto& kinds = template_kinds();
+  offer(app->add_option("KIND", options->kind, fmt::format("{}", fmt::join(kinds, ", ")))->required(),
+        {kinds.begin(), kinds.end()});
+  offer(app->add_option("--units", options->units, "unit system of its quantities, SI or US")->capture_default_str(),
+        {si.name, us.name});
   app->footer(
       "Example:\n  talus new fence > my.toml && talus run my.toml --out out\n"
       "The file runs as it is; its comments say what each field means.");

@@ -12,6 +12,7 @@
 #include "solver/app/run/second_run.hpp"
 #include "solver/app/run/start_warnings.hpp"
 #include "solver/app/scene_request.hpp"
+#include "solver/command_line/completion.hpp"
 #include "solver/command_line/shell_word.hpp"
 #include "solver/draw/drawing.hpp"
 #include "solver/io/output/write_summary.hpp"
@@ -153,10 +154,12 @@ Command add_run(CLI::App& talus) {
       "--step", options->step,
       "step instead of the scene's, e.g. \"10 us\"; \"auto\": 1/20 of the method's linear limit, 1/200 of the "
       "shortest contact at most; the history has at most one row a step");
-  app->add_option(
-      "--integrator", options->integrator,
-      "integrator instead of the scene's (talus list integrators); one of fixed step takes --step auto in place of the "
-      "output times of one that chooses its steps");
+  std::vector<std::string> names = integrator_names();
+  names.emplace_back(automatic_integrator);
+  offer(app->add_option("--integrator", options->integrator,
+                        "integrator instead of the scene's (talus list integrators); one of fixed step takes --step "
+                        "auto in place of the output times of one that chooses its steps"),
+        {names.begin(), names.end()});
   app->add_option("--tolerance", options->tolerance, "step control of that integrator, a pure number, e.g. 1e-9");
   app->add_option("--frames", options->frames,
                   "states of the geometry, evenly over the run; default: a fence's every nprint steps, else 100")

@@ -23,6 +23,7 @@
 #include "solver/app/sweep/sweep_table.hpp"
 #include "solver/base/error.hpp"
 #include "solver/base/progress.hpp"
+#include "solver/command_line/completion.hpp"
 #include "solver/command_line/shell_word.hpp"
 #include "solver/io/fence_file.hpp"
 #include "solver/io/file/atomic_file.hpp"
@@ -445,8 +446,9 @@ Command add_sweep(CLI::App& talus) {
   CLI::App* const submit_app =
       app->add_subcommand("submit", "Start the parts of a sweep by Slurm, by GNU parallel or in this process");
   add_folder(*submit_app, *options);
-  submit_app->add_option("--engine", options->engine,
-                         "local (default), parallel (GNU parallel, also on ssh hosts) or slurm (a job array)");
+  offer(submit_app->add_option("--engine", options->engine,
+                               "local (default), parallel (GNU parallel, also on ssh hosts) or slurm (a job array)"),
+        {Names<Engine>::list.begin(), Names<Engine>::list.end()});
   submit_app
       ->add_option("--parts", options->parts,
                    "number of processes with one thread each; default: one for each thread of this machine")
