@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdlib>
 #include <filesystem>
 #include <set>
 #include <string>
@@ -10,6 +9,7 @@
 
 #include "verification/check/case.hpp"
 #include "verification/problems/program/sweeps/dakota_files.hpp"
+#include "verification/problems/program/sweeps/sweep_engines.hpp"
 #include "verification/problems/program/sweeps/sweep_refusals.hpp"
 #include "verification/problems/program/sweeps/swept_cells.hpp"
 #include "verification/record/csv.hpp"
@@ -474,52 +474,6 @@ void check_bytes(const Program& program, Findings& findings, Differences& differ
   program.write("ball.toml", ball_scene("exact"));
 }
 
-/// The commands of the engines, by programs of their names that start the parts one after the other.
-void check_engines(const Program& program, Differences& differ) {
-  const fs::path folder = program.folder().path();
-  fs::create_directory(folder / "bin");
-  program.write("bin/sbatch",
-                "#!/bin/sh\nprintf '%s\\n' \"$@\" > sbatch.txt\nfor script; do :; done\n"
-                "for part in 1 2 3; do SLURM_ARRAY_TASK_ID=$part /bin/sh \"$script\"; done\n");
-  program.write("bin/parallel",
-                "#!/bin/sh\nprintf '%s\\n' \"$@\" > parallel.txt\nwhile [ \"$1\" != /bin/sh ]; do shift; done\n"
-                "script=$2\nwhile [ \"$1\" != ::: ]; do shift; done\nshift\n"
-                "for part; do eval \"/bin/sh $script $part\"; done\n");
-  for (const char* engine : {"sbatch", "parallel"})
-    fs::permissions(folder / "bin" / engine, fs::perms::owner_all);
-  const char* const path = std::getenv("PATH");
-  // As if the command itself were a task of Slurm.
-  const Environment environment{{"PATH", fmt::format("{}:{}", (folder / "bin").string(), path != nullptr ? path : "")},
-                                {"SLURM_ARRAY_TASK_ID", "2"}};
-  const auto submit = [&](const std::string& engine, const std::string& name, const Options& options) {
-    program.write("engines.toml", grid_text());
-    program.run({"sweep", "plan", "engines.toml"}, {{"--out", {name}}});
-    const std::string printed = talus_output(
-        program.folder(), with_options({"sweep", "submit", name, "--engine", engine}, options, program.setup()),
-        environment);
-    differ.contains(engine + ": all runs are done", printed, "16 of 16 runs done: 16 finished\n");
-    program.run({"sweep", "collect", name});
-    differ.compare(engine + ": the same table", program.read(name + "/results.csv"), program.read("grid/results.csv"));
-    return "\n" + program.read(engine == "slurm" ? "sbatch.txt" : "parallel.txt");
-  };
-  const fs::path whole = fs::canonical(folder);
-  const std::string slurm =
-      submit("slurm", "it's slurm", {{"--parts", {"3"}}, {"--wait", {}}, {"--option", {"--mem=1G"}}});
-  for (const std::string& argument :
-       {std::string{"--array=1-3"}, std::string{"--job-name=talus-it's slurm"}, std::string{"--wait"},
-        std::string{"--mem=1G"}, "--output=" + (whole / "it's slurm/part-%a.log").string(),
-        (whole / "it's slurm/part.sh").string()})
-    differ.contains("sbatch " + argument, slurm, "\n" + argument + "\n");
-  const std::string parallel =
-      submit("parallel", "it's parallel", {{"--parts", {"2"}}, {"--hosts", {"h.txt"}}, {"--option", {"--bar"}}});
-  differ.holds("parallel with hosts",
-               parallel.starts_with("\n--sshloginfile\nh.txt\n--bar\n-I\nTALUS_PART_NUMBER\n/bin/sh\n"));
-  differ.holds("parallel parts", parallel.ends_with("\nTALUS_PART_NUMBER\n:::\n1\n2\n"));
-  const std::string here = submit("parallel", "here", {{"--parts", {"40"}}});
-  differ.holds("parallel without hosts", here.starts_with("\n--jobs\n"));
-  differ.holds("not more parts than runs", here.ends_with("\n15\n16\n"));
-}
-
 void run(Findings& findings, const Setup& setup) {
   const auto group = findings.in("sweep");
   const Program program{setup};
@@ -536,7 +490,7 @@ void run(Findings& findings, const Setup& setup) {
     check_cells(program, differ);
     check_dakota(program, differ);
     check_failures(program, differ);
-    check_engines(program, differ);
+    check_engines(program, grid_text(), differ);
     check_units(program, differ);
     check_plans(program, differ);
     check_refusals(program, differ);
