@@ -33,7 +33,10 @@ class DakotaLines {
   bool ended() const { return read_ == lines_.size(); }
   /// Whether the next line has this label.
   bool at(std::string_view label) const {
-    return !ended() && std::string_view{lines_[read_].second}.ends_with(fmt::format(" {}", label));
+    if (ended()) return false;
+    std::istringstream tokens{lines_[read_].second};
+    std::string value, found;
+    return tokens >> value >> found && found == label;
   }
 
   Line next() {

@@ -66,6 +66,14 @@ void check_dakota(const Program& program, Differences& differ) {
   }
   const ProgramEnd ended = evaluated(together);
   differ.compare("dakota: batch", program.read("results.out"), expected);
+  program.run({"sweep", "evaluate", "dakota.toml", "params.in", "one.out"}, {{"--threads", {"1"}}});
+  differ.compare("dakota: batch with one thread", program.read("one.out"), expected);
+  // With the ends of lines of Windows.
+  std::string carried;
+  for (const char c : together)
+    carried += c == '\n' ? std::string{"\r\n"} : std::string{c};
+  static_cast<void>(evaluated(carried));
+  differ.compare("dakota: batch with carriage returns", program.read("results.out"), expected);
   differ.ended("dakota: message of a run of a batch", ended, 0, "run 2: refused: ball.toml:");
 
   // A run that fails is a file that says so, by which Dakota decides.
