@@ -68,7 +68,7 @@ FitQuantity read_quantity(SceneTable& table, const records::Csv& data) {
   table.allow({"name", "column", "result", "divided_by", "uncertainty"});
   FitQuantity quantity;
   quantity.heading = table.text("column");
-  quantity.name = table.has("name") ? table.text("name") : quantity.heading;
+  quantity.name = table.has("name") ? table.text("name") : quantity.heading.substr(0, quantity.heading.find(" ["));
   quantity.unit = unit_of(quantity.heading);
   quantity.result = table.text("result");
   if (table.has("divided_by")) {

@@ -85,13 +85,16 @@ std::string fit_text(const FitFile& file, const Fit& fit) {
   std::size_t width = 9;
   for (const FittedField& field : file.parameters)
     width = std::max(width, head(field.field, field.unit).size());
-  text += fmt::format("  {:<{}}  {:>11}  {:>14}  {:>24}\n", "parameter", width, "value", "standard error",
-                      fit.intervals.empty() ? "" : "95 %, bootstrap");
+  const auto line = [&](const std::string& name, const std::string& value, const std::string& error,
+                        const std::string& interval) {
+    text += fmt::format("  {:<{}}  {:>11}  {:>14}", name, width, value, error) +
+            (fit.intervals.empty() ? "\n" : fmt::format("  {:>24}\n", interval));
+  };
+  line("parameter", "value", "standard error", "95 %, bootstrap");
   for (std::size_t i = 0; i < file.parameters.size(); ++i) {
     const FittedField& field = file.parameters[i];
-    text += fmt::format(
-        "  {:<{}}  {:>11.5g}  {:>14.3g}  {:>24}\n", head(field.field, field.unit), width, fit.values[i], fit.errors[i],
-        fit.intervals.empty() ? "" : fmt::format("{:.4g} to {:.4g}", fit.intervals[i][0], fit.intervals[i][1]));
+    line(head(field.field, field.unit), fmt::format("{:.5g}", fit.values[i]), fmt::format("{:.3g}", fit.errors[i]),
+         fit.intervals.empty() ? "" : fmt::format("{:.4g} to {:.4g}", fit.intervals[i][0], fit.intervals[i][1]));
   }
   text += file.has_uncertainties()
               ? fmt::format("root mean square of the deviations: {:.3g} uncertainties\n", root_mean_square(fit))
@@ -211,7 +214,7 @@ std::vector<records::Figure> fit_figures(const FitFile& file, const Fit& fit, co
          .caption = "Measured values, with bars of their uncertainty, and those of runs with the fitted "
                     "parameters.",
          .x = {.label = x_label.substr(0, x_label.find(" [")), .unit = has_input ? file.inputs.front().unit : ""},
-         .y = {.label = quantity.name.substr(0, quantity.name.find(" [")), .unit = quantity.unit},
+         .y = {.label = quantity.name, .unit = quantity.unit},
          .series = {measured, fitted}});
   }
   std::size_t number = 0;

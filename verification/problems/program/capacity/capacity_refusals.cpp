@@ -56,6 +56,8 @@ void check_refusals(const Program& program, Differences& differ) {
       {good + "set = { \"fence.colums\" = 3 }\n", "colums"},
       {good + "[map]\ncells = 24\nfirst_cells = 5\n",
        "found 24 cells, 5 at first; the first must be a power of two times the second"},
+      {good + "[map]\ncells = 8\nfirst_cells = 16\n", "found 8 cells, 16 at first"},
+      {good + "[map]\ncells = 10\nfirst_cells = 4\n", "found 10 cells, 4 at first"},
       {good + "[map]\nruns = 4\nfew_runs = 5\n",
        "wrong.toml:6: map: few_runs: found 5; it must be at most the runs of a node, 4"},
       {good + "[changes]\nspeed = 2\n", "changes: speed: found 2"},

@@ -271,12 +271,15 @@ double contradicted(const CapacityMap& map, std::uint64_t seed, Probability prob
 }  // namespace
 
 void check_maps(Findings& findings, const Setup& setup) {
-  double of_lines = 0.0, of_bands = 0.0, lines = 0.0, off = 0.0, far = 0.0, outside = 0.0;
+  double of_lines = 0.0, of_bands = 0.0, lines = 0.0, off = 0.0, far = 0.0, outside = 0.0, bare = 0.0;
   std::array<double, 2> shares{};
   const double shift = setup.has("other_line") ? 0.1 : 0.0;
   for (const std::uint64_t seed : {1U, 2U, 3U}) {
     const CapacityMap line = mapped(seed, line_probability, shift), band = mapped(seed, band_probability, shift);
     of_lines += contradicted(line, seed, line_probability), of_bands += contradicted(band, seed, band_probability);
+    for (int j = 0; j < line.side(); j += rules.cells / rules.first_cells)
+      for (int i = 0; i < line.side(); i += rules.cells / rules.first_cells)
+        bare += line.trials({i, j}) < rules.few ? 1.0 : 0.0;
     const double full = static_cast<double>(rules.trials) * line.side() * line.side();
     keep_worst(shares[0], static_cast<double>(line.all_trials()) / full);
     keep_worst(shares[1], static_cast<double>(band.all_trials()) / full);
@@ -293,6 +296,8 @@ void check_maps(Findings& findings, const Setup& setup) {
           {outside, 64.0 * (exact - band_below) - wide.last_above, wide.first_below - 64.0 * (exact + band_above)});
     }
   }
+  findings.expect("maps: corners of the first cells without the first trials", bare, 0.0,
+                  Tolerance::exact("a map begins with them"));
   findings.expect("maps: nodes whose state contradicts the interval of the full grid", of_lines, 0.0,
                   Tolerance::exact("the probability passes one half within a few cells, and the grid has the same "
                                    "outcomes"));

@@ -2,8 +2,11 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdint>
+#include <limits>
 #include <numbers>
 #include <random>
 #include <vector>
@@ -83,6 +86,116 @@ void check_coverage(Findings& findings, const Setup& setup) {
                   .caption = "How often intervals of 95 % contain the true value, of 20 measured values, in per cent.",
                   .columns = {"parameter", "uncertainty", "bootstrap", "1.96 standard errors"},
                   .rows = lines});
+}
+
+namespace {
+
+/// Samples of a line through the origin, y = p x, with a second quantity, 2 p x: p is one of the values that the
+/// sums over rows with these counts give. The distance from the nearest one, over the range of p.
+double sample_distance() {
+  constexpr std::array x{1.0, 2.0, 4.0, 3.0}, y{0.0, 2.0, 40.0, 300.0}, z{1.0, 5.0, 70.0, 610.0};
+  constexpr double lower = -50.0, upper = 150.0;
+  std::vector<double> possible;
+  for (int code = 0; code < 256; ++code) {
+    double products = 0.0, squares = 0.0;
+    for (int draw = 0, rest = code; draw < 4; ++draw, rest /= 4) {
+      const auto row = static_cast<std::size_t>(rest % 4);
+      products += x[row] * (y[row] + 2.0 * z[row]), squares += 5.0 * x[row] * x[row];
+    }
+    possible.push_back(products / squares);
+  }
+  const FitModel model = [&](const std::vector<double>& p, const std::vector<std::size_t>& of) {
+    std::vector<double> found;
+    for (const std::size_t row : of)
+      found.insert(found.end(), {p[0] * x[row] - y[row], 2.0 * p[0] * x[row] - z[row]});
+    return found;
+  };
+  const Fit found = fit({{lower, upper, 20.0, false}}, model, {.rows = 4, .samples = 400, .seed = 5}, false);
+  double worst = 0.0;
+  for (const std::vector<double>& sample : found.samples) {
+    double nearest = upper - lower;
+    for (const double value : possible)
+      nearest = std::min(nearest, std::abs(sample[0] - value));
+    worst = std::max(worst, nearest / (upper - lower));
+  }
+  return found.samples.size() == 400 ? worst : 1.0;
+}
+
+/// Largest error of a plane y = a x + b whose a, or b, is at the lower or upper bound: the other one is then that of a
+/// fit of one parameter. Infinite if the fit does not say which one is at its bound, or that it has converged.
+double bound_error() {
+  constexpr std::array x{0.5, 1.0, 2.0, 3.5, 4.0, 6.0}, y{1.1, 1.9, 4.2, 7.4, 7.7, 12.3};  // nearly 2 x
+  const FitModel model = [&](const std::vector<double>& p, const std::vector<std::size_t>& of) {
+    std::vector<double> found;
+    for (const std::size_t row : of)
+      found.push_back(p[0] * x[row] + p[1] - y[row]);
+    return found;
+  };
+  double sum_x = 0.0, sum_y = 0.0, sum_xx = 0.0, sum_xy = 0.0;
+  for (std::size_t i = 0; i < x.size(); ++i)
+    sum_x += x[i], sum_y += y[i], sum_xx += x[i] * x[i], sum_xy += x[i] * y[i];
+  constexpr auto rows = static_cast<double>(x.size());
+  double worst = 0.0;
+  const auto compare = [&](const FitParameter& slope, const FitParameter& shift, double a, double b,
+                           std::size_t bound) {
+    const Fit found = fit({slope, shift}, model, {.rows = x.size(), .samples = 0}, false);
+    keep_worst(worst, found.values[0] - a);
+    keep_worst(worst, found.values[1] - b);
+    if (!found.converged || !found.at_bound[bound] || found.at_bound[1 - bound])
+      worst = std::numeric_limits<double>::infinity();
+  };
+  const FitParameter any_slope{-10.0, 10.0, 1.0, false}, any_shift{-10.0, 10.0, 1.0, false};
+  for (const double a : {2.5, 1.5}) {
+    const FitParameter slope = a > 2.0 ? FitParameter{a, 10.0, 5.0, false} : FitParameter{-10.0, a, 0.0, false};
+    compare(slope, any_shift, a, (sum_y - a * sum_x) / rows, 0);
+  }
+  for (const double b : {1.0, -1.0}) {
+    const FitParameter shift = b > 0.0 ? FitParameter{b, 10.0, 5.0, false} : FitParameter{-10.0, b, -5.0, false};
+    compare(any_slope, shift, (sum_xy - b * sum_x) / sum_xx, b, 1);
+  }
+  return worst;
+}
+
+/// Error of the deeper of two minima, from a start beside the other one; and of a narrow minimum, from a start within
+/// it, for a parameter and for the logarithm of one.
+double minimum_error() {
+  double worst = 0.0;
+  const FitModel two = [](const std::vector<double>& p, const std::vector<std::size_t>& of) {
+    std::vector<double> found;
+    for (const std::size_t row : of)
+      found.push_back(row == 0 ? p[0] * p[0] - 1.0 : 0.3 * (p[0] - 1.0));
+    return found;
+  };
+  keep_worst(worst, fit({{-3.0, 3.0, -1.2, false}}, two, {.rows = 2, .samples = 0}, false).values[0] - 1.0);
+  for (const bool logarithmic : {false, true}) {
+    constexpr double lowest = 2.0, centre = 7.3, width = 0.03;
+    const FitModel narrow = [](const std::vector<double>& p, const std::vector<std::size_t>& of) {
+      const double away = (p[0] - centre) / width;
+      std::vector<double> found;
+      for (const std::size_t row : of)
+        found.push_back((row == 0 ? 1.0 : 0.5) * away / std::sqrt(1.0 + away * away));
+      return found;
+    };
+    const Fit found = fit({{lowest, 20.0, centre + 0.5 * width, logarithmic}}, narrow,
+                          {.rows = 2, .samples = 0, .maximum_searches = 60}, false);
+    keep_worst(worst, found.values[0] - centre);
+  }
+  return worst;
+}
+
+}  // namespace
+
+void check_search(Findings& findings) {
+  findings.expect("bootstrap: samples of a line through the origin, largest distance from a possible value",
+                  sample_distance(), 0.0,
+                  Tolerance::round_off(1e-12,
+                                       "over the range of the parameter; each sample is one of 256 sums, and "
+                                       "Gauss and Newton solve a linear problem in one step"));
+  findings.expect("search: parameters of which one is at its bound, largest error", bound_error(), 0.0,
+                  Tolerance::round_off(1e-12, "of slopes and shifts of some units; a linear problem"));
+  findings.expect(
+      "search: the deeper of two minima, and a narrow one around the start, largest error", minimum_error(), 0.0,
+      Tolerance::model(1e-6, "steps of Gauss and Newton to 1e-4 of a standard error, of deviations that are zero"));
 }
 
 }  // namespace talus::verification::problems::fitted_parameters

@@ -290,6 +290,8 @@ void check_warnings(const Program& program, Differences& differ) {
   differ.holds("damping of a restitution", std::abs(value / damping - 1.0) < 0.01);
   differ.compare("no warning", alone.messages, std::string{});
   differ.contains("line for the scene", alone.output, "in the scene:\n  contact.hit.damping = \"");
+  differ.contains("columns without intervals", squeezed(alone.output), "parameter value standard error\n");
+  differ.contains("columns", squeezed(both.output), "parameter value standard error 95 %, bootstrap\n");
   program.write("bound.toml", std::string{heading} + of_speed +
                                   parameter("contact.hit.damping", "[\"60 N s/m\", \"200 N s/m\"]") + few);
   const ProgramEnd bound = message("bound.toml");
@@ -327,6 +329,13 @@ void check_warnings(const Program& program, Differences& differ) {
   for (std::size_t row = 0; row < once.rows(); ++row)
     keep_worst(moved, twice.number(row, 0) / once.number(row, 0) - 1.0);
   differ.holds("samples of a quantity that is measured twice", std::abs(moved) < 1e-3);
+  const records::Csv fitted = program.csv("twice/fit.csv");
+  differ.compare("rows of two quantities", fitted.rows(), std::size_t{18});
+  for (std::size_t row = 0; row < fitted.rows(); ++row)
+    for (const char* const of : {"measured", "fitted", "difference"})
+      differ.compare(fmt::format("{} of a quantity that is measured twice", of),
+                     fitted.number(row, fmt::format("again, {} [mm/s]", of)),
+                     fitted.number(row, fmt::format("rebound, {} [mm/s]", of)));
   // The rebound does not depend on the position along the floor.
   program.write("free.toml", std::string{heading} + of_speed + of_damping +
                                  parameter("body.ball.position[0]", "[\"-1 m\", \"1 m\"]") + few);
@@ -461,7 +470,8 @@ void run(Findings& findings, const Setup& setup) {
   const auto group = findings.in("fit");
   const Program program{setup};
   Differences differ;
-  if (setup.needs("bootstrap")) check_coverage(findings, setup);
+  if (setup.needs("bootstrap: fraction")) check_coverage(findings, setup);
+  if (setup.needs("search") || setup.needs("bootstrap: samples")) check_search(findings);
   if (setup.needs("exact heights") || setup.needs("files") || setup.needs("outputs"))
     check_bounce(program, findings, differ);
   if (setup.needs("sliding")) check_friction(program, findings, differ);

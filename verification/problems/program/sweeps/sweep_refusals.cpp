@@ -35,6 +35,8 @@ std::vector<Wrong> wrong_sweeps() {
       {"base = \"ball.toml\"\noutputs = [\"ball.z.peak[0]\"]\n" + good, "outputs: column 'ball.z' is not known"},
       {"base = \"ball.toml\"\noutputs = [\"ball.x.peak\"]\n" + good,
        "outputs: found \"ball.x.peak\"; give a local maximum with its index from 0, ball.x.peak[0]"},
+      {"base = \"ball.toml\"\noutputs = [\"ball.x.peak[99999999999999999999]\"]\n" + good,
+       "outputs: found \"ball.x.peak[99999999999999999999]\"; give a local maximum with its index"},
       {"base = \"ball.toml\"\noutputs = [\"ball.x.peaks[-1]\"]\n" + good,
        "outputs: found \"ball.x.peaks[-1]\"; give a local maximum with its index"},
       {head, "axis: it is missing; give at least one [[axis]]"},

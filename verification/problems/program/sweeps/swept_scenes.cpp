@@ -211,6 +211,16 @@ void check_plans(const Program& program, Differences& differ) {
   differ.holds("runs within a limit that is varied",
                program.run({"sweep", "plan", "fields.toml"})
                    .starts_with("6 runs, without 3 that do not satisfy the constraints\n"));
+  // 3 times 0.7 is less than 2.1 by round-off, 3 times 1.1 more than 3.3.
+  program.write("edge.toml", head +
+                                 "[[axis]]\nfield = \"body.ball.velocity[0]\"\nvalues = [\"2.1 m/s\", \"3.3 m/s\"]\n"
+                                 "[[axis]]\nfield = \"body.ball.velocity[1]\"\nvalues = [\"0.7 m/s\", \"1.1 m/s\"]\n"
+                                 "[[constraint]]\nfield = \"body.ball.velocity[0]\"\n"
+                                 "at_most = \"body.ball.velocity[1]\"\nfactor = 3\n[[constraint]]\n"
+                                 "field = \"body.ball.velocity[0]\"\nat_least = \"body.ball.velocity[1]\"\n"
+                                 "factor = 3\n");
+  differ.holds("runs at their limits but for round-off",
+               program.run({"sweep", "plan", "edge.toml"}).starts_with("2 runs, without 2 that"));
   const Json plan = program.file("fields/sweep.json");
   differ.holds("sweep.json", plan.at("title").get<std::string>() == "Plan" && plan.at("runs").get<int>() == 6 &&
                                  plan.at("outputs") == Json{"ball.vx.end"} && plan.at("limits").empty());
@@ -327,6 +337,17 @@ void check_fence(const Program& program, Differences& differ) {
       if (extreme.at("name").get<std::string>() == "energy.kinetic")
         differ.compare("extreme", csv.number(row, "energy.kinetic.max [N m]"), extreme.at("maximum").get<double>());
   }
+  // Whole numbers of a table: a scene takes no others for a number of columns.
+  program.write("columns.csv", "n\n5\n9\n");
+  const records::Csv table =
+      collected(program, "columns",
+                "base = \"fence.toml\"\noutputs = [\"rock.vx.end\"]\n[[axis]]\ntable = \"columns.csv\"\n"
+                "columns = { \"fence.columns\" = \"n\" }\n" +
+                    axis("fence.rock[0].velocity[0]", "values = [\"-25 m/s\"]"));
+  differ.compare("rows of a table of columns", table.rows(), std::size_t{2});
+  for (std::size_t row = 0; row < table.rows(); ++row)
+    differ.compare("velocity with the columns of a table", table.number(row, "rock.vx.end [m/s]"),
+                   csv.number(row == 0 ? 3 : 5, "rock.vx.end [m/s]"));
 }
 
 /// A deck of 1993 as base: the run of `talus run` of the deck, bit by bit, and of the deck with another speed.
