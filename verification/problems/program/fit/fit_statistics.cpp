@@ -6,7 +6,6 @@
 #include <array>
 #include <cmath>
 #include <cstdint>
-#include <limits>
 #include <numbers>
 #include <random>
 #include <vector>
@@ -122,7 +121,7 @@ double sample_distance() {
 }
 
 /// Largest error of a plane y = a x + b whose a, or b, is at the lower or upper bound: the other one is then that of a
-/// fit of one parameter. Infinite if the fit does not say which one is at its bound, or that it has converged.
+/// fit of one parameter. At least 1 if the fit does not say which one is at its bound, or that it has converged.
 double bound_error() {
   constexpr std::array x{0.5, 1.0, 2.0, 3.5, 4.0, 6.0}, y{1.1, 1.9, 4.2, 7.4, 7.7, 12.3};  // nearly 2 x
   const FitModel model = [&](const std::vector<double>& p, const std::vector<std::size_t>& of) {
@@ -141,8 +140,7 @@ double bound_error() {
     const Fit found = fit({slope, shift}, model, {.rows = x.size(), .samples = 0}, false);
     keep_worst(worst, found.values[0] - a);
     keep_worst(worst, found.values[1] - b);
-    if (!found.converged || !found.at_bound[bound] || found.at_bound[1 - bound])
-      worst = std::numeric_limits<double>::infinity();
+    if (!found.converged || !found.at_bound[bound] || found.at_bound[1 - bound]) worst = std::max(1.0, std::abs(worst));
   };
   const FitParameter any_slope{-10.0, 10.0, 1.0, false}, any_shift{-10.0, 10.0, 1.0, false};
   for (const double a : {2.5, 1.5}) {
@@ -173,7 +171,7 @@ double minimum_error() {
       const double away = (p[0] - centre) / width;
       std::vector<double> found;
       for (const std::size_t row : of)
-        found.push_back((row == 0 ? 1.0 : 0.5) * away / std::sqrt(1.0 + away * away));
+        found.push_back((row == 0 ? 1.0 : 0.5) * std::tanh(away));  // constant but for 0.6 around it
       return found;
     };
     const Fit found = fit({{lowest, 20.0, centre + 0.5 * width, logarithmic}}, narrow,
