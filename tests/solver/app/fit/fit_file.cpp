@@ -27,7 +27,7 @@ BOOST_AUTO_TEST_CASE(all_fields_are_read_and_most_have_defaults) {
   BOOST_TEST(defaults.scene == folder.path / "s.toml");
   BOOST_TEST(defaults.rows == 3U);
   BOOST_TEST(defaults.inputs.empty());
-  BOOST_TEST(defaults.quantities.at(0).name == "y [mm]");
+  BOOST_TEST(defaults.quantities.at(0).name == "y");
   BOOST_TEST(defaults.quantities.at(0).unit == "mm");
   BOOST_TEST(!defaults.has_uncertainties());
   BOOST_TEST(defaults.quantities.at(0).divisors.empty());

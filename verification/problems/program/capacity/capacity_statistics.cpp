@@ -6,6 +6,7 @@
 #include <array>
 #include <cmath>
 #include <cstdint>
+#include <functional>
 #include <numbers>
 #include <random>
 #include <vector>
@@ -124,6 +125,14 @@ bool is_hit(std::uint64_t seed, MapNode node, std::size_t trial, double probabil
   return std::ldexp(static_cast<double>(bits >> 11U), -53) < probability;
 }
 
+/// Adds the outcomes of all trials that a map wants, with the probability of each node.
+void complete(CapacityMap& map, std::uint64_t seed, const std::function<double(MapNode)>& probability) {
+  for (std::vector<MapTrials> wanted = map.next(); !wanted.empty(); wanted = map.next())
+    for (const MapTrials& trials : wanted)
+      for (std::size_t trial = trials.first; trial < trials.last; ++trial)
+        map.add(trials.node, is_hit(seed, trials.node, trial, probability(trials.node)));
+}
+
 /// A deviation of a counted fraction, in standard deviations.
 double deviation(int counted, int of, double exact) {
   return (static_cast<double>(counted) / of - exact) / std::sqrt(std::max(exact * (1.0 - exact), 1e-4) / of);
@@ -139,10 +148,7 @@ void check_nodes(Findings& findings) {
     for (int seed = 0; seed < seeds; ++seed) {
       // One cell: all its four nodes are ends of a column.
       CapacityMap map{{.cells = 1, .first_cells = 1, .trials = rules.trials, .few = rules.few}};
-      for (std::vector<MapTrials> wanted = map.next(); !wanted.empty(); wanted = map.next())
-        for (const MapTrials& trials : wanted)
-          for (std::size_t trial = trials.first; trial < trials.last; ++trial)
-            map.add(trials.node, is_hit(static_cast<std::uint64_t>(seed), trials.node, trial, p));
+      complete(map, static_cast<std::uint64_t>(seed), [&](MapNode) { return p; });
       for (const MapNode node : {MapNode{0, 0}, MapNode{1, 0}, MapNode{0, 1}, MapNode{1, 1}}) {
         const Interval interval = wilson_interval(map.hits(node), map.trials(node));
         covered += interval.low <= p && p <= interval.high ? 1 : 0;
@@ -240,13 +246,7 @@ using Probability = double (*)(double x, double y);
 
 CapacityMap mapped(std::uint64_t seed, Probability probability, double shift) {
   CapacityMap map{rules};
-  for (std::vector<MapTrials> wanted = map.next(); !wanted.empty(); wanted = map.next()) {
-    for (const MapTrials& trials : wanted) {
-      const MapNode node = trials.node;
-      for (std::size_t trial = trials.first; trial < trials.last; ++trial)
-        map.add(node, is_hit(seed, node, trial, probability(node.i / 64.0, node.j / 64.0 + shift)));
-    }
-  }
+  complete(map, seed, [&](MapNode node) { return probability(node.i / 64.0, node.j / 64.0 + shift); });
   return map;
 }
 
