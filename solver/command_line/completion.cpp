@@ -153,13 +153,15 @@ std::string zsh_script(const std::vector<CompletedCommand>& commands, const std:
   }
   script +=
       "  esac\n"
-      "  local before=${words[CURRENT - 1]} values=\n"
-      "  [[ ${words[CURRENT]} == --*=* ]] && before=${words[CURRENT]%%=*} && compset -P '*='\n" +
-      value_cases(commands, "values");
+      "  local word=${words[CURRENT]} before=${words[CURRENT - 1]} values=\n"
+      "  [[ $word == --*=* ]] && before=${word%%=*}\n" +
+      value_cases(commands, "values") +
+      // What follows = is completed alone, where no values are known by files.
+      "  [[ $word == --*=* ]] && compset -P '*=' && word=\n";
   script += fmt::format(
       "  if [[ -n $values ]]; then\n"
       "    compadd -- ${{=values}}\n"
-      "  elif [[ ${{words[CURRENT]}} == -* ]]; then\n"
+      "  elif [[ $word == -* ]]; then\n"
       "    _describe -o option options\n"
       "  elif (( $#commands )); then\n"
       "    _describe command commands\n"
