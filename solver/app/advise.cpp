@@ -150,9 +150,8 @@ Command add_advise(CLI::App& talus) {
                   "energy.kinetic.max")
       ->required();
   app->add_option("--out", options->out, "the scene with the advice; default: SCENE's name with .advised.toml");
-  const std::vector<std::string> integrators = integrator_names();
   offer(app->add_option("--among", options->rules.among, "integrators to choose from; default: all")->delimiter(','),
-        {integrators.begin(), integrators.end()});
+        integrator_names());
   app->add_option("--evaluations", options->rules.evaluations,
                   "force evaluations that the pilots may take in all; default 2000000: of a fence of ten bodies some "
                   "ten seconds");

@@ -94,12 +94,11 @@ Command add_calibrate(CLI::App& talus, const DrawingSink& sink) {
   app->add_option("SCENE", options->scene, "scene file: calibrate its --contact by simulation of the scene");
   app->add_option("--contact", options->contact, "name of the scene's contact");
   app->add_option("--restitution", options->restitution, "restitution wanted, in (0, 1]");
-  const std::vector<std::string> laws = ContactLaws::names(), integrators = integrator_names();
   offer(app->add_option(
             "--law", options->law,
             "linear_spring_dashpot (default), hertz or hunt_crossley; or latching_spring: K1/K2 of two discs that "
             "are stepped by --step"),
-        {laws.begin(), laws.end()});
+        ContactLaws::names());
   app->add_option("--masses", options->masses,
                   "masses of body 1 and body 2; a single mass is that of body 2, and body 1 is fixed; an axis of such "
                   "masses: the first one, the last one and their number")
@@ -168,7 +167,7 @@ Command add_calibrate(CLI::App& talus, const DrawingSink& sink) {
   app->add_option("--bound", options->bound,
                   "error of the restitution that the step may cause, in a range that of each pair; default 0.001");
   offer(app->add_option("--integrator", options->integrator, "method for the step; default velocity_verlet"),
-        {integrators.begin(), integrators.end()});
+        integrator_names());
   app->add_option("--step", options->step, "of a latching_spring: its step, e.g. \"1e-7 s\"; a bare number is in s");
   CLI::Option* speeds =
       app->add_option(
@@ -193,7 +192,7 @@ Command add_calibrate(CLI::App& talus, const DrawingSink& sink) {
   app->get_option("--format")->needs(out);
   app->add_option("--write-scene", options->written_scene,
                   "file for a scene of this impact with the dashpot and the step: run it to see the restitution");
-  offer(app->add_option("--units", options->units, "SI or US, for the text; JSON is always SI"), {si.name, us.name});
+  offer(app->add_option("--units", options->units, "SI or US, for the text; JSON is always SI"), unit_system_names());
   app->add_flag("--json", options->json, "print JSON, in SI units");
   app->footer(
       "Examples:\n"

@@ -213,12 +213,12 @@ Command add_cell(CLI::App& talus) {
       "--resume", options->resume,
       "folder of an interrupted run: resume it as if it had never stopped; of a run that has ended it says so "
       "and returns its exit status");
-  const auto& methods = disc_method_names();
+  const std::vector<std::string> methods = disc_method_names();
   offer(app->add_option("--integrator", options->integrator,
                         fmt::format("{}; default {}", fmt::join(methods, ", "), CellPlan{}.integrator)),
-        {methods.begin(), methods.end()});
+        methods);
   offer(app->add_option("--units", options->units, "unit system of CNTRL.DAT, which names none: SI or US"),
-        {si.name, us.name});
+        unit_system_names());
   app->add_option("--seed", options->seed, "of the first velocities across the field; default the scene's, or 0")
       ->check(number_between(0, static_cast<double>(maximum_seed)));
   app->add_flag("--historical", options->historical,

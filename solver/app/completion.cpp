@@ -16,15 +16,20 @@ namespace {
 constexpr std::array<std::pair<const char*, Shell>, 3> shells{
     {{"bash", Shell::bash}, {"zsh", Shell::zsh}, {"fish", Shell::fish}}};
 
-int print_completion(const CLI::App& talus, const std::string& wanted) {
+std::vector<std::string> shell_names() {
   std::vector<std::string> names;
+  for (const auto& each : shells)
+    names.emplace_back(each.first);
+  return names;
+}
+
+int print_completion(const CLI::App& talus, const std::string& wanted) {
   for (const auto& [name, shell] : shells) {
-    names.emplace_back(name);
     if (wanted != name) continue;
     fmt::print("{}", completion(talus, shell));
     return ok;
   }
-  throw unknown_name("shell", wanted, names);
+  throw unknown_name("shell", wanted, shell_names());
 }
 
 }  // namespace
@@ -32,10 +37,7 @@ int print_completion(const CLI::App& talus, const std::string& wanted) {
 Command add_completion(CLI::App& talus) {
   CLI::App* app = talus.add_subcommand("completion", "Print a script that makes a shell complete commands and options");
   const auto shell = std::make_shared<std::string>();
-  std::vector<std::string_view> names;
-  for (const auto& each : shells)
-    names.emplace_back(each.first);
-  offer(app->add_option("shell", *shell, "bash, zsh or fish")->required(), names);
+  offer(app->add_option("shell", *shell, "bash, zsh or fish")->required(), shell_names());
   app->footer(
       "Example:\n"
       "  source <(talus completion bash)     in ~/.bashrc, for each shell from then on; or for all users:\n"

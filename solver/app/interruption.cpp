@@ -21,8 +21,8 @@ void note(int signal) {
   timespec time{};
   ::clock_gettime(CLOCK_MONOTONIC, &time);
   const std::int64_t now = time.tv_sec * second_in_ns + time.tv_nsec;
-  if (caught == signal && now - caught_at < same_request) return;
   if (caught == signal) {
+    if (now - caught_at < same_request) return;
     std::signal(signal, SIG_DFL);
     std::raise(signal);  // it acts once this handler has returned
     return;

@@ -78,6 +78,13 @@ const std::vector<std::pair<std::string, void (*)()>>& topics() {
   return all;
 }
 
+std::vector<std::string> topic_names() {
+  std::vector<std::string> names;
+  for (const auto& topic : topics())
+    names.push_back(topic.first);
+  return names;
+}
+
 int list(const std::string& wanted) {
   bool found = false;
   for (const auto& topic : topics()) {
@@ -87,10 +94,7 @@ int list(const std::string& wanted) {
     found = true;
   }
   if (found) return ok;
-  std::vector<std::string> names;
-  for (const auto& topic : topics())
-    names.push_back(topic.first);
-  throw unknown_name("topic", wanted, names);
+  throw unknown_name("topic", wanted, topic_names());
 }
 
 }  // namespace
@@ -99,11 +103,8 @@ Command add_list(CLI::App& talus) {
   CLI::App* app =
       talus.add_subcommand("list", "What can be named in a scene: integrators, laws, shapes, units, fields");
   const auto topic = std::make_shared<std::string>();
-  std::vector<std::string_view> names;
-  for (const auto& each : topics())
-    names.emplace_back(each.first);
   offer(app->add_option("topic", *topic, "integrators, laws, shapes, units or fields; all but the last when left out"),
-        names);
+        topic_names());
   app->footer("Example:\n  talus list fields");
   return {app, [topic] { return list(*topic); }};
 }

@@ -17,11 +17,10 @@ Command add_new(CLI::App& talus) {
   };
   CLI::App* app = talus.add_subcommand("new", "Print a commented scene file of a kind, as a start for a new one");
   const auto options = std::make_shared<Options>();
-  const auto& kinds = template_kinds();
-  offer(app->add_option("KIND", options->kind, fmt::format("{}", fmt::join(kinds, ", ")))->required(),
-        {kinds.begin(), kinds.end()});
+  const std::vector<std::string> kinds = template_kinds();
+  offer(app->add_option("KIND", options->kind, fmt::format("{}", fmt::join(kinds, ", ")))->required(), kinds);
   offer(app->add_option("--units", options->units, "unit system of its quantities, SI or US")->capture_default_str(),
-        {si.name, us.name});
+        unit_system_names());
   app->footer(
       "Example:\n  talus new fence > my.toml && talus run my.toml --out out\n"
       "The file runs as it is; its comments say what each field means.");

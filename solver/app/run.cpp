@@ -159,7 +159,7 @@ Command add_run(CLI::App& talus) {
   offer(app->add_option("--integrator", options->integrator,
                         "integrator instead of the scene's (talus list integrators); one of fixed step takes --step "
                         "auto in place of the output times of one that chooses its steps"),
-        {names.begin(), names.end()});
+        names);
   app->add_option("--tolerance", options->tolerance, "step control of that integrator, a pure number, e.g. 1e-9");
   app->add_option("--frames", options->frames,
                   "states of the geometry, evenly over the run; default: a fence's every nprint steps, else 100")

@@ -202,11 +202,13 @@ class QuantityText {
 
 }  // namespace
 
+std::vector<std::string> unit_system_names() { return {std::string{si.name}, std::string{us.name}}; }
+
 UnitSystem unit_system(std::string_view name) {
   for (const UnitSystem& system : {si, us}) {
     if (system.name == name) return system;
   }
-  throw unknown_name("unit system", name, {std::string{si.name}, std::string{us.name}});
+  throw unknown_name("unit system", name, unit_system_names());
 }
 
 std::vector<std::string> unit_symbols() {

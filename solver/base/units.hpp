@@ -35,6 +35,8 @@ inline constexpr double slug_in_kg = pound_force_in_N / foot_in_m;
 inline constexpr UnitSystem si{"SI", "kg", "m", "s", "N", 1.0, 1.0};
 inline constexpr UnitSystem us{"US", "slug", "ft", "s", "lbf", exact::slug_in_kg, exact::foot_in_m};
 
+/// Names of all unit systems.
+[[nodiscard]] std::vector<std::string> unit_system_names();
 /// The unit system called `name`. Errors: InputError listing the known names.
 [[nodiscard]] UnitSystem unit_system(std::string_view name);
 

@@ -256,16 +256,18 @@ Calibration calibrate(const Scene& scene, ContactId contact, double e, double to
     ++found.runs;
     const Followed followed =
         follow_impact(with_dissipation(scene, contact, value), contact, ImpactEnd::parting, progress);
-    if (followed.impact) return followed.impact->restitution - e;
+    if (followed.impact) {
+      const double now = followed.impact->restitution - e;
+      if (found.runs == 1 || std::abs(now) < std::abs(found.impact.restitution - e))
+        found.dissipation = value, found.impact = *followed.impact;
+      return now;
+    }
     // So much damping that a weight keeps the bodies together: no rebound.
     if (followed.stays && value > 0.0) return -e;
     throw InputError{fmt::format("contact '{}': {}", name, followed.why_not)};
   };
   const double undamped = excess(0.0);
-  if (std::abs(undamped) <= tolerance) {
-    found.restitution = undamped + e;
-    return found;
-  }
+  if (std::abs(undamped) <= tolerance) return found;
   if (undamped < 0.0) {
     throw InputError{
         fmt::format("contact '{}': restitution {} is not reachable; without any damping the scene gives {:.6g}", name,
@@ -284,18 +286,14 @@ Calibration calibrate(const Scene& scene, ContactId contact, double e, double to
   // The simulated e jumps slightly when the end of the contact moves from one step to the next: the search stops at the
   // required tolerance in e, or when the bracket is as narrow as floating-point numbers allow.
   std::uintmax_t maximum = 100;
-  double best = high, best_excess = at_high;
-  const auto watched = [&](double value) {
+  const auto until_tolerance = [&](double value) {
     const double now = excess(value);
-    if (std::abs(now) < std::abs(best_excess)) best = value, best_excess = now;
     return std::abs(now) <= tolerance ? 0.0 : now;
   };
   if (at_high != 0.0) {
-    boost::math::tools::toms748_solve(watched, low, high, at_low, at_high,
+    boost::math::tools::toms748_solve(until_tolerance, low, high, at_low, at_high,
                                       boost::math::tools::eps_tolerance<double>(50), maximum);
   }
-  found.dissipation = best;
-  found.restitution = e + best_excess;
   return found;
 }
 

@@ -66,15 +66,19 @@ struct ImpactStep {
 /// Result of calibrating a contact of a scene.
 struct Calibration {
   double dissipation{};  ///< `damping` [F T/L] or `hysteresis` [T/L] that gives the required restitution
-  double restitution{};  ///< simulated with that damping
+  Impact impact;         ///< simulated with that value, which is the nearest of all to the restitution
   int runs{};            ///< number of simulations
 };
+
+/// Error of the restitution at which a calibration ends.
+inline constexpr double restitution_tolerance = 1e-6;
 
 /// Finds the damping or hysteresis of one contact of a scene that gives its first impact the restitution e, by
 /// simulations within a bracket: none, and a value doubled until the restitution is below e.
 /// Errors: InputError for e outside (0, 1], or if the undamped scene is already below e: the remaining loss has other
 /// causes. `progress` is called at each step of each simulation; what it throws ends the search.
-[[nodiscard]] Calibration calibrate(const Scene& scene, ContactId contact, double e, double tolerance = 1e-6,
+[[nodiscard]] Calibration calibrate(const Scene& scene, ContactId contact, double e,
+                                    double tolerance = restitution_tolerance,
                                     const std::function<void()>& progress = {});
 
 }  // namespace talus

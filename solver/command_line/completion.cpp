@@ -203,8 +203,9 @@ std::string fish_script(const std::vector<CompletedCommand>& commands, const std
         script += name.starts_with("--") ? " -l " + name.substr(2) : " -s " + name.substr(1);
       if (!option.values.empty())
         script += fmt::format(" -x -a {}", text(fmt::format("{}", fmt::join(option.values, " "))));
-      script +=
-          fmt::format("{} -d {}\n", option.takes_value && option.values.empty() ? " -r" : "", text(option.meaning));
+      else if (option.takes_value)
+        script += " -r";
+      script += fmt::format(" -d {}\n", text(option.meaning));
     }
   }
   return script;
@@ -212,7 +213,7 @@ std::string fish_script(const std::vector<CompletedCommand>& commands, const std
 
 }  // namespace
 
-CLI::Option* offer(CLI::Option* option, const std::vector<std::string_view>& values) {
+CLI::Option* offer(CLI::Option* option, const std::vector<std::string>& values) {
   const std::string shown = CLI::Formatter{}.make_option_opts(option);
   return option->option_text(shown.substr(std::min<std::size_t>(1, shown.size())))
       ->type_name(fmt::format("{{{}}}", fmt::join(values, ",")));

@@ -1,7 +1,6 @@
 #pragma once
 
 #include <string>
-#include <string_view>
 #include <vector>
 
 namespace CLI {
@@ -16,7 +15,7 @@ enum class Shell { bash, zsh, fish };
 
 /// Declares the values that an option or argument can have, so that shells complete them; the help does not list them.
 /// To be called before what the option needs or excludes is declared. Returns the option.
-CLI::Option* offer(CLI::Option* option, const std::vector<std::string_view>& values);
+CLI::Option* offer(CLI::Option* option, const std::vector<std::string>& values);
 
 /// A script that makes the shell complete the commands of a program, their options, and the values that these offer()
 /// or check for membership; elsewhere files.

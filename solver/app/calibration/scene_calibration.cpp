@@ -69,7 +69,6 @@ std::optional<EndRule> end_rule_of(const ContactLaw& contact_law) {
 /// Calibration of a contact of a scene, in the scene's units.
 struct SceneCalibration {
   Calibration found;
-  Impact impact;  ///< the first impact with the calibrated damping
   std::optional<double> damping_ratio;
   std::optional<EndRule> end_rule;
   bool is_of_speed{};     ///< the restitution depends on the speed
@@ -77,17 +76,14 @@ struct SceneCalibration {
   Dimension dimension;    ///< of the parameter
 
   /// Steps of the scene from the last one before the contact to the first one after it.
-  long contact_steps(const Scene& scene) const { return std::lround(impact.contact_time / scene.plan.step); }
+  long contact_steps(const Scene& scene) const { return std::lround(found.impact.contact_time / scene.plan.step); }
 };
 
 SceneCalibration calibrated(const Scene& scene, ContactId contact, double restitution,
                             const std::function<void()>& progress = {}) {
   SceneCalibration result;
-  constexpr double tolerance = 1e-6;
-  result.found = calibrate(scene, contact, restitution, tolerance, progress);
-  const Scene damped = with_dissipation(scene, contact, result.found.dissipation);
-  result.impact = simulate_impact(damped, contact);
-  result.damping_ratio = damping_ratio_of(damped, contact);
+  result.found = calibrate(scene, contact, restitution, restitution_tolerance, progress);
+  result.damping_ratio = damping_ratio_of(with_dissipation(scene, contact, result.found.dissipation), contact);
   const ContactLaw& law = scene.model.contacts[index(contact)].law;
   result.end_rule = end_rule_of(law);
   result.is_of_speed = restitution_varies(law);
@@ -98,16 +94,17 @@ SceneCalibration calibrated(const Scene& scene, ContactId contact, double restit
 
 nlohmann::ordered_json json_of(const SceneCalibration& result, const Scene& scene, const std::string& contact) {
   const UnitSystem& units = scene.model.units;
-  nlohmann::ordered_json json{{"contact", contact},
-                              {result.parameter, result.found.dissipation * si_size(units, result.dimension)},
-                              {"speed", result.impact.approach_speed * si_size(units, dimension::velocity)},
-                              {"contact_time", result.impact.contact_time},
-                              {"contact_steps", result.contact_steps(scene)},
-                              {"largest_overlap", result.impact.largest_overlap * si_size(units, dimension::length)},
-                              {"step", scene.plan.step},
-                              {"restitution", result.found.restitution},
-                              {"runs", result.found.runs},
-                              {"units", "SI"}};
+  nlohmann::ordered_json json{
+      {"contact", contact},
+      {result.parameter, result.found.dissipation * si_size(units, result.dimension)},
+      {"speed", result.found.impact.approach_speed * si_size(units, dimension::velocity)},
+      {"contact_time", result.found.impact.contact_time},
+      {"contact_steps", result.contact_steps(scene)},
+      {"largest_overlap", result.found.impact.largest_overlap * si_size(units, dimension::length)},
+      {"step", scene.plan.step},
+      {"restitution", result.found.impact.restitution},
+      {"runs", result.found.runs},
+      {"units", "SI"}};
   if (result.damping_ratio) json["damping_ratio"] = *result.damping_ratio;
   if (result.end_rule) json["end_rule"] = name_of(*result.end_rule);
   return json;
@@ -122,12 +119,12 @@ void print_text(const SceneCalibration& result, const Scene& scene, const std::s
              name(scene.integrator));
   line(result.parameter == "damping" ? "damping c" : result.parameter, result.found.dissipation, result.dimension);
   if (result.damping_ratio) line("damping ratio xi", *result.damping_ratio, dimension::number);
-  line("restitution", result.found.restitution, dimension::number);
-  line("speed of approach", result.impact.approach_speed, dimension::velocity);
+  line("restitution", result.found.impact.restitution, dimension::number);
+  line("speed of approach", result.found.impact.approach_speed, dimension::velocity);
   const std::string time = symbol(units, dimension::time);
   fmt::print("  {:<18}{:>16.9g} {}: {} steps, from the last one before the contact to the first one after it\n",
-             "contact time", result.impact.contact_time, time, result.contact_steps(scene));
-  line("largest overlap", result.impact.largest_overlap, dimension::length);
+             "contact time", result.found.impact.contact_time, time, result.contact_steps(scene));
+  line("largest overlap", result.found.impact.largest_overlap, dimension::length);
   const std::string_view chosen = ": times at which the method gives states; it chooses shorter steps itself";
   fmt::print("  {:<18}{:>16.9g} {}, of the scene{}\n", "step", scene.plan.step, time,
              chooses_steps(scene.integrator) ? chosen : "");

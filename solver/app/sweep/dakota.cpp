@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <charconv>
 #include <cmath>
+#include <optional>
 #include <sstream>
 
 #include "solver/base/error.hpp"
@@ -34,9 +35,8 @@ class DakotaLines {
   /// Whether the next line has this label.
   bool at(std::string_view label) const {
     if (ended()) return false;
-    std::istringstream tokens{lines_[read_].second};
-    std::string value, found;
-    return tokens >> value >> found && found == label;
+    const std::optional<Line> line = parsed(lines_[read_].second);
+    return line && line->label == label;
   }
 
   Line next() {
@@ -46,16 +46,14 @@ class DakotaLines {
     }
     const std::string& text = lines_[read_].second;
     number_ = lines_[read_++].first;
-    std::istringstream tokens{text};
-    Line line;
-    std::string rest;
-    if (!(tokens >> line.value >> line.label) || tokens >> rest) {
+    const std::optional<Line> line = parsed(text);
+    if (!line) {
       fail(
           fmt::format("found \"{}\"; it must be a value and a label, as in the standard format of Dakota's parameters "
                       "files (not aprepro or json)",
                       text));
     }
-    return line;
+    return *line;
   }
 
   /// The length of the array with this tag, which the next line begins.
@@ -81,6 +79,15 @@ class DakotaLines {
   }
 
  private:
+  /// Value and label of a line that has both and nothing else.
+  static std::optional<Line> parsed(const std::string& text) {
+    std::istringstream tokens{text};
+    Line line;
+    std::string rest;
+    if (!(tokens >> line.value >> line.label) || tokens >> rest) return {};
+    return line;
+  }
+
   std::string name_;
   std::vector<std::pair<int, std::string>> lines_;  ///< with their numbers in the file
   std::size_t read_{};                              ///< number of lines read

@@ -75,7 +75,7 @@ BOOST_AUTO_TEST_CASE(scene_is_calibrated_by_simulation) {
   scene.integrator = make_integrator("velocity_verlet");
   scene.plan = {1e-5, 0.2, 0.1, false};
   const Calibration found = calibrate(scene, ContactId{0}, 0.5, 1e-6);
-  BOOST_TEST(std::abs(found.restitution - 0.5) < 1e-6);
+  BOOST_TEST(std::abs(found.impact.restitution - 0.5) < 1e-6);
   // Effective mass of the pinned column at the line of impact, I_p/h^2: 85.42/16 + 14.92 slug.
   const double mass = effective_mass({37.23, {}, 0.0, false}, {14.92 + 85.42 / 16.0, {}, 0.0, false});
   const double formula = damping(damping_ratio(0.5, EndRule::attractive), 1e7, mass);

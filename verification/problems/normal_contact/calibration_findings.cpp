@@ -234,10 +234,10 @@ void check_scene_calibration(Findings& findings) {
     const double formula = reference::pivoted_damping(problem, stiffness);
     const double particles = reference::particle_damping(problem, stiffness);
     differences.add(1.0 / std::sqrt(stiffness), std::abs(found.dissipation / formula - 1.0));
-    keep_largest(missed, found.restitution - 0.5);
+    keep_largest(missed, found.impact.restitution - 0.5);
     table.rows.push_back(cells("{:g} | {:.3f} | {:.3f} | {:+.3e} | {:.3f} | {:+.3e} | {:.10f} | {}", stiffness,
                                found.dissipation, formula, found.dissipation / formula - 1.0, particles,
-                               found.dissipation / particles - 1.0, found.restitution, found.runs));
+                               found.dissipation / particles - 1.0, found.impact.restitution, found.runs));
   }
   findings.expect_truncation("error of e in the calibrated scene, target 0.5", missed, 0.0, 1e-9, 1.0,
                              "the requested tolerance");

@@ -241,7 +241,8 @@ void check_bytes(const Program& program, Findings& findings, Differences& differ
   double shared = 0.0;
   for (const auto& [node, runs] : runs_of("finer"))
     if (const auto found = coarse.find(node); found != coarse.end()) shared += std::min(runs, found->second);
-  differ.holds("nodes of a coarse map that a finer one has, too", shared > 100.0);
+  // Both begin with 25 nodes of 4 runs each.
+  differ.holds("runs of a coarse map that a finer one has, too", shared >= 100.0);
   // The audit can have more in common.
   differ.holds("runs of a coarse map that a finer one needs again",
                static_cast<double>(lines) <= static_cast<double>(before + alone) - shared && lines >= alone);

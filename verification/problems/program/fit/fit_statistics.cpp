@@ -120,8 +120,9 @@ double sample_distance() {
   return found.samples.size() == 400 ? worst : 1.0;
 }
 
-/// Largest error of a plane y = a x + b whose a, or b, is at the lower or upper bound: the other one is then that of a
-/// fit of one parameter. At least 1 if the fit does not say which one is at its bound, or that it has converged.
+/// Largest error of a straight line y = a x + b whose a, or b, is at the lower or upper bound: the other one is then
+/// that of a fit of one parameter. At least 1 if the fit does not say which one is at its bound, or that it has
+/// converged.
 double bound_error() {
   constexpr std::array x{0.5, 1.0, 2.0, 3.5, 4.0, 6.0}, y{1.1, 1.9, 4.2, 7.4, 7.7, 12.3};  // nearly 2 x
   const FitModel model = [&](const std::vector<double>& p, const std::vector<std::size_t>& of) {
